@@ -1,7 +1,7 @@
 //! A trainee's career: what is unlocked, earned, owned and known.
 //!
-//! A career is a history of [`Entry`]s, flights and purchases, that only grows. Everything else follows from it:
-//! [`Standing::of`] folds a history into credits, experience, licences, parts and skills, so that nothing can
+//! A career is a history of [`CareerEntry`]s, flights and purchases, that only grows. Everything else follows from it:
+//! [`CareerStanding::of`] folds a history into credits, experience, licences, parts and skills, so that nothing can
 //! contradict itself and a formula can be mended for past flights too. What each figure came from can be told.
 
 mod aids;
@@ -26,17 +26,17 @@ pub use aids::Aids;
 pub use attempt::{
     Attempt, AttemptMeans, AttemptTerms, AttemptTrainee, PracticeReason, day_and_stake, mission_for,
 };
-pub use course::{Course, Offer, Reason, Stage};
+pub use course::{LockReason, MissionCourse, MissionStage, Offer};
 pub use daily::daily_seed;
 use daily::exam_seed;
 pub use economy::{STARTER_PARTS, licence_price};
-pub use growth::{Growth, Move, Try, Wealth};
+pub use growth::{Growth, SkillMove, Try, Wealth};
 pub use knowledge::{Knowledge, Mastery};
-pub use progress::{Advice, MissionProgress, MissionState, Progress, SkillProgress};
-pub use reward::{Opened, Reward, SkillChange};
+pub use progress::{CareerProgress, MissionProgress, MissionState, SkillProgress, TrainingAdvice};
+pub use reward::{OpenedItem, Reward, SkillChange};
 pub use skill::{Evidence, Skill};
-pub use standing::{Best, PartState, Refusal, Standing};
-pub use wear::{Flown, wear};
+pub use standing::{Best, CareerStanding, PartState, PurchaseRefusal};
+pub use wear::{FlownDesign, wear};
 
 use serde::{Deserialize, Serialize};
 
@@ -45,9 +45,9 @@ use crate::scoring::Medal;
 /// Something that a career keeps for good.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case", tag = "entry")]
-pub enum Entry {
+pub enum CareerEntry {
     /// A finished flight.
-    Flight(Flight),
+    Flight(CareerFlight),
     /// A licence to use a part.
     Purchase(Purchase),
 }
@@ -55,7 +55,7 @@ pub enum Entry {
 /// A finished flight, as far as a career is concerned. What the mission offered is kept with it: a mission that is
 /// changed later changes no past.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Flight {
+pub struct CareerFlight {
     /// Id of the mission.
     pub mission: String,
     /// The mission that it is a drill for.

@@ -2,7 +2,7 @@
 //!
 //! Sessions, pilot, mission and scoring are the same whatever flies: the embedded simulator in lock step and without
 //! a clock ([`LockStep`], whose outcome depends on the mission, the seed and the script alone), or vehicles that keep
-//! time themselves, behind byte streams ([`Streams`]). When a mission begins and how its time passes is decided by the
+//! time themselves, behind byte streams ([`LiveStreams`]). When a mission begins and how its time passes is decided by the
 //! [`FlightDriver`], which the console uses as well.
 
 use std::collections::BTreeMap;
@@ -33,7 +33,7 @@ mod tests;
 pub use driver::{FlightDriver, FlightPace};
 pub use lock_step::LockStep;
 pub use playthrough::{Playthrough, PlaythroughFlight};
-pub use streams::Streams;
+pub use streams::LiveStreams;
 
 /// How often sessions look at their deadlines.
 const SESSION_POLL: Duration = Duration::from_millis(50);
@@ -45,7 +45,7 @@ const HEARTBEAT_EVERY: Duration = Duration::from_secs(1);
 #[derive(Debug)]
 pub struct Exercise<L = LockStep> {
     link: L,
-    seats: Vec<Seat>,
+    seats: Vec<ExerciseSeat>,
     vehicles: BTreeMap<VehicleId, Vehicle>,
     ledger: Ledger,
     pilot: Pilot,
@@ -60,7 +60,7 @@ pub struct Exercise<L = LockStep> {
 
 /// The ground station's end of one vehicle's link.
 #[derive(Debug)]
-struct Seat {
+struct ExerciseSeat {
     decoder: Decoder,
     encoder: Encoder,
     session: Session,
@@ -68,7 +68,7 @@ struct Seat {
     outgoing: Vec<u8>,
 }
 
-impl Seat {
+impl ExerciseSeat {
     fn new(system: SystemId) -> Self {
         Self {
             decoder: Decoder::new(),
@@ -118,7 +118,10 @@ impl<L> Exercise<L> {
         let mission = driver.flight().mission();
         Self {
             link,
-            seats: (1..=SystemId::MAX).take(vehicles).map(Seat::new).collect(),
+            seats: (1..=SystemId::MAX)
+                .take(vehicles)
+                .map(ExerciseSeat::new)
+                .collect(),
             vehicles: BTreeMap::new(),
             ledger: Ledger::new(),
             pilot: Pilot::new(script),
@@ -220,7 +223,7 @@ impl<L> Exercise<L> {
 }
 
 /// The session of the vehicle with this number.
-fn session(seats: &mut [Seat], vehicle: VehicleId) -> Option<&mut Session> {
+fn session(seats: &mut [ExerciseSeat], vehicle: VehicleId) -> Option<&mut Session> {
     let mut sessions = seats.iter_mut().map(|seat| &mut seat.session);
     sessions.find(|session| session.vehicle().id == vehicle)
 }

@@ -17,15 +17,16 @@
 //! changes the [`vehicle`] model in place. The console takes a snapshot of what changed once per tick.
 //!
 //! # A keypress
-//! Event, [`app::App::update`], effect: the palette's line is read by [`language`] into a typed command of
-//! [`commands`]; the [`ledger`] opens a row per target; each vehicle's session sends, waits, retries, and
-//! watches telemetry for the effect.
+//! Event, [`app::App::update`], effect: the palette's line is read by [`language`] into an [`Order`](commands::Order); the
+//! [`ledger`] opens a row per target; the [`operator`] decides what follows for each vehicle and for the mission; each
+//! vehicle's session sends, waits, retries, and watches telemetry for the effect.
 //!
 //! # Invariants
 //! - Pure modules have no clock, no randomness of their own, no files and no sockets: `now` and seeds are arguments.
 //! - Only [`app::App::update`] changes what the console shows. The shell reads the state, and feeds every event through
 //!   one queue, so that no effect is dropped.
-//! - The same [`session`] runs in the console's tasks and in the lock step of an exercise.
+//! - The same [`session`] runs in the console's tasks and in the lock step of an exercise, and the same [`operator`]
+//!   carries out the orders of both.
 //! - State goes through `watch`, occurrences through bounded `mpsc`, shutdown through a cancellation token.
 //! - Nothing queues without bound; telemetry merges when the terminal is slow.
 //! - Text from a vehicle is cleaned of control characters before it reaches the model.

@@ -9,7 +9,7 @@ use std::io::{Read as _, Write as _};
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
-use crate::campaign::{Course, Offer};
+use crate::campaign::{MissionCourse, Offer};
 use crate::diagnostic::Diagnostic;
 use crate::mission::{Mission, meant};
 use crate::text;
@@ -296,7 +296,7 @@ pub fn is_of_course(mission: &Mission) -> bool {
 }
 
 /// The missions that a career consists of, by name; those that cannot be read are left out.
-pub fn course() -> Course {
+pub fn course() -> MissionCourse {
     let mut offers: Vec<Offer> = Vec::new();
     for mission in missions()
         .iter()
@@ -307,7 +307,7 @@ pub fn course() -> Course {
             offers.push(Offer::of(&mission));
         }
     }
-    Course::new(offers)
+    MissionCourse::new(offers)
 }
 
 /// The themes of the user's folder.

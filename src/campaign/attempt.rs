@@ -1,6 +1,9 @@
 //! What a try counts for, and on which layout it is flown.
 
-use super::{Course, PartState, Reason, Stage, Stake, Standing, daily_seed, exam_seed};
+use super::{
+    CareerStanding, LockReason, MissionCourse, MissionStage, PartState, Stake, daily_seed,
+    exam_seed,
+};
 use crate::mission::Mission;
 use crate::workshop::{Design, Part};
 
@@ -43,9 +46,9 @@ pub struct AttemptTerms<'a> {
 #[derive(Debug, Clone, Copy)]
 pub struct AttemptTrainee<'a> {
     /// How far the trainee has come.
-    pub standing: &'a Standing,
+    pub standing: &'a CareerStanding,
     /// The missions of the career.
-    pub course: &'a Course,
+    pub course: &'a MissionCourse,
 }
 
 /// What a try is flown with.
@@ -67,7 +70,7 @@ pub enum PracticeReason {
     /// The mission is none of the course.
     OtherMission,
     /// The trainee may not fly the mission yet.
-    Locked(Vec<Reason>),
+    Locked(Vec<LockReason>),
     /// Parts of a design are not the trainee's.
     MissingParts {
         /// The name of the design.
@@ -158,7 +161,7 @@ impl AttemptTerms<'_> {
         };
         let mut reasons = Vec::new();
         let stage = trainee.course.stage(offer, trainee.standing, self.day);
-        if let Stage::Locked(why) = stage {
+        if let MissionStage::Locked(why) = stage {
             reasons.push(PracticeReason::Locked(why));
         }
         let fleet = self.mission.fleet().iter();
@@ -241,18 +244,18 @@ mod tests {
     struct Newcomer {
         open: Mission,
         locked: Mission,
-        course: Course,
-        standing: Standing,
+        course: MissionCourse,
+        standing: CareerStanding,
     }
 
     impl Newcomer {
         fn new() -> Self {
             let (open, locked) = (mission(FIRST_FLIGHT), mission(FORMATION));
             Self {
-                course: Course::new([&open, &locked].map(Offer::of)),
+                course: MissionCourse::new([&open, &locked].map(Offer::of)),
                 open,
                 locked,
-                standing: Standing::default(),
+                standing: CareerStanding::default(),
             }
         }
 
@@ -329,7 +332,7 @@ mod tests {
         };
         let reasons = locked.practice_reasons();
         assert!(matches!(reasons[..], [PracticeReason::Locked(_)]));
-        let none = Course::default();
+        let none = MissionCourse::default();
         let strange = AttemptTerms {
             trainee: Some(AttemptTrainee {
                 standing: &trainee.standing,

@@ -1,6 +1,6 @@
 //! The missions of a campaign, and which of them somebody may fly.
 
-use super::{Mastery, Skill, Standing};
+use super::{CareerStanding, Mastery, Skill};
 use crate::mission::{Mission, Requires, Unlock};
 use crate::scoring::Medal;
 use crate::text;
@@ -31,15 +31,15 @@ pub struct Offer {
 
 /// All missions of a campaign, in their order.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Course {
+pub struct MissionCourse {
     offers: Vec<Offer>,
 }
 
 /// Whether a mission may be flown.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Stage {
+pub enum MissionStage {
     /// Not yet, and why.
-    Locked(Vec<Reason>),
+    Locked(Vec<LockReason>),
     /// Open, and not passed yet.
     Open,
     /// Passed, with the best medal.
@@ -48,7 +48,7 @@ pub enum Stage {
 
 /// Why a mission is not on offer yet.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Reason {
+pub enum LockReason {
     /// Another mission has to be passed.
     Pass(Text),
     /// Another mission needs a medal at least.
@@ -59,7 +59,7 @@ pub enum Reason {
     Licence(u8, u8),
 }
 
-impl Reason {
+impl LockReason {
     /// In words: what to do.
     pub fn text(&self) -> Text {
         match self {
@@ -120,7 +120,7 @@ impl Offer {
     }
 }
 
-impl Course {
+impl MissionCourse {
     /// A course of missions.
     pub fn new(offers: impl IntoIterator<Item = Offer>) -> Self {
         Self {
@@ -139,12 +139,12 @@ impl Course {
     }
 
     /// Where somebody stands with a mission on a day. A drill is open with the mission that it is for.
-    pub fn stage(&self, offer: &Offer, standing: &Standing, day: i64) -> Stage {
+    pub fn stage(&self, offer: &Offer, standing: &CareerStanding, day: i64) -> MissionStage {
         if let Some(best) = standing
             .best(&offer.id)
             .filter(|best| best.passed.is_some())
         {
-            return Stage::Passed(best.medal);
+            return MissionStage::Passed(best.medal);
         }
         let asked = offer
             .drill_of
@@ -153,13 +153,13 @@ impl Course {
             .unwrap_or(offer);
         let reasons = self.reasons(asked, standing, day);
         if reasons.is_empty() {
-            Stage::Open
+            MissionStage::Open
         } else {
-            Stage::Locked(reasons)
+            MissionStage::Locked(reasons)
         }
     }
 
-    fn reasons(&self, offer: &Offer, standing: &Standing, day: i64) -> Vec<Reason> {
+    fn reasons(&self, offer: &Offer, standing: &CareerStanding, day: i64) -> Vec<LockReason> {
         let title = |id: &String| {
             let known = self.offer(id).map(|offer| offer.title.clone());
             known.unwrap_or_else(|| Text::verbatim(id.clone()))
@@ -176,13 +176,13 @@ impl Course {
         let skills = offer.requires.skills.iter().filter_map(|(code, wanted)| {
             let skill = Skill::of(code)?;
             let chance = standing.skill(skill).chance(day);
-            (chance < *wanted).then(|| Reason::Skill(skill, percent(*wanted), percent(chance)))
+            (chance < *wanted).then(|| LockReason::Skill(skill, percent(*wanted), percent(chance)))
         });
         let held = standing.licence();
-        let licence = (offer.vehicles > held).then_some(Reason::Licence(offer.vehicles, held));
+        let licence = (offer.vehicles > held).then_some(LockReason::Licence(offer.vehicles, held));
         passes
-            .map(|id| Reason::Pass(title(id)))
-            .chain(medals.map(|(id, medal)| Reason::Medal(title(id), *medal)))
+            .map(|id| LockReason::Pass(title(id)))
+            .chain(medals.map(|(id, medal)| LockReason::Medal(title(id), *medal)))
             .chain(skills)
             .chain(licence)
             .collect()
@@ -191,7 +191,7 @@ impl Course {
     /// What to train next, and the mission that trains it best among those that may be flown: a skill that is due; else the
     /// least likely one that a new mission trains; else the least likely one. Drills come first for a skill that is shaky,
     /// whole missions for one that grows.
-    pub fn next(&self, standing: &Standing, day: i64) -> Option<(Skill, &Offer)> {
+    pub fn next(&self, standing: &CareerStanding, day: i64) -> Option<(Skill, &Offer)> {
         let mut skills: Vec<(bool, f64, Skill)> = Skill::ALL
             .iter()
             .map(|&skill| {
@@ -203,7 +203,7 @@ impl Course {
         let open: Vec<&Offer> = self
             .offers
             .iter()
-            .filter(|offer| !matches!(self.stage(offer, standing, day), Stage::Locked(_)))
+            .filter(|offer| !matches!(self.stage(offer, standing, day), MissionStage::Locked(_)))
             .collect();
         let is_known = |offer: &Offer| standing.has_passed(&offer.id);
         let advice = |may_be_known: &dyn Fn(bool) -> bool| {

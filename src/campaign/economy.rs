@@ -1,6 +1,6 @@
 //! Credits and experience.
 
-use super::Flight;
+use super::CareerFlight;
 
 /// What a career begins with.
 pub(super) const START_CREDITS: u32 = 500;
@@ -39,7 +39,7 @@ pub fn licence_price(credits: u32) -> u32 {
 
 /// Credits for a flight that counts, with the best score of the passes before it at the mission, if there is one: all for the first pass,
 /// after that only for what is better than ever. A drill's reward is what its file says, like a mission's.
-pub(super) fn pay(flight: &Flight, best: Option<u16>) -> u32 {
+pub(super) fn pay(flight: &CareerFlight, best: Option<u16>) -> u32 {
     if !flight.passed {
         return 0;
     }
@@ -52,7 +52,7 @@ pub(super) fn pay(flight: &Flight, best: Option<u16>) -> u32 {
 }
 
 /// Experience for a flight that counts, with the best score before it; the first flight of a mission is its best.
-pub(super) fn experience(flight: &Flight, best: Option<u16>, refreshes: bool) -> u32 {
+pub(super) fn experience(flight: &CareerFlight, best: Option<u16>, refreshes: bool) -> u32 {
     let tier = f64::from(flight.tier).max(0.5);
     let is_best = best.is_none_or(|best| flight.score > best);
     let worth = if is_best { NEW_BEST } else { REPEAT };

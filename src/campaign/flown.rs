@@ -1,10 +1,10 @@
 //! What a finished flight means to a career.
 
-use super::{Evidence, Flight, Flown, Stake, wear};
+use super::{CareerFlight, Evidence, FlownDesign, Stake, wear};
 use crate::mission::Mission;
 use crate::scoring::Report;
 
-impl Flight {
+impl CareerFlight {
     /// A flight of a mission, as it was flown, that ended on a day (since 1970, UTC).
     pub fn of(mission: &Mission, report: &Report, stake: Stake, day: i64) -> Self {
         Self {
@@ -26,9 +26,9 @@ impl Flight {
 }
 
 /// The trainee's own drones on a flight. Those of the mission are lent.
-fn own<'a>(mission: &'a Mission, report: &'a Report) -> impl Iterator<Item = Flown<'a>> {
+fn own<'a>(mission: &'a Mission, report: &'a Report) -> impl Iterator<Item = FlownDesign<'a>> {
     let seats = mission.fleet().iter().zip(&report.usage);
-    seats.map(|(design, used)| Flown {
+    seats.map(|(design, used)| FlownDesign {
         design,
         airborne_s: used.airborne_s,
         has_crashed: used.crashed,

@@ -1,10 +1,10 @@
-//! How a career came to be what it is: the same history as [`Standing`], step by step, for charts and for the question
+//! How a career came to be what it is: the same history as [`CareerStanding`], step by step, for charts and for the question
 //! why a skill moved.
 
 use std::collections::BTreeMap;
 
 use super::knowledge::Skills;
-use super::{Entry, Flight, Skill, Stake, Standing};
+use super::{CareerEntry, CareerFlight, CareerStanding, Skill, Stake};
 use crate::scoring::Medal;
 use crate::text::Text;
 
@@ -13,7 +13,7 @@ use crate::text::Text;
 pub struct Growth {
     wealth: Vec<Wealth>,
     tries: BTreeMap<String, Vec<Try>>,
-    moves: BTreeMap<Skill, Vec<Move>>,
+    moves: BTreeMap<Skill, Vec<SkillMove>>,
 }
 
 /// What there was after an entry.
@@ -42,7 +42,7 @@ pub struct Try {
 
 /// How one opportunity moved a skill.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Move {
+pub struct SkillMove {
     /// Id of the mission.
     pub mission: String,
     /// The day, in days since 1970 (UTC).
@@ -59,11 +59,11 @@ pub struct Move {
 
 impl Growth {
     /// What a history was step by step, oldest entry first.
-    pub fn of<'a>(history: impl IntoIterator<Item = &'a Entry>) -> Self {
+    pub fn of<'a>(history: impl IntoIterator<Item = &'a CareerEntry>) -> Self {
         let mut growth = Self::default();
-        let mut standing = Standing::default();
+        let mut standing = CareerStanding::default();
         for entry in history {
-            if let Entry::Flight(flight) = entry {
+            if let CareerEntry::Flight(flight) = entry {
                 growth.fly(flight, &standing);
             }
             standing.enter(entry);
@@ -76,7 +76,7 @@ impl Growth {
     }
 
     /// Adds a flight, with the standing before it.
-    fn fly(&mut self, flight: &Flight, standing: &Standing) {
+    fn fly(&mut self, flight: &CareerFlight, standing: &CareerStanding) {
         let tries = self.tries.entry(flight.mission.clone()).or_default();
         tries.push(Try {
             day: flight.day,
@@ -94,14 +94,17 @@ impl Growth {
             let known = skills.entry(skill).or_insert_with(|| standing.skill(skill));
             let before = known.chance(flight.day);
             known.observe(evidence.outcome, flight.tier, &flight.mission, flight.day);
-            self.moves.entry(evidence.skill).or_default().push(Move {
-                mission: flight.mission.clone(),
-                day: flight.day,
-                what: evidence.what.clone(),
-                outcome: evidence.outcome,
-                before,
-                after: known.chance(flight.day),
-            });
+            self.moves
+                .entry(evidence.skill)
+                .or_default()
+                .push(SkillMove {
+                    mission: flight.mission.clone(),
+                    day: flight.day,
+                    what: evidence.what.clone(),
+                    outcome: evidence.outcome,
+                    before,
+                    after: known.chance(flight.day),
+                });
         }
     }
 
@@ -116,7 +119,7 @@ impl Growth {
     }
 
     /// What moved a skill, oldest first.
-    pub fn moves(&self, skill: Skill) -> &[Move] {
+    pub fn moves(&self, skill: Skill) -> &[SkillMove] {
         self.moves.get(&skill).map_or(&[], Vec::as_slice)
     }
 }
@@ -126,13 +129,13 @@ mod tests {
     use super::super::{Evidence, Purchase};
     use super::*;
 
-    fn flight(mission: &str, day: i64, score: u16, outcomes: &[(Skill, f64)]) -> Entry {
+    fn flight(mission: &str, day: i64, score: u16, outcomes: &[(Skill, f64)]) -> CareerEntry {
         let evidence = outcomes.iter().map(|&(skill, outcome)| Evidence {
             skill,
             outcome,
             what: Text::default(),
         });
-        Entry::Flight(Flight {
+        CareerEntry::Flight(CareerFlight {
             mission: mission.to_owned(),
             drill_of: None,
             tier: 1,
@@ -148,11 +151,11 @@ mod tests {
         })
     }
 
-    fn history() -> Vec<Entry> {
+    fn history() -> Vec<CareerEntry> {
         vec![
             flight("one", 1, 500, &[(Skill::K3, 0.0), (Skill::K4, 1.0)]),
             flight("one", 2, 800, &[(Skill::K3, 1.0), (Skill::K3, 0.5)]),
-            Entry::Purchase(Purchase {
+            CareerEntry::Purchase(Purchase {
                 part: "s_gas4".to_owned(),
                 credits: 100,
             }),
@@ -163,7 +166,7 @@ mod tests {
     #[test]
     fn the_last_step_is_the_standing() {
         let history = history();
-        let (growth, standing) = (Growth::of(&history), Standing::of(&history));
+        let (growth, standing) = (Growth::of(&history), CareerStanding::of(&history));
         let last = growth.wealth().last().expect("there were entries");
         assert_eq!(last.credits, standing.credits());
         assert_eq!(last.experience, standing.experience().0);

@@ -2,13 +2,16 @@
 
 use serde::Serialize;
 
-use super::{Course, Entry, Flight, Mastery, Offer, Reason, Skill, Stage, Standing};
+use super::{
+    CareerEntry, CareerFlight, CareerStanding, LockReason, Mastery, MissionCourse, MissionStage,
+    Offer, Skill,
+};
 use crate::scoring::Medal;
 use crate::text::Text;
 
 /// Own progress on a day.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Progress {
+pub struct CareerProgress {
     /// Credits that can be spent.
     pub credits: u32,
     /// Experience points in all.
@@ -22,7 +25,7 @@ pub struct Progress {
     /// How many flights were finished.
     pub flights: u32,
     /// What to train next, and where.
-    pub next: Option<Advice>,
+    pub next: Option<TrainingAdvice>,
     /// The missions, in the order of the course; those that are not in it and were flown come last.
     pub missions: Vec<MissionProgress>,
     /// The skills, in their order.
@@ -31,7 +34,7 @@ pub struct Progress {
 
 /// What to train next.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Advice {
+pub struct TrainingAdvice {
     /// The skill to train.
     pub skill: Skill,
     /// Its name for people.
@@ -100,24 +103,26 @@ pub struct SkillProgress {
     pub due_day: Option<i64>,
 }
 
-impl Progress {
+impl CareerProgress {
     /// Where a history leads on a course, seen from a day.
-    pub fn of(course: &Course, history: &[Entry], day: i64) -> Self {
-        let standing = Standing::of(history);
+    pub fn of(course: &MissionCourse, history: &[CareerEntry], day: i64) -> Self {
+        let standing = CareerStanding::of(history);
         let (experience, level, next_level_experience) = standing.experience();
-        let flights: Vec<&Flight> = history
+        let flights: Vec<&CareerFlight> = history
             .iter()
             .filter_map(|entry| match entry {
-                Entry::Flight(flight) => Some(flight),
-                Entry::Purchase(_) => None,
+                CareerEntry::Flight(flight) => Some(flight),
+                CareerEntry::Purchase(_) => None,
             })
             .collect();
-        let next = course.next(&standing, day).map(|(skill, offer)| Advice {
-            skill,
-            skill_title: skill.title(),
-            mission: offer.id.clone(),
-            mission_title: offer.title.clone(),
-        });
+        let next = course
+            .next(&standing, day)
+            .map(|(skill, offer)| TrainingAdvice {
+                skill,
+                skill_title: skill.title(),
+                mission: offer.id.clone(),
+                mission_title: offer.title.clone(),
+            });
         Self {
             credits: standing.credits(),
             experience,
@@ -142,16 +147,16 @@ impl Progress {
 }
 
 fn missions(
-    course: &Course,
-    standing: &Standing,
-    flights: &[&Flight],
+    course: &MissionCourse,
+    standing: &CareerStanding,
+    flights: &[&CareerFlight],
     day: i64,
 ) -> Vec<MissionProgress> {
     let of_course = course.offers().iter().map(|offer| {
         let stage = course.stage(offer, standing, day);
         MissionProgress::of_offer(offer, stage, standing, flights)
     });
-    let mut others: Vec<&Flight> = Vec::new();
+    let mut others: Vec<&CareerFlight> = Vec::new();
     for flight in flights {
         let is_known = others.iter().any(|known| known.mission == flight.mission);
         if course.offer(&flight.mission).is_none() && !is_known {
@@ -174,14 +179,19 @@ fn missions(
 }
 
 impl MissionProgress {
-    fn of_offer(offer: &Offer, stage: Stage, standing: &Standing, flights: &[&Flight]) -> Self {
+    fn of_offer(
+        offer: &Offer,
+        stage: MissionStage,
+        standing: &CareerStanding,
+        flights: &[&CareerFlight],
+    ) -> Self {
         let (state, reasons) = match stage {
-            Stage::Locked(reasons) => (
+            MissionStage::Locked(reasons) => (
                 MissionState::Locked,
-                reasons.iter().map(Reason::text).collect(),
+                reasons.iter().map(LockReason::text).collect(),
             ),
-            Stage::Open => (MissionState::Open, Vec::new()),
-            Stage::Passed(_) => (MissionState::Passed, Vec::new()),
+            MissionStage::Open => (MissionState::Open, Vec::new()),
+            MissionStage::Passed(_) => (MissionState::Passed, Vec::new()),
         };
         let title = offer.title.clone();
         Self {
@@ -192,7 +202,13 @@ impl MissionProgress {
     }
 
     /// How an open mission was flown so far.
-    fn new(id: &str, title: Text, vehicles: u8, standing: &Standing, flights: &[&Flight]) -> Self {
+    fn new(
+        id: &str,
+        title: Text,
+        vehicles: u8,
+        standing: &CareerStanding,
+        flights: &[&CareerFlight],
+    ) -> Self {
         let flights = flights.iter().filter(|it| it.mission == id);
         let scores: Vec<u16> = flights.map(|it| it.score).collect();
         let best = standing.best(id);
@@ -213,7 +229,7 @@ impl MissionProgress {
 }
 
 impl SkillProgress {
-    fn of(skill: Skill, standing: &Standing, day: i64) -> Self {
+    fn of(skill: Skill, standing: &CareerStanding, day: i64) -> Self {
         let known = standing.skill(skill);
         Self {
             skill,

@@ -2,7 +2,9 @@
 
 use serde::Serialize;
 
-use super::{Course, Evidence, Flight, PartState, Skill, Stage, Stake, Standing};
+use super::{
+    CareerFlight, CareerStanding, Evidence, MissionCourse, MissionStage, PartState, Skill, Stake,
+};
 use crate::text;
 use crate::text::Text;
 use crate::workshop::parts;
@@ -31,9 +33,9 @@ pub struct Reward {
     /// How many it is for now.
     pub licence: u8,
     /// The missions that are on offer now and were not before.
-    pub missions: Vec<Opened>,
+    pub missions: Vec<OpenedItem>,
     /// The parts that are on sale now and were not before.
-    pub parts: Vec<Opened>,
+    pub parts: Vec<OpenedItem>,
     /// The skills of which something was seen, in their order.
     pub skills: Vec<SkillChange>,
     /// Why nothing was paid, if nothing was.
@@ -42,7 +44,7 @@ pub struct Reward {
 
 /// Something that was locked before.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Opened {
+pub struct OpenedItem {
     /// The id of the mission or part.
     pub id: String,
     /// Its name for people.
@@ -66,7 +68,12 @@ pub struct SkillChange {
 
 impl Reward {
     /// What a flight made of the standing before it.
-    pub fn between(before: &Standing, after: &Standing, course: &Course, flight: &Flight) -> Self {
+    pub fn between(
+        before: &CareerStanding,
+        after: &CareerStanding,
+        course: &MissionCourse,
+        flight: &CareerFlight,
+    ) -> Self {
         let pay_credits = before.pay(flight);
         let owned = before.credits().saturating_add(pay_credits);
         let wear_credits = owned.saturating_sub(after.credits());
@@ -160,7 +167,7 @@ impl SkillChange {
 }
 
 /// Why nothing was paid.
-fn unpaid(before: &Standing, flight: &Flight) -> Text {
+fn unpaid(before: &CareerStanding, flight: &CareerFlight) -> Text {
     let best = before.best(&flight.mission).and_then(|best| best.passed);
     match best {
         _ if flight.stake == Stake::Practice => text!("reward-practice"),
@@ -171,34 +178,47 @@ fn unpaid(before: &Standing, flight: &Flight) -> Text {
     }
 }
 
-fn opened_missions(before: &Standing, after: &Standing, course: &Course, day: i64) -> Vec<Opened> {
+fn opened_missions(
+    before: &CareerStanding,
+    after: &CareerStanding,
+    course: &MissionCourse,
+    day: i64,
+) -> Vec<OpenedItem> {
     let is_locked =
-        |offer, standing| matches!(course.stage(offer, standing, day), Stage::Locked(_));
+        |offer, standing| matches!(course.stage(offer, standing, day), MissionStage::Locked(_));
     let offers = course.offers().iter();
     offers
         .filter(|offer| is_locked(offer, before) && !is_locked(offer, after))
-        .map(|offer| Opened {
+        .map(|offer| OpenedItem {
             id: offer.id.clone(),
             title: offer.title.clone(),
         })
         .collect()
 }
 
-fn opened_parts(before: &Standing, after: &Standing, course: &Course) -> Vec<Opened> {
-    let is_locked = |part, standing: &Standing| {
+fn opened_parts(
+    before: &CareerStanding,
+    after: &CareerStanding,
+    course: &MissionCourse,
+) -> Vec<OpenedItem> {
+    let is_locked = |part, standing: &CareerStanding| {
         matches!(standing.part_state(part, course), PartState::Locked(_))
     };
     parts()
         .filter(|part| is_locked(part, before) && !is_locked(part, after))
-        .map(|part| Opened {
+        .map(|part| OpenedItem {
             id: part.id.to_owned(),
             title: part.name(),
         })
         .collect()
 }
 
-fn skill_changes(before: &Standing, after: &Standing, flight: &Flight) -> Vec<SkillChange> {
-    let percent = |standing: &Standing, skill| {
+fn skill_changes(
+    before: &CareerStanding,
+    after: &CareerStanding,
+    flight: &CareerFlight,
+) -> Vec<SkillChange> {
+    let percent = |standing: &CareerStanding, skill| {
         (standing.skill(skill).chance(flight.day) * 100.0).round() as u8
     };
     let seen = |skill| flight.evidence.iter().filter(move |it| it.skill == skill);

@@ -3,7 +3,7 @@
 use std::fmt::Debug;
 use std::ops::RangeInclusive;
 
-use super::{Entry, Flight, Purchase};
+use super::{CareerEntry, CareerFlight, Purchase};
 
 /// Days since 1970 for which there are dates with four digits.
 const DAYS: RangeInclusive<i64> = 0..=1_000_000;
@@ -16,7 +16,7 @@ const CREDITS: RangeInclusive<u32> = 0..=100_000;
 const WEAR: RangeInclusive<u32> = 0..=1_000_000;
 const LONGEST_ID: usize = 64;
 
-impl Entry {
+impl CareerEntry {
     /// Why this cannot have happened, in English; `None` for what can.
     pub fn fault(&self) -> Option<String> {
         match self {
@@ -26,7 +26,7 @@ impl Entry {
     }
 }
 
-impl Flight {
+impl CareerFlight {
     fn fault(&self) -> Option<String> {
         let ids = std::iter::once(&self.mission).chain(&self.drill_of);
         let outcomes = self.evidence.iter().map(|evidence| evidence.outcome);
@@ -71,12 +71,12 @@ fn malformed(name: &str, id: &str, marks: &str) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::campaign::{Course, Evidence, Reward, Skill, Stake, Standing};
+    use crate::campaign::{CareerStanding, Evidence, MissionCourse, Reward, Skill, Stake};
     use crate::text::Text;
     use crate::workshop::parts;
 
-    fn flight() -> Flight {
-        Flight {
+    fn flight() -> CareerFlight {
+        CareerFlight {
             mission: "d00-arm-and-hover".to_owned(),
             drill_of: None,
             tier: 3,
@@ -96,18 +96,18 @@ mod tests {
         }
     }
 
-    fn fault(change: impl FnOnce(&mut Flight)) -> String {
+    fn fault(change: impl FnOnce(&mut CareerFlight)) -> String {
         let mut flight = flight();
         change(&mut flight);
-        Entry::Flight(flight).fault().unwrap_or_default()
+        CareerEntry::Flight(flight).fault().unwrap_or_default()
     }
 
     #[test]
     fn what_can_happen_has_no_fault() {
-        assert_eq!(Entry::Flight(flight()).fault(), None);
+        assert_eq!(CareerEntry::Flight(flight()).fault(), None);
         for part in parts() {
             let part = part.id.to_owned();
-            let bought = Entry::Purchase(Purchase { part, credits: 1 });
+            let bought = CareerEntry::Purchase(Purchase { part, credits: 1 });
             assert_eq!(bought.fault(), None);
         }
     }
@@ -138,7 +138,7 @@ mod tests {
         for (part, credits) in [("A b", 1), ("s_voc", 100_001)] {
             let part = part.to_owned();
             assert!(
-                Entry::Purchase(Purchase { part, credits })
+                CareerEntry::Purchase(Purchase { part, credits })
                     .fault()
                     .is_some()
             );
@@ -147,23 +147,23 @@ mod tests {
 
     #[test]
     fn even_what_cannot_have_happened_ends_no_program() {
-        let rich = Flight {
+        let rich = CareerFlight {
             reward: u32::MAX,
             wear: u32::MAX,
             ..flight()
         };
-        let (mut before, course) = (Standing::default(), Course::new([]));
+        let (mut before, course) = (CareerStanding::default(), MissionCourse::new([]));
         for mission in ["one", "two", "three"] {
-            let richer = Flight {
+            let richer = CareerFlight {
                 mission: mission.to_owned(),
                 wear: 0,
                 ..rich.clone()
             };
-            before.enter(&Entry::Flight(richer));
+            before.enter(&CareerEntry::Flight(richer));
         }
         assert_eq!(before.credits(), u32::MAX);
         let mut after = before.clone();
-        after.enter(&Entry::Flight(rich.clone()));
+        after.enter(&CareerEntry::Flight(rich.clone()));
         let reward = Reward::between(&before, &after, &course, &rich);
         assert_eq!(reward.credits, 0);
     }

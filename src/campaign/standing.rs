@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::economy::{self, START_CREDITS, STARTER_PARTS};
 use super::knowledge::Skills;
-use super::{Course, Entry, Flight, Knowledge, Mastery, Purchase, Skill, Stake};
+use super::{CareerEntry, CareerFlight, Knowledge, Mastery, MissionCourse, Purchase, Skill, Stake};
 use crate::scoring::Medal;
 use crate::text;
 use crate::text::Text;
@@ -12,7 +12,7 @@ use crate::workshop::{Design, Part, part};
 
 /// Credits, experience, parts, skills and results of a trainee.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Standing {
+pub struct CareerStanding {
     credits: u32,
     experience: u64,
     missions: BTreeMap<String, Best>,
@@ -54,7 +54,7 @@ pub enum PartState {
 
 /// Why something cannot be bought.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Refusal {
+pub enum PurchaseRefusal {
     /// There is no such part.
     Unknown,
     /// It is owned already.
@@ -65,7 +65,7 @@ pub enum Refusal {
     TooDear(u32, u32),
 }
 
-impl Refusal {
+impl PurchaseRefusal {
     /// The reason for people.
     pub fn text(&self) -> Text {
         match self {
@@ -79,7 +79,7 @@ impl Refusal {
     }
 }
 
-impl Default for Standing {
+impl Default for CareerStanding {
     fn default() -> Self {
         Self {
             credits: START_CREDITS,
@@ -94,9 +94,9 @@ impl Default for Standing {
     }
 }
 
-impl Standing {
+impl CareerStanding {
     /// What a history amounts to, oldest entry first.
-    pub fn of<'a>(history: impl IntoIterator<Item = &'a Entry>) -> Self {
+    pub fn of<'a>(history: impl IntoIterator<Item = &'a CareerEntry>) -> Self {
         let mut standing = Self::default();
         for entry in history {
             standing.enter(entry);
@@ -106,10 +106,10 @@ impl Standing {
 
     /// Adds one entry. Flights bring credits and never take more than there are; a purchase that there are no credits for
     /// has no effect.
-    pub fn enter(&mut self, entry: &Entry) {
+    pub fn enter(&mut self, entry: &CareerEntry) {
         match entry {
-            Entry::Flight(flight) => self.fly(flight),
-            Entry::Purchase(purchase) => {
+            CareerEntry::Flight(flight) => self.fly(flight),
+            CareerEntry::Purchase(purchase) => {
                 if let Some(left) = self.credits.checked_sub(purchase.credits)
                     && self.owned.insert(purchase.part.clone())
                 {
@@ -119,7 +119,7 @@ impl Standing {
         }
     }
 
-    fn fly(&mut self, flight: &Flight) {
+    fn fly(&mut self, flight: &CareerFlight) {
         let best = self.missions.get(&flight.mission).copied();
         let refreshes = flight
             .evidence
@@ -151,7 +151,7 @@ impl Standing {
     }
 
     /// Whether a flight counts for more than practice. With the seed of the day, the first one of the day does.
-    pub(super) fn counts(&self, flight: &Flight) -> bool {
+    pub(super) fn counts(&self, flight: &CareerFlight) -> bool {
         match flight.stake {
             Stake::Graded | Stake::Exam => true,
             Stake::Practice => false,
@@ -160,7 +160,7 @@ impl Standing {
     }
 
     /// What a flight is paid by this standing, in credits, before its wear is taken.
-    pub(super) fn pay(&self, flight: &Flight) -> u32 {
+    pub(super) fn pay(&self, flight: &CareerFlight) -> u32 {
         if !self.counts(flight) {
             return 0;
         }
@@ -172,13 +172,13 @@ impl Standing {
     ///
     /// # Errors
     /// Why it cannot be bought.
-    pub fn buy(&self, id: &str, course: &Course) -> Result<Purchase, Refusal> {
-        let part = part(id).ok_or(Refusal::Unknown)?;
+    pub fn buy(&self, id: &str, course: &MissionCourse) -> Result<Purchase, PurchaseRefusal> {
+        let part = part(id).ok_or(PurchaseRefusal::Unknown)?;
         match self.part_state(part, course) {
-            PartState::Owned => Err(Refusal::Owned),
-            PartState::Locked(mission) => Err(Refusal::Locked(mission)),
+            PartState::Owned => Err(PurchaseRefusal::Owned),
+            PartState::Locked(mission) => Err(PurchaseRefusal::Locked(mission)),
             PartState::ForSale(price) if price > self.credits => {
-                Err(Refusal::TooDear(price, self.credits))
+                Err(PurchaseRefusal::TooDear(price, self.credits))
             }
             PartState::ForSale(credits) => Ok(Purchase {
                 part: id.to_owned(),
@@ -188,7 +188,7 @@ impl Standing {
     }
 
     /// Whether a part may be used. Parts that no mission unlocks are for sale from the start.
-    pub fn part_state(&self, part: &Part, course: &Course) -> PartState {
+    pub fn part_state(&self, part: &Part, course: &MissionCourse) -> PartState {
         if self.owned.contains(part.id) {
             return PartState::Owned;
         }
@@ -209,7 +209,7 @@ impl Standing {
     pub fn missing_parts(
         &self,
         design: &Design,
-        course: &Course,
+        course: &MissionCourse,
     ) -> Vec<(&'static Part, PartState)> {
         let mut missing: Vec<(&'static Part, PartState)> = Vec::new();
         for (part, _) in design.pieces() {
@@ -285,7 +285,7 @@ impl Standing {
 }
 
 impl Best {
-    fn take(&mut self, flight: &Flight) {
+    fn take(&mut self, flight: &CareerFlight) {
         self.tries += 1;
         self.score = self.score.max(flight.score);
         if flight.passed {

@@ -7,8 +7,9 @@ use proptest::prelude::*;
 use proptest::sample::select;
 
 use super::{
-    Best, Course, Entry, Evidence, Flight, Knowledge, Mastery, Offer, PartState, Progress, Reason,
-    Refusal, STARTER_PARTS, Skill, Stage, Stake, Standing, daily_seed, exam_seed, licence_price,
+    Best, CareerEntry, CareerFlight, CareerProgress, CareerStanding, Evidence, Knowledge,
+    LockReason, Mastery, MissionCourse, MissionStage, Offer, PartState, PurchaseRefusal,
+    STARTER_PARTS, Skill, Stake, daily_seed, exam_seed, licence_price,
 };
 use crate::mission::Requires;
 use crate::scoring::Medal;
@@ -33,8 +34,8 @@ fn offer(id: &str, vehicles: u8, after: &[&str], parts: &[&str]) -> Offer {
     }
 }
 
-fn course() -> Course {
-    Course::new([
+fn course() -> MissionCourse {
+    MissionCourse::new([
         offer("one", 1, &[], &["s_gas4"]),
         offer("two", 1, &["one"], &[]),
         offer("three", 3, &["two"], &["s_gpr"]),
@@ -56,9 +57,9 @@ fn medal(score: u16) -> Option<Medal> {
     }
 }
 
-fn flight(course: &Course, mission: &str, score: u16, day: i64) -> Flight {
+fn flight(course: &MissionCourse, mission: &str, score: u16, day: i64) -> CareerFlight {
     let offer = course.offer(mission).expect("known");
-    Flight {
+    CareerFlight {
         mission: mission.to_owned(),
         drill_of: offer.drill_of.clone(),
         tier: offer.tier,
@@ -78,16 +79,16 @@ fn flight(course: &Course, mission: &str, score: u16, day: i64) -> Flight {
     }
 }
 
-fn standing(entries: &[Entry]) -> Standing {
-    Standing::of(entries)
+fn standing(entries: &[CareerEntry]) -> CareerStanding {
+    CareerStanding::of(entries)
 }
 
 #[test]
 fn a_first_pass_pays_and_a_better_one_pays_the_difference() {
     let course = course();
-    let fly = |score| Entry::Flight(flight(&course, "one", score, 1));
+    let fly = |score| CareerEntry::Flight(flight(&course, "one", score, 1));
     let credits = |scores: &[u16]| {
-        let entries: Vec<Entry> = scores.iter().map(|score| fly(*score)).collect();
+        let entries: Vec<CareerEntry> = scores.iter().map(|score| fly(*score)).collect();
         standing(&entries).credits() - 500
     };
     assert_eq!(credits(&[500]), 0);
@@ -104,11 +105,11 @@ fn a_first_pass_pays_and_a_better_one_pays_the_difference() {
 #[test]
 fn practice_earns_nothing_and_moves_no_skill() {
     let course = course();
-    let flown = Flight {
+    let flown = CareerFlight {
         stake: Stake::Practice,
         ..flight(&course, "one", 1000, 1)
     };
-    let standing = standing(&[Entry::Flight(flown)]);
+    let standing = standing(&[CareerEntry::Flight(flown)]);
     assert_eq!(standing.credits(), 500);
     assert_eq!(standing.experience().0, 0);
     assert!(!standing.has_passed("one"));
@@ -119,7 +120,7 @@ fn practice_earns_nothing_and_moves_no_skill() {
 fn the_seed_of_a_day_counts_once_a_day_in_each_mission() {
     let course = course();
     let daily = |mission, score, day| {
-        Entry::Flight(Flight {
+        CareerEntry::Flight(CareerFlight {
             stake: Stake::Daily,
             ..flight(&course, mission, score, day)
         })
@@ -154,12 +155,12 @@ fn a_part_that_is_missing_twice_is_told_once() {
 fn a_repeated_seed_of_the_day_is_no_best() {
     let course = course();
     let daily = |score| {
-        Entry::Flight(Flight {
+        CareerEntry::Flight(CareerFlight {
             stake: Stake::Daily,
             ..flight(&course, "one", score, 1)
         })
     };
-    let progress = Progress::of(&course, &[daily(600), daily(900)], 1);
+    let progress = CareerProgress::of(&course, &[daily(600), daily(900)], 1);
     let one = &progress.missions[0];
     assert_eq!((one.best, one.medal), (Some(600), Some(Medal::Bronze)));
     assert_eq!((one.tries, one.last), (2, Some(900)));
@@ -168,33 +169,36 @@ fn a_repeated_seed_of_the_day_is_no_best() {
 #[test]
 fn what_is_locked_says_what_to_do() {
     let course = course();
-    let stage = |entries: &[Entry], id: &str| {
+    let stage = |entries: &[CareerEntry], id: &str| {
         course.stage(course.offer(id).expect("known"), &standing(entries), 1)
     };
-    assert_eq!(stage(&[], "one"), Stage::Open);
-    let Stage::Locked(reasons) = stage(&[], "three") else {
+    assert_eq!(stage(&[], "one"), MissionStage::Open);
+    let MissionStage::Locked(reasons) = stage(&[], "three") else {
         panic!("three drones without a licence");
     };
-    let pass = Reason::Pass(Text::verbatim("two"));
-    assert_eq!(reasons, [pass, Reason::Licence(3, 1)]);
+    let pass = LockReason::Pass(Text::verbatim("two"));
+    assert_eq!(reasons, [pass, LockReason::Licence(3, 1)]);
     assert_eq!(reasons[0].text().to_string(), "pass two");
     assert!(
-        matches!(stage(&[], "drill"), Stage::Locked(_)),
+        matches!(stage(&[], "drill"), MissionStage::Locked(_)),
         "locked with its mission"
     );
-    let passed = ["one", "two"].map(|id| Entry::Flight(flight(&course, id, 600, 1)));
-    assert_eq!(stage(&passed, "three"), Stage::Open);
-    assert_eq!(stage(&passed, "drill"), Stage::Open);
-    assert_eq!(stage(&passed, "one"), Stage::Passed(Some(Medal::Bronze)));
+    let passed = ["one", "two"].map(|id| CareerEntry::Flight(flight(&course, id, 600, 1)));
+    assert_eq!(stage(&passed, "three"), MissionStage::Open);
+    assert_eq!(stage(&passed, "drill"), MissionStage::Open);
+    assert_eq!(
+        stage(&passed, "one"),
+        MissionStage::Passed(Some(Medal::Bronze))
+    );
 }
 
 #[test]
 fn the_licence_grows_with_what_was_shown() {
     let course = course();
     let licence = |flown: &[(&str, u16)]| {
-        let entries: Vec<Entry> = flown
+        let entries: Vec<CareerEntry> = flown
             .iter()
-            .map(|(id, score)| Entry::Flight(flight(&course, id, *score, 1)))
+            .map(|(id, score)| CareerEntry::Flight(flight(&course, id, *score, 1)))
             .collect();
         standing(&entries).licence()
     };
@@ -215,16 +219,17 @@ fn the_licence_grows_with_what_was_shown() {
 #[test]
 fn parts_are_bought_once_unlocked_and_paid_for() {
     let course = course();
-    let new = Standing::default();
-    let state = |standing: &Standing, id| standing.part_state(part(id).expect("known"), &course);
+    let new = CareerStanding::default();
+    let state =
+        |standing: &CareerStanding, id| standing.part_state(part(id).expect("known"), &course);
     assert_eq!(state(&new, STARTER_PARTS[0]), PartState::Owned);
     assert_eq!(state(&new, "s_gas4"), PartState::Locked("one".to_owned()));
     assert_eq!(
         new.buy("s_gas4", &course),
-        Err(Refusal::Locked("one".to_owned()))
+        Err(PurchaseRefusal::Locked("one".to_owned()))
     );
-    assert_eq!(new.buy("nothing", &course), Err(Refusal::Unknown));
-    assert_eq!(new.buy("fr_450q", &course), Err(Refusal::Owned));
+    assert_eq!(new.buy("nothing", &course), Err(PurchaseRefusal::Unknown));
+    assert_eq!(new.buy("fr_450q", &course), Err(PurchaseRefusal::Owned));
     assert_eq!(
         new.buy("r_mesh24", &course),
         Ok(super::Purchase {
@@ -232,15 +237,15 @@ fn parts_are_bought_once_unlocked_and_paid_for() {
             credits: 404
         })
     );
-    assert_eq!(new.buy("s_magx", &course), Err(Refusal::Unknown));
+    assert_eq!(new.buy("s_magx", &course), Err(PurchaseRefusal::Unknown));
     let mut rich = new.clone();
-    rich.enter(&Entry::Flight(flight(&course, "one", 600, 1)));
+    rich.enter(&CareerEntry::Flight(flight(&course, "one", 600, 1)));
     let purchase = rich.buy("s_gas4", &course).expect("on sale");
     assert_eq!(purchase.credits, licence_price(480));
-    rich.enter(&Entry::Purchase(purchase.clone()));
+    rich.enter(&CareerEntry::Purchase(purchase.clone()));
     assert_eq!(state(&rich, "s_gas4"), PartState::Owned);
     let credits = rich.credits();
-    rich.enter(&Entry::Purchase(purchase));
+    rich.enter(&CareerEntry::Purchase(purchase));
     assert_eq!(rich.credits(), credits, "the same entry twice is paid once");
     assert_eq!(
         rich.buy("r_mesh24", &course),
@@ -299,7 +304,7 @@ fn common_seeds_differ_by_day_and_mission() {
     assert_eq!(exam_seed("one", 1), exam_seed("one", 1));
 }
 
-fn any_entry() -> impl Strategy<Value = Entry> {
+fn any_entry() -> impl Strategy<Value = CareerEntry> {
     let missions = select(vec!["one", "two", "three", "four", "eight", "drill"]);
     let flown = (missions, 0u16..=1000, 0i64..400, 0u32..2000, any::<bool>()).prop_map(
         |(mission, score, day, wear, graded)| {
@@ -308,7 +313,7 @@ fn any_entry() -> impl Strategy<Value = Entry> {
             } else {
                 Stake::Practice
             };
-            Entry::Flight(Flight {
+            CareerEntry::Flight(CareerFlight {
                 stake,
                 wear,
                 ..flight(&course(), mission, score, day)
@@ -316,7 +321,7 @@ fn any_entry() -> impl Strategy<Value = Entry> {
         },
     );
     let bought = (select(parts().collect::<Vec<_>>()), 0u32..3000).prop_map(|(part, credits)| {
-        Entry::Purchase(super::Purchase {
+        CareerEntry::Purchase(super::Purchase {
             part: part.id.to_owned(),
             credits,
         })
@@ -328,11 +333,11 @@ proptest! {
     #[test]
     fn whatever_happens_credits_add_up_and_locks_hold(entries in proptest::collection::vec(any_entry(), 0..40)) {
         let course = course();
-        let mut now = Standing::default();
+        let mut now = CareerStanding::default();
         for entry in &entries {
             let before = now.clone();
             now.enter(entry);
-            if let Entry::Purchase(purchase) = entry {
+            if let CareerEntry::Purchase(purchase) = entry {
                 let paid = before.credits() - now.credits();
                 prop_assert!(paid == 0 || paid == purchase.credits);
             } else {
@@ -344,11 +349,11 @@ proptest! {
                 let needs = &course.offer(needs).expect("known").requires.missions;
                 let holds = needs.iter().all(|id| now.has_passed(id));
                 let stage = course.stage(offer, &now, 400);
-                prop_assert!(holds || !matches!(stage, Stage::Open));
+                prop_assert!(holds || !matches!(stage, MissionStage::Open));
             }
             prop_assert!(now.buy("s_gas4", &course).is_err() || now.has_passed("one"));
         }
-        prop_assert_eq!(Standing::of(&entries), now);
+        prop_assert_eq!(CareerStanding::of(&entries), now);
     }
 
     #[test]
@@ -370,7 +375,7 @@ proptest! {
     #[test]
     fn entries_come_back_from_json_as_they_were(entry in any_entry()) {
         let json = serde_json::to_string(&entry).expect("it is plain");
-        let back: Entry = serde_json::from_str(&json).expect("it was just written");
+        let back: CareerEntry = serde_json::from_str(&json).expect("it was just written");
         prop_assert_eq!(back, entry);
     }
 }
@@ -378,7 +383,8 @@ proptest! {
 #[test]
 fn the_best_of_a_mission_is_kept_apart_by_pass_and_medal() {
     let course = course();
-    let entries = [700, 500, 900].map(|score| Entry::Flight(flight(&course, "one", score, 1)));
+    let entries =
+        [700, 500, 900].map(|score| CareerEntry::Flight(flight(&course, "one", score, 1)));
     let best = *standing(&entries).best("one").expect("flown");
     assert_eq!(
         (best.tries, best.score, best.passed, best.medal),

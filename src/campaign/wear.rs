@@ -11,7 +11,7 @@ const CRASH_SHARE: f64 = 0.5;
 
 /// A drone of the trainee's own on a flight.
 #[derive(Debug, Clone, Copy)]
-pub struct Flown<'a> {
+pub struct FlownDesign<'a> {
     /// What it was built of.
     pub design: &'a Design,
     /// Time in the air, in seconds.
@@ -22,12 +22,12 @@ pub struct Flown<'a> {
 
 /// What a flight costs in credits: wear of batteries and motors, and half of what fell. A drone that stayed on its pad costs
 /// nothing, nor do those that a mission lends.
-pub fn wear<'a>(flown: impl IntoIterator<Item = Flown<'a>>) -> u32 {
+pub fn wear<'a>(flown: impl IntoIterator<Item = FlownDesign<'a>>) -> u32 {
     let credits: f64 = flown.into_iter().map(|one| one.wear()).sum();
     credits.round() as u32
 }
 
-impl Flown<'_> {
+impl FlownDesign<'_> {
     fn wear(&self) -> f64 {
         if self.airborne_s <= 0.0 && !self.has_crashed {
             return 0.0;
@@ -63,7 +63,7 @@ mod tests {
             it.with(part(id).expect("known"))
         });
         let cost = |airborne_s, has_crashed| {
-            let one = Flown {
+            let one = FlownDesign {
                 design: &design,
                 airborne_s,
                 has_crashed,

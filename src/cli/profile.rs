@@ -9,7 +9,7 @@ use serde::Serialize;
 
 use super::settings::Settings;
 use super::{Failure, progress, trainee};
-use crate::campaign::{Progress, Standing};
+use crate::campaign::{CareerProgress, CareerStanding};
 use crate::store::{self, Profile, ProfileError, ProfileFile, Profiles, day_of, utc};
 use crate::text;
 use crate::text::{Locale, Text};
@@ -141,7 +141,7 @@ struct Shown<'a> {
     lang: Option<&'a str>,
     aids: &'static str,
     #[serde(flatten)]
-    progress: &'a Progress,
+    progress: &'a CareerProgress,
 }
 
 impl Desk<'_> {
@@ -153,11 +153,11 @@ impl Desk<'_> {
         trainee::choose(&self.profiles, name, self.settings, &self.locale)
     }
 
-    fn progress(&self, profile: &Profile) -> Result<Progress, Failure> {
+    fn progress(&self, profile: &Profile) -> Result<CareerProgress, Failure> {
         let history = self.profiles.history(profile);
         let history = history.map_err(|error| self.refused(&error))?;
         let today = day_of(SystemTime::now());
-        Ok(Progress::of(&store::course(), &history, today))
+        Ok(CareerProgress::of(&store::course(), &history, today))
     }
 
     fn create(&self, name: &str) -> Result<ExitCode, Failure> {
@@ -201,7 +201,7 @@ impl Desk<'_> {
     }
 
     fn member(&self, profile: &Profile) -> Result<Member, ProfileError> {
-        let standing = Standing::of(&self.profiles.history(profile)?);
+        let standing = CareerStanding::of(&self.profiles.history(profile)?);
         Ok(Member {
             name: profile.name.clone(),
             since: profile.since.clone(),

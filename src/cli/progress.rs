@@ -3,7 +3,7 @@
 use std::time::{Duration, UNIX_EPOCH};
 
 use super::table::{Side, Table};
-use crate::campaign::{MissionState, Progress, Stake};
+use crate::campaign::{CareerProgress, MissionState, Stake};
 use crate::scoring::Medal;
 use crate::store::{PastRun, utc};
 use crate::text;
@@ -19,7 +19,7 @@ pub(super) fn date(day: i64) -> String {
 }
 
 /// Credits, level, licence, and what to train next.
-pub(super) fn heading(progress: &Progress) -> Vec<Text> {
+pub(super) fn heading(progress: &CareerProgress) -> Vec<Text> {
     let mut lines = vec![text!(
         "progress-standing",
         credits = progress.credits,
@@ -38,7 +38,7 @@ pub(super) fn heading(progress: &Progress) -> Vec<Text> {
 }
 
 /// Where each mission stands.
-pub(super) fn missions(progress: &Progress, locale: &Locale) -> Table {
+pub(super) fn missions(progress: &CareerProgress, locale: &Locale) -> Table {
     let columns = [
         (text!("progress-mission"), Side::Left),
         (text!("progress-state"), Side::Left),
@@ -71,7 +71,7 @@ pub(super) fn missions(progress: &Progress, locale: &Locale) -> Table {
 }
 
 /// Where each skill stands.
-pub(super) fn skills(progress: &Progress, locale: &Locale) -> Table {
+pub(super) fn skills(progress: &CareerProgress, locale: &Locale) -> Table {
     let columns = [
         (text!("progress-skill"), Side::Left),
         (text!("progress-chance"), Side::Right),

@@ -10,7 +10,7 @@ use serde::Serialize;
 use super::settings::Settings;
 use super::table::escaped;
 use super::{Failure, progress, trainee};
-use crate::campaign::Progress;
+use crate::campaign::CareerProgress;
 use crate::store::{self, PastRun, Profile, day_of};
 use crate::text;
 use crate::text::Locale;
@@ -59,7 +59,7 @@ struct Document<'a> {
     profile: &'a str,
     since: &'a str,
     #[serde(flatten)]
-    progress: &'a Progress,
+    progress: &'a CareerProgress,
     runs: &'a [PastRun],
 }
 
@@ -71,7 +71,7 @@ pub(super) fn report(options: &ReportArguments, settings: &Settings) -> Result<E
     let refused = |error| trainee::refused(&error, &locale);
     let history = profiles.history(&profile).map_err(refused)?;
     let runs = profiles.runs(&profile).map_err(refused)?;
-    let progress = Progress::of(&store::course(), &history, day_of(SystemTime::now()));
+    let progress = CareerProgress::of(&store::course(), &history, day_of(SystemTime::now()));
     let text = match options.format {
         Format::Md => markdown(&profile, &progress, &runs, &locale),
         Format::Csv => match options.table {
@@ -96,7 +96,12 @@ pub(super) fn report(options: &ReportArguments, settings: &Settings) -> Result<E
     Ok(ExitCode::SUCCESS)
 }
 
-fn markdown(profile: &Profile, progress: &Progress, runs: &[PastRun], locale: &Locale) -> String {
+fn markdown(
+    profile: &Profile,
+    progress: &CareerProgress,
+    runs: &[PastRun],
+    locale: &Locale,
+) -> String {
     let words = |text| locale.text(&text);
     let lines = progress::heading(progress);
     let lines: Vec<String> = lines.iter().map(|line| locale.text(line)).collect();

@@ -10,7 +10,7 @@ use super::session::{Finished, Plan};
 use crate::app::effect::CareerEffect;
 use crate::app::event::{CareerEvent, Event};
 use crate::app::state::Career;
-use crate::campaign::{Course, Entry, Reward, Standing};
+use crate::campaign::{CareerEntry, CareerStanding, MissionCourse, Reward};
 use crate::scoring::TryReport;
 use crate::store::{
     self, Landing, Profile, ProfileError, ProfileSettings, Profiles, RunEntry, day_of, utc,
@@ -23,7 +23,7 @@ use crate::workshop::Design;
 #[derive(Debug)]
 pub(super) struct Careers {
     profiles: Profiles,
-    course: Course,
+    course: MissionCourse,
     current: Option<Profile>,
     /// Flights that are not stored yet, oldest first, and whose they are: the disk may be full for a while.
     waiting: VecDeque<(String, RunEntry)>,
@@ -36,7 +36,7 @@ impl Careers {
     ///
     /// # Errors
     /// They cannot be had; the console works without them.
-    pub fn open(data: &Path, course: Course) -> Result<(Self, Vec<Text>), ProfileError> {
+    pub fn open(data: &Path, course: MissionCourse) -> Result<(Self, Vec<Text>), ProfileError> {
         let (profiles, told) = store::open_profiles(data)?;
         let careers = Self {
             profiles,
@@ -190,23 +190,23 @@ pub(super) fn today() -> i64 {
 /// Stores a flight in somebody's career. One that is stored already has brought nothing more.
 fn enter(
     profiles: &mut Profiles,
-    course: &Course,
+    course: &MissionCourse,
     whose: &str,
     run: &RunEntry,
 ) -> Result<Option<Reward>, ProfileError> {
     let profile = profiles.find(whose)?;
-    let before = Standing::of(&profiles.history(&profile)?);
+    let before = CareerStanding::of(&profiles.history(&profile)?);
     if !profiles.store(&profile, run)? {
         return Ok(None);
     }
     let mut after = before.clone();
-    after.enter(&Entry::Flight(run.flight.clone()));
+    after.enter(&CareerEntry::Flight(run.flight.clone()));
     Ok(Some(Reward::between(&before, &after, course, &run.flight)))
 }
 
 impl Console {
     /// Opens the profiles and goes on with the one that was asked for, or the only one there is.
-    pub(super) fn open_careers(&mut self, course: Course) {
+    pub(super) fn open_careers(&mut self, course: MissionCourse) {
         let preferences = &self.options.preferences;
         let Some(data) = &preferences.data else {
             return;
@@ -386,7 +386,8 @@ mod tests {
     #[test]
     fn a_flight_that_cannot_be_stored_waits_until_it_can() {
         let folder = tempfile::tempdir().expect("a folder");
-        let (mut careers, _) = Careers::open(folder.path(), Course::default()).expect("ours");
+        let (mut careers, _) =
+            Careers::open(folder.path(), MissionCourse::default()).expect("ours");
         careers.create("Anna").expect("a name");
         let other = Connection::open(careers.profiles.path()).expect("the same file");
         let rename = |from: &str, to: &str| {
@@ -409,7 +410,7 @@ mod tests {
     fn what_a_trainee_chooses_is_there_the_next_time() {
         let folder = tempfile::tempdir().expect("a folder");
         let open = || {
-            Careers::open(folder.path(), Course::default())
+            Careers::open(folder.path(), MissionCourse::default())
                 .expect("ours")
                 .0
         };

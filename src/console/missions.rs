@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::app::state::MissionListing;
-use crate::campaign::{Course, Offer};
+use crate::campaign::{MissionCourse, Offer};
 use crate::mission::Mission;
 use crate::scoring::TryReport;
 use crate::store;
@@ -32,7 +32,7 @@ pub fn stock() -> Vec<Design> {
 }
 
 /// The missions that can be flown, the course that they make, and what is wrong with the others.
-pub fn listings() -> (Vec<MissionListing>, Course, Vec<Text>) {
+pub fn listings() -> (Vec<MissionListing>, MissionCourse, Vec<Text>) {
     let mut listings: Vec<MissionListing> = Vec::new();
     let mut offers: Vec<Offer> = Vec::new();
     let mut names: Vec<String> = Vec::new();
@@ -66,5 +66,5 @@ pub fn listings() -> (Vec<MissionListing>, Course, Vec<Text>) {
             }
         }
     }
-    (listings, Course::new(offers), warnings)
+    (listings, MissionCourse::new(offers), warnings)
 }

@@ -7,7 +7,8 @@ use serde::Serialize;
 
 use super::Exercise;
 use crate::campaign::{
-    Course, Entry, Flight, Offer, PartState, Progress, Stage, Stake, Standing, licence_price,
+    CareerEntry, CareerFlight, CareerProgress, CareerStanding, MissionCourse, MissionStage, Offer,
+    PartState, Stake, licence_price,
 };
 use crate::language::Script;
 use crate::mission::Mission;
@@ -23,10 +24,10 @@ const RESERVE_CREDITS: u32 = 200;
 
 /// Somebody who flies as the pilot scripts do, what the campaign advises, and buys what it puts on sale.
 pub struct Playthrough {
-    course: Course,
+    course: MissionCourse,
     pilots: BTreeMap<String, (Arc<Mission>, Script)>,
-    history: Vec<Entry>,
-    standing: Standing,
+    history: Vec<CareerEntry>,
+    standing: CareerStanding,
     flown: Vec<String>,
     first_day: i64,
     seed: u64,
@@ -67,7 +68,7 @@ impl Playthrough {
         seed: u64,
     ) -> Self {
         let pilots: Vec<(Mission, Script)> = pilots.into_iter().collect();
-        let course = Course::new(pilots.iter().map(|(mission, _)| Offer::of(mission)));
+        let course = MissionCourse::new(pilots.iter().map(|(mission, _)| Offer::of(mission)));
         let pilots = pilots.into_iter();
         Self {
             course,
@@ -75,7 +76,7 @@ impl Playthrough {
                 .map(|(mission, script)| (mission.id.clone(), (Arc::new(mission), script)))
                 .collect(),
             history: Vec::new(),
-            standing: Standing::default(),
+            standing: CareerStanding::default(),
             flown: Vec::new(),
             first_day,
             seed,
@@ -83,7 +84,7 @@ impl Playthrough {
     }
 
     /// Everything flown and bought so far.
-    pub fn history(&self) -> &[Entry] {
+    pub fn history(&self) -> &[CareerEntry] {
         &self.history
     }
 
@@ -104,11 +105,11 @@ impl Playthrough {
             exercise.step();
             exercise.take_notices();
         }
-        let flight = Flight::of(&mission, &exercise.report(), Stake::Graded, day);
-        self.enter(Entry::Flight(flight.clone()));
+        let flight = CareerFlight::of(&mission, &exercise.report(), Stake::Graded, day);
+        self.enter(CareerEntry::Flight(flight.clone()));
         self.flown.push(id.clone());
         let bought = self.shop();
-        let progress = Progress::of(&self.course, &self.history, day);
+        let progress = CareerProgress::of(&self.course, &self.history, day);
         Some(PlaythroughFlight {
             mission: id,
             day,
@@ -130,9 +131,9 @@ impl Playthrough {
         let offers = || self.course.offers().iter();
         let next = self.course.next(&self.standing, day);
         let advised = next.map(|(_, offer)| offer);
-        let open = offers().filter(|offer| stage(offer) == Stage::Open);
+        let open = offers().filter(|offer| stage(offer) == MissionStage::Open);
         let improvable = offers().filter(
-            |offer| matches!(stage(offer), Stage::Passed(medal) if medal < Some(Medal::Gold)),
+            |offer| matches!(stage(offer), MissionStage::Passed(medal) if medal < Some(Medal::Gold)),
         );
         let flown = self.flown.iter().rev().take(TIRED_FOR);
         let is_fresh = |offer: &&Offer| !flown.clone().any(|id| *id == offer.id);
@@ -159,14 +160,14 @@ impl Playthrough {
                 && self.standing.credits() >= price + RESERVE_CREDITS
                 && let Ok(purchase) = self.standing.buy(part.id, &self.course)
             {
-                self.enter(Entry::Purchase(purchase));
+                self.enter(CareerEntry::Purchase(purchase));
                 bought.push(part.id.to_owned());
             }
         }
         bought
     }
 
-    fn enter(&mut self, entry: Entry) {
+    fn enter(&mut self, entry: CareerEntry) {
         self.standing.enter(&entry);
         self.history.push(entry);
     }

@@ -16,7 +16,7 @@ use crate::vehicle::VehicleId;
 /// simulator nor a console that is late makes a command fail. Many messages that come at once are taken one by one, with
 /// the mission's ticks between them.
 #[derive(Debug)]
-pub struct Streams {
+pub struct LiveStreams {
     /// When time of ours passed first.
     opened: Option<Duration>,
     /// Up to where sessions have come, and after the prelude pilot and mission.
@@ -24,12 +24,12 @@ pub struct Streams {
     lost: Vec<bool>,
 }
 
-impl Exercise<Streams> {
+impl Exercise<LiveStreams> {
     /// A mission that begins once all vehicles are heard and tell their time; until then nothing flies. `speedup` is
     /// what the vehicles were asked for.
     pub fn live(mission: Arc<Mission>, seed: u64, script: Script, speedup: f64) -> Self {
         let vehicles = mission.vehicles;
-        let link = Streams {
+        let link = LiveStreams {
             opened: None,
             stepped: Duration::ZERO,
             lost: vec![false; vehicles],

@@ -35,7 +35,7 @@ fn mission_with(more: &str) -> (Arc<Mission>, Script) {
 struct Process {
     world: World,
     port: PortId,
-    live: Exercise<Streams>,
+    live: Exercise<LiveStreams>,
     /// Time of ours per time of the simulator.
     pace: f64,
 }

@@ -52,12 +52,16 @@ fn a_line_without_targets_is_for_the_selection() {
 
 #[test]
 fn a_line_is_refused_where_its_first_word_is() {
-    let missing = read("  1,9 land").expect_err("there is no vehicle 9");
-    assert_eq!(missing.span, 2..5);
+    let groups = [("gone".to_owned(), vec![1, 9])].into();
     let context = Context {
+        groups: &groups,
         vehicles: &FLEET,
         ..Context::default()
     };
+    let missing =
+        read_order("  @gone land", &context, &[], |_| Ok(())).expect_err("vehicle 9 is no more");
+    assert_eq!(missing.message, text!("order-no-vehicle", vehicle = 9));
+    assert_eq!(missing.span, 2..7);
     let permit = |_: &Statement| Err(Diagnostic::new(0..1, text!("pause-refuses")));
     let refused = read_order("1 land", &context, &[], permit).expect_err("not permitted");
     assert_eq!(refused.message, text!("pause-refuses"));

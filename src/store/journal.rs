@@ -8,7 +8,7 @@ use std::time::{SystemTime, UNIX_EPOCH};
 
 use super::runs::{ENDING, outline, run_id};
 use super::{Profile, ProfileError, Profiles, RunEntry, Runs, read_run, utc};
-use crate::campaign::{Flight, Stake, day_and_stake};
+use crate::campaign::{CareerFlight, Stake, day_and_stake};
 use crate::mission::Mission;
 use crate::mission::record::Stored;
 use crate::scoring::Report;
@@ -44,7 +44,7 @@ impl RunEntry {
         let (day, stake) = day_and_stake(landing.stake, report.seed, day_of(landing.when));
         Self {
             when: utc(landing.when),
-            flight: Flight::of(mission, report, stake, day),
+            flight: CareerFlight::of(mission, report, stake, day),
             // What the shell adds belongs to the moment at which it is shown.
             report: Report {
                 drill: None,

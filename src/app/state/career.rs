@@ -1,6 +1,8 @@
 //! The career of the trainee who sits here, as the console shows it.
 
-use crate::campaign::{Aids, Course, Entry, Growth, Reason, Stage, Standing};
+use crate::campaign::{
+    Aids, CareerEntry, CareerStanding, Growth, LockReason, MissionCourse, MissionStage,
+};
 use crate::text;
 use crate::text::{Language, Text};
 use crate::workshop::Design;
@@ -13,13 +15,13 @@ pub struct Career {
     /// The trainee's name.
     pub name: String,
     /// Everything flown and bought, oldest first.
-    pub history: Vec<Entry>,
+    pub history: Vec<CareerEntry>,
     /// What the history amounts to.
-    pub standing: Standing,
+    pub standing: CareerStanding,
     /// How it came to that.
     pub growth: Growth,
     /// The missions that a career consists of.
-    pub course: Course,
+    pub course: MissionCourse,
     /// The trainee's own designs, by name.
     pub designs: Vec<Design>,
     /// Today: days since 1970 in UTC.
@@ -32,10 +34,10 @@ pub struct Career {
 
 impl Career {
     /// A career by its history.
-    pub fn new(name: impl Into<String>, history: Vec<Entry>, course: Course) -> Self {
+    pub fn new(name: impl Into<String>, history: Vec<CareerEntry>, course: MissionCourse) -> Self {
         Self {
             name: name.into(),
-            standing: Standing::of(&history),
+            standing: CareerStanding::of(&history),
             growth: Growth::of(&history),
             history,
             course,
@@ -55,10 +57,11 @@ impl Career {
     /// Why a mission may not be flown yet, if it is one of the course.
     pub fn lock(&self, mission: &str) -> Option<Text> {
         let offer = self.course.offer(mission)?;
-        let Stage::Locked(reasons) = self.course.stage(offer, &self.standing, self.day) else {
+        let MissionStage::Locked(reasons) = self.course.stage(offer, &self.standing, self.day)
+        else {
             return None;
         };
-        let reasons = reasons.iter().map(Reason::text).collect();
+        let reasons = reasons.iter().map(LockReason::text).collect();
         let why = Text::joined("; ", reasons);
         Some(text!(
             "mission-locked",

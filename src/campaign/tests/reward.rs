@@ -1,24 +1,24 @@
 use super::*;
-use crate::campaign::{Opened, Reward};
+use crate::campaign::{OpenedItem, Reward};
 
 #[test]
 fn a_reward_tells_what_a_flight_changed_and_why() {
     let course = course();
-    let mut history = vec![Entry::Flight(flight(&course, "one", 800, 1))];
-    let reward = |history: &[Entry], flown: Flight| {
+    let mut history = vec![CareerEntry::Flight(flight(&course, "one", 800, 1))];
+    let reward = |history: &[CareerEntry], flown: CareerFlight| {
         let before = standing(history);
         let mut after = before.clone();
-        after.enter(&Entry::Flight(flown.clone()));
+        after.enter(&CareerEntry::Flight(flown.clone()));
         Reward::between(&before, &after, &course, &flown)
     };
-    let flown = Flight {
+    let flown = CareerFlight {
         wear: 7,
         ..flight(&course, "two", 900, 1)
     };
     let second = reward(&history, flown.clone());
     assert_eq!((second.pay_credits, second.wear_credits), (380, 7));
     assert_eq!((second.licence_before, second.licence), (2, 4));
-    let ids = |opened: &[Opened]| opened.iter().map(|it| it.id.clone()).collect::<Vec<_>>();
+    let ids = |opened: &[OpenedItem]| opened.iter().map(|it| it.id.clone()).collect::<Vec<_>>();
     assert_eq!(ids(&second.missions), ["three", "drill"]);
     assert_eq!(second.skills.len(), 1);
     assert!(second.skills[0].after_percent > second.skills[0].before_percent);
@@ -32,7 +32,7 @@ fn a_reward_tells_what_a_flight_changed_and_why() {
         "{lines:?}"
     );
 
-    history.push(Entry::Flight(flown));
+    history.push(CareerEntry::Flight(flown));
     let unpaid = |flown| reward(&history, flown).lines()[0].to_string();
     let again = flight(&course, "two", 850, 1);
     assert_eq!(
@@ -44,7 +44,7 @@ fn a_reward_tells_what_a_flight_changed_and_why() {
         unpaid(failed),
         "no credits: the mission is not passed; 1233 now"
     );
-    let practice = Flight {
+    let practice = CareerFlight {
         stake: Stake::Practice,
         ..flight(&course, "three", 900, 1)
     };
@@ -57,12 +57,12 @@ fn a_reward_tells_what_a_flight_changed_and_why() {
 #[test]
 fn a_loss_takes_no_more_than_there_is_and_the_reward_says_how_much() {
     let course = course();
-    let flown = Flight {
+    let flown = CareerFlight {
         wear: 9000,
         ..flight(&course, "one", 300, 1)
     };
     let before = standing(&[]);
-    let after = standing(&[Entry::Flight(flown.clone())]);
+    let after = standing(&[CareerEntry::Flight(flown.clone())]);
     let reward = Reward::between(&before, &after, &course, &flown);
     assert_eq!((reward.wear_credits, reward.credits), (500, 0));
 }
@@ -70,7 +70,7 @@ fn a_loss_takes_no_more_than_there_is_and_the_reward_says_how_much() {
 #[test]
 fn what_does_not_count_is_not_paid_whatever_wear_takes() {
     let course = course();
-    let first = Entry::Flight(Flight {
+    let first = CareerEntry::Flight(CareerFlight {
         stake: Stake::Daily,
         wear: 760,
         ..flight(&course, "one", 600, 1)
@@ -78,13 +78,13 @@ fn what_does_not_count_is_not_paid_whatever_wear_takes() {
     let before = standing(&[first]);
     assert_eq!(before.credits(), 60);
     let reward = |stake| {
-        let flown = Flight {
+        let flown = CareerFlight {
             stake,
             wear: 300,
             ..flight(&course, "one", 900, 1)
         };
         let mut after = before.clone();
-        after.enter(&Entry::Flight(flown.clone()));
+        after.enter(&CareerEntry::Flight(flown.clone()));
         Reward::between(&before, &after, &course, &flown)
     };
     let lines = [

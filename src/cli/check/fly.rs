@@ -22,7 +22,7 @@ const IDLE_AT_MOST: u16 = 250;
 /// A pilot that the catalogue is measured with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
-enum Who {
+enum CheckPilot {
     /// The script that shows how: has to pass with a silver medal at least.
     Reference,
     /// A script that makes the mistakes of a beginner: must not earn a medal.
@@ -33,9 +33,9 @@ enum Who {
 
 /// One flight and whether its result is as it should be.
 #[derive(Debug, Serialize)]
-struct Flown {
+struct CheckFlight {
     mission: String,
-    pilot: Who,
+    pilot: CheckPilot,
     seed: u64,
     passed: bool,
     score: u16,
@@ -47,7 +47,7 @@ struct Flown {
     good: bool,
 }
 
-impl Who {
+impl CheckPilot {
     fn name(self) -> &'static str {
         match self {
             Self::Reference => "reference",
@@ -88,19 +88,19 @@ pub(in crate::cli) fn fly(
 }
 
 /// All flights of one mission, pilot by pilot.
-fn course(name: &str, seeds: u64) -> Result<Vec<Flown>, Failure> {
+fn course(name: &str, seeds: u64) -> Result<Vec<CheckFlight>, Failure> {
     let mission = Arc::new(load_mission(name)?);
     let number = mission.id.split('-').next().unwrap_or_default();
     let reference = pilot_beside(name, &mission.id);
     let naive = pilot_beside(name, &format!("{number}-naive"));
-    let mut pilots = vec![(Who::Reference, load_script(&reference, &mission)?)];
+    let mut pilots = vec![(CheckPilot::Reference, load_script(&reference, &mission)?)];
     // A drill has none.
     if store::pilot(&naive).is_ok() {
-        pilots.push((Who::Naive, load_script(&naive, &mission)?));
+        pilots.push((CheckPilot::Naive, load_script(&naive, &mission)?));
     }
     let nothing = Script::parse("", &Context::default());
-    pilots.extend(nothing.ok().map(|script| (Who::DoNothing, script)));
-    let tasks: Vec<(Who, &Script, u64)> = pilots
+    pilots.extend(nothing.ok().map(|script| (CheckPilot::DoNothing, script)));
+    let tasks: Vec<(CheckPilot, &Script, u64)> = pilots
         .iter()
         .flat_map(|(who, script)| (1..=seeds).map(move |seed| (*who, script, seed)))
         .collect();
@@ -117,7 +117,10 @@ fn pilot_beside(mission: &str, pilot: &str) -> String {
 }
 
 /// The flights in the order of the tasks, whoever is done first.
-fn flown_by_all_processors(mission: &Arc<Mission>, tasks: &[(Who, &Script, u64)]) -> Vec<Flown> {
+fn flown_by_all_processors(
+    mission: &Arc<Mission>,
+    tasks: &[(CheckPilot, &Script, u64)],
+) -> Vec<CheckFlight> {
     let workers = std::thread::available_parallelism().map_or(1, usize::from);
     let next = AtomicUsize::new(0);
     let work = || {
@@ -130,7 +133,7 @@ fn flown_by_all_processors(mission: &Arc<Mission>, tasks: &[(Who, &Script, u64)]
             done.push((index, flown(mission, who, script, seed)));
         }
     };
-    let mut all: Vec<(usize, Flown)> = std::thread::scope(|scope| {
+    let mut all: Vec<(usize, CheckFlight)> = std::thread::scope(|scope| {
         let workers: Vec<_> = (0..workers).map(|_| scope.spawn(work)).collect();
         let done = workers.into_iter().filter_map(|worker| worker.join().ok());
         done.flatten().collect()
@@ -139,7 +142,7 @@ fn flown_by_all_processors(mission: &Arc<Mission>, tasks: &[(Who, &Script, u64)]
     all.into_iter().map(|(_, flown)| flown).collect()
 }
 
-fn flown(mission: &Arc<Mission>, pilot: Who, script: &Script, seed: u64) -> Flown {
+fn flown(mission: &Arc<Mission>, pilot: CheckPilot, script: &Script, seed: u64) -> CheckFlight {
     let started = Instant::now();
     let mut exercise = Exercise::new(Arc::clone(mission), seed, script.clone(), Vec::new());
     while !exercise.is_over() {
@@ -148,7 +151,7 @@ fn flown(mission: &Arc<Mission>, pilot: Who, script: &Script, seed: u64) -> Flow
         drop(exercise.take_notices());
     }
     let report = exercise.report();
-    Flown {
+    CheckFlight {
         mission: mission.id.clone(),
         pilot,
         seed,
@@ -161,26 +164,26 @@ fn flown(mission: &Arc<Mission>, pilot: Who, script: &Script, seed: u64) -> Flow
     }
 }
 
-impl Flown {
+impl CheckFlight {
     /// What is wrong with it, and which way to mend it.
     fn wrong(&self) -> String {
         let score = self.score;
         match self.pilot {
-            Who::Reference if !self.passed => {
+            CheckPilot::Reference if !self.passed => {
                 format!("the reference did not pass and earned {score}: it has to pass with silver")
             }
-            Who::Reference => {
+            CheckPilot::Reference => {
                 format!(
                     "the reference earned {score} and less than silver: `medals` or `par` ask too much"
                 )
             }
-            Who::Naive => {
+            CheckPilot::Naive => {
                 format!("the naive pilot earned {score} and a medal: it has to stay below bronze")
             }
-            Who::DoNothing if self.passed => {
+            CheckPilot::DoNothing if self.passed => {
                 format!("nobody passed, with {score}: a `mandatory` objective has to be worked for")
             }
-            Who::DoNothing => format!(
+            CheckPilot::DoNothing => format!(
                 "nobody earned {score}, at most {IDLE_AT_MOST} is allowed: give `objective` more of the `weights`, \
                  and `safety`, `attention` and `utilisation` less"
             ),
@@ -189,9 +192,13 @@ impl Flown {
 }
 
 /// A line for each pilot of a mission, and one for each flight that went wrong.
-fn print(all: &[Flown]) -> Result<(), Failure> {
-    for who in [Who::Reference, Who::Naive, Who::DoNothing] {
-        let flights: Vec<&Flown> = all.iter().filter(|flown| flown.pilot == who).collect();
+fn print(all: &[CheckFlight]) -> Result<(), Failure> {
+    for who in [
+        CheckPilot::Reference,
+        CheckPilot::Naive,
+        CheckPilot::DoNothing,
+    ] {
+        let flights: Vec<&CheckFlight> = all.iter().filter(|flown| flown.pilot == who).collect();
         let Some(first) = flights.first() else {
             continue;
         };

@@ -13,7 +13,7 @@ use tokio::time::{MissedTickBehavior, interval, timeout};
 
 use super::recorder::RunRecorder;
 use crate::cli::{Failure, runtime};
-use crate::exercise::{Exercise, Streams};
+use crate::exercise::{Exercise, LiveStreams};
 use crate::hangar::{Berth, Hangars, Instance, Launch, Place, Seen, Source, Stage};
 use crate::mission::Report;
 
@@ -34,7 +34,7 @@ const PIECE_LEN: usize = 4096;
 pub(super) fn fly(
     source: &Source,
     launches: Vec<Launch>,
-    live: Exercise<Streams>,
+    live: Exercise<LiveStreams>,
     recorder: &mut RunRecorder<'_>,
 ) -> Result<Report, Failure> {
     let runtime = runtime()?;
@@ -58,7 +58,7 @@ async fn session(
     hangars: &Hangars,
     launches: Vec<Launch>,
     launched: &RefCell<Vec<Place>>,
-    live: Exercise<Streams>,
+    live: Exercise<LiveStreams>,
     recorder: &mut RunRecorder<'_>,
 ) -> anyhow::Result<Report> {
     let started = Instant::now();
@@ -66,7 +66,7 @@ async fn session(
     let places: Vec<Place> = berths.iter().map(|berth| berth.place).collect();
     launched.replace(places.clone());
     let (pieces, heard) = mpsc::channel(PIECES_KEPT);
-    let mut fleet = Fleet {
+    let mut fleet = SitlFleet {
         places,
         senders: moor(berths, &pieces),
         heard,
@@ -123,14 +123,14 @@ async fn listen(index: usize, mut reader: ReadHalf<DuplexStream>, pieces: mpsc::
 }
 
 /// The vehicles, in the order of their system ids.
-struct Fleet {
+struct SitlFleet {
     places: Vec<Place>,
     senders: Vec<WriteHalf<DuplexStream>>,
     heard: mpsc::Receiver<Piece>,
     seen: watch::Receiver<Seen>,
 }
 
-impl Fleet {
+impl SitlFleet {
     /// Waits until all can be armed, and tells how far they are.
     async fn get_ready(&mut self) -> anyhow::Result<()> {
         let mut told: Vec<Option<String>> = vec![None; self.places.len()];
@@ -164,7 +164,11 @@ impl Fleet {
     }
 
     /// Carries bytes between the vehicles and the mission until it is over.
-    async fn fly(&mut self, mut live: Exercise<Streams>, recorder: &mut RunRecorder<'_>) -> Report {
+    async fn fly(
+        &mut self,
+        mut live: Exercise<LiveStreams>,
+        recorder: &mut RunRecorder<'_>,
+    ) -> Report {
         let begun = Instant::now();
         let mut looks = interval(LOOK_EVERY);
         looks.set_missed_tick_behavior(MissedTickBehavior::Delay);
@@ -200,7 +204,7 @@ impl Fleet {
     }
 
     /// Vehicles whose process has ended do not come back.
-    fn note_losses(&mut self, live: &mut Exercise<Streams>) {
+    fn note_losses(&mut self, live: &mut Exercise<LiveStreams>) {
         let all = self.seen.borrow_and_update().clone();
         for (index, place) in self.places.iter().enumerate() {
             let instance = find(&all, *place);

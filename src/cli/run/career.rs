@@ -3,7 +3,8 @@
 use serde::Serialize;
 
 use crate::campaign::{
-    AttemptTrainee, Course, Entry, PartState, PracticeReason, Reason, Reward, Standing,
+    AttemptTrainee, CareerEntry, CareerStanding, LockReason, MissionCourse, PartState,
+    PracticeReason, Reward,
 };
 use crate::cli::settings::Settings;
 use crate::cli::{Failure, trainee};
@@ -18,8 +19,8 @@ use crate::workshop::Part;
 pub(super) struct RunTrainee<'a> {
     profiles: Profiles,
     profile: Profile,
-    course: Course,
-    standing: Standing,
+    course: MissionCourse,
+    standing: CareerStanding,
     runs: Runs,
     locale: &'a Locale,
 }
@@ -85,7 +86,7 @@ impl<'a> RunTrainee<'a> {
             profiles,
             profile,
             course: store::course(),
-            standing: Standing::of(&history),
+            standing: CareerStanding::of(&history),
             runs: Runs::within(&data),
             locale,
         }))
@@ -118,7 +119,7 @@ impl<'a> RunTrainee<'a> {
         for reason in reasons {
             match reason {
                 PracticeReason::Locked(reasons) => {
-                    let reasons = reasons.iter().map(Reason::text).collect();
+                    let reasons = reasons.iter().map(LockReason::text).collect();
                     let why = Text::joined("; ", reasons);
                     let title = self.title(&mission.id);
                     let text = text!("mission-locked", mission = title, why = why);
@@ -207,7 +208,7 @@ impl<'a> RunTrainee<'a> {
         }
         report.tries = self.tries(mission).unwrap_or_default();
         let mut after = self.standing.clone();
-        after.enter(&Entry::Flight(run.flight.clone()));
+        after.enter(&CareerEntry::Flight(run.flight.clone()));
         CareerOutcome {
             reward: Reward::between(&self.standing, &after, &self.course, &run.flight),
             profile: self.profile.name.clone(),

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::{Duration, UNIX_EPOCH};
 
 use super::*;
-use crate::campaign::{Entry, Evidence, Standing};
+use crate::campaign::{CareerEntry, CareerStanding, Evidence};
 use crate::exercise::Exercise;
 use crate::language::{Context, Script};
 use crate::mission::record::Occasion;
@@ -78,7 +78,7 @@ fn a_finished_record_that_nobody_stored_is_made_up_for_once() {
     let json = |evidence: &[Evidence]| serde_json::to_string(evidence).expect("plain");
     let flight = &stored[0].flight;
     assert_eq!(json(&flight.evidence), json(&run.flight.evidence));
-    let expected = Flight {
+    let expected = CareerFlight {
         day: flight.day,
         evidence: flight.evidence.clone(),
         ..run.flight.clone()
@@ -157,6 +157,6 @@ fn own_drones_wear_and_lent_ones_do_not() {
     let own = entry(&own);
     assert!(own.flight.wear > 100, "{}", own.flight.wear);
     assert_eq!((own.airframes.len(), own.recording), (1, None));
-    let standing = Standing::of(&[Entry::Flight(own.flight)]);
+    let standing = CareerStanding::of(&[CareerEntry::Flight(own.flight)]);
     assert!(standing.credits() < 500);
 }

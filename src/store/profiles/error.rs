@@ -3,7 +3,7 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use crate::campaign::Refusal;
+use crate::campaign::PurchaseRefusal;
 use crate::text;
 use crate::text::Text;
 
@@ -61,7 +61,7 @@ pub enum ProfileError {
         fault: String,
     },
     /// A part cannot be bought.
-    Refused(Refusal),
+    Refused(PurchaseRefusal),
 }
 
 impl ProfileError {

@@ -6,7 +6,7 @@ use rusqlite::{Connection, params};
 use serde::Serialize;
 
 use super::{Profile, ProfileError, Profiles, json};
-use crate::campaign::{Entry, Flight};
+use crate::campaign::{CareerEntry, CareerFlight};
 use crate::scoring::{FlightBackend, Report, TryReport};
 
 /// A finished run, to be stored.
@@ -17,7 +17,7 @@ pub struct RunEntry {
     /// When it ended, in UTC.
     pub when: String,
     /// What it means to the career.
-    pub flight: Flight,
+    pub flight: CareerFlight,
     /// Everything about it: revision, seed, ledger, events, score.
     pub report: Report,
     /// The airframes that flew, a TOML design for each drone that was built; empty for the mission's own drones.
@@ -42,7 +42,7 @@ pub struct PastRun {
     /// The recorded run's file, if it was recorded.
     pub recording: Option<String>,
     /// What it means to the career.
-    pub flight: Flight,
+    pub flight: CareerFlight,
 }
 
 impl PastRun {
@@ -61,12 +61,12 @@ impl PastRun {
 }
 
 impl Profiles {
-    /// What a profile's career consists of, oldest first. What cannot have happened ([`Entry::fault`]) is left out, and told
+    /// What a profile's career consists of, oldest first. What cannot have happened ([`CareerEntry::fault`]) is left out, and told
     /// in the log.
     ///
     /// # Errors
     /// The database cannot be read, or holds what no version has written.
-    pub fn history(&self, profile: &Profile) -> Result<Vec<Entry>, ProfileError> {
+    pub fn history(&self, profile: &Profile) -> Result<Vec<CareerEntry>, ProfileError> {
         let mut query =
             self.ask("SELECT id, entry FROM entries WHERE profile = ?1 ORDER BY number")?;
         let rows = query
@@ -80,8 +80,8 @@ impl Profiles {
     }
 
     /// An entry of a history, unless it cannot have happened.
-    fn entry(&self, id: &str, json: &str) -> Result<Option<Entry>, ProfileError> {
-        let entry: Entry = self.read(json)?;
+    fn entry(&self, id: &str, json: &str) -> Result<Option<CareerEntry>, ProfileError> {
+        let entry: CareerEntry = self.read(json)?;
         let fault = entry.fault();
         if let Some(fault) = &fault {
             let path = self.path.display();
@@ -121,7 +121,7 @@ impl Profiles {
                 tracing::warn!("{path}: the run {id:?} is left out: unknown backend {backend:?}");
                 continue;
             };
-            if let Some(Entry::Flight(flight)) = self.entry(&id, &entry)? {
+            if let Some(CareerEntry::Flight(flight)) = self.entry(&id, &entry)? {
                 runs.push(PastRun {
                     id,
                     when,
@@ -166,7 +166,7 @@ impl Profiles {
     /// # Errors
     /// The database cannot be written; nothing of the run is stored then.
     pub fn store(&mut self, profile: &Profile, run: &RunEntry) -> Result<bool, ProfileError> {
-        let entry = json(&Entry::Flight(run.flight.clone()));
+        let entry = json(&CareerEntry::Flight(run.flight.clone()));
         let fault = |error| self.fault(error);
         let transaction = self.transaction()?;
         let is_new = transaction

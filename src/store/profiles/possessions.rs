@@ -3,7 +3,7 @@
 use rusqlite::params;
 
 use super::{Profile, ProfileError, Profiles, json};
-use crate::campaign::{Course, Entry, Purchase, Standing};
+use crate::campaign::{CareerEntry, CareerStanding, MissionCourse, Purchase};
 use crate::workshop::Design;
 
 impl Profiles {
@@ -15,13 +15,13 @@ impl Profiles {
         &mut self,
         profile: &Profile,
         part: &str,
-        course: &Course,
+        course: &MissionCourse,
         when: &str,
     ) -> Result<Purchase, ProfileError> {
         let transaction = self.transaction()?;
-        let standing = Standing::of(&self.history(profile)?);
+        let standing = CareerStanding::of(&self.history(profile)?);
         let purchase = standing.buy(part, course).map_err(ProfileError::Refused)?;
-        let entry = json(&Entry::Purchase(purchase.clone()));
+        let entry = json(&CareerEntry::Purchase(purchase.clone()));
         let added = transaction.execute(
             "INSERT INTO entries (profile, id, at, entry) VALUES (?1, ?2, ?3, ?4)",
             params![profile.key, format!("part {part}"), when, entry],

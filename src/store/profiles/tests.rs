@@ -10,7 +10,9 @@ use proptest::prelude::*;
 use proptest::sample::select;
 
 use super::{Profile, ProfileError, ProfileFile, ProfileSettings, Profiles, RunEntry};
-use crate::campaign::{Aids, Course, Entry, Flight, Offer, Refusal, Stake, Standing};
+use crate::campaign::{
+    Aids, CareerEntry, CareerFlight, CareerStanding, MissionCourse, Offer, PurchaseRefusal, Stake,
+};
 use crate::exercise::Exercise;
 use crate::language::{Context, Script};
 use crate::mission::{Mission, Requires};
@@ -47,7 +49,7 @@ fn run_with(report: Report, id: &str, mission: &str, score: u16) -> RunEntry {
     RunEntry {
         id: id.to_owned(),
         when: WHEN.to_owned(),
-        flight: Flight {
+        flight: CareerFlight {
             mission: mission.to_owned(),
             drill_of: None,
             tier: 1,
@@ -67,8 +69,8 @@ fn run_with(report: Report, id: &str, mission: &str, score: u16) -> RunEntry {
     }
 }
 
-fn course() -> Course {
-    Course::new([Offer {
+fn course() -> MissionCourse {
+    MissionCourse::new([Offer {
         id: "one".to_owned(),
         title: Text::verbatim("one"),
         tier: 1,
@@ -171,7 +173,7 @@ fn a_run_counts_once_however_often_it_is_handed_in() {
             } else {
                 ("two", 600)
             };
-            Entry::Flight(run(id, mission, score).flight)
+            CareerEntry::Flight(run(id, mission, score).flight)
         })
     );
     let exported = profiles.export(&anna).expect("readable").write();
@@ -188,13 +190,13 @@ fn what_one_console_stores_another_sees_and_credits_are_spent_once() {
     let (mut one, mut two) = (open(data.path()), open(data.path()));
     let anna = anna(&one);
     one.store(&anna, &run("a", "one", 1000)).expect("stored");
-    let credits = || Standing::of(&two.history(&anna).expect("readable")).credits();
+    let credits = || CareerStanding::of(&two.history(&anna).expect("readable")).credits();
     assert_eq!(credits(), 900);
     // A mesh radio costs 404.
     one.buy(&anna, "r_mesh24", &course(), WHEN).expect("paid");
     assert!(matches!(
         two.buy(&anna, "r_mesh24", &course(), WHEN),
-        Err(ProfileError::Refused(Refusal::Owned))
+        Err(ProfileError::Refused(PurchaseRefusal::Owned))
     ));
     assert!(matches!(
         two.buy(&anna, "gps_crpa", &course(), WHEN),
@@ -202,7 +204,7 @@ fn what_one_console_stores_another_sees_and_credits_are_spent_once() {
     ));
     assert!(matches!(
         one.buy(&anna, "fc_cube", &course(), WHEN),
-        Err(ProfileError::Refused(Refusal::TooDear(152, 22)))
+        Err(ProfileError::Refused(PurchaseRefusal::TooDear(152, 22)))
     ));
 }
 
@@ -343,9 +345,9 @@ proptest! {
                     flown.insert(*id);
                 }
                 Deed::Buy(part) => {
-                    let before = Standing::of(&profiles.history(&anna).expect("readable")).credits();
+                    let before = CareerStanding::of(&profiles.history(&anna).expect("readable")).credits();
                     let bought = profiles.buy(&anna, part, &course(), WHEN);
-                    let after = Standing::of(&profiles.history(&anna).expect("readable")).credits();
+                    let after = CareerStanding::of(&profiles.history(&anna).expect("readable")).credits();
                     let paid = bought.map_or(0, |purchase| purchase.credits);
                     prop_assert_eq!(before - after, paid, "what was bought is paid, and nothing else");
                 }

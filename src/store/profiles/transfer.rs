@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use super::flights::RunRow;
 use super::{Profile, ProfileError, ProfileSettings, Profiles, checked_name, json};
-use crate::campaign::Entry;
+use crate::campaign::CareerEntry;
 use crate::notice::sanitised;
 use crate::scoring::Report;
 
@@ -41,7 +41,7 @@ pub struct ProfileFile {
 struct EntryDocument {
     id: String,
     at: String,
-    entry: Entry,
+    entry: CareerEntry,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

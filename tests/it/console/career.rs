@@ -4,7 +4,7 @@ use sortie::app::effect::{CareerEffect, Effect, Launch, SessionEffect};
 use sortie::app::event::{CareerEvent, Event, SessionEvent};
 use sortie::app::room::home;
 use sortie::app::state::{Activity, Career, Overlay, Purpose, Room, Trainee};
-use sortie::campaign::{Aids, Entry, Stake};
+use sortie::campaign::{Aids, CareerEntry, Stake};
 use sortie::mission::Phase;
 use sortie::text::Language;
 use sortie::workshop::Design;
@@ -375,11 +375,11 @@ fn the_seed_of_the_day_is_told_once_it_was_flown() {
         (0, Stake::Graded, false),
         (0, Stake::Daily, true),
     ] {
-        let Entry::Flight(mut flown) = flight("00-first-flight", days_ago, 700, &[]) else {
+        let CareerEntry::Flight(mut flown) = flight("00-first-flight", days_ago, 700, &[]) else {
             panic!("it is a flight");
         };
         flown.stake = stake;
-        career.history.push(Entry::Flight(flown));
+        career.history.push(CareerEntry::Flight(flown));
         assert_eq!(career.flew_daily("00-first-flight"), expected, "{stake:?}");
         assert!(!career.flew_daily("01-air-sample"));
     }

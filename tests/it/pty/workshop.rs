@@ -2,7 +2,7 @@
 
 use sortie::app::action::Step;
 use sortie::app::room::workshop::Bench;
-use sortie::campaign::{PartState, Standing};
+use sortie::campaign::{CareerStanding, PartState};
 use sortie::store::{self, Profiles};
 use sortie::workshop::{Air, Design, part};
 
@@ -136,7 +136,7 @@ fn a_built_drone_flies_a_mission_that_pays_for_a_better_battery() {
     assert_eq!(terminal.end(), 0);
 
     let history = profiles.history(&profile).expect("it can be read");
-    let standing = Standing::of(&history);
+    let standing = CareerStanding::of(&history);
     assert!(standing.has_passed("00-first-flight"));
     let course = store::course();
     let battery = part("b3s5100hv").expect("a part");

@@ -2,7 +2,7 @@
 
 use sortie::app::event::{CareerEvent, SessionEvent};
 use sortie::app::state::{Activity, Career};
-use sortie::campaign::{Reward, Standing};
+use sortie::campaign::{CareerStanding, Reward};
 use sortie::config::Symbols;
 use sortie::text::Language;
 
@@ -105,10 +105,10 @@ fn who_trains_here_is_chosen_from_a_list() {
 #[test]
 fn the_debrief_tells_what_the_flight_has_brought() {
     let (_, course) = campaign();
-    let before = Standing::of(&history()[..4]);
+    let before = CareerStanding::of(&history()[..4]);
     let entry = history()[5].clone();
-    let after = Standing::of(history()[..4].iter().chain([&entry]));
-    let sortie::campaign::Entry::Flight(flown) = &entry else {
+    let after = CareerStanding::of(history()[..4].iter().chain([&entry]));
+    let sortie::campaign::CareerEntry::Flight(flown) = &entry else {
         panic!("it is a flight")
     };
     let reward = Reward::between(&before, &after, &course, flown);

@@ -6,7 +6,7 @@ use ratatui::Terminal;
 use ratatui::backend::TestBackend;
 use sortie::app::event::CareerEvent;
 use sortie::app::state::Career;
-use sortie::campaign::Course;
+use sortie::campaign::MissionCourse;
 use sortie::config::Symbols;
 use sortie::text::{Language, Locale};
 use sortie::ui::{self, Look};
@@ -23,7 +23,7 @@ fn design(source: &str) -> Design {
 fn workshop(language: Language) -> Console {
     let scout = design(include_str!("../../../designs/scout.toml"));
     let starter = design(include_str!("../../../designs/starter.toml"));
-    let mut career = Career::new("Olena", Vec::new(), Course::default());
+    let mut career = Career::new("Olena", Vec::new(), MissionCourse::default());
     career.designs = vec![starter.named("Mine").expect("a name")];
     let mut console = Console::set_up(|setup| {
         setup.locale = Arc::new(Locale::new(language));

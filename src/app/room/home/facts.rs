@@ -2,7 +2,7 @@
 
 use crate::app::room::mission::Tone;
 use crate::app::state::{Career, State};
-use crate::campaign::{Mastery, Offer, Reason, Skill, Stage};
+use crate::campaign::{LockReason, Mastery, MissionStage, Offer, Skill};
 use crate::mission::{Listing, Unlock};
 use crate::scoring::Medal;
 use crate::text;
@@ -77,19 +77,19 @@ pub fn unlocked(state: &State, unlock: &Unlock) -> Text {
 fn stage(career: &Career, offer: &Offer) -> Fact {
     let best = career.standing.best(&offer.id);
     let (what, tone) = match career.course.stage(offer, &career.standing, career.day) {
-        Stage::Locked(reasons) => {
-            let reasons = reasons.iter().map(Reason::text).collect();
+        MissionStage::Locked(reasons) => {
+            let reasons = reasons.iter().map(LockReason::text).collect();
             let why = Text::joined("; ", reasons);
             (text!("fact-locked", why = why), Tone::Warning)
         }
-        Stage::Open => match best {
+        MissionStage::Open => match best {
             Some(best) => (
                 text!("fact-open", score = best.score, count = best.tries),
                 Tone::Plain,
             ),
             None => (text!("fact-new"), Tone::Plain),
         },
-        Stage::Passed(medal) => {
+        MissionStage::Passed(medal) => {
             let medal = medal.map_or(text!("debrief-no-medal"), Medal::title);
             let score = best.and_then(|best| best.passed).unwrap_or_default();
             let count = best.map_or(0, |best| best.tries);

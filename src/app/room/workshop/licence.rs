@@ -4,7 +4,7 @@ use super::part_under_cursor;
 use crate::app::effect::{CareerEffect, Effect};
 use crate::app::state::State;
 use crate::app::update::act;
-use crate::campaign::{PartState, Refusal};
+use crate::campaign::{PartState, PurchaseRefusal};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
@@ -70,7 +70,7 @@ pub(super) fn buy(state: &mut State) -> Vec<Effect> {
         }
         Err(refusal) => {
             let text = match refusal {
-                Refusal::Locked(mission) => {
+                PurchaseRefusal::Locked(mission) => {
                     text!("bench-locked-by", mission = title(state, &mission))
                 }
                 other => other.text(),

@@ -8,7 +8,7 @@ use crate::app::effect::{CareerEffect, FileEffect, FileKind, SessionEffect};
 use crate::app::event::{CareerEvent, Event, FileEvent, TerminalEvent};
 use crate::app::state::{Career, Overlay, Purpose};
 use crate::app::update::{act, update};
-use crate::campaign::{Course, Offer};
+use crate::campaign::{MissionCourse, Offer};
 use crate::mission::Mission;
 use crate::workshop::Slot;
 use crossterm::event::{KeyEvent, KeyModifiers};
@@ -36,7 +36,11 @@ fn workshop(career: Option<Career>) -> State {
 
 fn career() -> Career {
     let mission = Mission::parse(MISSION).expect("it is good");
-    Career::new("Olena", Vec::new(), Course::new([Offer::of(&mission)]))
+    Career::new(
+        "Olena",
+        Vec::new(),
+        MissionCourse::new([Offer::of(&mission)]),
+    )
 }
 
 fn hear(state: &mut State, event: impl Into<Event>) -> Vec<Effect> {

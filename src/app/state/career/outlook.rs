@@ -1,7 +1,7 @@
 //! What lies ahead: what to do next, what a mission would bring, and how much advice comes with it.
 
 use super::Career;
-use crate::campaign::{Entry, Flight, Mastery, Offer, Skill, Stage, Stake};
+use crate::campaign::{CareerEntry, CareerFlight, Mastery, MissionStage, Offer, Skill, Stake};
 use crate::mission::Progress;
 
 /// Points of a perfect flight.
@@ -9,7 +9,7 @@ const PERFECT: u16 = 1000;
 
 impl Career {
     /// Where the trainee stands with a mission, if it is one of the course.
-    pub fn stage(&self, mission: &str) -> Option<Stage> {
+    pub fn stage(&self, mission: &str) -> Option<MissionStage> {
         let offer = self.course.offer(mission)?;
         Some(self.course.stage(offer, &self.standing, self.day))
     }
@@ -45,10 +45,10 @@ impl Career {
     /// Whether a mission was flown today with the seed of the day.
     pub fn flew_daily(&self, mission: &str) -> bool {
         self.history.iter().rev().any(|entry| {
-            let Entry::Flight(flight) = entry else {
+            let CareerEntry::Flight(flight) = entry else {
                 return false;
             };
-            let Flight { stake, day, .. } = flight;
+            let CareerFlight { stake, day, .. } = flight;
             flight.mission == mission && *stake == Stake::Daily && *day == self.day
         })
     }

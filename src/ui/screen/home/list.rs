@@ -7,7 +7,7 @@ use ratatui::text::Line;
 use super::name;
 use crate::app::room::home::{HomeItem, items};
 use crate::app::state::{Career, State};
-use crate::campaign::Stage;
+use crate::campaign::MissionStage;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, put, row_of, stars, titled, width};
@@ -86,10 +86,10 @@ impl Sign {
             return Self::Next;
         }
         match career.course.stage(offer, &career.standing, career.day) {
-            Stage::Locked(_) => Self::Locked,
-            Stage::Passed(_) if !career.due(offer).is_empty() => Self::Due,
-            Stage::Passed(_) => Self::Passed,
-            Stage::Open => Self::Open,
+            MissionStage::Locked(_) => Self::Locked,
+            MissionStage::Passed(_) if !career.due(offer).is_empty() => Self::Due,
+            MissionStage::Passed(_) => Self::Passed,
+            MissionStage::Open => Self::Open,
         }
     }
 

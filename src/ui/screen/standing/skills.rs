@@ -6,7 +6,7 @@ use ratatui::text::{Line, Span};
 
 use super::{Subject, days};
 use crate::app::room::standing::Pane;
-use crate::campaign::{Mastery, Move, Skill};
+use crate::campaign::{Mastery, Skill, SkillMove};
 use crate::text;
 use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, below, clip, put, row_of, titled, width};
@@ -107,7 +107,7 @@ fn draw_moves(subject: &Subject<'_>, skill: Skill, area: Rect, buffer: &mut Buff
 }
 
 /// ` 48 -> 62 +14  Air sample: cells sampled 97 %, today`.
-fn moved_line(subject: &Subject<'_>, moved: &Move, room: usize) -> Line<'static> {
+fn moved_line(subject: &Subject<'_>, moved: &SkillMove, room: usize) -> Line<'static> {
     let look = subject.look;
     let percent = |share: f64| (share * 100.0).round() as i64;
     let (before, after) = (percent(moved.before), percent(moved.after));
