@@ -6,6 +6,7 @@
 //! [`FlightDriver`], which the console uses as well.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 use std::time::Duration;
 
 use crate::geo::{LatLon, Outline};
@@ -16,7 +17,7 @@ use crate::notice::Notice;
 use crate::operator::Operator;
 use crate::session::{Report, Session};
 use crate::text;
-use crate::vehicle::{Severity, Vehicle, VehicleId};
+use crate::vehicle::{Severity, VehicleId, Vehicles};
 use crate::wire::{
     AUTOPILOT_COMPONENT, Decoder, Encoder, GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM,
     SystemId, ground_station_heartbeat,
@@ -46,7 +47,7 @@ const HEARTBEAT_EVERY: Duration = Duration::from_secs(1);
 pub struct Exercise<L = LockStep> {
     link: L,
     seats: Vec<ExerciseSeat>,
-    vehicles: BTreeMap<VehicleId, Vehicle>,
+    vehicles: Vehicles,
     ledger: Ledger,
     pilot: Pilot,
     driver: FlightDriver,
@@ -217,7 +218,8 @@ impl<L> Exercise<L> {
     fn take_snapshots(&mut self) {
         for seat in &self.seats {
             let vehicle = seat.session.vehicle();
-            self.vehicles.insert(vehicle.id, vehicle.clone());
+            let snapshot = Arc::new(vehicle.clone());
+            self.vehicles.insert(vehicle.id, snapshot);
         }
     }
 }

@@ -24,7 +24,7 @@ use crate::notice::Notice;
 use crate::session::Steering;
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{Vehicle, VehicleId};
+use crate::vehicle::{VehicleId, Vehicles};
 use crate::verb::Verb;
 
 mod act;
@@ -77,9 +77,6 @@ impl Default for Rules {
         }
     }
 }
-
-/// All vehicles of a session by number.
-pub type Vehicles = BTreeMap<VehicleId, Vehicle>;
 
 /// An order to do something together.
 #[derive(Debug, Clone, Copy)]

@@ -4,6 +4,9 @@
 //! snapshots. `None` means that the vehicle has not said it (yet). Times are durations since the start of
 //! the program's clock, the same clock that every `now` argument of the pure modules reads.
 
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
 use crate::wire::{ComponentId, SystemId};
 
 mod limits;
@@ -28,6 +31,9 @@ pub use status::{EkfFlags, FixType, LandedState, Severity, SystemStatus};
 /// The number by which people and the grammar call a vehicle. It is the vehicle's system id as long as that
 /// is enough; a swarm larger than the 255 ids of MAVLink needs more numbers than that.
 pub type VehicleId = u16;
+
+/// The newest snapshots of vehicles. A snapshot is shared, not copied, by those who look at it.
+pub type Vehicles = BTreeMap<VehicleId, Arc<Vehicle>>;
 
 /// The highest number that a vehicle may have; four digits are as wide as a table should get.
 pub const HIGHEST_VEHICLE: VehicleId = 9999;

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::time::Duration;
 
 use crate::ledger::{Ledger, RowState};
-use crate::vehicle::{LandedState, Vehicle, VehicleId};
+use crate::vehicle::{LandedState, Vehicle, VehicleId, Vehicles};
 use crate::verb::Arrival;
 
 /// How long a wait lasts at most, unless it says otherwise.
@@ -29,7 +29,7 @@ pub struct Wait {
 #[derive(Debug, Clone, Copy)]
 pub struct Seen<'a> {
     /// The vehicles that there are.
-    pub vehicles: &'a BTreeMap<VehicleId, Vehicle>,
+    pub vehicles: &'a Vehicles,
     /// What was commanded, and what became of it.
     pub ledger: &'a Ledger,
     /// What the mission has shown.

@@ -10,7 +10,7 @@ use crate::language::{self, Context, Meaning};
 use crate::ledger::{Given, Ledger, RowState, RowUpdate};
 use crate::vehicle::{
     Battery, GlobalPosition, Heartbeat, LandedState, Mode, Severity, StatusText, SystemStatus,
-    Vehicle, VehicleClass,
+    Vehicle, VehicleClass, Vehicles,
 };
 
 /// Ends of the lines through all nine cells, north and east; the turns lie outside.
@@ -42,7 +42,7 @@ pub(crate) struct Pilot {
     pub ledger: Ledger,
     pub now: Duration,
     pub disarmed_at: Option<Duration>,
-    vehicles: BTreeMap<u16, Vehicle>,
+    vehicles: Vehicles,
     /// North, east, up.
     position_m: [f64; 3],
     armed_s: f64,
@@ -76,7 +76,7 @@ impl Pilot {
             ledger: Ledger::new(),
             now: Duration::ZERO,
             disarmed_at: None,
-            vehicles: BTreeMap::from([(1, vehicle)]),
+            vehicles: BTreeMap::from([(1, Arc::new(vehicle))]),
             position_m: [0.0; 3],
             armed_s: 0.0,
         };
@@ -103,7 +103,7 @@ impl Pilot {
     }
 
     pub fn set_armed(&mut self, armed: bool) {
-        let vehicle = self.vehicles.get_mut(&1).expect("there from the start");
+        let vehicle = self.vehicle();
         vehicle
             .heartbeat
             .as_mut()
@@ -124,7 +124,7 @@ impl Pilot {
     }
 
     pub fn vehicle(&mut self) -> &mut Vehicle {
-        self.vehicles.get_mut(&1).expect("there from the start")
+        Arc::make_mut(self.vehicles.get_mut(&1).expect("there from the start"))
     }
 
     pub fn hear(&mut self, text: &str) {
@@ -202,7 +202,7 @@ impl Pilot {
 
     fn report_state(&mut self, velocity_m_s: [f64; 3]) {
         let start = self.flight.mission().starts()[0];
-        let vehicle = self.vehicles.get_mut(&1).expect("there from the start");
+        let vehicle = self.vehicle();
         let [north, east, up] = self.position_m;
         vehicle.global = Some(GlobalPosition {
             at_point: at_point(start.at.moved(north, east)),

@@ -25,8 +25,8 @@ use crate::scoring::{
 };
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::VehicleId;
-use crate::vehicle::{Severity, Vehicle};
+use crate::vehicle::Severity;
+use crate::vehicle::{VehicleId, Vehicles};
 
 mod clues;
 mod deeds;
@@ -148,12 +148,7 @@ impl Flight {
 
     /// One [`TICK`]. `now` is mission time, 0 at the start. Returns what a human should hear, on mission time.
     /// Every entry of the ledger counts. After the end nothing changes any more.
-    pub fn step(
-        &mut self,
-        now: Duration,
-        vehicles: &BTreeMap<VehicleId, Vehicle>,
-        ledger: &Ledger,
-    ) -> Vec<Notice> {
+    pub fn step(&mut self, now: Duration, vehicles: &Vehicles, ledger: &Ledger) -> Vec<Notice> {
         if self.ended.is_some() {
             return Vec::new();
         }
@@ -181,7 +176,7 @@ impl Flight {
     }
 
     /// A vehicle is no more, by no fault of the trainee's: its simulator has ended. Returns what a human should hear.
-    pub fn lose(&mut self, id: VehicleId, vehicles: &BTreeMap<VehicleId, Vehicle>) -> Vec<Notice> {
+    pub fn lose(&mut self, id: VehicleId, vehicles: &Vehicles) -> Vec<Notice> {
         if let Some(recorder) = &mut self.recorder {
             recorder.lose(id, vehicles);
         }
@@ -229,7 +224,7 @@ impl Flight {
 
     /// The vehicles that are heard take part, as many as the mission wants, in the order of their system ids. A seat
     /// is for ever: whoever steps the mission waits until all are heard, or a late one with a low id sits last.
-    fn enlist(&mut self, vehicles: &BTreeMap<VehicleId, Vehicle>) {
+    fn enlist(&mut self, vehicles: &Vehicles) {
         for &id in vehicles.keys() {
             if self.crafts.len() >= self.mission.vehicles {
                 return;
@@ -243,7 +238,7 @@ impl Flight {
         }
     }
 
-    fn step_crafts(&mut self, vehicles: &BTreeMap<VehicleId, Vehicle>, notices: &mut Vec<Notice>) {
+    fn step_crafts(&mut self, vehicles: &Vehicles, notices: &mut Vec<Notice>) {
         let mission = Arc::clone(&self.mission);
         let mut breaches = Vec::new();
         for craft in &mut self.crafts {
@@ -292,12 +287,7 @@ impl Flight {
         }
     }
 
-    fn step_commands(
-        &mut self,
-        vehicles: &BTreeMap<VehicleId, Vehicle>,
-        ledger: &Ledger,
-        notices: &mut Vec<Notice>,
-    ) {
+    fn step_commands(&mut self, vehicles: &Vehicles, ledger: &Ledger, notices: &mut Vec<Notice>) {
         // Rows change seldom, and there are thousands of them late in a swarm's mission.
         if self.counted.replace(ledger.revision()) == Some(ledger.revision()) {
             return;

@@ -21,7 +21,7 @@ use crate::commands::Deed;
 use crate::language;
 use crate::ledger::{Entry, EntryId, Ledger, Risk, Row, RowState};
 use crate::scoring::{FlightBackend, Medal, Report};
-use crate::vehicle::{Vehicle, VehicleId};
+use crate::vehicle::{VehicleId, Vehicles};
 use crate::verb::Verb;
 use crate::workshop::Design;
 
@@ -253,12 +253,7 @@ impl Recorder {
         std::mem::take(&mut self.written)
     }
 
-    pub fn step(
-        &mut self,
-        now: Duration,
-        vehicles: &BTreeMap<VehicleId, Vehicle>,
-        ledger: &Ledger,
-    ) {
+    pub fn step(&mut self, now: Duration, vehicles: &Vehicles, ledger: &Ledger) {
         let change = Change {
             v: self.changed_vehicles(vehicles),
             ..self.changed_ledger(ledger)
@@ -287,7 +282,7 @@ impl Recorder {
         self.befall(&Line::Act { deed, vehicles });
     }
 
-    pub fn lose(&mut self, vehicle: VehicleId, vehicles: &BTreeMap<VehicleId, Vehicle>) {
+    pub fn lose(&mut self, vehicle: VehicleId, vehicles: &Vehicles) {
         let change = Change {
             v: self.changed_vehicles(vehicles),
             ..Change::default()
@@ -329,9 +324,10 @@ impl Recorder {
         }
     }
 
-    fn changed_vehicles(&mut self, vehicles: &BTreeMap<VehicleId, Vehicle>) -> Vec<Observed> {
+    fn changed_vehicles(&mut self, vehicles: &Vehicles) -> Vec<Observed> {
         let changed = |(&id, vehicle)| self.watched.entry(id).or_default().changes(id, vehicle);
-        vehicles.iter().filter_map(changed).collect()
+        let vehicles = vehicles.iter().map(|(id, vehicle)| (id, &**vehicle));
+        vehicles.filter_map(changed).collect()
     }
 
     fn changed_ledger(&mut self, ledger: &Ledger) -> Change {

@@ -6,8 +6,8 @@ use std::time::Duration;
 use crate::ledger::{Entry, EntryId, Ledger, Risk, Row, RowState};
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::Vehicle;
 use crate::vehicle::VehicleId;
+use crate::vehicle::Vehicles;
 use crate::verb::{CountsAs, Verb};
 
 /// The same line to the same vehicle within this time is a duplicate.
@@ -111,7 +111,7 @@ impl CommandLog {
     pub fn step(
         &mut self,
         now: Duration,
-        vehicles: &BTreeMap<VehicleId, Vehicle>,
+        vehicles: &Vehicles,
         ledger: &Ledger,
     ) -> Vec<CommandEvent> {
         let mut events = Vec::new();
@@ -140,7 +140,7 @@ impl CommandLog {
         &mut self,
         entry: &Entry,
         row: &Row,
-        vehicles: &BTreeMap<VehicleId, Vehicle>,
+        vehicles: &Vehicles,
     ) -> Option<CommandEvent> {
         let key = (entry.id, row.vehicle);
         if !is_rejected(row) || self.excused.contains_key(&key) {

@@ -9,7 +9,7 @@ use super::guard::is_in_the_way;
 use super::lanes::Lane;
 use super::march::March;
 use super::site::{Site, velocity};
-use super::{Ordered, Path, Rules, Turn, Vehicles};
+use super::{Ordered, Path, Rules, Turn};
 use crate::commands::Setpoint;
 use crate::geo::LatLon;
 use crate::ledger::{EntryId, RowState, RowUpdate};
@@ -17,7 +17,7 @@ use crate::notice::Notice;
 use crate::session::Steering;
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{Severity, Vehicle, VehicleId};
+use crate::vehicle::{Severity, Vehicle, VehicleId, Vehicles};
 use crate::verb::Verb;
 
 mod fate;

@@ -7,13 +7,13 @@ use glam::{DVec2, DVec3};
 use super::act::{ActiveManoeuvre, Scene, Work};
 use super::site::Site;
 use super::transit::Clearance;
-use super::{Call, Rules, Vehicles};
+use super::{Call, Rules};
 use crate::commands::{Datum, FarEnd, Manoeuvre, ready_for};
 use crate::geo::LatLon;
 use crate::ledger::{RowState, RowUpdate};
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::VehicleId;
+use crate::vehicle::{VehicleId, Vehicles};
 
 mod places;
 mod plans;

@@ -1,5 +1,7 @@
 //! Manoeuvres flown in the embedded simulator.
 
+use std::sync::Arc;
+
 use super::*;
 use crate::geo::Outline;
 use crate::language::{self, Context};
@@ -132,7 +134,8 @@ impl Stage {
                 }
             }
             let vehicle = seat.session.vehicle();
-            self.vehicles.insert(vehicle.id, vehicle.clone());
+            let snapshot = Arc::new(vehicle.clone());
+            self.vehicles.insert(vehicle.id, snapshot);
         }
     }
 

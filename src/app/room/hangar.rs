@@ -92,7 +92,7 @@ pub fn order(state: &mut State, deed: HangarDeed, vehicle: VehicleId) -> Vec<Eff
     };
     let runs = instance.stage < Stage::Stopping;
     let known = state.session.vehicles.get(&vehicle);
-    let is_armed = runs && known.is_some_and(crate::vehicle::Vehicle::armed);
+    let is_armed = runs && known.is_some_and(|vehicle| vehicle.armed());
     let effect = Effect::Session(SessionEffect::Process(deed, vehicle));
     let (question, done) = words(deed, vehicle);
     if deed == HangarDeed::Stop

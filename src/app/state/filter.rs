@@ -156,7 +156,7 @@ mod tests {
                 at: std::time::Duration::ZERO,
             });
             session.alarms.observe(&vehicle, std::time::Duration::ZERO);
-            session.insert(vehicle);
+            session.insert(vehicle.into());
         }
         session.groups.insert("red".to_owned(), vec![1, 7]);
         session

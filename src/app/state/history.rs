@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, VecDeque};
 use std::time::Duration;
 
-use crate::vehicle::{Vehicle, VehicleId};
+use crate::vehicle::{Vehicle, VehicleId, Vehicles};
 
 /// Two samples a second.
 pub const SAMPLE_EVERY: Duration = Duration::from_millis(500);
@@ -204,7 +204,7 @@ impl Histories {
 
     /// Takes the samples that are due at `now`; returns whether there were any. A vehicle that is not heard reads
     /// nothing, and so does the time in which nobody called.
-    pub fn sample(&mut self, vehicles: &BTreeMap<VehicleId, Vehicle>, now: Duration) -> bool {
+    pub fn sample(&mut self, vehicles: &Vehicles, now: Duration) -> bool {
         let since = self.sampled_at.map(|at| now.saturating_sub(at));
         let steps = match since {
             None => 1,
@@ -238,10 +238,12 @@ impl Histories {
 mod tests {
     use proptest::prelude::*;
 
+    use std::sync::Arc;
+
     use super::*;
     use crate::vehicle::{Heartbeat, Hud, SystemStatus, VehicleClass};
 
-    fn at_speed(speed_m_s: f32) -> BTreeMap<VehicleId, Vehicle> {
+    fn at_speed(speed_m_s: f32) -> Vehicles {
         let mut vehicle = Vehicle::new(1, 1);
         vehicle.hud = Some(Hud {
             airspeed_m_s: 0.0,
@@ -252,7 +254,7 @@ mod tests {
             heading_deg: 0.0,
             at: Duration::ZERO,
         });
-        BTreeMap::from([(1, vehicle)])
+        BTreeMap::from([(1, vehicle.into())])
     }
 
     fn speeds(histories: &Histories, window: Window) -> Vec<Option<f32>> {
@@ -283,7 +285,8 @@ mod tests {
         let mut histories = Histories::default();
         let mut vehicles = at_speed(3.0);
         histories.sample(&vehicles, Duration::ZERO);
-        vehicles.get_mut(&1).expect("it").link.lost = true;
+        let vehicle = Arc::make_mut(vehicles.get_mut(&1).expect("it"));
+        vehicle.link.lost = true;
         histories.sample(&vehicles, SAMPLE_EVERY);
         histories.sample(&at_speed(f32::NAN), SAMPLE_EVERY * 2);
         assert_eq!(speeds(&histories, Window::Long), [Some(3.0), None, None]);

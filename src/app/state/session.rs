@@ -1,6 +1,7 @@
 //! What is being flown: forgotten as a whole when the session ends.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 use std::time::Duration;
 
 use super::alert::alert;
@@ -13,8 +14,8 @@ use crate::mission::{Area, Listing, Progress};
 use crate::swarm::Path;
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::VehicleId;
 use crate::vehicle::{Vehicle, VehicleClass};
+use crate::vehicle::{VehicleId, Vehicles};
 
 /// A session.
 #[derive(Debug, Clone, Default)]
@@ -26,7 +27,7 @@ pub struct Session {
     /// When it began, on the program's clock.
     pub began_at: Duration,
     /// The vehicles, as their telemetry said last.
-    pub vehicles: BTreeMap<VehicleId, Vehicle>,
+    pub vehicles: Vehicles,
     /// What their readings were.
     pub histories: Histories,
     /// The vehicles that commands go to; none selected means the one under the cursor.
@@ -199,7 +200,7 @@ impl Session {
 
     /// Takes a snapshot over. Until the user moves the cursor it is on the first vehicle, whichever
     /// happens to be heard first.
-    pub fn insert(&mut self, vehicle: Vehicle) {
+    pub fn insert(&mut self, vehicle: Arc<Vehicle>) {
         let id = vehicle.id;
         self.vehicles.insert(id, vehicle);
         if self
@@ -212,7 +213,7 @@ impl Session {
 
     /// The vehicle under the cursor.
     pub fn under_cursor(&self) -> Option<&Vehicle> {
-        self.vehicles.get(&self.cursor?)
+        self.vehicles.get(&self.cursor?).map(Arc::as_ref)
     }
 }
 

@@ -40,13 +40,14 @@ pub fn tick(state: &mut State, now: Duration) {
 /// A snapshot that arrives after its session has ended belongs to nobody.
 pub fn vehicle(state: &mut State, vehicle: Arc<Vehicle>) {
     let session = &mut state.session;
-    if session.activity.is_none() || session.vehicles.get(&vehicle.id) == Some(&*vehicle) {
+    let is_known = |known: &Arc<Vehicle>| Arc::ptr_eq(known, &vehicle);
+    if session.activity.is_none() || session.vehicles.get(&vehicle.id).is_some_and(is_known) {
         return;
     }
     let id = vehicle.id;
     session.alarms.observe(&vehicle, state.now);
     let is_new = !session.vehicles.contains_key(&id);
-    session.insert(Arc::unwrap_or_clone(vehicle));
+    session.insert(vehicle);
     map::heard(state, id);
     if is_new {
         fly::heard(state, id);

@@ -3,7 +3,7 @@ use std::collections::BTreeMap;
 use super::*;
 use crate::language::Findings;
 use crate::ledger::{Given, Ledger, Risk, RowState, RowUpdate};
-use crate::vehicle::{Heartbeat, LandedState, Mode, SystemStatus, Vehicle, VehicleClass};
+use crate::vehicle::{Heartbeat, LandedState, Mode, SystemStatus, Vehicle, VehicleClass, Vehicles};
 
 const SCRIPT: &str = "# up and away
 all guided
@@ -16,7 +16,7 @@ wait 2s
 all rtl
 ";
 
-fn swarm(armed: bool) -> BTreeMap<VehicleId, Vehicle> {
+fn swarm(armed: bool) -> Vehicles {
     [1, 2]
         .into_iter()
         .map(|id| {
@@ -31,7 +31,7 @@ fn swarm(armed: bool) -> BTreeMap<VehicleId, Vehicle> {
                 status: SystemStatus::Standby,
                 at: Duration::ZERO,
             });
-            (vehicle.id, vehicle)
+            (vehicle.id, vehicle.into())
         })
         .collect()
 }
@@ -41,12 +41,7 @@ fn pilot(source: &str) -> Pilot {
 }
 
 /// What a pilot does, without any mission.
-fn step(
-    pilot: &mut Pilot,
-    seconds: f64,
-    vehicles: &BTreeMap<VehicleId, Vehicle>,
-    ledger: &Ledger,
-) -> Vec<PilotEvent> {
+fn step(pilot: &mut Pilot, seconds: f64, vehicles: &Vehicles, ledger: &Ledger) -> Vec<PilotEvent> {
     let findings = Findings::default();
     let seen = Seen {
         vehicles,

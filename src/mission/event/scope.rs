@@ -13,7 +13,7 @@ use crate::mission::objective::Standing;
 use crate::mission::report::{Mark, distance_m};
 use crate::mission::zone::Zone;
 use crate::scoring::AlertLevel;
-use crate::vehicle::{Vehicle, VehicleId};
+use crate::vehicle::{VehicleId, Vehicles};
 
 /// Slower than this, a vehicle stands in the air.
 const PAUSED_M_S: f64 = 0.7;
@@ -24,7 +24,7 @@ pub(crate) struct Sight<'a> {
     /// Mission time.
     pub now: Duration,
     pub crafts: &'a [Craft],
-    pub vehicles: &'a BTreeMap<VehicleId, Vehicle>,
+    pub vehicles: &'a Vehicles,
     pub standings: &'a [Standing],
     pub contacts: &'a [Contact],
     pub marks: &'a [Mark],

@@ -1,7 +1,5 @@
 //! What threatens a flight, and what an instructor may have happen.
 
-use std::collections::BTreeMap;
-
 use super::{Flight, Standing};
 use crate::mission::event::Trigger;
 use crate::mission::event::demand::Demand;
@@ -12,7 +10,7 @@ use crate::notice::Notice;
 use crate::scoring::{AlertLevel, EventKind};
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{Severity, Vehicle, VehicleId};
+use crate::vehicle::{Severity, Vehicles};
 
 /// Something that an instructor may have happen.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -27,7 +25,7 @@ impl Flight {
     /// Lets events and what they have brought go on.
     pub(super) fn step_threats(
         &mut self,
-        vehicles: &BTreeMap<VehicleId, Vehicle>,
+        vehicles: &Vehicles,
         standings: &[Standing],
         notices: &mut Vec<Notice>,
     ) {

@@ -11,7 +11,7 @@ use crate::mission::{Flight, Mission, Stake, TICK};
 use crate::scoring::Report;
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{Vehicle, VehicleId};
+use crate::vehicle::Vehicles;
 use crate::workshop::Design;
 
 /// A record as it was read.
@@ -136,7 +136,7 @@ fn unreadable(faults: &[Diagnostic], name: &str, source: &str) -> Text {
 
 struct Replay {
     flight: Flight,
-    vehicles: BTreeMap<VehicleId, Vehicle>,
+    vehicles: Vehicles,
     ledger: Ledger,
     /// The ids that entries had, and those that they have here.
     entries: BTreeMap<u32, EntryId>,
@@ -191,7 +191,8 @@ impl Replay {
     fn change(&mut self, change: &Change, at: Duration) {
         for observed in &change.v {
             let vehicle = self.vehicles.entry(observed.id());
-            observed.apply(vehicle.or_insert_with(|| observed.vehicle()), at);
+            let vehicle = vehicle.or_insert_with(|| Arc::new(observed.vehicle()));
+            observed.apply(Arc::make_mut(vehicle), at);
         }
         for entry in &change.e {
             let given = Given {

@@ -4,7 +4,7 @@ use crate::geo::LatLon;
 use crate::mission::fake::Pilot;
 use crate::mission::fake::{do_nothing, fly_the_cells};
 use crate::scoring::FlightBackend;
-use crate::vehicle::Unheard;
+use crate::vehicle::{Unheard, Vehicle};
 
 fn occasion(stake: Stake) -> Occasion {
     Occasion {

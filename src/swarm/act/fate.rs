@@ -1,5 +1,6 @@
 //! Who falls out, and how the others go on.
 
+use std::sync::Arc;
 use std::time::Duration;
 
 use super::{ActiveManoeuvre, Phase, Scene, Turn, Work, notice};
@@ -33,7 +34,7 @@ impl ActiveManoeuvre {
                     .now
                     .saturating_sub(*lost_since.get_or_insert(scene.now)),
             };
-            if let Some((state, reason)) = unfit(vehicle, silent) {
+            if let Some((state, reason)) = unfit(vehicle.map(Arc::as_ref), silent) {
                 let verb = self.verb.name;
                 let text = text!("swarm-falls-out", verb = verb, reason = &reason);
                 turn.notices

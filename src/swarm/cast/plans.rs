@@ -110,7 +110,10 @@ impl Cast<'_> {
         let spacing_m = spacing_m.unwrap_or(FORMATION_SPACING_M.max(least));
         let spacing_m = self.roomy(spacing_m)?;
         let (first, at) = self.team[0];
-        let heading = self.vehicles.get(&first).and_then(Vehicle::heading_deg);
+        let heading = self
+            .vehicles
+            .get(&first)
+            .and_then(|vehicle| vehicle.heading_deg());
         let facing_deg = face_deg.unwrap_or(f64::from(heading.unwrap_or_default()));
         let anchor = at.truncate().extend(up_m);
         let mut march = March::new(shape, spacing_m, anchor, facing_deg);

@@ -1,5 +1,7 @@
 //! What the ledger says.
 
+use std::sync::Arc;
+
 use super::*;
 use crate::vehicle::GlobalPosition;
 
@@ -132,8 +134,9 @@ fn who_falls_out_where_the_others_find_no_safe_way_ends_it_for_all() {
         altitude_m: above.altitude_m - 8.0,
         ..above
     };
-    vehicles.get_mut(&2).expect("it flies").global = Some(below);
-    let heartbeat = &mut vehicles.get_mut(&3).expect("it flies").heartbeat;
+    Arc::make_mut(vehicles.get_mut(&2).expect("it flies")).global = Some(below);
+    let third = Arc::make_mut(vehicles.get_mut(&3).expect("it flies"));
+    let heartbeat = &mut third.heartbeat;
     heartbeat.as_mut().expect("it is heard").mode.number = 5;
     let turn = stage.conductor.step(stage.now(), &vehicles);
     let why = |id: VehicleId| {

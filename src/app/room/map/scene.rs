@@ -1,5 +1,7 @@
 //! What lies on the ground: areas and ways, as plain outlines for the map.
 
+use std::sync::Arc;
+
 use crate::app::state::State;
 use crate::geo::{LatLon, Outline};
 use crate::mission::AreaKind;
@@ -138,7 +140,7 @@ fn shown(state: &State) -> impl Iterator<Item = &Vehicle> {
     let others = session.selection.iter().copied();
     let others = others.filter(|id| Some(*id) != session.cursor);
     let ids = cursor.chain(others).take(MOST_SHOWN);
-    ids.filter_map(|id| session.vehicles.get(&id))
+    ids.filter_map(|id| session.vehicles.get(&id).map(Arc::as_ref))
 }
 
 /// The plan, the fence and the rally points of a vehicle.

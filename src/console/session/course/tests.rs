@@ -21,7 +21,7 @@ fn flight() -> Flight {
 fn shown(heard: &[u8]) -> Shown {
     let mut shown = Shown::new(Activity::Free, [].into());
     for &id in heard {
-        shown.insert(Vehicle::new(id, 1));
+        shown.insert(Vehicle::new(id, 1).into());
     }
     shown
 }
