@@ -16,10 +16,10 @@ use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::mission::Flight;
 use crate::notice::Notice;
 use crate::session::{Steering, VehicleCommand};
-use crate::swarm::{Conductor, Path, Rules, Vehicles};
+use crate::swarm::{Conductor, Path, Rules};
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::VehicleId;
+use crate::vehicle::{VehicleId, Vehicles};
 
 #[cfg(test)]
 mod tests;

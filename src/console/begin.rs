@@ -122,6 +122,8 @@ impl Console {
     pub(super) async fn close(&mut self) {
         self.end_session();
         self.store_flights();
+        // The plain console still tells what could not be stored.
+        self.take_in().await;
         let ending = std::mem::take(&mut self.ending);
         ending.over(LAST_PROCESS_PATIENCE).await;
     }

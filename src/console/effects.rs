@@ -118,3 +118,54 @@ impl Console {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::time::Duration;
+
+    use super::*;
+    use crate::console::{Opening, Options, Preferences};
+    use crate::hangar::Backend;
+    use crate::notice::Notice;
+    use crate::ui::Look;
+    use crate::vehicle::Severity;
+
+    fn console() -> Console {
+        let options = Options {
+            opening: Opening::Home,
+            backend: Backend::default(),
+            ardupilot: None,
+            vehicles: 1,
+            seed: Some(1),
+            speedup: 1.0,
+            look: Look::default(),
+            preferences: Preferences::default(),
+        };
+        Console::new(options, true)
+    }
+
+    #[tokio::test]
+    async fn what_happens_while_an_effect_is_carried_out_rings_and_is_noticed() {
+        let mut console = console();
+        console.post(Notice {
+            at: Duration::ZERO,
+            vehicle: Some(1),
+            severity: Severity::Emergency,
+            kind: None,
+            text: "Crash: Disarming".into(),
+        });
+        console.adjust(TerminalEffect::SetTheme("none of that name".to_owned()));
+        assert!(!console.bell, "nothing is taken in meanwhile");
+        console.take_in().await;
+        assert!(console.bell);
+        assert_eq!(console.app.state().notices.lines().len(), 2);
+    }
+
+    #[test]
+    fn notifications_wait_for_a_frame_without_replacing_each_other() {
+        let mut console = console();
+        console.adjust(TerminalEffect::Notify("one".into()));
+        console.adjust(TerminalEffect::Notify("two".into()));
+        assert_eq!(console.notes, ["one", "two"]);
+    }
+}

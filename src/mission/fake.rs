@@ -202,7 +202,7 @@ impl Pilot {
 
     fn report_state(&mut self, velocity_m_s: [f64; 3]) {
         let start = self.flight.mission().starts()[0];
-        let vehicle = self.vehicle();
+        let vehicle = Arc::make_mut(self.vehicles.get_mut(&1).expect("there from the start"));
         let [north, east, up] = self.position_m;
         vehicle.global = Some(GlobalPosition {
             at_point: at_point(start.at.moved(north, east)),

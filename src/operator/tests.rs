@@ -9,7 +9,9 @@ use crate::vehicle::Vehicle;
 const FLEET: [VehicleId; 3] = [1, 2, 3];
 
 fn vehicles() -> Vehicles {
-    FLEET.map(|id| (id, Vehicle::new(id as u8, 1))).into()
+    FLEET
+        .map(|id| (id, Vehicle::new(id as u8, 1).into()))
+        .into()
 }
 
 fn read(line: &str) -> Result<Order, Diagnostic> {

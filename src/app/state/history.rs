@@ -301,7 +301,7 @@ mod tests {
     #[test]
     fn armed_time_is_that_of_the_last_flight_since_booting() {
         let mut histories = Histories::default();
-        let mut vehicle = at_speed(0.0).remove(&1).expect("it");
+        let mut vehicle = Vehicle::new(1, 1);
         for (step, (armed, reboots, expected_ms)) in [
             (false, 0, 0),
             (true, 0, 500),
@@ -324,7 +324,7 @@ mod tests {
                 at: Duration::ZERO,
             });
             vehicle.link.reboots = reboots;
-            let vehicles = BTreeMap::from([(1, vehicle.clone())]);
+            let vehicles = BTreeMap::from([(1, Arc::new(vehicle.clone()))]);
             histories.sample(&vehicles, SAMPLE_EVERY * step as u32);
             let armed_for = histories.of(1).expect("a history").armed_for();
             assert_eq!(armed_for.as_millis(), expected_ms, "step {step}");

@@ -11,8 +11,7 @@ use crate::ledger::{EntryId, RowState};
 use crate::notice::Notice;
 use crate::operator::{Dispatch, OperatorScene};
 use crate::session::VehicleCommand;
-use crate::swarm::Vehicles;
-use crate::vehicle::{Severity, VehicleId};
+use crate::vehicle::{Severity, VehicleId, Vehicles};
 
 impl Running {
     /// Carries out an order whose entry is open already; returns what comes of it at once.

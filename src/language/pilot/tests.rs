@@ -1,4 +1,5 @@
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use super::*;
 use crate::language::Findings;
@@ -118,7 +119,7 @@ fn a_wait_that_never_comes_true_times_out_and_the_script_goes_on() {
 fn a_condition_holds_only_when_it_does_for_every_vehicle_there_is() {
     let ledger = Ledger::new();
     let mut mixed = swarm(true);
-    mixed.insert(3, Vehicle::new(3, 1));
+    mixed.insert(3, Vehicle::new(3, 1).into());
     for (line, met) in [
         ("wait all armed", false),
         ("wait 1-2 armed", true),
@@ -203,7 +204,7 @@ fn whoever_is_to_come_down_by_mode_has_arrived_on_the_ground() {
         explanation: None,
     });
     let mut flying = swarm(true);
-    let vehicle = flying.get_mut(&1).expect("it is there");
+    let vehicle = Arc::make_mut(flying.get_mut(&1).expect("it is there"));
     let class = VehicleClass::Copter;
     let mode = class.mode("RTL").expect("copters have it");
     vehicle.heartbeat = vehicle.heartbeat.map(|beat| Heartbeat { mode, ..beat });
@@ -211,7 +212,7 @@ fn whoever_is_to_come_down_by_mode_has_arrived_on_the_ground() {
     let mut pilot = pilot("wait 1 arrived");
     assert!(step(&mut pilot, 1.0, &flying, &ledger).is_empty());
     if let Some(vehicle) = flying.get_mut(&1) {
-        vehicle.landed = LandedState::OnGround;
+        Arc::make_mut(vehicle).landed = LandedState::OnGround;
     }
     assert_eq!(
         lines(&step(&mut pilot, 2.0, &flying, &ledger)),

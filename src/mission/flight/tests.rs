@@ -7,7 +7,7 @@ use crate::commands::{Deed, Goal};
 use crate::language;
 use crate::ledger::{Given, Risk, RowState};
 use crate::mission::fake::{Pilot, fly_the_cells};
-use crate::vehicle::Unheard;
+use crate::vehicle::{Unheard, Vehicle};
 
 /// The second mission with two hints of ours to be asked for instead of its own.
 fn with_clues() -> Arc<Mission> {
@@ -130,7 +130,7 @@ fn vehicles_that_nobody_has_heard_have_numbers_of_their_own() {
     let mission = Arc::new(Mission::parse(source).expect("it is good"));
     let count = mission.vehicles;
     let mut flight = Flight::new(mission, 1);
-    let heard = BTreeMap::from([(2, Vehicle::new(2, 1))]);
+    let heard = BTreeMap::from([(2, Arc::new(Vehicle::new(2, 1)))]);
     drop(flight.step(Duration::ZERO, &heard, &Ledger::new()));
     let ids: Vec<VehicleId> = flight.vehicle_uses().iter().map(|it| it.vehicle).collect();
     assert_eq!((ids.len(), &ids[..3]), (count, &[2, 1, 3][..]));

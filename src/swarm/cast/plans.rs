@@ -14,7 +14,7 @@ use crate::swarm::march::March;
 use crate::swarm::pattern;
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{Vehicle, VehicleId};
+use crate::vehicle::VehicleId;
 
 /// Less than this outside of an area is not worth a word.
 const LEAST_GAP_M: f64 = 1.0;

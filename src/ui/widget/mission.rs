@@ -1,5 +1,7 @@
 //! The mission pane: objectives, sensors, advice and the surveyed cells.
 
+use std::sync::Arc;
+
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
@@ -241,7 +243,7 @@ impl<'a> Grid<'a> {
     }
 
     fn cell(cell: &Cell, state: &State, look: &Look) -> (String, Style) {
-        let over = |vehicle: &&Vehicle| {
+        let over = |vehicle: &&Arc<Vehicle>| {
             vehicle.airborne()
                 && vehicle.global.is_some_and(|global| {
                     let (north, east) = cell.centre.offset_to(global.at_point);
