@@ -129,10 +129,18 @@ impl Diagnostic {
 /// substitutions and swaps of neighbours (optimal string alignment).
 pub fn nearest<'a>(written: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let written = written.to_lowercase();
+    let length = written.chars().count();
+    let distance = |name: &str| {
+        let letters = name.chars().count();
+        let most = (letters / 3).max(1);
+        // The distance is no less than the difference in length: long lines need not be compared at each key.
+        let is_near = length.abs_diff(letters) <= most;
+        let distance = is_near.then(|| osa_distance(&written, &name.to_lowercase()));
+        distance.filter(|&distance| distance <= most)
+    };
     names
         .into_iter()
-        .map(|name| (osa_distance(&written, &name.to_lowercase()), name))
-        .filter(|&(distance, name)| distance <= (name.chars().count() / 3).max(1))
+        .filter_map(|name| Some((distance(name)?, name)))
         .min_by_key(|&(distance, _)| distance)
         .map(|(_, name)| name)
 }

@@ -1,6 +1,7 @@
 //! From texts to words.
 
 use std::fmt;
+use std::sync::LazyLock;
 
 use fluent_bundle::concurrent::FluentBundle;
 use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
@@ -9,24 +10,39 @@ use unic_langid::LanguageIdentifier;
 use super::{Argument, Content, Language, Text, messages};
 
 /// The words of one language.
+#[derive(Clone, Copy)]
 pub struct Locale {
     language: Language,
-    bundle: FluentBundle<FluentResource>,
+    bundle: &'static Bundle,
+}
+
+type Bundle = FluentBundle<FluentResource>;
+
+/// Reading a language takes as long as drawing many screens, so it is read once.
+static ENGLISH: LazyLock<Bundle> = LazyLock::new(|| bundle(Language::English));
+static UKRAINIAN: LazyLock<Bundle> = LazyLock::new(|| bundle(Language::Ukrainian));
+
+fn bundle(language: Language) -> Bundle {
+    let id: LanguageIdentifier = language.code().parse().unwrap_or_default();
+    let mut bundle = FluentBundle::new_concurrent(vec![id]);
+    // A terminal shows the marks that would keep right-to-left arguments apart as boxes.
+    bundle.set_use_isolating(false);
+    for (_, source) in messages(language) {
+        // A fault leaves its message out, which a test notices.
+        let resource = FluentResource::try_new((*source).to_owned());
+        let resource = resource.unwrap_or_else(|(readable, _)| readable);
+        drop(bundle.add_resource(resource));
+    }
+    bundle
 }
 
 impl Locale {
     /// The words of a language.
     pub fn new(language: Language) -> Self {
-        let id: LanguageIdentifier = language.code().parse().unwrap_or_default();
-        let mut bundle = FluentBundle::new_concurrent(vec![id]);
-        // A terminal shows the marks that would keep right-to-left arguments apart as boxes.
-        bundle.set_use_isolating(false);
-        for (_, source) in messages(language) {
-            // A fault leaves its message out, which a test notices.
-            let resource = FluentResource::try_new((*source).to_owned());
-            let resource = resource.unwrap_or_else(|(readable, _)| readable);
-            drop(bundle.add_resource(resource));
-        }
+        let bundle: &'static Bundle = match language {
+            Language::English => &ENGLISH,
+            Language::Ukrainian => &UKRAINIAN,
+        };
         Self { language, bundle }
     }
 
