@@ -9,7 +9,7 @@ use std::sync::Mutex;
 use clap::{Parser, Subcommand};
 
 use crate::link::Address;
-use settings::{Common, Settings};
+use settings::{CliSettings, Common};
 
 /// Prints a line on standard output; unlike `println!` it reports a full disk or a closed pipe as an error.
 macro_rules! say {
@@ -70,9 +70,9 @@ const EXIT_CODES: &str = "\
                   sortie connect tcp:127.0.0.1:5760          vehicles that are there\n  \
                   sortie run 01 --pilot 01-air-sample --json without a console"
 )]
-pub struct Arguments {
+pub struct CliArguments {
     #[command(subcommand)]
-    command: Option<Command>,
+    command: Option<CliCommand>,
     #[command(flatten)]
     home: fly::HomeArguments,
     #[command(flatten)]
@@ -80,7 +80,7 @@ pub struct Arguments {
 }
 
 #[derive(Debug, Subcommand)]
-enum Command {
+enum CliCommand {
     /// Straight into a mission, or into free flight without one.
     Fly(fly::FlyArguments),
     /// The console on vehicles that are already there.
@@ -124,7 +124,7 @@ enum Command {
     Config(config::ConfigArguments),
     /// Measurements.
     #[command(subcommand)]
-    Bench(bench::Bench),
+    Bench(bench::BenchCommand),
     /// Prints what completes this command line in a shell.
     #[command(after_help = "Examples:\n  \
                             sortie completions bash > ~/.local/share/bash-completion/completions/sortie\n  \
@@ -157,7 +157,7 @@ impl<E: Into<anyhow::Error>> From<E> for Failure {
 }
 
 /// Runs the program and returns its exit code.
-pub fn main(arguments: Arguments) -> ExitCode {
+pub fn main(arguments: CliArguments) -> ExitCode {
     let outcome = settings::gather(&arguments.common).and_then(|settings| {
         start_log(&settings)?;
         dispatch(arguments.command, &arguments.home, settings)
@@ -184,58 +184,58 @@ fn is_closed_pipe(error: &anyhow::Error) -> bool {
 }
 
 fn dispatch(
-    command: Option<Command>,
+    command: Option<CliCommand>,
     home: &fly::HomeArguments,
-    settings: Settings,
+    settings: CliSettings,
 ) -> Result<ExitCode, Failure> {
     match command {
         None => fly::home(home, settings),
         Some(_) if !home.is_default() => Err(Failure::Invalid(
             "sortie: --seed and --speedup go after the command".to_owned(),
         )),
-        Some(Command::Fly(options)) => fly::fly(&options, settings),
-        Some(Command::Connect { addresses, plain }) => fly::connect(addresses, plain, settings),
-        Some(Command::Run(options)) => {
+        Some(CliCommand::Fly(options)) => fly::fly(&options, settings),
+        Some(CliCommand::Connect { addresses, plain }) => fly::connect(addresses, plain, settings),
+        Some(CliCommand::Run(options)) => {
             settings.complain();
             run::run(&options, &settings)
         }
-        Some(Command::Debrief(options)) => {
+        Some(CliCommand::Debrief(options)) => {
             settings.complain();
             debrief::debrief(&options, &settings)
         }
-        Some(Command::Sim(options)) => {
+        Some(CliCommand::Sim(options)) => {
             settings.complain();
             sim::serve(&options)
         }
-        Some(Command::Doctor(options)) => {
+        Some(CliCommand::Doctor(options)) => {
             settings.complain();
             doctor::doctor(&options, &settings)
         }
-        Some(Command::Hangar(options)) => {
+        Some(CliCommand::Hangar(options)) => {
             settings.complain();
             hangar::hangar(&options, &settings)
         }
-        Some(Command::Check(options)) => check::check(&options),
-        Some(Command::Profile(options)) => {
+        Some(CliCommand::Check(options)) => check::check(&options),
+        Some(CliCommand::Profile(options)) => {
             settings.complain();
             profile::profile(&options, &settings)
         }
-        Some(Command::Report(options)) => {
+        Some(CliCommand::Report(options)) => {
             settings.complain();
             report::report(&options, &settings)
         }
-        Some(Command::Workshop(options)) => {
+        Some(CliCommand::Workshop(options)) => {
             settings.complain();
             workshop::workshop(&options, &settings)
         }
-        Some(Command::Config(options)) => config::config(&options, &settings),
-        Some(Command::Bench(bench)) => bench::bench(&bench, &settings),
-        Some(Command::Completions { shell }) => manual::completions(shell),
-        Some(Command::Man) => manual::man(),
+        Some(CliCommand::Config(options)) => config::config(&options, &settings),
+        Some(CliCommand::Bench(bench)) => bench::bench(&bench, &settings),
+        Some(CliCommand::Completions { shell }) => manual::completions(shell),
+        Some(CliCommand::Man) => manual::man(),
     }
 }
 
-fn start_log(settings: &Settings) -> Result<(), Failure> {
+fn start_log(settings: &CliSettings) -> Result<(), Failure> {
     let log = &settings.config.log;
     let Some(path) = &log.file else {
         return Ok(());

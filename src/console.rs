@@ -16,7 +16,7 @@ use crate::app::room::{hangar, messages};
 use crate::app::{App, Setup};
 use crate::campaign::{Attempt, Stake};
 use crate::config::Config;
-use crate::fleet::Clock;
+use crate::fleet::FleetClock;
 use crate::store::History;
 use crate::terminal::input::Input;
 use crate::terminal::{self, Keyboard, Screen};
@@ -161,7 +161,7 @@ fn key(code: KeyCode) -> TerminalEvent {
 
 struct Console {
     options: Options,
-    clock: Clock,
+    clock: FleetClock,
     app: App,
     look: Look,
     running: Option<Running>,
@@ -222,7 +222,7 @@ impl Console {
             kept,
             look: options.look.clone(),
             options,
-            clock: Clock::start(),
+            clock: FleetClock::start(),
             app: App::new(setup),
             running: None,
             attempt: Attempt::practice(None),

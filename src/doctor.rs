@@ -2,20 +2,20 @@
 //!
 //! A [`Chart`] per link keeps the last seconds of what was [`observe`]d; [`diagnose`] looks at all charts
 //! together, because one system id on two links is a fault of neither. It names causes, worst first; what a
-//! person reads of them is made from [`Finding`] by whoever speaks to people.
+//! person reads of them is made from [`LinkFinding`] by whoever speaks to people.
 
 use std::collections::VecDeque;
 use std::time::Duration;
 
 use mavlink::MavlinkVersion;
 
-use crate::inspector::{Census, Direction, Source, Tally};
+use crate::inspector::{Census, Direction, FrameSource, MessageTally};
 use crate::wire::{Anatomy, Counters};
 
 mod diagnosis;
 mod words;
 
-pub use diagnosis::{Cause, Finding, Weight, diagnose};
+pub use diagnosis::{Cause, LinkFinding, Weight, diagnose};
 
 /// A chart looks back so far.
 pub const WINDOW: Duration = Duration::from_secs(10);
@@ -60,7 +60,7 @@ impl Way {
 
 /// What a sender is, by its heartbeats.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Role {
+pub enum HeartbeatRole {
     /// It flies something.
     Autopilot,
     /// A ground station.
@@ -75,9 +75,9 @@ pub enum Role {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sender {
     /// Who it is, and by which peer it comes.
-    pub source: Source,
+    pub source: FrameSource,
     /// What it is.
-    pub role: Role,
+    pub role: HeartbeatRole,
     /// How long it has been known.
     pub known_for: Duration,
     /// Heartbeats per second.
@@ -116,7 +116,7 @@ pub fn observe(census: &Census, now: Duration) -> Vec<Sender> {
         .collect()
 }
 
-fn sender(census: &Census, source: Source, now: Duration) -> Option<Sender> {
+fn sender(census: &Census, source: FrameSource, now: Duration) -> Option<Sender> {
     let tallies = || census.of(source).map(|(_, tally)| tally);
     let last_at = tallies().map(|tally| tally.last_at).max()?;
     if now.saturating_sub(last_at) > GONE_AFTER {
@@ -129,7 +129,7 @@ fn sender(census: &Census, source: Source, now: Duration) -> Option<Sender> {
     let heartbeat = heartbeat.map(|(_, tally)| tally);
     Some(Sender {
         source,
-        role: heartbeat.map_or(Role::Silent, role),
+        role: heartbeat.map_or(HeartbeatRole::Silent, role),
         known_for: now.saturating_sub(first_at),
         heartbeat_hz: heartbeat.map_or(0.0, |tally| tally.rate(now).hz),
         signed,
@@ -139,11 +139,11 @@ fn sender(census: &Census, source: Source, now: Duration) -> Option<Sender> {
     })
 }
 
-fn dress(tally: &Tally) -> Option<(MavlinkVersion, bool)> {
+fn dress(tally: &MessageTally) -> Option<(MavlinkVersion, bool)> {
     Anatomy::of(&tally.last).map(|frame| (frame.version, frame.signed))
 }
 
-fn role(heartbeat: &Tally) -> Role {
+fn role(heartbeat: &MessageTally) -> HeartbeatRole {
     /// `MAV_TYPE_GCS`.
     const GROUND_STATION: u8 = 6;
     /// `MAV_AUTOPILOT_INVALID`.
@@ -153,9 +153,9 @@ fn role(heartbeat: &Tally) -> Role {
         frame.and_then(|frame| frame.payload.get(at).copied())
     };
     match (byte(4), byte(5)) {
-        (Some(GROUND_STATION), _) => Role::GroundStation,
-        (_, Some(NONE)) => Role::Other,
-        _ => Role::Autopilot,
+        (Some(GROUND_STATION), _) => HeartbeatRole::GroundStation,
+        (_, Some(NONE)) => HeartbeatRole::Other,
+        _ => HeartbeatRole::Autopilot,
     }
 }
 
@@ -169,7 +169,7 @@ pub struct Chart {
 
 /// What changed on a link within the window.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-struct Change {
+struct ChartChange {
     bytes: u64,
     frames: u64,
     crc_errors: u64,
@@ -219,12 +219,12 @@ impl Chart {
             .map_or(Duration::ZERO, |since| last_at.saturating_sub(since))
     }
 
-    fn change(&self) -> Change {
+    fn change(&self) -> ChartChange {
         let (Some((_, first)), Some((_, last))) = (self.seen.front(), self.seen.back()) else {
-            return Change::default();
+            return ChartChange::default();
         };
         let (from, to) = (first.counters, last.counters);
-        Change {
+        ChartChange {
             bytes: to.bytes.saturating_sub(from.bytes),
             frames: to.frames.saturating_sub(from.frames),
             crc_errors: to.crc_errors.saturating_sub(from.crc_errors),

@@ -11,7 +11,7 @@ use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
 use crate::link::{LinkStatus, Tap, Transport};
-use crate::parameters::Snapshot;
+use crate::parameters::ParameterSnapshot;
 use crate::session::{Report, Steering, Stream, VehicleCommand, WANTED_STREAMS, Want};
 use crate::text;
 use crate::text::Text;
@@ -22,7 +22,7 @@ mod clock;
 mod hub;
 mod vehicle_task;
 
-pub use clock::Clock;
+pub use clock::FleetClock;
 
 /// Reports that may wait for the console before notices are dropped.
 const EVENTS_KEPT: usize = 4096;
@@ -35,7 +35,7 @@ pub enum FleetEvent {
     /// A vehicle was heard for the first time; its state can be watched from now on.
     Appeared(watch::Receiver<Arc<Vehicle>>),
     /// The parameters of a vehicle that was heard for the first time can be watched from now on.
-    Parameters(VehicleId, watch::Receiver<Snapshot>),
+    Parameters(VehicleId, watch::Receiver<ParameterSnapshot>),
     /// A link was opened; its state and its frames can be watched from now on.
     Linked(watch::Receiver<LinkStatus>, Tap),
     /// A command has come further, or a human should hear of something.
@@ -45,7 +45,7 @@ pub enum FleetEvent {
 }
 
 /// What the console asks of the hub.
-enum Request {
+enum FleetRequest {
     Connect(Transport),
     Order(VehicleId, VehicleCommand),
     Steer(VehicleId, Steering),
@@ -57,25 +57,28 @@ enum Request {
 /// The console's end of the fleet. Dropping it, or cancelling its token, ends every task.
 #[derive(Debug)]
 pub struct Fleet {
-    requests: mpsc::Sender<Request>,
+    requests: mpsc::Sender<FleetRequest>,
     cancel: CancellationToken,
 }
 
 impl Fleet {
     /// Starts an empty fleet. Must be called inside a tokio runtime.
-    pub fn start(clock: Clock, cancel: CancellationToken) -> (Self, mpsc::Receiver<FleetEvent>) {
+    pub fn start(
+        clock: FleetClock,
+        cancel: CancellationToken,
+    ) -> (Self, mpsc::Receiver<FleetEvent>) {
         Self::start_wanting(WANTED_STREAMS, clock, cancel)
     }
 
     /// Starts an empty fleet that asks its vehicles for other telemetry than what the console shows.
     pub fn start_wanting(
         streams: &'static [Stream],
-        clock: Clock,
+        clock: FleetClock,
         cancel: CancellationToken,
     ) -> (Self, mpsc::Receiver<FleetEvent>) {
         let (requests, requests_in) = mpsc::channel(REQUESTS_KEPT);
         let (events, events_out) = mpsc::channel(EVENTS_KEPT);
-        let surroundings = hub::Surroundings {
+        let surroundings = hub::HubSurroundings {
             clock,
             streams,
             events,
@@ -90,7 +93,7 @@ impl Fleet {
     /// # Errors
     /// The transport comes back when the hub has ended or cannot keep up.
     pub fn connect(&self, transport: Transport) -> Result<(), Unreachable> {
-        self.ask(Request::Connect(transport))
+        self.ask(FleetRequest::Connect(transport))
     }
 
     /// Gives a command to one vehicle. How it goes arrives as [`FleetEvent::Report`].
@@ -98,7 +101,7 @@ impl Fleet {
     /// # Errors
     /// The hub has ended or cannot keep up; nothing was sent.
     pub fn order(&self, vehicle: VehicleId, order: VehicleCommand) -> Result<(), Unreachable> {
-        self.ask(Request::Order(vehicle, order))
+        self.ask(FleetRequest::Order(vehicle, order))
     }
 
     /// Says where a vehicle of a manoeuvre is to be now.
@@ -106,7 +109,7 @@ impl Fleet {
     /// # Errors
     /// The hub has ended or cannot keep up; nothing was sent.
     pub fn steer(&self, vehicle: VehicleId, steering: Steering) -> Result<(), Unreachable> {
-        self.ask(Request::Steer(vehicle, steering))
+        self.ask(FleetRequest::Steer(vehicle, steering))
     }
 
     /// Asks a vehicle for all its parameters. They arrive at the receiver of [`FleetEvent::Parameters`].
@@ -114,7 +117,7 @@ impl Fleet {
     /// # Errors
     /// The hub has ended or cannot keep up; nothing was asked.
     pub fn fetch_parameters(&self, vehicle: VehicleId) -> Result<(), Unreachable> {
-        self.ask(Request::FetchParameters(vehicle))
+        self.ask(FleetRequest::FetchParameters(vehicle))
     }
 
     /// Says that a vehicle's autopilot was started anew: what it said before is not true any more.
@@ -122,7 +125,7 @@ impl Fleet {
     /// # Errors
     /// The hub has ended or cannot keep up.
     pub fn restarted(&self, vehicle: VehicleId) -> Result<(), Unreachable> {
-        self.ask(Request::Restarted(vehicle))
+        self.ask(FleetRequest::Restarted(vehicle))
     }
 
     /// Has something done to a vehicle's simulator or to the radio between it and us.
@@ -130,10 +133,10 @@ impl Fleet {
     /// # Errors
     /// The hub has ended or cannot keep up; nothing was done.
     pub fn carry_out(&self, vehicle: VehicleId, want: Want) -> Result<(), Unreachable> {
-        self.ask(Request::Want(vehicle, want))
+        self.ask(FleetRequest::Want(vehicle, want))
     }
 
-    fn ask(&self, request: Request) -> Result<(), Unreachable> {
+    fn ask(&self, request: FleetRequest) -> Result<(), Unreachable> {
         self.requests.try_send(request).map_err(|_| Unreachable)
     }
 }

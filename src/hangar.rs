@@ -22,8 +22,8 @@ use tokio::sync::{mpsc, oneshot, watch};
 use tokio_util::sync::CancellationToken;
 use utoipa::ToSchema;
 
-use crate::sitl::Kind;
-pub use crate::sitl::Stage;
+use crate::sitl::SitlKind;
+pub use crate::sitl::SitlStage;
 
 pub mod client;
 mod endurance;
@@ -48,13 +48,13 @@ mod token;
 
 pub use crate::config::Restart;
 pub use folder::{FolderError, Leftover, leftovers};
-pub use launch::{Home, Launch};
+pub use launch::{Launch, LaunchHome};
 pub use launcher::{LAUNCH, launch_stub};
-pub use output::{Line, Output};
-pub use pool::{Berth, Hangars, Place, Seen};
-pub use refusal::Refusal;
-pub use source::{Backend, Source};
-pub use token::{Token, TokenError};
+pub use output::{OutputLine, ProcessOutput};
+pub use pool::{Hangars, InstancePlace, LaunchedVehicle, Seen};
+pub use refusal::HangarRefusal;
+pub use source::{SitlSource, VehicleBackend};
+pub use token::{HangarToken, TokenError};
 
 use roster::Roster;
 
@@ -70,11 +70,11 @@ pub struct Instance {
     /// Its number.
     pub id: InstanceId,
     /// The vehicle.
-    pub kind: Kind,
+    pub kind: SitlKind,
     /// Its MAVLink system id.
     pub system: u8,
     /// How far it has come.
-    pub stage: Stage,
+    pub stage: SitlStage,
     /// How many parameters have come, and how many there are; 0 while that is unknown.
     pub parameters: [u16; 2],
     /// The process, while there is one.
@@ -106,7 +106,8 @@ pub struct Instance {
 
 /// What a hangar may use.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
-pub struct Limits {
+#[schema(as = Limits)]
+pub struct HangarLimits {
     /// Instances at once.
     pub instances: u16,
     /// Address space of one instance, in mebibytes.
@@ -115,7 +116,7 @@ pub struct Limits {
     pub starts_per_s: u16,
 }
 
-impl Default for Limits {
+impl Default for HangarLimits {
     fn default() -> Self {
         Self {
             instances: 64,
@@ -127,13 +128,13 @@ impl Default for Limits {
 
 /// How a hangar is set up.
 #[derive(Debug, Clone)]
-pub struct Config {
+pub struct HangarSetup {
     /// The program of each kind of vehicle that can be started.
-    pub programs: BTreeMap<Kind, PathBuf>,
+    pub programs: BTreeMap<SitlKind, PathBuf>,
     /// Where the instances' folders are made.
     pub folder: PathBuf,
     /// What may be used.
-    pub limits: Limits,
+    pub limits: HangarLimits,
     /// What happens to instances that end by themselves.
     pub restart: Restart,
     /// The `sortie` program, which starts the others.
@@ -150,7 +151,7 @@ pub struct Capacity {
 }
 
 /// What is asked of an instance's task.
-enum Request {
+enum InstanceRequest {
     Stop(oneshot::Sender<()>),
     Restart,
     Attach(oneshot::Sender<Option<DuplexStream>>),
@@ -161,7 +162,7 @@ pub type Instances = Arc<BTreeMap<InstanceId, Instance>>;
 
 /// What the hangar's handle and its instances' tasks share.
 struct Shared {
-    config: Config,
+    config: HangarSetup,
     launcher: launcher::Launcher,
     run: folder::Run,
     roster: Roster,
@@ -186,7 +187,7 @@ impl Hangar {
     ///
     /// # Errors
     /// Its folder cannot be made or used.
-    pub fn open(config: Config) -> io::Result<Self> {
+    pub fn open(config: HangarSetup) -> io::Result<Self> {
         let opened = folder::Run::open(&config.folder).map_err(io::Error::other)?;
         for skipped in &opened.skipped {
             tracing::warn!("{skipped}");
@@ -226,14 +227,14 @@ impl Hangar {
     ///
     /// # Errors
     /// Why it cannot be.
-    pub async fn launch(&self, launch: Launch) -> Result<InstanceId, Refusal> {
+    pub async fn launch(&self, launch: Launch) -> Result<InstanceId, HangarRefusal> {
         let shared = &self.shared;
         if shared.cancel.is_cancelled() {
-            return Err(Refusal::Closing);
+            return Err(HangarRefusal::Closing);
         }
         launch.check()?;
         let program = shared.config.programs.get(&launch.kind).cloned();
-        let program = program.ok_or(Refusal::NoProgram(launch.kind.program()))?;
+        let program = program.ok_or(HangarRefusal::NoProgram(launch.kind.program()))?;
         let (requests, inbox) = mpsc::channel(REQUESTS_KEPT);
         let taken = shared.roster.take(&launch, requests)?;
         let id = taken.id;
@@ -248,12 +249,12 @@ impl Hangar {
     ///
     /// # Errors
     /// There is no such instance.
-    pub async fn stop(&self, id: InstanceId) -> Result<(), Refusal> {
+    pub async fn stop(&self, id: InstanceId) -> Result<(), HangarRefusal> {
         let (done, over) = oneshot::channel();
-        match self.ask(id, Request::Stop(done)).await {
+        match self.ask(id, InstanceRequest::Stop(done)).await {
             // A task that is gone has ended its process.
             Ok(()) => drop(over.await),
-            Err(Refusal::Closing) => {}
+            Err(HangarRefusal::Closing) => {}
             Err(other) => return Err(other),
         }
         Ok(())
@@ -264,28 +265,28 @@ impl Hangar {
     ///
     /// # Errors
     /// There is no such instance, or it has ended and others have taken its place.
-    pub async fn restart(&self, id: InstanceId) -> Result<(), Refusal> {
+    pub async fn restart(&self, id: InstanceId) -> Result<(), HangarRefusal> {
         self.shared.roster.revive(id)?;
-        self.ask(id, Request::Restart).await
+        self.ask(id, InstanceRequest::Restart).await
     }
 
     /// The bytes of an instance's serial 0. They go on when the instance is started again.
     ///
     /// # Errors
     /// There is no such instance, or somebody is attached to it.
-    pub async fn attach(&self, id: InstanceId) -> Result<DuplexStream, Refusal> {
+    pub async fn attach(&self, id: InstanceId) -> Result<DuplexStream, HangarRefusal> {
         let (answer, pipe) = oneshot::channel();
-        self.ask(id, Request::Attach(answer)).await?;
+        self.ask(id, InstanceRequest::Attach(answer)).await?;
         pipe.await
-            .map_err(|_| Refusal::Closing)?
-            .ok_or(Refusal::Attached(id))
+            .map_err(|_| HangarRefusal::Closing)?
+            .ok_or(HangarRefusal::Attached(id))
     }
 
     /// What an instance has printed, from the line with this number on, as far as it is kept; with 0 all of that.
     ///
     /// # Errors
     /// There is no such instance.
-    pub fn output(&self, id: InstanceId, since: u64) -> Result<Vec<Line>, Refusal> {
+    pub fn output(&self, id: InstanceId, since: u64) -> Result<Vec<OutputLine>, HangarRefusal> {
         Ok(self.prints(id)?.since(since))
     }
 
@@ -293,8 +294,11 @@ impl Hangar {
     ///
     /// # Errors
     /// There is no such instance.
-    pub fn prints(&self, id: InstanceId) -> Result<Output, Refusal> {
-        self.shared.roster.output(id).ok_or(Refusal::Unknown(id))
+    pub fn prints(&self, id: InstanceId) -> Result<ProcessOutput, HangarRefusal> {
+        self.shared
+            .roster
+            .output(id)
+            .ok_or(HangarRefusal::Unknown(id))
     }
 
     /// The instances as they are now and will be.
@@ -320,8 +324,12 @@ impl Hangar {
         drop(self.instances().wait_for(all_gone).await);
     }
 
-    async fn ask(&self, id: InstanceId, request: Request) -> Result<(), Refusal> {
-        let task = self.shared.roster.task(id).ok_or(Refusal::Unknown(id))?;
-        task.send(request).await.map_err(|_| Refusal::Closing)
+    async fn ask(&self, id: InstanceId, request: InstanceRequest) -> Result<(), HangarRefusal> {
+        let task = self
+            .shared
+            .roster
+            .task(id)
+            .ok_or(HangarRefusal::Unknown(id))?;
+        task.send(request).await.map_err(|_| HangarRefusal::Closing)
     }
 }

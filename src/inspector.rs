@@ -10,6 +10,6 @@ mod census;
 mod definitions;
 mod reading;
 
-pub use census::{Census, Direction, Key, Rate, Source, Tally, Watched};
-pub use definitions::{Definitions, Enum, Field, Kind, Message};
-pub use reading::{Element, Reading, Value, figure, name_of, read};
+pub use census::{Census, Direction, FrameSource, MessageTally, Rate, TallyKey, WatchedMessage};
+pub use definitions::{Definitions, EnumDefinition, FieldDefinition, FieldType, MessageDefinition};
+pub use reading::{ElementReading, FieldReading, MessageReading, figure, name_of, read};

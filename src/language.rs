@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 
 use crate::commands::Order;
 use crate::geo::{LatLon, Outline};
-use crate::parameters::Parameters;
+use crate::parameters::ParameterList;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{VehicleClass, VehicleId};
@@ -58,7 +58,7 @@ pub struct Context<'a> {
     /// Whose mode names count. [`VehicleClass::Other`] takes those of every class.
     pub class: VehicleClass,
     /// The parameters of the vehicle that a line would go to first, as far as they are known.
-    pub parameters: Option<&'a Parameters>,
+    pub parameters: Option<&'a ParameterList>,
 }
 
 static NO_GROUPS: BTreeMap<String, Vec<VehicleId>> = BTreeMap::new();

@@ -1,15 +1,47 @@
 //! sortie: a terminal ground-control and training console for drone swarms.
 //!
 //! # Code map
-//! Dependencies point down only; a test reads the `use` lines and enforces it. What others can use as well are
-//! libraries of the workspace, below everything else: [`geo`], [`wire`] and [`sim`].
+//! Dependencies point down only, and the parts of a module depend on each other one way only; a test reads the sources
+//! and enforces both. What others can use as well are libraries of the workspace, below everything else.
 //!
-//! | layer | modules |
-//! | --- | --- |
-//! | shell | [`cli`] (subcommands), [`console`] (the run loop), [`terminal`], [`ui`] (screens: state in, cells out), [`app`] (state, event, effect, one `update`) |
-//! | input and output | [`fleet`] (a task per vehicle), [`hangar`] (SITL processes, here or by HTTP), [`link`] (transports, and the simulator as a server), [`store`] (files) |
-//! | pure | [`exercise`] (a mission flown by a pilot script), [`operator`] (from a line to the vehicles), [`fidelity`] (the simulator beside recordings), [`debrief`], [`scoring`], [`mission`], [`sitl`] (the command line of one SITL), [`session`] (the conversation with one vehicle), [`language`] (the grammar), [`commands`], [`verb`] (what is known about a verb), [`messages`] (telemetry handlers), [`ledger`], [`notice`], [`vehicle`] (the model), [`parameters`] (lists, files, differences), [`doctor`] (what ails a link), [`inspector`] (messages counted and taken apart), [`diagnostic`] |
-//! | libraries | [`sim`] (simulated vehicles), [`wire`] (frames), [`geo`] (positions and maps) |
+//! | layer | module | home of |
+//! | --- | --- | --- |
+//! | shell | [`cli`] | the subcommands, their options and what they print |
+//! | | [`console`] | the run loop: carries out effects, feeds events; the console without a screen (`--plain`) |
+//! | | [`terminal`] | keys in, cells out: what the terminal can do, and how fast |
+//! | | [`ui`] | screens and widgets: state in, cells out |
+//! | | [`app`] | state, events, effects, key bindings, the rooms' behaviour, one `update` |
+//! | input and output | [`fleet`] | a task for each vehicle, and the hub that finds it |
+//! | | [`hangar`] | SITL processes: started here, or by a service over HTTP |
+//! | | [`link`] | transports, reconnection, traffic meters; the embedded simulator as a server |
+//! | | [`store`] | files: missions, themes, profiles, runs |
+//! | pure | [`exercise`] | a mission flown by a pilot script, in lock step or by a clock |
+//! | | [`campaign`] | a career: what is unlocked, earned, owned and known, and what a try counts for |
+//! | | [`debrief`] | a report as text |
+//! | | [`scoring`] | marks, medals, and the report of a flight |
+//! | | [`mission`] | what a mission file says, and the flight's referee: hazards, sensors, objectives, events |
+//! | | [`operator`] | from a line to the vehicles, and back to the ledger |
+//! | | [`fidelity`] | the simulator beside recordings of the real vehicle |
+//! | | [`sitl`] | the command line and the files of one SITL process |
+//! | | [`swarm`] | manoeuvres of several vehicles |
+//! | | [`session`] | the conversation with one vehicle: commands, retries, plans, parameters |
+//! | | [`language`] | the grammar, and the table of verbs |
+//! | | [`verb`] | what is known about a verb beside its grammar |
+//! | | [`commands`] | typed commands, and how they are encoded |
+//! | | [`messages`] | telemetry: a handler for each kind of message |
+//! | | [`ledger`], [`notice`], [`alert`] | what became of each command; what is said to people; what an alert is about |
+//! | | [`vehicle`] | the model of one vehicle |
+//! | | [`doctor`] | what is wrong with a link |
+//! | | [`inspector`] | messages counted, and taken apart field by field |
+//! | | [`parameters`] | parameter lists, files, differences |
+//! | | [`workshop`] | parts, designs, and what a design can do |
+//! | | [`config`] | settings and where each came from |
+//! | | [`diagnostic`] | faults in files and lines, with place and advice |
+//! | | [`text`] | messages in the user's language (`locales/`) |
+//! | | [`hash`] | a hash that stays the same |
+//! | libraries | [`sim`] | simulated vehicles |
+//! | | [`wire`] | MAVLink frames |
+//! | | [`geo`] | positions and maps |
 //!
 //! # A telemetry packet
 //! [`link`] reads bytes, [`wire`] finds frames and counts what it drops, the hub of [`fleet`] gives the frames

@@ -40,7 +40,9 @@ mod tests;
 mod tlog;
 
 pub use address::{Address, AddressError};
-pub use simulator::{Endpoint, Pace, Simulator, SimulatorError, Started, step_on_threads};
+pub use simulator::{
+    Endpoint, Simulator, SimulatorError, SimulatorPace, StartedSimulator, step_on_threads,
+};
 pub use tap::Tap;
 pub use tlog::{TlogError, TlogReader, TlogRecord, TlogWriter};
 
@@ -54,7 +56,7 @@ pub struct LinkId(pub u16);
 /// Who speaks on a link: TCP, serial, pipe and file have one peer (0), a UDP socket has one per remote
 /// address, `tcpin` one per client. Numbers are not used again while the link is open.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Peer(pub u32);
+pub struct LinkPeer(pub u32);
 
 /// Frames that came in together.
 #[derive(Debug, Clone, PartialEq)]
@@ -62,7 +64,7 @@ pub struct Inbound {
     /// The link they came by.
     pub link: LinkId,
     /// Who sent them.
-    pub peer: Peer,
+    pub peer: LinkPeer,
     /// The frames, never none.
     pub frames: Vec<Frame>,
     /// When their bytes were read.
@@ -75,7 +77,7 @@ pub enum To {
     /// Every peer of the link; on a link that sends to one UDP address, that address.
     Everyone,
     /// One peer.
-    Peer(Peer),
+    Peer(LinkPeer),
 }
 
 /// What a link is made of.
@@ -301,7 +303,7 @@ pub fn open_with(
     let (published, status) = watch::channel(LinkStatus::new(id, name, state));
     let refused = Arc::new(AtomicU64::new(0));
     let tap = Tap::new();
-    let meter = meter::Meter::new(published, Arc::clone(&refused), tap.clone());
+    let meter = meter::LinkMeter::new(published, Arc::clone(&refused), tap.clone());
     let link = core::LinkCore::new(id, config, meter, inbound, to_send, cancel);
     let hushed = link.hushed();
     tokio::spawn(task::run(link, transport));

@@ -13,5 +13,5 @@ fn main() -> ExitCode {
     {
         return hangar::launch_stub(order);
     }
-    sortie::cli::main(sortie::cli::Arguments::parse())
+    sortie::cli::main(sortie::cli::CliArguments::parse())
 }

@@ -8,7 +8,7 @@ use mavlink::dialects::ardupilotmega::MavMessage;
 
 use crate::alert::AlertKind;
 use crate::notice::Notice;
-use crate::parameters::Parameters;
+use crate::parameters::ParameterList;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Place, Severity, Vehicle, VehicleId};
@@ -45,7 +45,7 @@ const HEARTBEAT_ID: u32 = 0;
 pub struct Inbox {
     texts: status_text::Assembly,
     // Shared with those who look at the list; copied when it changes while somebody does.
-    parameters: Arc<Parameters>,
+    parameters: Arc<ParameterList>,
     clock: clock::BootClock,
     /// When the last reason not to arm came: reasons that come together replace those before.
     reasons_at: Option<Duration>,
@@ -128,7 +128,7 @@ impl Inbox {
     }
 
     /// The parameters that have passed so far.
-    pub fn parameters(&self) -> &Arc<Parameters> {
+    pub fn parameters(&self) -> &Arc<ParameterList> {
         &self.parameters
     }
 

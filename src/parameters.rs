@@ -7,10 +7,12 @@ mod file;
 mod kind;
 mod list;
 
-pub use difference::{Difference, Finding, differences, is_same, is_the_vehicles_own};
+pub use difference::{
+    ParameterDifference, ParameterFinding, differences, is_same, is_the_vehicles_own,
+};
 pub use file::{parse, write};
-pub use kind::{ParameterType, Unfit};
-pub use list::{Heard, Parameter, Parameters};
+pub use kind::{ParameterType, ParameterUnfit};
+pub use list::{HeardParameter, ListedParameter, ParameterList};
 pub use sortie_sim::{AliasSense, other_name};
 
 /// How far the download of a vehicle's list has come.
@@ -39,9 +41,9 @@ impl Fetching {
 
 /// What is known of a vehicle's parameters at some moment. Cloning it copies no value.
 #[derive(Debug, Clone, Default)]
-pub struct Snapshot {
+pub struct ParameterSnapshot {
     /// The list.
-    pub list: Arc<Parameters>,
+    pub list: Arc<ParameterList>,
     /// How far its download is.
     pub fetching: Fetching,
     /// How often the vehicle has rebooted by now. A list begins anew with each time: settings may have been lost.

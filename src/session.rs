@@ -13,7 +13,7 @@ use mavlink::dialects::ardupilotmega::MavMessage;
 use crate::ledger::RowUpdate;
 use crate::messages::Inbox;
 use crate::notice::Notice;
-use crate::parameters::Snapshot;
+use crate::parameters::ParameterSnapshot;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
@@ -123,8 +123,8 @@ impl Session {
     }
 
     /// The parameters that have passed so far, and how far their download is. Costs nothing: no value is copied.
-    pub fn parameters(&self) -> Snapshot {
-        Snapshot {
+    pub fn parameters(&self) -> ParameterSnapshot {
+        ParameterSnapshot {
             list: Arc::clone(self.inbox.parameters()),
             fetching: self.download.fetching(),
             reboots: self.vehicle.link.reboots,

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use strum::{IntoStaticStr, VariantArray, VariantNames};
 
 use crate::sim::{Airframe, Start};
-use models::Model;
+use models::SitlModel;
 
 mod defaults;
 mod formation;
@@ -23,10 +23,10 @@ mod unfit;
 #[cfg(test)]
 mod tests;
 
-pub use formation::{Formation, Offset, Shape};
+pub use formation::{FormationShape, Offset, StartFormation};
 pub use shell::{line, quoted};
-pub use stage::Stage;
-pub use unfit::Unfit;
+pub use stage::SitlStage;
+pub use unfit::SitlUnfit;
 
 /// The file of parameters that an instance is started with, in its folder.
 const PARAMETER_FILE: &str = "vehicle.parm";
@@ -51,7 +51,7 @@ const AIRFRAME_FILE: &str = "frame.json";
 )]
 #[serde(rename_all = "lowercase")]
 #[strum(serialize_all = "lowercase")]
-pub enum Kind {
+pub enum SitlKind {
     /// `ArduCopter`.
     #[default]
     Copter,
@@ -63,7 +63,7 @@ pub enum Kind {
     Sub,
 }
 
-impl Kind {
+impl SitlKind {
     /// Every kind.
     pub const ALL: &[Self] = <Self as VariantArray>::VARIANTS;
 
@@ -87,7 +87,7 @@ impl Kind {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Recipe {
     /// The vehicle.
-    pub kind: Kind,
+    pub kind: SitlKind,
     /// SITL's name of a model (`quad`, which means plus, `x`, `hexa`); by default what suits the kind, the airframe and
     /// the parameters.
     pub model: Option<String>,
@@ -142,7 +142,7 @@ impl Recipe {
     ///
     /// # Errors
     /// What SITL would misunderstand, or die of, or spin on for ever, with what to do.
-    pub fn command_line(&self, door: Door) -> Result<CommandLine, Unfit> {
+    pub fn command_line(&self, door: Door) -> Result<CommandLine, SitlUnfit> {
         self.check()?;
         let airframe = self.airframe()?;
         let motors = airframe.as_ref().map(Airframe::motors);
@@ -175,22 +175,22 @@ impl Recipe {
         Ok(CommandLine { arguments, files })
     }
 
-    fn check(&self) -> Result<(), Unfit> {
+    fn check(&self) -> Result<(), SitlUnfit> {
         let Start {
             at,
             altitude_amsl_m,
             heading_deg,
         } = self.start;
         if !SYSTEMS.contains(&self.system) {
-            return Err(Unfit::System(self.system));
+            return Err(SitlUnfit::System(self.system));
         }
         if !SPEEDUPS.contains(&self.speedup) {
-            return Err(Unfit::Speedup(self.speedup));
+            return Err(SitlUnfit::Speedup(self.speedup));
         }
         let is_somewhere = at.lat_deg.abs() >= NOWHERE_DEG || at.lon_deg.abs() >= NOWHERE_DEG;
         let is_home = at.is_valid() && is_somewhere && heading_deg.is_finite();
         if !is_home || !ALTITUDES_M.contains(&altitude_amsl_m) {
-            return Err(Unfit::Home);
+            return Err(SitlUnfit::Home);
         }
         let is_name = |name: &str| {
             let good =
@@ -199,26 +199,26 @@ impl Recipe {
         };
         for (name, value) in &self.parameters {
             if !is_name(name) {
-                return Err(Unfit::ParameterName(name.clone()));
+                return Err(SitlUnfit::ParameterName(name.clone()));
             }
             if !(*value as f32).is_finite() {
-                return Err(Unfit::ParameterValue(name.clone(), *value));
+                return Err(SitlUnfit::ParameterValue(name.clone(), *value));
             }
         }
         Ok(())
     }
 
-    fn airframe(&self) -> Result<Option<Airframe>, Unfit> {
+    fn airframe(&self) -> Result<Option<Airframe>, SitlUnfit> {
         match &self.airframe {
-            Some(_) if self.kind != Kind::Copter => Err(Unfit::AirframeOf(self.kind)),
+            Some(_) if self.kind != SitlKind::Copter => Err(SitlUnfit::AirframeOf(self.kind)),
             Some(json) => Ok(Some(Airframe::from_json(json)?.0)),
             None => Ok(None),
         }
     }
 
-    fn parameter_file(&self, model: &Model, airframe: Option<Airframe>) -> String {
+    fn parameter_file(&self, model: &SitlModel, airframe: Option<Airframe>) -> String {
         let mut parameters: BTreeMap<String, f64> = defaults::of(self.kind).into_iter().collect();
-        if self.kind == Kind::Copter {
+        if self.kind == SitlKind::Copter {
             parameters.extend(defaults::of_airframe(&airframe.unwrap_or_default()));
         }
         let model = model.parameters.iter();
@@ -234,18 +234,18 @@ impl Door {
     ///
     /// # Errors
     /// The instance's number is too large for any.
-    pub fn ports(self) -> Result<Vec<u16>, Unfit> {
+    pub fn ports(self) -> Result<Vec<u16>, SitlUnfit> {
         let Self::Listening(instance) = self else {
             return Ok(Vec::new());
         };
         let first = instance.checked_mul(PORTS_PER_INSTANCE);
         let first = first.and_then(|above| above.checked_add(FIRST_PORT));
         let last = first.and_then(|first| first.checked_add(SERIALS));
-        let (first, last) = first.zip(last).ok_or(Unfit::Instance(instance))?;
+        let (first, last) = first.zip(last).ok_or(SitlUnfit::Instance(instance))?;
         Ok(vec![first, last - 1, last])
     }
 
-    fn arguments(self) -> Result<Vec<String>, Unfit> {
+    fn arguments(self) -> Result<Vec<String>, SitlUnfit> {
         self.ports()?;
         Ok(match self {
             // A port of 0 lets the system choose: the only socket that SITL cannot be kept from opening.

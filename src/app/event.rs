@@ -10,12 +10,12 @@ use super::effect::FileKind;
 use super::room::messages::LinkTraffic;
 use super::state::{Activity, Career, Instance, LinkSummary};
 use crate::campaign::Reward;
-use crate::doctor::Finding;
+use crate::doctor::LinkFinding;
 use crate::geo::LatLon;
 use crate::ledger::RowUpdate;
 use crate::mission::{Area, Listing, Progress};
 use crate::notice::Notice;
-use crate::parameters::Snapshot;
+use crate::parameters::ParameterSnapshot;
 use crate::scoring::{Report, TryReport};
 use crate::swarm::Path;
 use crate::text::Text;
@@ -85,7 +85,7 @@ pub enum VehicleEvent {
         /// The vehicle.
         vehicle: VehicleId,
         /// What is known of them now.
-        snapshot: Snapshot,
+        snapshot: ParameterSnapshot,
     },
     /// An order advanced with one vehicle.
     Row(RowUpdate),
@@ -99,7 +99,7 @@ pub enum LinkEvent {
     /// How the links are doing.
     Summaries(Vec<LinkSummary>),
     /// What the link doctor has found, once a second.
-    Findings(Vec<Finding>),
+    Findings(Vec<LinkFinding>),
     /// The messages on the links, counted.
     Traffic(Vec<LinkTraffic>),
 }

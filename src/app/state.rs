@@ -42,7 +42,7 @@ pub use bell::{Call, Due};
 pub use career::Career;
 pub use column::SortKey;
 pub use filter::Filter;
-pub use hangar::{Hangar, Instance, Stage};
+pub use hangar::{Hangar, Instance, SitlStage};
 pub use help::{HelpLine, SCRIPT_VERBS, SHORT_USAGE, help_lines};
 pub use history::{Channel, Histories, History, Window};
 pub use ids::{parse_ranges, ranges};

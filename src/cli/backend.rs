@@ -9,16 +9,16 @@ use clap::{Args, ValueEnum};
 use super::Failure;
 use super::hangar::services::ServiceOptions;
 use super::programs::ProgramOptions;
-use super::settings::Settings;
+use super::settings::CliSettings;
 use crate::hangar::programs::Missing;
-use crate::hangar::{Backend, Config, Limits, Source};
+use crate::hangar::{HangarLimits, HangarSetup, SitlSource, VehicleBackend};
 use crate::sim::Airframe;
-use crate::sitl::Kind;
+use crate::sitl::SitlKind;
 use crate::store;
 
 /// What simulates the vehicles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(super) enum Simulator {
+pub(super) enum SimulatorChoice {
     /// The simulator within this program.
     Embedded,
     /// ArduPilot's SITL: a process for every vehicle.
@@ -31,7 +31,7 @@ pub(super) enum Simulator {
 pub(super) struct BackendArguments {
     /// What simulates the vehicles; embedded unless a hangar or a program is named.
     #[arg(long, value_enum)]
-    backend: Option<Simulator>,
+    backend: Option<SimulatorChoice>,
     #[command(flatten)]
     services: ServiceOptions,
     #[command(flatten)]
@@ -47,9 +47,9 @@ impl BackendArguments {
     ///
     /// # Errors
     /// A frame file is faulty, or there is no such program.
-    pub fn choose(&self, settings: &Settings) -> Result<Backend, Failure> {
+    pub fn choose(&self, settings: &CliSettings) -> Result<VehicleBackend, Failure> {
         let frames: Result<_, Failure> = self.frames.iter().map(|path| frame(path)).collect();
-        Ok(Backend {
+        Ok(VehicleBackend {
             ardupilot: self.source(settings)?,
             airframes: frames?,
         })
@@ -57,12 +57,12 @@ impl BackendArguments {
 
     fn is_ardupilot(&self) -> bool {
         match self.backend {
-            Some(simulator) => simulator == Simulator::Ardupilot,
+            Some(simulator) => simulator == SimulatorChoice::Ardupilot,
             None => self.services.is_given() || self.programs.is_given(),
         }
     }
 
-    fn source(&self, settings: &Settings) -> Result<Option<Source>, Failure> {
+    fn source(&self, settings: &CliSettings) -> Result<Option<SitlSource>, Failure> {
         if !self.is_ardupilot() {
             return Ok(None);
         }
@@ -77,16 +77,16 @@ impl BackendArguments {
         };
         if services.is_empty() {
             let own = own(&self.programs, settings)?;
-            return Ok(Some(Source::Own(Box::new(own))));
+            return Ok(Some(SitlSource::Own(Box::new(own))));
         }
-        Ok(Some(Source::Far(services)))
+        Ok(Some(SitlSource::Far(services)))
     }
 }
 
 /// Where ArduPilot's SITL could be started without any option, if it could.
-pub(super) fn found(settings: &Settings) -> Option<Source> {
+pub(super) fn found(settings: &CliSettings) -> Option<SitlSource> {
     let own = own(&ProgramOptions::default(), settings).ok()?;
-    Some(Source::Own(Box::new(own)))
+    Some(SitlSource::Own(Box::new(own)))
 }
 
 /// Reads a frame file; its warnings go to standard error.
@@ -110,10 +110,13 @@ pub(super) fn frame(path: &Path) -> Result<Arc<Airframe>, Failure> {
 ///
 /// # Errors
 /// There is no `arducopter`.
-pub(super) fn own(programs: &ProgramOptions, settings: &Settings) -> Result<Config, Failure> {
+pub(super) fn own(
+    programs: &ProgramOptions,
+    settings: &CliSettings,
+) -> Result<HangarSetup, Failure> {
     let found = programs.find(settings);
     found
-        .of(Kind::Copter)
+        .of(SitlKind::Copter)
         .map_err(|missing| missing_program(&missing))?;
     let set = &settings.config.hangar;
     let state = settings
@@ -122,13 +125,13 @@ pub(super) fn own(programs: &ProgramOptions, settings: &Settings) -> Result<Conf
         .map(|folders| folders.state.clone());
     let folder = set.folder.clone().map(PathBuf::from);
     let folder = folder.unwrap_or_else(|| state.unwrap_or_else(env::temp_dir).join("hangar"));
-    Ok(Config {
+    Ok(HangarSetup {
         programs: found.paths(),
         folder,
-        limits: Limits {
+        limits: HangarLimits {
             instances: set.instances,
             memory_mib: set.memory,
-            ..Limits::default()
+            ..HangarLimits::default()
         },
         restart: set.restart,
         sortie: env::current_exe()?,

@@ -5,7 +5,7 @@ use std::process::ExitCode;
 use clap::Subcommand;
 
 use super::Failure;
-use super::settings::Settings;
+use super::settings::CliSettings;
 
 mod campaign;
 mod decode;
@@ -18,7 +18,7 @@ mod sim;
 
 /// What to measure.
 #[derive(Debug, Subcommand)]
-pub(super) enum Bench {
+pub(super) enum BenchCommand {
     /// The course played through by the reference pilots: scores, credits, level, licence and skills, flight by flight.
     Campaign(campaign::CampaignArguments),
     /// Decoding and model update per message, beside a floor that only finds frames.
@@ -34,19 +34,19 @@ pub(super) enum Bench {
     /// What a growing number of vehicles costs the simulator and the console, as the paper measured it.
     Scale(scale::ScaleArguments),
     /// Cost of simulated vehicles that fly and stream their position and attitude, from one to thousands.
-    Sim(sim::SimArguments),
+    Sim(sim::BenchSimArguments),
 }
 
 /// Measures and prints.
-pub(super) fn bench(bench: &Bench, settings: &Settings) -> Result<ExitCode, Failure> {
+pub(super) fn bench(bench: &BenchCommand, settings: &CliSettings) -> Result<ExitCode, Failure> {
     match bench {
-        Bench::Campaign(options) => campaign::campaign(options),
-        Bench::Decode(options) => decode::decode(options),
-        Bench::Fidelity(options) => fidelity::fidelity(options),
-        Bench::Frame(options) => frame::frame(options),
-        Bench::Load(options) => load::load(options),
-        Bench::Missions(options) => missions::missions(options),
-        Bench::Scale(options) => scale::scale(options, settings),
-        Bench::Sim(options) => sim::sim(options),
+        BenchCommand::Campaign(options) => campaign::campaign(options),
+        BenchCommand::Decode(options) => decode::decode(options),
+        BenchCommand::Fidelity(options) => fidelity::fidelity(options),
+        BenchCommand::Frame(options) => frame::frame(options),
+        BenchCommand::Load(options) => load::load(options),
+        BenchCommand::Missions(options) => missions::missions(options),
+        BenchCommand::Scale(options) => scale::scale(options, settings),
+        BenchCommand::Sim(options) => sim::sim(options),
     }
 }

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use clap::Args;
 
 use super::Failure;
-use super::settings::Settings;
+use super::settings::CliSettings;
 use crate::store::{Folders, History};
 use crate::text::Locale;
 
@@ -28,7 +28,10 @@ pub(super) struct ConfigArguments {
 }
 
 /// Prints the configuration as a configuration file; exit code 2 if a file is faulty.
-pub(super) fn config(options: &ConfigArguments, settings: &Settings) -> Result<ExitCode, Failure> {
+pub(super) fn config(
+    options: &ConfigArguments,
+    settings: &CliSettings,
+) -> Result<ExitCode, Failure> {
     if options.paths {
         for (name, path) in paths(settings) {
             // As TOML too, so that scripts read both the same way.
@@ -53,7 +56,7 @@ pub(super) fn config(options: &ConfigArguments, settings: &Settings) -> Result<E
 }
 
 /// Files and folders by name.
-fn paths(settings: &Settings) -> Vec<(&'static str, PathBuf)> {
+fn paths(settings: &CliSettings) -> Vec<(&'static str, PathBuf)> {
     let mut paths = Vec::new();
     paths.extend(settings.file.clone().map(|file| ("config_file", file)));
     paths.extend(settings.keymap_file().map(|file| ("keymap_file", file)));

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use clap::Args;
 
 use super::Failure;
-use super::settings::Settings;
+use super::settings::CliSettings;
 use crate::debrief;
 use crate::mission::record::Stored;
 use crate::store::{self, Runs};
@@ -32,7 +32,7 @@ pub(super) struct DebriefArguments {
 /// mission was passed.
 pub(super) fn debrief(
     options: &DebriefArguments,
-    settings: &Settings,
+    settings: &CliSettings,
 ) -> Result<ExitCode, Failure> {
     let locale = Locale::new(settings.language());
     let runs = settings.data.as_deref().map(Runs::within);

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use clap::Args;
 
-use super::settings::Settings;
+use super::settings::CliSettings;
 use super::{Failure, trainee};
 use crate::mission::Mission;
 use crate::store;
@@ -31,7 +31,7 @@ impl DesignArguments {
     ///
     /// # Errors
     /// A design cannot be read, or the mission cannot be flown so: every reason.
-    pub fn equip(&self, mission: Mission, settings: &Settings) -> Result<Mission, Failure> {
+    pub fn equip(&self, mission: Mission, settings: &CliSettings) -> Result<Mission, Failure> {
         let locale = &Locale::new(settings.language());
         let designs = self.designs.iter();
         let fleet: Result<Vec<Design>, Failure> =
@@ -49,7 +49,7 @@ impl DesignArguments {
 ///
 /// # Errors
 /// It is not there, or what is wrong with it, in words.
-pub(super) fn find(name: &str, settings: &Settings, locale: &Locale) -> Result<Design, Failure> {
+pub(super) fn find(name: &str, settings: &CliSettings, locale: &Locale) -> Result<Design, Failure> {
     if !Path::new(name).is_file()
         && settings.config.profile.is_some()
         && let Some(own) = own(name, settings, locale)?
@@ -68,7 +68,7 @@ pub(super) fn find(name: &str, settings: &Settings, locale: &Locale) -> Result<D
 }
 
 /// The trainee's own design of a name; upper and lower case are the same.
-fn own(name: &str, settings: &Settings, locale: &Locale) -> Result<Option<Design>, Failure> {
+fn own(name: &str, settings: &CliSettings, locale: &Locale) -> Result<Option<Design>, Failure> {
     let profiles = trainee::open(settings, locale)?;
     let profile = trainee::choose(&profiles, None, settings, locale)?;
     let designs = profiles.designs(&profile);

@@ -6,7 +6,7 @@ use clap::Args;
 use serde::Serialize;
 
 use super::programs::ProgramOptions;
-use super::settings::Settings;
+use super::settings::CliSettings;
 use super::{Failure, runtime};
 
 mod host;
@@ -40,7 +40,7 @@ enum Verdict {
 
 /// What was found out about one thing.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-struct Finding {
+struct HostFinding {
     /// What was looked at.
     about: String,
     verdict: Verdict,
@@ -51,7 +51,7 @@ struct Finding {
     mend: Option<String>,
 }
 
-impl Finding {
+impl HostFinding {
     fn ok(about: &str, found: impl Into<String>) -> Self {
         Self {
             about: about.to_owned(),
@@ -89,7 +89,10 @@ impl Finding {
 }
 
 /// Looks at everything and prints; exit code 1 if something does not work.
-pub(super) fn doctor(options: &DoctorArguments, settings: &Settings) -> Result<ExitCode, Failure> {
+pub(super) fn doctor(
+    options: &DoctorArguments,
+    settings: &CliSettings,
+) -> Result<ExitCode, Failure> {
     let mut findings = terminal::findings();
     findings.extend(host::folders(settings));
     findings.extend(host::machine());

@@ -8,10 +8,10 @@ use clap::Args;
 
 use super::backend::{self, BackendArguments};
 use super::designs::DesignArguments;
-use super::settings::Settings;
+use super::settings::CliSettings;
 use super::{Failure, parse_speedup, runtime};
 use crate::console::{self, Opening, Options, Preferences};
-use crate::hangar::Backend;
+use crate::hangar::VehicleBackend;
 use crate::link::Address;
 use crate::store::{History, Runs};
 use crate::terminal::Environment;
@@ -73,7 +73,7 @@ impl HomeArguments {
 }
 
 /// The home screen. What is set holds for every mission that is chosen there.
-pub(super) fn home(arguments: &HomeArguments, settings: Settings) -> Result<ExitCode, Failure> {
+pub(super) fn home(arguments: &HomeArguments, settings: CliSettings) -> Result<ExitCode, Failure> {
     let options = Options {
         seed: arguments.seed,
         speedup: arguments.speedup.unwrap_or(1.0),
@@ -83,7 +83,7 @@ pub(super) fn home(arguments: &HomeArguments, settings: Settings) -> Result<Exit
 }
 
 /// A mission or free flight.
-pub(super) fn fly(arguments: &FlyArguments, settings: Settings) -> Result<ExitCode, Failure> {
+pub(super) fn fly(arguments: &FlyArguments, settings: CliSettings) -> Result<ExitCode, Failure> {
     let opening = match &arguments.mission {
         _ if !arguments.connect.is_empty() => Opening::Connect(arguments.connect.clone()),
         Some(mission) => {
@@ -108,7 +108,7 @@ pub(super) fn fly(arguments: &FlyArguments, settings: Settings) -> Result<ExitCo
 pub(super) fn connect(
     addresses: Vec<Address>,
     plain: bool,
-    settings: Settings,
+    settings: CliSettings,
 ) -> Result<ExitCode, Failure> {
     open(options(Opening::Connect(addresses), settings)?, plain)
 }
@@ -127,7 +127,7 @@ fn check_recording(address: &Address) -> Result<(), Failure> {
 }
 
 /// How things are shown: as set, else as the terminal can.
-fn look(settings: &Settings) -> Look {
+fn look(settings: &CliSettings) -> Look {
     let environment = Environment::of_process();
     Look {
         theme: settings.theme.for_colours(environment.colour_depth()),
@@ -138,7 +138,7 @@ fn look(settings: &Settings) -> Look {
 
 /// How the console is set up. What is wrong with the user's files is told under it, so that it is there when the
 /// console is left.
-fn options(opening: Opening, settings: Settings) -> Result<Options, Failure> {
+fn options(opening: Opening, settings: CliSettings) -> Result<Options, Failure> {
     if let Opening::Connect(addresses) = &opening {
         for address in addresses {
             check_recording(address)?;
@@ -149,7 +149,7 @@ fn options(opening: Opening, settings: Settings) -> Result<Options, Failure> {
     let folders = settings.folders.as_ref();
     Ok(Options {
         opening,
-        backend: Backend::default(),
+        backend: VehicleBackend::default(),
         ardupilot,
         vehicles: VEHICLES,
         seed: None,

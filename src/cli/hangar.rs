@@ -5,7 +5,7 @@ use std::process::ExitCode;
 use clap::{Args, Subcommand};
 
 use super::Failure;
-use super::settings::Settings;
+use super::settings::CliSettings;
 
 mod command;
 mod identify;
@@ -20,14 +20,14 @@ use services::token_file;
 #[command(args_conflicts_with_subcommands = true)]
 pub(super) struct HangarArguments {
     #[command(subcommand)]
-    task: Option<Task>,
+    task: Option<HangarTask>,
     #[command(flatten)]
     serve: serve::ServeArguments,
 }
 
 /// What to do instead of serving.
 #[derive(Debug, Subcommand)]
-enum Task {
+enum HangarTask {
     /// Prints how to start SITL by hand: folders, files and command lines, ready to paste into a shell.
     Command(command::CommandArguments),
     /// Asks SITL programs what they are: which vehicle, which version.
@@ -37,11 +37,14 @@ enum Task {
 }
 
 /// Serves, or does what else is asked.
-pub(super) fn hangar(options: &HangarArguments, settings: &Settings) -> Result<ExitCode, Failure> {
+pub(super) fn hangar(
+    options: &HangarArguments,
+    settings: &CliSettings,
+) -> Result<ExitCode, Failure> {
     match &options.task {
         None => serve::serve(&options.serve, settings),
-        Some(Task::Command(options)) => command::command(options, settings),
-        Some(Task::Identify(options)) => identify::identify(options, settings),
-        Some(Task::Status(options)) => status::status(options, settings),
+        Some(HangarTask::Command(options)) => command::command(options, settings),
+        Some(HangarTask::Identify(options)) => identify::identify(options, settings),
+        Some(HangarTask::Status(options)) => status::status(options, settings),
     }
 }

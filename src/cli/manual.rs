@@ -8,14 +8,14 @@ use clap_complete::Shell;
 use clap_mangen::Man;
 use clap_mangen::roff::{Roff, roman};
 
-use super::{Arguments, Failure};
+use super::{CliArguments, Failure};
 use crate::language;
 
 /// Prints the completions of a shell.
 pub(super) fn completions(shell: Shell) -> Result<ExitCode, Failure> {
     // The generator panics where it cannot write, so it writes to memory.
     let mut script = Vec::new();
-    clap_complete::generate(shell, &mut Arguments::command(), "sortie", &mut script);
+    clap_complete::generate(shell, &mut CliArguments::command(), "sortie", &mut script);
     io::stdout().write_all(&script)?;
     Ok(ExitCode::SUCCESS)
 }
@@ -27,7 +27,7 @@ pub(super) fn man() -> Result<ExitCode, Failure> {
 }
 
 fn page() -> io::Result<Vec<u8>> {
-    let program = Arguments::command();
+    let program = CliArguments::command();
     let man = Man::new(program.clone());
     let mut page = Vec::new();
     man.render_title(&mut page)?;
@@ -97,7 +97,7 @@ mod tests {
 
     #[test]
     fn the_definitions_are_consistent() {
-        Arguments::command().debug_assert();
+        CliArguments::command().debug_assert();
     }
 
     #[test]
@@ -112,14 +112,14 @@ mod tests {
             }
         }
         let mut found = Vec::new();
-        without("", &Arguments::command(), &mut found);
+        without("", &CliArguments::command(), &mut found);
         assert!(found.is_empty(), "no examples: {}", found.join(", "));
     }
 
     #[test]
     fn the_page_has_every_command_and_every_verb() {
         let page = String::from_utf8(page().expect("memory takes it")).expect("it is text");
-        for command in Arguments::command().get_subcommands() {
+        for command in CliArguments::command().get_subcommands() {
             let heading = format!(".SH \"SORTIE {}\"", command.get_name().to_uppercase());
             assert!(page.contains(&heading), "{heading}");
         }

@@ -7,7 +7,7 @@ use std::time::SystemTime;
 use clap::{Args, Subcommand};
 use serde::Serialize;
 
-use super::settings::Settings;
+use super::settings::CliSettings;
 use super::{Failure, progress, trainee};
 use crate::campaign::{CareerProgress, CareerStanding};
 use crate::store::{self, Profile, ProfileError, ProfileFile, Profiles, day_of, utc};
@@ -19,11 +19,11 @@ use crate::workshop::part;
 #[derive(Debug, Args)]
 pub(super) struct ProfileArguments {
     #[command(subcommand)]
-    command: Command,
+    command: ProfileCommand,
 }
 
 #[derive(Debug, Subcommand)]
-enum Command {
+enum ProfileCommand {
     /// Makes a profile.
     #[command(
         after_help = "Examples:\n  sortie profile create anna\n  sortie profile create 'Anna K.'"
@@ -96,35 +96,37 @@ enum Command {
 /// Does what was asked for.
 pub(super) fn profile(
     options: &ProfileArguments,
-    settings: &Settings,
+    settings: &CliSettings,
 ) -> Result<ExitCode, Failure> {
     let locale = Locale::new(settings.language());
-    let mut desk = Desk {
+    let mut commands = ProfileCommands {
         profiles: trainee::open(settings, &locale)?,
         settings,
         locale,
     };
     match &options.command {
-        Command::Create { name } => desk.create(name),
-        Command::List { json } => desk.list(*json),
-        Command::Show { name, json } => desk.show(name.as_deref(), *json),
-        Command::Export { name, output } => desk.export(name.as_deref(), output.as_deref()),
-        Command::Import { file, name } => desk.import(file, name.as_deref()),
-        Command::Delete { name, yes } => desk.delete(name, *yes),
-        Command::Buy { part } => desk.buy(part),
+        ProfileCommand::Create { name } => commands.create(name),
+        ProfileCommand::List { json } => commands.list(*json),
+        ProfileCommand::Show { name, json } => commands.show(name.as_deref(), *json),
+        ProfileCommand::Export { name, output } => {
+            commands.export(name.as_deref(), output.as_deref())
+        }
+        ProfileCommand::Import { file, name } => commands.import(file, name.as_deref()),
+        ProfileCommand::Delete { name, yes } => commands.delete(name, *yes),
+        ProfileCommand::Buy { part } => commands.buy(part),
     }
 }
 
-/// Where profiles are looked after.
-struct Desk<'a> {
+/// What the subcommands share.
+struct ProfileCommands<'a> {
     profiles: Profiles,
-    settings: &'a Settings,
+    settings: &'a CliSettings,
     locale: Locale,
 }
 
 /// A line of the list.
 #[derive(Debug, Serialize)]
-struct Member {
+struct ListedProfile {
     name: String,
     since: String,
     credits: u32,
@@ -135,7 +137,7 @@ struct Member {
 
 /// A profile as a document.
 #[derive(Debug, Serialize)]
-struct Shown<'a> {
+struct ShownProfile<'a> {
     name: &'a str,
     since: &'a str,
     lang: Option<&'a str>,
@@ -144,7 +146,7 @@ struct Shown<'a> {
     progress: &'a CareerProgress,
 }
 
-impl Desk<'_> {
+impl ProfileCommands<'_> {
     fn refused(&self, error: &ProfileError) -> Failure {
         trainee::refused(error, &self.locale)
     }
@@ -200,9 +202,9 @@ impl Desk<'_> {
         Ok(code)
     }
 
-    fn member(&self, profile: &Profile) -> Result<Member, ProfileError> {
+    fn member(&self, profile: &Profile) -> Result<ListedProfile, ProfileError> {
         let standing = CareerStanding::of(&self.profiles.history(profile)?);
-        Ok(Member {
+        Ok(ListedProfile {
             name: profile.name.clone(),
             since: profile.since.clone(),
             credits: standing.credits(),
@@ -217,7 +219,7 @@ impl Desk<'_> {
         let progress = self.progress(&profile)?;
         let aids = profile.settings.aids;
         if json {
-            let shown = Shown {
+            let shown = ShownProfile {
                 name: &profile.name,
                 since: &profile.since,
                 lang: profile.settings.lang.as_deref(),

@@ -5,9 +5,9 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::settings::Settings;
+use super::settings::CliSettings;
 use crate::hangar::programs::{Named, Places, Programs};
-use crate::sitl::Kind;
+use crate::sitl::SitlKind;
 
 /// Options of commands that start SITL.
 #[derive(Debug, Clone, Default, Args)]
@@ -40,22 +40,22 @@ impl ProgramOptions {
     }
 
     /// Looks for the programs: by these options, then by what is set, then where programs usually are.
-    pub fn find(&self, settings: &Settings) -> Programs {
+    pub fn find(&self, settings: &CliSettings) -> Programs {
         let places = Places::of_environment();
-        let named: BTreeMap<Kind, Named> = Kind::ALL
+        let named: BTreeMap<SitlKind, Named> = SitlKind::ALL
             .iter()
             .filter_map(|&kind| Some((kind, self.named(kind, settings)?)))
             .collect();
         Programs::find(&named, &places)
     }
 
-    fn named(&self, kind: Kind, settings: &Settings) -> Option<Named> {
+    fn named(&self, kind: SitlKind, settings: &CliSettings) -> Option<Named> {
         let set = &settings.config.hangar;
         let (option, set) = match kind {
-            Kind::Copter => (&self.arducopter, &set.arducopter),
-            Kind::Plane => (&self.arduplane, &set.arduplane),
-            Kind::Rover => (&self.ardurover, &set.ardurover),
-            Kind::Sub => (&self.ardusub, &set.ardusub),
+            SitlKind::Copter => (&self.arducopter, &set.arducopter),
+            SitlKind::Plane => (&self.arduplane, &set.arduplane),
+            SitlKind::Rover => (&self.ardurover, &set.ardurover),
+            SitlKind::Sub => (&self.ardusub, &set.ardusub),
         };
         if let Some(file) = option {
             let by = format!("--{}", kind.program());

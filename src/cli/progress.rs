@@ -2,8 +2,8 @@
 
 use std::time::{Duration, UNIX_EPOCH};
 
-use super::table::{Side, Table};
-use crate::campaign::{CareerProgress, MissionState, Stake};
+use super::table::{Side, TextTable};
+use crate::campaign::{MissionState, CareerProgress, Stake};
 use crate::scoring::Medal;
 use crate::store::{PastRun, utc};
 use crate::text;
@@ -38,7 +38,7 @@ pub(super) fn heading(progress: &CareerProgress) -> Vec<Text> {
 }
 
 /// Where each mission stands.
-pub(super) fn missions(progress: &CareerProgress, locale: &Locale) -> Table {
+pub(super) fn missions(progress: &CareerProgress, locale: &Locale) -> TextTable {
     let columns = [
         (text!("progress-mission"), Side::Left),
         (text!("progress-state"), Side::Left),
@@ -50,7 +50,7 @@ pub(super) fn missions(progress: &CareerProgress, locale: &Locale) -> Table {
         (text!("progress-trend"), Side::Right),
         (text!("progress-why"), Side::Left),
     ];
-    let mut table = Table::new(locale, &columns);
+    let mut table = TextTable::new(locale, &columns);
     for mission in &progress.missions {
         let reasons = Text::joined("; ", mission.reasons.clone());
         table.push(vec![
@@ -71,7 +71,7 @@ pub(super) fn missions(progress: &CareerProgress, locale: &Locale) -> Table {
 }
 
 /// Where each skill stands.
-pub(super) fn skills(progress: &CareerProgress, locale: &Locale) -> Table {
+pub(super) fn skills(progress: &CareerProgress, locale: &Locale) -> TextTable {
     let columns = [
         (text!("progress-skill"), Side::Left),
         (text!("progress-chance"), Side::Right),
@@ -79,7 +79,7 @@ pub(super) fn skills(progress: &CareerProgress, locale: &Locale) -> Table {
         (text!("progress-shown"), Side::Right),
         (text!("progress-due"), Side::Left),
     ];
-    let mut table = Table::new(locale, &columns);
+    let mut table = TextTable::new(locale, &columns);
     for skill in &progress.skills {
         table.push(vec![
             locale.text(&skill.title),
@@ -93,7 +93,7 @@ pub(super) fn skills(progress: &CareerProgress, locale: &Locale) -> Table {
 }
 
 /// What was flown, oldest first.
-pub(super) fn runs(runs: &[PastRun], locale: &Locale) -> Table {
+pub(super) fn runs(runs: &[PastRun], locale: &Locale) -> TextTable {
     let columns = [
         (text!("progress-ended"), Side::Left),
         (text!("progress-mission"), Side::Left),
@@ -104,7 +104,7 @@ pub(super) fn runs(runs: &[PastRun], locale: &Locale) -> Table {
         (text!("progress-seed"), Side::Right),
         (text!("progress-recording"), Side::Left),
     ];
-    let mut table = Table::new(locale, &columns);
+    let mut table = TextTable::new(locale, &columns);
     for run in runs {
         let passed = if run.flight.passed {
             text!("answer-yes")

@@ -7,7 +7,7 @@ use std::time::SystemTime;
 use clap::{Args, ValueEnum};
 use serde::Serialize;
 
-use super::settings::Settings;
+use super::settings::CliSettings;
 use super::table::escaped;
 use super::{Failure, progress, trainee};
 use crate::campaign::CareerProgress;
@@ -55,7 +55,7 @@ enum Which {
 
 /// The document.
 #[derive(Debug, Serialize)]
-struct Document<'a> {
+struct ReportDocument<'a> {
     profile: &'a str,
     since: &'a str,
     #[serde(flatten)]
@@ -64,7 +64,10 @@ struct Document<'a> {
 }
 
 /// Writes the report of a profile.
-pub(super) fn report(options: &ReportArguments, settings: &Settings) -> Result<ExitCode, Failure> {
+pub(super) fn report(
+    options: &ReportArguments,
+    settings: &CliSettings,
+) -> Result<ExitCode, Failure> {
     let locale = Locale::new(settings.language());
     let profiles = trainee::open(settings, &locale)?;
     let profile = trainee::choose(&profiles, None, settings, &locale)?;
@@ -80,7 +83,7 @@ pub(super) fn report(options: &ReportArguments, settings: &Settings) -> Result<E
             Which::Runs => progress::runs(&runs, &locale).csv()?,
         },
         Format::Json => {
-            let document = Document {
+            let document = ReportDocument {
                 profile: &profile.name,
                 since: &profile.since,
                 progress: &progress,

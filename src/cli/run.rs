@@ -12,13 +12,13 @@ use serde::Serialize;
 
 use super::backend::BackendArguments;
 use super::designs::DesignArguments;
-use super::settings::Settings;
+use super::settings::CliSettings;
 use super::{Failure, parse_speedup, trainee};
 use crate::campaign::{Attempt, AttemptMeans, AttemptTerms, Stake, mission_for};
 use crate::debrief;
 use crate::diagnostic::Diagnostic;
 use crate::exercise::Exercise;
-use crate::hangar::Backend;
+use crate::hangar::VehicleBackend;
 use crate::language::{Context, Script};
 use crate::mission::record::Occasion;
 use crate::mission::{Mission, Report};
@@ -157,7 +157,7 @@ struct RunDocument<'a> {
 }
 
 /// Flies and prints. The exit code tells whether the mission was passed.
-pub(super) fn run(options: &RunArguments, settings: &Settings) -> Result<ExitCode, Failure> {
+pub(super) fn run(options: &RunArguments, settings: &CliSettings) -> Result<ExitCode, Failure> {
     let started = Instant::now();
     let locale = Locale::new(settings.language());
     let loaded = load_mission(&options.mission)?;
@@ -206,7 +206,7 @@ pub(super) fn run(options: &RunArguments, settings: &Settings) -> Result<ExitCod
 /// What decides how a run counts and where it is recorded.
 struct RunRequest<'a, 'l> {
     options: &'a RunArguments,
-    backend: &'a Backend,
+    backend: &'a VehicleBackend,
     trainee: Option<&'a RunTrainee<'l>>,
     locale: &'l Locale,
 }
@@ -279,7 +279,7 @@ impl RunFlight {
     /// Flies on whatever backend was chosen.
     fn fly(
         self,
-        backend: &Backend,
+        backend: &VehicleBackend,
         speedup: Speedup,
         recorder: &mut RunRecorder<'_>,
     ) -> Result<Report, Failure> {

@@ -30,7 +30,7 @@ const CONFIG_VARIABLE: &str = "SORTIE_CONFIG";
 
 /// Everything that is set.
 #[derive(Debug)]
-pub(super) struct Settings {
+pub(super) struct CliSettings {
     /// The values and where they came from.
     pub layers: Layers,
     /// What the values amount to.
@@ -48,7 +48,7 @@ pub(super) struct Settings {
     /// The configuration file, whether it is there or not.
     pub file: Option<PathBuf>,
     /// What is wrong with the files.
-    pub faults: Vec<Fault>,
+    pub faults: Vec<SettingsFault>,
     /// The configuration file, as far as it could be read.
     source: Option<Source>,
     /// Whether the configuration file was named, so that a fault in it is one of usage.
@@ -57,14 +57,14 @@ pub(super) struct Settings {
 
 /// What is wrong with a file.
 #[derive(Debug)]
-pub(super) enum Fault {
+pub(super) enum SettingsFault {
     /// Something in it.
     Inside(Source, Diagnostic),
     /// The whole of it.
     Whole(Text),
 }
 
-impl Fault {
+impl SettingsFault {
     /// In one line, which has no room for the folder.
     pub fn text(&self) -> Text {
         match self {
@@ -93,7 +93,7 @@ impl Fault {
 ///
 /// # Errors
 /// Something that was named on the command line or in the environment is wrong or not there.
-pub(super) fn gather(common: &Common) -> Result<Settings, Failure> {
+pub(super) fn gather(common: &Common) -> Result<CliSettings, Failure> {
     let mut folders = Folders::find();
     let data = common.data.clone();
     let data = data.or_else(|| folders.as_ref().map(|folders| folders.data.clone()));
@@ -106,7 +106,7 @@ pub(super) fn gather(common: &Common) -> Result<Settings, Failure> {
         .or_else(|| variable(CONFIG_VARIABLE).map(PathBuf::from));
     let is_named = named.is_some();
     let file = named.or_else(|| folders.as_ref().map(Folders::config_file));
-    let mut settings = Settings {
+    let mut settings = CliSettings {
         layers: Layers::default(),
         config: Config::default(),
         keymap: Keymap::default(),
@@ -151,7 +151,7 @@ pub(super) fn theme_names(themes: &Themes) -> Vec<String> {
     themes.names().map(str::to_owned).collect()
 }
 
-impl Settings {
+impl CliSettings {
     fn read_file(&mut self) -> Result<(), Failure> {
         let Some(path) = self.file.clone() else {
             return Ok(());
@@ -161,7 +161,9 @@ impl Settings {
         }
         let source = match store::read(&path, "file-configuration") {
             Ok(source) => source,
-            Err(error) => return self.told(Fault::Whole(Text::verbatim(error.to_string()))),
+            Err(error) => {
+                return self.told(SettingsFault::Whole(Text::verbatim(error.to_string())));
+            }
         };
         let themes = theme_names(&self.themes);
         let check = |setting: &str, word: &str| check(setting, word, &themes);
@@ -267,7 +269,7 @@ impl Settings {
             Err(error) if is_named => return self.wrong("keymap", &error.to_string()),
             Err(error) => {
                 self.faults
-                    .push(Fault::Whole(Text::verbatim(error.to_string())));
+                    .push(SettingsFault::Whole(Text::verbatim(error.to_string())));
                 return Ok(());
             }
         };
@@ -318,7 +320,7 @@ impl Settings {
         };
         match (place, self.source.clone()) {
             (Some(span), Some(source)) => {
-                self.told(Fault::Inside(source, Diagnostic::new(span, text)))
+                self.told(SettingsFault::Inside(source, Diagnostic::new(span, text)))
             }
             _ => Err(Failure::Invalid(format!("sortie: {text}"))),
         }
@@ -333,7 +335,7 @@ impl Settings {
         Ok(())
     }
 
-    fn told(&mut self, fault: Fault) -> Result<(), Failure> {
+    fn told(&mut self, fault: SettingsFault) -> Result<(), Failure> {
         if self.is_named {
             return Err(Failure::Invalid(fault.explained()));
         }
@@ -383,15 +385,15 @@ fn check(setting: &str, word: &str, themes: &[String]) -> Result<(), Diagnostic>
     }
 }
 
-fn faults_of(source: &Source, faults: Vec<Diagnostic>) -> Vec<Fault> {
+fn faults_of(source: &Source, faults: Vec<Diagnostic>) -> Vec<SettingsFault> {
     let faults = faults.into_iter();
     faults
-        .map(|fault| Fault::Inside(source.clone(), fault))
+        .map(|fault| SettingsFault::Inside(source.clone(), fault))
         .collect()
 }
 
-fn explained(faults: &[Fault]) -> Failure {
-    let texts: Vec<String> = faults.iter().map(Fault::explained).collect();
+fn explained(faults: &[SettingsFault]) -> Failure {
+    let texts: Vec<String> = faults.iter().map(SettingsFault::explained).collect();
     Failure::Invalid(texts.join("\n\n"))
 }
 

@@ -11,7 +11,7 @@ use tokio_util::sync::CancellationToken;
 use super::backend::frame;
 use super::home::StartPlace;
 use super::{Failure, parse_speedup, runtime};
-use crate::link::{Endpoint, Simulator, Started};
+use crate::link::{Endpoint, Simulator, StartedSimulator};
 use crate::sim::{SYSTEMS, World, WorldConfig};
 
 /// Options of `sortie sim`.
@@ -147,7 +147,7 @@ fn allow_many_files() {
 }
 
 /// Names the TCP ports: of a few vehicles each, of many the first and the last.
-fn say_where(started: &Started) -> Result<(), Failure> {
+fn say_where(started: &StartedSimulator) -> Result<(), Failure> {
     let all: Vec<_> = started
         .addresses
         .iter()

@@ -7,7 +7,7 @@ use crate::text::{Locale, Text};
 
 /// A table of words. Columns of figures stand to the right.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Table {
+pub(super) struct TextTable {
     columns: Vec<(String, Side)>,
     rows: Vec<Vec<String>>,
 }
@@ -21,7 +21,7 @@ pub(super) enum Side {
     Right,
 }
 
-impl Table {
+impl TextTable {
     /// A table without rows.
     pub fn new(locale: &Locale, columns: &[(Text, Side)]) -> Self {
         let named = columns.iter();
@@ -142,10 +142,10 @@ mod tests {
     use super::*;
     use crate::text::Language;
 
-    fn table(cells: &[&str]) -> Table {
+    fn table(cells: &[&str]) -> TextTable {
         let locale = Locale::new(Language::English);
         let columns = [("word".into(), Side::Left), ("n".into(), Side::Right)];
-        let mut table = Table::new(&locale, &columns);
+        let mut table = TextTable::new(&locale, &columns);
         table.push(cells.iter().map(|cell| (*cell).to_owned()).collect());
         table
     }

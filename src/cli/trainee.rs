@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use super::Failure;
-use super::settings::Settings;
+use super::settings::CliSettings;
 use crate::store::{Profile, ProfileError, Profiles, open_profiles};
 use crate::text;
 use crate::text::{Locale, Text};
@@ -12,7 +12,7 @@ use crate::text::{Locale, Text};
 ///
 /// # Errors
 /// They cannot be had.
-pub(super) fn open(settings: &Settings, locale: &Locale) -> Result<Profiles, Failure> {
+pub(super) fn open(settings: &CliSettings, locale: &Locale) -> Result<Profiles, Failure> {
     let Some(data) = &settings.data else {
         return Err(invalid(&text!("career-nowhere"), locale));
     };
@@ -30,7 +30,7 @@ pub(super) fn open(settings: &Settings, locale: &Locale) -> Result<Profiles, Fai
 pub(super) fn choose(
     profiles: &Profiles,
     name: Option<&str>,
-    settings: &Settings,
+    settings: &CliSettings,
     locale: &Locale,
 ) -> Result<Profile, Failure> {
     if let Some(name) = name.or(settings.config.profile.as_deref()) {

@@ -9,7 +9,7 @@ use unicode_width::UnicodeWidthStr as _;
 
 use super::Failure;
 use super::designs::find;
-use super::settings::Settings;
+use super::settings::CliSettings;
 use crate::mission::Mission;
 use crate::store;
 use crate::text;
@@ -20,11 +20,11 @@ use crate::workshop::{Air, Design, FindingSeverity, Measure, Sheet, Slot, parts_
 #[derive(Debug, Args)]
 pub(super) struct WorkshopArguments {
     #[command(subcommand)]
-    command: Command,
+    command: WorkshopCommand,
 }
 
 #[derive(Debug, Subcommand)]
-enum Command {
+enum WorkshopCommand {
     /// The parts that there are, of all slots or of one.
     #[command(after_help = "Examples:\n  sortie workshop parts\n  sortie workshop parts motor")]
     Parts {
@@ -113,12 +113,12 @@ fn within<const LEAST: i32, const MOST: i32>(text: &str) -> Result<f64, String> 
 /// Does what was asked for.
 pub(super) fn workshop(
     options: &WorkshopArguments,
-    settings: &Settings,
+    settings: &CliSettings,
 ) -> Result<ExitCode, Failure> {
     let locale = Locale::new(settings.config.lang.unwrap_or_default());
     match &options.command {
-        Command::Parts { slot } => list_parts(slot.as_deref(), &locale),
-        Command::Show { design, air, json } => {
+        WorkshopCommand::Parts { slot } => list_parts(slot.as_deref(), &locale),
+        WorkshopCommand::Show { design, air, json } => {
             let design = find(design, settings, &locale)?;
             if *json {
                 show_json(&design, air.air(), &locale)
@@ -126,16 +126,18 @@ pub(super) fn workshop(
                 show(&design, air.air(), &locale)
             }
         }
-        Command::Compare { before, after, air } => {
+        WorkshopCommand::Compare { before, after, air } => {
             let before = find(before, settings, &locale)?;
             let after = find(after, settings, &locale)?;
             compare(&before, &after, air.air(), &locale)
         }
-        Command::Fit { design, mission } => {
+        WorkshopCommand::Fit { design, mission } => {
             let mission = super::run::load_mission(mission)?;
             fit(&find(design, settings, &locale)?, &mission, &locale)
         }
-        Command::Export { design, to } => export(&find(design, settings, &locale)?, to, &locale),
+        WorkshopCommand::Export { design, to } => {
+            export(&find(design, settings, &locale)?, to, &locale)
+        }
     }
 }
 

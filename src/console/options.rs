@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::app::keymap::Keymap;
 use crate::config::Config;
-use crate::hangar::{Backend, Source};
+use crate::hangar::{SitlSource, VehicleBackend};
 use crate::link::Address;
 use crate::mission::Mission;
 use crate::store::{History, Runs};
@@ -31,9 +31,9 @@ pub struct Options {
     /// What it begins with.
     pub opening: Opening,
     /// What flies.
-    pub backend: Backend,
+    pub backend: VehicleBackend,
     /// ArduPilot's SITL where it could be started without being asked for.
-    pub ardupilot: Option<Source>,
+    pub ardupilot: Option<SitlSource>,
     /// Simulated vehicles in free flight.
     pub vehicles: u8,
     /// What varies missions and simulation; `None` leaves it to the console.

@@ -10,7 +10,7 @@ use crate::app::event::{Event, VehicleEvent};
 use crate::app::room::messages::Wanted;
 use crate::fleet::{Fleet, FleetEvent};
 use crate::operator::Operator;
-use crate::parameters::Snapshot;
+use crate::parameters::ParameterSnapshot;
 use crate::session::Report;
 use crate::swarm::Path;
 use crate::vehicle::{Vehicle, VehicleId};
@@ -40,7 +40,7 @@ pub(super) struct Running {
     fleet: Fleet,
     events: mpsc::Receiver<FleetEvent>,
     vehicles: Vec<watch::Receiver<Arc<Vehicle>>>,
-    parameters: Vec<(VehicleId, watch::Receiver<Snapshot>)>,
+    parameters: Vec<(VehicleId, watch::Receiver<ParameterSnapshot>)>,
     links: Links,
     inspection: Inspection,
     /// Reports that the fleet dropped so far.

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-use super::{Change, Chart, Role, Sender, Way};
-use crate::inspector::Source;
+use super::{Chart, ChartChange, HeartbeatRole, Sender, Way};
+use crate::inspector::FrameSource;
 use crate::wire::{GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM, SystemId};
 
 /// Before this a link is only being listened to: heartbeats come once a second.
@@ -28,7 +28,7 @@ const FOREIGN_ENOUGH: u64 = 3;
 
 /// What was found out about a link.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Finding {
+pub struct LinkFinding {
     /// The link, by its place in the list of charts.
     pub link: usize,
     /// Its way, on which the advice depends.
@@ -123,7 +123,7 @@ impl Cause {
 }
 
 /// What is wrong with each link, worst first; every link has at least one finding.
-pub fn diagnose(charts: &[Chart]) -> Vec<Finding> {
+pub fn diagnose(charts: &[Chart]) -> Vec<LinkFinding> {
     let duplicates = duplicates(charts);
     let mut findings = Vec::new();
     for (link, chart) in charts.iter().enumerate() {
@@ -135,7 +135,7 @@ pub fn diagnose(charts: &[Chart]) -> Vec<Finding> {
         if causes.is_empty() {
             causes.push(Cause::Well(autopilots(chart).count()));
         }
-        findings.extend(causes.into_iter().map(|cause| Finding {
+        findings.extend(causes.into_iter().map(|cause| LinkFinding {
             link,
             way: chart.way(),
             cause,
@@ -206,16 +206,18 @@ fn nobody(chart: &Chart) -> Cause {
 /// Somebody is heard who is no vehicle.
 fn strangers(chart: &Chart) -> Cause {
     let senders = chart.senders();
-    let is_us = |source: Source| {
+    let is_us = |source: FrameSource| {
         (source.system, source.component) == (GROUND_STATION_SYSTEM, GROUND_STATION_COMPONENT)
     };
-    let others = senders.iter().filter(|sender| sender.role == Role::Other);
+    let others = senders
+        .iter()
+        .filter(|sender| sender.role == HeartbeatRole::Other);
     if senders.is_empty() || others.count() > 0 {
         return Cause::NoAutopilot;
     }
     let ground_stations = senders
         .iter()
-        .filter(|sender| sender.role == Role::GroundStation);
+        .filter(|sender| sender.role == HeartbeatRole::GroundStation);
     match ground_stations.clone().count() {
         0 => Cause::NoAutopilot,
         1 if ground_stations.clone().all(|sender| is_us(sender.source))
@@ -245,7 +247,7 @@ fn answering(way: Way, sender: &Sender) -> Option<Cause> {
 }
 
 /// How much of what was sent arrives whole, and is understood.
-fn quality(change: &Change) -> Vec<Cause> {
+fn quality(change: &ChartChange) -> Vec<Cause> {
     let share = |part: u64, of: u64| part as f64 / of.max(1) as f64;
     let percent = |share: f64| (share * 100.0).round().clamp(0.0, 100.0) as u8;
     let damaged = share(change.crc_errors, change.frames + change.crc_errors);
@@ -300,7 +302,7 @@ fn duplicates(charts: &[Chart]) -> BTreeMap<SystemId, Vec<usize>> {
 
 fn autopilots(chart: &Chart) -> impl Iterator<Item = &Sender> {
     let senders = chart.senders().iter();
-    senders.filter(|sender| sender.role == Role::Autopilot)
+    senders.filter(|sender| sender.role == HeartbeatRole::Autopilot)
 }
 
 /// Whether bytes are readable text: a console, a boot loader, a GPS receiver.

@@ -1,6 +1,6 @@
 //! What a person reads of a finding: what it is, and what to try.
 
-use super::{Cause, Finding, Way};
+use super::{Cause, LinkFinding, Way};
 use crate::text;
 use crate::text::Text;
 
@@ -58,7 +58,7 @@ impl Cause {
     }
 }
 
-impl Finding {
+impl LinkFinding {
     /// What to try; nothing where nothing is wrong.
     pub fn advice(&self) -> Text {
         match self.cause {

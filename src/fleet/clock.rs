@@ -9,26 +9,26 @@ use tokio::time::Instant;
 /// The program's clock: every `now` in the pure modules counts from its start. All its clones are one clock: when
 /// one of them is stopped, no deadline of any vehicle comes nearer.
 #[derive(Debug, Clone)]
-pub struct Clock {
+pub struct FleetClock {
     start: Instant,
-    stand: Arc<watch::Sender<Stand>>,
+    stand: Arc<watch::Sender<ClockReading>>,
 }
 
 /// How a clock has stood still.
 #[derive(Debug, Clone, Copy, Default)]
-struct Stand {
+struct ClockReading {
     /// Since when it does.
     since: Option<Instant>,
     /// For how long it did before, altogether.
     before: Duration,
 }
 
-impl Clock {
+impl FleetClock {
     /// A clock that starts now.
     pub fn start() -> Self {
         Self {
             start: Instant::now(),
-            stand: Arc::new(watch::Sender::new(Stand::default())),
+            stand: Arc::new(watch::Sender::new(ClockReading::default())),
         }
     }
 
@@ -71,7 +71,7 @@ mod tests {
 
     #[tokio::test(start_paused = true)]
     async fn a_clock_that_is_stopped_stands_still_for_everybody_and_says_for_how_long() {
-        let clock = Clock::start();
+        let clock = FleetClock::start();
         let other = clock.clone();
         advance(s(5)).await;
         clock.stop();

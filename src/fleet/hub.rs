@@ -9,11 +9,11 @@ use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
 use super::vehicle_task::{ParameterFeed, ToVehicle, VehicleTask};
-use super::{Clock, FleetEvent, Request};
+use super::{FleetClock, FleetEvent, FleetRequest};
 use crate::ledger::RowState;
-use crate::link::{self, Inbound, LinkHandle, LinkId, Peer, Transport};
+use crate::link::{self, Inbound, LinkHandle, LinkId, LinkPeer, Transport};
 use crate::notice::Notice;
-use crate::parameters::Snapshot;
+use crate::parameters::ParameterSnapshot;
 use crate::session::{LOST_AFTER, Report, Session, Stream, VehicleCommand, Want};
 use crate::text;
 use crate::text::Text;
@@ -34,9 +34,9 @@ const TYPE_GROUND_STATION: u8 = 6;
 const AUTOPILOT_NONE: u8 = 8;
 
 /// How a vehicle is reached.
-struct Route {
+struct PeerRoute {
     link: LinkId,
-    peer: Peer,
+    peer: LinkPeer,
     /// The autopilot's component; other components with its system id may come another way.
     component: ComponentId,
     heard_at: Duration,
@@ -46,9 +46,9 @@ struct Route {
     wants: VecDeque<Want>,
 }
 
-impl Route {
+impl PeerRoute {
     fn new(
-        (link, peer): (LinkId, Peer),
+        (link, peer): (LinkId, LinkPeer),
         component: ComponentId,
         heard_at: Duration,
         inbox: mpsc::Sender<ToVehicle>,
@@ -77,8 +77,8 @@ impl Route {
 }
 
 /// What a hub works with from the start.
-pub(super) struct Surroundings {
-    pub clock: Clock,
+pub(super) struct HubSurroundings {
+    pub clock: FleetClock,
     /// Telemetry that vehicles are asked for.
     pub streams: &'static [Stream],
     pub events: mpsc::Sender<FleetEvent>,
@@ -86,18 +86,18 @@ pub(super) struct Surroundings {
 }
 
 struct Hub {
-    clock: Clock,
+    clock: FleetClock,
     streams: &'static [Stream],
     links: Vec<LinkHandle>,
-    routes: BTreeMap<SystemId, Route>,
+    routes: BTreeMap<SystemId, PeerRoute>,
     inbound: mpsc::Sender<Inbound>,
     events: mpsc::Sender<FleetEvent>,
     cancel: CancellationToken,
 }
 
 /// Runs the hub until cancelled or until the console has let go of it.
-pub(super) async fn run(surroundings: Surroundings, mut requests: mpsc::Receiver<Request>) {
-    let Surroundings {
+pub(super) async fn run(surroundings: HubSurroundings, mut requests: mpsc::Receiver<FleetRequest>) {
+    let HubSurroundings {
         clock,
         streams,
         events,
@@ -118,22 +118,22 @@ pub(super) async fn run(surroundings: Surroundings, mut requests: mpsc::Receiver
             biased;
             () = cancel.cancelled() => return,
             request = requests.recv() => match request {
-                Some(Request::Connect(transport)) => hub.connect(transport).await,
-                Some(Request::Order(vehicle, order)) => hub.order(vehicle, order).await,
-                Some(Request::Steer(vehicle, steering)) => {
+                Some(FleetRequest::Connect(transport)) => hub.connect(transport).await,
+                Some(FleetRequest::Order(vehicle, order)) => hub.order(vehicle, order).await,
+                Some(FleetRequest::Steer(vehicle, steering)) => {
                     hub.pass_on(vehicle, ToVehicle::Steer(steering));
                 }
-                Some(Request::FetchParameters(vehicle)) => {
+                Some(FleetRequest::FetchParameters(vehicle)) => {
                     hub.pass_on(vehicle, ToVehicle::FetchParameters);
                 }
-                Some(Request::Restarted(vehicle)) => hub.pass_on(vehicle, ToVehicle::Restarted),
-                Some(Request::Want(vehicle, want)) => hub.want(vehicle, want),
+                Some(FleetRequest::Restarted(vehicle)) => hub.pass_on(vehicle, ToVehicle::Restarted),
+                Some(FleetRequest::Want(vehicle, want)) => hub.want(vehicle, want),
                 None => return,
             },
             Some(batch) = inbound_out.recv() => hub.distribute(batch).await,
             () = tokio::time::sleep(TRIED_AGAIN_AFTER), if hub.has_wants() => {}
         }
-        hub.routes.values_mut().for_each(Route::hand_over_wants);
+        hub.routes.values_mut().for_each(PeerRoute::hand_over_wants);
     }
 }
 
@@ -194,7 +194,7 @@ impl Hub {
         }
     }
 
-    async fn deliver(&mut self, system: SystemId, from: (LinkId, Peer), frames: Vec<Frame>) {
+    async fn deliver(&mut self, system: SystemId, from: (LinkId, LinkPeer), frames: Vec<Frame>) {
         let now = self.clock.now();
         if !self.routes.contains_key(&system) {
             let Some(component) = frames.iter().find_map(autopilot_component) else {
@@ -233,7 +233,7 @@ impl Hub {
     /// The autopilot is heard by another way. Once the way used so far has been silent for long enough it is
     /// the same vehicle with a new connection, or another port of a lab network; before that it is a second one,
     /// whose frames are not to be taken. Returns whether they are.
-    async fn reroute(&mut self, system: SystemId, from: (LinkId, Peer), now: Duration) -> bool {
+    async fn reroute(&mut self, system: SystemId, from: (LinkId, LinkPeer), now: Duration) -> bool {
         let (Some(route), Some(link)) = (
             self.routes.get_mut(&system),
             self.links.get(usize::from(from.0.0)),
@@ -263,7 +263,7 @@ impl Hub {
         &mut self,
         system: SystemId,
         component: u8,
-        (link_id, peer): (LinkId, Peer),
+        (link_id, peer): (LinkId, LinkPeer),
         now: Duration,
     ) {
         let Some(link) = self.links.get(usize::from(link_id.0)) else {
@@ -271,7 +271,7 @@ impl Hub {
         };
         let (inbox, inbox_out) = mpsc::channel(BATCHES_KEPT);
         let (state, state_out) = watch::channel(Arc::new(Vehicle::new(system, component)));
-        let (parameters, parameters_out) = watch::channel(Snapshot::default());
+        let (parameters, parameters_out) = watch::channel(ParameterSnapshot::default());
         let mut session = Session::new(system, component, now).wanting(self.streams, now);
         session.heard_via(link_id.0, now);
         let task = VehicleTask {
@@ -288,7 +288,7 @@ impl Hub {
         };
         tokio::spawn(task.run(self.cancel.clone()));
         tracing::info!(system, link = link_id.0, "a vehicle is heard");
-        let route = Route::new((link_id, peer), component, now, inbox);
+        let route = PeerRoute::new((link_id, peer), component, now, inbox);
         self.routes.insert(system, route);
         self.tell(FleetEvent::Appeared(state_out)).await;
         let id = VehicleId::from(system);
@@ -296,7 +296,7 @@ impl Hub {
     }
 
     /// Two senders with one system id: commands would reach whichever listens. Say so, and keep to the first.
-    async fn complain(&mut self, system: SystemId, from: (LinkId, Peer), now: Duration) {
+    async fn complain(&mut self, system: SystemId, from: (LinkId, LinkPeer), now: Duration) {
         let Some(route) = self.routes.get_mut(&system) else {
             return;
         };

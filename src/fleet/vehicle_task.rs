@@ -7,9 +7,9 @@ use std::time::Duration;
 use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
-use super::{Clock, FleetEvent};
-use crate::link::{LinkHandle, Peer, To};
-use crate::parameters::{Fetching, Snapshot};
+use super::{FleetClock, FleetEvent};
+use crate::link::{LinkHandle, LinkPeer, To};
+use crate::parameters::{Fetching, ParameterSnapshot};
 use crate::session::{Report, Session, Steering, VehicleCommand, Want};
 use crate::vehicle::Vehicle;
 use crate::wire::Frame;
@@ -34,15 +34,15 @@ pub(super) enum ToVehicle {
     /// Something is to be done to its simulator or its link.
     Want(Want),
     /// The vehicle is reached by another way from now on.
-    Route(LinkHandle, Peer),
+    Route(LinkHandle, LinkPeer),
 }
 
 /// Everything a vehicle's task owns.
 pub(super) struct VehicleTask {
     pub session: Session,
-    pub clock: Clock,
+    pub clock: FleetClock,
     pub inbox: mpsc::Receiver<ToVehicle>,
-    pub route: (LinkHandle, Peer),
+    pub route: (LinkHandle, LinkPeer),
     /// How often the link had come up again when we looked last.
     pub reconnects: u32,
     pub state: watch::Sender<Arc<Vehicle>>,
@@ -55,13 +55,13 @@ pub(super) struct VehicleTask {
 
 /// Gives out parameters as they come: a whole list of them a few times a second, not one by one.
 pub(super) struct ParameterFeed {
-    sender: watch::Sender<Snapshot>,
+    sender: watch::Sender<ParameterSnapshot>,
     published: (u64, Fetching),
     at: Duration,
 }
 
 impl ParameterFeed {
-    pub fn new(sender: watch::Sender<Snapshot>) -> Self {
+    pub fn new(sender: watch::Sender<ParameterSnapshot>) -> Self {
         Self {
             sender,
             published: (0, Fetching::NotAsked),
@@ -69,7 +69,7 @@ impl ParameterFeed {
         }
     }
 
-    fn publish(&mut self, news: Snapshot, now: Duration) {
+    fn publish(&mut self, news: ParameterSnapshot, now: Duration) {
         let state = (news.list.revision(), news.fetching);
         // While a snapshot is looked at, the next change of the list copies it.
         let is_due = !news.fetching.is_under_way() || now >= self.at + PARAMETERS_EVERY;

@@ -13,8 +13,8 @@ use tokio::io::DuplexStream;
 use tokio::sync::watch;
 use tokio_util::sync::CancellationToken;
 
-use super::service::{Printed, Problem, Status};
-use super::{Instance, InstanceId, Launch, Line, Token};
+use super::service::{Printed, ServiceProblem, Status};
+use super::{HangarToken, Instance, InstanceId, Launch, OutputLine};
 use crate::text;
 use crate::text::Text;
 
@@ -23,8 +23,8 @@ mod call;
 mod follow;
 mod pump;
 
-pub use address::{AddressError, HangarAddress};
-pub use follow::View;
+pub use address::{HangarAddress, HangarAddressError};
+pub use follow::HangarView;
 
 /// How long a hangar may take to be reached, and to answer a simple question.
 const ANSWER: Duration = Duration::from_secs(10);
@@ -76,7 +76,7 @@ pub enum ClientError {
         /// The HTTP status.
         status: u16,
         /// What it says.
-        problem: Problem,
+        problem: ServiceProblem,
     },
 }
 
@@ -114,22 +114,22 @@ impl From<&ClientError> for Text {
 
 /// A hangar elsewhere. Cheap to clone; a connection is made for each request.
 #[derive(Debug, Clone)]
-pub struct Remote {
+pub struct RemoteHangar {
     address: HangarAddress,
-    token: Option<Token>,
+    token: Option<HangarToken>,
     /// The run of the service that is meant; requests to another one are refused by it.
     life: Option<String>,
 }
 
-impl fmt::Display for Remote {
+impl fmt::Display for RemoteHangar {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.address.fmt(f)
     }
 }
 
-impl Remote {
+impl RemoteHangar {
     /// A hangar at an address. Its token is needed unless it is on this host and of this user.
-    pub fn new(address: HangarAddress, token: Option<Token>) -> Self {
+    pub fn new(address: HangarAddress, token: Option<HangarToken>) -> Self {
         Self {
             address,
             token,
@@ -166,7 +166,7 @@ impl Remote {
     pub async fn launch(&self, launch: &Launch) -> Result<Instance, ClientError> {
         let body = serde_json::to_vec(launch).map_err(|error| ClientError::Refused {
             status: StatusCode::BAD_REQUEST.as_u16(),
-            problem: Problem::new(StatusCode::BAD_REQUEST, error.to_string()),
+            problem: ServiceProblem::new(StatusCode::BAD_REQUEST, error.to_string()),
         })?;
         self.ask(Method::POST, "/vehicles", Some(body)).await
     }
@@ -201,15 +201,15 @@ impl Remote {
     ///
     /// # Errors
     /// Why it does not tell.
-    pub async fn output(&self, id: InstanceId, since: u64) -> Result<Vec<Line>, ClientError> {
+    pub async fn output(&self, id: InstanceId, since: u64) -> Result<Vec<OutputLine>, ClientError> {
         let path = format!("/vehicles/{id}/output?since={since}&lines={}", u16::MAX);
         let Printed { lines, .. } = self.ask(Method::GET, &path, None).await?;
         Ok(lines)
     }
 
     /// Follows the instances until cancelled; connects again when the connection is lost.
-    pub fn follow(&self, cancel: CancellationToken) -> watch::Receiver<View> {
-        let (sender, view) = watch::channel(View::default());
+    pub fn follow(&self, cancel: CancellationToken) -> watch::Receiver<HangarView> {
+        let (sender, view) = watch::channel(HangarView::default());
         tokio::spawn(follow::run(self.clone(), sender, cancel));
         view
     }

@@ -76,7 +76,7 @@ pub(super) struct Run {
 
 /// A run, and what was found beside it.
 #[derive(Debug)]
-pub(super) struct Opened {
+pub(super) struct OpenedFolder {
     pub run: Run,
     /// Processes of hangars that are gone; [`end`] ends them.
     pub leftovers: Vec<Leftover>,
@@ -89,7 +89,7 @@ impl Run {
     ///
     /// # Errors
     /// The root cannot be made or written, or others could write into it.
-    pub fn open(root: &Path) -> Result<Opened, FolderError> {
+    pub fn open(root: &Path) -> Result<OpenedFolder, FolderError> {
         make(root, true).map_err(cannot("make the folder", root))?;
         let is_safe = is_own(root).and_then(|own| if own { Ok(()) } else { Err(foreign()) });
         is_safe.map_err(cannot("trust the folder", root))?;
@@ -109,7 +109,7 @@ impl Run {
         prune(over, &mut skipped);
         let run = Self::add(root)?;
         drop(gate);
-        Ok(Opened {
+        Ok(OpenedFolder {
             run,
             leftovers,
             skipped,

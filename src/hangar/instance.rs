@@ -8,12 +8,12 @@ use tokio::sync::{mpsc, oneshot};
 use tokio::time::{Instant as Moment, sleep_until};
 
 use super::endurance::Endurance;
-use super::launcher::{LaunchError, Order, Running};
-use super::output::Output;
+use super::launcher::{LaunchError, LaunchOrder, RunningProcess};
+use super::output::ProcessOutput;
 use super::process::{Belongs, Connection};
-use super::progress::Progress;
+use super::progress::StartProgress;
 use super::relay::{Passed, Relay};
-use super::{Instance, Request, Shared, Stage};
+use super::{Instance, InstanceRequest, Shared, SitlStage};
 
 mod begin;
 mod ending;
@@ -21,7 +21,7 @@ mod meter;
 
 pub(super) use begin::begin;
 use ending::words;
-use meter::Meter;
+use meter::InstanceMeter;
 
 /// How often an instance that boots is asked how far it is.
 const PROBE_EVERY: Duration = Duration::from_millis(50);
@@ -31,9 +31,9 @@ const LOOK_EVERY: Duration = Duration::from_secs(1);
 const LINES_SHOWN: usize = 20;
 
 /// What the task of one instance knows.
-struct Task {
+struct InstanceTask {
     shown: Instance,
-    order: Order,
+    order: LaunchOrder,
     speedup: f64,
     /// How long it may be without anybody attached.
     idle: Option<Duration>,
@@ -41,13 +41,13 @@ struct Task {
     endurance: Endurance,
     listener: TcpListener,
     relay: Relay,
-    output: Output,
-    requests: mpsc::Receiver<Request>,
+    output: ProcessOutput,
+    requests: mpsc::Receiver<InstanceRequest>,
     shared: Arc<Shared>,
 }
 
 /// What has happened.
-enum Event {
+enum InstanceEvent {
     /// It is to be ended for good; whoever asked for it waits.
     Over(Option<oneshot::Sender<()>>),
     /// It is to be started again.
@@ -61,7 +61,7 @@ enum Event {
 }
 
 /// What becomes of a process, or of the attempt to start it.
-enum End {
+enum ProcessEnd {
     /// It has ended by itself, after having been ready for so long.
     Fault(String, Duration),
     /// It cannot be started, and trying again will not help.
@@ -72,7 +72,7 @@ enum End {
     Restart,
 }
 
-impl Task {
+impl InstanceTask {
     async fn run(mut self) {
         let done = loop {
             let end = match self.start().await {
@@ -81,16 +81,16 @@ impl Task {
             };
             self.forget_process();
             let wait = match end {
-                End::Stopped(done) => break done,
-                End::Restart => {
+                ProcessEnd::Stopped(done) => break done,
+                ProcessEnd::Restart => {
                     self.shown.restarts += 1;
                     continue;
                 }
-                End::Fault(reason, ready_for) => {
+                ProcessEnd::Fault(reason, ready_for) => {
                     self.shown.fault = Some(reason);
                     self.endurance.failed(ready_for)
                 }
-                End::Hopeless(reason) => {
+                ProcessEnd::Hopeless(reason) => {
                     self.shown.fault = Some(reason);
                     None
                 }
@@ -108,11 +108,11 @@ impl Task {
     }
 
     /// Starts the process, once it is its turn.
-    async fn start(&mut self) -> Result<Running, End> {
+    async fn start(&mut self) -> Result<RunningProcess, ProcessEnd> {
         self.shown.fault = None;
         self.shown.hint = None;
         self.shown.last_output.clear();
-        self.show(Stage::Queued);
+        self.show(SitlStage::Queued);
         let shared = Arc::clone(&self.shared);
         let launching = shared.launcher.launch(self.order.clone());
         tokio::pin!(launching);
@@ -122,25 +122,33 @@ impl Task {
                 event = self.event(Moment::now() + LOOK_EVERY) => event,
             };
             match event {
-                Event::Over(done) => return Err(End::Stopped(done)),
+                InstanceEvent::Over(done) => return Err(ProcessEnd::Stopped(done)),
                 // It is being started.
-                Event::Restart | Event::Passed(_) | Event::Connected(_) | Event::Nothing => {}
+                InstanceEvent::Restart
+                | InstanceEvent::Passed(_)
+                | InstanceEvent::Connected(_)
+                | InstanceEvent::Nothing => {}
             }
-            self.show(Stage::Queued);
+            self.show(SitlStage::Queued);
         }
     }
 
-    fn started(&mut self, begun: Result<Running, LaunchError>) -> Result<Running, End> {
+    fn started(
+        &mut self,
+        begun: Result<RunningProcess, LaunchError>,
+    ) -> Result<RunningProcess, ProcessEnd> {
         match begun {
             Ok(running) => {
                 self.shown.pid = Some(running.pid());
                 self.note_process(running.pid());
-                self.show(Stage::Process);
+                self.show(SitlStage::Process);
                 Ok(running)
             }
-            Err(LaunchError::Closed) => Err(End::Stopped(None)),
-            Err(error) if error.may_pass() => Err(End::Fault(error.to_string(), Duration::ZERO)),
-            Err(error) => Err(End::Hopeless(error.to_string())),
+            Err(LaunchError::Closed) => Err(ProcessEnd::Stopped(None)),
+            Err(error) if error.may_pass() => {
+                Err(ProcessEnd::Fault(error.to_string(), Duration::ZERO))
+            }
+            Err(error) => Err(ProcessEnd::Hopeless(error.to_string())),
         }
     }
 
@@ -161,12 +169,12 @@ impl Task {
     }
 
     /// Waits for what becomes of a process that runs.
-    async fn live(&mut self, mut running: Running) -> End {
+    async fn live(&mut self, mut running: RunningProcess) -> ProcessEnd {
         let begun = Moment::now();
         let pid = running.pid();
         let following = self.output.follow(&mut running);
-        let mut progress = Progress::new(self.shown.system, self.speedup, Duration::ZERO);
-        let mut meter = Meter::new(pid);
+        let mut progress = StartProgress::new(self.shown.system, self.speedup, Duration::ZERO);
+        let mut meter = InstanceMeter::new(pid);
         loop {
             let every = if progress.is_asking() {
                 PROBE_EVERY
@@ -176,36 +184,36 @@ impl Task {
             let event = tokio::select! {
                 status = running.wait() => {
                     following.finish().await;
-                    return End::Fault(words(status), progress.ready_for(begun.elapsed()));
+                    return ProcessEnd::Fault(words(status), progress.ready_for(begun.elapsed()));
                 }
                 event = self.event(Moment::now() + every) => event,
             };
             let now = begun.elapsed();
             match event {
-                Event::Over(done) => {
+                InstanceEvent::Over(done) => {
                     self.end(&mut running).await;
-                    return End::Stopped(done);
+                    return ProcessEnd::Stopped(done);
                 }
-                Event::Restart => {
+                InstanceEvent::Restart => {
                     self.end(&mut running).await;
                     self.endurance.forgive();
-                    return End::Restart;
+                    return ProcessEnd::Restart;
                 }
-                Event::Connected(stream) => {
+                InstanceEvent::Connected(stream) => {
                     if self.admit(stream, pid) {
                         progress.connected(now);
                     }
                 }
-                Event::Passed(Passed::Instance) => progress.hear(self.relay.said(), now),
-                Event::Passed(Passed::InstanceGone) => progress.disconnected(now),
-                Event::Passed(_) | Event::Nothing => {}
+                InstanceEvent::Passed(Passed::Instance) => progress.hear(self.relay.said(), now),
+                InstanceEvent::Passed(Passed::InstanceGone) => progress.disconnected(now),
+                InstanceEvent::Passed(_) | InstanceEvent::Nothing => {}
             }
             self.proceed(&mut progress, &mut meter, now);
         }
     }
 
     /// Asks the instance what is to be asked now, and shows how it is.
-    fn proceed(&mut self, progress: &mut Progress, meter: &mut Meter, now: Duration) {
+    fn proceed(&mut self, progress: &mut StartProgress, meter: &mut InstanceMeter, now: Duration) {
         let bytes = progress.say(self.relay.is_attached(), now);
         self.relay.send(&bytes);
         if meter.read(now) {
@@ -218,37 +226,37 @@ impl Task {
     }
 
     /// Waits for what happens next. Losing the future loses nothing.
-    async fn event(&mut self, until: Moment) -> Event {
+    async fn event(&mut self, until: Moment) -> InstanceEvent {
         let idle_at = match self.idle {
             Some(idle) if !self.relay.is_attached() => Some(self.unattended_since + idle),
             _ => None,
         };
         tokio::select! {
-            () = self.shared.cancel.cancelled() => Event::Over(None),
+            () = self.shared.cancel.cancelled() => InstanceEvent::Over(None),
             request = self.requests.recv() => match request {
-                Some(Request::Attach(answer)) => {
+                Some(InstanceRequest::Attach(answer)) => {
                     drop(answer.send(self.relay.attach()));
-                    Event::Nothing
+                    InstanceEvent::Nothing
                 }
-                Some(Request::Restart) => Event::Restart,
-                Some(Request::Stop(done)) => Event::Over(Some(done)),
-                None => Event::Over(None),
+                Some(InstanceRequest::Restart) => InstanceEvent::Restart,
+                Some(InstanceRequest::Stop(done)) => InstanceEvent::Over(Some(done)),
+                None => InstanceEvent::Over(None),
             },
             passed = self.relay.pass() => {
                 if passed == Passed::AttachedGone {
                     self.unattended_since = Moment::now();
                 }
-                Event::Passed(passed)
+                InstanceEvent::Passed(passed)
             }
             // Whoever connects is looked at once it is known which process may.
             Ok((stream, _)) = self.listener.accept(), if self.shown.pid.is_some() => {
-                Event::Connected(stream)
+                InstanceEvent::Connected(stream)
             }
             () = sleep_until(idle_at.map_or(until, |at| at.min(until))) => {
                 if idle_at.is_some_and(|at| at <= Moment::now()) {
-                    Event::Over(None)
+                    InstanceEvent::Over(None)
                 } else {
-                    Event::Nothing
+                    InstanceEvent::Nothing
                 }
             }
         }
@@ -273,8 +281,8 @@ impl Task {
         is_own
     }
 
-    async fn end(&mut self, running: &mut Running) {
-        self.show(Stage::Stopping);
+    async fn end(&mut self, running: &mut RunningProcess) {
+        self.show(SitlStage::Stopping);
         // Failing means that it has ended.
         drop(running.end().await);
     }
@@ -295,24 +303,25 @@ impl Task {
             self.shared.roster.lay_down(self.shown.id);
         }
         loop {
-            self.show(Stage::Ended);
+            self.show(SitlStage::Ended);
             let now = Moment::now();
             if again_at.is_some_and(|at| at <= now) {
                 return None;
             }
             let until = now + LOOK_EVERY;
             match self.event(again_at.map_or(until, |at| at.min(until))).await {
-                Event::Over(done) => return Some(done),
-                Event::Restart => {
+                InstanceEvent::Over(done) => return Some(done),
+                InstanceEvent::Restart => {
                     self.endurance.forgive();
                     return None;
                 }
-                Event::Passed(_) | Event::Connected(_) | Event::Nothing => {}
+                InstanceEvent::Passed(_) | InstanceEvent::Connected(_) | InstanceEvent::Nothing => {
+                }
             }
         }
     }
 
-    fn diagnosis(&self, lack: String, meter: &Meter) -> String {
+    fn diagnosis(&self, lack: String, meter: &InstanceMeter) -> String {
         let mut told = lack + &meter.told();
         if let Some(line) = self.output.last(1).pop() {
             told.push_str("; its last output: ");
@@ -321,7 +330,7 @@ impl Task {
         told
     }
 
-    fn show(&mut self, stage: Stage) {
+    fn show(&mut self, stage: SitlStage) {
         self.shown.stage = stage;
         self.shown.attached = self.relay.is_attached();
         self.shared.roster.show(&self.shown);

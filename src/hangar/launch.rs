@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
-use super::{InstanceId, Refusal};
+use super::{HangarRefusal, InstanceId};
 use crate::geo::LatLon;
 use crate::sim::{Airframe, SYSTEMS, Start};
-use crate::sitl::{Kind, Recipe};
+use crate::sitl::{Recipe, SitlKind};
 
 /// Slower, and even a boot takes an hour; faster, and no machine follows.
 const SPEEDUPS: std::ops::RangeInclusive<f64> = 0.01..=1000.0;
@@ -36,7 +36,7 @@ pub struct Launch {
     pub id: Option<InstanceId>,
     /// The vehicle.
     #[serde(default)]
-    pub kind: Kind,
+    pub kind: SitlKind,
     /// SITL's name of a model; by default what suits the kind and the airframe.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub model: Option<String>,
@@ -45,7 +45,7 @@ pub struct Launch {
     pub frame: Option<serde_json::Value>,
     /// Where it stands.
     #[serde(default)]
-    pub home: Home,
+    pub home: LaunchHome,
     /// The MAVLink system id, 1 to 254; the instance's number by default, or the lowest free one where that cannot be.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub system: Option<u8>,
@@ -68,10 +68,10 @@ impl Default for Launch {
     fn default() -> Self {
         Self {
             id: None,
-            kind: Kind::default(),
+            kind: SitlKind::default(),
             model: None,
             frame: None,
-            home: Home::default(),
+            home: LaunchHome::default(),
             system: None,
             speedup: real_time(),
             parameters: BTreeMap::new(),
@@ -83,7 +83,8 @@ impl Default for Launch {
 /// Where a vehicle stands when it is switched on.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
-pub struct Home {
+#[schema(as = Home)]
+pub struct LaunchHome {
     /// Latitude in degrees.
     pub lat_deg: f64,
     /// Longitude in degrees.
@@ -94,7 +95,7 @@ pub struct Home {
     pub heading_deg: f64,
 }
 
-impl Default for Home {
+impl Default for LaunchHome {
     /// The model airfield near Canberra at which SITL starts by itself.
     fn default() -> Self {
         Self {
@@ -106,8 +107,8 @@ impl Default for Home {
     }
 }
 
-impl From<Home> for Start {
-    fn from(home: Home) -> Self {
+impl From<LaunchHome> for Start {
+    fn from(home: LaunchHome) -> Self {
         Self {
             at: LatLon::new(home.lat_deg, home.lon_deg),
             altitude_amsl_m: home.altitude_m,
@@ -116,7 +117,7 @@ impl From<Home> for Start {
     }
 }
 
-impl From<Start> for Home {
+impl From<Start> for LaunchHome {
     fn from(start: Start) -> Self {
         Self {
             lat_deg: start.at.lat_deg,
@@ -132,7 +133,7 @@ impl Launch {
     ///
     /// # Errors
     /// What is wrong with it.
-    pub fn check(&self) -> Result<(), Refusal> {
+    pub fn check(&self) -> Result<(), HangarRefusal> {
         let system = self.system.is_none_or(is_vehicle);
         require(system, || "a vehicle's system id is 1 to 254".to_owned())?;
         require(self.id != Some(0), || {
@@ -160,7 +161,7 @@ impl Launch {
         }
     }
 
-    fn check_parameters(&self) -> Result<(), Refusal> {
+    fn check_parameters(&self) -> Result<(), HangarRefusal> {
         require(self.parameters.len() <= MOST_PARAMETERS, || {
             format!("there are more than {MOST_PARAMETERS} parameters")
         })?;
@@ -186,7 +187,7 @@ impl Launch {
         Ok(())
     }
 
-    fn check_model(&self) -> Result<(), Refusal> {
+    fn check_model(&self) -> Result<(), HangarRefusal> {
         if let Some(model) = &self.model {
             // Anything after a colon would be a file, or an address to connect to.
             let is_plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_' || c == '+';
@@ -200,17 +201,17 @@ impl Launch {
         let Some(frame) = &self.frame else {
             return Ok(());
         };
-        require(self.kind == Kind::Copter, || {
+        require(self.kind == SitlKind::Copter, || {
             "a frame file is for a copter only".to_owned()
         })?;
         Airframe::from_json(&frame.to_string())
             .map(drop)
-            .map_err(|error| Refusal::Invalid(format!("the frame: {}", error.what)))
+            .map_err(|error| HangarRefusal::Invalid(format!("the frame: {}", error.what)))
     }
 }
 
-impl Home {
-    fn check(&self) -> Result<(), Refusal> {
+impl LaunchHome {
+    fn check(&self) -> Result<(), HangarRefusal> {
         let at = LatLon::new(self.lat_deg, self.lon_deg);
         require(at.is_valid(), || {
             "the home's latitude is -90 to 90 and its longitude -180 to 180 degrees".to_owned()
@@ -226,11 +227,11 @@ fn is_vehicle(system: u8) -> bool {
     (1..=SYSTEMS).contains(&usize::from(system))
 }
 
-fn require(is_right: bool, otherwise: impl FnOnce() -> String) -> Result<(), Refusal> {
+fn require(is_right: bool, otherwise: impl FnOnce() -> String) -> Result<(), HangarRefusal> {
     if is_right {
         Ok(())
     } else {
-        Err(Refusal::Invalid(otherwise()))
+        Err(HangarRefusal::Invalid(otherwise()))
     }
 }
 

@@ -22,7 +22,7 @@ use tokio::process::Command;
 use tokio::sync::{Mutex, MutexGuard, oneshot};
 use tokio::time::{Instant, sleep_until};
 
-use super::Limits;
+use super::HangarLimits;
 
 mod fault;
 mod running;
@@ -31,7 +31,7 @@ mod stub;
 pub(in crate::hangar) mod tests;
 
 pub(super) use fault::LaunchError;
-pub(super) use running::Running;
+pub(super) use running::RunningProcess;
 pub use stub::launch_stub;
 
 /// The hidden subcommand of this program that becomes another.
@@ -57,7 +57,7 @@ const PASSED_ON_PREFIX: &str = "LC_";
 
 /// What to start.
 #[derive(Debug, Clone)]
-pub(super) struct Order {
+pub(super) struct LaunchOrder {
     /// A path; a relative one is taken from where this program runs.
     pub program: PathBuf,
     pub arguments: Vec<String>,
@@ -65,13 +65,13 @@ pub(super) struct Order {
     pub folder: PathBuf,
 }
 
-type Begun = (Running, UnixStream);
-type Answer = oneshot::Sender<Result<Begun, LaunchError>>;
+type Begun = (RunningProcess, UnixStream);
+type LaunchAnswer = oneshot::Sender<Result<Begun, LaunchError>>;
 
 /// The thread that starts processes, in the order in which they are asked for.
 pub(super) struct Launcher {
-    orders: mpsc::Sender<(Order, Answer)>,
-    pace: Pace,
+    orders: mpsc::Sender<(LaunchOrder, LaunchAnswer)>,
+    pace: LaunchPace,
     memory_mib: u64,
 }
 
@@ -80,13 +80,13 @@ impl Launcher {
     ///
     /// # Errors
     /// The system allows no more threads.
-    pub fn start(sortie: PathBuf, limits: Limits) -> io::Result<Self> {
+    pub fn start(sortie: PathBuf, limits: HangarLimits) -> io::Result<Self> {
         Self::with_stub(vec![sortie.into(), LAUNCH.into()], limits)
     }
 
     /// With the words that start the program which becomes another.
-    fn with_stub(stub: Vec<OsString>, limits: Limits) -> io::Result<Self> {
-        let (orders, inbox) = mpsc::channel::<(Order, Answer)>();
+    fn with_stub(stub: Vec<OsString>, limits: HangarLimits) -> io::Result<Self> {
+        let (orders, inbox) = mpsc::channel::<(LaunchOrder, LaunchAnswer)>();
         let runtime = tokio::runtime::Handle::current();
         std::thread::Builder::new()
             .name("launcher".to_owned())
@@ -101,7 +101,7 @@ impl Launcher {
             })?;
         Ok(Self {
             orders,
-            pace: Pace::new(limits.starts_per_s),
+            pace: LaunchPace::new(limits.starts_per_s),
             memory_mib: limits.memory_mib,
         })
     }
@@ -111,7 +111,7 @@ impl Launcher {
     ///
     /// # Errors
     /// Why it does not run.
-    pub async fn launch(&self, order: Order) -> Result<Running, LaunchError> {
+    pub async fn launch(&self, order: LaunchOrder) -> Result<RunningProcess, LaunchError> {
         let (answer, begun) = oneshot::channel();
         let turn = self.pace.turn().await;
         self.orders
@@ -131,7 +131,11 @@ impl Launcher {
     }
 }
 
-fn begin(stub: &[OsString], limits: Limits, order: &Order) -> Result<Begun, LaunchError> {
+fn begin(
+    stub: &[OsString],
+    limits: HangarLimits,
+    order: &LaunchOrder,
+) -> Result<Begun, LaunchError> {
     let [sortie, first @ ..] = stub else {
         return Err(LaunchError::Closed);
     };
@@ -155,7 +159,7 @@ fn begin(stub: &[OsString], limits: Limits, order: &Order) -> Result<Begun, Laun
         .kill_on_drop(true)
         .spawn()
         .map_err(failed)?;
-    let running = Running::new(child).ok_or(LaunchError::Closed)?;
+    let running = RunningProcess::new(child).ok_or(LaunchError::Closed)?;
     Ok((running, report))
 }
 
@@ -165,13 +169,13 @@ fn is_passed_on(name: &OsStr) -> bool {
 }
 
 /// Lets one after the other go, at most so many a second.
-struct Pace {
+struct LaunchPace {
     every: Duration,
     /// When the next may go. The lock is a queue: whoever asks first goes first.
     next: Mutex<Option<Instant>>,
 }
 
-impl Pace {
+impl LaunchPace {
     /// One a second at least: with none nothing would ever start.
     fn new(per_s: u16) -> Self {
         Self {

@@ -15,7 +15,7 @@ use tokio::task::JoinHandle;
 use tokio::time::{Instant, timeout};
 use utoipa::ToSchema;
 
-use super::launcher::Running;
+use super::launcher::RunningProcess;
 
 mod file;
 mod lines;
@@ -33,7 +33,8 @@ const LAST_WORDS: Duration = Duration::from_secs(1);
 
 /// A line that an instance has printed.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
-pub struct Line {
+#[schema(as = Line)]
+pub struct OutputLine {
     /// Its number, from 1; it goes on when the instance is started again.
     pub number: u64,
     /// The line without control characters, at most 400 characters of it.
@@ -42,17 +43,17 @@ pub struct Line {
 
 /// The output of one instance, also when it is started again. Clones show the same.
 #[derive(Debug, Clone)]
-pub struct Output(Arc<Inner>);
+pub struct ProcessOutput(Arc<Inner>);
 
 #[derive(Debug)]
 struct Inner {
-    kept: Mutex<VecDeque<Line>>,
+    kept: Mutex<VecDeque<OutputLine>>,
     /// The number of the last line.
     last: watch::Sender<u64>,
     file: Mutex<LogFile>,
 }
 
-impl Output {
+impl ProcessOutput {
     /// Of an instance that has printed nothing yet, and whose files go to this folder.
     pub(super) fn new(folder: PathBuf) -> Self {
         Self(Arc::new(Inner {
@@ -63,7 +64,7 @@ impl Output {
     }
 
     /// Reads what a process prints until it prints no more. Must be called inside a tokio runtime.
-    pub(super) fn follow(&self, process: &mut Running) -> Following {
+    pub(super) fn follow(&self, process: &mut RunningProcess) -> Following {
         let (out, err) = process.take_output();
         let read = |pipe: Option<Box<dyn AsyncRead + Send + Unpin>>| {
             let output = self.clone();
@@ -83,14 +84,14 @@ impl Output {
     }
 
     /// The last lines, at most so many, oldest first.
-    pub fn last(&self, count: usize) -> Vec<Line> {
+    pub fn last(&self, count: usize) -> Vec<OutputLine> {
         let kept = locked(&self.0.kept);
         let from = kept.len().saturating_sub(count);
         kept.range(from..).cloned().collect()
     }
 
     /// The lines from this number on, as far as they are kept, oldest first. With 0 it is all of them.
-    pub fn since(&self, number: u64) -> Vec<Line> {
+    pub fn since(&self, number: u64) -> Vec<OutputLine> {
         let kept = locked(&self.0.kept);
         let from = kept.partition_point(|line| line.number < number);
         kept.range(from..).cloned().collect()
@@ -130,7 +131,7 @@ impl Output {
             if kept.len() == LINES_KEPT {
                 kept.pop_front();
             }
-            kept.push_back(Line { number, text });
+            kept.push_back(OutputLine { number, text });
         }
         // Before the lock goes: the next number is counted from it.
         self.0.last.send_replace(number);

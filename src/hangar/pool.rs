@@ -7,15 +7,15 @@ use std::sync::Arc;
 use tokio::io::DuplexStream;
 use tokio::sync::watch;
 
-use super::client::Remote;
-use super::{Hangar, Instance, InstanceId, Launch, Line, Refusal};
+use super::client::RemoteHangar;
+use super::{Hangar, HangarRefusal, Instance, InstanceId, Launch, OutputLine};
 
 mod far;
 mod spread;
 
 /// Where an instance is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Place {
+pub struct InstancePlace {
     /// The hangar, by its place in the list.
     pub hangar: usize,
     /// The instance there.
@@ -24,15 +24,15 @@ pub struct Place {
 
 /// A vehicle that was launched, with the bytes of its serial 0.
 #[derive(Debug)]
-pub struct Berth {
+pub struct LaunchedVehicle {
     /// Where it is.
-    pub place: Place,
+    pub place: InstancePlace,
     /// Its bytes, also after it was started again.
     pub pipe: DuplexStream,
 }
 
 /// The instances of all hangars that were launched by this console.
-pub type Seen = Arc<Vec<(Place, Instance)>>;
+pub type Seen = Arc<Vec<(InstancePlace, Instance)>>;
 
 /// The hangars. Dropping them ends what was launched by them.
 pub struct Hangars {
@@ -54,7 +54,7 @@ impl Hangars {
             loop {
                 let all = instances.borrow_and_update().clone();
                 let here = |(&id, instance): (&InstanceId, &Instance)| {
-                    (Place { hangar: 0, id }, instance.clone())
+                    (InstancePlace { hangar: 0, id }, instance.clone())
                 };
                 sender.send_replace(Arc::new(all.iter().map(here).collect()));
                 if instances.changed().await.is_err() {
@@ -68,7 +68,7 @@ impl Hangars {
 
     /// Services, which are followed from now on. What is launched by them ends by itself a minute after this
     /// program has been killed. Must be called inside a tokio runtime.
-    pub fn far(services: Vec<Remote>) -> Self {
+    pub fn far(services: Vec<RemoteHangar>) -> Self {
         let far = far::Far::new(services);
         let seen = far.seen();
         let at = At::Far(far);
@@ -83,7 +83,7 @@ impl Hangars {
         }
     }
 
-    /// Launches vehicles, spread over the hangars by how much room each has: all, or none. The berths are in the
+    /// Launches vehicles, spread over the hangars by how much room each has: all, or none. They are in the
     /// order of the launches.
     ///
     /// Services number the vehicles themselves, and give a system id to those that have none: one that no other
@@ -91,7 +91,10 @@ impl Hangars {
     ///
     /// # Errors
     /// Why one of them could not be launched.
-    pub async fn launch(&self, launches: Vec<Launch>) -> Result<Vec<Berth>, Refusal> {
+    pub async fn launch(
+        &self,
+        launches: Vec<Launch>,
+    ) -> Result<Vec<LaunchedVehicle>, HangarRefusal> {
         match &self.at {
             At::Own(own) => launch_here(own, launches).await,
             At::Far(far) => far.launch(launches).await,
@@ -108,7 +111,7 @@ impl Hangars {
     ///
     /// # Errors
     /// There is no such instance.
-    pub async fn restart(&self, place: Place) -> Result<(), Refusal> {
+    pub async fn restart(&self, place: InstancePlace) -> Result<(), HangarRefusal> {
         match &self.at {
             At::Own(own) => own.restart(place.id).await,
             At::Far(far) => far.restart(place).await,
@@ -119,7 +122,7 @@ impl Hangars {
     ///
     /// # Errors
     /// There is no such instance.
-    pub async fn stop(&self, place: Place) -> Result<(), Refusal> {
+    pub async fn stop(&self, place: InstancePlace) -> Result<(), HangarRefusal> {
         match &self.at {
             At::Own(own) => own.stop(place.id).await,
             At::Far(far) => far.stop(place).await,
@@ -130,7 +133,11 @@ impl Hangars {
     ///
     /// # Errors
     /// There is no such instance, or its hangar does not tell.
-    pub async fn output(&self, place: Place, since: u64) -> Result<Vec<Line>, Refusal> {
+    pub async fn output(
+        &self,
+        place: InstancePlace,
+        since: u64,
+    ) -> Result<Vec<OutputLine>, HangarRefusal> {
         match &self.at {
             At::Own(own) => own.output(place.id, since),
             At::Far(far) => far.output(place, since).await,
@@ -146,8 +153,11 @@ impl Hangars {
     }
 }
 
-async fn launch_here(own: &Hangar, launches: Vec<Launch>) -> Result<Vec<Berth>, Refusal> {
-    let mut berths: Vec<Berth> = Vec::new();
+async fn launch_here(
+    own: &Hangar,
+    launches: Vec<Launch>,
+) -> Result<Vec<LaunchedVehicle>, HangarRefusal> {
+    let mut launched: Vec<LaunchedVehicle> = Vec::new();
     for launch in launches {
         let begun = async {
             let id = own.launch(launch).await?;
@@ -161,17 +171,17 @@ async fn launch_here(own: &Hangar, launches: Vec<Launch>) -> Result<Vec<Berth>, 
         };
         match begun.await {
             Ok((id, pipe)) => {
-                let place = Place { hangar: 0, id };
-                berths.push(Berth { place, pipe });
+                let place = InstancePlace { hangar: 0, id };
+                launched.push(LaunchedVehicle { place, pipe });
             }
             Err(refusal) => {
-                for berth in berths {
+                for vehicle in launched {
                     // One that has ended meanwhile is as good.
-                    drop(own.stop(berth.place.id).await);
+                    drop(own.stop(vehicle.place.id).await);
                 }
                 return Err(refusal);
             }
         }
     }
-    Ok(berths)
+    Ok(launched)
 }

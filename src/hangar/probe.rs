@@ -10,7 +10,7 @@ use mavlink::dialects::ardupilotmega::{
     COMMAND_LONG_DATA, MavCmd, MavMessage, MavParamType, PARAM_SET_DATA,
 };
 
-use super::Stage;
+use super::SitlStage;
 use crate::parameters::Fetching;
 use crate::session::Session;
 use crate::vehicle::EkfFlags;
@@ -38,7 +38,7 @@ const USUAL_INTERVAL: f32 = 0.0;
 const PREARM: &str = "PreArm: ";
 
 /// A conversation with an instance that boots.
-pub(super) struct Probe {
+pub(super) struct InstanceProbe {
     system: SystemId,
     session: Session,
     decoder: Decoder,
@@ -47,13 +47,13 @@ pub(super) struct Probe {
     speed_set_at: Option<Duration>,
     speed_tries: u32,
     streams_asked_at: Option<Duration>,
-    stage: Stage,
+    stage: SitlStage,
     asked: bool,
     can_arm: bool,
     complaint: Option<String>,
 }
 
-impl Probe {
+impl InstanceProbe {
     /// A conversation that begins now. When the vehicle can be armed, its speed is set to `speedup`.
     pub fn new(system: SystemId, speedup: f64, now: Duration) -> Self {
         Self {
@@ -65,7 +65,7 @@ impl Probe {
             speed_set_at: None,
             speed_tries: 0,
             streams_asked_at: None,
-            stage: Stage::Process,
+            stage: SitlStage::Process,
             asked: false,
             can_arm: false,
             complaint: None,
@@ -73,7 +73,7 @@ impl Probe {
     }
 
     /// How far the instance is.
-    pub fn stage(&self) -> Stage {
+    pub fn stage(&self) -> SitlStage {
         self.stage
     }
 
@@ -123,7 +123,7 @@ impl Probe {
             self.ask_for_messages(INTERVAL_US, &mut bytes);
         }
         if self.can_arm
-            && self.stage < Stage::Ready
+            && self.stage < SitlStage::Ready
             && is_due(&mut self.speed_set_at, SPEED_EVERY, now)
         {
             self.speed_tries += 1;
@@ -196,10 +196,10 @@ impl Probe {
         let speed_fits = speed == Some(self.speedup as f32) || self.speed_tries > SPEED_TRIES;
         self.can_arm = can_arm;
         self.stage = match parameters.fetching {
-            Fetching::Complete if can_arm && speed_fits => Stage::Ready,
-            Fetching::Complete if has_position => Stage::Position,
-            Fetching::Complete => Stage::Parameters,
-            _ => Stage::Heartbeat,
+            Fetching::Complete if can_arm && speed_fits => SitlStage::Ready,
+            Fetching::Complete if has_position => SitlStage::Position,
+            Fetching::Complete => SitlStage::Parameters,
+            _ => SitlStage::Heartbeat,
         };
     }
 }

@@ -26,7 +26,7 @@ pub(super) fn address(text: &str) -> Option<SocketAddr> {
 
 /// A process, told apart from any that has had or will have the same number.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub(super) struct Identity {
+pub(super) struct ProcessIdentity {
     /// Its number.
     pub pid: u32,
     /// When it was started, in ticks since the system was.
@@ -37,7 +37,7 @@ pub(super) struct Identity {
     pub namespace: String,
 }
 
-impl Identity {
+impl ProcessIdentity {
     /// Whether equal numbers of both mean the same process: they are counted by the same system since it was started.
     pub fn has_numbers_of(&self, other: &Self) -> bool {
         (&self.boot, &self.namespace) == (&other.boot, &other.namespace)
@@ -46,7 +46,7 @@ impl Identity {
 
 /// What a process uses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Usage {
+pub(super) struct ProcessUsage {
     /// Resident memory in bytes.
     pub memory_bytes: u64,
     /// Processor time of all its threads since it was started.
@@ -65,12 +65,12 @@ pub(super) enum Belongs {
 }
 
 /// Who a process is that runs now. One that has ended and waits for its parent does not run.
-pub(super) fn identity(pid: u32) -> Option<Identity> {
+pub(super) fn identity(pid: u32) -> Option<ProcessIdentity> {
     system::identity(pid)
 }
 
 /// Whether exactly this process runs.
-pub(super) fn is_running(identity: &Identity) -> bool {
+pub(super) fn is_running(identity: &ProcessIdentity) -> bool {
     self::identity(identity.pid).as_ref() == Some(identity)
 }
 
@@ -100,7 +100,7 @@ pub(super) fn session(pid: u32) -> Vec<u32> {
 }
 
 /// What a process uses.
-pub(super) fn usage(pid: u32) -> Option<Usage> {
+pub(super) fn usage(pid: u32) -> Option<ProcessUsage> {
     system::usage(pid)
 }
 
@@ -147,7 +147,7 @@ impl Connection {
 
 /// The other end's socket.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct Socket {
+struct ProcessSocket {
     user: u32,
     inode: u64,
 }

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 
-use crate::sitl::Kind;
+use crate::sitl::SitlKind;
 
 mod identity;
 mod scratch;
@@ -16,7 +16,7 @@ mod scratch;
 #[cfg(all(test, target_os = "linux"))]
 mod tests;
 
-pub use identity::{Identity, PATIENCE, Unknown, identify};
+pub use identity::{PATIENCE, ProgramIdentity, Unknown, identify};
 
 /// Where builds of `ArduPilot` put their programs, below the home folder and below the current one.
 const BUILDS_AT_HOME: [&str; 4] = [
@@ -83,7 +83,7 @@ impl Places {
 
 /// A program that was found.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct Found {
+pub struct FoundProgram {
     /// The file, by its absolute path.
     pub file: PathBuf,
     /// Why it is this one: who has named it, or where it was found.
@@ -123,24 +123,29 @@ fn list(folders: &[PathBuf]) -> String {
 
 /// The program of each kind of vehicle, or why there is none.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Programs(BTreeMap<Kind, Result<Found, Missing>>);
+pub struct Programs(BTreeMap<SitlKind, Result<FoundProgram, Missing>>);
 
 impl Programs {
     /// Looks for the program of each kind: the one that is named, or the first one in those places.
-    pub fn find(named: &BTreeMap<Kind, Named>, places: &Places) -> Self {
+    pub fn find(named: &BTreeMap<SitlKind, Named>, places: &Places) -> Self {
         let folders = places.folders();
-        let look = |kind: Kind| match named.get(&kind) {
+        let look = |kind: SitlKind| match named.get(&kind) {
             Some(named) => named.checked(&places.here),
             None => first_in(&folders, kind),
         };
-        Self(Kind::ALL.iter().map(|&kind| (kind, look(kind))).collect())
+        Self(
+            SitlKind::ALL
+                .iter()
+                .map(|&kind| (kind, look(kind)))
+                .collect(),
+        )
     }
 
     /// What became of looking for the program of a kind.
     ///
     /// # Errors
     /// It was not found.
-    pub fn of(&self, kind: Kind) -> Result<&Found, Missing> {
+    pub fn of(&self, kind: SitlKind) -> Result<&FoundProgram, Missing> {
         match self.0.get(&kind) {
             Some(result) => result.as_ref().map_err(Clone::clone),
             None => Err(Missing::Nowhere {
@@ -151,7 +156,7 @@ impl Programs {
     }
 
     /// Those that were found, as a hangar wants them.
-    pub fn paths(&self) -> BTreeMap<Kind, PathBuf> {
+    pub fn paths(&self) -> BTreeMap<SitlKind, PathBuf> {
         let found = self.0.iter();
         found
             .filter_map(|(&kind, result)| Some((kind, result.as_ref().ok()?.file.clone())))
@@ -160,10 +165,10 @@ impl Programs {
 }
 
 impl Named {
-    fn checked(&self, here: &Path) -> Result<Found, Missing> {
+    fn checked(&self, here: &Path) -> Result<FoundProgram, Missing> {
         let file = here.join(&self.file);
         match check(&file) {
-            Ok(()) => Ok(Found {
+            Ok(()) => Ok(FoundProgram {
                 file,
                 by: self.by.clone(),
             }),
@@ -176,11 +181,11 @@ impl Named {
     }
 }
 
-fn first_in(folders: &[(PathBuf, &str)], kind: Kind) -> Result<Found, Missing> {
+fn first_in(folders: &[(PathBuf, &str)], kind: SitlKind) -> Result<FoundProgram, Missing> {
     for (folder, what) in folders {
         let file = folder.join(kind.program());
         if check(&file).is_ok() {
-            return Ok(Found {
+            return Ok(FoundProgram {
                 file,
                 by: (*what).to_owned(),
             });

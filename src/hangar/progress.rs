@@ -2,23 +2,23 @@
 
 use std::time::Duration;
 
-use super::Stage;
-use super::probe::Probe;
+use super::SitlStage;
+use super::probe::InstanceProbe;
 use super::stages::Stages;
 
 /// The progress of an instance whose process runs.
-pub(super) struct Progress {
+pub(super) struct StartProgress {
     system: u8,
     speedup: f64,
     stages: Stages,
     /// As long as it is not ready.
-    probe: Option<Probe>,
+    probe: Option<InstanceProbe>,
     parameters: [u16; 2],
     reboots: u32,
     ready_since: Option<Duration>,
 }
 
-impl Progress {
+impl StartProgress {
     /// Of a process that has just been started. Once it is ready, it is to go at `speedup`.
     pub fn new(system: u8, speedup: f64, now: Duration) -> Self {
         Self {
@@ -35,7 +35,7 @@ impl Progress {
     /// It has connected: it boots, for the first time or again.
     pub fn connected(&mut self, now: Duration) {
         self.stages.connected(now);
-        self.probe = Some(Probe::new(self.system, self.speedup, now));
+        self.probe = Some(InstanceProbe::new(self.system, self.speedup, now));
         self.forget();
     }
 
@@ -60,7 +60,7 @@ impl Progress {
         }
         self.parameters = probe.parameters();
         self.stages.probed(probe.stage(), self.parameters[0], now);
-        if self.stages.reached() == Stage::Ready {
+        if self.stages.reached() == SitlStage::Ready {
             self.ready_since.get_or_insert(now);
         }
     }
@@ -85,7 +85,7 @@ impl Progress {
     }
 
     /// How far it is.
-    pub fn stage(&self, now: Duration) -> Stage {
+    pub fn stage(&self, now: Duration) -> SitlStage {
         self.stages.stage(now)
     }
 
@@ -104,7 +104,7 @@ impl Progress {
     pub fn lack(&self, now: Duration) -> Option<String> {
         let (lack, waited) = self.stages.lack(now)?;
         let mut told = lack.told(waited);
-        if let Some(complaint) = self.probe.as_ref().and_then(Probe::complaint) {
+        if let Some(complaint) = self.probe.as_ref().and_then(InstanceProbe::complaint) {
             told.push_str("; it says: ");
             told.push_str(complaint);
         }

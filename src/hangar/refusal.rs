@@ -9,7 +9,7 @@ use crate::text::Text;
 
 /// Why a hangar does not do what it is asked.
 #[derive(Debug, thiserror::Error)]
-pub enum Refusal {
+pub enum HangarRefusal {
     /// No instance has that number.
     #[error("there is no instance {0}: the list has those that there are")]
     Unknown(InstanceId),
@@ -53,16 +53,16 @@ pub enum Refusal {
     },
 }
 
-impl From<&Refusal> for Text {
-    fn from(refusal: &Refusal) -> Self {
+impl From<&HangarRefusal> for Text {
+    fn from(refusal: &HangarRefusal) -> Self {
         match refusal {
-            Refusal::Unknown(id) => text!("hangar-unknown", id = *id),
-            Refusal::Taken(id) => text!("hangar-taken", id = *id),
-            Refusal::Full(limit) => text!("hangar-full", limit = *limit),
-            Refusal::NoProgram(program) => text!("hangar-no-program", program = *program),
-            Refusal::Invalid(reason) => Self::verbatim(reason.clone()),
-            Refusal::Attached(id) => text!("hangar-attached", id = *id),
-            Refusal::Host { id, what, source } => {
+            HangarRefusal::Unknown(id) => text!("hangar-unknown", id = *id),
+            HangarRefusal::Taken(id) => text!("hangar-taken", id = *id),
+            HangarRefusal::Full(limit) => text!("hangar-full", limit = *limit),
+            HangarRefusal::NoProgram(program) => text!("hangar-no-program", program = *program),
+            HangarRefusal::Invalid(reason) => Self::verbatim(reason.clone()),
+            HangarRefusal::Attached(id) => text!("hangar-attached", id = *id),
+            HangarRefusal::Host { id, what, source } => {
                 text!(
                     "hangar-host",
                     id = *id,
@@ -70,8 +70,8 @@ impl From<&Refusal> for Text {
                     error = source.to_string()
                 )
             }
-            Refusal::Closing => text!("hangar-closing"),
-            Refusal::Far { hangar, source } => {
+            HangarRefusal::Closing => text!("hangar-closing"),
+            HangarRefusal::Far { hangar, source } => {
                 text!("hangar-far", hangar = hangar, error = Self::from(source))
             }
         }

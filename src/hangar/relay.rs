@@ -30,13 +30,13 @@ pub(super) enum Passed {
 }
 
 /// An end, and what waits to be written to it.
-struct End<S> {
+struct RelayEnd<S> {
     stream: S,
     waiting: Vec<u8>,
     room: usize,
 }
 
-impl<S: AsyncRead + AsyncWrite + Unpin> End<S> {
+impl<S: AsyncRead + AsyncWrite + Unpin> RelayEnd<S> {
     fn new(stream: S, room: usize) -> Self {
         Self {
             stream,
@@ -79,8 +79,8 @@ impl<S: AsyncRead + AsyncWrite + Unpin> End<S> {
 
 /// The two ends, each of which may be missing.
 pub(super) struct Relay {
-    instance: Option<End<TcpStream>>,
-    attached: Option<End<DuplexStream>>,
+    instance: Option<RelayEnd<TcpStream>>,
+    attached: Option<RelayEnd<DuplexStream>>,
     space: Vec<u8>,
     said: usize,
 }
@@ -113,7 +113,7 @@ impl Relay {
         }
         let (ours, theirs) = tokio::io::duplex(PIPE_LEN);
         // What waits for the pipe is only what did not fit into it as a whole.
-        self.attached = Some(End::new(ours, 0));
+        self.attached = Some(RelayEnd::new(ours, 0));
         Some(theirs)
     }
 
@@ -121,7 +121,7 @@ impl Relay {
     pub fn connect(&mut self, stream: TcpStream) {
         // Commands are small and must not wait for one another; failing that they only come later.
         let _ = stream.set_nodelay(true);
-        self.instance = Some(End::new(stream, BACKLOG_LEN));
+        self.instance = Some(RelayEnd::new(stream, BACKLOG_LEN));
     }
 
     /// Forgets the instance's connection.

@@ -5,14 +5,17 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use tokio::sync::{mpsc, watch};
 
-use super::{Capacity, Instance, InstanceId, Instances, Launch, Output, Refusal, Request};
+use super::{
+    Capacity, HangarRefusal, Instance, InstanceId, InstanceRequest, Instances, Launch,
+    ProcessOutput,
+};
 use crate::sim::SYSTEMS;
 
 /// An instance, from the moment it has a number.
-struct Entry {
-    requests: mpsc::Sender<Request>,
+struct RosterEntry {
+    requests: mpsc::Sender<InstanceRequest>,
     system: u8,
-    output: Option<Output>,
+    output: Option<ProcessOutput>,
     /// It has ended and nothing starts it again by itself: it takes nobody's place.
     is_down: bool,
 }
@@ -27,7 +30,7 @@ pub(super) struct Taken {
 /// The instances.
 pub(super) struct Roster {
     limit: u16,
-    entries: Mutex<BTreeMap<InstanceId, Entry>>,
+    entries: Mutex<BTreeMap<InstanceId, RosterEntry>>,
     seen: watch::Sender<Instances>,
 }
 
@@ -45,21 +48,25 @@ impl Roster {
     ///
     /// # Errors
     /// They are taken, or there are as many as there may be.
-    pub fn take(&self, launch: &Launch, requests: mpsc::Sender<Request>) -> Result<Taken, Refusal> {
+    pub fn take(
+        &self,
+        launch: &Launch,
+        requests: mpsc::Sender<InstanceRequest>,
+    ) -> Result<Taken, HangarRefusal> {
         let mut entries = self.entries();
         if running(&entries) >= self.limit {
-            return Err(Refusal::Full(self.limit));
+            return Err(HangarRefusal::Full(self.limit));
         }
         let is_free = |id: &InstanceId| !entries.contains_key(id);
         let id = match launch.id {
-            Some(id) if !is_free(&id) => return Err(Refusal::Taken(id)),
+            Some(id) if !is_free(&id) => return Err(HangarRefusal::Taken(id)),
             Some(id) => id,
             None => (1..=InstanceId::MAX)
                 .find(is_free)
-                .ok_or(Refusal::Full(self.limit))?,
+                .ok_or(HangarRefusal::Full(self.limit))?,
         };
         let system = free_system(&entries, launch.system, id)?;
-        let entry = Entry {
+        let entry = RosterEntry {
             requests,
             system,
             output: None,
@@ -73,12 +80,12 @@ impl Roster {
     ///
     /// # Errors
     /// There is none, or others have taken its place.
-    pub fn revive(&self, id: InstanceId) -> Result<(), Refusal> {
+    pub fn revive(&self, id: InstanceId) -> Result<(), HangarRefusal> {
         let mut entries = self.entries();
         let is_full = running(&entries) >= self.limit;
-        let entry = entries.get_mut(&id).ok_or(Refusal::Unknown(id))?;
+        let entry = entries.get_mut(&id).ok_or(HangarRefusal::Unknown(id))?;
         if entry.is_down && is_full {
-            return Err(Refusal::Full(self.limit));
+            return Err(HangarRefusal::Full(self.limit));
         }
         entry.is_down = false;
         Ok(())
@@ -92,19 +99,19 @@ impl Roster {
     }
 
     /// Where an instance's output is.
-    pub fn keep_output(&self, id: InstanceId, output: Output) {
+    pub fn keep_output(&self, id: InstanceId, output: ProcessOutput) {
         if let Some(entry) = self.entries().get_mut(&id) {
             entry.output = Some(output);
         }
     }
 
     /// What an instance has printed.
-    pub fn output(&self, id: InstanceId) -> Option<Output> {
+    pub fn output(&self, id: InstanceId) -> Option<ProcessOutput> {
         self.entries().get(&id)?.output.clone()
     }
 
     /// Where requests to an instance go.
-    pub fn task(&self, id: InstanceId) -> Option<mpsc::Sender<Request>> {
+    pub fn task(&self, id: InstanceId) -> Option<mpsc::Sender<InstanceRequest>> {
         Some(self.entries().get(&id)?.requests.clone())
     }
 
@@ -141,12 +148,12 @@ impl Roster {
     }
 
     /// A lock is never left in the midst of a change.
-    fn entries(&self) -> MutexGuard<'_, BTreeMap<InstanceId, Entry>> {
+    fn entries(&self) -> MutexGuard<'_, BTreeMap<InstanceId, RosterEntry>> {
         self.entries.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
-fn running(entries: &BTreeMap<InstanceId, Entry>) -> u16 {
+fn running(entries: &BTreeMap<InstanceId, RosterEntry>) -> u16 {
     entries.values().filter(|entry| !entry.is_down).count() as u16
 }
 
@@ -154,10 +161,10 @@ fn running(entries: &BTreeMap<InstanceId, Entry>) -> u16 {
 /// consoles on one hangar both number their vehicles from 1. Else the instance's number, and if that cannot be the
 /// lowest free one.
 fn free_system(
-    entries: &BTreeMap<InstanceId, Entry>,
+    entries: &BTreeMap<InstanceId, RosterEntry>,
     asked: Option<u8>,
     id: InstanceId,
-) -> Result<u8, Refusal> {
+) -> Result<u8, HangarRefusal> {
     if let Some(system) = asked {
         return Ok(system);
     }
@@ -167,7 +174,7 @@ fn free_system(
     own.into_iter()
         .chain(all)
         .find(is_free)
-        .ok_or_else(|| Refusal::Invalid(format!("all {SYSTEMS} system ids are taken")))
+        .ok_or_else(|| HangarRefusal::Invalid(format!("all {SYSTEMS} system ids are taken")))
 }
 
 #[cfg(test)]
@@ -214,8 +221,8 @@ mod tests {
         roster.lay_down(1);
         assert_eq!(roster.capacity().free, 1);
         take(&roster, None, None).expect("there is room");
-        assert!(matches!(roster.revive(1), Err(Refusal::Full(1))));
-        assert!(matches!(roster.revive(7), Err(Refusal::Unknown(7))));
+        assert!(matches!(roster.revive(1), Err(HangarRefusal::Full(1))));
+        assert!(matches!(roster.revive(7), Err(HangarRefusal::Unknown(7))));
         roster.forget(2);
         assert!(roster.revive(1).is_ok());
         assert_eq!(

@@ -21,9 +21,9 @@ use tokio_util::sync::CancellationToken;
 use utoipa::ToSchema;
 
 use super::process::Connection;
-use super::token::Token;
-use super::{Capacity, Hangar, Instance, InstanceId, Instances, Limits, Restart};
-use crate::sitl::Kind;
+use super::token::HangarToken;
+use super::{Capacity, Hangar, HangarLimits, Instance, InstanceId, Instances, Restart};
+use crate::sitl::SitlKind;
 
 mod about;
 mod accept;
@@ -38,8 +38,8 @@ mod problem;
 mod tunnel;
 mod vehicles;
 
-pub use events::{Change, Snapshot, changes};
-pub use problem::Problem;
+pub use events::{InstanceChange, InstanceSnapshot, changes};
+pub use problem::ServiceProblem;
 pub use vehicles::Printed;
 
 /// The port that a hangar listens on unless told otherwise.
@@ -60,15 +60,15 @@ pub fn owner(peer: SocketAddr, local: SocketAddr) -> Option<u32> {
 
 /// How a service is set up.
 #[derive(Debug, Clone)]
-pub struct Setup {
+pub struct ServiceSetup {
     /// What lets everybody in.
-    pub token: Token,
+    pub token: HangarToken,
     /// Whether the token is asked for also on loopback, of programs of the same user.
     pub require_token: bool,
     /// Whether each instance's MAVLink is also given on a TCP port on loopback.
     pub expose: bool,
     /// How much it takes of its clients.
-    pub bounds: Bounds,
+    pub bounds: ServiceBounds,
     /// Tells whose a connection is.
     pub owner: Owner,
     /// The programs, as people are told of them.
@@ -76,12 +76,12 @@ pub struct Setup {
     /// What happens to instances that end by themselves.
     pub restart: Restart,
     /// What the hangar may use.
-    pub limits: Limits,
+    pub limits: HangarLimits,
 }
 
 /// How much a service takes of its clients.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Bounds {
+pub struct ServiceBounds {
     /// Connections at once, tunnels not counted.
     pub connections: usize,
     /// Of these, those that wait for something to happen.
@@ -98,7 +98,7 @@ pub struct Bounds {
     pub keep_alive: Duration,
 }
 
-impl Default for Bounds {
+impl Default for ServiceBounds {
     fn default() -> Self {
         Self {
             connections: 64,
@@ -116,7 +116,7 @@ impl Default for Bounds {
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 pub struct Program {
     /// The vehicle.
-    pub kind: Kind,
+    pub kind: SitlKind,
     /// The file.
     pub file: String,
     /// What it says that it is.
@@ -135,7 +135,7 @@ pub struct Status {
     /// How full it is.
     pub capacity: Capacity,
     /// What it may use.
-    pub limits: Limits,
+    pub limits: HangarLimits,
     /// What happens to instances that end by themselves.
     pub restart: Restart,
     /// Processes of an earlier life that were found.
@@ -143,9 +143,9 @@ pub struct Status {
 }
 
 /// What all handlers share.
-struct Desk {
+struct ServiceState {
     hangar: Hangar,
-    setup: Setup,
+    setup: ServiceSetup,
     life: String,
     /// Whether only this host can reach us.
     on_loopback: bool,
@@ -161,12 +161,12 @@ struct Desk {
 pub async fn serve(
     listener: TcpListener,
     hangar: Hangar,
-    setup: Setup,
+    setup: ServiceSetup,
     cancel: CancellationToken,
 ) -> io::Result<()> {
     let address = listener.local_addr()?;
     let life = SysRng.try_next_u64().map_err(io::Error::other)?;
-    let desk = Arc::new(Desk {
+    let state = Arc::new(ServiceState {
         on_loopback: address.ip().is_loopback(),
         life: format!("{life:016x}"),
         waiting: Arc::new(Semaphore::new(setup.bounds.waiting)),
@@ -175,19 +175,19 @@ pub async fn serve(
         hangar,
         setup,
     });
-    let mut connections = accept::run(&listener, &desk).await;
+    let mut connections = accept::run(&listener, &state).await;
     drop(listener);
-    desk.cancel.cancel();
+    state.cancel.cancel();
     let all = async { while connections.join_next().await.is_some() {} };
     // Whoever is still busy after that is cut off.
     let _ = tokio::time::timeout(GRACE, all).await;
     connections.shutdown().await;
-    desk.hangar.close().await;
+    state.hangar.close().await;
     Ok(())
 }
 
-fn router(desk: &Arc<Desk>) -> Router {
-    let guard = axum::middleware::from_fn_with_state(Arc::clone(desk), guard::check);
+fn router(state: &Arc<ServiceState>) -> Router {
+    let guard = axum::middleware::from_fn_with_state(Arc::clone(state), guard::check);
     table()
         .into_iter()
         .fold(Router::new(), |router, (path, methods)| {
@@ -196,14 +196,14 @@ fn router(desk: &Arc<Desk>) -> Router {
         .fallback(problem::no_such_path)
         .method_not_allowed_fallback(problem::no_such_method)
         .layer(guard)
-        .with_state(Arc::clone(desk))
+        .with_state(Arc::clone(state))
 }
 
 /// Every path with what answers it.
-fn table() -> Vec<(&'static str, axum::routing::MethodRouter<Arc<Desk>>)> {
+fn table() -> Vec<(&'static str, axum::routing::MethodRouter<Arc<ServiceState>>)> {
     use axum::routing::{MethodRouter, get, post};
     // Elsewhere HEAD is answered as GET is; here it would do what GET does.
-    let acts = |methods: MethodRouter<Arc<Desk>>| methods.head(problem::not_by_head);
+    let acts = |methods: MethodRouter<Arc<ServiceState>>| methods.head(problem::not_by_head);
     vec![
         ("/vehicles", get(vehicles::list).post(vehicles::launch)),
         (
@@ -224,7 +224,7 @@ fn table() -> Vec<(&'static str, axum::routing::MethodRouter<Arc<Desk>>)> {
     ]
 }
 
-impl Desk {
+impl ServiceState {
     fn instances(&self) -> Instances {
         self.dressed(&self.hangar.instances().borrow())
     }
@@ -246,10 +246,10 @@ impl Desk {
         Arc::new(all.iter().map(dress).collect())
     }
 
-    fn instance(&self, id: InstanceId) -> Result<Instance, Problem> {
+    fn instance(&self, id: InstanceId) -> Result<Instance, ServiceProblem> {
         self.instances()
             .get(&id)
             .cloned()
-            .ok_or_else(|| Problem::from(super::Refusal::Unknown(id)))
+            .ok_or_else(|| ServiceProblem::from(super::HangarRefusal::Unknown(id)))
     }
 }

@@ -20,7 +20,7 @@ pub enum Protocol {
 
 /// A socket that somebody could talk to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-pub struct Socket {
+pub struct ListeningSocket {
     /// What it carries.
     pub protocol: Protocol,
     /// Where it is open.
@@ -31,7 +31,7 @@ pub struct Socket {
     inode: u64,
 }
 
-impl Socket {
+impl ListeningSocket {
     /// Whether only this machine reaches it.
     pub fn is_loopback(&self) -> bool {
         self.at.ip().to_canonical().is_loopback()
@@ -47,7 +47,7 @@ const OPEN: [(&str, Protocol, &str); 4] = [
 ];
 
 /// The sockets of this host that somebody could talk to; none where there is no `/proc`.
-pub fn open() -> Vec<Socket> {
+pub fn open() -> Vec<ListeningSocket> {
     let mut all = Vec::new();
     for (file, protocol, state) in OPEN {
         let text = fs::read_to_string(format!("/proc/net/{file}")).unwrap_or_default();
@@ -62,7 +62,7 @@ pub fn open() -> Vec<Socket> {
 }
 
 /// Those of a process. Of another user's, nothing is known.
-pub fn of_process(pid: u32) -> Vec<Socket> {
+pub fn of_process(pid: u32) -> Vec<ListeningSocket> {
     let Ok(files) = fs::read_dir(format!("/proc/{pid}/fd")) else {
         return Vec::new();
     };
@@ -82,12 +82,12 @@ pub fn of_process(pid: u32) -> Vec<Socket> {
 
 /// A line of `/proc/net`: number, local address, remote address, state, queues, timer, retransmits, user, timeout,
 /// inode.
-fn read(line: &str, protocol: Protocol, state: &str) -> Option<Socket> {
+fn read(line: &str, protocol: Protocol, state: &str) -> Option<ListeningSocket> {
     let fields: Vec<&str> = line.split_ascii_whitespace().collect();
     if *fields.get(3)? != state {
         return None;
     }
-    Some(Socket {
+    Some(ListeningSocket {
         protocol,
         at: process::address(fields.get(1)?)?,
         uid: fields.get(7)?.parse().ok()?,

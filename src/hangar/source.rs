@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use super::client::Remote;
-use super::{Config, Hangars, Launch};
+use super::client::RemoteHangar;
+use super::{HangarSetup, Hangars, Launch};
 use crate::scoring::FlightBackend;
 use crate::sim::{Airframe, Start, WorldConfig};
 use crate::text;
@@ -11,14 +11,14 @@ use crate::text::Text;
 
 /// Where ArduPilot's SITL is started.
 #[derive(Debug, Clone)]
-pub enum Source {
+pub enum SitlSource {
     /// By this program.
-    Own(Box<Config>),
+    Own(Box<HangarSetup>),
     /// By services on this host or others.
-    Far(Vec<Remote>),
+    Far(Vec<RemoteHangar>),
 }
 
-impl Source {
+impl SitlSource {
     /// Opens the hangars. Must be called inside a tokio runtime.
     ///
     /// # Errors
@@ -43,14 +43,14 @@ impl Source {
 
 /// The vehicles that are simulated.
 #[derive(Debug, Clone, Default)]
-pub struct Backend {
+pub struct VehicleBackend {
     /// ArduPilot's SITL; the embedded simulator without it.
-    pub ardupilot: Option<Source>,
+    pub ardupilot: Option<SitlSource>,
     /// The airframes that were named: one for all vehicles, or one for each, the last one for all that follow.
     pub airframes: Vec<Arc<Airframe>>,
 }
 
-impl Backend {
+impl VehicleBackend {
     /// What the debrief and `--json` call it.
     pub fn kind(&self) -> FlightBackend {
         match self.ardupilot {

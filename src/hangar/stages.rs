@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::Stage;
+use super::SitlStage;
 
 /// A stage that has not come after this long is remarked upon; nothing is ended for being slow.
 const PATIENCE: Duration = Duration::from_secs(20);
@@ -37,7 +37,7 @@ pub(super) struct Stages {
     /// How long an instance may be silent: it may be slow on purpose.
     silence: Duration,
     connected: Option<bool>,
-    stage: Stage,
+    stage: SitlStage,
     parameters: u16,
     /// Since when there has been no progress.
     since: Duration,
@@ -50,7 +50,7 @@ impl Stages {
         Self {
             silence: SILENCE.div_f64(speedup.clamp(0.001, 1.0)),
             connected: None,
-            stage: Stage::Process,
+            stage: SitlStage::Process,
             parameters: 0,
             since: now,
             heard: now,
@@ -71,7 +71,7 @@ impl Stages {
 
     /// It boots again within its connection.
     pub fn again(&mut self, now: Duration) {
-        self.stage = Stage::Process;
+        self.stage = SitlStage::Process;
         self.parameters = 0;
         self.since = now;
         self.heard = now;
@@ -83,7 +83,7 @@ impl Stages {
     }
 
     /// What its answers amount to.
-    pub fn probed(&mut self, stage: Stage, parameters: u16, now: Duration) {
+    pub fn probed(&mut self, stage: SitlStage, parameters: u16, now: Duration) {
         if stage > self.stage || parameters > self.parameters {
             self.since = now;
         }
@@ -92,14 +92,14 @@ impl Stages {
     }
 
     /// How far it has come, silent or not.
-    pub fn reached(&self) -> Stage {
+    pub fn reached(&self) -> SitlStage {
         self.stage
     }
 
     /// How far it is: one whose heartbeat is lost is no more than a process.
-    pub fn stage(&self, now: Duration) -> Stage {
+    pub fn stage(&self, now: Duration) -> SitlStage {
         if self.is_silent(now) {
-            Stage::Process
+            SitlStage::Process
         } else {
             self.stage
         }
@@ -107,17 +107,17 @@ impl Stages {
 
     /// What it has lacked for too long, and for how long.
     pub fn lack(&self, now: Duration) -> Option<(Lack, Duration)> {
-        if self.is_silent(now) && self.stage > Stage::Process {
+        if self.is_silent(now) && self.stage > SitlStage::Process {
             return Some((Lack::Sound, now.saturating_sub(self.heard)));
         }
         let waited = now.saturating_sub(self.since);
         let (lack, patience) = match (self.stage, self.connected) {
-            (Stage::Process, None) => (Lack::Connection, PATIENCE),
-            (Stage::Process, Some(false)) => (Lack::Reconnection, PATIENCE),
-            (Stage::Process, Some(true)) => (Lack::Heartbeat, PATIENCE),
-            (Stage::Heartbeat, _) => (Lack::Parameters, PATIENCE),
-            (Stage::Parameters, _) => (Lack::Position, PATIENCE_FOR_READINESS),
-            (Stage::Position, _) => (Lack::Readiness, PATIENCE_FOR_READINESS),
+            (SitlStage::Process, None) => (Lack::Connection, PATIENCE),
+            (SitlStage::Process, Some(false)) => (Lack::Reconnection, PATIENCE),
+            (SitlStage::Process, Some(true)) => (Lack::Heartbeat, PATIENCE),
+            (SitlStage::Heartbeat, _) => (Lack::Parameters, PATIENCE),
+            (SitlStage::Parameters, _) => (Lack::Position, PATIENCE_FOR_READINESS),
+            (SitlStage::Position, _) => (Lack::Readiness, PATIENCE_FOR_READINESS),
             _ => return None,
         };
         (waited >= patience).then_some((lack, waited))
@@ -157,7 +157,7 @@ mod tests {
     fn ready(speedup: f64) -> Stages {
         let mut stages = Stages::new(speedup, s(0));
         stages.connected(s(1));
-        stages.probed(Stage::Ready, 10, s(2));
+        stages.probed(SitlStage::Ready, 10, s(2));
         stages.heard(s(2));
         stages
     }
@@ -167,40 +167,40 @@ mod tests {
         let mut stages = Stages::new(1.0, s(0));
         stages.connected(s(0));
         for (probed, shown) in [
-            (Stage::Heartbeat, Stage::Heartbeat),
-            (Stage::Position, Stage::Position),
-            (Stage::Parameters, Stage::Position),
-            (Stage::Ready, Stage::Ready),
-            (Stage::Position, Stage::Ready),
+            (SitlStage::Heartbeat, SitlStage::Heartbeat),
+            (SitlStage::Position, SitlStage::Position),
+            (SitlStage::Parameters, SitlStage::Position),
+            (SitlStage::Ready, SitlStage::Ready),
+            (SitlStage::Position, SitlStage::Ready),
         ] {
             stages.probed(probed, 0, s(1));
             assert_eq!(stages.stage(s(1)), shown);
         }
         stages.disconnected(s(2));
-        assert_eq!(stages.stage(s(2)), Stage::Process);
+        assert_eq!(stages.stage(s(2)), SitlStage::Process);
         stages.connected(s(3));
-        stages.probed(Stage::Heartbeat, 0, s(4));
-        assert_eq!(stages.stage(s(4)), Stage::Heartbeat);
+        stages.probed(SitlStage::Heartbeat, 0, s(4));
+        assert_eq!(stages.stage(s(4)), SitlStage::Heartbeat);
     }
 
     #[test]
     fn a_silent_instance_is_only_a_process_until_it_is_heard_again() {
         let mut stages = ready(1.0);
-        assert_eq!(stages.stage(s(11)), Stage::Ready);
-        assert_eq!(stages.stage(s(12)), Stage::Process);
+        assert_eq!(stages.stage(s(11)), SitlStage::Ready);
+        assert_eq!(stages.stage(s(12)), SitlStage::Process);
         assert_eq!(stages.lack(s(13)), Some((Lack::Sound, s(11))));
         stages.heard(s(14));
         assert_eq!(
             (stages.stage(s(14)), stages.lack(s(14))),
-            (Stage::Ready, None)
+            (SitlStage::Ready, None)
         );
     }
 
     #[test]
     fn one_that_is_slow_on_purpose_may_be_silent_for_longer() {
-        assert_eq!(ready(0.1).stage(s(101)), Stage::Ready);
-        assert_eq!(ready(0.1).stage(s(102)), Stage::Process);
-        assert_eq!(ready(100.0).stage(s(11)), Stage::Ready);
+        assert_eq!(ready(0.1).stage(s(101)), SitlStage::Ready);
+        assert_eq!(ready(0.1).stage(s(102)), SitlStage::Process);
+        assert_eq!(ready(100.0).stage(s(11)), SitlStage::Ready);
     }
 
     #[test]
@@ -212,9 +212,9 @@ mod tests {
         assert_eq!(stages.lack(s(49)), None);
         assert_eq!(stages.lack(s(50)), Some((Lack::Heartbeat, s(20))));
         for (stage, at, patience_s, lack) in [
-            (Stage::Heartbeat, 100, 20, Lack::Parameters),
-            (Stage::Parameters, 200, 90, Lack::Position),
-            (Stage::Position, 400, 90, Lack::Readiness),
+            (SitlStage::Heartbeat, 100, 20, Lack::Parameters),
+            (SitlStage::Parameters, 200, 90, Lack::Position),
+            (SitlStage::Position, 400, 90, Lack::Readiness),
         ] {
             stages.probed(stage, 0, s(at));
             stages.heard(s(at + patience_s));
@@ -222,7 +222,7 @@ mod tests {
             let named = stages.lack(s(at + patience_s));
             assert_eq!(named, Some((lack, s(patience_s))));
         }
-        stages.probed(Stage::Ready, 0, s(600));
+        stages.probed(SitlStage::Ready, 0, s(600));
         stages.heard(s(900));
         assert_eq!(stages.lack(s(900)), None);
         stages.disconnected(s(1000));
@@ -233,8 +233,8 @@ mod tests {
     fn every_parameter_that_comes_is_progress() {
         let mut stages = Stages::new(1.0, s(0));
         stages.connected(s(0));
-        stages.probed(Stage::Heartbeat, 1, s(1));
-        stages.probed(Stage::Heartbeat, 2, s(15));
+        stages.probed(SitlStage::Heartbeat, 1, s(1));
+        stages.probed(SitlStage::Heartbeat, 2, s(15));
         stages.heard(s(34));
         assert_eq!(stages.lack(s(34)), None);
         assert_eq!(stages.lack(s(35)), Some((Lack::Parameters, s(20))));

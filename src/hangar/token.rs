@@ -21,7 +21,7 @@ const FILE_MAX: u64 = 256;
 
 /// A bearer token. `Debug` does not show it.
 #[derive(Clone, PartialEq, Eq)]
-pub struct Token(String);
+pub struct HangarToken(String);
 
 /// Why a token cannot be had.
 #[derive(Debug, thiserror::Error)]
@@ -72,13 +72,13 @@ impl TokenError {
     }
 }
 
-impl fmt::Debug for Token {
+impl fmt::Debug for HangarToken {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("Token(..)")
     }
 }
 
-impl Token {
+impl HangarToken {
     /// A new token of the system's random numbers.
     ///
     /// # Errors
@@ -201,23 +201,26 @@ mod tests {
     fn a_token_is_made_once_and_only_its_owner_may_read_it() {
         let folder = tempfile::tempdir().expect("a folder");
         let path = folder.path().join("deep/token");
-        let made = Token::load_or_create(&path).expect("it is made");
+        let made = HangarToken::load_or_create(&path).expect("it is made");
         assert_eq!(fs::metadata(&path).expect("a file").mode() & 0o777, 0o600);
-        assert_eq!(Token::load_or_create(&path).expect("it is there"), made);
+        assert_eq!(
+            HangarToken::load_or_create(&path).expect("it is there"),
+            made
+        );
         let left: Vec<_> = fs::read_dir(folder.path().join("deep"))
             .expect("a folder")
             .collect();
         assert_eq!(left.len(), 1, "no draft is left");
-        assert_ne!(Token::random().expect("random"), made);
+        assert_ne!(HangarToken::random().expect("random"), made);
     }
 
     #[test]
     fn programs_that_start_together_get_the_same_token() {
         let folder = tempfile::tempdir().expect("a folder");
         let path = folder.path().join("token");
-        let tokens: Vec<Token> = std::thread::scope(|scope| {
+        let tokens: Vec<HangarToken> = std::thread::scope(|scope| {
             let all: Vec<_> = (0..8)
-                .map(|_| scope.spawn(|| Token::load_or_create(&path).expect("a token")))
+                .map(|_| scope.spawn(|| HangarToken::load_or_create(&path).expect("a token")))
                 .collect();
             all.into_iter()
                 .map(|one| one.join().expect("it ends"))
@@ -230,10 +233,10 @@ mod tests {
     fn a_file_that_others_can_read_is_refused_with_what_to_do() {
         let folder = tempfile::tempdir().expect("a folder");
         let path = folder.path().join("token");
-        Token::load_or_create(&path).expect("it is made");
+        HangarToken::load_or_create(&path).expect("it is made");
         for mode in [0o640, 0o604, 0o620, 0o660] {
             fs::set_permissions(&path, fs::Permissions::from_mode(mode)).expect("it is ours");
-            let error = Token::load(&path).expect_err("refused").to_string();
+            let error = HangarToken::load(&path).expect_err("refused").to_string();
             assert!(error.contains("chmod 600"), "{error}");
             assert!(error.contains(&format!("{mode:04o}")), "{error}");
         }
@@ -246,7 +249,7 @@ mod tests {
         let private = nix::sys::stat::Mode::S_IRUSR;
         nix::unistd::mkfifo(&pipe, private).expect("it is made");
         for path in [pipe.as_path(), folder.path(), Path::new("/dev/null")] {
-            let error = Token::load(path).expect_err("refused").to_string();
+            let error = HangarToken::load(path).expect_err("refused").to_string();
             assert!(error.contains("no regular file"), "{error}");
         }
     }
@@ -264,14 +267,14 @@ mod tests {
                 .open(&path)
                 .and_then(|mut file| file.write_all(text.as_bytes()))
                 .expect("it is written");
-            let error = Token::load_or_create(&path).expect_err("refused");
+            let error = HangarToken::load_or_create(&path).expect_err("refused");
             assert!(matches!(error, TokenError::Content { .. }), "{error}");
         }
     }
 
     #[test]
     fn only_the_token_itself_is_right_and_it_is_not_shown() {
-        let token = Token::random().expect("random");
+        let token = HangarToken::random().expect("random");
         let text = token
             .authorization()
             .strip_prefix("Bearer ")

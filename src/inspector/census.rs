@@ -33,7 +33,7 @@ pub enum Direction {
 
 /// One sender at one end of a link.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Source {
+pub struct FrameSource {
     /// Whether it speaks to us, or is us.
     pub direction: Direction,
     /// The peer of the link that sent the frames, or to whom they went.
@@ -46,16 +46,16 @@ pub struct Source {
 
 /// One kind of message from one source.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Key {
+pub struct TallyKey {
     /// Who sent it.
-    pub source: Source,
+    pub source: FrameSource,
     /// The message id.
     pub message: u32,
 }
 
 /// What is known of one kind of message.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Tally {
+pub struct MessageTally {
     /// How many came.
     pub count: u64,
     /// Their bytes on the wire.
@@ -69,11 +69,11 @@ pub struct Tally {
     /// The last one, byte by byte.
     pub last: Vec<u8>,
     was_admitted_verified: bool,
-    slots: [Slot; SLOTS],
+    slots: [TallySlot; SLOTS],
 }
 
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-struct Slot {
+struct TallySlot {
     second: u64,
     count: u32,
     bytes: u32,
@@ -95,7 +95,7 @@ impl std::ops::AddAssign for Rate {
     }
 }
 
-impl Tally {
+impl MessageTally {
     fn new(is_verified: bool, now: Duration) -> Self {
         Self {
             count: 0,
@@ -105,7 +105,7 @@ impl Tally {
             is_verified,
             was_admitted_verified: is_verified,
             last: Vec::new(),
-            slots: [Slot::default(); SLOTS],
+            slots: [TallySlot::default(); SLOTS],
         }
     }
 
@@ -119,9 +119,9 @@ impl Tally {
         let second = now.as_secs();
         let slot = &mut self.slots[(second % SLOTS as u64) as usize];
         if slot.second != second {
-            *slot = Slot {
+            *slot = TallySlot {
                 second,
-                ..Slot::default()
+                ..TallySlot::default()
             };
         }
         slot.count = slot.count.saturating_add(1);
@@ -160,9 +160,9 @@ impl Tally {
 
 /// The frames of one watched kind since the last look.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Watched {
+pub struct WatchedMessage {
     /// The kind.
-    pub key: Key,
+    pub key: TallyKey,
     /// When each came, and its bytes; oldest first.
     pub frames: VecDeque<(Duration, Vec<u8>)>,
     /// How many more came than were kept.
@@ -172,13 +172,13 @@ pub struct Watched {
 /// Counts the messages of one link.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Census {
-    tallies: BTreeMap<Key, Tally>,
-    sources: BTreeMap<Source, Witness>,
+    tallies: BTreeMap<TallyKey, MessageTally>,
+    sources: BTreeMap<FrameSource, Witness>,
     peers: BTreeMap<u32, String>,
     unverified: usize,
     uncounted: u64,
     next_sweep: Duration,
-    watched: BTreeMap<Key, Watched>,
+    watched: BTreeMap<TallyKey, WatchedMessage>,
     noise: Vec<u8>,
 }
 
@@ -200,13 +200,13 @@ impl Census {
         let Some(frame) = Anatomy::of(bytes) else {
             return;
         };
-        let source = Source {
+        let source = FrameSource {
             direction,
             peer,
             system: frame.system,
             component: frame.component,
         };
-        let key = Key {
+        let key = TallyKey {
             source,
             message: frame.id,
         };
@@ -217,7 +217,7 @@ impl Census {
         let tallies = &mut self.tallies;
         let tally = tallies
             .entry(key)
-            .or_insert_with(|| Tally::new(is_verified, now));
+            .or_insert_with(|| MessageTally::new(is_verified, now));
         tally.note(bytes, is_verified, now);
         if is_verified {
             let witness = self.sources.entry(source).or_default();
@@ -253,7 +253,7 @@ impl Census {
     fn sweep(&mut self, now: Duration) {
         self.tallies
             .retain(|_, tally| now.saturating_sub(tally.last_at) < STALE);
-        let sources: BTreeSet<Source> = self.tallies.keys().map(|key| key.source).collect();
+        let sources: BTreeSet<FrameSource> = self.tallies.keys().map(|key| key.source).collect();
         let peers: BTreeSet<u32> = sources.iter().map(|source| source.peer).collect();
         self.sources.retain(|source, _| sources.contains(source));
         self.peers.retain(|peer, _| peers.contains(peer));
@@ -280,28 +280,28 @@ impl Census {
     }
 
     /// Every kind of message, ordered by source and id.
-    pub fn tallies(&self) -> impl Iterator<Item = (Key, &Tally)> {
+    pub fn tallies(&self) -> impl Iterator<Item = (TallyKey, &MessageTally)> {
         self.tallies.iter().map(|(&key, tally)| (key, tally))
     }
 
     /// One kind of message.
-    pub fn tally(&self, key: Key) -> Option<&Tally> {
+    pub fn tally(&self, key: TallyKey) -> Option<&MessageTally> {
         self.tallies.get(&key)
     }
 
     /// Whether a kind is more than a pattern in noise: its checksum was right, or its sender is known by others, or
     /// it keeps coming.
-    pub fn is_credible(&self, key: Key, tally: &Tally) -> bool {
+    pub fn is_credible(&self, key: TallyKey, tally: &MessageTally) -> bool {
         tally.is_verified || tally.count >= KEEPS_COMING || self.sources.contains_key(&key.source)
     }
 
     /// Everybody whose frames were verified, received and sent.
-    pub fn sources(&self) -> impl Iterator<Item = Source> {
+    pub fn sources(&self) -> impl Iterator<Item = FrameSource> {
         self.sources.keys().copied()
     }
 
     /// When a source last sent something that only somebody sends who hears us.
-    pub fn answered_at(&self, source: Source) -> Option<Duration> {
+    pub fn answered_at(&self, source: FrameSource) -> Option<Duration> {
         self.sources.get(&source)?.answered_at
     }
 
@@ -316,10 +316,10 @@ impl Census {
     }
 
     /// Keeps every frame of these kinds from now on, and of no others.
-    pub fn watch(&mut self, keys: &BTreeSet<Key>) {
+    pub fn watch(&mut self, keys: &BTreeSet<TallyKey>) {
         self.watched.retain(|key, _| keys.contains(key));
         for &key in keys {
-            self.watched.entry(key).or_insert_with(|| Watched {
+            self.watched.entry(key).or_insert_with(|| WatchedMessage {
                 key,
                 frames: VecDeque::new(),
                 dropped: 0,
@@ -328,8 +328,8 @@ impl Census {
     }
 
     /// What has come of the watched kinds since the last look.
-    pub fn take_watched(&mut self) -> Vec<Watched> {
-        let take = |watched: &mut Watched| Watched {
+    pub fn take_watched(&mut self) -> Vec<WatchedMessage> {
+        let take = |watched: &mut WatchedMessage| WatchedMessage {
             key: watched.key,
             frames: std::mem::take(&mut watched.frames),
             dropped: std::mem::take(&mut watched.dropped),
@@ -378,9 +378,9 @@ impl Census {
     }
 
     /// The tallies of one source.
-    pub fn of(&self, source: Source) -> impl Iterator<Item = (u32, &Tally)> {
-        let first = Key { source, message: 0 };
-        let last = Key {
+    pub fn of(&self, source: FrameSource) -> impl Iterator<Item = (u32, &MessageTally)> {
+        let first = TallyKey { source, message: 0 };
+        let last = TallyKey {
             source,
             message: u32::MAX,
         };

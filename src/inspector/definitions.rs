@@ -14,28 +14,28 @@ static DEFINITIONS: LazyLock<Definitions> = LazyLock::new(|| Definitions::read(T
 /// All messages and enums that are known.
 #[derive(Debug, Default)]
 pub struct Definitions {
-    messages: BTreeMap<u32, Message>,
-    enums: BTreeMap<&'static str, Enum>,
+    messages: BTreeMap<u32, MessageDefinition>,
+    enums: BTreeMap<&'static str, EnumDefinition>,
 }
 
 /// One message.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Message {
+pub struct MessageDefinition {
     /// Its name, such as `HEARTBEAT`.
     pub name: &'static str,
     /// `CRC_EXTRA`: what its checksum begins with, so that only the same layout is taken for it.
     pub seed: u8,
     /// Its fields in wire order, extension fields last.
-    pub fields: Vec<Field>,
+    pub fields: Vec<FieldDefinition>,
 }
 
 /// One field of a message.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Field {
+pub struct FieldDefinition {
     /// Its name.
     pub name: &'static str,
     /// The type of one element.
-    pub kind: Kind,
+    pub kind: FieldType,
     /// How many elements an array has; 0 for a single value.
     pub count: u8,
     /// Its unit as MAVLink spells it (`cm/s`, `degE7`); empty if it has none.
@@ -52,7 +52,7 @@ pub struct Field {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumString)]
 #[strum(serialize_all = "lowercase")]
 #[expect(missing_docs, reason = "the names are the types")]
-pub enum Kind {
+pub enum FieldType {
     Char,
     U8,
     I8,
@@ -68,13 +68,13 @@ pub enum Kind {
 
 /// The names of an enum's values, or of a mask's bits.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Enum {
+pub struct EnumDefinition {
     /// Whether values are bits of a mask.
     pub is_mask: bool,
     entries: BTreeMap<u64, &'static str>,
 }
 
-impl Kind {
+impl FieldType {
     /// Bytes on the wire.
     pub fn wire_len(self) -> usize {
         match self {
@@ -86,14 +86,14 @@ impl Kind {
     }
 }
 
-impl Field {
+impl FieldDefinition {
     /// Bytes on the wire, of all elements.
     pub fn wire_len(&self) -> usize {
         self.kind.wire_len() * usize::from(self.count.max(1))
     }
 }
 
-impl Enum {
+impl EnumDefinition {
     /// The name of a value, without the part that all names of its enum share.
     pub fn name(&self, value: u64) -> Option<&'static str> {
         self.entries.get(&value).copied()
@@ -116,17 +116,17 @@ impl Definitions {
     }
 
     /// The message with an id.
-    pub fn message(&self, id: u32) -> Option<&Message> {
+    pub fn message(&self, id: u32) -> Option<&MessageDefinition> {
         self.messages.get(&id)
     }
 
     /// All messages by their ids.
-    pub fn messages(&self) -> impl Iterator<Item = (u32, &Message)> {
+    pub fn messages(&self) -> impl Iterator<Item = (u32, &MessageDefinition)> {
         self.messages.iter().map(|(&id, message)| (id, message))
     }
 
     /// The enum with a name.
-    pub fn names(&self, name: &str) -> Option<&Enum> {
+    pub fn names(&self, name: &str) -> Option<&EnumDefinition> {
         self.enums.get(name)
     }
 
@@ -148,7 +148,7 @@ impl Definitions {
                 entries.insert(value.parse().ok()?, entry);
             }
             let is_mask = first == "bits";
-            self.enums.insert(name, Enum { is_mask, entries });
+            self.enums.insert(name, EnumDefinition { is_mask, entries });
             return Some(());
         }
         let seed = words.next()?.parse().ok()?;
@@ -161,17 +161,17 @@ impl Definitions {
                 fields.push(field(word, extension)?);
             }
         }
-        let message = Message { name, seed, fields };
+        let message = MessageDefinition { name, seed, fields };
         self.messages.insert(first.parse().ok()?, message);
         Some(())
     }
 }
 
-fn field(word: &'static str, extension: bool) -> Option<Field> {
+fn field(word: &'static str, extension: bool) -> Option<FieldDefinition> {
     let mut parts = word.split(':');
     let (name, kind) = (parts.next()?, parts.next()?);
     let (kind, count) = kind.split_once('*').unwrap_or((kind, "0"));
-    Some(Field {
+    Some(FieldDefinition {
         name,
         kind: kind.parse().ok()?,
         count: count.parse().ok()?,
@@ -219,7 +219,7 @@ mod tests {
             let message = Definitions::get().message(id).expect("in the table");
             assert_eq!(message.name, default.message_name());
             assert_eq!(message.seed, MavMessage::extra_crc(id), "{}", message.name);
-            let len: usize = message.fields.iter().map(Field::wire_len).sum();
+            let len: usize = message.fields.iter().map(FieldDefinition::wire_len).sum();
             // Where no enum stands in the way: with no zero at its end the dialect writes all that it has.
             if let Ok(full) = MavMessage::parse(MavlinkVersion::V2, id, &[1; 255]) {
                 assert_eq!(

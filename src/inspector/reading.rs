@@ -2,30 +2,30 @@
 
 use std::fmt;
 
-use super::definitions::{Definitions, Field, Kind};
+use super::definitions::{Definitions, FieldDefinition, FieldType};
 use crate::wire::Anatomy;
 
 /// What a frame says.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Reading {
+pub struct MessageReading {
     /// The message's name, if its id is known.
     pub name: Option<&'static str>,
     /// Whether the checksum is right for the message as it is defined here. If not, there are no values: the
     /// sender lays the message out otherwise, or the frame is damaged.
     pub is_verified: bool,
     /// The fields in wire order.
-    pub values: Vec<Value>,
+    pub values: Vec<FieldReading>,
 }
 
 /// The value of one field.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Value {
+pub struct FieldReading {
     /// Its name.
     pub name: &'static str,
     /// Its unit as MAVLink spells it; empty if it has none.
     pub unit: &'static str,
     /// Its elements; more than one for an array.
-    pub elements: Vec<Element>,
+    pub elements: Vec<ElementReading>,
     /// Text, if it is made of characters.
     pub text: Option<String>,
     /// Names of the enum value or of the bits that are set; empty if it has none.
@@ -38,7 +38,7 @@ pub struct Value {
 
 /// A number as it was on the wire.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Element {
+pub enum ElementReading {
     /// An unsigned number.
     Unsigned(u64),
     /// A signed number.
@@ -49,7 +49,7 @@ pub enum Element {
     Double(f64),
 }
 
-impl Element {
+impl ElementReading {
     /// The number as a point of a graph.
     pub fn number(self) -> f64 {
         match self {
@@ -61,7 +61,7 @@ impl Element {
     }
 }
 
-impl fmt::Display for Element {
+impl fmt::Display for ElementReading {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             Self::Unsigned(value) => write!(f, "{value}"),
@@ -95,13 +95,17 @@ pub fn figure(value: f64, digits: i32) -> String {
     if short == "-0" { "0" } else { short }.to_owned()
 }
 
-impl Value {
+impl FieldReading {
     /// The value without its unit: text in quotes, the elements of an array with blanks between them.
     pub fn figures(&self) -> String {
         if let Some(text) = &self.text {
             return format!("\"{text}\"");
         }
-        let figures: Vec<String> = self.elements.iter().map(Element::to_string).collect();
+        let figures: Vec<String> = self
+            .elements
+            .iter()
+            .map(ElementReading::to_string)
+            .collect();
         figures.join(" ")
     }
 
@@ -119,10 +123,10 @@ pub fn name_of(id: u32) -> String {
 }
 
 /// Reads a frame.
-pub fn read(frame: &Anatomy<'_>) -> Reading {
+pub fn read(frame: &Anatomy<'_>) -> MessageReading {
     let definitions = Definitions::get();
     let Some(message) = definitions.message(frame.id) else {
-        return Reading {
+        return MessageReading {
             name: None,
             is_verified: false,
             values: Vec::new(),
@@ -135,7 +139,7 @@ pub fn read(frame: &Anatomy<'_>) -> Reading {
         values.push(value(definitions, field, frame.payload, at));
         at += field.wire_len();
     }
-    Reading {
+    MessageReading {
         name: Some(message.name),
         is_verified,
         values,
@@ -143,11 +147,16 @@ pub fn read(frame: &Anatomy<'_>) -> Reading {
 }
 
 /// Reads one field. What lies behind the payload's end is zero: MAVLink 2 leaves zeros at the end out.
-fn value(definitions: &Definitions, field: &Field, payload: &[u8], at: usize) -> Value {
+fn value(
+    definitions: &Definitions,
+    field: &FieldDefinition,
+    payload: &[u8],
+    at: usize,
+) -> FieldReading {
     let bytes: Vec<u8> = (at..at + field.wire_len())
         .map(|at| payload.get(at).copied().unwrap_or(0))
         .collect();
-    let (elements, text) = if field.kind == Kind::Char {
+    let (elements, text) = if field.kind == FieldType::Char {
         (Vec::new(), Some(text(&bytes)))
     } else {
         let elements = bytes.chunks(field.kind.wire_len());
@@ -164,7 +173,7 @@ fn value(definitions: &Definitions, field: &Field, payload: &[u8], at: usize) ->
         .unknown
         .zip(first)
         .is_some_and(|(unknown, found)| same(unknown, found.number()));
-    Value {
+    FieldReading {
         name: field.name,
         unit: field.unit,
         names: names(definitions, field, first),
@@ -175,11 +184,15 @@ fn value(definitions: &Definitions, field: &Field, payload: &[u8], at: usize) ->
     }
 }
 
-fn names(definitions: &Definitions, field: &Field, value: Option<Element>) -> Vec<String> {
+fn names(
+    definitions: &Definitions,
+    field: &FieldDefinition,
+    value: Option<ElementReading>,
+) -> Vec<String> {
     let number = match value {
-        Some(Element::Unsigned(number)) => number,
+        Some(ElementReading::Unsigned(number)) => number,
         // A mask keeps its bits when it is sent in a signed field.
-        Some(Element::Signed(number)) => number as u64,
+        Some(ElementReading::Signed(number)) => number as u64,
         // MISSION_ITEM and the like carry no enums in fractions.
         _ => return Vec::new(),
     };
@@ -199,18 +212,20 @@ fn text(bytes: &[u8]) -> String {
         .collect()
 }
 
-fn element(kind: Kind, bytes: &[u8]) -> Element {
+fn element(kind: FieldType, bytes: &[u8]) -> ElementReading {
     let mut wide = [0; 8];
     wide[..bytes.len()].copy_from_slice(bytes);
     let bits = u64::from_le_bytes(wide);
     match kind {
-        Kind::Char | Kind::U8 | Kind::U16 | Kind::U32 | Kind::U64 => Element::Unsigned(bits),
-        Kind::I8 => Element::Signed((bits as i8).into()),
-        Kind::I16 => Element::Signed((bits as i16).into()),
-        Kind::I32 => Element::Signed((bits as i32).into()),
-        Kind::I64 => Element::Signed(bits as i64),
-        Kind::F32 => Element::Single(f32::from_bits(bits as u32)),
-        Kind::F64 => Element::Double(f64::from_bits(bits)),
+        FieldType::Char | FieldType::U8 | FieldType::U16 | FieldType::U32 | FieldType::U64 => {
+            ElementReading::Unsigned(bits)
+        }
+        FieldType::I8 => ElementReading::Signed((bits as i8).into()),
+        FieldType::I16 => ElementReading::Signed((bits as i16).into()),
+        FieldType::I32 => ElementReading::Signed((bits as i32).into()),
+        FieldType::I64 => ElementReading::Signed(bits as i64),
+        FieldType::F32 => ElementReading::Single(f32::from_bits(bits as u32)),
+        FieldType::F64 => ElementReading::Double(f64::from_bits(bits)),
     }
 }
 

@@ -7,7 +7,7 @@ use super::argument::{Kind, Unit, Value};
 use super::lexer::Word;
 use crate::commands::{command_by_name, command_names};
 use crate::geo::{LatLon, Outline};
-use crate::parameters::{Parameters, shown};
+use crate::parameters::{ParameterList, shown};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Mode, VehicleClass};
@@ -162,7 +162,7 @@ impl Kind {
             Self::Parameter => context
                 .parameters
                 .into_iter()
-                .flat_map(Parameters::iter)
+                .flat_map(ParameterList::iter)
                 .map(|(name, known)| (name.to_owned(), format!("= {}", shown(known.value)).into()))
                 .collect(),
             Self::Flag | Self::Number(..) | Self::Whole(..) => Vec::new(),

@@ -6,7 +6,7 @@ use tokio::time::{Instant, Interval, MissedTickBehavior, interval};
 
 /// How often something is done.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Pace {
+pub(super) struct BeatPace {
     /// So long after the last time it is done along with other work.
     pub handy: Duration,
     /// So long after the last time it wakes the task by itself.
@@ -16,15 +16,15 @@ pub(super) struct Pace {
 /// Something that is done again and again. To be woken costs far more than most of what is done then, and a timer
 /// of tokio's often wakes twice; a link that carries telemetry is awake often enough without any.
 #[derive(Debug)]
-pub(super) struct Beat {
-    pace: Pace,
+pub(super) struct LinkBeat {
+    pace: BeatPace,
     last: Instant,
     timer: Interval,
 }
 
-impl Beat {
+impl LinkBeat {
     /// Due at once, if nothing else wakes the task.
-    pub fn new(pace: Pace) -> Self {
+    pub fn new(pace: BeatPace) -> Self {
         let mut timer = interval(pace.latest);
         timer.set_missed_tick_behavior(MissedTickBehavior::Skip);
         let last = Instant::now();
@@ -58,7 +58,7 @@ mod tests {
     use super::*;
     use tokio::time::{advance, timeout};
 
-    const PACE: Pace = Pace {
+    const PACE: BeatPace = BeatPace {
         handy: ms(200),
         latest: ms(300),
     };
@@ -69,7 +69,7 @@ mod tests {
 
     #[tokio::test(start_paused = true)]
     async fn a_task_that_is_awake_often_is_never_woken_by_its_beat() {
-        let mut beat = Beat::new(PACE);
+        let mut beat = LinkBeat::new(PACE);
         beat.due().await;
         let mut done = 0;
         for _ in 0..100 {
@@ -82,7 +82,7 @@ mod tests {
 
     #[tokio::test(start_paused = true)]
     async fn a_task_that_nothing_else_wakes_is_woken_at_the_latest_time() {
-        let mut beat = Beat::new(PACE);
+        let mut beat = LinkBeat::new(PACE);
         beat.due().await;
         let start = Instant::now();
         beat.due().await;
@@ -97,7 +97,7 @@ mod tests {
 
     #[tokio::test(start_paused = true)]
     async fn what_is_hastened_is_due_at_once() {
-        let mut beat = Beat::new(PACE);
+        let mut beat = LinkBeat::new(PACE);
         beat.due().await;
         let start = Instant::now();
         beat.hasten();

@@ -25,27 +25,27 @@ pub(super) async fn attempt(link: &mut LinkCore, address: &Address) -> Connectio
         Some(Ok(opened)) => opened,
     };
     match opened {
-        Opened::Stream(socket) => {
+        OpenedTransport::Stream(socket) => {
             link.up(socket.local_addr().ok());
             stream::session(link, socket, Some(TCP_SILENCE)).await
         }
-        Opened::Listener(listener) => {
+        OpenedTransport::Listener(listener) => {
             link.up(listener.local_addr().ok());
             server::session(link, listener).await
         }
-        Opened::Datagrams(socket, target) => {
+        OpenedTransport::Datagrams(socket, target) => {
             link.up(socket.local_addr().ok());
             datagram::session(link, socket, target).await
         }
         #[cfg(feature = "serial")]
-        Opened::Serial(port) => {
+        OpenedTransport::Serial(port) => {
             link.up(None);
             stream::session(link, port, None).await
         }
     }
 }
 
-enum Opened {
+enum OpenedTransport {
     Stream(TcpStream),
     Listener(TcpListener),
     /// With the address to send to, if it is known from the start.
@@ -54,16 +54,16 @@ enum Opened {
     Serial(tokio_serial::SerialStream),
 }
 
-async fn open(address: &Address) -> Result<Opened, ConnectionEnd> {
+async fn open(address: &Address) -> Result<OpenedTransport, ConnectionEnd> {
     let opened = match address {
-        Address::Tcp { host, port } => tcp(host, *port).await.map(Opened::Stream),
+        Address::Tcp { host, port } => tcp(host, *port).await.map(OpenedTransport::Stream),
         Address::TcpIn { host, port } => TcpListener::bind((host.as_str(), *port))
             .await
-            .map(Opened::Listener)
+            .map(OpenedTransport::Listener)
             .map_err(|error| bind_failure(host, *port, &error)),
         Address::UdpIn { host, port } => UdpSocket::bind((host.as_str(), *port))
             .await
-            .map(|socket| Opened::Datagrams(socket, None))
+            .map(|socket| OpenedTransport::Datagrams(socket, None))
             .map_err(|error| bind_failure(host, *port, &error)),
         Address::Udp { host, port } => udp_to(host, *port, false).await,
         Address::UdpBroadcast { host, port } => udp_to(host, *port, true).await,
@@ -99,7 +99,7 @@ async fn tcp(host: &str, port: u16) -> Result<TcpStream, Text> {
         .map_err(|error| error.to_string().into())
 }
 
-async fn udp_to(host: &str, port: u16, broadcast: bool) -> Result<Opened, Text> {
+async fn udp_to(host: &str, port: u16, broadcast: bool) -> Result<OpenedTransport, Text> {
     let target = resolve(host, port).await?;
     let any: SocketAddr = match target {
         SocketAddr::V4(_) => (Ipv4Addr::UNSPECIFIED, 0).into(),
@@ -109,7 +109,7 @@ async fn udp_to(host: &str, port: u16, broadcast: bool) -> Result<Opened, Text> 
         .await
         .and_then(|socket| socket.set_broadcast(broadcast).map(|()| socket))
         .map_err(|error| text!("transport-no-udp-socket", error = error.to_string()))?;
-    Ok(Opened::Datagrams(socket, Some(target)))
+    Ok(OpenedTransport::Datagrams(socket, Some(target)))
 }
 
 /// The address of a host, by IPv4 if it has both: most vehicles listen only there.
@@ -148,9 +148,9 @@ pub(super) fn bind_failure(host: &str, port: u16, error: &io::Error) -> Text {
 }
 
 #[cfg(feature = "serial")]
-fn serial(path: &str, baud: u32) -> Result<Opened, ConnectionEnd> {
+fn serial(path: &str, baud: u32) -> Result<OpenedTransport, ConnectionEnd> {
     tokio_serial::SerialStream::open(&tokio_serial::new(path, baud))
-        .map(Opened::Serial)
+        .map(OpenedTransport::Serial)
         .map_err(|error| {
             let error = error.to_string();
             ConnectionEnd::Lost(text!(
@@ -163,7 +163,7 @@ fn serial(path: &str, baud: u32) -> Result<Opened, ConnectionEnd> {
 }
 
 #[cfg(not(feature = "serial"))]
-fn serial(path: &str, _baud: u32) -> Result<Opened, ConnectionEnd> {
+fn serial(path: &str, _baud: u32) -> Result<OpenedTransport, ConnectionEnd> {
     let reason = text!("transport-without-serial", path = path);
     Err(ConnectionEnd::Final(Some(reason)))
 }

@@ -9,17 +9,17 @@ use tokio::sync::mpsc::error::TrySendError;
 use tokio::time::Instant;
 use tokio_util::sync::CancellationToken;
 
-use super::beat::{Beat, Pace};
-use super::meter::Meter;
-use super::{Inbound, LinkConfig, LinkId, Peer, To};
+use super::beat::{BeatPace, LinkBeat};
+use super::meter::LinkMeter;
+use super::{Inbound, LinkConfig, LinkId, LinkPeer, To};
 use crate::text::Text;
 use crate::wire::{Frame, Outgoing, ground_station_heartbeat};
 
-const HEARTBEAT: Pace = Pace {
+const HEARTBEAT: BeatPace = BeatPace {
     handy: Duration::from_millis(900),
     latest: Duration::from_secs(1),
 };
-const PUBLISH: Pace = Pace {
+const PUBLISH: BeatPace = BeatPace {
     handy: Duration::from_millis(200),
     latest: Duration::from_millis(300),
 };
@@ -31,7 +31,7 @@ const BATCH_LEN: usize = 64;
 pub(super) struct LinkCore {
     id: LinkId,
     pub(super) config: LinkConfig,
-    pub(super) meter: Meter,
+    pub(super) meter: LinkMeter,
     inbound: mpsc::Sender<Inbound>,
     to_send: mpsc::Receiver<(To, Outgoing)>,
     cancel: CancellationToken,
@@ -39,10 +39,10 @@ pub(super) struct LinkCore {
     undelivered: Option<Inbound>,
     /// Frames have come since work was last asked for: the task is awake anyway.
     has_heard: bool,
-    heartbeat: Beat,
+    heartbeat: LinkBeat,
     /// Whether heartbeats are withheld, as a radio would that does not reach.
     hushed: Arc<AtomicBool>,
-    publish: Beat,
+    publish: LinkBeat,
 }
 
 /// What the transport has to do next.
@@ -71,7 +71,7 @@ impl LinkCore {
     pub(super) fn new(
         id: LinkId,
         config: LinkConfig,
-        meter: Meter,
+        meter: LinkMeter,
         inbound: mpsc::Sender<Inbound>,
         to_send: mpsc::Receiver<(To, Outgoing)>,
         cancel: CancellationToken,
@@ -85,9 +85,9 @@ impl LinkCore {
             cancel,
             undelivered: None,
             has_heard: false,
-            heartbeat: Beat::new(HEARTBEAT),
+            heartbeat: LinkBeat::new(HEARTBEAT),
             hushed: Arc::new(AtomicBool::new(false)),
-            publish: Beat::new(PUBLISH),
+            publish: LinkBeat::new(PUBLISH),
         }
     }
 
@@ -117,7 +117,7 @@ impl LinkCore {
 
     /// Hands on what a peer sent, at once or as soon as there is room. Only when [`Self::may_read`] allowed the
     /// reading.
-    pub(super) fn deliver(&mut self, peer: Peer, frames: Vec<Frame>) {
+    pub(super) fn deliver(&mut self, peer: LinkPeer, frames: Vec<Frame>) {
         if frames.is_empty() {
             return;
         }

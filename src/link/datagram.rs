@@ -9,10 +9,10 @@ use tokio::net::UdpSocket;
 use tokio::time::{Instant, sleep_until};
 
 use super::core::{ConnectionEnd, LinkCore, LinkWork};
-use super::meter::Meter;
-use super::peer::{Ending, PeerStream};
+use super::meter::LinkMeter;
+use super::peer::{PeerStream, StreamEnding};
 use super::stream::PAUSE;
-use super::{LinkConfig, Peer, To};
+use super::{LinkConfig, LinkPeer, To};
 use crate::text;
 use crate::text::Text;
 use crate::wire::{Frame, Outgoing};
@@ -50,7 +50,7 @@ pub(super) async fn session(
             },
             received = socket.recv_from(&mut input), if link.may_read() => match received {
                 Ok((len, from)) => {
-                    let found = peers.receive(from, &input[..len], Ending::Datagram, &mut link.meter);
+                    let found = peers.receive(from, &input[..len], StreamEnding::Datagram, &mut link.meter);
                     if let Some((peer, frames)) = found {
                         link.deliver(peer, frames);
                     }
@@ -59,7 +59,7 @@ pub(super) async fn session(
                 Err(error) => return ConnectionEnd::Lost(text!("transport-udp-failed", error = error.to_string())),
             },
             from = paused(pause), if link.may_read() => {
-                if let Some((peer, frames)) = peers.receive(from, &[], Ending::Closed, &mut link.meter) {
+                if let Some((peer, frames)) = peers.receive(from, &[], StreamEnding::Closed, &mut link.meter) {
                     link.deliver(peer, frames);
                 }
             }
@@ -89,19 +89,19 @@ fn is_icmp(error: &io::Error) -> bool {
 #[derive(Debug)]
 struct Peers {
     config: LinkConfig,
-    by_address: BTreeMap<SocketAddr, Peer>,
-    all: BTreeMap<Peer, Remote>,
+    by_address: BTreeMap<SocketAddr, LinkPeer>,
+    all: BTreeMap<LinkPeer, DatagramPeer>,
     /// Who has sent half a frame, but no intact one yet.
     strangers: BTreeMap<SocketAddr, PeerStream>,
     /// Whose last datagram ended inside a frame, and when it came.
     tails: BTreeMap<SocketAddr, Instant>,
     next: u32,
-    target: Option<Peer>,
+    target: Option<LinkPeer>,
     sending_fails: bool,
 }
 
 #[derive(Debug)]
-struct Remote {
+struct DatagramPeer {
     address: SocketAddr,
     stream: PeerStream,
     heard_at: Option<Instant>,
@@ -120,9 +120,9 @@ impl Peers {
             sending_fails: false,
         };
         peers.target = target.map(|address| {
-            peers.admit(Remote {
+            peers.admit(DatagramPeer {
                 address,
-                stream: PeerStream::new(&config, Peer(0)),
+                stream: PeerStream::new(&config, LinkPeer(0)),
                 heard_at: None,
             })
         });
@@ -140,9 +140,9 @@ impl Peers {
         &mut self,
         from: SocketAddr,
         bytes: &[u8],
-        ending: Ending,
-        meter: &mut Meter,
-    ) -> Option<(Peer, Vec<Frame>)> {
+        ending: StreamEnding,
+        meter: &mut LinkMeter,
+    ) -> Option<(LinkPeer, Vec<Frame>)> {
         let now = Instant::now();
         self.tails.remove(&from);
         let known = self.by_address.get(&from).copied();
@@ -165,16 +165,17 @@ impl Peers {
         &mut self,
         from: SocketAddr,
         bytes: &[u8],
-        ending: Ending,
-        meter: &mut Meter,
-    ) -> Option<(Peer, Vec<Frame>)> {
+        ending: StreamEnding,
+        meter: &mut LinkMeter,
+    ) -> Option<(LinkPeer, Vec<Frame>)> {
         let now = Instant::now();
         let known = self.strangers.remove(&from);
         // Should it become a peer, it will be this one.
-        let mut stream = known.unwrap_or_else(|| PeerStream::new(&self.config, Peer(self.next)));
-        stream.belongs_to(Peer(self.next));
+        let mut stream =
+            known.unwrap_or_else(|| PeerStream::new(&self.config, LinkPeer(self.next)));
+        stream.belongs_to(LinkPeer(self.next));
         let ending = match self.strangers.len() {
-            STRANGER_CAP.. => Ending::Closed,
+            STRANGER_CAP.. => StreamEnding::Closed,
             _ => ending,
         };
         let frames = stream.receive(bytes, ending, meter);
@@ -188,7 +189,7 @@ impl Peers {
             }
             return None;
         }
-        let peer = self.admit(Remote {
+        let peer = self.admit(DatagramPeer {
             address: from,
             stream,
             heard_at: Some(now),
@@ -199,12 +200,12 @@ impl Peers {
     }
 
     fn heard(&self) -> usize {
-        let heard = |remote: &&Remote| remote.heard_at.is_some();
+        let heard = |remote: &&DatagramPeer| remote.heard_at.is_some();
         self.all.values().filter(heard).count()
     }
 
-    fn admit(&mut self, remote: Remote) -> Peer {
-        let peer = Peer(self.next);
+    fn admit(&mut self, remote: DatagramPeer) -> LinkPeer {
+        let peer = LinkPeer(self.next);
         self.next = self.next.wrapping_add(1);
         self.by_address.insert(remote.address, peer);
         self.all.insert(peer, remote);
@@ -234,7 +235,13 @@ impl Peers {
         }
     }
 
-    async fn send(&mut self, socket: &UdpSocket, to: To, outgoing: &Outgoing, meter: &mut Meter) {
+    async fn send(
+        &mut self,
+        socket: &UdpSocket,
+        to: To,
+        outgoing: &Outgoing,
+        meter: &mut LinkMeter,
+    ) {
         let one = match to {
             To::Peer(peer) => Some(peer),
             To::Everyone => self.target,
@@ -256,12 +263,12 @@ impl Peers {
     }
 }
 
-impl Remote {
+impl DatagramPeer {
     async fn send(
         &mut self,
         socket: &UdpSocket,
         outgoing: &Outgoing,
-        meter: &mut Meter,
+        meter: &mut LinkMeter,
     ) -> Result<(), Text> {
         let mut datagram = Vec::new();
         self.stream.encode(outgoing, &mut datagram, meter);
@@ -282,7 +289,7 @@ impl Remote {
 }
 
 /// Shows a failure to send for as long as it lasts.
-fn note(sent: Result<(), Text>, sending_fails: &mut bool, meter: &mut Meter) {
+fn note(sent: Result<(), Text>, sending_fails: &mut bool, meter: &mut LinkMeter) {
     let failed = sent.is_err();
     if failed || *sending_fails {
         meter.complain(sent.err());
@@ -307,12 +314,12 @@ mod tests {
         let target = stranger(60_000);
         let mut peers = Peers::new(LinkConfig::default(), Some(target));
         let mut receive = |number, bytes: &[u8]| {
-            let found = peers.receive(stranger(number), bytes, Ending::Datagram, &mut meter);
+            let found = peers.receive(stranger(number), bytes, StreamEnding::Datagram, &mut meter);
             (found.map(|(peer, _)| peer), peers.all.len())
         };
         assert_eq!(receive(0, b"noise"), (None, 1), "noise makes no peer");
         for number in 1..PEER_CAP {
-            let peer = Peer(number as u32);
+            let peer = LinkPeer(number as u32);
             assert_eq!(receive(number, &heartbeat(1)), (Some(peer), number + 1));
         }
         assert_eq!(
@@ -323,21 +330,21 @@ mod tests {
         advance(Duration::from_secs(8)).await;
         receive(1, &heartbeat(1));
         advance(Duration::from_secs(3)).await;
-        let newcomer = Peer(PEER_CAP as u32);
+        let newcomer = LinkPeer(PEER_CAP as u32);
         assert_eq!(receive(5000, &heartbeat(1)), (Some(newcomer), PEER_CAP));
         assert_eq!(
             receive(1, &heartbeat(1)).0,
-            Some(Peer(1)),
+            Some(LinkPeer(1)),
             "1 has been heard lately"
         );
         assert_eq!(
             receive(60_000, &heartbeat(1)).0,
-            Some(Peer(0)),
+            Some(LinkPeer(0)),
             "the target stays"
         );
         assert_ne!(
             receive(2, &heartbeat(1)).0,
-            Some(Peer(2)),
+            Some(LinkPeer(2)),
             "2 was silent for longest"
         );
         assert_eq!(peers.by_address.len(), PEER_CAP);
@@ -350,7 +357,7 @@ mod tests {
         for number in 0..1000 {
             let from = stranger(number);
             assert_eq!(
-                peers.receive(from, &[0xFD, 9], Ending::Datagram, &mut meter),
+                peers.receive(from, &[0xFD, 9], StreamEnding::Datagram, &mut meter),
                 None
             );
         }
@@ -361,7 +368,10 @@ mod tests {
         advance(PAUSE).await;
         while let Some((at, from)) = peers.next_pause() {
             assert!(at <= Instant::now());
-            assert_eq!(peers.receive(from, &[], Ending::Closed, &mut meter), None);
+            assert_eq!(
+                peers.receive(from, &[], StreamEnding::Closed, &mut meter),
+                None
+            );
         }
         assert_eq!(peers.strangers.len(), 0);
     }

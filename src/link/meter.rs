@@ -18,7 +18,7 @@ const RATE_WINDOW: Duration = Duration::from_secs(2);
 
 /// Counts for one link and publishes its status.
 #[derive(Debug)]
-pub(super) struct Meter {
+pub(super) struct LinkMeter {
     status: LinkStatus,
     pub(super) tap: Tap,
     published: watch::Sender<LinkStatus>,
@@ -26,13 +26,13 @@ pub(super) struct Meter {
     refused: Arc<AtomicU64>,
     dropped: u64,
     lost: BTreeMap<(SystemId, ComponentId), u64>,
-    window: VecDeque<Sample>,
+    window: VecDeque<TrafficSample>,
     has_been_up: bool,
     frames_heard: u64,
 }
 
 #[derive(Debug, Clone, Copy)]
-struct Sample {
+struct TrafficSample {
     at: Instant,
     bytes_in: u64,
     messages_in: u64,
@@ -40,7 +40,7 @@ struct Sample {
     messages_out: u64,
 }
 
-impl Meter {
+impl LinkMeter {
     pub(super) fn new(
         published: watch::Sender<LinkStatus>,
         refused: Arc<AtomicU64>,
@@ -169,7 +169,7 @@ impl Meter {
     }
 
     fn sample(&mut self) {
-        let now = Sample {
+        let now = TrafficSample {
             at: Instant::now(),
             bytes_in: self.status.decoder.bytes,
             messages_in: self.status.decoder.frames,

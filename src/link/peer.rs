@@ -2,15 +2,15 @@
 
 use mavlink::MavlinkVersion;
 
-use super::meter::Meter;
-use super::{LinkConfig, Peer};
+use super::meter::LinkMeter;
+use super::{LinkConfig, LinkPeer};
 use crate::wire::{Decoder, Encoder, Frame, LossMeter, Outgoing};
 
 /// What is kept per peer. Each has an encoder of its own, so that the numbering that it sees has no gaps where
 /// a message was for another peer.
 #[derive(Debug)]
 pub(super) struct PeerStream {
-    peer: Peer,
+    peer: LinkPeer,
     decoder: Decoder,
     loss: LossMeter,
     encoder: Encoder,
@@ -19,7 +19,7 @@ pub(super) struct PeerStream {
 
 /// Whether bytes may be continued by the next ones.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Ending {
+pub(super) enum StreamEnding {
     /// A stream: half a frame may be at the end.
     Open,
     /// A datagram: half a frame may be at the end, as serial-to-UDP bridges cut them, but a next datagram that
@@ -30,7 +30,7 @@ pub(super) enum Ending {
 }
 
 impl PeerStream {
-    pub(super) fn new(config: &LinkConfig, peer: Peer) -> Self {
+    pub(super) fn new(config: &LinkConfig, peer: LinkPeer) -> Self {
         Self {
             peer,
             decoder: Decoder::new(),
@@ -44,13 +44,13 @@ impl PeerStream {
     pub(super) fn receive(
         &mut self,
         bytes: &[u8],
-        ending: Ending,
-        meter: &mut Meter,
+        ending: StreamEnding,
+        meter: &mut LinkMeter,
     ) -> Vec<Frame> {
         let before = self.decoder.counters();
         let mut frames = Vec::new();
-        if ending == Ending::Datagram && matches!(bytes.first(), Some(0xFD | 0xFE)) {
-            self.take_frames(Ending::Closed, meter, &mut frames);
+        if ending == StreamEnding::Datagram && matches!(bytes.first(), Some(0xFD | 0xFE)) {
+            self.take_frames(StreamEnding::Closed, meter, &mut frames);
         }
         self.decoder.push(bytes);
         self.take_frames(ending, meter, &mut frames);
@@ -61,10 +61,15 @@ impl PeerStream {
         frames
     }
 
-    fn take_frames(&mut self, ending: Ending, meter: &mut Meter, frames: &mut Vec<Frame>) {
+    fn take_frames(
+        &mut self,
+        ending: StreamEnding,
+        meter: &mut LinkMeter,
+        frames: &mut Vec<Frame>,
+    ) {
         while let Some(frame) = match ending {
-            Ending::Open | Ending::Datagram => self.decoder.next_frame(),
-            Ending::Closed => self.decoder.next_frame_at_end(),
+            StreamEnding::Open | StreamEnding::Datagram => self.decoder.next_frame(),
+            StreamEnding::Closed => self.decoder.next_frame_at_end(),
         } {
             let change = self.loss.note(&frame);
             meter.lost(&frame, change);
@@ -93,12 +98,12 @@ impl PeerStream {
     }
 
     /// Says that the frames to come are those of another peer.
-    pub(super) fn belongs_to(&mut self, peer: Peer) {
+    pub(super) fn belongs_to(&mut self, peer: LinkPeer) {
         self.peer = peer;
     }
 
     /// Appends a message's frame to what is to be sent.
-    pub(super) fn encode(&mut self, outgoing: &Outgoing, bytes: &mut Vec<u8>, meter: &Meter) {
+    pub(super) fn encode(&mut self, outgoing: &Outgoing, bytes: &mut Vec<u8>, meter: &LinkMeter) {
         let from = bytes.len();
         self.encoder.encode(outgoing, bytes);
         meter.tap.sent(self.peer, &bytes[from..]);

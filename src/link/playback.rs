@@ -8,21 +8,21 @@ use tokio::sync::mpsc;
 use tokio::time::{Instant, sleep_until};
 
 use super::core::LinkCore;
-use super::peer::{Ending, PeerStream};
+use super::peer::{PeerStream, StreamEnding};
 use super::tlog::{Piece, Salvage};
-use super::{Peer, Playback};
+use super::{LinkPeer, Playback};
 use crate::text;
 use crate::text::Text;
 use crate::wire::Frame;
 
-const PEER: Peer = Peer(0);
+const PEER: LinkPeer = LinkPeer(0);
 /// How many records are read ahead at a time.
 const CHUNK_LEN: usize = 256;
 const CHUNKS_AHEAD: usize = 4;
 /// No pause in a recording is kept for longer, in its own time: logs that were joined have gaps of days.
 const LONGEST_GAP: Duration = Duration::from_secs(10);
 
-type Chunk = Result<Vec<Piece>, Text>;
+type PlaybackChunk = Result<Vec<Piece>, Text>;
 
 /// Plays a recording to its end, and returns what was wrong with it, if anything was. Both directions of the
 /// recorded traffic are delivered.
@@ -32,7 +32,7 @@ pub(super) async fn play(link: &mut LinkCore, path: &Path) -> Option<Text> {
     tokio::task::spawn_blocking(move || read_ahead(&path, &read));
     let mut player = Player {
         stream: PeerStream::new(&link.config, PEER),
-        pace: Pace::new(link.config.playback),
+        pace: PlaybackPace::new(link.config.playback),
         damage: Damage::default(),
         has_records: false,
     };
@@ -54,7 +54,7 @@ pub(super) async fn play(link: &mut LinkCore, path: &Path) -> Option<Text> {
 
 struct Player {
     stream: PeerStream,
-    pace: Pace,
+    pace: PlaybackPace,
     damage: Damage,
     has_records: bool,
 }
@@ -105,7 +105,7 @@ impl Player {
             }
             let found = self
                 .stream
-                .receive(&record.bytes, Ending::Closed, &mut link.meter);
+                .receive(&record.bytes, StreamEnding::Closed, &mut link.meter);
             frames.extend(found);
         }
         deliver(link, frames).await
@@ -147,13 +147,13 @@ async fn deliver(link: &mut LinkCore, frames: Vec<Frame>) -> Option<()> {
 }
 
 /// Turns the times of a recording into those of its playing.
-struct Pace {
+struct PlaybackPace {
     playback: Playback,
     due: Instant,
     last_us: Option<u64>,
 }
 
-impl Pace {
+impl PlaybackPace {
     fn new(playback: Playback) -> Self {
         Self {
             playback,
@@ -176,7 +176,7 @@ impl Pace {
 }
 
 /// Reads a file in chunks until its end or until nobody listens.
-fn read_ahead(path: &Path, chunks: &mpsc::Sender<Chunk>) {
+fn read_ahead(path: &Path, chunks: &mpsc::Sender<PlaybackChunk>) {
     let file = match File::open(path) {
         Ok(file) => file,
         Err(error) => {

@@ -11,9 +11,9 @@ use tokio::time::timeout;
 use tokio_util::sync::{CancellationToken, DropGuard};
 
 use super::core::{ConnectionEnd, LinkCore, LinkWork};
-use super::peer::{Ending, PeerStream};
+use super::peer::{PeerStream, StreamEnding};
 use super::stream::{PAUSE, READ_LEN};
-use super::{Peer, To};
+use super::{LinkPeer, To};
 use crate::text;
 use crate::wire::Outgoing;
 
@@ -23,7 +23,7 @@ const CLIENT_CAP: usize = 256;
 const OUTPUT_CAP: usize = 64 * 1024;
 
 #[derive(Debug)]
-struct Client {
+struct TcpClient {
     socket: Arc<TcpStream>,
     stream: PeerStream,
     output: Vec<u8>,
@@ -59,13 +59,13 @@ pub(super) async fn session(link: &mut LinkCore, listener: TcpListener) -> Conne
             }
             accepted = listener.accept(), if clients.len() < CLIENT_CAP => match accepted {
                 Ok((socket, from)) => {
-                    let peer = Peer(next);
+                    let peer = LinkPeer(next);
                     link.meter.tap.name_peer(peer, from);
                     next += 1;
                     let socket = Arc::new(socket);
                     readable.push(wait_for_data(peer, Arc::clone(&socket), None));
                     let stream = PeerStream::new(&link.config, peer);
-                    clients.insert(peer, Client::new(socket, stream));
+                    clients.insert(peer, TcpClient::new(socket, stream));
                     link.meter.set_peers(clients.len());
                 }
                 Err(error) if error.kind() == io::ErrorKind::ConnectionAborted => {}
@@ -84,7 +84,11 @@ pub(super) async fn session(link: &mut LinkCore, listener: TcpListener) -> Conne
     }
 }
 
-fn encode(link: &mut LinkCore, clients: &mut BTreeMap<Peer, Client>, batch: &[(To, Outgoing)]) {
+fn encode(
+    link: &mut LinkCore,
+    clients: &mut BTreeMap<LinkPeer, TcpClient>,
+    batch: &[(To, Outgoing)],
+) {
     for (to, outgoing) in batch {
         match to {
             To::Everyone => {
@@ -100,7 +104,7 @@ fn encode(link: &mut LinkCore, clients: &mut BTreeMap<Peer, Client>, batch: &[(T
     }
 }
 
-impl Client {
+impl TcpClient {
     fn new(socket: Arc<TcpStream>, stream: PeerStream) -> Self {
         // Without it messages are late, not lost.
         let _ = socket.set_nodelay(true);
@@ -125,7 +129,7 @@ impl Client {
 
     /// Writes what the socket takes, and returns the wait until it takes more, if there is more. A broken
     /// connection shows when it is read.
-    fn flush(&mut self, peer: Peer) -> Option<impl Future<Output = Peer> + use<>> {
+    fn flush(&mut self, peer: LinkPeer) -> Option<impl Future<Output = LinkPeer> + use<>> {
         while !self.output.is_empty() && !self.awaits_room {
             match self.socket.try_write(&self.output) {
                 Ok(count) => drop(self.output.drain(..count)),
@@ -144,7 +148,7 @@ impl Client {
     /// ends what came. `None` when the client has left.
     fn read(
         &mut self,
-        peer: Peer,
+        peer: LinkPeer,
         has_data: bool,
         input: &mut [u8],
         link: &mut LinkCore,
@@ -155,13 +159,14 @@ impl Client {
                 Ok(0) => return None,
                 Ok(len) => self
                     .stream
-                    .receive(&input[..len], Ending::Open, &mut link.meter),
+                    .receive(&input[..len], StreamEnding::Open, &mut link.meter),
                 Err(error) if error.kind() == io::ErrorKind::WouldBlock => Vec::new(),
                 Err(_) => return None,
             }
         } else {
             patience = None;
-            self.stream.receive(&[], Ending::Closed, &mut link.meter)
+            self.stream
+                .receive(&[], StreamEnding::Closed, &mut link.meter)
         };
         link.deliver(peer, frames);
         Some((Arc::clone(&self.socket), patience))
@@ -170,10 +175,10 @@ impl Client {
 
 /// Waits until a client has sent something, or has paused for as long as `patience`.
 async fn wait_for_data(
-    peer: Peer,
+    peer: LinkPeer,
     socket: Arc<TcpStream>,
     patience: Option<Duration>,
-) -> (Peer, bool) {
+) -> (LinkPeer, bool) {
     match patience {
         None => (peer, socket.readable().await.is_ok()),
         Some(patience) => (peer, timeout(patience, socket.readable()).await.is_ok()),
@@ -181,7 +186,11 @@ async fn wait_for_data(
 }
 
 /// Waits until a client takes more, or is dropped.
-async fn wait_for_room(peer: Peer, gone: CancellationToken, socket: Arc<TcpStream>) -> Peer {
+async fn wait_for_room(
+    peer: LinkPeer,
+    gone: CancellationToken,
+    socket: Arc<TcpStream>,
+) -> LinkPeer {
     let _ = gone.run_until_cancelled(socket.writable()).await;
     peer
 }

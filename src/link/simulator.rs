@@ -129,14 +129,14 @@ impl From<SimulatorError> for Text {
 
 /// How fast simulated time passes.
 #[derive(Debug, Clone)]
-pub struct Pace {
+pub struct SimulatorPace {
     /// Simulated seconds per second.
     pub speedup: f64,
     /// While this is true, nothing moves and nobody is served.
     pub held: watch::Receiver<bool>,
 }
 
-impl From<f64> for Pace {
+impl From<f64> for SimulatorPace {
     /// A pace that is never held.
     fn from(speedup: f64) -> Self {
         let (_, held) = watch::channel(false);
@@ -150,7 +150,7 @@ pub struct Simulator;
 
 /// A simulator that runs.
 #[derive(Debug)]
-pub struct Started {
+pub struct StartedSimulator {
     /// One pipe per vehicle, in order, if they were asked for.
     pub pipes: Vec<DuplexStream>,
     /// Where the TCP servers of serial 0 listen, in the order of the vehicles.
@@ -173,20 +173,20 @@ impl Simulator {
     /// runs then.
     pub async fn start(
         mut world: World,
-        pace: impl Into<Pace>,
+        pace: impl Into<SimulatorPace>,
         endpoints: &[Endpoint],
         cancel: CancellationToken,
-    ) -> Result<Started, SimulatorError> {
+    ) -> Result<StartedSimulator, SimulatorError> {
         let pace = pace.into();
         let speedup = pace.speedup;
         if !(speedup > 0.0 && speedup <= SPEEDUP_MAX) {
             return Err(SimulatorError::Speedup(speedup));
         }
-        let mut opened = Opened::default();
+        let mut opened = OpenedEndpoint::default();
         for endpoint in endpoints {
             opened.open(endpoint, &mut world).await?;
         }
-        let Opened {
+        let OpenedEndpoint {
             doors,
             pipes,
             addresses,
@@ -194,14 +194,14 @@ impl Simulator {
         // Without the exemption, tokio would make the sockets of late vehicles look idle in every round, after
         // those of early ones have used up the task's allowance.
         let (count, connections) = watch::channel(world.connections());
-        let running = Running {
+        let running = SteppedWorld {
             threads: threads(world.vehicles(), speedup),
             world,
             doors,
             count,
         };
         let task = tokio::spawn(unconstrained(running.run(pace, cancel)));
-        Ok(Started {
+        Ok(StartedSimulator {
             pipes,
             addresses: addresses.iter().map(|[zero, ..]| *zero).collect(),
             further_addresses: addresses.iter().map(|[_, one, two]| [*one, *two]).collect(),
@@ -213,13 +213,13 @@ impl Simulator {
 
 /// The ways in, and their other ends.
 #[derive(Default)]
-struct Opened {
+struct OpenedEndpoint {
     doors: Doors,
     pipes: Vec<DuplexStream>,
     addresses: Vec<[SocketAddr; 3]>,
 }
 
-impl Opened {
+impl OpenedEndpoint {
     async fn open(&mut self, endpoint: &Endpoint, world: &mut World) -> Result<(), SimulatorError> {
         let doors = &mut self.doors;
         match endpoint {
@@ -303,15 +303,15 @@ pub fn step_on_threads(world: &mut World, threads: usize) {
 }
 
 /// A world with its doors.
-struct Running {
+struct SteppedWorld {
     world: World,
     doors: Doors,
     count: watch::Sender<usize>,
     threads: usize,
 }
 
-impl Running {
-    async fn run(mut self, given: Pace, cancel: CancellationToken) {
+impl SteppedWorld {
+    async fn run(mut self, given: SimulatorPace, cancel: CancellationToken) {
         let mut wake = interval(STEP);
         wake.set_missed_tick_behavior(MissedTickBehavior::Skip);
         let mut last = Instant::now();

@@ -5,13 +5,13 @@ use std::time::Duration;
 use tokio::io::{AsyncRead, AsyncReadExt, AsyncWrite, AsyncWriteExt};
 use tokio::time::{Instant, sleep_until};
 
-use super::Peer;
+use super::LinkPeer;
 use super::core::{ConnectionEnd, LinkCore, LinkWork};
-use super::peer::{Ending, PeerStream};
+use super::peer::{PeerStream, StreamEnding};
 use crate::text;
 
 /// The one peer of a stream.
-const PEER: Peer = Peer(0);
+const PEER: LinkPeer = LinkPeer(0);
 pub(super) const READ_LEN: usize = 16 * 1024;
 /// After this long without a byte, what is left in the decoder is not half a frame but a false start.
 pub(super) const PAUSE: Duration = Duration::from_millis(200);
@@ -50,7 +50,7 @@ where
             read = reader.read(&mut input), if link.may_read() => match read {
                 Ok(0) => return ConnectionEnd::Lost(text!("transport-closed")),
                 Ok(count) => {
-                    let frames = peer.receive(&input[..count], Ending::Open, &mut link.meter);
+                    let frames = peer.receive(&input[..count], StreamEnding::Open, &mut link.meter);
                     link.deliver(PEER, frames);
                     last_read = Some(Instant::now());
                     paused = false;
@@ -63,7 +63,7 @@ where
                 Err(error) => return ConnectionEnd::Lost(error.to_string().into()),
             },
             () = sleep_until(heard_at + PAUSE), if peer.has_tail() && !paused && link.may_read() => {
-                let frames = peer.receive(&[], Ending::Closed, &mut link.meter);
+                let frames = peer.receive(&[], StreamEnding::Closed, &mut link.meter);
                 link.deliver(PEER, frames);
                 paused = true;
             }

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use tokio::time::Instant;
 
-use super::{LinkState, LinkStatus, Peer};
+use super::{LinkPeer, LinkState, LinkStatus};
 use crate::doctor::{self, Observation};
 use crate::inspector::{Census, Direction};
 
@@ -46,13 +46,13 @@ impl Tap {
         }
     }
 
-    pub(super) fn received(&self, peer: Peer, bytes: &[u8], is_verified: bool) {
+    pub(super) fn received(&self, peer: LinkPeer, bytes: &[u8], is_verified: bool) {
         let now = self.opened.elapsed();
         self.census()
             .note((Direction::In, peer.0), bytes, is_verified, now);
     }
 
-    pub(super) fn sent(&self, peer: Peer, bytes: &[u8]) {
+    pub(super) fn sent(&self, peer: LinkPeer, bytes: &[u8]) {
         let now = self.opened.elapsed();
         self.census()
             .note((Direction::Out, peer.0), bytes, true, now);
@@ -63,7 +63,7 @@ impl Tap {
         self.census().note_noise(bytes);
     }
 
-    pub(super) fn name_peer(&self, peer: Peer, address: SocketAddr) {
+    pub(super) fn name_peer(&self, peer: LinkPeer, address: SocketAddr) {
         self.census().name_peer(peer.0, address.to_string());
     }
 

@@ -4,12 +4,12 @@ use std::str;
 
 use mavlink::dialects::ardupilotmega::PARAM_VALUE_DATA;
 
-use crate::parameters::{Heard, Parameters};
+use crate::parameters::{HeardParameter, ParameterList};
 
 /// `PARAM_VALUE.param_index` of a value that was sent for itself, not as part of the list.
 const NO_INDEX: u16 = u16::MAX;
 
-pub(super) fn apply(parameters: &mut Parameters, data: &PARAM_VALUE_DATA) {
+pub(super) fn apply(parameters: &mut ParameterList, data: &PARAM_VALUE_DATA) {
     let bytes: &[u8; 16] = &data.param_id;
     let bytes = bytes.split(|&byte| byte == 0).next().unwrap_or_default();
     // Names are ASCII; what is not is noise, or no name at all.
@@ -19,7 +19,7 @@ pub(super) fn apply(parameters: &mut Parameters, data: &PARAM_VALUE_DATA) {
     if name.is_empty() || !name.bytes().all(|byte| byte.is_ascii_graphic()) {
         return;
     }
-    parameters.note(&Heard {
+    parameters.note(&HeardParameter {
         name,
         value: data.param_value,
         kind: data.param_type.into(),

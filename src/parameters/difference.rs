@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 /// How a parameter differs between one list and another.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Finding {
+pub enum ParameterFinding {
     /// Both have it with different values: this list's and the other's.
     Changed(f32, f32),
     /// Only the other list has it.
@@ -15,11 +15,11 @@ pub enum Finding {
 
 /// One parameter that differs.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Difference<'a> {
+pub struct ParameterDifference<'a> {
     /// Its name.
     pub name: &'a str,
     /// How.
-    pub finding: Finding,
+    pub finding: ParameterFinding,
 }
 
 /// Rounding of a number that was written with about seven digits.
@@ -43,7 +43,7 @@ pub fn is_same(one: f32, other: f32) -> bool {
 pub fn differences<'a>(
     this: impl Iterator<Item = (&'a str, f32)>,
     other: impl Iterator<Item = (&'a str, f32)>,
-) -> Vec<Difference<'a>> {
+) -> Vec<ParameterDifference<'a>> {
     let mut sides: BTreeMap<&str, (Option<f32>, Option<f32>)> = BTreeMap::new();
     for (name, value) in this {
         sides.entry(name).or_default().0 = Some(value);
@@ -54,12 +54,12 @@ pub fn differences<'a>(
     let found = sides.into_iter().filter_map(|(name, sides)| {
         let finding = match sides {
             (Some(this), Some(other)) if is_same(this, other) => return None,
-            (Some(this), Some(other)) => Finding::Changed(this, other),
-            (Some(this), None) => Finding::Extra(this),
-            (None, Some(other)) => Finding::Missing(other),
+            (Some(this), Some(other)) => ParameterFinding::Changed(this, other),
+            (Some(this), None) => ParameterFinding::Extra(this),
+            (None, Some(other)) => ParameterFinding::Missing(other),
             (None, None) => return None,
         };
-        Some(Difference { name, finding })
+        Some(ParameterDifference { name, finding })
     });
     found.collect()
 }
@@ -84,11 +84,11 @@ mod tests {
         let other = [("A", 1.0), ("B", 3.0), ("E", 5.0), ("D", 0.100_000_01)];
         let found = differences(this.into_iter(), other.into_iter());
         let expected = [
-            ("B", Finding::Changed(2.0, 3.0)),
-            ("C", Finding::Extra(1.0)),
-            ("E", Finding::Missing(5.0)),
+            ("B", ParameterFinding::Changed(2.0, 3.0)),
+            ("C", ParameterFinding::Extra(1.0)),
+            ("E", ParameterFinding::Missing(5.0)),
         ];
-        let expected = expected.map(|(name, finding)| Difference { name, finding });
+        let expected = expected.map(|(name, finding)| ParameterDifference { name, finding });
         assert_eq!(found, expected);
     }
 

@@ -67,13 +67,13 @@ pub fn write<'a>(comment: &str, values: impl Iterator<Item = (&'a str, f32)>) ->
     text
 }
 
-struct Line<'a> {
+struct ParameterLine<'a> {
     name: &'a str,
     value: f32,
     span: Range<usize>,
 }
 
-fn parse_line(line: &str, start: usize) -> Result<Option<Line<'_>>, Diagnostic> {
+fn parse_line(line: &str, start: usize) -> Result<Option<ParameterLine<'_>>, Diagnostic> {
     // Some editors begin a file with a byte order mark.
     let content = line.trim_start_matches('\u{feff}');
     let content = content.split('#').next().unwrap_or_default();
@@ -107,7 +107,7 @@ fn parse_line(line: &str, start: usize) -> Result<Option<Line<'_>>, Diagnostic> 
     check_name(name).map_err(|message| Diagnostic::new(at(name), message))?;
     let value_span = at(value);
     let value = number(value).map_err(|message| Diagnostic::new(value_span.clone(), message))?;
-    Ok(Some(Line {
+    Ok(Some(ParameterLine {
         name,
         value,
         span: at(name).start..value_span.end,

@@ -39,7 +39,7 @@ pub enum ParameterType {
 
 /// Why a value cannot be a parameter's.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Unfit {
+pub enum ParameterUnfit {
     /// It is infinite or not a number at all.
     NotFinite,
     /// The vehicle stores a whole number.
@@ -70,13 +70,13 @@ impl ParameterType {
     ///
     /// # Errors
     /// It cannot. `ArduPilot` itself checks nothing: it cuts off fractions and wraps or saturates what is too large.
-    pub fn check(self, value: f64) -> Result<f32, Unfit> {
+    pub fn check(self, value: f64) -> Result<f32, ParameterUnfit> {
         if !value.is_finite() {
-            return Err(Unfit::NotFinite);
+            return Err(ParameterUnfit::NotFinite);
         }
         let (least, greatest) = self.limits();
         if !(least..=greatest).contains(&value) {
-            return Err(Unfit::OutOfRange {
+            return Err(ParameterUnfit::OutOfRange {
                 kind: self,
                 least,
                 greatest,
@@ -85,10 +85,10 @@ impl ParameterType {
         let carried = value as f32;
         if self.is_whole() {
             if value.fract() != 0.0 {
-                return Err(Unfit::NotWhole(self));
+                return Err(ParameterUnfit::NotWhole(self));
             }
             if (f64::from(carried) - value).abs() > 0.0 {
-                return Err(Unfit::Inexact { nearest: carried });
+                return Err(ParameterUnfit::Inexact { nearest: carried });
             }
         }
         Ok(carried)
@@ -116,7 +116,7 @@ impl ParameterType {
     }
 }
 
-impl Unfit {
+impl ParameterUnfit {
     /// The same in words, of a parameter of that name.
     pub fn text(&self, name: &str) -> Text {
         match self {
@@ -198,7 +198,7 @@ mod tests {
     fn what_is_no_number_is_refused_by_every_type() {
         for kind in [ParameterType::Int8, ParameterType::Real32] {
             for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-                assert_eq!(kind.check(value), Err(Unfit::NotFinite));
+                assert_eq!(kind.check(value), Err(ParameterUnfit::NotFinite));
             }
         }
     }
@@ -207,7 +207,7 @@ mod tests {
     fn a_whole_number_that_a_float_would_change_is_refused() {
         assert_eq!(
             ParameterType::Int32.check(16_777_217.0),
-            Err(Unfit::Inexact {
+            Err(ParameterUnfit::Inexact {
                 nearest: 16_777_216.0
             })
         );

@@ -12,7 +12,7 @@ const HASH: &str = "_HASH_CHECK";
 
 /// One parameter as the vehicle said it last.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Parameter {
+pub struct ListedParameter {
     /// The value. Integers come converted to a float, as `ArduPilot` sends them, not as its bits.
     pub value: f32,
     /// The value that it had when it was heard first.
@@ -23,7 +23,7 @@ pub struct Parameter {
     pub index: Option<u16>,
 }
 
-impl Parameter {
+impl ListedParameter {
     /// Whether it has changed since it was heard first.
     pub fn is_changed(&self) -> bool {
         !is_same(self.value, self.original)
@@ -32,7 +32,7 @@ impl Parameter {
 
 /// What a `PARAM_VALUE` says.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Heard<'a> {
+pub struct HeardParameter<'a> {
     /// The name.
     pub name: &'a str,
     /// The value.
@@ -47,9 +47,9 @@ pub struct Heard<'a> {
 
 /// The parameters of a vehicle that have passed so far, by name.
 #[derive(Debug, Clone, Default)]
-pub struct Parameters {
+pub struct ParameterList {
     // Names are shared, so that a copy of the list copies no text.
-    by_name: BTreeMap<Arc<str>, Parameter>,
+    by_name: BTreeMap<Arc<str>, ListedParameter>,
     count: Option<u16>,
     /// Which places of the list have passed.
     seen: Vec<bool>,
@@ -60,14 +60,14 @@ pub struct Parameters {
     revision: u64,
 }
 
-impl Parameters {
+impl ParameterList {
     /// The parameter of that name (upper case, as the vehicle spells it).
-    pub fn get(&self, name: &str) -> Option<&Parameter> {
+    pub fn get(&self, name: &str) -> Option<&ListedParameter> {
         self.by_name.get(name)
     }
 
     /// All that have passed, in order of their names.
-    pub fn iter(&self) -> impl ExactSizeIterator<Item = (&str, &Parameter)> {
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = (&str, &ListedParameter)> {
         self.by_name
             .iter()
             .map(|(name, parameter)| (name.as_ref(), parameter))
@@ -139,7 +139,7 @@ impl Parameters {
     }
 
     /// Takes in what a vehicle says of a parameter.
-    pub fn note(&mut self, heard: &Heard<'_>) {
+    pub fn note(&mut self, heard: &HeardParameter<'_>) {
         if heard.name == HASH {
             return;
         }
@@ -150,14 +150,14 @@ impl Parameters {
             let is_news = known.value.to_bits() != heard.value.to_bits()
                 || (known.kind, known.index) != (heard.kind, index);
             self.revision += u64::from(is_news);
-            *known = Parameter {
+            *known = ListedParameter {
                 value: heard.value,
                 original: known.original,
                 kind: heard.kind,
                 index,
             };
         } else if self.by_name.len() < MOST_PARAMETERS {
-            let parameter = Parameter {
+            let parameter = ListedParameter {
                 value: heard.value,
                 original: heard.value,
                 kind: heard.kind,
@@ -170,7 +170,7 @@ impl Parameters {
 
     /// Another count means another list, in which the places that were seen mean nothing. A value that is sent for
     /// itself does not say so for sure: the list that is just coming may still be numbered the old way.
-    fn note_place(&mut self, heard: &Heard<'_>) {
+    fn note_place(&mut self, heard: &HeardParameter<'_>) {
         let Some(index) = heard.index else {
             self.announced = Some(heard.count);
             if self.received == 0 && self.count != Some(heard.count) {
@@ -207,8 +207,8 @@ impl Parameters {
 mod tests {
     use super::*;
 
-    fn heard(name: &str, value: f32, index: Option<u16>, count: u16) -> Heard<'_> {
-        Heard {
+    fn heard(name: &str, value: f32, index: Option<u16>, count: u16) -> HeardParameter<'_> {
+        HeardParameter {
             name,
             value,
             kind: ParameterType::Real32,
@@ -219,7 +219,7 @@ mod tests {
 
     #[test]
     fn a_list_is_complete_once_every_place_has_passed() {
-        let mut list = Parameters::default();
+        let mut list = ParameterList::default();
         list.note(&heard("B", 2.0, Some(1), 2));
         assert!(!list.is_complete());
         list.note(&heard("B", 2.0, Some(1), 2));
@@ -231,7 +231,7 @@ mod tests {
 
     #[test]
     fn the_first_value_is_what_changes_are_counted_from() {
-        let mut list = Parameters::default();
+        let mut list = ParameterList::default();
         list.note(&heard("A", 1.0, Some(0), 1));
         list.note(&heard("A", 5.0, None, 1));
         let changed = *list.get("A").expect("heard");
@@ -243,7 +243,7 @@ mod tests {
 
     #[test]
     fn a_value_sent_for_itself_does_not_upset_the_list_that_is_coming() {
-        let mut list = Parameters::default();
+        let mut list = ParameterList::default();
         list.note(&heard("A", 1.0, Some(0), 2));
         list.note(&heard("STAT_RUNTIME", 9.0, None, 3));
         list.note(&heard("B", 1.0, Some(1), 2));
@@ -255,7 +255,7 @@ mod tests {
 
     #[test]
     fn places_beyond_the_list_and_checksums_are_no_parameters_of_it() {
-        let mut list = Parameters::default();
+        let mut list = ParameterList::default();
         list.note(&heard("A", 1.0, Some(7), 2));
         list.note(&heard(HASH, 1.0, None, 2));
         assert_eq!((list.received(), list.len()), (0, 1));
@@ -265,7 +265,7 @@ mod tests {
 
     #[test]
     fn only_news_moves_the_revision() {
-        let mut list = Parameters::default();
+        let mut list = ParameterList::default();
         list.note(&heard("A", f32::NAN, Some(0), 1));
         let before = list.revision();
         list.note(&heard("A", 1.0, Some(0), 1));

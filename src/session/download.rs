@@ -9,7 +9,7 @@ use mavlink::dialects::ardupilotmega::{
 };
 
 use crate::messages::Inbox;
-use crate::parameters::{Fetching, Parameters};
+use crate::parameters::{Fetching, ParameterList};
 use crate::vehicle::Vehicle;
 use crate::wire::Outgoing;
 
@@ -173,12 +173,12 @@ impl Download {
     }
 
     /// Whether the list has to be read anew because the vehicle has another number of parameters by now.
-    fn is_to_restart(&self, parameters: &Parameters) -> bool {
+    fn is_to_restart(&self, parameters: &ParameterList) -> bool {
         let is_stale = parameters.is_outdated() || !parameters.is_complete();
         self.phase == Phase::Complete && is_stale && self.restarts < RESTARTS
     }
 
-    fn take_note(&mut self, parameters: &Parameters, now: Duration) {
+    fn take_note(&mut self, parameters: &ParameterList, now: Duration) {
         if self.count != parameters.count() {
             self.asked.clear();
             self.count = parameters.count();
@@ -206,7 +206,7 @@ impl Download {
         self.asked.clear();
     }
 
-    fn is_better_listed(&self, parameters: &Parameters) -> bool {
+    fn is_better_listed(&self, parameters: &ParameterList) -> bool {
         let Some(count) = parameters.count() else {
             return true;
         };
@@ -238,7 +238,12 @@ impl Download {
         vec![request.into()]
     }
 
-    fn fill(&mut self, parameters: &Parameters, vehicle: &Vehicle, now: Duration) -> Vec<Outgoing> {
+    fn fill(
+        &mut self,
+        parameters: &ParameterList,
+        vehicle: &Vehicle,
+        now: Duration,
+    ) -> Vec<Outgoing> {
         let wait = self.wait(vehicle);
         let missing: Vec<u16> = parameters.missing().collect();
         // What was answered is not missing any more; what was lost is asked for again.

@@ -2,7 +2,7 @@
 
 use crate::commands::Command;
 use crate::diagnostic::nearest;
-use crate::parameters::Parameters;
+use crate::parameters::ParameterList;
 use crate::text;
 use crate::text::Text;
 
@@ -11,7 +11,7 @@ use crate::text::Text;
 ///
 /// # Errors
 /// Why it could not be.
-pub(super) fn check(command: &Command, list: &Parameters) -> Result<(), Text> {
+pub(super) fn check(command: &Command, list: &ParameterList) -> Result<(), Text> {
     let Command::SetParameter { name, value } = command else {
         return Ok(());
     };
@@ -27,13 +27,13 @@ pub(super) fn check(command: &Command, list: &Parameters) -> Result<(), Text> {
 }
 
 /// Whether a vehicle lacks what is not on its list.
-pub(super) fn is_known(list: &Parameters) -> bool {
+pub(super) fn is_known(list: &ParameterList) -> bool {
     // Others may have appeared since if their number has changed.
     list.is_complete() && !list.is_outdated()
 }
 
 /// That a vehicle has no such parameter, and which one may be meant.
-fn lacking(name: &str, list: &Parameters) -> Text {
+fn lacking(name: &str, list: &ParameterList) -> Text {
     let known = list.iter().map(|(name, _)| name);
     match nearest(name, known) {
         Some(nearest) => text!("refused-no-parameter-but", name = name, nearest = nearest),

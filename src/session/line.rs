@@ -11,7 +11,7 @@ use super::transaction::{Progress, Transaction};
 use super::{Output, VehicleCommand, fit, precedence};
 use crate::ledger::RowState;
 use crate::notice::Notice;
-use crate::parameters::Parameters;
+use crate::parameters::ParameterList;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
@@ -37,7 +37,7 @@ pub(super) struct Line {
 /// What orders are judged by at one moment, and where what comes of them goes.
 pub(super) struct Moment<'a> {
     pub vehicle: &'a mut Vehicle,
-    pub parameters: &'a Parameters,
+    pub parameters: &'a ParameterList,
     pub now: Duration,
     pub output: &'a mut Output,
 }

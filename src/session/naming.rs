@@ -6,7 +6,7 @@ use super::{VehicleCommand, fit};
 use crate::commands::Command;
 use crate::diagnostic::nearest;
 use crate::ledger::{EntryId, RowState};
-use crate::parameters::{AliasSense, Parameters, other_name};
+use crate::parameters::{AliasSense, ParameterList, other_name};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
@@ -38,7 +38,7 @@ impl Renamed {
 
 /// Gives the parameter of an order the name that the vehicle has for it. False if that has to be asked first:
 /// vehicles say nothing to a name that they lack.
-pub(super) fn settle(order: &mut VehicleCommand, list: &Parameters) -> bool {
+pub(super) fn settle(order: &mut VehicleCommand, list: &ParameterList) -> bool {
     let (name, value) = match &mut order.command {
         Command::GetParameter { name } => (name, None),
         Command::SetParameter { name, value } => (name, Some(value)),
@@ -130,7 +130,7 @@ fn names(command: &Command) -> (&str, &str) {
 /// How an order ends whose parameter the vehicle has under neither name.
 pub(super) fn not_found(
     command: &Command,
-    list: &Parameters,
+    list: &ParameterList,
     vehicle: &Vehicle,
 ) -> (RowState, Text) {
     let (name, other) = names(command);

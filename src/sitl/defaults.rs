@@ -3,7 +3,7 @@
 //! Tried on copter, plane, rover and sub of an `ArduPilot` 4.6: with these each arms in GUIDED (a sub in MANUAL) as soon
 //! as it knows where it is. Names that a version does not know are left out by it without a word.
 
-use super::Kind;
+use super::SitlKind;
 use crate::sim::Airframe;
 
 /// Pulses of the radio and of the throttle's output, microseconds.
@@ -20,7 +20,7 @@ const USUAL_AUTHORITY: f64 = 0.35 * 0.39;
 
 /// The parameters that every vehicle of a kind is started with: calibrations that are not all zero, and a copter's
 /// settings as the embedded simulator has them.
-pub(super) fn of(kind: Kind) -> Vec<(String, f64)> {
+pub(super) fn of(kind: SitlKind) -> Vec<(String, f64)> {
     let mut all = vec![("BATT_MONITOR".to_owned(), 4.0)];
     for compass in ["", "2", "3"] {
         for (axis, offset) in [("X", 5.0), ("Y", 13.0), ("Z", -18.0)] {
@@ -43,9 +43,9 @@ pub(super) fn of(kind: Kind) -> Vec<(String, f64)> {
 }
 
 /// What only this kind of vehicle needs.
-fn own(kind: Kind) -> &'static [(&'static str, f64)] {
+fn own(kind: SitlKind) -> &'static [(&'static str, f64)] {
     match kind {
-        Kind::Copter => &[
+        SitlKind::Copter => &[
             ("ATC_RAT_YAW_P", 0.3),
             ("ATC_RAT_YAW_I", 0.02),
             ("FENCE_RADIUS", 150.0),
@@ -53,18 +53,18 @@ fn own(kind: Kind) -> &'static [(&'static str, f64)] {
             ("SIM_BARO_RND", 0.0),
         ],
         // A throttle's rest is at its lower end.
-        Kind::Plane => &[
+        SitlKind::Plane => &[
             ("RC3_TRIM", 1000.0),
             ("SERVO3_MIN", 1000.0),
             ("SERVO3_MAX", 2000.0),
         ],
-        Kind::Rover => &[
+        SitlKind::Rover => &[
             ("SERVO1_MIN", 1000.0),
             ("SERVO1_MAX", 2000.0),
             ("SERVO3_MIN", 1000.0),
             ("SERVO3_MAX", 2000.0),
         ],
-        Kind::Sub => &[],
+        SitlKind::Sub => &[],
     }
 }
 

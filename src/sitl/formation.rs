@@ -11,7 +11,7 @@ use crate::sim::Start;
 )]
 #[serde(rename_all = "lowercase")]
 #[strum(serialize_all = "lowercase")]
-pub enum Shape {
+pub enum FormationShape {
     /// Side by side, the others to the right of the first.
     #[default]
     Row,
@@ -25,7 +25,7 @@ pub enum Shape {
     Wedge,
 }
 
-impl Shape {
+impl FormationShape {
     /// Every shape.
     pub const ALL: &[Self] = <Self as VariantArray>::VARIANTS;
 
@@ -46,25 +46,25 @@ pub struct Offset {
 
 /// How vehicles stand to each other, and how far apart neighbours are.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Formation {
+pub struct StartFormation {
     /// The shape.
-    pub shape: Shape,
+    pub shape: FormationShape,
     /// Metres between neighbours, and at least so many between any two.
     pub spacing_m: f64,
 }
 
-impl Formation {
+impl StartFormation {
     /// The place of a vehicle, counted from 0, among so many.
     pub fn place(self, index: usize, of: usize) -> Offset {
         let nth = index as f64;
         let (back, right) = match self.shape {
-            Shape::Row => (0.0, nth),
-            Shape::Column => (nth, 0.0),
-            Shape::Grid => {
+            FormationShape::Row => (0.0, nth),
+            FormationShape::Column => (nth, 0.0),
+            FormationShape::Grid => {
                 let wide = (1..=of).find(|wide| wide * wide >= of).unwrap_or(1);
                 ((index / wide) as f64, (index % wide) as f64)
             }
-            Shape::Circle => {
+            FormationShape::Circle => {
                 let angle = std::f64::consts::TAU / (of.max(1) as f64);
                 // The chord between neighbours is the spacing.
                 let radius = if of < 2 {
@@ -75,7 +75,7 @@ impl Formation {
                 let (sin, cos) = (angle * nth).sin_cos();
                 (radius - radius * cos, radius * sin)
             }
-            Shape::Wedge => {
+            FormationShape::Wedge => {
                 let rank = index.div_ceil(2) as f64 * std::f64::consts::FRAC_1_SQRT_2;
                 let side = if index % 2 == 1 { 1.0 } else { -1.0 };
                 (rank, rank * side)

@@ -4,14 +4,14 @@
 //! vehicle arms, and turns over. The table has the combinations that were flown or armed on an `ArduPilot` 4.6; the
 //! outlines are those of `SIM_Frame.cpp`, the parameters those of `AP_Motors_Class.h`.
 
-use super::{Kind, Unfit};
+use super::{SitlKind, SitlUnfit};
 
 /// A model of SITL.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Model {
+pub(super) struct SitlModel {
     /// SITL's name.
     pub name: &'static str,
-    pub kind: Kind,
+    pub kind: SitlKind,
     /// How many motors a multirotor has; 0 for other vehicles.
     pub motors: usize,
     /// What the autopilot must be told.
@@ -20,9 +20,9 @@ pub(super) struct Model {
 
 macro_rules! multirotors {
     ($($name:literal: $motors:literal, $class:literal, $shape:literal;)*) => {
-        &[$(Model {
+        &[$(SitlModel {
             name: $name,
-            kind: Kind::Copter,
+            kind: SitlKind::Copter,
             motors: $motors,
             parameters: &[("FRAME_CLASS", $class), ("FRAME_TYPE", $shape)],
         }),*]
@@ -31,7 +31,7 @@ macro_rules! multirotors {
 
 /// Multirotors: motors, `FRAME_CLASS`, `FRAME_TYPE`. The first one of a number of motors is what an airframe with so
 /// many gets: the same outline that the embedded simulator gives it. `quad` means plus.
-const MULTIROTORS: &[Model] = multirotors! {
+const MULTIROTORS: &[SitlModel] = multirotors! {
     "quad": 4, 1.0, 0.0;
     "+": 4, 1.0, 0.0;
     "copter": 4, 1.0, 0.0;
@@ -57,26 +57,26 @@ const MULTIROTORS: &[Model] = multirotors! {
 };
 
 /// The others; the first one of a kind is its default.
-const OTHERS: &[Model] = &[
-    other(Kind::Plane, "plane", &[]),
-    other(Kind::Rover, "rover", &[]),
+const OTHERS: &[SitlModel] = &[
+    other(SitlKind::Plane, "plane", &[]),
+    other(SitlKind::Rover, "rover", &[]),
     // Left and right throttle instead of steering.
     other(
-        Kind::Rover,
+        SitlKind::Rover,
         "rover-skid",
         &[("SERVO1_FUNCTION", 73.0), ("SERVO3_FUNCTION", 74.0)],
     ),
-    other(Kind::Rover, "motorboat", &[("FRAME_CLASS", 2.0)]),
-    other(Kind::Sub, "vectored", &[("FRAME_CONFIG", 1.0)]),
-    other(Kind::Sub, "vectored_6dof", &[("FRAME_CONFIG", 2.0)]),
+    other(SitlKind::Rover, "motorboat", &[("FRAME_CLASS", 2.0)]),
+    other(SitlKind::Sub, "vectored", &[("FRAME_CONFIG", 1.0)]),
+    other(SitlKind::Sub, "vectored_6dof", &[("FRAME_CONFIG", 2.0)]),
 ];
 
 const fn other(
-    kind: Kind,
+    kind: SitlKind,
     name: &'static str,
     parameters: &'static [(&'static str, f64)],
-) -> Model {
-    Model {
+) -> SitlModel {
+    SitlModel {
         name,
         kind,
         motors: 0,
@@ -85,7 +85,7 @@ const fn other(
 }
 
 /// The models of a kind.
-fn of(kind: Kind) -> impl Iterator<Item = &'static Model> {
+fn of(kind: SitlKind) -> impl Iterator<Item = &'static SitlModel> {
     let all = MULTIROTORS.iter().chain(OTHERS);
     all.filter(move |model| model.kind == kind)
 }
@@ -95,21 +95,21 @@ fn of(kind: Kind) -> impl Iterator<Item = &'static Model> {
 /// # Errors
 /// None fits, or the one that is named does not: with what would.
 pub(super) fn choose(
-    kind: Kind,
+    kind: SitlKind,
     name: Option<&str>,
     motors: Option<usize>,
     asked: impl Fn(&str) -> Option<f64>,
-) -> Result<&'static Model, Unfit> {
-    let fits = |model: &Model| {
+) -> Result<&'static SitlModel, SitlUnfit> {
+    let fits = |model: &SitlModel| {
         let has_motors = motors.is_none_or(|motors| motors == model.motors);
         has_motors && disagreement(model, &asked).is_none()
     };
     let Some(name) = name else {
-        return likely(kind, motors, fits).ok_or(Unfit::NoModel { kind, motors });
+        return likely(kind, motors, fits).ok_or(SitlUnfit::NoModel { kind, motors });
     };
     let named = of(kind).find(|model| model.name.eq_ignore_ascii_case(name));
     let Some(model) = named else {
-        return Err(Unfit::UnknownModel {
+        return Err(SitlUnfit::UnknownModel {
             name: name.to_owned(),
             kind,
             known: of(kind).map(|model| model.name).collect(),
@@ -120,7 +120,7 @@ pub(super) fn choose(
         alike.map(|it| it.name).collect()
     };
     if let Some(motors) = motors.filter(|motors| *motors != model.motors) {
-        return Err(Unfit::Motors {
+        return Err(SitlUnfit::Motors {
             model: model.name,
             has: model.motors,
             motors,
@@ -129,7 +129,7 @@ pub(super) fn choose(
     }
     match disagreement(model, &asked) {
         None => Ok(model),
-        Some((parameter, needed, asked)) => Err(Unfit::Frame {
+        Some((parameter, needed, asked)) => Err(SitlUnfit::Frame {
             model: model.name,
             parameter,
             needed,
@@ -141,12 +141,12 @@ pub(super) fn choose(
 
 /// The first model that fits, and of those with four motors if nothing says how many there are, as SITL does.
 fn likely(
-    kind: Kind,
+    kind: SitlKind,
     motors: Option<usize>,
-    fits: impl Fn(&Model) -> bool,
-) -> Option<&'static Model> {
+    fits: impl Fn(&SitlModel) -> bool,
+) -> Option<&'static SitlModel> {
     let usual = motors.or_else(|| of(kind).next().map(|model| model.motors));
-    let is_usual = |model: &&Model| fits(model) && Some(model.motors) == usual;
+    let is_usual = |model: &&SitlModel| fits(model) && Some(model.motors) == usual;
     of(kind)
         .find(is_usual)
         .or_else(|| of(kind).find(|model| fits(model)))
@@ -154,7 +154,7 @@ fn likely(
 
 /// The parameter of a model for which another value is asked: what the model needs, and what is asked.
 fn disagreement(
-    model: &Model,
+    model: &SitlModel,
     asked: &impl Fn(&str) -> Option<f64>,
 ) -> Option<(&'static str, f64, f64)> {
     model.parameters.iter().find_map(|&(name, needed)| {

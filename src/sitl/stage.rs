@@ -19,7 +19,7 @@ use strum::{IntoStaticStr, VariantNames};
 )]
 #[serde(rename_all = "lowercase")]
 #[strum(serialize_all = "lowercase")]
-pub enum Stage {
+pub enum SitlStage {
     /// Others are being started before it.
     Queued,
     /// Its process runs.
@@ -38,7 +38,7 @@ pub enum Stage {
     Ended,
 }
 
-impl Stage {
+impl SitlStage {
     /// Its name, as JSON has it.
     pub fn word(self) -> &'static str {
         self.into()

@@ -7,7 +7,7 @@ use crate::geo::LatLon;
 
 fn recipe() -> Recipe {
     Recipe {
-        kind: Kind::Copter,
+        kind: SitlKind::Copter,
         model: None,
         airframe: None,
         start: Start {
@@ -125,7 +125,7 @@ fn the_battery_and_the_motors_follow_the_airframe() {
 
 #[test]
 fn every_kind_has_a_model_and_parameters() {
-    for (kind, model) in Kind::ALL
+    for (kind, model) in SitlKind::ALL
         .iter()
         .copied()
         .zip(["quad", "plane", "rover", "vectored"])
@@ -163,8 +163,8 @@ fn what_sitl_would_misunderstand_is_refused_with_what_to_do() {
          "no model of a copter with 4 motors has the frame"),
         (Recipe { airframe: Some(frame(5)), ..recipe() }, "the frame file, line 1, column 2: num_motors: a frame has 4"),
         (Recipe { airframe: model("{\"mass\": NaN}"), ..recipe() }, "the frame file, line 1"),
-        (Recipe { kind: Kind::Rover, airframe: Some(frame(4)), ..recipe() }, "only multirotors take a frame file"),
-        (Recipe { kind: Kind::Rover, model: model("quad"), ..recipe() }, "use rover, rover-skid, motorboat"),
+        (Recipe { kind: SitlKind::Rover, airframe: Some(frame(4)), ..recipe() }, "only multirotors take a frame file"),
+        (Recipe { kind: SitlKind::Rover, model: model("quad"), ..recipe() }, "use rover, rover-skid, motorboat"),
         (Recipe { parameters: with(&[("RTL ALT", 1.0)]), ..recipe() }, "`RTL ALT` is no name"),
         (Recipe { parameters: with(&[("RTL_ALT", f64::NAN)]), ..recipe() }, "RTL_ALT cannot be NaN"),
         (Recipe { parameters: with(&[("RTL_ALT", 1e39)]), ..recipe() }, "fits a float"),
@@ -174,7 +174,7 @@ fn what_sitl_would_misunderstand_is_refused_with_what_to_do() {
         assert!(unfit.to_string().contains(expected), "{unfit}");
     }
     let far = recipe().command_line(Door::Listening(5978));
-    assert_eq!(far, Err(Unfit::Instance(5978)));
+    assert_eq!(far, Err(SitlUnfit::Instance(5978)));
     assert!(recipe().command_line(Door::Listening(5977)).is_ok());
 }
 
@@ -204,8 +204,8 @@ fn files_come_out_of_the_shell_as_they_went_in() {
     assert_eq!(written, text);
 }
 
-fn any_shape() -> impl Strategy<Value = Shape> {
-    prop::sample::select(Shape::ALL.to_vec())
+fn any_shape() -> impl Strategy<Value = FormationShape> {
+    prop::sample::select(FormationShape::ALL.to_vec())
 }
 
 proptest! {
@@ -235,7 +235,7 @@ proptest! {
         heading_deg in -360.0..720.0f64,
     ) {
         let first = Start { heading_deg, ..recipe().start };
-        let starts = Formation { shape, spacing_m }.starts(of, first);
+        let starts = StartFormation { shape, spacing_m }.starts(of, first);
         prop_assert_eq!(starts.len(), of);
         prop_assert!(starts[0].at.distance_m(first.at) < 1e-6);
         for (place, one) in starts.iter().enumerate() {
@@ -251,14 +251,14 @@ proptest! {
 #[test]
 fn a_formation_turns_with_its_heading() {
     let cases = [
-        (Shape::Row, (0.0, 5.0)),
-        (Shape::Column, (-5.0, 0.0)),
-        (Shape::Grid, (0.0, 5.0)),
-        (Shape::Circle, (-5.0, 0.0)),
-        (Shape::Wedge, (-3.5355, 3.5355)),
+        (FormationShape::Row, (0.0, 5.0)),
+        (FormationShape::Column, (-5.0, 0.0)),
+        (FormationShape::Grid, (0.0, 5.0)),
+        (FormationShape::Circle, (-5.0, 0.0)),
+        (FormationShape::Wedge, (-3.5355, 3.5355)),
     ];
     for (shape, (forward_m, right_m)) in cases {
-        let formation = Formation {
+        let formation = StartFormation {
             shape,
             spacing_m: 5.0,
         };
@@ -268,8 +268,8 @@ fn a_formation_turns_with_its_heading() {
         let off = (north_m + right_m).hypot(east_m - forward_m);
         assert!(off < 0.01, "{}: {north_m} {east_m}", shape.name());
     }
-    let grid = Formation {
-        shape: Shape::Grid,
+    let grid = StartFormation {
+        shape: FormationShape::Grid,
         spacing_m: 2.0,
     };
     let place = |index| grid.place(index, 7);

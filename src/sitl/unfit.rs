@@ -1,11 +1,11 @@
 //! Why an instance cannot be started as it is asked for.
 
-use super::Kind;
+use super::SitlKind;
 use crate::sim::AirframeError;
 
 /// What is wrong with a recipe, and what to do.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum Unfit {
+pub enum SitlUnfit {
     /// The system id.
     #[error("system id {0} cannot be a vehicle's: use 1 to 254")]
     System(u8),
@@ -29,7 +29,7 @@ pub enum Unfit {
     ParameterValue(String, f64),
     /// A frame file for what is no multirotor.
     #[error("only multirotors take a frame file, and this is a {}: leave it out", .0.name())]
-    AirframeOf(Kind),
+    AirframeOf(SitlKind),
     /// The frame file.
     #[error("the frame file, {0}")]
     Airframe(#[from] AirframeError),
@@ -39,7 +39,7 @@ pub enum Unfit {
         /// What was asked for.
         name: String,
         /// The vehicle.
-        kind: Kind,
+        kind: SitlKind,
         /// The models that there are.
         known: Vec<&'static str>,
     },
@@ -50,7 +50,7 @@ pub enum Unfit {
     )]
     NoModel {
         /// The vehicle.
-        kind: Kind,
+        kind: SitlKind,
         /// The airframe's motors.
         motors: Option<usize>,
     },

@@ -7,12 +7,12 @@ use std::time::Duration;
 use futures_util::FutureExt as _;
 use futures_util::future::{pending, select_all};
 use sortie::commands::{Act, Command};
-use sortie::fleet::{Clock, Fleet, FleetEvent};
+use sortie::fleet::{Fleet, FleetClock, FleetEvent};
 use sortie::geo::LatLon;
 use sortie::language::{self, Context, Meaning};
 use sortie::ledger::{EntryId, RowState, RowUpdate};
 use sortie::link::{Endpoint, LinkState, LinkStatus, Simulator, Transport};
-use sortie::parameters::Snapshot;
+use sortie::parameters::ParameterSnapshot;
 use sortie::session::{Report, VehicleCommand};
 use sortie::sim::{Start, World, WorldConfig};
 use sortie::vehicle::{Vehicle, VehicleId};
@@ -45,7 +45,7 @@ pub struct Console {
     fleet: Fleet,
     events: mpsc::Receiver<FleetEvent>,
     vehicles: BTreeMap<VehicleId, watch::Receiver<Arc<Vehicle>>>,
-    parameters: BTreeMap<VehicleId, watch::Receiver<Snapshot>>,
+    parameters: BTreeMap<VehicleId, watch::Receiver<ParameterSnapshot>>,
     links: Vec<watch::Receiver<LinkStatus>>,
     rows: Vec<RowUpdate>,
     notices: Vec<String>,
@@ -54,7 +54,7 @@ pub struct Console {
 
 impl Console {
     pub fn start() -> Self {
-        let (fleet, events) = Fleet::start(Clock::start(), CancellationToken::new());
+        let (fleet, events) = Fleet::start(FleetClock::start(), CancellationToken::new());
         Self {
             fleet,
             events,

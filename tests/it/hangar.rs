@@ -9,9 +9,10 @@ use nix::errno::Errno;
 use nix::sys::signal::{Signal, kill};
 use nix::unistd::Pid;
 use sortie::hangar::{
-    Config, Hangar, Instance, InstanceId, Instances, Launch, Limits, Refusal, Restart, Stage,
+    Hangar, HangarLimits, HangarRefusal, HangarSetup, Instance, InstanceId, Instances, Launch,
+    Restart, SitlStage,
 };
-use sortie::sitl::Kind;
+use sortie::sitl::SitlKind;
 use sortie::wire::{
     AUTOPILOT_COMPONENT, Decoder, Encoder, GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM,
 };
@@ -32,11 +33,11 @@ const PATIENCE: Duration = Duration::from_secs(120);
 /// MAVLink id of `HEARTBEAT`.
 const HEARTBEAT: u32 = 0;
 
-fn config(folder: &Path, program: PathBuf) -> Config {
-    Config {
-        programs: BTreeMap::from([(Kind::Copter, program)]),
+fn config(folder: &Path, program: PathBuf) -> HangarSetup {
+    HangarSetup {
+        programs: BTreeMap::from([(SitlKind::Copter, program)]),
         folder: folder.to_owned(),
-        limits: Limits::default(),
+        limits: HangarLimits::default(),
         restart: Restart::Never,
         sortie: PathBuf::from(env!("CARGO_BIN_EXE_sortie")),
     }
@@ -54,19 +55,19 @@ impl Stand {
         Self::with(behaviour, |config| config)
     }
 
-    fn with(behaviour: Behaviour, change: impl FnOnce(Config) -> Config) -> Self {
+    fn with(behaviour: Behaviour, change: impl FnOnce(HangarSetup) -> HangarSetup) -> Self {
         let stand_in = StandIn::new(behaviour);
         Self::open(stand_in.program(), Some(stand_in), change)
     }
 
-    fn running(program: PathBuf, change: impl FnOnce(Config) -> Config) -> Self {
+    fn running(program: PathBuf, change: impl FnOnce(HangarSetup) -> HangarSetup) -> Self {
         Self::open(program, None, change)
     }
 
     fn open(
         program: PathBuf,
         stand_in: Option<StandIn>,
-        change: impl FnOnce(Config) -> Config,
+        change: impl FnOnce(HangarSetup) -> HangarSetup,
     ) -> Self {
         let folder = tempfile::tempdir().expect("a temporary folder");
         let config = change(config(folder.path(), program));
@@ -108,12 +109,12 @@ impl Stand {
     }
 
     async fn until_ready(&self, id: InstanceId) -> Instance {
-        self.until_one(id, "it is ready", |one| one.stage == Stage::Ready)
+        self.until_one(id, "it is ready", |one| one.stage == SitlStage::Ready)
             .await
     }
 
     async fn until_ended(&self, id: InstanceId) -> Instance {
-        self.until_one(id, "it has ended", |one| one.stage == Stage::Ended)
+        self.until_one(id, "it has ended", |one| one.stage == SitlStage::Ended)
             .await
     }
 
@@ -240,11 +241,11 @@ async fn until_gone(pid: u32) {
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn thirty_two_are_started_at_once_and_no_more_where_that_is_the_limit() {
-    let stand = Stand::with(Behaviour::Normal, |config| Config {
-        limits: Limits {
+    let stand = Stand::with(Behaviour::Normal, |config| HangarSetup {
+        limits: HangarLimits {
             instances: 32,
             starts_per_s: 1000,
-            ..Limits::default()
+            ..HangarLimits::default()
         },
         ..config
     });
@@ -252,11 +253,11 @@ async fn thirty_two_are_started_at_once_and_no_more_where_that_is_the_limit() {
         assert_eq!(stand.launch().await, id);
     }
     let one_more = stand.hangar.launch(Launch::default()).await;
-    assert!(matches!(one_more, Err(Refusal::Full(32))));
+    assert!(matches!(one_more, Err(HangarRefusal::Full(32))));
     assert_eq!(stand.hangar.capacity().free, 0);
     let all = stand
         .until("all are ready", |all| {
-            all.values().all(|one| one.stage == Stage::Ready)
+            all.values().all(|one| one.stage == SitlStage::Ready)
         })
         .await;
     for (id, one) in all.iter() {
@@ -270,7 +271,7 @@ async fn thirty_two_are_started_at_once_and_no_more_where_that_is_the_limit() {
         assert!(is_gone(one.pid.expect("it runs")));
     }
     let late = stand.hangar.launch(Launch::default()).await;
-    assert!(matches!(late, Err(Refusal::Closing)));
+    assert!(matches!(late, Err(HangarRefusal::Closing)));
 }
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
@@ -297,11 +298,11 @@ async fn an_instance_is_what_was_asked_for_and_shows_what_it_uses() {
     assert!(written.expect("it is there").contains("WPNAV_SPEED 777"));
     assert!(matches!(
         stand.hangar.attach(id).await,
-        Err(Refusal::Attached(300))
+        Err(HangarRefusal::Attached(300))
     ));
     assert!(matches!(
         stand.hangar.attach(1).await,
-        Err(Refusal::Unknown(1))
+        Err(HangarRefusal::Unknown(1))
     ));
     drop(attached);
     stand

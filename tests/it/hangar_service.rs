@@ -6,10 +6,10 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use serde_json::Value;
-use sortie::hangar::client::Remote;
-use sortie::hangar::service::{self, Bounds, Program, Setup};
-use sortie::hangar::{Config, Hangar, Limits, Restart, Token};
-use sortie::sitl::Kind;
+use sortie::hangar::client::RemoteHangar;
+use sortie::hangar::service::{self, Program, ServiceBounds, ServiceSetup};
+use sortie::hangar::{Hangar, HangarLimits, HangarSetup, HangarToken, Restart};
+use sortie::sitl::SitlKind;
 use tokio::io::{AsyncReadExt as _, AsyncWriteExt as _};
 use tokio::net::{TcpListener, TcpStream};
 use tokio::task::JoinHandle;
@@ -37,7 +37,7 @@ fn ours(_: SocketAddr, _: SocketAddr) -> Option<u32> {
 /// A service that runs in this process.
 struct Served {
     address: SocketAddr,
-    token: Token,
+    token: HangarToken,
     cancel: CancellationToken,
     task: JoinHandle<std::io::Result<()>>,
     _stand_in: Option<StandIn>,
@@ -54,7 +54,7 @@ impl Served {
     async fn again(self) -> Self {
         let (address, token) = (self.address, self.token.clone());
         self.end().await;
-        let adjust = |setup: &mut Setup| setup.token = token;
+        let adjust = |setup: &mut ServiceSetup| setup.token = token;
         let listener = TcpListener::bind(address).await.expect("it is free again");
         Self::at(listener, 1, Some(Behaviour::Normal), adjust)
     }
@@ -62,7 +62,7 @@ impl Served {
     async fn with(
         instances: u16,
         behaviour: Option<Behaviour>,
-        adjust: impl FnOnce(&mut Setup),
+        adjust: impl FnOnce(&mut ServiceSetup),
     ) -> Self {
         let listener = TcpListener::bind("127.0.0.1:0").await.expect("a port");
         Self::at(listener, instances, behaviour, adjust)
@@ -72,31 +72,31 @@ impl Served {
         listener: TcpListener,
         instances: u16,
         behaviour: Option<Behaviour>,
-        adjust: impl FnOnce(&mut Setup),
+        adjust: impl FnOnce(&mut ServiceSetup),
     ) -> Self {
         let stand_in = behaviour.map(StandIn::new);
         let folder = tempfile::tempdir().expect("a temporary folder");
-        let limits = Limits {
+        let limits = HangarLimits {
             instances,
             memory_mib: 4096,
-            ..Limits::default()
+            ..HangarLimits::default()
         };
-        let programs = stand_in.iter().map(|one| (Kind::Copter, one.program()));
-        let config = Config {
+        let programs = stand_in.iter().map(|one| (SitlKind::Copter, one.program()));
+        let config = HangarSetup {
             programs: programs.collect::<BTreeMap<_, _>>(),
             folder: folder.path().to_owned(),
             limits,
             restart: Restart::Never,
             sortie: PathBuf::from(env!("CARGO_BIN_EXE_sortie")),
         };
-        let mut setup = Setup {
-            token: Token::random().expect("random numbers"),
+        let mut setup = ServiceSetup {
+            token: HangarToken::random().expect("random numbers"),
             require_token: false,
             expose: false,
-            bounds: Bounds::default(),
+            bounds: ServiceBounds::default(),
             owner: ours,
             programs: vec![Program {
-                kind: Kind::Copter,
+                kind: SitlKind::Copter,
                 file: "arducopter".to_owned(),
                 identity: "a stand-in".to_owned(),
             }],
@@ -119,9 +119,9 @@ impl Served {
         }
     }
 
-    fn remote(&self) -> Remote {
+    fn remote(&self) -> RemoteHangar {
         let address = format!("http://{}", self.address).parse();
-        Remote::new(address.expect("an address"), Some(self.token.clone()))
+        RemoteHangar::new(address.expect("an address"), Some(self.token.clone()))
     }
 
     async fn connect(&self) -> TcpStream {

@@ -3,11 +3,11 @@
 use std::io::BufReader;
 
 use mavlink::dialects::ardupilotmega::MavMessage;
-use sortie::inspector::{Reading, read};
+use sortie::inspector::{MessageReading, read};
 use sortie::link::TlogReader;
 use sortie::wire::{Anatomy, Content, Decoder};
 
-fn field(reading: &Reading, name: &str) -> f64 {
+fn field(reading: &MessageReading, name: &str) -> f64 {
     let value = reading.values.iter().find(|value| value.name == name);
     let value = value.unwrap_or_else(|| panic!("{name} of {reading:?}"));
     value.elements[0].number()

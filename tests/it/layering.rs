@@ -168,6 +168,14 @@ fn reaches(uses: &BTreeMap<(String, String), String>, from: &str, to: &str) -> b
 }
 
 #[test]
+fn the_code_map_names_every_module() {
+    let root = include_str!("../../src/lib.rs");
+    for module in top_level().keys() {
+        assert!(root.contains(&format!("[`{module}`]")), "{module}");
+    }
+}
+
+#[test]
 fn pure_modules_touch_neither_clock_nor_world() {
     let mut faults = Vec::new();
     for (name, modules) in top_level() {

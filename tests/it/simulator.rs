@@ -10,7 +10,7 @@ use mavlink::dialects::ardupilotmega::{
 use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 use sortie::geo::LatLon;
-use sortie::link::{Endpoint, Simulator, Started};
+use sortie::link::{Endpoint, Simulator, StartedSimulator};
 use sortie::sim::{Start, World, WorldConfig};
 use sortie::wire::{Content, Decoder, Encoder, Frame, Outgoing, Stamp};
 use tokio::io::{AsyncReadExt as _, AsyncWriteExt as _};
@@ -23,7 +23,7 @@ const PATIENCE: Duration = Duration::from_secs(60);
 
 /// A simulator on free ports of this machine; it ends with the test.
 struct Server {
-    started: Started,
+    started: StartedSimulator,
     _end: DropGuard,
 }
 

@@ -4,7 +4,7 @@ use crate::app::action::Action;
 use crate::app::effect::{Effect, HangarDeed, SessionEffect};
 use crate::app::keymap::{ENTER, ESCAPE, Row, does, key};
 use crate::app::room::Room;
-use crate::app::state::{Instance, Stage, State};
+use crate::app::state::{Instance, SitlStage, State};
 use crate::app::update::act;
 use crate::text;
 use crate::text::Text;
@@ -90,7 +90,7 @@ pub fn order(state: &mut State, deed: HangarDeed, vehicle: VehicleId) -> Vec<Eff
         );
         return Vec::new();
     };
-    let runs = instance.stage < Stage::Stopping;
+    let runs = instance.stage < SitlStage::Stopping;
     let known = state.session.vehicles.get(&vehicle);
     let is_armed = runs && known.is_some_and(|vehicle| vehicle.armed());
     let effect = Effect::Session(SessionEffect::Process(deed, vehicle));

@@ -7,7 +7,9 @@ use crate::app::action::{Action, Step};
 use crate::app::effect::Effect;
 use crate::app::keymap::{ENTER, ESCAPE, Row, does, key};
 use crate::app::state::{Overlay, Prompt, Purpose, Room, State};
-use crate::inspector::{Census, Key, Reading, Tally, Watched, name_of, read};
+use crate::inspector::{
+    Census, MessageReading, MessageTally, TallyKey, WatchedMessage, name_of, read,
+};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
@@ -58,7 +60,7 @@ pub struct LinkTraffic {
     /// The counts; `None` where only graphs wanted something.
     pub census: Option<Census>,
     /// The frames of the fields with a graph.
-    pub watched: Vec<Watched>,
+    pub watched: Vec<WatchedMessage>,
 }
 
 /// What the room wants to see of the links.
@@ -67,7 +69,7 @@ pub struct Wanted {
     /// The counts of all messages.
     pub census: bool,
     /// Kinds of which every frame is wanted, with the number of the link.
-    pub watched: BTreeSet<(usize, Key)>,
+    pub watched: BTreeSet<(usize, TallyKey)>,
 }
 
 /// The message under the cursor.
@@ -76,9 +78,9 @@ pub struct Selected<'a> {
     /// The number of its link.
     pub link: usize,
     /// Which message from whom.
-    pub key: Key,
+    pub key: TallyKey,
     /// What is known of it.
-    pub tally: &'a Tally,
+    pub tally: &'a MessageTally,
     /// The time of the look, on the link's clock.
     pub now: Duration,
 }
@@ -207,7 +209,7 @@ impl Messages {
     }
 
     /// What the last frame of the message under the cursor says.
-    pub fn reading(&self) -> Option<Reading> {
+    pub fn reading(&self) -> Option<MessageReading> {
         let last = &self.selected()?.tally.last;
         Anatomy::of(last).map(|frame| read(&frame))
     }

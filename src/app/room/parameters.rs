@@ -16,7 +16,7 @@ use crate::app::room::{Room, fly};
 use crate::app::state::{Overlay, Prompt, Purpose, State};
 use crate::app::update::act::show;
 use crate::ledger::EntryId;
-use crate::parameters::{Parameter, Snapshot, shown};
+use crate::parameters::{ListedParameter, ParameterSnapshot, shown};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
@@ -39,7 +39,7 @@ pub use rows::{Row, coming, extra, rows};
 #[derive(Debug, Clone, Default)]
 pub struct Parameters {
     /// What is known of each vehicle's parameters.
-    pub lists: BTreeMap<VehicleId, Snapshot>,
+    pub lists: BTreeMap<VehicleId, ParameterSnapshot>,
     /// The name under the cursor; where it is not shown, the next one is.
     pub cursor: String,
     /// Only names with these letters are shown.
@@ -80,7 +80,7 @@ pub const KEYS: &[Key] = &[
 
 impl Parameters {
     /// A parameter of a vehicle, if it is known.
-    pub fn get(&self, vehicle: VehicleId, name: &str) -> Option<&Parameter> {
+    pub fn get(&self, vehicle: VehicleId, name: &str) -> Option<&ListedParameter> {
         self.lists.get(&vehicle)?.list.get(name)
     }
 
@@ -158,7 +158,7 @@ pub fn fetch(state: &mut State) {
 
 /// Takes over what is known of a vehicle's parameters. What comes after the session has ended belongs to nobody, and
 /// what was confirmed before the vehicle rebooted is not confirmed any more.
-pub fn arrived(state: &mut State, vehicle: VehicleId, snapshot: Snapshot) {
+pub fn arrived(state: &mut State, vehicle: VehicleId, snapshot: ParameterSnapshot) {
     if state.session.activity.is_none() {
         return;
     }

@@ -1,6 +1,6 @@
 //! The processes that simulate the vehicles.
 
-pub use crate::sitl::Stage;
+pub use crate::sitl::SitlStage;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
@@ -13,7 +13,7 @@ pub struct Instance {
     /// The service that it runs by; `None` is this program.
     pub host: Option<String>,
     /// How far it has come.
-    pub stage: Stage,
+    pub stage: SitlStage,
     /// How many parameters have come, and how many there are; 0 while that is unknown.
     pub parameters: [u16; 2],
     /// The process, while there is one.
@@ -38,41 +38,41 @@ impl Instance {
     /// How far it has come on its way to being ready, 0 to 1.
     pub fn progress(&self) -> f32 {
         match self.stage {
-            Stage::Queued | Stage::Stopping | Stage::Ended => 0.0,
-            Stage::Process => 0.1,
-            Stage::Heartbeat => {
+            SitlStage::Queued | SitlStage::Stopping | SitlStage::Ended => 0.0,
+            SitlStage::Process => 0.1,
+            SitlStage::Heartbeat => {
                 let [received, count] = self.parameters.map(f32::from);
                 0.2 + 0.5 * (received / count.max(1.0)).min(1.0)
             }
-            Stage::Parameters => 0.7,
-            Stage::Position => 0.85,
-            Stage::Ready => 1.0,
+            SitlStage::Parameters => 0.7,
+            SitlStage::Position => 0.85,
+            SitlStage::Ready => 1.0,
         }
     }
 
     /// The same in words.
     pub fn says(&self) -> Text {
         match self.stage {
-            Stage::Queued => text!("hangar-stage-queued"),
-            Stage::Process => text!("hangar-stage-process"),
-            Stage::Heartbeat => match self.parameters {
+            SitlStage::Queued => text!("hangar-stage-queued"),
+            SitlStage::Process => text!("hangar-stage-process"),
+            SitlStage::Heartbeat => match self.parameters {
                 [_, 0] => text!("hangar-stage-heartbeat"),
                 [received, count] => {
                     text!("hangar-stage-fetching", received = received, count = count)
                 }
             },
-            Stage::Parameters => text!("hangar-stage-parameters"),
-            Stage::Position => text!("hangar-stage-position"),
-            Stage::Ready => text!("hangar-stage-ready"),
-            Stage::Stopping => text!("hangar-stage-stopping"),
-            Stage::Ended if self.fault.is_some() => text!("hangar-stage-crashed"),
-            Stage::Ended => text!("hangar-stage-ended"),
+            SitlStage::Parameters => text!("hangar-stage-parameters"),
+            SitlStage::Position => text!("hangar-stage-position"),
+            SitlStage::Ready => text!("hangar-stage-ready"),
+            SitlStage::Stopping => text!("hangar-stage-stopping"),
+            SitlStage::Ended if self.fault.is_some() => text!("hangar-stage-crashed"),
+            SitlStage::Ended => text!("hangar-stage-ended"),
         }
     }
 
     /// Whether it has ended without being asked to.
     pub fn has_crashed(&self) -> bool {
-        self.stage == Stage::Ended && self.fault.is_some()
+        self.stage == SitlStage::Ended && self.fault.is_some()
     }
 }
 
@@ -108,7 +108,7 @@ impl Hangar {
 
     /// How many are ready.
     pub fn ready(&self) -> usize {
-        let ready = |instance: &&Instance| instance.stage == Stage::Ready;
+        let ready = |instance: &&Instance| instance.stage == SitlStage::Ready;
         self.instances.iter().filter(ready).count()
     }
 

@@ -7,7 +7,7 @@ use std::time::Duration;
 use super::alert::alert;
 use super::{Alarms, Alert, Groups, Hangar, Histories, LinkSummary, MissionTime, Selection};
 use crate::app::room::Room;
-use crate::doctor::{Cause, Finding, Weight};
+use crate::doctor::{Cause, LinkFinding, Weight};
 use crate::geo::LatLon;
 use crate::ledger::{Entry, EntryId, Given, Ledger, Row};
 use crate::mission::{Area, Listing, Progress};
@@ -45,7 +45,7 @@ pub struct Session {
     /// The mission that is flown, if one is.
     pub listing: Option<Box<Listing>>,
     /// What the link doctor has found, worst first.
-    pub findings: Vec<Finding>,
+    pub findings: Vec<LinkFinding>,
     /// Findings that were told already, by link and name.
     pub told: BTreeSet<(usize, &'static str)>,
     /// The mission's progress, if one is flown.
@@ -156,7 +156,7 @@ impl Session {
     }
 
     /// Why nothing is heard, as far as the link doctor knows; a link that is not open says so itself.
-    pub fn worst_finding(&self) -> Option<&Finding> {
+    pub fn worst_finding(&self) -> Option<&LinkFinding> {
         let worst = self.findings.first()?;
         let is_told = worst.cause.weight() == Weight::Fatal && worst.cause != Cause::NotOpen;
         is_told.then_some(worst)

@@ -5,7 +5,7 @@ use std::time::Duration;
 use super::telemetry;
 use crate::alert::AlertKind;
 use crate::app::room::{Room, hangar};
-use crate::app::state::{Instance, Stage, State};
+use crate::app::state::{Instance, SitlStage, State};
 use crate::notice::Notice;
 use crate::text;
 use crate::text::Text;
@@ -99,8 +99,8 @@ fn news(before: Option<&Instance>, instance: &Instance, at: Duration) -> Option<
         let text = text!("hangar-restarted", count = instance.restarts);
         return Some(notice(Severity::Notice, None, text));
     }
-    let was_ready = before.is_some_and(|before| before.stage == Stage::Ready);
-    let is_ready = instance.stage == Stage::Ready;
+    let was_ready = before.is_some_and(|before| before.stage == SitlStage::Ready);
+    let is_ready = instance.stage == SitlStage::Ready;
     if instance.restarts > 0 && is_ready && !was_ready && before.is_some() {
         return Some(notice(Severity::Info, None, text!("hangar-ready-again")));
     }

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use crate::app::room::messages::LinkTraffic;
 use crate::app::state::{Room, State};
-use crate::doctor::{Cause, Finding, Weight};
+use crate::doctor::{Cause, LinkFinding, Weight};
 use crate::notice::Notice;
 use crate::text;
 use crate::vehicle::Severity;
@@ -13,7 +13,7 @@ use crate::vehicle::Severity;
 const PATIENCE: Duration = Duration::from_secs(5);
 
 /// Takes the doctor's findings in, and tells those that a human has to act upon.
-pub fn findings(state: &mut State, findings: Vec<Finding>) {
+pub fn findings(state: &mut State, findings: Vec<LinkFinding>) {
     if state.session.activity.is_none() {
         return;
     }
@@ -40,7 +40,7 @@ pub fn traffic(state: &mut State, traffic: Vec<LinkTraffic>) {
 }
 
 /// Tells each finding once per link.
-fn tell(state: &mut State, finding: &Finding) {
+fn tell(state: &mut State, finding: &LinkFinding) {
     let waits = state.session.vehicles.is_empty()
         && state.now.saturating_sub(state.session.began_at) >= PATIENCE;
     let is_news = match finding.cause {

@@ -44,7 +44,7 @@ pub(in crate::cli) struct DecodeArguments {
 }
 
 #[derive(Debug, Serialize)]
-struct Measured {
+struct DecodeCost {
     messages: u64,
     ns_per_message: f64,
     floor_ns_per_message: f64,
@@ -69,7 +69,7 @@ pub(in crate::cli) fn decode(options: &DecodeArguments) -> Result<ExitCode, Fail
         )));
     }
     let per_message = |time: Duration| time.as_nanos() as f64 / messages as f64;
-    let result = Measured {
+    let result = DecodeCost {
         messages,
         ns_per_message: per_message(whole),
         floor_ns_per_message: per_message(floor),

@@ -48,7 +48,7 @@ pub(in crate::cli) struct FrameArguments {
 }
 
 #[derive(Debug, Serialize)]
-struct Measured {
+struct FrameCost {
     vehicles: VehicleId,
     width: u16,
     height: u16,
@@ -59,7 +59,7 @@ struct Measured {
 
 /// Measures and prints.
 pub(in crate::cli) fn frame(options: &FrameArguments) -> Result<ExitCode, Failure> {
-    let measured: Vec<Measured> = SWARMS
+    let measured: Vec<FrameCost> = SWARMS
         .iter()
         .map(|&vehicles| measure(vehicles, options))
         .collect::<Result<_, _>>()?;
@@ -85,7 +85,7 @@ pub(in crate::cli) fn frame(options: &FrameArguments) -> Result<ExitCode, Failur
     Ok(ExitCode::SUCCESS)
 }
 
-fn measure(vehicles: VehicleId, options: &FrameArguments) -> Result<Measured, Failure> {
+fn measure(vehicles: VehicleId, options: &FrameArguments) -> Result<FrameCost, Failure> {
     let look = Look::default();
     let mut screen = Screen::nowhere(options.width, options.height)?;
     let mut app = swarm(vehicles);
@@ -110,7 +110,7 @@ fn measure(vehicles: VehicleId, options: &FrameArguments) -> Result<Measured, Fa
     let bytes_after = screen.bytes();
     let drawn = Some(app.state().revision());
     draw_if_changed(&mut screen, app.state(), &look, drawn)?;
-    Ok(Measured {
+    Ok(FrameCost {
         vehicles,
         width: options.width,
         height: options.height,

@@ -34,7 +34,7 @@ pub(in crate::cli) struct LoadArguments {
 }
 
 #[derive(Debug, Serialize)]
-struct Measured {
+struct LoadCost {
     vehicles: u8,
     window_s: f64,
     core_percent: f64,
@@ -43,7 +43,7 @@ struct Measured {
 }
 
 /// Where a measurement stands.
-struct Mark {
+struct LoadMark {
     at: Duration,
     cpu: Duration,
     bytes: u64,
@@ -52,7 +52,7 @@ struct Mark {
 /// Measures and prints.
 pub(in crate::cli) fn load(options: &LoadArguments) -> Result<ExitCode, Failure> {
     let console = Options {
-        backend: crate::hangar::Backend::default(),
+        backend: crate::hangar::VehicleBackend::default(),
         ardupilot: None,
         opening: Opening::Free,
         vehicles: options.vehicles,
@@ -70,12 +70,12 @@ pub(in crate::cli) fn load(options: &LoadArguments) -> Result<ExitCode, Failure>
         (seconds(20), "all goto n 1000 e 0 up 30"),
     ];
     let until = WARM_UP + seconds(options.seconds);
-    let mut marks: Vec<Mark> = Vec::new();
+    let mut marks: Vec<LoadMark> = Vec::new();
     let mut unreadable = None;
     runtime()?.block_on(console::drive(console, SIZE, &lines, |now, bytes| {
         if now >= WARM_UP && marks.is_empty() || now >= until {
             match processor_time() {
-                Ok(cpu) => marks.push(Mark {
+                Ok(cpu) => marks.push(LoadMark {
                     at: now,
                     cpu,
                     bytes,
@@ -99,10 +99,10 @@ pub(in crate::cli) fn load(options: &LoadArguments) -> Result<ExitCode, Failure>
     Ok(ExitCode::SUCCESS)
 }
 
-fn print(options: &LoadArguments, start: &Mark, end: &Mark) -> Result<(), Failure> {
+fn print(options: &LoadArguments, start: &LoadMark, end: &LoadMark) -> Result<(), Failure> {
     let window_s = end.at.saturating_sub(start.at).as_secs_f64();
     let core_percent = end.cpu.saturating_sub(start.cpu).as_secs_f64() / window_s * 100.0;
-    let measured = Measured {
+    let measured = LoadCost {
         vehicles: options.vehicles,
         window_s,
         core_percent,

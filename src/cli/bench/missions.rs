@@ -35,7 +35,7 @@ pub(in crate::cli) struct MissionsArguments {
 
 /// One flight of the reference pilot. Processor time, so that a busy machine measures the same.
 #[derive(Debug, Serialize)]
-struct Measured {
+struct MissionCost {
     mission: String,
     vehicles: usize,
     sim_time_s: f64,
@@ -81,7 +81,7 @@ pub(in crate::cli) fn missions(options: &MissionsArguments) -> Result<ExitCode, 
     Ok(ExitCode::SUCCESS)
 }
 
-fn measure(mission: Mission, seed: u64) -> Result<Measured, Failure> {
+fn measure(mission: Mission, seed: u64) -> Result<MissionCost, Failure> {
     let script = load_script(&mission.id, &mission)?;
     let mission = Arc::new(mission);
     let before = processor_time()?;
@@ -92,7 +92,7 @@ fn measure(mission: Mission, seed: u64) -> Result<Measured, Failure> {
     }
     let report: Report = exercise.report();
     let cpu = processor_time()?.saturating_sub(before).as_secs_f64();
-    Ok(Measured {
+    Ok(MissionCost {
         mission: mission.id.clone(),
         vehicles: mission.vehicles,
         sim_time_s: report.sim_time_s,

@@ -10,14 +10,14 @@ use std::time::Duration;
 use clap::Args;
 
 use super::super::Failure;
-use super::super::backend::{Simulator, own};
+use super::super::backend::{SimulatorChoice, own};
 use super::super::programs::ProgramOptions;
-use super::super::settings::Settings;
+use super::super::settings::CliSettings;
 use crate::terminal::Environment;
-use instances::Bay;
-use progress::Progress;
-use sample::Row;
-use trial::{Plan, trial};
+use instances::SitlBench;
+use progress::ScaleProgress;
+use sample::ScaleRow;
+use trial::{TrialPlan, trial};
 
 mod chart;
 mod cost;
@@ -65,7 +65,7 @@ pub(in crate::cli) struct ScaleArguments {
     spacing: f64,
     /// Who simulates; embedded unless a program is named.
     #[arg(long, value_enum)]
-    backend: Option<Simulator>,
+    backend: Option<SimulatorChoice>,
     #[command(flatten)]
     programs: ProgramOptions,
     /// Afterwards, doubles the number until real time is no longer held, and says what gave way.
@@ -89,7 +89,7 @@ fn parse_seconds(text: &str) -> Result<f64, String> {
 /// Measures and prints.
 pub(in crate::cli) fn scale(
     options: &ScaleArguments,
-    settings: &Settings,
+    settings: &CliSettings,
 ) -> Result<ExitCode, Failure> {
     if let Some(path) = &options.svg {
         // Better now than after half an hour; a drawing that is there stays until there is another.
@@ -98,9 +98,11 @@ pub(in crate::cli) fn scale(
             Failure::Invalid(format!("sortie: cannot write {}: {error}", path.display()))
         })?;
     }
-    let bay = bay(options, settings)?;
-    let rows = Series::new(options, bay.as_ref()).run()?;
-    let simulator = bay.as_ref().map_or("embedded", |bay| bay.name.as_str());
+    let bench = sitl_bench(options, settings)?;
+    let rows = ScaleSeries::new(options, bench.as_ref()).run()?;
+    let simulator = bench
+        .as_ref()
+        .map_or("embedded", |bench| bench.name.as_str());
     if let Some(path) = &options.svg {
         let heading =
             format!("Processor time against the number of drones; simulator: {simulator}");
@@ -109,12 +111,12 @@ pub(in crate::cli) fn scale(
     if options.json {
         say!("{}", serde_json::to_string(&rows)?)?;
     } else {
-        let heading = table::Heading {
+        let heading = table::ScaleHeading {
             simulator,
             seconds: options.seconds,
             repeats: options.repeat.get(),
             cores: cost::cores(),
-            is_ardupilot: bay.is_some(),
+            is_ardupilot: bench.is_some(),
         };
         say!("{}", table::table(&rows, &heading))?;
         let is_ascii = !Environment::of_process().speaks_utf8();
@@ -128,9 +130,12 @@ pub(in crate::cli) fn scale(
 }
 
 /// The hangar of ArduPilot's processes; none for the embedded simulator.
-fn bay(options: &ScaleArguments, settings: &Settings) -> Result<Option<Bay>, Failure> {
+fn sitl_bench(
+    options: &ScaleArguments,
+    settings: &CliSettings,
+) -> Result<Option<SitlBench>, Failure> {
     let is_embedded = match options.backend {
-        Some(simulator) => simulator == Simulator::Embedded,
+        Some(simulator) => simulator == SimulatorChoice::Embedded,
         None => !options.programs.is_given(),
     };
     if is_embedded {
@@ -138,42 +143,43 @@ fn bay(options: &ScaleArguments, settings: &Settings) -> Result<Option<Bay>, Fai
     }
     let mut config = own(&options.programs, settings)?;
     config.limits.instances = MOST_ARDUPILOT;
-    let bay = Bay::open(config);
-    bay.map(Some)
+    let bench = SitlBench::open(config);
+    bench
+        .map(Some)
         .map_err(|error| Failure::Invalid(format!("sortie: {error:#}")))
 }
 
 /// A series of measurements.
-struct Series<'a> {
+struct ScaleSeries<'a> {
     options: &'a ScaleArguments,
-    bay: Option<&'a Bay>,
-    plan: Plan,
-    progress: Progress,
+    bench: Option<&'a SitlBench>,
+    plan: TrialPlan,
+    progress: ScaleProgress,
 }
 
-impl<'a> Series<'a> {
-    fn new(options: &'a ScaleArguments, bay: Option<&'a Bay>) -> Self {
-        let plan = Plan {
+impl<'a> ScaleSeries<'a> {
+    fn new(options: &'a ScaleArguments, bench: Option<&'a SitlBench>) -> Self {
+        let plan = TrialPlan {
             window: Duration::from_secs_f64(options.seconds),
             spacing: Duration::from_secs_f64(options.spacing),
         };
         let repeats = options.counts.len() * usize::from(options.repeat.get());
         Self {
             options,
-            bay,
+            bench,
             plan,
-            progress: Progress::new(repeats, plan.lasts()),
+            progress: ScaleProgress::new(repeats, plan.lasts()),
         }
     }
 
-    fn run(mut self) -> anyhow::Result<Vec<Row>> {
+    fn run(mut self) -> anyhow::Result<Vec<ScaleRow>> {
         let mut rows = Vec::new();
         for &vehicles in &self.options.counts {
             rows.push(self.count(vehicles)?);
         }
-        let most = self.bay.map_or(MOST_EMBEDDED, |_| MOST_ARDUPILOT);
+        let most = self.bench.map_or(MOST_EMBEDDED, |_| MOST_ARDUPILOT);
         let mut vehicles = self.options.counts.iter().copied().max().unwrap_or(0);
-        let is_held = |row: &Row| row.gave_way.is_none() && row.repeats > 0;
+        let is_held = |row: &ScaleRow| row.gave_way.is_none() && row.repeats > 0;
         while self.options.beyond && rows.iter().all(is_held) && vehicles < most {
             vehicles = (vehicles * 2).clamp(1, most);
             self.progress.left += usize::from(self.options.repeat.get());
@@ -183,7 +189,7 @@ impl<'a> Series<'a> {
     }
 
     /// All repeats of one number of vehicles. More vehicles than come up are a result, not an error.
-    fn count(&mut self, vehicles: u16) -> anyhow::Result<Row> {
+    fn count(&mut self, vehicles: u16) -> anyhow::Result<ScaleRow> {
         let repeats = usize::from(self.options.repeat.get());
         let mut samples = Vec::new();
         let s = if vehicles == 1 { "" } else { "s" };
@@ -191,7 +197,7 @@ impl<'a> Series<'a> {
             self.progress.begin(format!(
                 "{vehicles} vehicle{s}, repeat {repeat} of {repeats}"
             ));
-            let trial = trial(self.bay, vehicles, self.plan, &mut self.progress);
+            let trial = trial(self.bench, vehicles, self.plan, &mut self.progress);
             self.progress.clear();
             self.progress.left -= 1;
             match trial {
@@ -199,10 +205,10 @@ impl<'a> Series<'a> {
                 Err(error) if vehicles <= 1 => return Err(error),
                 Err(error) => {
                     self.progress.left -= repeats - repeat;
-                    return Ok(Row::never_flown(vehicles, format!("{error:#}")));
+                    return Ok(ScaleRow::never_flown(vehicles, format!("{error:#}")));
                 }
             }
         }
-        Ok(Row::of(vehicles, &samples))
+        Ok(ScaleRow::of(vehicles, &samples))
     }
 }

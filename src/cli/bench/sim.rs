@@ -27,7 +27,7 @@ const STEPS_PER_COUNT: u64 = 100;
 #[command(after_help = "Examples:\n  \
     sortie bench sim\n  \
     sortie bench sim --vehicles 500,5000 --seconds 10 --json")]
-pub(in crate::cli) struct SimArguments {
+pub(in crate::cli) struct BenchSimArguments {
     /// How many vehicles fly: one measurement for each number.
     #[arg(long, value_delimiter = ',', default_value = "1,10,100,1000,2000",
         value_parser = clap::value_parser!(u16).range(1..=5000))]
@@ -44,7 +44,7 @@ pub(in crate::cli) struct SimArguments {
 }
 
 #[derive(Debug, Serialize)]
-struct Measured {
+struct SimCost {
     vehicles: u16,
     us_per_vehicle_step: f64,
     core_percent: f64,
@@ -53,7 +53,7 @@ struct Measured {
 }
 
 /// Measures and prints.
-pub(in crate::cli) fn sim(options: &SimArguments) -> Result<ExitCode, Failure> {
+pub(in crate::cli) fn sim(options: &BenchSimArguments) -> Result<ExitCode, Failure> {
     let measured = options
         .vehicles
         .iter()
@@ -77,8 +77,8 @@ pub(in crate::cli) fn sim(options: &SimArguments) -> Result<ExitCode, Failure> {
     Ok(ExitCode::SUCCESS)
 }
 
-fn measure(vehicles: u16, options: &SimArguments) -> Result<Measured, Failure> {
-    let mut swarm = Swarm::flying(vehicles, options.threads);
+fn measure(vehicles: u16, options: &BenchSimArguments) -> Result<SimCost, Failure> {
+    let mut swarm = SimSwarm::flying(vehicles, options.threads);
     let steps = options.seconds * 100;
     let (mut cpu, mut wall) = (Duration::ZERO, Duration::ZERO);
     let mut output = Vec::new();
@@ -96,7 +96,7 @@ fn measure(vehicles: u16, options: &SimArguments) -> Result<Measured, Failure> {
     let vehicle_steps = f64::from(vehicles) * steps as f64;
     let simulated_s = options.seconds as f64;
     let core_percent = cpu.as_secs_f64() / simulated_s * 100.0;
-    Ok(Measured {
+    Ok(SimCost {
         vehicles,
         us_per_vehicle_step: cpu.as_secs_f64() * 1e6 / vehicle_steps,
         core_percent,
@@ -106,13 +106,13 @@ fn measure(vehicles: u16, options: &SimArguments) -> Result<Measured, Failure> {
 }
 
 /// A world in which all fly, with a ground station on each vehicle.
-struct Swarm {
+struct SimSwarm {
     world: World,
     ports: Vec<PortId>,
     threads: usize,
 }
 
-impl Swarm {
+impl SimSwarm {
     fn flying(vehicles: u16, threads: u8) -> Self {
         let first = Start {
             at: LatLon::new(50.4501, 30.5234),

@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 
 use nix::sys::resource::{Resource, getrlimit};
 
-use super::super::settings::Settings;
-use super::Finding;
+use super::super::settings::CliSettings;
+use super::HostFinding;
 
 /// What one idle or flying `ArduCopter` 4.6 takes, measured with up to 32 of them: per cent of a core, and resident
 /// memory in kibibytes.
@@ -21,9 +21,9 @@ const FILES_EACH: u64 = 4;
 const FILES_OWN: u64 = 64;
 
 /// The folders of the configuration, of the data and of the state.
-pub(super) fn folders(settings: &Settings) -> Vec<Finding> {
+pub(super) fn folders(settings: &CliSettings) -> Vec<HostFinding> {
     let Some(folders) = &settings.folders else {
-        return vec![Finding::fault(
+        return vec![HostFinding::fault(
             "folders",
             "there is no home folder",
             "set HOME, or XDG_CONFIG_HOME, XDG_DATA_HOME and XDG_STATE_HOME",
@@ -44,12 +44,12 @@ pub(super) fn folders(settings: &Settings) -> Vec<Finding> {
 }
 
 /// Where instances run.
-pub(super) fn hangar_folder(settings: &Settings) -> Option<PathBuf> {
+pub(super) fn hangar_folder(settings: &CliSettings) -> Option<PathBuf> {
     let set = settings.config.hangar.folder.as_ref().map(PathBuf::from);
     set.or_else(|| Some(settings.folders.as_ref()?.state.join("hangar")))
 }
 
-fn folder(about: &str, path: &Path) -> Finding {
+fn folder(about: &str, path: &Path) -> HostFinding {
     // What is not there yet is made when it is needed.
     let there = path
         .ancestors()
@@ -63,7 +63,7 @@ fn folder(about: &str, path: &Path) -> Finding {
     };
     if !there.is_dir() {
         let mend = format!("move {} away: it is no folder", there.display());
-        return Finding::fault(about, format!("{name} cannot be made"), mend);
+        return HostFinding::fault(about, format!("{name} cannot be made"), mend);
     }
     if let Err(error) = nix::unistd::access(
         there,
@@ -73,16 +73,16 @@ fn folder(about: &str, path: &Path) -> Finding {
             "chmod u+wx {}, or name another by the XDG variables",
             there.display()
         );
-        return Finding::fault(about, format!("{name} cannot be written: {error}"), mend);
+        return HostFinding::fault(about, format!("{name} cannot be written: {error}"), mend);
     }
     match free_mib(there) {
-        Some(free) if free < LEAST_FREE_MIB => Finding::note(
+        Some(free) if free < LEAST_FREE_MIB => HostFinding::note(
             about,
             format!("{name}{made}, {free} MiB free"),
             "make room: the logs of SITL soon fill it",
         ),
-        Some(free) => Finding::ok(about, format!("{name}{made}, {} GiB free", free / 1024)),
-        None => Finding::ok(about, format!("{name}{made}")),
+        Some(free) => HostFinding::ok(about, format!("{name}{made}, {} GiB free", free / 1024)),
+        None => HostFinding::ok(about, format!("{name}{made}")),
     }
 }
 
@@ -92,10 +92,10 @@ fn free_mib(path: &Path) -> Option<u64> {
 }
 
 /// Processors, memory and limits, and how many instances fit.
-pub(super) fn machine() -> Vec<Finding> {
+pub(super) fn machine() -> Vec<HostFinding> {
     let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
     let by_cores = (cores as f64 * 100.0 / CORE_PERCENT) as u64;
-    let mut all = vec![Finding::ok(
+    let mut all = vec![HostFinding::ok(
         "processors",
         format!("{cores}: room for about {by_cores} SITL ({CORE_PERCENT} % of a core each)"),
     )];
@@ -104,9 +104,9 @@ pub(super) fn machine() -> Vec<Finding> {
         let (free_mib, fit) = (free_kib / 1024, free_kib / MEMORY_KIB);
         let found = format!("{free_mib} MiB free: room for about {fit} SITL (8 MiB each)");
         all.push(if fit < 4 {
-            Finding::note("memory", found, "end something else first")
+            HostFinding::note("memory", found, "end something else first")
         } else {
-            Finding::ok("memory", found)
+            HostFinding::ok("memory", found)
         });
     }
     all.push(limit(
@@ -125,21 +125,21 @@ pub(super) fn machine() -> Vec<Finding> {
     all
 }
 
-fn limit(about: &str, what: Resource, command: &str, fit: fn(u64) -> u64) -> Finding {
+fn limit(about: &str, what: Resource, command: &str, fit: fn(u64) -> u64) -> HostFinding {
     match getrlimit(what) {
-        Ok((_, hard)) if fit(hard) < 32 => Finding::note(
+        Ok((_, hard)) if fit(hard) < 32 => HostFinding::note(
             about,
             format!("{hard} at most: room for about {} SITL", fit(hard)),
             format!("raise the limit ({command}) for more"),
         ),
         Ok((_, hard)) if hard == nix::sys::resource::RLIM_INFINITY => {
-            Finding::ok(about, "no limit")
+            HostFinding::ok(about, "no limit")
         }
-        Ok((_, hard)) => Finding::ok(
+        Ok((_, hard)) => HostFinding::ok(
             about,
             format!("{hard} at most: room for about {} SITL", fit(hard)),
         ),
-        Err(error) => Finding::note(
+        Err(error) => HostFinding::note(
             about,
             format!("unknown: {error}"),
             "nothing needs to be done",
@@ -156,7 +156,7 @@ fn available_kib(text: &str) -> Option<u64> {
 }
 
 /// Whether the token of the services is one's own secret.
-pub(super) fn token(settings: &Settings) -> Option<Finding> {
+pub(super) fn token(settings: &CliSettings) -> Option<HostFinding> {
     let set = settings
         .config
         .hangar
@@ -168,26 +168,26 @@ pub(super) fn token(settings: &Settings) -> Option<Finding> {
     let name = path.display();
     let about = "hangar token";
     Some(match fs::metadata(&path) {
-        Err(_) if !is_named => Finding::ok(
+        Err(_) if !is_named => HostFinding::ok(
             about,
             format!("{name} is not there: made when the service needs it"),
         ),
-        Err(error) => Finding::note(
+        Err(error) => HostFinding::note(
             about,
             format!("{name}: {error}"),
             "start `sortie hangar`, which makes it",
         ),
-        Ok(facts) if facts.permissions().mode() & 0o077 != 0 => Finding::fault(
+        Ok(facts) if facts.permissions().mode() & 0o077 != 0 => HostFinding::fault(
             about,
             format!("others can read {name}, and start and stop vehicles with it"),
             format!("rm {name}, so that a new one is made"),
         ),
-        Ok(facts) if facts.uid() != nix::unistd::geteuid().as_raw() => Finding::fault(
+        Ok(facts) if facts.uid() != nix::unistd::geteuid().as_raw() => HostFinding::fault(
             about,
             format!("{name} belongs to somebody else"),
             "name another with the setting hangar.token_file",
         ),
-        Ok(_) => Finding::ok(about, format!("{name}, for you alone")),
+        Ok(_) => HostFinding::ok(about, format!("{name}, for you alone")),
     })
 }
 

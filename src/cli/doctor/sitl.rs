@@ -2,11 +2,11 @@
 
 use std::collections::BTreeSet;
 
-use super::super::settings::Settings;
-use super::{Finding, host};
-use crate::hangar::programs::{self, Identity, Missing, PATIENCE, Programs, Unknown};
-use crate::hangar::sockets::{self, Protocol, Socket};
-use crate::sitl::Kind;
+use super::super::settings::CliSettings;
+use super::{HostFinding, host};
+use crate::hangar::programs::{self, Missing, PATIENCE, ProgramIdentity, Programs, Unknown};
+use crate::hangar::sockets::{self, ListeningSocket, Protocol};
+use crate::sitl::SitlKind;
 
 /// The first ports of SITL's TCP listeners and RC inputs, and how far apart those of two instances are.
 const FIRST_TCP: u16 = 5760;
@@ -19,22 +19,22 @@ const GET: &str = "https://ardupilot.org/dev/docs/building-setup-linux.html, the
                    ./waf copter; or fly on the embedded simulator, which needs nothing";
 
 /// The programs: where they are, what they are, and what they open to others.
-pub(super) async fn programs(all: &Programs) -> Vec<Finding> {
+pub(super) async fn programs(all: &Programs) -> Vec<HostFinding> {
     let mut findings = Vec::new();
-    for &kind in Kind::ALL {
+    for &kind in SitlKind::ALL {
         match all.of(kind) {
             Ok(found) => findings.extend(program(kind, &found.file, &found.by).await),
             Err(Missing::Nowhere { program, .. }) => {
                 // Multirotors are what missions are made for.
                 let found = "neither on the PATH nor in a usual build folder";
-                findings.push(if kind == Kind::Copter {
+                findings.push(if kind == SitlKind::Copter {
                     let mend = format!("name one with --{program}, SORTIE_ARDUCOPTER or the configuration; to get one: {GET}");
-                    Finding::note(program, found, mend)
+                    HostFinding::note(program, found, mend)
                 } else {
-                    Finding::ok(program, found)
+                    HostFinding::ok(program, found)
                 });
             }
-            Err(missing) => findings.push(Finding::fault(
+            Err(missing) => findings.push(HostFinding::fault(
                 kind.program(),
                 missing.to_string(),
                 "name another, or nothing so that one is looked for",
@@ -44,7 +44,7 @@ pub(super) async fn programs(all: &Programs) -> Vec<Finding> {
     findings
 }
 
-async fn program(kind: Kind, file: &std::path::Path, by: &str) -> Vec<Finding> {
+async fn program(kind: SitlKind, file: &std::path::Path, by: &str) -> Vec<HostFinding> {
     let about = kind.program();
     let identity = match programs::identify(file, PATIENCE).await {
         Ok(identity) => identity,
@@ -56,10 +56,10 @@ async fn program(kind: Kind, file: &std::path::Path, by: &str) -> Vec<Finding> {
                 }
                 _ => format!("named by {by}: name an {about} built for SITL"),
             };
-            return vec![Finding::fault(about, unknown.to_string(), mend)];
+            return vec![HostFinding::fault(about, unknown.to_string(), mend)];
         }
     };
-    let Identity {
+    let ProgramIdentity {
         kind: is,
         version,
         hash,
@@ -72,12 +72,12 @@ async fn program(kind: Kind, file: &std::path::Path, by: &str) -> Vec<Finding> {
     );
     if is != kind {
         let mend = format!("name an {about}; this one would be started as the wrong vehicle");
-        return vec![Finding::fault(about, what, mend)];
+        return vec![HostFinding::fault(about, what, mend)];
     }
-    let mut findings = vec![Finding::ok(about, what)];
+    let mut findings = vec![HostFinding::ok(about, what)];
     if !sockets.is_empty() {
         let list: Vec<_> = sockets.iter().map(purpose).collect();
-        findings.push(Finding::note(
+        findings.push(HostFinding::note(
             "open to others",
             format!("each {about} opens {}", list.join(", ")),
             "SITL cannot be kept from it: whoever reaches this machine could steer vehicles whose failsafes heed RC; \
@@ -87,7 +87,7 @@ async fn program(kind: Kind, file: &std::path::Path, by: &str) -> Vec<Finding> {
     findings
 }
 
-fn purpose(socket: &Socket) -> String {
+fn purpose(socket: &ListeningSocket) -> String {
     match socket.protocol {
         Protocol::Udp => {
             "a UDP port for RC input on all interfaces (its number differs every time)".to_owned()
@@ -97,16 +97,16 @@ fn purpose(socket: &Socket) -> String {
 }
 
 /// Who has the ports that SITL takes when it is started by hand.
-pub(super) fn ports() -> Vec<Finding> {
+pub(super) fn ports() -> Vec<HostFinding> {
     let own = nix::unistd::geteuid().as_raw();
     let all = sockets::open();
-    let taken: Vec<&Socket> = all.iter().filter(|socket| is_usual(socket)).collect();
+    let taken: Vec<&ListeningSocket> = all.iter().filter(|socket| is_usual(socket)).collect();
     if taken.is_empty() {
         let found = format!(
             "TCP {FIRST_TCP}, {} … and UDP {FIRST_RC} … are free",
             FIRST_TCP + APART
         );
-        return vec![Finding::ok("ports", found)];
+        return vec![HostFinding::ok("ports", found)];
     }
     let users: BTreeSet<u32> = taken.iter().map(|socket| socket.uid).collect();
     let user = |uid: u32| {
@@ -124,9 +124,9 @@ pub(super) fn ports() -> Vec<Finding> {
         let is_open = of_user.clone().any(|socket| !socket.is_loopback());
         if uid == own && is_open {
             let mend = "whoever reaches this machine can connect to them: the hangar's vehicles have no such ports";
-            Finding::note("ports", format!("{found}, open to others"), mend)
+            HostFinding::note("ports", format!("{found}, open to others"), mend)
         } else {
-            Finding::note(
+            HostFinding::note(
                 "ports",
                 found,
                 "start SITL by hand with another --listen-instance; the hangar needs none",
@@ -136,7 +136,7 @@ pub(super) fn ports() -> Vec<Finding> {
     users.into_iter().map(user).collect()
 }
 
-fn is_usual(socket: &Socket) -> bool {
+fn is_usual(socket: &ListeningSocket) -> bool {
     let (first, offsets): (u16, &[u16]) = match socket.protocol {
         Protocol::Tcp => (FIRST_TCP, &[0, 2, 3]),
         Protocol::Udp => (FIRST_RC, &[0]),
@@ -146,7 +146,7 @@ fn is_usual(socket: &Socket) -> bool {
 }
 
 /// What earlier hangars have left running.
-pub(super) fn leftovers(settings: &Settings) -> Vec<Finding> {
+pub(super) fn leftovers(settings: &CliSettings) -> Vec<HostFinding> {
     let Some(folder) = host::hangar_folder(settings) else {
         return Vec::new();
     };
@@ -154,7 +154,7 @@ pub(super) fn leftovers(settings: &Settings) -> Vec<Finding> {
     let mut findings: Vec<_> = found
         .iter()
         .map(|leftover| {
-            Finding::fault(
+            HostFinding::fault(
                 "leftovers",
                 format!(
                     "process {} ({}) of a hangar that is gone still runs in {}",
@@ -165,14 +165,14 @@ pub(super) fn leftovers(settings: &Settings) -> Vec<Finding> {
         })
         .collect();
     findings.extend(skipped.into_iter().map(|text| {
-        Finding::note(
+        HostFinding::note(
             "leftovers",
             text,
             "look at it and remove it, if it is yours",
         )
     }));
     if findings.is_empty() {
-        findings.push(Finding::ok("leftovers", "none of earlier hangars"));
+        findings.push(HostFinding::ok("leftovers", "none of earlier hangars"));
     }
     findings
 }

@@ -3,13 +3,13 @@
 use std::env;
 use std::io::IsTerminal as _;
 
-use super::Finding;
+use super::HostFinding;
 
 /// The least that the screens are made for, columns and rows.
 const LEAST: (u16, u16) = (80, 24);
 
 /// What there is to say about it.
-pub(super) fn findings() -> Vec<Finding> {
+pub(super) fn findings() -> Vec<HostFinding> {
     let term = variable("TERM");
     let size = std::io::stdout()
         .is_terminal()
@@ -31,9 +31,9 @@ fn variable(name: &str) -> Option<String> {
     env::var(name).ok().filter(|value| !value.is_empty())
 }
 
-fn kind(term: Option<&str>) -> Finding {
+fn kind(term: Option<&str>) -> HostFinding {
     match term {
-        None | Some("dumb") => Finding::note(
+        None | Some("dumb") => HostFinding::note(
             "terminal",
             format!(
                 "TERM is {}: no screen can be drawn",
@@ -41,14 +41,14 @@ fn kind(term: Option<&str>) -> Finding {
             ),
             "use a terminal, or `sortie connect --plain` for lines of text",
         ),
-        Some(term) => Finding::ok("terminal", format!("TERM is {term}")),
+        Some(term) => HostFinding::ok("terminal", format!("TERM is {term}")),
     }
 }
 
-fn room(size: Option<(u16, u16)>) -> Finding {
+fn room(size: Option<(u16, u16)>) -> HostFinding {
     match size {
-        None => Finding::ok("size", "standard output is no terminal"),
-        Some((columns, rows)) if columns < LEAST.0 || rows < LEAST.1 => Finding::note(
+        None => HostFinding::ok("size", "standard output is no terminal"),
+        Some((columns, rows)) if columns < LEAST.0 || rows < LEAST.1 => HostFinding::note(
             "size",
             format!("{columns} columns, {rows} rows"),
             format!(
@@ -56,16 +56,16 @@ fn room(size: Option<(u16, u16)>) -> Finding {
                 LEAST.0, LEAST.1
             ),
         ),
-        Some((columns, rows)) => Finding::ok("size", format!("{columns} columns, {rows} rows")),
+        Some((columns, rows)) => HostFinding::ok("size", format!("{columns} columns, {rows} rows")),
     }
 }
 
-fn colours(term: Option<&str>, more: Option<&str>) -> Finding {
+fn colours(term: Option<&str>, more: Option<&str>) -> HostFinding {
     let found = match (term, more) {
         (_, Some("truecolor" | "24bit")) => "16 million",
         (Some(term), _) if term.contains("256") => "256",
         (Some(term), _) if term == "dumb" || term.contains("mono") || term.starts_with("vt1") => {
-            return Finding::note(
+            return HostFinding::note(
                 "colours",
                 "none",
                 "the theme monochrome does without: --theme monochrome",
@@ -73,21 +73,21 @@ fn colours(term: Option<&str>, more: Option<&str>) -> Finding {
         }
         _ => "16, or what the terminal does not tell",
     };
-    Finding::ok("colours", found)
+    HostFinding::ok("colours", found)
 }
 
-fn locale(found: Option<String>) -> Finding {
+fn locale(found: Option<String>) -> HostFinding {
     let name = found.unwrap_or_default();
     let lower = name.to_lowercase();
     if lower.contains("utf-8") || lower.contains("utf8") {
-        return Finding::ok("locale", name);
+        return HostFinding::ok("locale", name);
     }
     let said = if name.is_empty() {
         "is not set"
     } else {
         name.as_str()
     };
-    Finding::note(
+    HostFinding::note(
         "locale",
         format!("{said}: no UTF-8, so that maps and curves are drawn with ASCII"),
         "export LC_ALL=C.UTF-8, also on the side of ssh",

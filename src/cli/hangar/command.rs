@@ -11,10 +11,10 @@ use serde::Serialize;
 
 use super::super::home::StartPlace;
 use super::super::programs::ProgramOptions;
-use super::super::settings::Settings;
+use super::super::settings::CliSettings;
 use super::super::{Failure, parse_speedup};
 use crate::parameters;
-use crate::sitl::{CommandLine, Door, Formation, Kind, Recipe, Shape, quoted};
+use crate::sitl::{CommandLine, Door, FormationShape, Recipe, SitlKind, StartFormation, quoted};
 use crate::store;
 
 /// Options of `sortie hangar command`.
@@ -98,7 +98,7 @@ enum ShapeWord {
     Wedge,
 }
 
-impl From<KindWord> for Kind {
+impl From<KindWord> for SitlKind {
     fn from(word: KindWord) -> Self {
         match word {
             KindWord::Copter => Self::Copter,
@@ -109,7 +109,7 @@ impl From<KindWord> for Kind {
     }
 }
 
-impl From<ShapeWord> for Shape {
+impl From<ShapeWord> for FormationShape {
     fn from(word: ShapeWord) -> Self {
         match word {
             ShapeWord::Row => Self::Row,
@@ -150,7 +150,7 @@ fn parse_address(text: &str) -> Result<SocketAddr, String> {
 
 /// One instance to start.
 #[derive(Debug, Serialize)]
-struct Order {
+struct WrittenStart {
     system: u8,
     folder: String,
     program: String,
@@ -170,9 +170,9 @@ struct Order {
 /// Prints.
 pub(super) fn command(
     options: &CommandArguments,
-    settings: &Settings,
+    settings: &CliSettings,
 ) -> Result<ExitCode, Failure> {
-    let kind = Kind::from(options.kind);
+    let kind = SitlKind::from(options.kind);
     let programs = options.programs.find(settings);
     let (program, missing) = match programs.of(kind) {
         Ok(found) => (found.file.display().to_string(), None),
@@ -193,7 +193,7 @@ pub(super) fn command(
     Ok(ExitCode::SUCCESS)
 }
 
-fn orders(options: &CommandArguments, program: &str) -> Result<Vec<Order>, Failure> {
+fn orders(options: &CommandArguments, program: &str) -> Result<Vec<WrittenStart>, Failure> {
     let wrong = |what: String| Failure::Invalid(format!("sortie: {what}"));
     let vehicles = usize::from(options.vehicles);
     let last = usize::from(options.system) + vehicles - 1;
@@ -208,7 +208,7 @@ fn orders(options: &CommandArguments, program: &str) -> Result<Vec<Order>, Failu
     let airframe = options.frame.as_ref().map(|path| read(path, "file-frame"));
     let airframe = airframe.transpose()?.map(|source| source.text);
     let parameters = given_parameters(options)?;
-    let formation = Formation {
+    let formation = StartFormation {
         shape: options.formation.into(),
         spacing_m: options.spacing,
     };
@@ -234,7 +234,11 @@ fn orders(options: &CommandArguments, program: &str) -> Result<Vec<Order>, Failu
         .collect()
 }
 
-fn order(recipe: &Recipe, door: Door, program: &str) -> Result<Order, crate::sitl::Unfit> {
+fn order(
+    recipe: &Recipe,
+    door: Door,
+    program: &str,
+) -> Result<WrittenStart, crate::sitl::SitlUnfit> {
     let line = recipe.command_line(door)?;
     let ports = door.ports()?;
     let folder = format!("sitl-{}", recipe.system);
@@ -245,7 +249,7 @@ fn order(recipe: &Recipe, door: Door, program: &str) -> Result<Order, crate::sit
     let command = line.line(program);
     let preparation = line.preparation(&folder);
     let CommandLine { arguments, files } = line;
-    Ok(Order {
+    Ok(WrittenStart {
         system: recipe.system,
         folder,
         program: program.to_owned(),
@@ -288,7 +292,7 @@ fn parameter_file(path: &Path) -> Result<Vec<(String, f64)>, Failure> {
 
 /// Everything for a POSIX shell: in a subshell, so that nothing of the shell that it is pasted into changes, and
 /// which stays the parent of the instances, because SITL ends when its parent does.
-fn script(options: &CommandArguments, orders: &[Order]) -> String {
+fn script(options: &CommandArguments, orders: &[WrittenStart]) -> String {
     let mut text = String::from("(\npids=\n");
     for order in orders {
         let folder = quoted(&order.folder);
@@ -307,7 +311,7 @@ fn script(options: &CommandArguments, orders: &[Order]) -> String {
     text
 }
 
-fn remarks(options: &CommandArguments, orders: &[Order]) -> Vec<String> {
+fn remarks(options: &CommandArguments, orders: &[WrittenStart]) -> Vec<String> {
     let mut lines = Vec::new();
     let connect: Vec<&str> = orders.iter().map(|order| order.connect.as_str()).collect();
     if let Some(address) = options.connect_out {

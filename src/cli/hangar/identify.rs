@@ -7,10 +7,10 @@ use clap::Args;
 use serde::Serialize;
 
 use super::super::programs::ProgramOptions;
-use super::super::settings::Settings;
+use super::super::settings::CliSettings;
 use super::super::{Failure, runtime};
-use crate::hangar::programs::{self, Identity, PATIENCE};
-use crate::sitl::Kind;
+use crate::hangar::programs::{self, PATIENCE, ProgramIdentity};
+use crate::sitl::SitlKind;
 
 /// Options of `sortie hangar identify`.
 #[derive(Debug, Args)]
@@ -29,21 +29,21 @@ pub(super) struct IdentifyArguments {
 }
 
 #[derive(Debug, Serialize)]
-struct Answer {
+struct IdentifyAnswer {
     /// The vehicle that it is meant to be, if it was looked for as such.
     #[serde(skip_serializing_if = "Option::is_none")]
-    wanted: Option<Kind>,
+    wanted: Option<SitlKind>,
     file: Option<PathBuf>,
     /// Why it is this file.
     by: Option<String>,
-    identity: Option<Identity>,
+    identity: Option<ProgramIdentity>,
     fault: Option<String>,
 }
 
 /// Asks and prints; exit code 1 if a program is not what it should be, or none was found.
 pub(super) fn identify(
     options: &IdentifyArguments,
-    settings: &Settings,
+    settings: &CliSettings,
 ) -> Result<ExitCode, Failure> {
     let answers = runtime()?.block_on(async {
         let mut answers = Vec::new();
@@ -52,10 +52,10 @@ pub(super) fn identify(
         }
         if options.files.is_empty() {
             let programs = options.programs.find(settings);
-            for &kind in Kind::ALL {
+            for &kind in SitlKind::ALL {
                 answers.push(match programs.of(kind) {
                     Ok(found) => ask(&found.file, Some(kind), Some(found.by.clone())).await,
-                    Err(missing) => Answer {
+                    Err(missing) => IdentifyAnswer {
                         wanted: Some(kind),
                         file: None,
                         by: None,
@@ -75,12 +75,12 @@ pub(super) fn identify(
         }
     }
     // Not everybody has all four: without any of them, there is nothing to start.
-    let is_wrong = |it: &Answer| it.file.is_some() && it.fault.is_some();
+    let is_wrong = |it: &IdentifyAnswer| it.file.is_some() && it.fault.is_some();
     let is_bad = answers.iter().any(is_wrong) || answers.iter().all(|it| it.file.is_none());
     Ok(ExitCode::from(u8::from(is_bad)))
 }
 
-async fn ask(file: &Path, wanted: Option<Kind>, by: Option<String>) -> Answer {
+async fn ask(file: &Path, wanted: Option<SitlKind>, by: Option<String>) -> IdentifyAnswer {
     let (identity, mut fault) = match programs::identify(file, PATIENCE).await {
         Ok(identity) => (Some(identity), None),
         Err(unknown) => (None, Some(unknown.to_string())),
@@ -94,7 +94,7 @@ async fn ask(file: &Path, wanted: Option<Kind>, by: Option<String>) -> Answer {
             wanted.name()
         ));
     }
-    Answer {
+    IdentifyAnswer {
         wanted,
         file: Some(file.to_owned()),
         by,
@@ -103,13 +103,13 @@ async fn ask(file: &Path, wanted: Option<Kind>, by: Option<String>) -> Answer {
     }
 }
 
-fn line(answer: &Answer) -> String {
+fn line(answer: &IdentifyAnswer) -> String {
     let mut words = Vec::new();
     if let Some(wanted) = answer.wanted {
         words.push(format!("{:<7}", wanted.name()));
     }
     if let (Some(file), Some(identity)) = (&answer.file, &answer.identity) {
-        let Identity {
+        let ProgramIdentity {
             kind,
             version,
             hash,

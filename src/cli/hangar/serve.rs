@@ -15,12 +15,16 @@ use tokio::sync::watch;
 use tokio_util::sync::CancellationToken;
 
 use super::super::programs::ProgramOptions;
-use super::super::settings::Settings;
+use super::super::settings::CliSettings;
 use super::super::{Failure, runtime};
 use crate::hangar::programs::{self, Missing};
-use crate::hangar::service::{self, Bounds, Change, PORT, Program, Setup, changes};
-use crate::hangar::{Config, Hangar, Instance, Instances, Limits, Restart, Stage, Token};
-use crate::sitl::Kind;
+use crate::hangar::service::{
+    self, InstanceChange, PORT, Program, ServiceBounds, ServiceSetup, changes,
+};
+use crate::hangar::{
+    Hangar, HangarLimits, HangarSetup, HangarToken, Instance, Instances, Restart, SitlStage,
+};
+use crate::sitl::SitlKind;
 
 /// How long a program may take to say what it is.
 const IDENTIFIED: Duration = Duration::from_secs(3);
@@ -93,17 +97,17 @@ fn log(words: std::fmt::Arguments<'_>) {
 }
 
 /// Serves until interrupted.
-pub(super) fn serve(options: &ServeArguments, settings: &Settings) -> Result<ExitCode, Failure> {
+pub(super) fn serve(options: &ServeArguments, settings: &CliSettings) -> Result<ExitCode, Failure> {
     settings.complain();
     let config = config(options, settings)?;
     let token_file = super::token_file(options.token_file.as_deref(), settings)?;
-    let token = Token::load_or_create(&token_file)
+    let token = HangarToken::load_or_create(&token_file)
         .map_err(|error| Failure::Invalid(format!("sortie: {error}")))?;
-    let mut setup = Setup {
+    let mut setup = ServiceSetup {
         token,
         require_token: options.require_token,
         expose: options.expose,
-        bounds: Bounds::default(),
+        bounds: ServiceBounds::default(),
         owner: service::owner,
         programs: Vec::new(),
         restart: config.restart,
@@ -132,7 +136,7 @@ pub(super) fn serve(options: &ServeArguments, settings: &Settings) -> Result<Exi
     })
 }
 
-fn config(options: &ServeArguments, settings: &Settings) -> Result<Config, Failure> {
+fn config(options: &ServeArguments, settings: &CliSettings) -> Result<HangarSetup, Failure> {
     let set = &settings.config.hangar;
     let folder = options
         .folder
@@ -142,12 +146,12 @@ fn config(options: &ServeArguments, settings: &Settings) -> Result<Config, Failu
     let folder = folder.or_else(in_state).ok_or_else(|| {
         Failure::Invalid("sortie: there is no home folder: name one with --folder".to_owned())
     })?;
-    let limits = Limits {
+    let limits = HangarLimits {
         instances: options.instances.unwrap_or(set.instances),
         memory_mib: options.memory.unwrap_or(set.memory),
-        ..Limits::default()
+        ..HangarLimits::default()
     };
-    Ok(Config {
+    Ok(HangarSetup {
         programs: options.programs.find(settings).paths(),
         folder,
         limits,
@@ -157,13 +161,13 @@ fn config(options: &ServeArguments, settings: &Settings) -> Result<Config, Failu
 }
 
 /// What can be started, as people are told of it; what cannot is told now.
-async fn programs(options: &ServeArguments, settings: &Settings) -> Vec<Program> {
+async fn programs(options: &ServeArguments, settings: &CliSettings) -> Vec<Program> {
     let found = options.programs.find(settings);
-    for &kind in Kind::ALL {
+    for &kind in SitlKind::ALL {
         // That there is none is worth a word only of the usual kind; that a named one is none is always.
         match found.of(kind) {
             Err(fault @ Missing::Named { .. }) => log(format_args!("warning: {fault}")),
-            Err(fault) if kind == Kind::default() => {
+            Err(fault) if kind == SitlKind::default() => {
                 log(format_args!(
                     "warning: {fault}: name one with --{}",
                     kind.program()
@@ -246,8 +250,8 @@ async fn report(mut seen: watch::Receiver<Instances>) {
         let now = Arc::clone(&seen.borrow_and_update());
         for change in changes(&before, &now) {
             match change {
-                Change::Gone(id) => log(format_args!("vehicle {id}: ended")),
-                Change::Vehicle(instance) => {
+                InstanceChange::Gone(id) => log(format_args!("vehicle {id}: ended")),
+                InstanceChange::Vehicle(instance) => {
                     if let Some(words) = words(before.get(&instance.id), &instance) {
                         log(format_args!("vehicle {}: {words}", instance.id));
                     }
@@ -278,8 +282,8 @@ fn words(before: Option<&Instance>, now: &Instance) -> Option<String> {
         return None;
     }
     match now.stage {
-        Stage::Ready => Some("ready to arm".to_owned()),
-        Stage::Ended => {
+        SitlStage::Ready => Some("ready to arm".to_owned()),
+        SitlStage::Ended => {
             let fault = now.fault.as_deref().unwrap_or("it has ended");
             let last = now
                 .last_output

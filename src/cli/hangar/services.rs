@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::super::Failure;
-use super::super::settings::Settings;
-use crate::hangar::Token;
-use crate::hangar::client::{HangarAddress, Remote};
+use super::super::settings::CliSettings;
+use crate::hangar::HangarToken;
+use crate::hangar::client::{HangarAddress, RemoteHangar};
 
 /// The token of the hangars, in the folder of the state.
 const TOKEN_FILE: &str = "hangar-token";
@@ -31,7 +31,7 @@ impl ServiceOptions {
     }
 
     /// The hangars that are named by these options, or else by the configuration; none if nobody names one.
-    pub fn remotes(&self, settings: &Settings) -> Result<Vec<Remote>, Failure> {
+    pub fn remotes(&self, settings: &CliSettings) -> Result<Vec<RemoteHangar>, Failure> {
         let invalid = |error: &dyn std::fmt::Display| Failure::Invalid(format!("sortie: {error}"));
         let mut addresses = self.hangars.clone();
         if addresses.is_empty() {
@@ -44,19 +44,19 @@ impl ServiceOptions {
         }
         let is_named = self.hangar_token.is_some() || settings.config.hangar.token_file.is_some();
         let file = token_file(self.hangar_token.as_deref(), settings)?;
-        let token = match Token::load(&file) {
+        let token = match HangarToken::load(&file) {
             Ok(token) => Some(token),
             // A hangar of this user on this machine wants none.
             Err(error) if error.is_missing() && !is_named => None,
             Err(error) => return Err(invalid(&error)),
         };
-        let remote = |address| Remote::new(address, token.clone());
+        let remote = |address| RemoteHangar::new(address, token.clone());
         Ok(addresses.into_iter().map(remote).collect())
     }
 }
 
 /// The file of the token: as named, as set, or in the folder of the state.
-pub(super) fn token_file(named: Option<&Path>, settings: &Settings) -> Result<PathBuf, Failure> {
+pub(super) fn token_file(named: Option<&Path>, settings: &CliSettings) -> Result<PathBuf, Failure> {
     let set = settings.config.hangar.token_file.as_deref();
     let in_state = || Some(settings.folders.as_ref()?.state.join(TOKEN_FILE));
     named

@@ -6,12 +6,12 @@ use clap::Args;
 use futures_util::future::join_all;
 use serde::Serialize;
 
-use super::super::settings::Settings;
+use super::super::settings::CliSettings;
 use super::super::{Failure, runtime};
 use super::services::ServiceOptions;
-use crate::hangar::client::{HangarAddress, Remote};
+use crate::hangar::client::{HangarAddress, RemoteHangar};
 use crate::hangar::service::{PORT, Status};
-use crate::hangar::{Instance, Token};
+use crate::hangar::{HangarToken, Instance};
 
 /// Options of `sortie hangar status`.
 #[derive(Debug, Args)]
@@ -28,7 +28,7 @@ pub(super) struct StatusArguments {
 
 /// What is known of one service.
 #[derive(Debug, Serialize)]
-struct Answer {
+struct StatusAnswer {
     hangar: String,
     status: Option<Status>,
     vehicles: Vec<Instance>,
@@ -37,17 +37,20 @@ struct Answer {
 }
 
 /// Asks and prints; the exit code is 1 if one of them does not answer.
-pub(super) fn status(options: &StatusArguments, settings: &Settings) -> Result<ExitCode, Failure> {
+pub(super) fn status(
+    options: &StatusArguments,
+    settings: &CliSettings,
+) -> Result<ExitCode, Failure> {
     let mut remotes = options.services.remotes(settings)?;
     if remotes.is_empty() {
         let host = "127.0.0.1".to_owned();
         let here = HangarAddress { host, port: PORT };
         let token = super::token_file(None, settings)
             .ok()
-            .and_then(|file| Token::load(&file).ok());
-        remotes.push(Remote::new(here, token));
+            .and_then(|file| HangarToken::load(&file).ok());
+        remotes.push(RemoteHangar::new(here, token));
     }
-    let answers: Vec<Answer> = runtime()?.block_on(join_all(remotes.iter().map(ask)));
+    let answers: Vec<StatusAnswer> = runtime()?.block_on(join_all(remotes.iter().map(ask)));
     if options.json {
         say!("{}", serde_json::to_string_pretty(&answers)?)?;
     } else {
@@ -59,12 +62,12 @@ pub(super) fn status(options: &StatusArguments, settings: &Settings) -> Result<E
     Ok(ExitCode::from(u8::from(!all_answer)))
 }
 
-async fn ask(remote: &Remote) -> Answer {
+async fn ask(remote: &RemoteHangar) -> StatusAnswer {
     let (status, vehicles, fault) = match tokio::try_join!(remote.status(), remote.instances()) {
         Ok((status, vehicles)) => (Some(status), vehicles, None),
         Err(error) => (None, Vec::new(), Some(error.to_string())),
     };
-    Answer {
+    StatusAnswer {
         hangar: remote.to_string(),
         status,
         vehicles,
@@ -72,7 +75,7 @@ async fn ask(remote: &Remote) -> Answer {
     }
 }
 
-fn tell(answer: &Answer) -> Result<(), Failure> {
+fn tell(answer: &StatusAnswer) -> Result<(), Failure> {
     if let Some(fault) = &answer.fault {
         tell!("sortie: {fault}");
     }

@@ -14,7 +14,9 @@ use tokio::time::{MissedTickBehavior, interval, timeout};
 use super::recorder::RunRecorder;
 use crate::cli::{Failure, runtime};
 use crate::exercise::{Exercise, LiveStreams};
-use crate::hangar::{Berth, Hangars, Instance, Launch, Place, Seen, Source, Stage};
+use crate::hangar::{
+    Hangars, Instance, InstancePlace, Launch, LaunchedVehicle, Seen, SitlSource, SitlStage,
+};
 use crate::mission::Report;
 
 /// A vehicle that is not ready by then will not be.
@@ -32,7 +34,7 @@ const PIECE_LEN: usize = 4096;
 /// # Errors
 /// They cannot be started, do not get ready, or somebody interrupts.
 pub(super) fn fly(
-    source: &Source,
+    source: &SitlSource,
     launches: Vec<Launch>,
     live: Exercise<LiveStreams>,
     recorder: &mut RunRecorder<'_>,
@@ -57,18 +59,18 @@ pub(super) fn fly(
 async fn session(
     hangars: &Hangars,
     launches: Vec<Launch>,
-    launched: &RefCell<Vec<Place>>,
+    taken: &RefCell<Vec<InstancePlace>>,
     live: Exercise<LiveStreams>,
     recorder: &mut RunRecorder<'_>,
 ) -> anyhow::Result<Report> {
     let started = Instant::now();
-    let berths = hangars.launch(launches).await?;
-    let places: Vec<Place> = berths.iter().map(|berth| berth.place).collect();
-    launched.replace(places.clone());
+    let launched = hangars.launch(launches).await?;
+    let places: Vec<InstancePlace> = launched.iter().map(|vehicle| vehicle.place).collect();
+    taken.replace(places.clone());
     let (pieces, heard) = mpsc::channel(PIECES_KEPT);
     let mut fleet = SitlFleet {
         places,
-        senders: moor(berths, &pieces),
+        senders: moor(launched, &pieces),
         heard,
         seen: hangars.instances(),
     };
@@ -104,13 +106,16 @@ async fn interrupted() {
 type Piece = (usize, Vec<u8>);
 
 /// Passes on what the vehicles say; returns what leads to them.
-fn moor(berths: Vec<Berth>, pieces: &mpsc::Sender<Piece>) -> Vec<WriteHalf<DuplexStream>> {
-    let moor = |(index, berth): (usize, Berth)| {
-        let (reader, writer) = tokio::io::split(berth.pipe);
+fn moor(
+    launched: Vec<LaunchedVehicle>,
+    pieces: &mpsc::Sender<Piece>,
+) -> Vec<WriteHalf<DuplexStream>> {
+    let moor = |(index, vehicle): (usize, LaunchedVehicle)| {
+        let (reader, writer) = tokio::io::split(vehicle.pipe);
         tokio::spawn(listen(index, reader, pieces.clone()));
         writer
     };
-    berths.into_iter().enumerate().map(moor).collect()
+    launched.into_iter().enumerate().map(moor).collect()
 }
 
 async fn listen(index: usize, mut reader: ReadHalf<DuplexStream>, pieces: mpsc::Sender<Piece>) {
@@ -124,7 +129,7 @@ async fn listen(index: usize, mut reader: ReadHalf<DuplexStream>, pieces: mpsc::
 
 /// The vehicles, in the order of their system ids.
 struct SitlFleet {
-    places: Vec<Place>,
+    places: Vec<InstancePlace>,
     senders: Vec<WriteHalf<DuplexStream>>,
     heard: mpsc::Receiver<Piece>,
     seen: watch::Receiver<Seen>,
@@ -145,12 +150,12 @@ impl SitlFleet {
                     tell!("vehicle {}: {words}", instance.system);
                     *told = Some(words);
                 }
-                if instance.stage == Stage::Ended {
+                if instance.stage == SitlStage::Ended {
                     bail!("{}", obituary(instance));
                 }
             }
-            let is_ready = |place: &Place| {
-                find(&all, *place).is_some_and(|instance| instance.stage == Stage::Ready)
+            let is_ready = |place: &InstancePlace| {
+                find(&all, *place).is_some_and(|instance| instance.stage == SitlStage::Ready)
             };
             if self.places.iter().all(is_ready) {
                 return Ok(());
@@ -208,7 +213,7 @@ impl SitlFleet {
         let all = self.seen.borrow_and_update().clone();
         for (index, place) in self.places.iter().enumerate() {
             let instance = find(&all, *place);
-            let is_gone = instance.is_none_or(|instance| instance.stage == Stage::Ended);
+            let is_gone = instance.is_none_or(|instance| instance.stage == SitlStage::Ended);
             if is_gone
                 && live.lose(index)
                 && let Some(ended) = instance
@@ -221,7 +226,7 @@ impl SitlFleet {
     }
 }
 
-fn find(all: &Seen, wanted: Place) -> Option<&Instance> {
+fn find(all: &Seen, wanted: InstancePlace) -> Option<&Instance> {
     let mut all = all.iter();
     all.find_map(|(place, instance)| (*place == wanted).then_some(instance))
 }
@@ -229,14 +234,14 @@ fn find(all: &Seen, wanted: Place) -> Option<&Instance> {
 /// How far a vehicle is, and what it has lacked for too long.
 fn words(instance: &Instance) -> String {
     let stage = match instance.stage {
-        Stage::Queued => "waits for its start".to_owned(),
-        Stage::Process => "its process runs".to_owned(),
-        Stage::Heartbeat => "it is heard".to_owned(),
-        Stage::Parameters => format!("all {} parameters have come", instance.parameters[1]),
-        Stage::Position => "it knows where it is".to_owned(),
-        Stage::Ready => "it can be armed".to_owned(),
-        Stage::Stopping => "it is being ended".to_owned(),
-        Stage::Ended => "its process has ended".to_owned(),
+        SitlStage::Queued => "waits for its start".to_owned(),
+        SitlStage::Process => "its process runs".to_owned(),
+        SitlStage::Heartbeat => "it is heard".to_owned(),
+        SitlStage::Parameters => format!("all {} parameters have come", instance.parameters[1]),
+        SitlStage::Position => "it knows where it is".to_owned(),
+        SitlStage::Ready => "it can be armed".to_owned(),
+        SitlStage::Stopping => "it is being ended".to_owned(),
+        SitlStage::Ended => "its process has ended".to_owned(),
     };
     match &instance.hint {
         Some(hint) => format!("{stage} ({hint})"),

@@ -6,7 +6,7 @@ use crate::campaign::{
     AttemptTrainee, CareerEntry, CareerStanding, LockReason, MissionCourse, PartState,
     PracticeReason, Reward,
 };
-use crate::cli::settings::Settings;
+use crate::cli::settings::CliSettings;
 use crate::cli::{Failure, trainee};
 use crate::mission::{Mission, Report};
 use crate::scoring::TryReport;
@@ -72,7 +72,7 @@ impl<'a> RunTrainee<'a> {
     ///
     /// # Errors
     /// There is no such profile, or profiles cannot be had.
-    pub fn named(settings: &Settings, locale: &'a Locale) -> Result<Option<Self>, Failure> {
+    pub fn named(settings: &CliSettings, locale: &'a Locale) -> Result<Option<Self>, Failure> {
         if !settings.is_named("profile") {
             return Ok(None);
         }

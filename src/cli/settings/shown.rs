@@ -1,11 +1,11 @@
 //! What can be shown to the user: the settings, as far as the terminal allows.
 
-use super::Settings;
+use super::CliSettings;
 use crate::config::Symbols;
 use crate::terminal::Environment;
 use crate::text::Language;
 
-impl Settings {
+impl CliSettings {
     /// The language that is written: the one that is set where the terminal shows its letters, else English.
     pub fn language(&self) -> Language {
         // Words of other scripts would be nothing but question marks.

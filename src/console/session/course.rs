@@ -7,7 +7,7 @@ use std::time::Duration;
 use super::Running;
 use super::logbook::Logbook;
 use crate::app::event::{Event, SessionEvent};
-use crate::app::state::{Session as Shown, Stage};
+use crate::app::state::{Session as Shown, SitlStage};
 use crate::exercise::{FlightDriver, FlightPace};
 use crate::mission::record::Occasion;
 use crate::mission::{Clock, Demand, Flight, Mission, Pledge};
@@ -145,7 +145,7 @@ impl Course {
             return Vec::new();
         }
         let instances = shown.hangar.iter().flat_map(|hangar| &hangar.instances);
-        let ended = instances.filter(|instance| instance.stage == Stage::Ended);
+        let ended = instances.filter(|instance| instance.stage == SitlStage::Ended);
         let mut events = Vec::new();
         for instance in ended {
             if self.lost.insert(instance.vehicle) {
@@ -170,7 +170,7 @@ impl Course {
         let flies = |id| {
             let hangar = shown.hangar.as_ref();
             let instance = hangar.and_then(|hangar| hangar.of(id));
-            instance.is_some_and(|instance| instance.stage == Stage::Ready)
+            instance.is_some_and(|instance| instance.stage == SitlStage::Ready)
         };
         let vehicles = shown.vehicles.iter().filter(|(id, _)| flies(**id));
         let clocks = vehicles.map(|(&id, vehicle)| (id, vehicle.clock_ms()));

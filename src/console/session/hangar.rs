@@ -11,7 +11,9 @@ use super::Running;
 use crate::app::effect::HangarDeed;
 use crate::app::event::{Event, ProcessEvent};
 use crate::app::state::Instance;
-use crate::hangar::{self, Berth, Hangars, Launch, Line, Place, Seen, Source};
+use crate::hangar::{
+    self, Hangars, InstancePlace, Launch, LaunchedVehicle, OutputLine, Seen, SitlSource,
+};
 use crate::link::Transport;
 use crate::notice::sanitised;
 use crate::text;
@@ -34,13 +36,13 @@ enum News {
     /// The hangars are open.
     Opened(Arc<Hangars>),
     /// All vehicles are launched; these are their links.
-    Launched(Vec<Berth>),
+    Launched(Vec<LaunchedVehicle>),
     /// They could not be launched.
     NotLaunched(Text),
     /// Something could not be done.
     Failed(Text),
     /// What a vehicle's process has printed, from the line with this number on.
-    Printed(VehicleId, u64, Vec<Line>),
+    Printed(VehicleId, u64, Vec<OutputLine>),
 }
 
 /// The processes of a session. Dropping it ends them.
@@ -51,7 +53,7 @@ pub(super) struct Processes {
     sender: mpsc::Sender<News>,
     hangars: Option<Arc<Hangars>>,
     seen: Option<watch::Receiver<Seen>>,
-    usage: BTreeMap<Place, Usage>,
+    usage: BTreeMap<InstancePlace, Usage>,
     /// How often each was started again.
     restarts: BTreeMap<VehicleId, u32>,
     looking: Option<Looking>,
@@ -86,7 +88,7 @@ impl Ending {
 impl Processes {
     /// Begins to launch vehicles, once the processes before them are gone.
     pub fn launch(
-        source: Source,
+        source: SitlSource,
         launches: Vec<Launch>,
         before: Ending,
         cancel: CancellationToken,
@@ -224,7 +226,7 @@ impl Processes {
     }
 
     /// Takes over what a process has printed, if it is still looked at.
-    fn printed(&mut self, vehicle: VehicleId, from: u64, lines: &[Line]) -> Option<Event> {
+    fn printed(&mut self, vehicle: VehicleId, from: u64, lines: &[OutputLine]) -> Option<Event> {
         let mut process = self.looking.as_mut();
         let looking = process.take_if(|one| (one.vehicle, one.next) == (vehicle, from))?;
         looking.is_asked = false;
@@ -238,9 +240,9 @@ impl Processes {
     }
 
     /// Where the process of a vehicle is.
-    fn place(&self, vehicle: VehicleId) -> Option<(Arc<Hangars>, Place)> {
+    fn place(&self, vehicle: VehicleId) -> Option<(Arc<Hangars>, InstancePlace)> {
         let seen = self.seen.as_ref()?.borrow();
-        let mine = |(_, instance): &&(Place, hangar::Instance)| {
+        let mine = |(_, instance): &&(InstancePlace, hangar::Instance)| {
             VehicleId::from(instance.system) == vehicle
         };
         let (place, _) = seen.iter().find(mine)?;
@@ -283,8 +285,10 @@ impl Running {
         while let Some(news) = processes.hear() {
             let event = match news {
                 News::Opened(_) => None,
-                News::Launched(berths) => {
-                    let mut pipes = berths.into_iter().map(|berth| Transport::Pipe(berth.pipe));
+                News::Launched(launched) => {
+                    let mut pipes = launched
+                        .into_iter()
+                        .map(|vehicle| Transport::Pipe(vehicle.pipe));
                     let refused = pipes.find_map(|pipe| self.fleet.connect(pipe).err());
                     refused.map(|reason| Event::Failed(reason.into()))
                 }
@@ -306,17 +310,17 @@ impl Running {
 }
 
 async fn open_and_launch(
-    source: &Source,
+    source: &SitlSource,
     launches: Vec<Launch>,
     told: &mpsc::Sender<News>,
 ) -> Result<(), Text> {
     let hangars = Arc::new(source.open()?);
     // Whoever does not want to hear it any more has cancelled this too.
     drop(told.send(News::Opened(Arc::clone(&hangars))).await);
-    let berths = hangars
+    let launched = hangars
         .launch(launches)
         .await
         .map_err(|refusal| Text::from(&refusal))?;
-    drop(told.send(News::Launched(berths)).await);
+    drop(told.send(News::Launched(launched)).await);
     Ok(())
 }

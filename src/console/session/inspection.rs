@@ -8,7 +8,7 @@ use tokio::sync::watch;
 use crate::app::event::{Event, LinkEvent};
 use crate::app::room::messages::{LinkTraffic, Wanted};
 use crate::doctor::{Chart, Way, diagnose};
-use crate::inspector::Key;
+use crate::inspector::TallyKey;
 use crate::link::{LinkStatus, Tap};
 
 /// The doctor looks this often.
@@ -26,7 +26,7 @@ pub(super) struct Inspection {
     charts: Vec<Chart>,
     next_exam: Duration,
     next_look: Duration,
-    watched: BTreeSet<(usize, Key)>,
+    watched: BTreeSet<(usize, TallyKey)>,
 }
 
 impl Inspection {
@@ -91,7 +91,7 @@ impl Inspection {
     }
 
     /// Has every frame of these kinds kept, and of no others.
-    fn watch(&mut self, watched: &BTreeSet<(usize, Key)>) {
+    fn watch(&mut self, watched: &BTreeSet<(usize, TallyKey)>) {
         if self.watched == *watched {
             return;
         }

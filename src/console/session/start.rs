@@ -13,10 +13,10 @@ use super::inspection::Inspection;
 use super::links::Links;
 use crate::app::event::Started;
 use crate::app::state::Activity;
-use crate::fleet::{Clock, Fleet};
+use crate::fleet::{Fleet, FleetClock};
 use crate::geo::LatLon;
-use crate::hangar::{Backend as Simulation, Source};
-use crate::link::{Address, Endpoint, Pace, Simulator, Transport};
+use crate::hangar::{SitlSource, VehicleBackend as Simulation};
+use crate::link::{Address, Endpoint, Simulator, SimulatorPace, Transport};
 use crate::mission::record::Occasion;
 use crate::mission::{Flight, Mission, Stake};
 use crate::operator::Operator;
@@ -40,7 +40,7 @@ pub(in crate::console) enum Plan {
     /// A mission of the catalogue or of a file.
     Mission(Arc<Mission>),
     /// Simulated vehicles without a task; by these processes, if any are named.
-    Free(Option<Source>),
+    Free(Option<SitlSource>),
     /// Vehicles at these addresses.
     Connect(Vec<Address>),
 }
@@ -49,7 +49,7 @@ pub(in crate::console) enum Plan {
 #[derive(Debug, Clone)]
 pub(in crate::console) struct Backend {
     pub simulation: Simulation,
-    pub clock: Clock,
+    pub clock: FleetClock,
     pub vehicles: u8,
     pub seed: u64,
     pub speedup: f64,
@@ -176,7 +176,7 @@ impl Running {
         // One in-memory pipe per vehicle, no port that others could reach.
         let endpoints = [Endpoint::Pipes];
         let cancel = self.cancel.clone();
-        let pace = Pace {
+        let pace = SimulatorPace {
             speedup: backend.speedup,
             held: self.held.subscribe(),
         };

@@ -16,7 +16,7 @@ pub struct HangarAddress {
 
 /// Why a text is no address of a hangar.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-pub enum AddressError {
+pub enum HangarAddressError {
     /// It is said to be encrypted.
     #[error(
         "a hangar does not speak HTTPS: use `ssh -L {PORT}:127.0.0.1:{PORT} HOST` and http://127.0.0.1:{PORT}"
@@ -28,12 +28,12 @@ pub enum AddressError {
 }
 
 impl FromStr for HangarAddress {
-    type Err = AddressError;
+    type Err = HangarAddressError;
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
-        let other = || AddressError::Other(text.to_owned());
+        let other = || HangarAddressError::Other(text.to_owned());
         if text.starts_with("https:") {
-            return Err(AddressError::Https);
+            return Err(HangarAddressError::Https);
         }
         let rest = text.strip_prefix("http://").ok_or_else(other)?;
         let rest = rest.strip_suffix('/').unwrap_or(rest);
@@ -110,9 +110,9 @@ mod tests {
             "tcp:lab1:5700",
         ] {
             let error = text.parse::<HangarAddress>().expect_err(text);
-            assert_eq!(error, AddressError::Other(text.to_owned()));
+            assert_eq!(error, HangarAddressError::Other(text.to_owned()));
         }
         let error = "https://lab1".parse::<HangarAddress>();
-        assert_eq!(error, Err(AddressError::Https));
+        assert_eq!(error, Err(HangarAddressError::Https));
     }
 }

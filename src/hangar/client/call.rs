@@ -11,15 +11,15 @@ use hyper_util::rt::TokioIo;
 use tokio::net::TcpStream;
 use tokio::time::timeout;
 
-use super::{ANSWER, ClientError, Remote};
-use crate::hangar::service::Problem;
+use super::{ANSWER, ClientError, RemoteHangar};
+use crate::hangar::service::ServiceProblem;
 
 /// Bytes of an answer: a few hundred instances with their last output.
 const ANSWER_MAX: usize = 8 * 1024 * 1024;
 /// Characters of a foreign answer that are shown.
 const SHOWN: usize = 60;
 
-impl Remote {
+impl RemoteHangar {
     /// Sends a request and takes in the whole answer of one that was met.
     pub(super) async fn exchange(
         &self,
@@ -96,7 +96,7 @@ impl Remote {
     }
 
     fn refusal(&self, status: StatusCode, bytes: &[u8]) -> ClientError {
-        let Ok(problem) = serde_json::from_slice::<Problem>(bytes) else {
+        let Ok(problem) = serde_json::from_slice::<ServiceProblem>(bytes) else {
             let body = String::from_utf8_lossy(bytes);
             let start: String = body
                 .chars()

@@ -13,8 +13,8 @@ use tokio::time::timeout;
 use tokio_util::sync::CancellationToken;
 
 use super::pump::Backoff;
-use super::{ANSWER, ClientError, Remote};
-use crate::hangar::service::Snapshot;
+use super::{ANSWER, ClientError, RemoteHangar};
+use crate::hangar::service::InstanceSnapshot;
 use crate::hangar::{Instance, InstanceId, Instances};
 
 /// A hangar that has said nothing for so long is taken for dead: it says something at least every 10 s.
@@ -24,7 +24,7 @@ const EVENT_MAX: usize = 8 * 1024 * 1024;
 
 /// What is known of a hangar.
 #[derive(Debug, Clone, Default)]
-pub struct View {
+pub struct HangarView {
     /// The run of the service; `None` before it was ever heard.
     pub life: Option<String>,
     /// Its instances as they were last heard of.
@@ -34,7 +34,11 @@ pub struct View {
 }
 
 /// Follows until cancelled or until nobody looks.
-pub(super) async fn run(remote: Remote, view: watch::Sender<View>, cancel: CancellationToken) {
+pub(super) async fn run(
+    remote: RemoteHangar,
+    view: watch::Sender<HangarView>,
+    cancel: CancellationToken,
+) {
     let mut backoff = Backoff::default();
     let following = async {
         loop {
@@ -51,7 +55,11 @@ pub(super) async fn run(remote: Remote, view: watch::Sender<View>, cancel: Cance
 }
 
 /// Follows one connection until it is lost, and tells how.
-async fn follow(remote: &Remote, view: &watch::Sender<View>, backoff: &mut Backoff) -> ClientError {
+async fn follow(
+    remote: &RemoteHangar,
+    view: &watch::Sender<HangarView>,
+    backoff: &mut Backoff,
+) -> ClientError {
     let opened = async {
         let request = remote.request(Method::GET, "/events", None)?;
         remote.send(request).await
@@ -95,7 +103,7 @@ async fn next_bytes(body: &mut Incoming) -> Result<Vec<u8>, String> {
     }
 }
 
-fn take_in(view: &watch::Sender<View>, name: &str, data: &str) -> Result<(), String> {
+fn take_in(view: &watch::Sender<HangarView>, name: &str, data: &str) -> Result<(), String> {
     #[derive(Deserialize)]
     struct Gone {
         id: InstanceId,
@@ -103,9 +111,9 @@ fn take_in(view: &watch::Sender<View>, name: &str, data: &str) -> Result<(), Str
     let wrong = |error: serde_json::Error| format!("its event {name} makes no sense: {error}");
     match name {
         "snapshot" => {
-            let Snapshot { life, vehicles } = serde_json::from_str(data).map_err(wrong)?;
+            let InstanceSnapshot { life, vehicles } = serde_json::from_str(data).map_err(wrong)?;
             let all: BTreeMap<_, _> = vehicles.into_iter().map(|one| (one.id, one)).collect();
-            view.send_replace(View {
+            view.send_replace(HangarView {
                 life: Some(life),
                 instances: Arc::new(all),
                 lost: None,

@@ -10,7 +10,7 @@ use tokio::io::{AsyncReadExt as _, AsyncWriteExt as _, DuplexStream};
 use tokio::time::{sleep, timeout};
 use tokio_util::sync::CancellationToken;
 
-use super::{ANSWER, ClientError, Remote};
+use super::{ANSWER, ClientError, RemoteHangar};
 use crate::hangar::InstanceId;
 use crate::hangar::service::MAVLINK;
 
@@ -45,7 +45,7 @@ impl Backoff {
 
 /// Carries bytes until cancelled or until the other end of the pipe is dropped.
 pub(super) async fn run(
-    remote: Remote,
+    remote: RemoteHangar,
     id: InstanceId,
     mut pipe: DuplexStream,
     cancel: CancellationToken,
@@ -73,7 +73,7 @@ pub(super) async fn run(
     }
 }
 
-async fn open(remote: &Remote, id: InstanceId) -> Result<Upgraded, ClientError> {
+async fn open(remote: &RemoteHangar, id: InstanceId) -> Result<Upgraded, ClientError> {
     let path = format!("/vehicles/{id}/mavlink");
     let mut request = remote.request(Method::GET, &path, None)?;
     let headers = request.headers_mut();

@@ -13,7 +13,7 @@ use tokio::time::{Instant, sleep};
 use utoipa::ToSchema;
 
 use super::INSTANCE;
-use crate::hangar::process::{self, Identity};
+use crate::hangar::process::{self, ProcessIdentity};
 
 /// How long a process may take to end by itself when it is told to, and to be gone when it is killed.
 const GRACE: Duration = Duration::from_secs(2);
@@ -25,7 +25,7 @@ const LARGEST_FILE: u64 = 64 * 1024;
 /// What a hangar notes about an instance's process.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) struct Record {
-    process: Identity,
+    process: ProcessIdentity,
     /// The file that it runs: of a script, its interpreter.
     executable: PathBuf,
     /// What was started.

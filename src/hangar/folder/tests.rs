@@ -48,7 +48,7 @@ fn root() -> TempDir {
     tempfile::tempdir().expect("a folder")
 }
 
-fn open(root: &TempDir) -> Opened {
+fn open(root: &TempDir) -> OpenedFolder {
     Run::open(root.path()).expect("it opens")
 }
 
@@ -204,7 +204,7 @@ fn only_the_last_five_runs_are_kept() {
     expected.sort();
     assert_eq!(names(&root), expected);
     // However many live, none of them is removed.
-    let more: Vec<Opened> = (0..7).map(|_| open(&root)).collect();
+    let more: Vec<OpenedFolder> = (0..7).map(|_| open(&root)).collect();
     assert_eq!(names(&root).len(), 13);
     assert!(names(&root).contains(&mine));
     drop((living, more));

@@ -9,13 +9,13 @@ use tokio::net::TcpListener;
 use tokio::sync::mpsc;
 use tokio::time::Instant as Moment;
 
-use super::Task;
+use super::InstanceTask;
 use crate::hangar::endurance::Endurance;
-use crate::hangar::launcher::Order;
-use crate::hangar::output::Output;
+use crate::hangar::launcher::LaunchOrder;
+use crate::hangar::output::ProcessOutput;
 use crate::hangar::relay::Relay;
 use crate::hangar::roster::Taken;
-use crate::hangar::{Instance, Launch, Refusal, Request, Shared, Stage};
+use crate::hangar::{HangarRefusal, Instance, InstanceRequest, Launch, Shared, SitlStage};
 use crate::sitl::{Door, Recipe};
 
 /// Simulated seconds per second until an instance is ready: a real boot takes 42 s.
@@ -31,16 +31,19 @@ pub(in crate::hangar) async fn begin(
     launch: Launch,
     taken: Taken,
     program: PathBuf,
-    requests: mpsc::Receiver<Request>,
+    requests: mpsc::Receiver<InstanceRequest>,
     shared: Arc<Shared>,
-) -> Result<(), Refusal> {
+) -> Result<(), HangarRefusal> {
     let id = taken.id;
-    let refuse = |what: String| move |source: io::Error| Refusal::Host { id, what, source };
-    let folder = shared.run.vehicle(id).map_err(|error| Refusal::Host {
-        id,
-        what: "its folder".to_owned(),
-        source: io::Error::other(error),
-    })?;
+    let refuse = |what: String| move |source: io::Error| HangarRefusal::Host { id, what, source };
+    let folder = shared
+        .run
+        .vehicle(id)
+        .map_err(|error| HangarRefusal::Host {
+            id,
+            what: "its folder".to_owned(),
+            source: io::Error::other(error),
+        })?;
     let listen = "listen on 127.0.0.1";
     let listener = TcpListener::bind(("127.0.0.1", 0))
         .await
@@ -53,19 +56,19 @@ pub(in crate::hangar) async fn begin(
     };
     let command = boot
         .command_line(Door::Outwards(address))
-        .map_err(|unfit| Refusal::Invalid(unfit.to_string()))?;
+        .map_err(|unfit| HangarRefusal::Invalid(unfit.to_string()))?;
     forget_earlier(&folder).map_err(refuse(format!("remove {MEMORY} in {}", folder.display())))?;
     for (name, text) in &command.files {
         let path = folder.join(name);
         std::fs::write(&path, text).map_err(refuse(format!("write {}", path.display())))?;
     }
-    let output = Output::new(folder.clone());
+    let output = ProcessOutput::new(folder.clone());
     shared.roster.keep_output(id, output.clone());
     let shown = Instance::new(&launch, taken, &folder);
     shared.roster.show(&shown);
-    let task = Task {
+    let task = InstanceTask {
         shown,
-        order: Order {
+        order: LaunchOrder {
             program,
             arguments: command.arguments,
             folder,
@@ -98,7 +101,7 @@ impl Instance {
             id: taken.id,
             kind: launch.kind,
             system: taken.system,
-            stage: Stage::Queued,
+            stage: SitlStage::Queued,
             parameters: [0, 0],
             pid: None,
             restarts: 0,

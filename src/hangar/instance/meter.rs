@@ -2,20 +2,20 @@
 
 use std::time::Duration;
 
-use crate::hangar::process::{self, Usage};
+use crate::hangar::process::{self, ProcessUsage};
 
 /// How often it is read.
 const EVERY: Duration = Duration::from_secs(1);
 
 /// Reads what a process uses about once a second.
-pub(super) struct Meter {
+pub(super) struct InstanceMeter {
     pid: u32,
-    last: Option<(Duration, Usage)>,
+    last: Option<(Duration, ProcessUsage)>,
     /// Cores in use between the last two readings.
     cores: f64,
 }
 
-impl Meter {
+impl InstanceMeter {
     /// Of a process.
     pub fn new(pid: u32) -> Self {
         Self {
@@ -30,7 +30,7 @@ impl Meter {
         if self.last.is_some_and(|(at, _)| now < at + EVERY) {
             return false;
         }
-        let nothing = Usage {
+        let nothing = ProcessUsage {
             memory_bytes: 0,
             cpu: Duration::ZERO,
         };

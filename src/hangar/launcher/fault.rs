@@ -5,8 +5,8 @@ use std::path::PathBuf;
 
 use nix::errno::Errno;
 
-use super::Order;
-use super::stub::Step;
+use super::LaunchOrder;
+use super::stub::StubStep;
 
 /// Why a process could not be started.
 #[derive(Debug, thiserror::Error)]
@@ -98,17 +98,17 @@ impl LaunchError {
     }
 
     /// Of what the child said: the step that failed, and the system's number of the error.
-    pub(super) fn of_report(report: &str, order: &Order, memory_mib: u64) -> Self {
+    pub(super) fn of_report(report: &str, order: &LaunchOrder, memory_mib: u64) -> Self {
         let (step, errno) = report.trim_end().split_once(' ').unwrap_or_default();
         let errno = errno.parse().unwrap_or_default();
         let source = io::Error::from_raw_os_error(errno);
         let program = order.program.clone();
         match step.parse().ok() {
-            Some(Step::Enter) => Self::NoFolder {
+            Some(StubStep::Enter) => Self::NoFolder {
                 folder: order.folder.clone(),
                 source,
             },
-            Some(Step::Become) => match Errno::from_raw(errno) {
+            Some(StubStep::Become) => match Errno::from_raw(errno) {
                 Errno::ENOENT | Errno::ENOTDIR if !program.exists() => Self::NoProgram(program),
                 Errno::ENOENT => Self::NoInterpreter(program),
                 Errno::EACCES | Errno::EPERM if program.is_dir() => Self::Folder(program),
@@ -128,7 +128,7 @@ impl LaunchError {
             },
             step => Self::Other {
                 program,
-                what: step.map_or("understand what its start says", Step::attempt),
+                what: step.map_or("understand what its start says", StubStep::attempt),
                 source,
             },
         }

@@ -14,14 +14,14 @@ const GRACE: Duration = Duration::from_secs(2);
 
 /// A process that was started, with the processes that it makes: they are one group. Dropping it kills them.
 #[derive(Debug)]
-pub(in crate::hangar) struct Running {
+pub(in crate::hangar) struct RunningProcess {
     child: Child,
     pid: Pid,
     #[cfg(target_os = "linux")]
     changes: Option<tokio::signal::unix::Signal>,
 }
 
-impl Drop for Running {
+impl Drop for RunningProcess {
     fn drop(&mut self) {
         // The number is its own only as long as nobody has fetched how it ended.
         if self.child.id().is_some() {
@@ -30,7 +30,7 @@ impl Drop for Running {
     }
 }
 
-impl Running {
+impl RunningProcess {
     /// `None` if the child has ended and that is known already.
     pub(super) fn new(child: Child) -> Option<Self> {
         Some(Self {

@@ -18,7 +18,7 @@ const CANNOT_RUN: u8 = 127;
 /// What is done before the program runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumString, IntoStaticStr)]
 #[strum(serialize_all = "lowercase")]
-pub(super) enum Step {
+pub(super) enum StubStep {
     Understand,
     #[strum(serialize = "owner")]
     EndWithOwner,
@@ -27,7 +27,7 @@ pub(super) enum Step {
     Become,
 }
 
-impl Step {
+impl StubStep {
     /// What the step tries, for people.
     pub fn attempt(self) -> &'static str {
         match self {
@@ -55,7 +55,7 @@ pub(super) fn run(words: &[OsString]) -> u8 {
         let name: &str = step.into();
         File::from(report).write_all(format!("{name} {}\n", errno as i32).as_bytes())
     });
-    if step == Step::Understand || written.is_err() {
+    if step == StubStep::Understand || written.is_err() {
         eprintln!(
             "sortie: cannot {}: {errno}; this is for a hangar's own use",
             step.attempt()
@@ -64,9 +64,9 @@ pub(super) fn run(words: &[OsString]) -> u8 {
     CANNOT_RUN
 }
 
-fn become_program(words: &[OsString]) -> (Step, Errno) {
+fn become_program(words: &[OsString]) -> (StubStep, Errno) {
     let [owner, memory, folder, program @ ..] = words else {
-        return (Step::Understand, Errno::EINVAL);
+        return (StubStep::Understand, Errno::EINVAL);
     };
     let number = |word: &OsString| word.to_str().and_then(|word| word.parse::<u64>().ok());
     let text = |word: &OsString| CString::new(word.as_bytes());
@@ -74,13 +74,13 @@ fn become_program(words: &[OsString]) -> (Step, Errno) {
     let (Some(owner), Some(memory), Ok([path, ..])) =
         (number(owner), number(memory), program.as_deref())
     else {
-        return (Step::Understand, Errno::EINVAL);
+        return (StubStep::Understand, Errno::EINVAL);
     };
     let words = program.as_deref().unwrap_or_default();
     let prepared = end_with(owner)
-        .map_err(|errno| (Step::EndWithOwner, errno))
-        .and_then(|()| chdir(folder.as_os_str()).map_err(|errno| (Step::Enter, errno)))
-        .and_then(|()| limit(memory).map_err(|errno| (Step::Limit, errno)));
+        .map_err(|errno| (StubStep::EndWithOwner, errno))
+        .and_then(|()| chdir(folder.as_os_str()).map_err(|errno| (StubStep::Enter, errno)))
+        .and_then(|()| limit(memory).map_err(|errno| (StubStep::Limit, errno)));
     if let Err(fault) = prepared {
         return fault;
     }
@@ -91,7 +91,7 @@ fn become_program(words: &[OsString]) -> (Step, Errno) {
         .and_then(dup2_stdin)
         // Not by way of the standard library, which makes a shell read whatever is no program.
         .and_then(|()| execv(path, words));
-    (Step::Become, run.err().unwrap_or(Errno::UnknownErrno))
+    (StubStep::Become, run.err().unwrap_or(Errno::UnknownErrno))
 }
 
 /// Has this process killed when the thread that made it ends.

@@ -20,34 +20,34 @@ fn this_program_becomes_another_when_it_is_told_to() {
     }
 }
 
-pub(in crate::hangar) fn launcher(limits: Limits) -> Launcher {
+pub(in crate::hangar) fn launcher(limits: HangarLimits) -> Launcher {
     let me = std::env::current_exe().expect("this program has a path");
     let words = ["--exact", "--nocapture", STUB, "--"].map(OsString::from);
     let stub = [vec![me.into_os_string()], words.to_vec()].concat();
     Launcher::with_stub(stub, limits).expect("a thread")
 }
 
-fn order(program: impl AsRef<Path>, arguments: &[&str]) -> Order {
-    Order {
+fn order(program: impl AsRef<Path>, arguments: &[&str]) -> LaunchOrder {
+    LaunchOrder {
         program: program.as_ref().to_owned(),
         arguments: arguments.iter().map(|&word| word.to_owned()).collect(),
         folder: std::env::temp_dir(),
     }
 }
 
-pub(in crate::hangar) fn shell(script: &str) -> Order {
+pub(in crate::hangar) fn shell(script: &str) -> LaunchOrder {
     order("/bin/sh", &["-c", script])
 }
 
 /// The launcher as well: what it has started ends with it.
-pub(in crate::hangar) async fn start(order: Order) -> (Launcher, Running) {
-    let launcher = launcher(Limits::default());
+pub(in crate::hangar) async fn start(order: LaunchOrder) -> (Launcher, RunningProcess) {
+    let launcher = launcher(HangarLimits::default());
     let running = launcher.launch(order).await.expect("it starts");
     (launcher, running)
 }
 
-async fn fault(order: Order) -> LaunchError {
-    let launcher = launcher(Limits::default());
+async fn fault(order: LaunchOrder) -> LaunchError {
+    let launcher = launcher(HangarLimits::default());
     loop {
         let fault = launcher.launch(order.clone()).await;
         let fault = fault.expect_err("it does not start");
@@ -59,7 +59,7 @@ async fn fault(order: Order) -> LaunchError {
 }
 
 /// Waits until the program says a line that begins with a word, and gives the rest of the line.
-async fn hear(running: &mut Running, word: &str) -> String {
+async fn hear(running: &mut RunningProcess, word: &str) -> String {
     let (out, _) = running.take_output();
     let mut lines = BufReader::new(out.expect("a pipe")).lines();
     loop {
@@ -76,7 +76,7 @@ async fn hear(running: &mut Running, word: &str) -> String {
 
 /// The numbers of two processes, each of which the program names in a line that begins with a word.
 pub(in crate::hangar) async fn hear_two(
-    running: &mut Running,
+    running: &mut RunningProcess,
     one: &str,
     other: &str,
 ) -> (u32, u32) {
@@ -171,7 +171,8 @@ async fn what_cannot_be_started_is_told_apart() {
 
 #[tokio::test]
 async fn a_missing_sortie_is_not_taken_for_a_missing_program() {
-    let launcher = Launcher::start("/no/such/sortie".into(), Limits::default()).expect("a thread");
+    let launcher =
+        Launcher::start("/no/such/sortie".into(), HangarLimits::default()).expect("a thread");
     let fault = launcher
         .launch(shell("true"))
         .await
@@ -301,7 +302,7 @@ async fn nothing_of_the_hangar_is_open_in_the_program() {
 #[tokio::test]
 async fn a_launch_that_nobody_waits_for_leaves_nothing_behind() {
     let folder = tempfile::tempdir().expect("a folder");
-    let launcher = launcher(Limits::default());
+    let launcher = launcher(HangarLimits::default());
     let mut order = shell("touch begun; sleep 1000");
     order.folder = folder.path().to_owned();
     let asked = launcher.launch(order);
@@ -313,7 +314,7 @@ async fn a_launch_that_nobody_waits_for_leaves_nothing_behind() {
 
 #[tokio::test(start_paused = true)]
 async fn the_queued_start_in_order_and_no_faster_than_allowed() {
-    let pace = std::sync::Arc::new(Pace::new(8));
+    let pace = std::sync::Arc::new(LaunchPace::new(8));
     let begun = Instant::now();
     let (went, mut order) = tokio::sync::mpsc::unbounded_channel();
     for number in 0..32_u32 {
@@ -337,7 +338,7 @@ async fn the_queued_start_in_order_and_no_faster_than_allowed() {
 
 #[tokio::test(start_paused = true)]
 async fn who_leaves_the_queue_costs_the_others_nothing() {
-    let pace = Pace::new(1);
+    let pace = LaunchPace::new(1);
     drop(pace.turn().await);
     let begun = Instant::now();
     assert!(

@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use super::*;
 use crate::hangar::launcher::tests as launcher;
 
-fn texts(lines: &[Line]) -> Vec<&str> {
+fn texts(lines: &[OutputLine]) -> Vec<&str> {
     lines.iter().map(|line| line.text.as_str()).collect()
 }
 
@@ -17,14 +17,14 @@ fn sizes(folder: &Path) -> Vec<u64> {
     names.map(size).to_vec()
 }
 
-async fn read(output: &Output, bytes: &'static [u8]) {
+async fn read(output: &ProcessOutput, bytes: &'static [u8]) {
     output.clone().read(Box::new(bytes)).await;
 }
 
 #[tokio::test]
 async fn lines_are_numbered_and_found_again() {
     let folder = tempfile::tempdir().expect("a folder");
-    let output = Output::new(folder.path().to_owned());
+    let output = ProcessOutput::new(folder.path().to_owned());
     let mut watch = output.watch();
     read(&output, b"one\ntwo\r\nthr\x1b[31mee\nlast \xff words").await;
     assert!(watch.has_changed().expect("it is there"));
@@ -49,7 +49,7 @@ async fn lines_are_numbered_and_found_again() {
 #[tokio::test]
 async fn only_the_last_lines_stay_in_memory() {
     let folder = tempfile::tempdir().expect("a folder");
-    let output = Output::new(folder.path().to_owned());
+    let output = ProcessOutput::new(folder.path().to_owned());
     for number in 1..=1000 {
         output.note(&format!("line {number}"));
     }
@@ -76,7 +76,7 @@ async fn only_the_last_lines_stay_in_memory() {
 #[tokio::test]
 async fn the_files_are_bounded_whatever_is_printed() {
     let folder = tempfile::tempdir().expect("a folder");
-    let output = Output::new(folder.path().to_owned());
+    let output = ProcessOutput::new(folder.path().to_owned());
     let line = "x".repeat(99);
     for _ in 0..100 {
         output.add(vec![line.clone(); 700]);
@@ -94,7 +94,7 @@ async fn the_files_are_bounded_whatever_is_printed() {
 #[tokio::test]
 async fn a_line_without_an_end_is_cut() {
     let folder = tempfile::tempdir().expect("a folder");
-    let output = Output::new(folder.path().to_owned());
+    let output = ProcessOutput::new(folder.path().to_owned());
     let endless = tokio::io::AsyncReadExt::take(tokio::io::repeat(b'x'), 100_000_000);
     output.clone().read(Box::new(endless)).await;
     let lines = output.last(9);
@@ -108,7 +108,7 @@ async fn a_full_disk_is_told_once_and_tried_again() {
     let folder = tempfile::tempdir().expect("a folder");
     let log = folder.path().join("output.log");
     symlink("/dev/full", &log).expect("a link");
-    let output = Output::new(folder.path().to_owned());
+    let output = ProcessOutput::new(folder.path().to_owned());
     for number in 0..50 {
         output.note(&format!("line {number}"));
         tokio::time::advance(Duration::from_secs(1)).await;
@@ -135,7 +135,7 @@ async fn a_full_disk_is_told_once_and_tried_again() {
 #[tokio::test]
 async fn a_folder_that_is_gone_stops_nobody_from_reading() {
     let folder = tempfile::tempdir().expect("a folder");
-    let output = Output::new(folder.path().join("gone"));
+    let output = ProcessOutput::new(folder.path().join("gone"));
     read(&output, b"one\ntwo\n").await;
     read(&output, b"three\n").await;
     let lines = output.last(9);
@@ -179,7 +179,7 @@ proptest! {
 #[tokio::test]
 async fn a_program_that_prints_without_end_is_read_and_ended() {
     let folder = tempfile::tempdir().expect("a folder");
-    let output = Output::new(folder.path().to_owned());
+    let output = ProcessOutput::new(folder.path().to_owned());
     let mut order = launcher::shell("yes one & yes two >&2; wait");
     order.folder = folder.path().to_owned();
     let (_launcher, mut running) = launcher::start(order).await;
@@ -203,7 +203,7 @@ async fn a_program_that_prints_without_end_is_read_and_ended() {
 #[tokio::test]
 async fn the_last_words_of_a_program_are_heard() {
     let folder = tempfile::tempdir().expect("a folder");
-    let output = Output::new(folder.path().to_owned());
+    let output = ProcessOutput::new(folder.path().to_owned());
     let (_launcher, mut running) =
         launcher::start(launcher::shell("echo out; printf err >&2")).await;
     let following = output.follow(&mut running);

@@ -9,9 +9,9 @@ use tokio::sync::watch;
 use tokio_util::sync::CancellationToken;
 
 use super::spread::spread;
-use super::{Berth, Place, Seen};
-use crate::hangar::client::{ClientError, Remote, View};
-use crate::hangar::{Capacity, Instance, InstanceId, Launch, Line, Refusal, Stage};
+use super::{InstancePlace, LaunchedVehicle, Seen};
+use crate::hangar::client::{ClientError, HangarView, RemoteHangar};
+use crate::hangar::{Capacity, HangarRefusal, Instance, InstanceId, Launch, OutputLine, SitlStage};
 
 /// What is launched ends when nobody has been attached to it for so long: the console was killed, or cut off.
 const IDLE_S: u32 = 60;
@@ -23,14 +23,14 @@ const SYSTEM_MAX: u8 = 254;
 
 /// Services, and what was launched by them.
 pub(super) struct Far {
-    services: Vec<Remote>,
-    fleet: Arc<Fleet>,
+    services: Vec<RemoteHangar>,
+    fleet: Arc<FarFleet>,
     cancel: CancellationToken,
 }
 
 /// What was launched, and who is told of it.
-struct Fleet {
-    ours: Mutex<BTreeMap<Place, Ours>>,
+struct FarFleet {
+    ours: Mutex<BTreeMap<InstancePlace, Ours>>,
     seen: watch::Sender<Seen>,
 }
 
@@ -38,7 +38,7 @@ struct Fleet {
 struct Ours {
     shown: Instance,
     /// The service that has launched it, as long as it is the same run of it.
-    remote: Remote,
+    remote: RemoteHangar,
     life: String,
     /// Whether the service was heard to have it: what is not there before that may still come.
     is_known: bool,
@@ -48,8 +48,8 @@ struct Ours {
 }
 
 impl Far {
-    pub fn new(services: Vec<Remote>) -> Self {
-        let fleet = Arc::new(Fleet {
+    pub fn new(services: Vec<RemoteHangar>) -> Self {
+        let fleet = Arc::new(FarFleet {
             ours: Mutex::default(),
             seen: watch::Sender::default(),
         });
@@ -70,12 +70,15 @@ impl Far {
     }
 
     pub fn names(&self) -> Vec<String> {
-        let name = |remote: &Remote| remote.address().authority();
+        let name = |remote: &RemoteHangar| remote.address().authority();
         self.services.iter().map(name).collect()
     }
 
     /// Launches all, or none.
-    pub async fn launch(&self, mut launches: Vec<Launch>) -> Result<Vec<Berth>, Refusal> {
+    pub async fn launch(
+        &self,
+        mut launches: Vec<Launch>,
+    ) -> Result<Vec<LaunchedVehicle>, HangarRefusal> {
         let (plan, lives) = self.plan(launches.len()).await?;
         self.number(&mut launches);
         let at = |hangar: usize| {
@@ -98,25 +101,25 @@ impl Far {
         });
         let mut begun: Vec<_> = join_all(asked).await.into_iter().flatten().collect();
         begun.sort_by_key(|(place, _)| *place);
-        let mut berths = Vec::new();
+        let mut launched = Vec::new();
         let mut refused = None;
         for (_, one) in begun {
             match one {
-                Ok(berth) => berths.push(berth),
+                Ok(vehicle) => launched.push(vehicle),
                 Err(refusal) => refused = refused.or(Some(refusal)),
             }
         }
         let Some(refusal) = refused else {
-            return Ok(berths);
+            return Ok(launched);
         };
         // One that cannot be ended now ends by itself: nobody is attached to it.
-        join_all(berths.iter().map(|berth| self.stop(berth.place))).await;
+        join_all(launched.iter().map(|vehicle| self.stop(vehicle.place))).await;
         Err(refusal)
     }
 
     /// A hangar for each vehicle, and the present life of each hangar. One that does not answer has no room.
-    async fn plan(&self, count: usize) -> Result<(Vec<usize>, Vec<String>), Refusal> {
-        let asked = self.services.iter().map(Remote::status);
+    async fn plan(&self, count: usize) -> Result<(Vec<usize>, Vec<String>), HangarRefusal> {
+        let asked = self.services.iter().map(RemoteHangar::status);
         let (mut rooms, mut lives, mut silent) = (Vec::new(), Vec::new(), None);
         for (remote, status) in self.services.iter().zip(join_all(asked).await) {
             match status {
@@ -138,7 +141,7 @@ impl Far {
             return Ok((plan, lives));
         }
         let running = rooms.iter().map(|room| room.running).sum();
-        Err(silent.unwrap_or(Refusal::Full(running)))
+        Err(silent.unwrap_or(HangarRefusal::Full(running)))
     }
 
     /// Gives system ids to those that have none, and what all need.
@@ -163,12 +166,12 @@ impl Far {
         hangar: usize,
         life: &str,
         launch: &Launch,
-    ) -> Result<Berth, Refusal> {
+    ) -> Result<LaunchedVehicle, HangarRefusal> {
         let remote = self.services[hangar].in_life(life);
         let launched = remote.launch(launch).await;
         let shown = launched.map_err(|error| far(&remote, error))?;
         let id = shown.id;
-        let place = Place { hangar, id };
+        let place = InstancePlace { hangar, id };
         let tunnel = self.cancel.child_token();
         let pipe = remote.tunnel(id, tunnel.clone());
         let ours = Ours {
@@ -181,16 +184,16 @@ impl Far {
         };
         self.fleet.ours().insert(place, ours);
         self.fleet.show();
-        Ok(Berth { place, pipe })
+        Ok(LaunchedVehicle { place, pipe })
     }
 
-    pub async fn restart(&self, place: Place) -> Result<(), Refusal> {
+    pub async fn restart(&self, place: InstancePlace) -> Result<(), HangarRefusal> {
         let remote = self.fleet.remote(place)?;
         let asked = remote.restart(place.id).await;
         asked.map_err(|error| far(&remote, error))
     }
 
-    pub async fn stop(&self, place: Place) -> Result<(), Refusal> {
+    pub async fn stop(&self, place: InstancePlace) -> Result<(), HangarRefusal> {
         let remote = self.fleet.remote(place);
         let ours = self.fleet.ours().remove(&place);
         if let Some(ours) = ours {
@@ -202,14 +205,18 @@ impl Far {
         asked.map_err(|error| far(&remote, error))
     }
 
-    pub async fn output(&self, place: Place, since: u64) -> Result<Vec<Line>, Refusal> {
+    pub async fn output(
+        &self,
+        place: InstancePlace,
+        since: u64,
+    ) -> Result<Vec<OutputLine>, HangarRefusal> {
         let remote = self.fleet.remote(place)?;
         let told = remote.output(place.id, since).await;
         told.map_err(|error| far(&remote, error))
     }
 
     pub async fn close(self) {
-        let places: Vec<Place> = self.fleet.ours().keys().copied().collect();
+        let places: Vec<InstancePlace> = self.fleet.ours().keys().copied().collect();
         join_all(places.into_iter().map(|place| self.stop(place))).await;
     }
 }
@@ -238,7 +245,7 @@ impl Drop for Far {
 }
 
 /// Ends instances, for callers without a runtime.
-fn stop_all(orders: &[(InstanceId, Remote)]) -> std::io::Result<()> {
+fn stop_all(orders: &[(InstanceId, RemoteHangar)]) -> std::io::Result<()> {
     let runtime = tokio::runtime::Builder::new_current_thread()
         .enable_all()
         .build()?;
@@ -250,16 +257,16 @@ fn stop_all(orders: &[(InstanceId, Remote)]) -> std::io::Result<()> {
     Ok(())
 }
 
-impl Fleet {
-    fn ours(&self) -> MutexGuard<'_, BTreeMap<Place, Ours>> {
+impl FarFleet {
+    fn ours(&self) -> MutexGuard<'_, BTreeMap<InstancePlace, Ours>> {
         self.ours.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    fn remote(&self, place: Place) -> Result<Remote, Refusal> {
+    fn remote(&self, place: InstancePlace) -> Result<RemoteHangar, HangarRefusal> {
         let ours = self.ours();
         let there = ours.get(&place).filter(|one| !one.is_gone);
         let remote = there.map(|one| one.remote.clone());
-        remote.ok_or(Refusal::Unknown(place.id))
+        remote.ok_or(HangarRefusal::Unknown(place.id))
     }
 
     /// Publishes what was launched.
@@ -280,7 +287,7 @@ impl Fleet {
 }
 
 /// Takes over what a service tells, until it is told no more.
-async fn keep_up(hangar: usize, mut views: watch::Receiver<View>, fleet: Arc<Fleet>) {
+async fn keep_up(hangar: usize, mut views: watch::Receiver<HangarView>, fleet: Arc<FarFleet>) {
     loop {
         let view = views.borrow_and_update().clone();
         for (place, ours) in &mut *fleet.ours() {
@@ -296,7 +303,7 @@ async fn keep_up(hangar: usize, mut views: watch::Receiver<View>, fleet: Arc<Fle
 }
 
 impl Ours {
-    fn look(&mut self, view: &View) {
+    fn look(&mut self, view: &HangarView) {
         if let Some(error) = &view.lost {
             let name = self.remote.address().authority();
             self.end(format!("hangar {name} does not answer: {error}"));
@@ -317,7 +324,7 @@ impl Ours {
     }
 
     fn end(&mut self, why: String) {
-        self.shown.stage = Stage::Ended;
+        self.shown.stage = SitlStage::Ended;
         self.shown.fault = Some(why);
         self.shown.attached = false;
     }
@@ -329,8 +336,8 @@ impl Ours {
     }
 }
 
-fn far(remote: &Remote, source: ClientError) -> Refusal {
-    Refusal::Far {
+fn far(remote: &RemoteHangar, source: ClientError) -> HangarRefusal {
+    HangarRefusal::Far {
         hangar: remote.address().authority(),
         source,
     }

@@ -2,9 +2,9 @@
 
 use std::path::PathBuf;
 
-use super::{Connection, Identity, Socket, Usage};
+use super::{Connection, ProcessIdentity, ProcessSocket, ProcessUsage};
 
-pub(super) fn identity(_: u32) -> Option<Identity> {
+pub(super) fn identity(_: u32) -> Option<ProcessIdentity> {
     None
 }
 
@@ -24,11 +24,11 @@ pub(super) fn session(_: u32) -> Vec<u32> {
     Vec::new()
 }
 
-pub(super) fn usage(_: u32) -> Option<Usage> {
+pub(super) fn usage(_: u32) -> Option<ProcessUsage> {
     None
 }
 
-pub(super) fn socket(_: Connection) -> Option<Socket> {
+pub(super) fn socket(_: Connection) -> Option<ProcessSocket> {
     None
 }
 

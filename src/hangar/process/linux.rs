@@ -8,7 +8,7 @@ use std::time::Duration;
 use nix::time::ClockId;
 use nix::unistd::Pid;
 
-use super::{Connection, Identity, Socket, Usage, plain};
+use super::{Connection, ProcessIdentity, ProcessSocket, ProcessUsage, plain};
 
 /// What the system adds to the path of a file that was replaced while it runs.
 const DELETED: &str = " (deleted)";
@@ -22,12 +22,12 @@ const REMOTE: usize = 2;
 const USER: usize = 7;
 const INODE: usize = 9;
 
-pub(super) fn identity(pid: u32) -> Option<Identity> {
+pub(super) fn identity(pid: u32) -> Option<ProcessIdentity> {
     let stat = Stat::read(pid)?;
     let is_over = matches!(stat.field(STATE)?, "Z" | "X" | "x");
     let boot = fs::read_to_string("/proc/sys/kernel/random/boot_id").unwrap_or_default();
     let namespace = fs::read_link("/proc/self/ns/pid").unwrap_or_default();
-    (!is_over).then_some(Identity {
+    (!is_over).then_some(ProcessIdentity {
         pid,
         started: stat.number(STARTED)?,
         boot: boot.trim().to_owned(),
@@ -65,10 +65,10 @@ pub(super) fn session(leader: u32) -> Vec<u32> {
         .collect()
 }
 
-pub(super) fn usage(pid: u32) -> Option<Usage> {
+pub(super) fn usage(pid: u32) -> Option<ProcessUsage> {
     let memory_bytes = resident(pid)?;
     let clock = ClockId::pid_cpu_clock_id(Pid::from_raw(i32::try_from(pid).ok()?)).ok()?;
-    Some(Usage {
+    Some(ProcessUsage {
         memory_bytes,
         cpu: Duration::from(clock.now().ok()?),
     })
@@ -83,7 +83,7 @@ fn resident(pid: u32) -> Option<u64> {
     Some(kibibytes * 1024)
 }
 
-pub(super) fn socket(connection: Connection) -> Option<Socket> {
+pub(super) fn socket(connection: Connection) -> Option<ProcessSocket> {
     let found = |table: &str| {
         let text = fs::read_to_string(format!("/proc/self/net/{table}")).ok()?;
         text.lines()
@@ -94,14 +94,14 @@ pub(super) fn socket(connection: Connection) -> Option<Socket> {
 }
 
 /// What a line of the system's table says, if it is the far end of the connection.
-pub(super) fn socket_of(line: &str, connection: Connection) -> Option<Socket> {
+pub(super) fn socket_of(line: &str, connection: Connection) -> Option<ProcessSocket> {
     let fields: Vec<&str> = line.split_whitespace().collect();
     let address = |field: usize| fields.get(field).and_then(|text| address(text)).map(plain);
     let is_it = address(LOCAL) == Some(plain(connection.peer))
         && address(REMOTE) == Some(plain(connection.local));
     let inode = fields.get(INODE)?.parse().ok()?;
     // One that was closed belongs to nobody any more, and says that it belongs to root.
-    (is_it && inode != 0).then_some(Socket {
+    (is_it && inode != 0).then_some(ProcessSocket {
         user: fields.get(USER)?.parse().ok()?,
         inode,
     })

@@ -36,11 +36,11 @@ fn a_process_is_known_while_it_runs() {
         "{it:?}"
     );
     assert!(is_running(&it));
-    let later = Identity {
+    let later = ProcessIdentity {
         started: it.started + 1,
         ..it.clone()
     };
-    let before = Identity {
+    let before = ProcessIdentity {
         boot: "another".to_owned(),
         ..it.clone()
     };
@@ -162,7 +162,7 @@ fn the_systems_table_is_read_by_both_ends_and_its_owner() {
     let found = linux::socket_of(line, connection);
     assert_eq!(
         found,
-        Some(Socket {
+        Some(ProcessSocket {
             user: 1000,
             inode: 424_242
         })

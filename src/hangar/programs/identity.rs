@@ -13,10 +13,10 @@ use tokio::time::timeout;
 
 use super::check;
 use super::scratch::ScratchFolder;
-use crate::hangar::Limits;
-use crate::hangar::launcher::{Launcher, Order, Running};
-use crate::hangar::sockets::{self, Socket};
-use crate::sitl::Kind;
+use crate::hangar::HangarLimits;
+use crate::hangar::launcher::{LaunchOrder, Launcher, RunningProcess};
+use crate::hangar::sockets::{self, ListeningSocket};
+use crate::sitl::SitlKind;
 
 /// How long a program may take; an idle machine needs a tenth of a second.
 pub const PATIENCE: Duration = Duration::from_secs(10);
@@ -28,15 +28,15 @@ const TAIL_LEN: usize = 400;
 
 /// What a program of SITL is.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct Identity {
+pub struct ProgramIdentity {
     /// The vehicle.
-    pub kind: Kind,
+    pub kind: SitlKind,
     /// The version, `4.6.0-dev`.
     pub version: String,
     /// The commit that it was built from, shortened.
     pub hash: String,
     /// The sockets that others could talk to although it was asked to open none, as far as the host tells.
-    pub sockets: Vec<Socket>,
+    pub sockets: Vec<ListeningSocket>,
 }
 
 /// Why a program has not said what it is.
@@ -108,9 +108,9 @@ fn said(output: &str) -> String {
 ///
 /// # Errors
 /// It does not say so in time.
-pub async fn identify(program: &Path, patience: Duration) -> Result<Identity, Unknown> {
+pub async fn identify(program: &Path, patience: Duration) -> Result<ProgramIdentity, Unknown> {
     let launcher = std::env::current_exe()
-        .and_then(|sortie| Launcher::start(sortie, Limits::default()))
+        .and_then(|sortie| Launcher::start(sortie, HangarLimits::default()))
         .map_err(|error| Unknown::Host {
             file: program.to_owned(),
             error,
@@ -123,7 +123,7 @@ pub(super) async fn identify_by(
     launcher: &Launcher,
     program: &Path,
     patience: Duration,
-) -> Result<Identity, Unknown> {
+) -> Result<ProgramIdentity, Unknown> {
     let file = || program.to_owned();
     check(program).map_err(|reason| Unknown::NoProgram {
         file: file(),
@@ -138,7 +138,7 @@ pub(super) async fn identify_by(
     let port = listener.local_addr().map_err(host)?.port();
     let order = order(program, folder.path(), port);
     let started = launcher.launch(order).await;
-    let mut trial = Trial::new(started.map_err(|error| Unknown::Start(error.to_string()))?);
+    let mut trial = IdentityTrial::new(started.map_err(|error| Unknown::Start(error.to_string()))?);
     let heard = timeout(patience, trial.hear(&listener)).await;
     let identity = judge(program, patience, heard.ok(), &trial);
     // Failing means that it has ended.
@@ -147,7 +147,7 @@ pub(super) async fn identify_by(
 }
 
 /// Like a hangar's, without files: it only has to greet.
-fn order(program: &Path, folder: &Path, port: u16) -> Order {
+fn order(program: &Path, folder: &Path, port: u16) -> LaunchOrder {
     let door = format!("tcpclient:127.0.0.1:{port}");
     let words = ["--model", "quad", "--speedup", "1", "--slave", "0"];
     let ports = [
@@ -159,7 +159,7 @@ fn order(program: &Path, folder: &Path, port: u16) -> Order {
         "0",
     ];
     let all = words.into_iter().chain(["--serial0", &door]).chain(ports);
-    Order {
+    LaunchOrder {
         program: program.to_owned(),
         arguments: all.map(str::to_owned).collect(),
         folder: folder.to_owned(),
@@ -170,24 +170,24 @@ fn order(program: &Path, folder: &Path, port: u16) -> Order {
 fn judge(
     program: &Path,
     patience: Duration,
-    heard: Option<Heard>,
-    trial: &Trial,
-) -> Result<Identity, Unknown> {
+    heard: Option<HeardIdentity>,
+    trial: &IdentityTrial,
+) -> Result<ProgramIdentity, Unknown> {
     let file = program.to_owned();
     let output = trial.tail();
     match heard {
-        Some(Heard::Greeting(greeting)) => {
+        Some(HeardIdentity::Greeting(greeting)) => {
             let identity = greeting.identity(trial.sockets());
             let vehicle = greeting.vehicle;
             identity.ok_or(Unknown::OtherVehicle { file, vehicle })
         }
-        Some(Heard::End(status)) => Err(Unknown::Ended {
+        Some(HeardIdentity::End(status)) => Err(Unknown::Ended {
             file,
             status,
             output,
         }),
-        Some(Heard::Flood) => Err(Unknown::Flood { file, output }),
-        Some(Heard::Error(error)) => Err(Unknown::Host { file, error }),
+        Some(HeardIdentity::Flood) => Err(Unknown::Flood { file, output }),
+        Some(HeardIdentity::Error(error)) => Err(Unknown::Host { file, error }),
         None => Err(Unknown::Silent {
             file,
             patience,
@@ -197,23 +197,23 @@ fn judge(
 }
 
 /// A program on trial.
-struct Trial {
-    process: Running,
+struct IdentityTrial {
+    process: RunningProcess,
     output: Option<ChildStdout>,
     errors: Option<ChildStderr>,
     printed: usize,
     tail: Vec<u8>,
 }
 
-enum Heard {
+enum HeardIdentity {
     Greeting(Greeting),
     End(ExitStatus),
     Flood,
     Error(io::Error),
 }
 
-impl Trial {
-    fn new(mut process: Running) -> Self {
+impl IdentityTrial {
+    fn new(mut process: RunningProcess) -> Self {
         let (output, errors) = process.take_output();
         Self {
             process,
@@ -224,7 +224,7 @@ impl Trial {
         }
     }
 
-    async fn hear(&mut self, listener: &TcpListener) -> Heard {
+    async fn hear(&mut self, listener: &TcpListener) -> HeardIdentity {
         let mut stream: Option<TcpStream> = None;
         let mut greeting = Vec::new();
         let (mut words, mut out, mut err) = ([0; 512], [0; 4096], [0; 4096]);
@@ -239,19 +239,19 @@ impl Trial {
                         stream = Some(accepted);
                         None
                     }
-                    Err(error) => return Heard::Error(error),
+                    Err(error) => return HeardIdentity::Error(error),
                 },
                 count = read(&mut stream, &mut words), if stream.is_some() => {
                     greeting.extend_from_slice(&words[..count]);
                     if let Some(greeting) = Greeting::find(&greeting) {
-                        return Heard::Greeting(greeting);
+                        return HeardIdentity::Greeting(greeting);
                     }
                     greeting.truncate(GREETING_LEN);
                     None
                 }
                 status = self.process.wait() => return match status {
-                    Ok(status) => Heard::End(status),
-                    Err(error) => Heard::Error(error),
+                    Ok(status) => HeardIdentity::End(status),
+                    Err(error) => HeardIdentity::Error(error),
                 },
             };
             if let Some(bytes) = read {
@@ -260,7 +260,7 @@ impl Trial {
                 self.tail.drain(..self.tail.len().saturating_sub(TAIL_LEN));
             }
             if self.printed > OUTPUT_MAX {
-                return Heard::Flood;
+                return HeardIdentity::Flood;
             }
         }
     }
@@ -272,7 +272,7 @@ impl Trial {
         text.chars().map(clean).collect()
     }
 
-    fn sockets(&self) -> Vec<Socket> {
+    fn sockets(&self) -> Vec<ListeningSocket> {
         let all = sockets::of_process(self.process.pid());
         all.into_iter()
             .filter(|socket| !socket.is_loopback())
@@ -315,15 +315,15 @@ impl Greeting {
         })
     }
 
-    fn identity(&self, sockets: Vec<Socket>) -> Option<Identity> {
+    fn identity(&self, sockets: Vec<ListeningSocket>) -> Option<ProgramIdentity> {
         let kind = match self.vehicle.as_str() {
-            "ArduCopter" => Kind::Copter,
-            "ArduPlane" => Kind::Plane,
-            "ArduRover" | "Rover" => Kind::Rover,
-            "ArduSub" => Kind::Sub,
+            "ArduCopter" => SitlKind::Copter,
+            "ArduPlane" => SitlKind::Plane,
+            "ArduRover" | "Rover" => SitlKind::Rover,
+            "ArduSub" => SitlKind::Sub,
             _ => return None,
         };
-        Some(Identity {
+        Some(ProgramIdentity {
             kind,
             version: self.version.clone(),
             hash: self.hash.clone(),
@@ -341,7 +341,7 @@ mod tests {
         let said = b"\n\nInit ArduCopter V4.6.0-dev (fbb78585)\n\nFree RAM: 131072\n";
         let identity = Greeting::find(said).and_then(|it| it.identity(Vec::new()));
         let identity = identity.expect("it is a copter");
-        assert_eq!(identity.kind, Kind::Copter);
+        assert_eq!(identity.kind, SitlKind::Copter);
         assert_eq!(
             (identity.version.as_str(), identity.hash.as_str()),
             ("4.6.0-dev", "fbb78585")

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use super::identity::identify_by;
 use super::*;
-use crate::hangar::Limits;
+use crate::hangar::HangarLimits;
 use crate::hangar::launcher::tests::launcher;
 
 struct Home(tempfile::TempDir);
@@ -32,10 +32,10 @@ impl Home {
     }
 }
 
-fn named(file: &Path) -> BTreeMap<Kind, Named> {
+fn named(file: &Path) -> BTreeMap<SitlKind, Named> {
     let file = file.to_owned();
     let by = "SORTIE_ARDUCOPTER".to_owned();
-    BTreeMap::from([(Kind::Copter, Named { file, by })])
+    BTreeMap::from([(SitlKind::Copter, Named { file, by })])
 }
 
 #[test]
@@ -43,22 +43,25 @@ fn a_program_that_is_named_comes_before_the_path_and_that_before_builds() {
     let home = Home::new();
     let at_home = home.file("home/src/ardupilot/build/sitl/bin/arducopter", "", 0o755);
     let find = || Programs::find(&BTreeMap::new(), &home.places());
-    assert_eq!(find().of(Kind::Copter).expect("found").file, at_home);
+    assert_eq!(find().of(SitlKind::Copter).expect("found").file, at_home);
     let beside = home.file("here/../ardupilot/build/sitl/bin/arducopter", "", 0o755);
-    assert_eq!(find().of(Kind::Copter).expect("found").file, beside);
+    assert_eq!(find().of(SitlKind::Copter).expect("found").file, beside);
     home.file("bin/arducopter", "", 0o644);
     let on_path = home.file("sbin/arducopter", "", 0o755);
     let programs = find();
-    let found = programs.of(Kind::Copter).expect("found");
+    let found = programs.of(SitlKind::Copter).expect("found");
     assert_eq!((&found.file, found.by.as_str()), (&on_path, "PATH"));
     let other = home.file("other", "", 0o755);
     let programs = Programs::find(&named(&other), &home.places());
-    let found = programs.of(Kind::Copter).expect("found");
+    let found = programs.of(SitlKind::Copter).expect("found");
     assert_eq!(
         (&found.file, found.by.as_str()),
         (&other, "SORTIE_ARDUCOPTER")
     );
-    assert_eq!(programs.paths(), BTreeMap::from([(Kind::Copter, other)]));
+    assert_eq!(
+        programs.paths(),
+        BTreeMap::from([(SitlKind::Copter, other)])
+    );
 }
 
 #[test]
@@ -75,7 +78,10 @@ fn one_that_is_named_and_wrong_is_told_and_not_replaced() {
     ];
     for (file, expected) in cases {
         let programs = Programs::find(&named(&file), &home.places());
-        let missing = programs.of(Kind::Copter).expect_err(expected).to_string();
+        let missing = programs
+            .of(SitlKind::Copter)
+            .expect_err(expected)
+            .to_string();
         assert!(missing.contains(expected), "{missing}");
         assert!(missing.starts_with("SORTIE_ARDUCOPTER names "), "{missing}");
     }
@@ -85,15 +91,15 @@ fn one_that_is_named_and_wrong_is_told_and_not_replaced() {
 fn one_that_is_nowhere_tells_where_it_was_looked_for() {
     let home = Home::new();
     let programs = Programs::find(&BTreeMap::new(), &home.places());
-    let missing = programs.of(Kind::Sub).expect_err("there is none");
+    let missing = programs.of(SitlKind::Sub).expect_err("there is none");
     let text = missing.to_string();
     assert!(text.starts_with("no ardusub on the PATH nor in "), "{text}");
     assert!(text.contains("/home/ardupilot/build/sitl/bin"), "{text}");
 }
 
 /// By this program itself, as `sortie` is not there.
-async fn identify(program: &Path, patience: Duration) -> Result<Identity, Unknown> {
-    identify_by(&launcher(Limits::default()), program, patience).await
+async fn identify(program: &Path, patience: Duration) -> Result<ProgramIdentity, Unknown> {
+    identify_by(&launcher(HangarLimits::default()), program, patience).await
 }
 
 /// Why a script is no SITL.
@@ -175,7 +181,7 @@ async fn one_that_greets_like_sitl_is_known() {
     let identity = identify(&file, LONG).await.expect("it greets");
     assert_eq!(
         (identity.kind, identity.version.as_str()),
-        (Kind::Rover, "4.7.0")
+        (SitlKind::Rover, "4.7.0")
     );
     assert_eq!(identity.sockets, []);
 }
@@ -187,5 +193,5 @@ async fn a_real_arducopter_says_so() {
     let identity = identify(Path::new(&program), LONG)
         .await
         .expect("it is one");
-    assert_eq!(identity.kind, Kind::Copter);
+    assert_eq!(identity.kind, SitlKind::Copter);
 }

@@ -6,22 +6,22 @@ use axum::Json;
 use axum::extract::State;
 use futures_util::FutureExt as _;
 
-use super::{Desk, Status};
+use super::{ServiceState, Status};
 
 /// The version, what can be started, how full it is, and what was left behind by an earlier life.
 #[utoipa::path(get, path = "/status", responses(
     (status = 200, description = "How the service is doing", body = Status),
 ))]
-pub(super) async fn status(State(desk): State<Arc<Desk>>) -> Json<Status> {
+pub(super) async fn status(State(state): State<Arc<ServiceState>>) -> Json<Status> {
     // They are still being ended for a moment after the start.
-    let leftovers = desk.hangar.leftovers().now_or_never().unwrap_or_default();
+    let leftovers = state.hangar.leftovers().now_or_never().unwrap_or_default();
     Json(Status {
         version: env!("SORTIE_VERSION").to_owned(),
-        life: desk.life.clone(),
-        programs: desk.setup.programs.clone(),
-        capacity: desk.hangar.capacity(),
-        limits: desk.setup.limits,
-        restart: desk.setup.restart,
+        life: state.life.clone(),
+        programs: state.setup.programs.clone(),
+        capacity: state.hangar.capacity(),
+        limits: state.setup.limits,
+        restart: state.setup.restart,
         leftovers: leftovers.iter().map(ToString::to_string).collect(),
     })
 }

@@ -18,9 +18,9 @@ use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 use tokio::task::JoinSet;
 use tokio::time::timeout;
 
-use super::guard::Line;
+use super::guard::ConnectionEnds;
 use super::patient::Patient;
-use super::{Desk, Problem, expose, router};
+use super::{ServiceProblem, ServiceState, expose, router};
 
 /// Bytes of a request's head, and of what is buffered of a connection.
 const HEAD_MAX: usize = 16 * 1024;
@@ -30,22 +30,22 @@ const FAREWELL: Duration = Duration::from_secs(1);
 const PAUSE: Duration = Duration::from_millis(100);
 
 /// Takes connections until cancelled; returns those that are still there.
-pub(super) async fn run(listener: &TcpListener, desk: &Arc<Desk>) -> JoinSet<()> {
+pub(super) async fn run(listener: &TcpListener, state: &Arc<ServiceState>) -> JoinSet<()> {
     let mut tasks = JoinSet::new();
-    if desk.setup.expose {
-        tasks.spawn(expose::run(Arc::clone(desk)));
+    if state.setup.expose {
+        tasks.spawn(expose::run(Arc::clone(state)));
     }
-    let router = router(desk);
-    let room = Arc::new(Semaphore::new(desk.setup.bounds.connections));
+    let router = router(state);
+    let room = Arc::new(Semaphore::new(state.setup.bounds.connections));
     // Rejected connections need a slot, too, until they have received the 503.
-    let rejected = Arc::new(Semaphore::new(desk.setup.bounds.connections));
+    let rejected = Arc::new(Semaphore::new(state.setup.bounds.connections));
     loop {
         tokio::select! {
-            () = desk.cancel.cancelled() => return tasks,
+            () = state.cancel.cancelled() => return tasks,
             accepted = listener.accept() => match accepted {
                 Ok((stream, peer)) => {
                     if let Ok(permit) = Arc::clone(&room).try_acquire_owned() {
-                        let (router, state) = (router.clone(), Arc::clone(desk));
+                        let (router, state) = (router.clone(), Arc::clone(state));
                         tasks.spawn(async move {
                             talk(stream, peer, router, &state).await;
                             drop(permit);
@@ -62,14 +62,14 @@ pub(super) async fn run(listener: &TcpListener, desk: &Arc<Desk>) -> JoinSet<()>
 }
 
 /// Answers the requests of one connection. A tunnel that it becomes is no longer counted.
-async fn talk(stream: TcpStream, peer: SocketAddr, router: Router, desk: &Desk) {
+async fn talk(stream: TcpStream, peer: SocketAddr, router: Router, state: &ServiceState) {
     // Answers are small and must not wait for one another; failing that they only come later.
     let _ = stream.set_nodelay(true);
     let Ok(local) = stream.local_addr() else {
         return;
     };
-    let bounds = desk.setup.bounds;
-    let service = router.layer(Extension(Arc::new(Line::new(peer, local))));
+    let bounds = state.setup.bounds;
+    let service = router.layer(Extension(Arc::new(ConnectionEnds::new(peer, local))));
     let connection = http1::Builder::new()
         .timer(TokioTimer::new())
         .header_read_timeout(bounds.head)
@@ -83,7 +83,7 @@ async fn talk(stream: TcpStream, peer: SocketAddr, router: Router, desk: &Desk) 
     // How a client leaves is its own affair.
     tokio::select! {
         _ = connection.as_mut() => return,
-        () = desk.cancel.cancelled() => connection.as_mut().graceful_shutdown(),
+        () = state.cancel.cancelled() => connection.as_mut().graceful_shutdown(),
     }
     let _ = connection.await;
 }
@@ -91,7 +91,7 @@ async fn talk(stream: TcpStream, peer: SocketAddr, router: Router, desk: &Desk) 
 /// Answers the first request with 503 and hangs up.
 async fn turn_away(stream: TcpStream, _permit: OwnedSemaphorePermit) {
     let refuse = service_fn(|_: Request<Incoming>| async {
-        let problem = Problem::new(StatusCode::SERVICE_UNAVAILABLE, "too many connections");
+        let problem = ServiceProblem::new(StatusCode::SERVICE_UNAVAILABLE, "too many connections");
         Ok::<_, Infallible>(problem.hint("later").into_response())
     });
     let connection = http1::Builder::new()

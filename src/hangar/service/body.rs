@@ -6,7 +6,7 @@ use axum::http::{StatusCode, header};
 use http_body_util::{BodyExt as _, LengthLimitError, Limited};
 use serde::de::DeserializeOwned;
 
-use super::{Bounds, Problem};
+use super::{ServiceBounds, ServiceProblem};
 use crate::hangar::InstanceId;
 
 /// The JSON of a request's body.
@@ -15,32 +15,34 @@ use crate::hangar::InstanceId;
 /// It is none, or too long, or takes too long to come, or says what cannot be.
 pub(super) async fn json<T: DeserializeOwned>(
     request: Request,
-    bounds: Bounds,
-) -> Result<T, Problem> {
+    bounds: ServiceBounds,
+) -> Result<T, ServiceProblem> {
     let kind = request.headers().get(header::CONTENT_TYPE);
     let kind = kind.and_then(|kind| kind.to_str().ok()).unwrap_or_default();
     let essence = kind.split(';').next().unwrap_or_default().trim();
     if !essence.eq_ignore_ascii_case("application/json") {
         let error = format!("the body is said to be `{essence}`; expected application/json");
-        return Err(Problem::new(StatusCode::UNSUPPORTED_MEDIA_TYPE, error)
-            .hint("send the header `Content-Type: application/json`"));
+        return Err(
+            ServiceProblem::new(StatusCode::UNSUPPORTED_MEDIA_TYPE, error)
+                .hint("send the header `Content-Type: application/json`"),
+        );
     }
     let bytes = read(request, bounds).await?;
     // What is to have names may not come without them.
     if bytes.trim_ascii_start().first() == Some(&b'[') {
         let error = "the body: a list; expected an object at line 1 column 1";
-        return Err(Problem::new(StatusCode::BAD_REQUEST, error));
+        return Err(ServiceProblem::new(StatusCode::BAD_REQUEST, error));
     }
     serde_json::from_slice(&bytes).map_err(|error| {
-        Problem::new(StatusCode::BAD_REQUEST, format!("the body: {error}"))
+        ServiceProblem::new(StatusCode::BAD_REQUEST, format!("the body: {error}"))
             .hint("GET /openapi.json describes what is expected")
     })
 }
 
-async fn read(request: Request, bounds: Bounds) -> Result<Vec<u8>, Problem> {
+async fn read(request: Request, bounds: ServiceBounds) -> Result<Vec<u8>, ServiceProblem> {
     let too_long = || {
         let error = format!("the body is longer than {} bytes", bounds.request_bytes);
-        Problem::new(StatusCode::PAYLOAD_TOO_LARGE, error)
+        ServiceProblem::new(StatusCode::PAYLOAD_TOO_LARGE, error)
     };
     let told = request.headers().get(header::CONTENT_LENGTH);
     let told = told.and_then(|len| len.to_str().ok()?.parse::<u64>().ok());
@@ -53,28 +55,28 @@ async fn read(request: Request, bounds: Bounds) -> Result<Vec<u8>, Problem> {
         Ok(Err(error)) if error.is::<LengthLimitError>() => Err(too_long()),
         Ok(Err(error)) => {
             let error = format!("the body does not come: {error}");
-            Err(Problem::new(StatusCode::BAD_REQUEST, error))
+            Err(ServiceProblem::new(StatusCode::BAD_REQUEST, error))
         }
         Err(_) => {
             let error = format!("the body has not come within {:?}", bounds.body);
-            Err(Problem::new(StatusCode::REQUEST_TIMEOUT, error))
+            Err(ServiceProblem::new(StatusCode::REQUEST_TIMEOUT, error))
         }
     }
 }
 
 /// An instance's number, as it stands in a path.
-pub(super) struct Number(pub InstanceId);
+pub(super) struct PathNumber(pub InstanceId);
 
-impl<S: Send + Sync> FromRequestParts<S> for Number {
-    type Rejection = Problem;
+impl<S: Send + Sync> FromRequestParts<S> for PathNumber {
+    type Rejection = ServiceProblem;
 
-    async fn from_request_parts(parts: &mut Parts, state: &S) -> Result<Self, Problem> {
+    async fn from_request_parts(parts: &mut Parts, state: &S) -> Result<Self, ServiceProblem> {
         let text = Path::<String>::from_request_parts(parts, state).await;
-        let Path(text) =
-            text.map_err(|rejection| Problem::new(rejection.status(), rejection.body_text()))?;
+        let Path(text) = text
+            .map_err(|rejection| ServiceProblem::new(rejection.status(), rejection.body_text()))?;
         text.parse().map(Self).map_err(|_| {
             let error = format!("`{text}` is no instance: expected a number from 1 to 65535");
-            Problem::new(StatusCode::BAD_REQUEST, error)
+            ServiceProblem::new(StatusCode::BAD_REQUEST, error)
         })
     }
 }
@@ -83,13 +85,15 @@ impl<S: Send + Sync> FromRequestParts<S> for Number {
 pub(super) struct Query<T>(pub T);
 
 impl<S: Send + Sync, T: DeserializeOwned> FromRequestParts<S> for Query<T> {
-    type Rejection = Problem;
+    type Rejection = ServiceProblem;
 
-    async fn from_request_parts(parts: &mut Parts, _: &S) -> Result<Self, Problem> {
+    async fn from_request_parts(parts: &mut Parts, _: &S) -> Result<Self, ServiceProblem> {
         match extract::Query::try_from_uri(&parts.uri) {
             Ok(extract::Query(said)) => Ok(Self(said)),
-            Err(rejection) => Err(Problem::new(rejection.status(), rejection.body_text())
-                .hint("GET /openapi.json describes what is expected")),
+            Err(rejection) => Err(
+                ServiceProblem::new(rejection.status(), rejection.body_text())
+                    .hint("GET /openapi.json describes what is expected"),
+            ),
         }
     }
 }

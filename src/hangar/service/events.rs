@@ -13,12 +13,13 @@ use serde::{Deserialize, Serialize};
 use tokio::sync::{OwnedSemaphorePermit, watch};
 use utoipa::ToSchema;
 
-use super::{Desk, Problem};
+use super::{ServiceProblem, ServiceState};
 use crate::hangar::{Instance, InstanceId, Instances};
 
 /// How things are when somebody begins to follow.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
-pub struct Snapshot {
+#[schema(as = Snapshot)]
+pub struct InstanceSnapshot {
     /// Names this run of the service.
     pub life: String,
     /// The instances.
@@ -27,7 +28,7 @@ pub struct Snapshot {
 
 /// What has happened to an instance.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Change {
+pub enum InstanceChange {
     /// It is new, or something about it is.
     Vehicle(Box<Instance>),
     /// It is no more.
@@ -36,13 +37,13 @@ pub enum Change {
 
 /// What has happened between two looks at the instances, by their numbers; those that are no more come first, for
 /// others may have their numbers later.
-pub fn changes(before: &Instances, after: &Instances) -> Vec<Change> {
+pub fn changes(before: &Instances, after: &Instances) -> Vec<InstanceChange> {
     let gone = before.keys().filter(|id| !after.contains_key(id));
     let new = after
         .iter()
         .filter(|(id, instance)| before.get(id) != Some(instance));
-    gone.map(|&id| Change::Gone(id))
-        .chain(new.map(|(_, instance)| Change::Vehicle(Box::new(instance.clone()))))
+    gone.map(|&id| InstanceChange::Gone(id))
+        .chain(new.map(|(_, instance)| InstanceChange::Vehicle(Box::new(instance.clone()))))
         .collect()
 }
 
@@ -51,32 +52,34 @@ pub fn changes(before: &Instances, after: &Instances) -> Vec<Change> {
     (status = 200, content_type = "text/event-stream", body = String, description =
         "First an event `snapshot` (`life` and `vehicles`), then one for each change: `vehicle` with the instance, \
          or `gone` with its `id`. Who reads slowly is told the latest only."),
-    (status = 503, description = "Too many wait already", body = Problem),
+    (status = 503, description = "Too many wait already", body = ServiceProblem),
 ))]
-pub(super) async fn follow(State(desk): State<Arc<Desk>>) -> Result<Response, Problem> {
-    let permit = desk.wait()?;
-    let keep_alive = KeepAlive::new().interval(desk.setup.bounds.keep_alive);
-    let events = stream(desk, permit);
+pub(super) async fn follow(
+    State(state): State<Arc<ServiceState>>,
+) -> Result<Response, ServiceProblem> {
+    let permit = state.wait()?;
+    let keep_alive = KeepAlive::new().interval(state.setup.bounds.keep_alive);
+    let events = stream(state, permit);
     Ok(Sse::new(events).keep_alive(keep_alive).into_response())
 }
 
 /// One who follows.
 struct Follower {
-    desk: Arc<Desk>,
+    state: Arc<ServiceState>,
     seen: watch::Receiver<Instances>,
     /// What was told last; nothing before the snapshot.
     told: Option<Instances>,
-    waiting: VecDeque<Change>,
+    waiting: VecDeque<InstanceChange>,
     _permit: OwnedSemaphorePermit,
 }
 
 fn stream(
-    desk: Arc<Desk>,
+    state: Arc<ServiceState>,
     permit: OwnedSemaphorePermit,
 ) -> impl Stream<Item = Result<Event, Infallible>> {
     let follower = Follower {
-        seen: desk.hangar.instances(),
-        desk,
+        seen: state.hangar.instances(),
+        state,
         told: None,
         waiting: VecDeque::new(),
         _permit: permit,
@@ -95,15 +98,15 @@ impl Follower {
             }
             let Some(told) = self.told.clone() else {
                 let now = self.look();
-                let snapshot = Snapshot {
-                    life: self.desk.life.clone(),
+                let snapshot = InstanceSnapshot {
+                    life: self.state.life.clone(),
                     vehicles: now.values().cloned().collect(),
                 };
                 return Event::default().event("snapshot").json_data(snapshot).ok();
             };
             tokio::select! {
                 changed = self.seen.changed() => changed.ok()?,
-                () = self.desk.cancel.cancelled() => return None,
+                () = self.state.cancel.cancelled() => return None,
             }
             let now = self.look();
             self.waiting = changes(&told, &now).into();
@@ -112,16 +115,16 @@ impl Follower {
 
     fn look(&mut self) -> Instances {
         let now = self.seen.borrow_and_update().clone();
-        let now = self.desk.dressed(&now);
+        let now = self.state.dressed(&now);
         self.told = Some(Arc::clone(&now));
         now
     }
 }
 
-fn event(change: &Change) -> Option<Event> {
+fn event(change: &InstanceChange) -> Option<Event> {
     match change {
-        Change::Vehicle(instance) => Event::default().event("vehicle").json_data(instance),
-        Change::Gone(id) => Event::default()
+        InstanceChange::Vehicle(instance) => Event::default().event("vehicle").json_data(instance),
+        InstanceChange::Gone(id) => Event::default()
             .event("gone")
             .json_data(serde_json::json!({ "id": id })),
     }

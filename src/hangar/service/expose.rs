@@ -6,19 +6,19 @@ use std::sync::Arc;
 use tokio::net::TcpListener;
 use tokio_util::sync::{CancellationToken, DropGuard};
 
-use super::Desk;
+use super::ServiceState;
 use super::patient::Patient;
 use super::tunnel::carry;
 use crate::hangar::InstanceId;
 
 /// Opens a port for each instance that there is, and closes it with the instance.
-pub(super) async fn run(desk: Arc<Desk>) {
+pub(super) async fn run(state: Arc<ServiceState>) {
     let mut doors: BTreeMap<InstanceId, DropGuard> = BTreeMap::new();
-    let mut seen = desk.hangar.instances();
+    let mut seen = state.hangar.instances();
     loop {
         let all = seen.borrow_and_update().clone();
         doors.retain(|id, _| all.contains_key(id));
-        desk.ports.send_if_modified(|ports| {
+        state.ports.send_if_modified(|ports| {
             let before = ports.len();
             ports.retain(|id, _| all.contains_key(id));
             ports.len() != before
@@ -28,30 +28,35 @@ pub(super) async fn run(desk: Arc<Desk>) {
                 continue;
             }
             // A host without free ports has more to worry about; the vehicle is still reached by its tunnel.
-            if let Some(door) = open(&desk, id).await {
+            if let Some(door) = open(&state, id).await {
                 doors.insert(id, door);
             }
         }
         tokio::select! {
             changed = seen.changed() => if changed.is_err() { return },
-            () = desk.cancel.cancelled() => return,
+            () = state.cancel.cancelled() => return,
         }
     }
 }
 
-async fn open(desk: &Arc<Desk>, id: InstanceId) -> Option<DropGuard> {
+async fn open(state: &Arc<ServiceState>, id: InstanceId) -> Option<DropGuard> {
     let listener = TcpListener::bind(("127.0.0.1", 0)).await.ok()?;
     let port = listener.local_addr().ok()?.port();
-    desk.ports.send_modify(|ports| {
+    state.ports.send_modify(|ports| {
         ports.insert(id, port);
     });
-    let cancel = desk.cancel.child_token();
-    tokio::spawn(serve(listener, Arc::clone(desk), id, cancel.clone()));
+    let cancel = state.cancel.child_token();
+    tokio::spawn(serve(listener, Arc::clone(state), id, cancel.clone()));
     Some(cancel.drop_guard())
 }
 
 /// Gives the vehicle's bytes to one at a time; others are hung up on.
-async fn serve(listener: TcpListener, desk: Arc<Desk>, id: InstanceId, cancel: CancellationToken) {
+async fn serve(
+    listener: TcpListener,
+    state: Arc<ServiceState>,
+    id: InstanceId,
+    cancel: CancellationToken,
+) {
     loop {
         let stream = tokio::select! {
             accepted = listener.accept() => match accepted {
@@ -61,9 +66,9 @@ async fn serve(listener: TcpListener, desk: Arc<Desk>, id: InstanceId, cancel: C
             () = cancel.cancelled() => return,
         };
         let _ = stream.set_nodelay(true);
-        if let Ok(pipe) = desk.hangar.attach(id).await {
+        if let Ok(pipe) = state.hangar.attach(id).await {
             let cancel = cancel.clone();
-            let stream = Patient::new(stream, desk.setup.bounds.stall);
+            let stream = Patient::new(stream, state.setup.bounds.stall);
             tokio::spawn(async move { carry(pipe, stream, &cancel).await });
         }
     }

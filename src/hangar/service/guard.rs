@@ -12,18 +12,18 @@ use axum::http::{HeaderMap, StatusCode, header};
 use axum::middleware::Next;
 use axum::response::{IntoResponse as _, Response};
 
-use super::{Desk, Owner, Problem};
+use super::{Owner, ServiceProblem, ServiceState};
 use crate::hangar::process::own_user;
 
 /// The two ends of a connection.
 #[derive(Debug)]
-pub(super) struct Line {
+pub(super) struct ConnectionEnds {
     pub peer: SocketAddr,
     pub local: SocketAddr,
     owner: OnceLock<Option<u32>>,
 }
 
-impl Line {
+impl ConnectionEnds {
     pub fn new(peer: SocketAddr, local: SocketAddr) -> Self {
         Self {
             peer,
@@ -43,40 +43,44 @@ impl Line {
 }
 
 /// Answers a request, or tells why not.
-pub(super) async fn check(State(desk): State<Arc<Desk>>, request: Request, next: Next) -> Response {
-    match desk.admit(&request) {
+pub(super) async fn check(
+    State(state): State<Arc<ServiceState>>,
+    request: Request,
+    next: Next,
+) -> Response {
+    match state.admit(&request) {
         Ok(()) => next.run(request).await,
         Err(problem) => problem.into_response(),
     }
 }
 
-impl Desk {
-    fn admit(&self, request: &Request) -> Result<(), Problem> {
+impl ServiceState {
+    fn admit(&self, request: &Request) -> Result<(), ServiceProblem> {
         let headers = request.headers();
         let host = text(headers, &header::HOST);
         // Elsewhere the token is asked for, which no page of somebody else's knows.
         if self.on_loopback && !host.is_some_and(is_this_host) {
             let host = host.unwrap_or("nothing");
             let error = format!("this host is asked for as `{host}`, which is not its name");
-            return Err(Problem::new(StatusCode::FORBIDDEN, error)
+            return Err(ServiceProblem::new(StatusCode::FORBIDDEN, error)
                 .hint("use http://127.0.0.1:PORT or http://localhost:PORT"));
         }
         if is_foreign_page(headers, host) {
             let error = "a page of another site may not ask for anything here";
-            return Err(Problem::new(StatusCode::FORBIDDEN, error));
+            return Err(ServiceProblem::new(StatusCode::FORBIDDEN, error));
         }
         self.authorise(request)?;
         let life = text(headers, &header::IF_MATCH).map(|life| life.trim_matches('"'));
         if life.is_some_and(|life| life != self.life) {
             let error = "the hangar was started anew: its instances are others now";
-            return Err(Problem::new(StatusCode::PRECONDITION_FAILED, error));
+            return Err(ServiceProblem::new(StatusCode::PRECONDITION_FAILED, error));
         }
         Ok(())
     }
 
-    fn authorise(&self, request: &Request) -> Result<(), Problem> {
+    fn authorise(&self, request: &Request) -> Result<(), ServiceProblem> {
         let refuse = |error: &str| {
-            Problem::new(StatusCode::UNAUTHORIZED, error).hint(
+            ServiceProblem::new(StatusCode::UNAUTHORIZED, error).hint(
                 "send the header `Authorization: Bearer TOKEN` with the token of the hangar's token file",
             )
         };
@@ -91,7 +95,7 @@ impl Desk {
                 Err(refuse("the token is not the one of this hangar"))
             };
         }
-        let line = request.extensions().get::<Arc<Line>>();
+        let line = request.extensions().get::<Arc<ConnectionEnds>>();
         let is_own = || line.is_some_and(|line| line.is_own(self.setup.owner));
         if self.on_loopback && !self.setup.require_token && is_own() {
             return Ok(());

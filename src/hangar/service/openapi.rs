@@ -1,5 +1,7 @@
 //! The description of the service in `OpenAPI`.
 
+use std::borrow::Cow;
+
 use strum::VariantNames;
 use utoipa::openapi::schema::{ObjectBuilder, Schema, Type};
 use utoipa::openapi::security::{Http, HttpAuthScheme, SecurityRequirement, SecurityScheme};
@@ -8,7 +10,7 @@ use utoipa::{OpenApi as _, PartialSchema, ToSchema};
 
 use super::{about, events, paper, tunnel, vehicles};
 use crate::config::Restart;
-use crate::sitl::{Kind, Stage};
+use crate::sitl::{SitlKind, SitlStage};
 
 const SCHEME: &str = "token";
 
@@ -55,15 +57,23 @@ pub(super) fn document() -> OpenApi {
 
 // Pure modules know nothing of the service, so the schemas of their types are made here.
 
-impl ToSchema for Kind {}
-impl PartialSchema for Kind {
+impl ToSchema for SitlKind {
+    fn name() -> Cow<'static, str> {
+        "Kind".into()
+    }
+}
+impl PartialSchema for SitlKind {
     fn schema() -> RefOr<Schema> {
         words::<Self>("A vehicle that `ArduPilot` is built for.")
     }
 }
 
-impl ToSchema for Stage {}
-impl PartialSchema for Stage {
+impl ToSchema for SitlStage {
+    fn name() -> Cow<'static, str> {
+        "Stage".into()
+    }
+}
+impl PartialSchema for SitlStage {
     fn schema() -> RefOr<Schema> {
         words::<Self>("How far an instance has come.")
     }

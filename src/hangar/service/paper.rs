@@ -9,26 +9,26 @@ use axum::extract::State;
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse as _, Response};
 
-use super::body::Number;
-use super::{Desk, Problem, vehicles};
-use crate::hangar::{Instance, Launch, Stage};
+use super::body::PathNumber;
+use super::{ServiceProblem, ServiceState, vehicles};
+use crate::hangar::{Instance, Launch, SitlStage};
 
 /// Starts a copter with this number at SITL's usual place.
 #[utoipa::path(get, operation_id = "plain_start", path = "/start/{id}", params(("id" = u16, Path, description = "Its number")), responses(
     (status = 201, description = "It is being started", body = Instance, content_type = "application/json"),
-    (status = 409, description = "The number is taken", body = Problem),
-    (status = 503, description = "The hangar is full, or has no program for it", body = Problem),
+    (status = 409, description = "The number is taken", body = ServiceProblem),
+    (status = 503, description = "The hangar is full, or has no program for it", body = ServiceProblem),
 ))]
 pub(super) async fn start(
-    State(desk): State<Arc<Desk>>,
-    Number(id): Number,
+    State(state): State<Arc<ServiceState>>,
+    PathNumber(id): PathNumber,
     headers: HeaderMap,
-) -> Result<Response, Problem> {
+) -> Result<Response, ServiceProblem> {
     let launch = Launch {
         id: Some(id),
         ..Launch::default()
     };
-    let instance = desk.launch(launch).await?;
+    let instance = state.launch(launch).await?;
     let line = format!("{} started\n", instance.id);
     Ok((StatusCode::CREATED, either(&headers, line, &instance)).into_response())
 }
@@ -36,14 +36,14 @@ pub(super) async fn start(
 /// Ends the instance with this number.
 #[utoipa::path(get, operation_id = "plain_stop", path = "/stop/{id}", params(("id" = u16, Path, description = "Its number")), responses(
     (status = 200, description = "Its process is gone", body = String, content_type = "text/plain"),
-    (status = 404, description = "There is none", body = Problem),
+    (status = 404, description = "There is none", body = ServiceProblem),
 ))]
 pub(super) async fn stop(
-    State(desk): State<Arc<Desk>>,
-    Number(id): Number,
+    State(state): State<Arc<ServiceState>>,
+    PathNumber(id): PathNumber,
     headers: HeaderMap,
-) -> Result<Response, Problem> {
-    desk.stop(id).await?;
+) -> Result<Response, ServiceProblem> {
+    state.stop(id).await?;
     let json = serde_json::json!({ "id": id });
     Ok(either(&headers, format!("{id} stopped\n"), &json))
 }
@@ -52,16 +52,16 @@ pub(super) async fn stop(
 #[utoipa::path(get, operation_id = "plain_ready", path = "/ready/{id}", params(("id" = u16, Path, description = "Its number")), responses(
     (status = 200, description = "It can be armed", body = Instance, content_type = "application/json"),
     (status = 202, description = "Not yet; this is how far it is", body = Instance, content_type = "application/json"),
-    (status = 404, description = "There is none", body = Problem),
-    (status = 410, description = "It has ended", body = Problem),
+    (status = 404, description = "There is none", body = ServiceProblem),
+    (status = 410, description = "It has ended", body = ServiceProblem),
 ))]
 pub(super) async fn ready(
-    State(desk): State<Arc<Desk>>,
-    Number(id): Number,
+    State(state): State<Arc<ServiceState>>,
+    PathNumber(id): PathNumber,
     headers: HeaderMap,
-) -> Result<Response, Problem> {
-    desk.instance(id)?;
-    let (status, Json(instance)) = vehicles::readiness(&desk, id)?;
+) -> Result<Response, ServiceProblem> {
+    state.instance(id)?;
+    let (status, Json(instance)) = vehicles::readiness(&state, id)?;
     let line = line(&instance);
     Ok((status, either(&headers, line, &instance)).into_response())
 }
@@ -70,8 +70,8 @@ pub(super) async fn ready(
 #[utoipa::path(get, operation_id = "plain_list", path = "/list", responses(
     (status = 200, description = "Number, stage and what is wrong", body = String, content_type = "text/plain"),
 ))]
-pub(super) async fn list(State(desk): State<Arc<Desk>>, headers: HeaderMap) -> Response {
-    let all = desk.instances();
+pub(super) async fn list(State(state): State<Arc<ServiceState>>, headers: HeaderMap) -> Response {
+    let all = state.instances();
     let lines = all.values().map(line).collect();
     let json: Vec<&Instance> = all.values().collect();
     either(&headers, lines, &json)
@@ -81,7 +81,7 @@ pub(super) async fn list(State(desk): State<Arc<Desk>>, headers: HeaderMap) -> R
 fn line(instance: &Instance) -> String {
     let mut line = format!("{} {}", instance.id, instance.stage.word());
     let [have, of] = instance.parameters;
-    if instance.stage == Stage::Heartbeat && of > 0 {
+    if instance.stage == SitlStage::Heartbeat && of > 0 {
         // Writing to a string cannot fail.
         let _ = write!(line, " (parameters {have}/{of})");
     }

@@ -6,11 +6,12 @@ use axum::response::{IntoResponse, Response};
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
-use crate::hangar::Refusal;
+use crate::hangar::HangarRefusal;
 
 /// Why a request was not met.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
-pub struct Problem {
+#[schema(as = Problem)]
+pub struct ServiceProblem {
     /// The HTTP status.
     #[serde(skip)]
     pub(super) status: StatusCode,
@@ -21,7 +22,7 @@ pub struct Problem {
     pub hint: Option<String>,
 }
 
-impl Problem {
+impl ServiceProblem {
     pub(in crate::hangar) fn new(status: StatusCode, error: impl Into<String>) -> Self {
         Self {
             status,
@@ -36,7 +37,7 @@ impl Problem {
     }
 }
 
-impl IntoResponse for Problem {
+impl IntoResponse for ServiceProblem {
     fn into_response(self) -> Response {
         let status = self.status;
         let mut response = (status, Json(self)).into_response();
@@ -52,25 +53,27 @@ impl IntoResponse for Problem {
     }
 }
 
-impl From<Refusal> for Problem {
-    fn from(refusal: Refusal) -> Self {
+impl From<HangarRefusal> for ServiceProblem {
+    fn from(refusal: HangarRefusal) -> Self {
         let status = match &refusal {
-            Refusal::Unknown(_) => StatusCode::NOT_FOUND,
-            Refusal::Taken(_) | Refusal::Attached(_) => StatusCode::CONFLICT,
-            Refusal::Invalid(_) => StatusCode::BAD_REQUEST,
-            Refusal::Full(_) | Refusal::NoProgram(_) | Refusal::Closing => {
+            HangarRefusal::Unknown(_) => StatusCode::NOT_FOUND,
+            HangarRefusal::Taken(_) | HangarRefusal::Attached(_) => StatusCode::CONFLICT,
+            HangarRefusal::Invalid(_) => StatusCode::BAD_REQUEST,
+            HangarRefusal::Full(_) | HangarRefusal::NoProgram(_) | HangarRefusal::Closing => {
                 StatusCode::SERVICE_UNAVAILABLE
             }
-            Refusal::Host { .. } | Refusal::Far { .. } => StatusCode::INTERNAL_SERVER_ERROR,
+            HangarRefusal::Host { .. } | HangarRefusal::Far { .. } => {
+                StatusCode::INTERNAL_SERVER_ERROR
+            }
         };
         let hint = match &refusal {
-            Refusal::Unknown(_) => Some("GET /vehicles tells which there are"),
-            Refusal::Taken(_) => Some("leave `id` out for the lowest free number"),
-            Refusal::Attached(_) => Some("`attached` in GET /vehicles tells which are taken"),
-            Refusal::Full(_) => {
+            HangarRefusal::Unknown(_) => Some("GET /vehicles tells which there are"),
+            HangarRefusal::Taken(_) => Some("leave `id` out for the lowest free number"),
+            HangarRefusal::Attached(_) => Some("`attached` in GET /vehicles tells which are taken"),
+            HangarRefusal::Full(_) => {
                 Some("DELETE /vehicles/{id} ends one; GET /status tells the limits")
             }
-            Refusal::NoProgram(_) => Some("GET /status tells which programs there are"),
+            HangarRefusal::NoProgram(_) => Some("GET /status tells which programs there are"),
             _ => None,
         };
         Self {
@@ -81,15 +84,16 @@ impl From<Refusal> for Problem {
 }
 
 /// Answers a path that nothing is at.
-pub(super) async fn no_such_path(uri: Uri) -> Problem {
+pub(super) async fn no_such_path(uri: Uri) -> ServiceProblem {
     let error = format!("there is nothing at {}", uri.path());
-    Problem::new(StatusCode::NOT_FOUND, error).hint("GET /openapi.json describes what there is")
+    ServiceProblem::new(StatusCode::NOT_FOUND, error)
+        .hint("GET /openapi.json describes what there is")
 }
 
 /// Answers a method that a path does not have.
-pub(super) async fn no_such_method(method: Method, uri: Uri) -> Problem {
+pub(super) async fn no_such_method(method: Method, uri: Uri) -> ServiceProblem {
     let error = format!("{method} cannot be done to {}", uri.path());
-    Problem::new(StatusCode::METHOD_NOT_ALLOWED, error)
+    ServiceProblem::new(StatusCode::METHOD_NOT_ALLOWED, error)
         .hint("the header Allow tells what can be; GET /openapi.json describes it")
 }
 

@@ -9,8 +9,8 @@ use hyper_util::rt::TokioIo;
 use tokio::io::{AsyncRead, AsyncWrite, DuplexStream, copy_bidirectional};
 use tokio_util::sync::CancellationToken;
 
-use super::body::Number;
-use super::{Desk, MAVLINK, Problem};
+use super::body::PathNumber;
+use super::{MAVLINK, ServiceProblem, ServiceState};
 
 /// The bytes of a vehicle's serial 0.
 #[utoipa::path(get, path = "/vehicles/{id}/mavlink", params(
@@ -18,25 +18,25 @@ use super::{Desk, MAVLINK, Problem};
     ("upgrade" = String, Header, description = "`mavlink`, with `Connection: upgrade`"),
 ), responses(
     (status = 101, description = "From here on the connection carries the vehicle's bytes, also after it was started again"),
-    (status = 404, description = "There is none", body = Problem),
-    (status = 409, description = "Somebody is attached to it already", body = Problem),
-    (status = 426, description = "The request asks for no upgrade", body = Problem),
+    (status = 404, description = "There is none", body = ServiceProblem),
+    (status = 409, description = "Somebody is attached to it already", body = ServiceProblem),
+    (status = 426, description = "The request asks for no upgrade", body = ServiceProblem),
 ))]
 pub(super) async fn open(
-    State(desk): State<Arc<Desk>>,
-    Number(id): Number,
+    State(state): State<Arc<ServiceState>>,
+    PathNumber(id): PathNumber,
     mut request: Request,
-) -> Result<Response, Problem> {
-    desk.instance(id)?;
+) -> Result<Response, ServiceProblem> {
+    state.instance(id)?;
     if !asks_for_upgrade(request.headers()) {
         let error = "this address gives bytes, not documents";
-        let problem = Problem::new(StatusCode::UPGRADE_REQUIRED, error)
+        let problem = ServiceProblem::new(StatusCode::UPGRADE_REQUIRED, error)
             .hint("send the headers `Connection: upgrade` and `Upgrade: mavlink`");
         return Ok(upgrade_headers(problem.into_response()));
     }
-    let pipe = desk.hangar.attach(id).await?;
+    let pipe = state.hangar.attach(id).await?;
     let upgrade = hyper::upgrade::on(&mut request);
-    let cancel = desk.cancel.clone();
+    let cancel = state.cancel.clone();
     tokio::spawn(async move {
         // A client that leaves before that has let go of the vehicle.
         if let Ok(upgraded) = upgrade.await {

@@ -11,9 +11,9 @@ use serde::{Deserialize, Serialize};
 use tokio::sync::OwnedSemaphorePermit;
 use utoipa::{IntoParams, ToSchema};
 
-use super::body::{self, Number, Query};
-use super::{Desk, Problem};
-use crate::hangar::{Instance, InstanceId, Launch, Line, Refusal, Stage};
+use super::body::{self, PathNumber, Query};
+use super::{ServiceProblem, ServiceState};
+use crate::hangar::{HangarRefusal, Instance, InstanceId, Launch, OutputLine, SitlStage};
 
 /// How long one waits for readiness unless told otherwise, and at most, in seconds.
 const READY_S: u32 = 60;
@@ -27,7 +27,7 @@ const LINES: usize = 100;
 #[derive(Debug, Deserialize, IntoParams)]
 #[serde(deny_unknown_fields)]
 #[into_params(parameter_in = Query)]
-pub(super) struct Wait {
+pub(super) struct ReadyWait {
     /// How many seconds to wait: 60 by default, 300 at most.
     timeout_s: Option<u32>,
 }
@@ -47,7 +47,7 @@ pub(super) struct Excerpt {
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 pub struct Printed {
     /// The lines, oldest first.
-    pub lines: Vec<Line>,
+    pub lines: Vec<OutputLine>,
     /// What to give as `since` to be told only what comes after these.
     pub next: u64,
 }
@@ -56,18 +56,18 @@ pub struct Printed {
 #[utoipa::path(post, path = "/vehicles", request_body = Launch, responses(
     (status = 201, description = "It is being started", body = Instance,
         headers(("location" = String, description = "Its address"))),
-    (status = 400, description = "The body is no launch, or one that makes no sense", body = Problem),
-    (status = 409, description = "The number is taken", body = Problem),
-    (status = 413, description = "The body is too long", body = Problem),
-    (status = 415, description = "The body is not said to be JSON", body = Problem),
-    (status = 503, description = "The hangar is full, or has no program for it", body = Problem),
+    (status = 400, description = "The body is no launch, or one that makes no sense", body = ServiceProblem),
+    (status = 409, description = "The number is taken", body = ServiceProblem),
+    (status = 413, description = "The body is too long", body = ServiceProblem),
+    (status = 415, description = "The body is not said to be JSON", body = ServiceProblem),
+    (status = 503, description = "The hangar is full, or has no program for it", body = ServiceProblem),
 ))]
 pub(super) async fn launch(
-    State(desk): State<Arc<Desk>>,
+    State(state): State<Arc<ServiceState>>,
     request: Request,
-) -> Result<Response, Problem> {
-    let launch = body::json(request, desk.setup.bounds).await?;
-    let instance = desk.launch(launch).await?;
+) -> Result<Response, ServiceProblem> {
+    let launch = body::json(request, state.setup.bounds).await?;
+    let instance = state.launch(launch).await?;
     let place = format!("/vehicles/{}", instance.id);
     Ok((
         StatusCode::CREATED,
@@ -81,92 +81,95 @@ pub(super) async fn launch(
 #[utoipa::path(get, path = "/vehicles", responses(
     (status = 200, description = "Those that there are, also those that have ended by themselves", body = Vec<Instance>),
 ))]
-pub(super) async fn list(State(desk): State<Arc<Desk>>) -> Json<Vec<Instance>> {
-    Json(desk.instances().values().cloned().collect())
+pub(super) async fn list(State(state): State<Arc<ServiceState>>) -> Json<Vec<Instance>> {
+    Json(state.instances().values().cloned().collect())
 }
 
 /// An instance.
 #[utoipa::path(get, path = "/vehicles/{id}", params(("id" = u16, Path, description = "Its number")), responses(
     (status = 200, description = "How it is doing", body = Instance),
-    (status = 404, description = "There is none", body = Problem),
+    (status = 404, description = "There is none", body = ServiceProblem),
 ))]
 pub(super) async fn one(
-    State(desk): State<Arc<Desk>>,
-    Number(id): Number,
-) -> Result<Json<Instance>, Problem> {
-    desk.instance(id).map(Json)
+    State(state): State<Arc<ServiceState>>,
+    PathNumber(id): PathNumber,
+) -> Result<Json<Instance>, ServiceProblem> {
+    state.instance(id).map(Json)
 }
 
 /// Ends an instance.
 #[utoipa::path(delete, path = "/vehicles/{id}", params(("id" = u16, Path, description = "Its number")), responses(
     (status = 204, description = "Its process is gone"),
-    (status = 404, description = "There is none", body = Problem),
+    (status = 404, description = "There is none", body = ServiceProblem),
 ))]
 pub(super) async fn remove(
-    State(desk): State<Arc<Desk>>,
-    Number(id): Number,
-) -> Result<StatusCode, Problem> {
-    desk.stop(id).await?;
+    State(state): State<Arc<ServiceState>>,
+    PathNumber(id): PathNumber,
+) -> Result<StatusCode, ServiceProblem> {
+    state.stop(id).await?;
     Ok(StatusCode::NO_CONTENT)
 }
 
 /// Ends an instance's process, if there is one, and starts it again.
 #[utoipa::path(post, path = "/vehicles/{id}/restart", params(("id" = u16, Path, description = "Its number")), responses(
     (status = 202, description = "It is being started again", body = Instance),
-    (status = 404, description = "There is none", body = Problem),
+    (status = 404, description = "There is none", body = ServiceProblem),
 ))]
 pub(super) async fn restart(
-    State(desk): State<Arc<Desk>>,
-    Number(id): Number,
-) -> Result<(StatusCode, Json<Instance>), Problem> {
-    desk.hangar.restart(id).await?;
-    Ok((StatusCode::ACCEPTED, Json(desk.instance(id)?)))
+    State(state): State<Arc<ServiceState>>,
+    PathNumber(id): PathNumber,
+) -> Result<(StatusCode, Json<Instance>), ServiceProblem> {
+    state.hangar.restart(id).await?;
+    Ok((StatusCode::ACCEPTED, Json(state.instance(id)?)))
 }
 
 /// Waits until an instance can be armed.
 #[utoipa::path(get, path = "/vehicles/{id}/ready", params(
-    ("id" = u16, Path, description = "Its number"), Wait
+    ("id" = u16, Path, description = "Its number"), ReadyWait
 ), responses(
     (status = 200, description = "It can be armed", body = Instance),
     (status = 202, description = "Not within that time; this is how far it is", body = Instance),
-    (status = 404, description = "There is none", body = Problem),
-    (status = 410, description = "It has ended", body = Problem),
-    (status = 503, description = "Too many wait already", body = Problem),
+    (status = 404, description = "There is none", body = ServiceProblem),
+    (status = 410, description = "It has ended", body = ServiceProblem),
+    (status = 503, description = "Too many wait already", body = ServiceProblem),
 ))]
 pub(super) async fn ready(
-    State(desk): State<Arc<Desk>>,
-    Number(id): Number,
-    Query(wait): Query<Wait>,
-) -> Result<(StatusCode, Json<Instance>), Problem> {
+    State(state): State<Arc<ServiceState>>,
+    PathNumber(id): PathNumber,
+    Query(wait): Query<ReadyWait>,
+) -> Result<(StatusCode, Json<Instance>), ServiceProblem> {
     let seconds = wait.timeout_s.unwrap_or(READY_S);
     if seconds > READY_MAX_S {
         let error = format!("the query: timeout_s is {READY_MAX_S} at most, and {seconds} is more");
-        return Err(Problem::new(StatusCode::BAD_REQUEST, error).hint("ask again after that"));
+        return Err(
+            ServiceProblem::new(StatusCode::BAD_REQUEST, error).hint("ask again after that")
+        );
     }
-    desk.instance(id)?;
-    let _permit = desk.wait()?;
-    let mut seen = desk.hangar.instances();
-    let over = |instance: &Instance| [Stage::Ready, Stage::Ended].contains(&instance.stage);
+    state.instance(id)?;
+    let _permit = state.wait()?;
+    let mut seen = state.hangar.instances();
+    let over = |instance: &Instance| [SitlStage::Ready, SitlStage::Ended].contains(&instance.stage);
     let waiting = seen.wait_for(|all| all.get(&id).is_none_or(over));
     let limit = Duration::from_secs(seconds.into());
     tokio::select! {
         _ = tokio::time::timeout(limit, waiting) => {}
-        () = desk.cancel.cancelled() => return Err(Refusal::Closing.into()),
+        () = state.cancel.cancelled() => return Err(HangarRefusal::Closing.into()),
     }
-    readiness(&desk, id)
+    readiness(&state, id)
 }
 
 /// How far an instance is, with the status that tells it.
 pub(super) fn readiness(
-    desk: &Desk,
+    state: &ServiceState,
     id: InstanceId,
-) -> Result<(StatusCode, Json<Instance>), Problem> {
-    let gone =
-        |why: String| Problem::new(StatusCode::GONE, format!("instance {id} has ended{why}"));
-    let instance = desk.instance(id).map_err(|_| gone(String::new()))?;
+) -> Result<(StatusCode, Json<Instance>), ServiceProblem> {
+    let gone = |why: String| {
+        ServiceProblem::new(StatusCode::GONE, format!("instance {id} has ended{why}"))
+    };
+    let instance = state.instance(id).map_err(|_| gone(String::new()))?;
     match instance.stage {
-        Stage::Ready => Ok((StatusCode::OK, Json(instance))),
-        Stage::Ended => {
+        SitlStage::Ready => Ok((StatusCode::OK, Json(instance))),
+        SitlStage::Ended => {
             let why = instance.fault.map(|fault| format!(": {fault}"));
             Err(gone(why.unwrap_or_default())
                 .hint(format!("GET /vehicles/{id}/output tells what it printed")))
@@ -180,27 +183,30 @@ pub(super) fn readiness(
     ("id" = u16, Path, description = "Its number"), Excerpt
 ), responses(
     (status = 200, description = "The last lines", body = Printed),
-    (status = 404, description = "There is none", body = Problem),
+    (status = 404, description = "There is none", body = ServiceProblem),
 ))]
 pub(super) async fn output(
-    State(desk): State<Arc<Desk>>,
-    Number(id): Number,
+    State(state): State<Arc<ServiceState>>,
+    PathNumber(id): PathNumber,
     Query(excerpt): Query<Excerpt>,
-) -> Result<Json<Printed>, Problem> {
+) -> Result<Json<Printed>, ServiceProblem> {
     let lines = excerpt.lines.unwrap_or(LINES);
     let since = excerpt.since.unwrap_or(0);
-    let mut all = desk.hangar.output(id, since)?;
+    let mut all = state.hangar.output(id, since)?;
     let next = all.last().map_or(since, |line| line.number + 1);
     let lines = all.split_off(all.len().saturating_sub(lines));
     Ok(Json(Printed { lines, next }))
 }
 
-impl Desk {
+impl ServiceState {
     /// Starts an instance, also if whoever has asked does not wait for it.
-    pub(super) async fn launch(self: &Arc<Self>, launch: Launch) -> Result<Instance, Problem> {
-        let desk = Arc::clone(self);
-        let begun = tokio::spawn(async move { desk.hangar.launch(launch).await });
-        let id = begun.await.map_err(|_| Refusal::Closing)??;
+    pub(super) async fn launch(
+        self: &Arc<Self>,
+        launch: Launch,
+    ) -> Result<Instance, ServiceProblem> {
+        let state = Arc::clone(self);
+        let begun = tokio::spawn(async move { state.hangar.launch(launch).await });
+        let id = begun.await.map_err(|_| HangarRefusal::Closing)??;
         if self.setup.expose {
             let mut ports = self.ports.subscribe();
             let opened = ports.wait_for(|ports| ports.contains_key(&id));
@@ -211,20 +217,20 @@ impl Desk {
     }
 
     /// Ends an instance, also if whoever has asked does not wait for it.
-    pub(super) async fn stop(self: &Arc<Self>, id: InstanceId) -> Result<(), Problem> {
-        let desk = Arc::clone(self);
-        let begun = tokio::spawn(async move { desk.hangar.stop(id).await });
-        Ok(begun.await.map_err(|_| Refusal::Closing)??)
+    pub(super) async fn stop(self: &Arc<Self>, id: InstanceId) -> Result<(), ServiceProblem> {
+        let state = Arc::clone(self);
+        let begun = tokio::spawn(async move { state.hangar.stop(id).await });
+        Ok(begun.await.map_err(|_| HangarRefusal::Closing)??)
     }
 
     /// A place among those that wait for something to happen.
-    pub(super) fn wait(&self) -> Result<OwnedSemaphorePermit, Problem> {
+    pub(super) fn wait(&self) -> Result<OwnedSemaphorePermit, ServiceProblem> {
         Arc::clone(&self.waiting).try_acquire_owned().map_err(|_| {
             let error = format!(
                 "{} wait already, and no more may",
                 self.setup.bounds.waiting
             );
-            Problem::new(StatusCode::SERVICE_UNAVAILABLE, error)
+            ServiceProblem::new(StatusCode::SERVICE_UNAVAILABLE, error)
                 .hint("one GET /events tells of all instances")
         })
     }

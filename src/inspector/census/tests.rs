@@ -21,7 +21,7 @@ fn attitude(system: u8) -> Vec<u8> {
     )
 }
 
-fn only(census: &Census) -> &Tally {
+fn only(census: &Census) -> &MessageTally {
     let mut tallies = census.tallies();
     let (_, only) = tallies.next().expect("one");
     assert!(tallies.next().is_none());

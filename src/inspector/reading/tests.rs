@@ -4,14 +4,14 @@ use mavlink::dialects::ardupilotmega::*;
 use super::*;
 use crate::wire::{Encoder, Outgoing};
 
-fn reading(outgoing: &Outgoing) -> Reading {
+fn reading(outgoing: &Outgoing) -> MessageReading {
     let mut bytes = Vec::new();
     Encoder::new(3, 1).encode(outgoing, &mut bytes);
     read(&Anatomy::of(&bytes).expect("a frame"))
 }
 
 /// A field as a screen would show it.
-fn shown(reading: &Reading, name: &str) -> String {
+fn shown(reading: &MessageReading, name: &str) -> String {
     let value = reading.values.iter().find(|value| value.name == name);
     let value = value.unwrap_or_else(|| panic!("{name} of {reading:?}"));
     let parts = [&value.figures(), value.unit, &value.names.join("|")];
@@ -115,15 +115,15 @@ fn an_id_that_nobody_knows_is_shown_by_its_number() {
 #[test]
 fn fractions_show_what_their_precision_carries() {
     let table = [
-        (Element::Single(0.1), "0.1"),
-        (Element::Single(-0.0), "0"),
-        (Element::Single(1234.5678), "1234.568"),
-        (Element::Single(100.0), "100"),
-        (Element::Single(f32::NAN), "NaN"),
-        (Element::Single(f32::NEG_INFINITY), "-inf"),
-        (Element::Single(1.5e-7), "1.500000e-7"),
-        (Element::Double(50.450_112_345_678), "50.4501123457"),
-        (Element::Signed(-7), "-7"),
+        (ElementReading::Single(0.1), "0.1"),
+        (ElementReading::Single(-0.0), "0"),
+        (ElementReading::Single(1234.5678), "1234.568"),
+        (ElementReading::Single(100.0), "100"),
+        (ElementReading::Single(f32::NAN), "NaN"),
+        (ElementReading::Single(f32::NEG_INFINITY), "-inf"),
+        (ElementReading::Single(1.5e-7), "1.500000e-7"),
+        (ElementReading::Double(50.450_112_345_678), "50.4501123457"),
+        (ElementReading::Signed(-7), "-7"),
     ];
     for (element, text) in table {
         assert_eq!(element.to_string(), text);

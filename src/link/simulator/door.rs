@@ -69,12 +69,12 @@ impl Doors {
 }
 
 /// A byte stream that can be tried without waiting.
-pub(super) trait Stream {
+pub(super) trait DoorStream {
     fn try_read(&mut self, buffer: &mut [u8]) -> io::Result<usize>;
     fn try_write(&mut self, bytes: &[u8]) -> io::Result<usize>;
 }
 
-impl Stream for DuplexStream {
+impl DoorStream for DuplexStream {
     fn try_read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
         let tried = self.read(buffer).now_or_never();
         tried.unwrap_or(Err(io::ErrorKind::WouldBlock.into()))
@@ -86,7 +86,7 @@ impl Stream for DuplexStream {
     }
 }
 
-impl Stream for TcpStream {
+impl DoorStream for TcpStream {
     fn try_read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
         TcpStream::try_read(self, buffer)
     }
@@ -97,7 +97,7 @@ impl Stream for TcpStream {
 }
 
 /// One ground station on one vehicle.
-pub(super) struct Client<S> {
+pub(super) struct DoorClient<S> {
     stream: S,
     port: PortId,
     /// Taken from the world and not sent yet. Refilled only when empty: for a client that does not read,
@@ -105,7 +105,7 @@ pub(super) struct Client<S> {
     output: Vec<u8>,
 }
 
-impl<S: Stream> Client<S> {
+impl<S: DoorStream> DoorClient<S> {
     fn new(stream: S, port: PortId) -> Self {
         Self {
             stream,
@@ -159,11 +159,11 @@ impl<S: Stream> Client<S> {
 }
 
 /// A pipe to one vehicle. It outlasts the vehicle's reboots.
-pub(super) struct PipeDoor(Client<DuplexStream>, usize);
+pub(super) struct PipeDoor(DoorClient<DuplexStream>, usize);
 
 impl PipeDoor {
     pub(super) fn new(stream: DuplexStream, vehicle: usize, world: &mut World) -> Self {
-        Self(Client::new(stream, world.connect(vehicle)), vehicle)
+        Self(DoorClient::new(stream, world.connect(vehicle)), vehicle)
     }
 
     fn write(&mut self, world: &mut World) -> bool {
@@ -180,14 +180,14 @@ type Accepted = (usize, io::Result<TcpStream>);
 /// turn.
 #[derive(Default)]
 pub(super) struct Servers {
-    listeners: Vec<Listener>,
+    listeners: Vec<DoorListener>,
     accepting: FuturesUnordered<Pin<Box<dyn Future<Output = Accepted> + Send>>>,
     /// With the places of their listeners.
-    clients: Vec<(usize, Client<TcpStream>)>,
+    clients: Vec<(usize, DoorClient<TcpStream>)>,
 }
 
 /// A TCP server for one serial port of a vehicle.
-struct Listener {
+struct DoorListener {
     socket: Arc<TcpListener>,
     vehicle: usize,
     serial: Serial,
@@ -196,7 +196,7 @@ struct Listener {
 
 impl Servers {
     pub(super) fn open(&mut self, socket: TcpListener, vehicle: usize, serial: Serial) {
-        self.listeners.push(Listener {
+        self.listeners.push(DoorListener {
             socket: Arc::new(socket),
             vehicle,
             serial,
@@ -228,7 +228,7 @@ impl Servers {
                 // Without it answers are late, not lost.
                 let _ = stream.set_nodelay(true);
                 let port = world.connect_to(listener.vehicle, listener.serial);
-                self.clients.push((place, Client::new(stream, port)));
+                self.clients.push((place, DoorClient::new(stream, port)));
             }
         }
     }
@@ -241,7 +241,7 @@ impl Servers {
         self.keep(|client| client.write(world));
     }
 
-    fn keep(&mut self, mut is_there: impl FnMut(&mut Client<TcpStream>) -> bool) {
+    fn keep(&mut self, mut is_there: impl FnMut(&mut DoorClient<TcpStream>) -> bool) {
         let listeners = &mut self.listeners;
         self.clients.retain_mut(|(place, client)| {
             let stays = is_there(client);

@@ -25,7 +25,7 @@ fn world(vehicles: usize) -> World {
     World::new(&WorldConfig::row(vehicles, first))
 }
 
-async fn start(vehicles: usize, speedup: f64, endpoint: Endpoint) -> Started {
+async fn start(vehicles: usize, speedup: f64, endpoint: Endpoint) -> StartedSimulator {
     let cancel = CancellationToken::new();
     let started = Simulator::start(world(vehicles), speedup, &[endpoint], cancel).await;
     started.expect("the simulator starts")
@@ -243,7 +243,7 @@ async fn a_cancelled_simulator_ends_its_pipes() {
 #[tokio::test(start_paused = true)]
 async fn while_it_is_held_no_vehicle_moves_or_says_anything() {
     let (hold, held) = watch::channel(false);
-    let pace = Pace { speedup: 1.0, held };
+    let pace = SimulatorPace { speedup: 1.0, held };
     let cancel = CancellationToken::new();
     let started = Simulator::start(world(1), pace, &[Endpoint::Pipes], cancel).await;
     let mut started = started.expect("the simulator starts");

@@ -1,11 +1,11 @@
 //! What the tap of a link shows.
 
 use super::*;
-use crate::inspector::{Direction, Source};
+use crate::inspector::{Direction, FrameSource};
 use tokio::net::UdpSocket;
 
 fn sources(rig: &Rig) -> Vec<(Direction, u32, u8)> {
-    let of = |source: Source| (source.direction, source.peer, source.system);
+    let of = |source: FrameSource| (source.direction, source.peer, source.system);
     rig.link
         .tap()
         .look(|census, _| census.sources().map(of).collect())
@@ -24,7 +24,7 @@ async fn frames_of_both_directions_are_counted_with_their_bytes() {
     let ours = read_frame(&mut far, &mut decoder, |frame| !is_heartbeat(frame)).await;
     let sent = decoder.bytes_of(&ours).to_vec();
     let found: Vec<(Direction, u8, u32, u64, Vec<u8>)> = rig.link.tap().look(|census, _| {
-        let of = |(key, tally): (crate::inspector::Key, &crate::inspector::Tally)| {
+        let of = |(key, tally): (crate::inspector::TallyKey, &crate::inspector::MessageTally)| {
             let source = key.source;
             let last = tally.last.clone();
             (

@@ -118,7 +118,7 @@ async fn the_target_hears_from_a_sending_link_before_it_has_spoken() {
     let (_, from) = vehicle.recv_from(&mut bytes).await.expect("a heartbeat");
     vehicle.send_to(&heartbeat(2), from).await.expect("sent");
     let inbound = rig.next().await;
-    assert_eq!((inbound.peer, inbound.frames[0].system), (Peer(0), 2));
+    assert_eq!((inbound.peer, inbound.frames[0].system), (LinkPeer(0), 2));
     assert!(rig.link.send(To::Everyone, attitude()));
     receive(&vehicle, |f| !is_heartbeat(f)).await;
 }

@@ -9,7 +9,7 @@ use mavlink::dialects::ardupilotmega::{
 
 use super::super::testing::Bench;
 use super::{global, health};
-use crate::parameters::{Parameter, ParameterType};
+use crate::parameters::{ListedParameter, ParameterType};
 use mavlink::dialects::ardupilotmega::MavMessage;
 
 #[test]
@@ -260,7 +260,7 @@ fn parameters_are_counted_and_what_is_missing_is_known() {
     let rtl = parameters.get("RTL_ALT").expect("known");
     assert_eq!(
         rtl,
-        &Parameter {
+        &ListedParameter {
             value: 2000.0,
             original: 1500.0,
             kind: ParameterType::Int16,

@@ -6,7 +6,7 @@ use ratatui::style::Style;
 use ratatui::text::{Line, Span};
 
 use crate::app::room::hangar::under_cursor;
-use crate::app::state::{Hangar, Instance, Stage, State};
+use crate::app::state::{Hangar, Instance, SitlStage, State};
 use crate::text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
@@ -191,11 +191,11 @@ fn megabytes(bytes: u64) -> String {
     format!("{:.1} MB", bytes as f64 / 1e6)
 }
 
-fn role(stage: Stage, has_crashed: bool) -> Role {
+fn role(stage: SitlStage, has_crashed: bool) -> Role {
     match stage {
         _ if has_crashed => Role::Danger,
-        Stage::Ready => Role::Ok,
-        Stage::Queued | Stage::Stopping | Stage::Ended => Role::Muted,
+        SitlStage::Ready => Role::Ok,
+        SitlStage::Queued | SitlStage::Stopping | SitlStage::Ended => Role::Muted,
         _ => Role::Accent,
     }
 }

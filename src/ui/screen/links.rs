@@ -8,7 +8,7 @@ use ratatui::text::{Line, Span};
 
 use crate::app::room::links::{HISTORY_S, History};
 use crate::app::state::{LinkSummary, State};
-use crate::doctor::{Finding, Weight};
+use crate::doctor::{LinkFinding, Weight};
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
@@ -99,7 +99,7 @@ fn draw_list(state: &State, cursor: usize, look: &Look, area: Rect, buffer: &mut
 fn list_line(
     at: usize,
     link: &LinkSummary,
-    worst: Option<&Finding>,
+    worst: Option<&LinkFinding>,
     name_width: usize,
     look: &Look,
 ) -> Line<'static> {

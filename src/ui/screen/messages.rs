@@ -8,7 +8,7 @@ use ratatui::text::{Line, Span};
 
 use crate::app::room::messages::{Branch, Messages, Node};
 use crate::app::state::State;
-use crate::inspector::{Direction, Rate, Source, Tally, name_of, read};
+use crate::inspector::{Direction, FrameSource, MessageTally, Rate, name_of, read};
 use crate::text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
@@ -196,10 +196,10 @@ fn label(room: &Messages, node: Node, look: &Look) -> String {
 }
 
 /// What a component says it is, by its last heartbeat.
-fn kind(room: &Messages, link: usize, source: Source) -> String {
+fn kind(room: &Messages, link: usize, source: FrameSource) -> String {
     let census = room.traffic.get(link).and_then(|it| it.census.as_ref());
     let heartbeat = census.and_then(|census| census.of(source).find(|(id, _)| *id == 0));
-    let kind = |tally: &Tally| {
+    let kind = |tally: &MessageTally| {
         let reading = read(&Anatomy::of(&tally.last)?);
         let kind = reading.values.iter().find(|value| value.name == "type")?;
         kind.names.first().cloned()

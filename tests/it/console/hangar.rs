@@ -3,24 +3,24 @@
 use sortie::alert::AlertKind;
 use sortie::app::effect::{Effect, HangarDeed, SessionEffect, TerminalEffect};
 use sortie::app::event::{ProcessEvent, SessionEvent, Started};
-use sortie::app::state::{Activity, Instance, Overlay, Room, Stage};
+use sortie::app::state::{Activity, Instance, Overlay, Room, SitlStage};
 use sortie::vehicle::Severity;
 
 use crate::fixtures;
 use crate::harness::Console;
 
 /// A vehicle's process at a stage.
-pub fn instance(vehicle: u16, stage: Stage) -> Instance {
+pub fn instance(vehicle: u16, stage: SitlStage) -> Instance {
     Instance {
         vehicle,
         host: None,
         stage,
-        parameters: if stage < Stage::Heartbeat {
+        parameters: if stage < SitlStage::Heartbeat {
             [0, 0]
         } else {
             [552, 1382]
         },
-        pid: (stage < Stage::Ended).then_some(41_000 + u32::from(vehicle)),
+        pid: (stage < SitlStage::Ended).then_some(41_000 + u32::from(vehicle)),
         restarts: 0,
         memory_bytes: 8_400_000,
         processor_percent: Some(3.06),
@@ -42,7 +42,7 @@ pub fn crashed(vehicle: u16) -> Instance {
     Instance {
         fault: Some("killed by signal 9 (KILL)".to_owned()),
         output: output.map(str::to_owned).to_vec(),
-        ..instance(vehicle, Stage::Ended)
+        ..instance(vehicle, SitlStage::Ended)
     }
 }
 
@@ -73,7 +73,7 @@ fn ready() -> Console {
     let mut console = starting(Activity::Free, 2);
     hear(
         &mut console,
-        vec![instance(1, Stage::Ready), instance(2, Stage::Ready)],
+        vec![instance(1, SitlStage::Ready), instance(2, SitlStage::Ready)],
     );
     for id in 1..=2 {
         console.vehicle(fixtures::parked(id));
@@ -96,7 +96,7 @@ fn last_notice(console: &Console) -> (Severity, Option<u16>, String) {
 fn a_session_opens_in_the_hangar_and_goes_on_when_all_are_ready() {
     let mut console = starting(Activity::Free, 2);
     assert_eq!(console.state().room, Room::Hangar);
-    hear(&mut console, vec![instance(1, Stage::Ready)]);
+    hear(&mut console, vec![instance(1, SitlStage::Ready)]);
     assert_eq!(
         console.state().room,
         Room::Hangar,
@@ -104,13 +104,16 @@ fn a_session_opens_in_the_hangar_and_goes_on_when_all_are_ready() {
     );
     hear(
         &mut console,
-        vec![instance(1, Stage::Ready), instance(2, Stage::Position)],
+        vec![
+            instance(1, SitlStage::Ready),
+            instance(2, SitlStage::Position),
+        ],
     );
     assert_eq!(console.state().room, Room::Hangar);
     console.at(7);
     hear(
         &mut console,
-        vec![instance(1, Stage::Ready), instance(2, Stage::Ready)],
+        vec![instance(1, SitlStage::Ready), instance(2, SitlStage::Ready)],
     );
     assert_eq!(console.state().room, Room::Fly);
     assert_eq!(console.state().session.began_at.as_secs(), 7);
@@ -121,7 +124,7 @@ fn a_session_opens_in_the_hangar_and_goes_on_when_all_are_ready() {
 fn who_has_gone_elsewhere_stays_there() {
     let mut console = starting(Activity::Free, 1);
     console.press("P");
-    hear(&mut console, vec![instance(1, Stage::Ready)]);
+    hear(&mut console, vec![instance(1, SitlStage::Ready)]);
     assert_eq!(console.state().room, Room::Parameters);
 }
 
@@ -132,7 +135,7 @@ fn escape_cancels_what_has_not_begun_without_a_question() {
         title: "Air".into(),
     };
     let mut console = starting(activity, 2);
-    hear(&mut console, vec![instance(1, Stage::Process)]);
+    hear(&mut console, vec![instance(1, SitlStage::Process)]);
     console.press("esc");
     assert_eq!(console.effects, [Effect::Session(SessionEffect::Leave)]);
     assert_eq!(console.state().room, Room::Home);
@@ -146,12 +149,12 @@ fn a_mission_takes_no_commands_before_it_begins() {
     };
     let mut console = starting(activity, 2);
     console.vehicle(fixtures::parked(1));
-    hear(&mut console, vec![instance(1, Stage::Ready)]);
+    hear(&mut console, vec![instance(1, SitlStage::Ready)]);
     console.give("1 arm");
     assert!(console.effects.is_empty());
     hear(
         &mut console,
-        vec![instance(1, Stage::Ready), instance(2, Stage::Ready)],
+        vec![instance(1, SitlStage::Ready), instance(2, SitlStage::Ready)],
     );
     console.press("esc").give("1 arm");
     assert_eq!(console.sent_to(), [1]);
@@ -160,7 +163,10 @@ fn a_mission_takes_no_commands_before_it_begins() {
 #[test]
 fn a_crash_is_told_with_the_last_line_and_leads_to_its_restart() {
     let mut console = ready();
-    hear(&mut console, vec![instance(1, Stage::Ready), crashed(2)]);
+    hear(
+        &mut console,
+        vec![instance(1, SitlStage::Ready), crashed(2)],
+    );
     let (severity, vehicle, text) = last_notice(&console);
     assert_eq!((severity, vehicle), (Severity::Critical, Some(2)));
     assert!(
@@ -175,7 +181,10 @@ fn a_crash_is_told_with_the_last_line_and_leads_to_its_restart() {
     assert_eq!(worst.alert.kind, AlertKind::Process);
     assert_eq!(console.effects, [Effect::Terminal(TerminalEffect::Bell)]);
     let count = console.state().notices.lines().len();
-    hear(&mut console, vec![instance(1, Stage::Ready), crashed(2)]);
+    hear(
+        &mut console,
+        vec![instance(1, SitlStage::Ready), crashed(2)],
+    );
     assert_eq!(
         console.state().notices.lines().len(),
         count,
@@ -195,12 +204,12 @@ fn a_crash_is_told_with_the_last_line_and_leads_to_its_restart() {
     };
     hear(
         &mut console,
-        vec![instance(1, Stage::Ready), again(Stage::Process)],
+        vec![instance(1, SitlStage::Ready), again(SitlStage::Process)],
     );
     assert_eq!(last_notice(&console).2, "its process is started again (1)");
     hear(
         &mut console,
-        vec![instance(1, Stage::Ready), again(Stage::Ready)],
+        vec![instance(1, SitlStage::Ready), again(SitlStage::Ready)],
     );
     assert_eq!(last_notice(&console).2, "is ready to arm again");
     assert!(
@@ -221,7 +230,7 @@ fn a_crash_tells_what_happens_next() {
         hint: Some(hint.to_owned()),
         ..crashed(2)
     };
-    hear(&mut console, vec![instance(1, Stage::Ready), given_up]);
+    hear(&mut console, vec![instance(1, SitlStage::Ready), given_up]);
     let (_, _, text) = last_notice(&console);
     assert!(text.contains(hint), "{text}");
 }
@@ -282,7 +291,7 @@ fn services_are_told_apart_on_a_narrow_screen() {
     let mut console = starting(Activity::Free, 2);
     let at = |vehicle, port| Instance {
         host: Some(format!("http://127.0.0.1:{port}")),
-        ..instance(vehicle, Stage::Ready)
+        ..instance(vehicle, SitlStage::Ready)
     };
     hear(&mut console, vec![at(1, 5700), at(2, 5701)]);
     console.press("G");
@@ -324,9 +333,12 @@ fn an_armed_vehicle_is_not_restarted_or_ended_without_a_question() {
 #[test]
 fn the_mission_does_not_wait_for_one_that_was_ended() {
     let mut console = starting(Activity::Free, 2);
-    hear(&mut console, vec![instance(1, Stage::Ready), crashed(2)]);
+    hear(
+        &mut console,
+        vec![instance(1, SitlStage::Ready), crashed(2)],
+    );
     console.press("j").press("x");
-    hear(&mut console, vec![instance(1, Stage::Ready)]);
+    hear(&mut console, vec![instance(1, SitlStage::Ready)]);
     assert_eq!(console.state().room, Room::Fly);
 }
 
@@ -357,7 +369,7 @@ fn output_opens_and_scrolls() {
                 output,
                 ..crashed(1)
             },
-            instance(2, Stage::Ready),
+            instance(2, SitlStage::Ready),
         ],
     );
     console.press("G").press("enter");

@@ -8,14 +8,16 @@ use sortie::app::room::parameters::{cursor_row, rows};
 use sortie::app::state::{Overlay, Room};
 use sortie::commands::{Act, Command};
 use sortie::ledger::{EntryId, RowState, RowUpdate};
-use sortie::parameters::{Fetching, Heard, ParameterType, Parameters, Snapshot};
+use sortie::parameters::{
+    Fetching, HeardParameter, ParameterList, ParameterSnapshot, ParameterType,
+};
 
 use crate::harness::Console;
 
 mod batch;
 
 /// A list with some parameters of each type.
-pub fn list(system: f32, speed: f32) -> Parameters {
+pub fn list(system: f32, speed: f32) -> ParameterList {
     let all = [
         ("ANGLE_MAX", 3000.0, ParameterType::Int16),
         ("ARMING_CHECK", 1.0, ParameterType::Int32),
@@ -28,9 +30,9 @@ pub fn list(system: f32, speed: f32) -> Parameters {
         ("WPNAV_ACCEL", 250.0, ParameterType::Real32),
         ("WPNAV_SPEED", speed, ParameterType::Real32),
     ];
-    let mut list = Parameters::default();
+    let mut list = ParameterList::default();
     for (index, (name, value, kind)) in (0..).zip(all) {
-        list.note(&Heard {
+        list.note(&HeardParameter {
             name,
             value,
             kind,
@@ -41,11 +43,11 @@ pub fn list(system: f32, speed: f32) -> Parameters {
     list
 }
 
-pub fn complete(list: Parameters) -> Snapshot {
-    Snapshot {
+pub fn complete(list: ParameterList) -> ParameterSnapshot {
+    ParameterSnapshot {
         list: Arc::new(list),
         fetching: Fetching::Complete,
-        ..Snapshot::default()
+        ..ParameterSnapshot::default()
     }
 }
 
@@ -59,7 +61,7 @@ pub fn in_the_room(vehicles: u16) -> Console {
     console
 }
 
-pub fn arrives(console: &mut Console, vehicle: u16, list: Parameters) {
+pub fn arrives(console: &mut Console, vehicle: u16, list: ParameterList) {
     let snapshot = complete(list);
     console.hear(VehicleEvent::Parameters { vehicle, snapshot });
 }
@@ -333,15 +335,15 @@ fn what_was_confirmed_before_a_reboot_is_not_confirmed_after_it() {
     assert!(console.screen(80, 24).contains("640 confirmed"));
     console.give("params diff 2");
     // The list comes anew, and the vehicle has forgotten the value.
-    let mut coming = Parameters::default();
-    coming.note(&Heard {
+    let mut coming = ParameterList::default();
+    coming.note(&HeardParameter {
         name: "WPNAV_SPEED",
         value: 1000.0,
         kind: ParameterType::Real32,
         index: Some(9),
         count: 10,
     });
-    let snapshot = Snapshot {
+    let snapshot = ParameterSnapshot {
         list: Arc::new(coming),
         fetching: Fetching::UnderWay { fruitless: 0 },
         reboots: 1,

@@ -5,7 +5,7 @@ use std::time::Duration;
 use sortie::fleet::FleetEvent;
 use sortie::ledger::RowState;
 use sortie::link::{Endpoint, Simulator, Transport};
-use sortie::parameters::{Fetching, Snapshot};
+use sortie::parameters::{Fetching, ParameterSnapshot};
 use sortie::vehicle::VehicleId;
 use tokio::io::{AsyncReadExt as _, AsyncWriteExt as _, DuplexStream, duplex};
 use tokio_util::sync::CancellationToken;
@@ -70,7 +70,7 @@ fn lossy(far: DuplexStream, nth: usize) -> DuplexStream {
 }
 
 impl Console {
-    fn known(&self, vehicle: VehicleId) -> Snapshot {
+    fn known(&self, vehicle: VehicleId) -> ParameterSnapshot {
         self.parameters
             .get(&vehicle)
             .map(|known| known.borrow().clone())

@@ -5,8 +5,8 @@ use std::os::unix::fs::PermissionsExt as _;
 use std::path::Path;
 
 use nix::sys::signal::Signal;
-use sortie::hangar::{Launch, Refusal, Stage};
-use sortie::sitl::Kind;
+use sortie::hangar::{HangarRefusal, Launch, SitlStage};
+use sortie::sitl::SitlKind;
 
 use super::{PATIENCE, Stand, is_gone, signal, until_gone};
 use crate::stand_in::{Behaviour, CRASH_FILE};
@@ -51,20 +51,23 @@ async fn what_is_no_arducopter_ends_with_the_reason() {
 async fn what_makes_no_sense_is_refused_before_anything_is_started() {
     let stand = Stand::of(Behaviour::Normal);
     let plane = Launch {
-        kind: Kind::Plane,
+        kind: SitlKind::Plane,
         ..Launch::default()
     };
     let refused = stand.hangar.launch(plane).await;
-    assert!(matches!(refused, Err(Refusal::NoProgram("arduplane"))));
+    assert!(matches!(
+        refused,
+        Err(HangarRefusal::NoProgram("arduplane"))
+    ));
     let backwards = Launch {
         speedup: -1.0,
         ..Launch::default()
     };
     let refused = stand.hangar.launch(backwards).await;
-    assert!(matches!(refused, Err(Refusal::Invalid(_))));
+    assert!(matches!(refused, Err(HangarRefusal::Invalid(_))));
     assert!(matches!(
         stand.hangar.stop(1).await,
-        Err(Refusal::Unknown(1))
+        Err(HangarRefusal::Unknown(1))
     ));
     assert!(stand.hangar.instances().borrow().is_empty());
 }
@@ -116,7 +119,7 @@ async fn those_that_hang_are_told_with_what_they_lack() {
             hint.contains(" 0 % of a core"),
             expected.contains("connected for")
         );
-        assert_eq!((one.stage, one.fault), (Stage::Process, None));
+        assert_eq!((one.stage, one.fault), (SitlStage::Process, None));
         stand.hangar.stop(1).await.expect("it is there");
         assert!(is_gone(one.pid.expect("it ran")));
     }
@@ -128,7 +131,7 @@ async fn one_that_never_knows_where_it_is_stays_at_its_stage() {
     let id = stand.launch().await;
     let one = stand
         .until_one(id, "its parameters are there", |one| {
-            one.stage == Stage::Parameters
+            one.stage == SitlStage::Parameters
         })
         .await;
     assert_eq!(one.parameters[0], one.parameters[1]);

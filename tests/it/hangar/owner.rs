@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::time::Duration;
 
-use sortie::hangar::{Hangar, Launch, Stage};
+use sortie::hangar::{Hangar, Launch, SitlStage};
 
 use super::{config, is_gone, until_gone};
 use crate::stand_in::{Behaviour, StandIn};
@@ -27,7 +27,7 @@ async fn owner_of_a_hangar() {
     }
     let mut seen = hangar.instances();
     let all = seen
-        .wait_for(|all| all.values().all(|one| one.stage == Stage::Ready))
+        .wait_for(|all| all.values().all(|one| one.stage == SitlStage::Ready))
         .await
         .expect("it is open")
         .clone();
@@ -104,7 +104,7 @@ async fn two_hangars_in_one_folder_leave_each_other_alone() {
     let first = open();
     let id = first.launch(Launch::default()).await.expect("it starts");
     let mut seen = first.instances();
-    let ready = seen.wait_for(|all| all[&id].stage == Stage::Ready);
+    let ready = seen.wait_for(|all| all[&id].stage == SitlStage::Ready);
     let pid = ready.await.expect("it is open")[&id].pid.expect("it runs");
     let second = open();
     assert_eq!(second.leftovers().await, []);

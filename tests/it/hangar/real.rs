@@ -1,6 +1,6 @@
 //! A real `ArduCopter`, which `SORTIE_ARDUCOPTER` names.
 
-use sortie::hangar::Stage;
+use sortie::hangar::SitlStage;
 
 use super::restarts::assert_a_reboot_goes_through_the_stages;
 use super::{Stand, assert_a_console_has_it_back, is_gone};
@@ -18,7 +18,7 @@ async fn a_real_arducopter_becomes_ready() {
     assert_eq!((first, second), (1, 2));
     stand
         .until("both are ready", |all| {
-            all.values().all(|one| one.stage == Stage::Ready)
+            all.values().all(|one| one.stage == SitlStage::Ready)
         })
         .await;
     stand.attach(second).await.assert_real_time().await;

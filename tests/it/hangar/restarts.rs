@@ -4,13 +4,13 @@ use std::fs;
 use std::path::Path;
 
 use nix::sys::signal::Signal;
-use sortie::hangar::{Config, Restart, Stage};
+use sortie::hangar::{HangarSetup, Restart, SitlStage};
 
 use super::{Stand, assert_a_console_has_it_back, is_gone, signal};
 use crate::stand_in::{Behaviour, MEMORY_FILE};
 
 fn restarting(behaviour: Behaviour) -> Stand {
-    Stand::with(behaviour, |config| Config {
+    Stand::with(behaviour, |config| HangarSetup {
         restart: Restart::Always,
         ..config
     })
@@ -55,7 +55,7 @@ async fn one_that_fails_at_first_is_tried_again() {
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn a_program_that_cannot_be_run_is_not_tried_again() {
-    let stand = Stand::running("/no/such/arducopter".into(), |config| Config {
+    let stand = Stand::running("/no/such/arducopter".into(), |config| HangarSetup {
         restart: Restart::Always,
         ..config
     });
@@ -79,7 +79,7 @@ async fn one_that_has_ended_or_runs_is_started_again_on_request() {
         stand.hangar.restart(id).await.expect("it is there");
         let again = stand
             .until_one(id, "it is ready again", |one| {
-                one.stage == Stage::Ready && one.restarts == restarts
+                one.stage == SitlStage::Ready && one.restarts == restarts
             })
             .await;
         assert_ne!(again.pid, before.pid);
@@ -101,7 +101,7 @@ pub(super) async fn assert_a_reboot_goes_through_the_stages(stand: &Stand) {
     let first = stand.until_ready(id).await;
     attached.reboot(1).await;
     stand
-        .until_one(id, "it boots", |one| one.stage < Stage::Ready)
+        .until_one(id, "it boots", |one| one.stage < SitlStage::Ready)
         .await;
     let again = stand.until_ready(id).await;
     assert_eq!((again.pid, again.restarts), (first.pid, 0));

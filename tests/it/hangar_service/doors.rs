@@ -3,7 +3,7 @@
 use std::net::SocketAddr;
 
 use super::{Served, ours};
-use sortie::hangar::service::{Owner, Setup};
+use sortie::hangar::service::{Owner, ServiceSetup};
 
 #[expect(clippy::unnecessary_wraps, reason = "one of several of its type")]
 fn stranger(_: SocketAddr, _: SocketAddr) -> Option<u32> {
@@ -28,7 +28,7 @@ async fn the_same_user_needs_no_token_and_everybody_else_does() {
         (unknown, false, 401),
         (ours, true, 401),
     ] {
-        let adjust = |setup: &mut Setup| {
+        let adjust = |setup: &mut ServiceSetup| {
             setup.owner = owner;
             setup.require_token = require_token;
         };

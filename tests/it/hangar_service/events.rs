@@ -111,7 +111,7 @@ async fn events_come_in_order_after_a_snapshot() {
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn who_follows_hears_that_the_service_is_there() {
-    let adjust = |setup: &mut sortie::hangar::service::Setup| {
+    let adjust = |setup: &mut sortie::hangar::service::ServiceSetup| {
         setup.bounds.keep_alive = std::time::Duration::from_millis(50);
     };
     let served = Served::with(1, None, adjust).await;

@@ -4,8 +4,8 @@ use std::net::SocketAddr;
 use std::sync::Arc;
 use std::time::Duration;
 
-use sortie::hangar::client::{ClientError, Remote};
-use sortie::hangar::{Hangars, Launch, Refusal, Seen, Stage, Token};
+use sortie::hangar::client::{ClientError, RemoteHangar};
+use sortie::hangar::{HangarRefusal, HangarToken, Hangars, Launch, Seen, SitlStage};
 use sortie::text::Text;
 use tokio::io::{AsyncReadExt as _, AsyncWriteExt as _, copy_bidirectional};
 use tokio::net::{TcpListener, TcpStream};
@@ -37,15 +37,18 @@ async fn vehicles_are_spread_by_room_and_a_hangar_that_dies_hurts_no_other() {
         hangars.names(),
         [first.address.to_string(), second.address.to_string()]
     );
-    let mut berths = hangars.launch(launches(3)).await.expect("there is room");
-    let at: Vec<usize> = berths.iter().map(|berth| berth.place.hangar).collect();
+    let mut launched = hangars.launch(launches(3)).await.expect("there is room");
+    let at: Vec<usize> = launched
+        .iter()
+        .map(|vehicle| vehicle.place.hangar)
+        .collect();
     assert_eq!(at, [0, 1, 1]);
     let mut seen = hangars.instances();
     let all = until(&mut seen, "all are ready", |all| {
-        all.len() == 3 && all.iter().all(|(_, one)| one.stage == Stage::Ready)
+        all.len() == 3 && all.iter().all(|(_, one)| one.stage == SitlStage::Ready)
     })
     .await;
-    let place = berths[0].place;
+    let place = launched[0].place;
     let printed = hangars.output(place, 0).await.expect("it is there");
     assert_eq!(printed[0].number, 1);
     let last = printed[printed.len() - 1].number;
@@ -55,34 +58,41 @@ async fn vehicles_are_spread_by_room_and_a_hangar_that_dies_hurts_no_other() {
     systems.sort_unstable();
     assert_eq!(systems, [1, 2, 3]);
     let mut some = [0; 16];
-    for berth in &mut berths {
-        berth.pipe.read_exact(&mut some).await.expect("it speaks");
+    for vehicle in &mut launched {
+        vehicle.pipe.read_exact(&mut some).await.expect("it speaks");
     }
     first.end().await;
     let all = until(&mut seen, "the first hangar is lost", |all| {
         all.iter()
-            .any(|(place, one)| place.hangar == 0 && one.stage == Stage::Ended)
+            .any(|(place, one)| place.hangar == 0 && one.stage == SitlStage::Ended)
     })
     .await;
     let lost = all[0].1.fault.clone().expect("a reason");
     assert!(lost.contains("does not answer"), "{lost}");
-    assert!(all[1..].iter().all(|(_, one)| one.stage == Stage::Ready));
+    assert!(
+        all[1..]
+            .iter()
+            .all(|(_, one)| one.stage == SitlStage::Ready)
+    );
     for _ in 0..200 {
-        berths[1]
+        launched[1]
             .pipe
             .read_exact(&mut some)
             .await
             .expect("it goes on");
     }
-    hangars.restart(berths[1].place).await.expect("it is there");
+    hangars
+        .restart(launched[1].place)
+        .await
+        .expect("it is there");
     until(&mut seen, "it was started again", |all| {
         all.iter().any(|(_, one)| one.restarts == 1)
     })
     .await;
-    hangars.stop(berths[2].place).await.expect("it is there");
+    hangars.stop(launched[2].place).await.expect("it is there");
     assert!(matches!(
-        hangars.restart(berths[2].place).await,
-        Err(Refusal::Unknown(_))
+        hangars.restart(launched[2].place).await,
+        Err(HangarRefusal::Unknown(_))
     ));
     hangars.close().await;
     assert_eq!(second.ask("GET", "/vehicles").await.body, "[]");
@@ -97,13 +107,13 @@ async fn all_are_launched_or_none() {
         .launch(launches(5))
         .await
         .expect_err("there is no room");
-    assert!(matches!(error, Refusal::Full(0)), "{error}");
+    assert!(matches!(error, HangarRefusal::Full(0)), "{error}");
     // The second one has nothing to start.
     let error = hangars
         .launch(launches(2))
         .await
         .expect_err("one of them fails");
-    assert!(matches!(error, Refusal::Far { .. }), "{error}");
+    assert!(matches!(error, HangarRefusal::Far { .. }), "{error}");
     assert!(
         error.to_string().contains("no arducopter was found"),
         "{error}"
@@ -113,11 +123,11 @@ async fn all_are_launched_or_none() {
     let dead = second.remote();
     second.end().await;
     let hangars = Hangars::far(vec![dead, first.remote()]);
-    let berths = hangars
+    let launched = hangars
         .launch(launches(2))
         .await
         .expect("the other has room");
-    assert!(berths.iter().all(|berth| berth.place.hangar == 1));
+    assert!(launched.iter().all(|vehicle| vehicle.place.hangar == 1));
     let error = hangars
         .launch(launches(1))
         .await
@@ -140,8 +150,8 @@ async fn what_was_launched_ends_with_the_console() {
         .await
         .expect("there is room");
     let hangars = Hangars::far(vec![served.remote()]);
-    let berths = hangars.launch(launches(1)).await.expect("there is room");
-    assert_ne!(berths[0].place.id, by_another.id);
+    let launched = hangars.launch(launches(1)).await.expect("there is room");
+    assert_ne!(launched[0].place.id, by_another.id);
     drop(hangars);
     let gone = async {
         while served.remote().instances().await.expect("it answers").len() > 1 {
@@ -184,7 +194,7 @@ async fn a_console_that_ends_waits_until_it_is_heard() {
     let (told, mut hung_up) = mpsc::unbounded_channel();
     let between = tokio::spawn(attentive(listener, served.address, told));
     let token = Some(served.token.clone());
-    let remote = Remote::new(address.parse().expect("an address"), token);
+    let remote = RemoteHangar::new(address.parse().expect("an address"), token);
     let hangars = Hangars::far(vec![remote]);
     hangars.launch(launches(1)).await.expect("there is room");
     drop(hangars);
@@ -197,10 +207,10 @@ async fn a_console_that_ends_waits_until_it_is_heard() {
 async fn a_hangar_that_was_started_anew_has_none_of_the_vehicles() {
     let first = Served::start(1).await;
     let hangars = Hangars::far(vec![first.remote()]);
-    let berths = hangars.launch(launches(1)).await.expect("there is room");
+    let launched = hangars.launch(launches(1)).await.expect("there is room");
     let mut seen = hangars.instances();
     until(&mut seen, "it is known", |all| {
-        all[0].1.stage > Stage::Queued
+        all[0].1.stage > SitlStage::Queued
     })
     .await;
     let second = first.again().await;
@@ -209,7 +219,7 @@ async fn a_hangar_that_was_started_anew_has_none_of_the_vehicles() {
         .launch(&Launch::default())
         .await
         .expect("there is room");
-    assert_eq!(other.id, berths[0].place.id);
+    assert_eq!(other.id, launched[0].place.id);
     let all = until(&mut seen, "that is noticed", |all| {
         all[0]
             .1
@@ -218,8 +228,8 @@ async fn a_hangar_that_was_started_anew_has_none_of_the_vehicles() {
             .is_some_and(|fault| fault.contains("started anew"))
     })
     .await;
-    assert_eq!(all[0].1.stage, Stage::Ended);
-    assert!(hangars.stop(berths[0].place).await.is_err());
+    assert_eq!(all[0].1.stage, SitlStage::Ended);
+    assert!(hangars.stop(launched[0].place).await.is_err());
     drop(hangars);
     assert_eq!(
         second.remote().instances().await.expect("it answers").len(),
@@ -232,7 +242,7 @@ async fn a_hangar_that_was_started_anew_has_none_of_the_vehicles() {
 async fn what_is_no_hangar_is_told_from_one_that_is_not_there() {
     let listener = TcpListener::bind("127.0.0.1:0").await.expect("a port");
     let address = format!("http://{}", listener.local_addr().expect("it is bound"));
-    let remote = Remote::new(address.parse().expect("an address"), None);
+    let remote = RemoteHangar::new(address.parse().expect("an address"), None);
     let answers = [
         "SSH-2.0-OpenSSH_9.6\r\n",
         "HTTP/1.1 404 Not Found\r\nContent-Length: 5\r\n\r\nnginx",
@@ -268,8 +278,8 @@ async fn what_is_no_hangar_is_told_from_one_that_is_not_there() {
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn a_wrong_token_is_told_as_such() {
     let served = Served::start(1).await;
-    let wrong = Token::random().expect("random numbers");
-    let remote = Remote::new(served.remote().address().clone(), Some(wrong));
+    let wrong = HangarToken::random().expect("random numbers");
+    let remote = RemoteHangar::new(served.remote().address().clone(), Some(wrong));
     let error = remote.status().await.expect_err("it is wrong");
     assert!(matches!(error, ClientError::Unauthorised { .. }), "{error}");
     let hangars = Hangars::far(vec![remote]);

@@ -65,7 +65,7 @@ async fn a_tunnel_is_for_one_at_a_time_and_asks_for_an_upgrade() {
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn an_exposed_vehicle_has_a_port_of_its_own() {
-    let adjust = |setup: &mut sortie::hangar::service::Setup| setup.expose = true;
+    let adjust = |setup: &mut sortie::hangar::service::ServiceSetup| setup.expose = true;
     let served = Served::with(2, Some(crate::stand_in::Behaviour::Normal), adjust).await;
     let started = served.post("{}").await.json();
     let port = started["port"].as_u64().expect("a port") as u16;

@@ -5,7 +5,7 @@ use std::time::Duration;
 use tokio::io::AsyncWriteExt as _;
 
 use super::{Answer, Served};
-use sortie::hangar::service::Setup;
+use sortie::hangar::service::ServiceSetup;
 
 /// Short, so that a test is over soon; nothing is expected to be done within it.
 const SOON: Duration = Duration::from_millis(300);
@@ -43,7 +43,7 @@ async fn what_is_too_long_is_refused() {
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn slow_clients_are_hung_up_on_and_others_served_meanwhile() {
-    let adjust = |setup: &mut Setup| {
+    let adjust = |setup: &mut ServiceSetup| {
         setup.bounds.head = SOON;
         setup.bounds.body = SOON;
     };
@@ -88,7 +88,7 @@ async fn slow_clients_are_hung_up_on_and_others_served_meanwhile() {
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn who_holds_all_connections_does_not_hold_them_for_long() {
-    let adjust = |setup: &mut Setup| {
+    let adjust = |setup: &mut ServiceSetup| {
         setup.bounds.connections = 3;
         setup.bounds.head = SOON * 10;
     };
@@ -117,7 +117,7 @@ async fn who_holds_all_connections_does_not_hold_them_for_long() {
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn those_who_wait_leave_room_for_those_who_ask() {
-    let adjust = |setup: &mut Setup| setup.bounds.waiting = 2;
+    let adjust = |setup: &mut ServiceSetup| setup.bounds.waiting = 2;
     let served = Served::with(1, None, adjust).await;
     let mut waiting = Vec::new();
     for _ in 0..2 {

@@ -1,6 +1,6 @@
 //! The room of the vehicles' processes.
 
-use sortie::app::state::{Activity, Instance, Stage};
+use sortie::app::state::{Activity, Instance, SitlStage};
 use sortie::text::Language;
 
 use crate::console::hangar::{crashed, hear, instance, start};
@@ -19,29 +19,29 @@ fn all_stages(language: Language) -> Console {
     };
     let again = Instance {
         restarts: 2,
-        ..instance(4, Stage::Heartbeat)
+        ..instance(4, SitlStage::Heartbeat)
     };
     let far = Instance {
         host: Some("http://lab-2:5700".to_owned()),
         hint: Some("PreArm: Compass not calibrated".to_owned()),
-        ..complete(6, Stage::Position)
+        ..complete(6, SitlStage::Position)
     };
     hear(
         &mut console,
         vec![
             Instance {
                 pid: None,
-                ..early(1, Stage::Queued)
+                ..early(1, SitlStage::Queued)
             },
-            early(2, Stage::Process),
+            early(2, SitlStage::Process),
             Instance {
                 parameters: [0, 0],
-                ..instance(3, Stage::Heartbeat)
+                ..instance(3, SitlStage::Heartbeat)
             },
             again,
-            complete(5, Stage::Parameters),
+            complete(5, SitlStage::Parameters),
             far,
-            complete(7, Stage::Ready),
+            complete(7, SitlStage::Ready),
             crashed(8),
         ],
     );

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use sortie::app::event::LinkEvent;
 use sortie::app::room::messages::{LinkTraffic, wanted};
-use sortie::inspector::{Census, Direction, Watched};
+use sortie::inspector::{Census, Direction, WatchedMessage};
 use sortie::link::TlogReader;
 use sortie::text::{Language, Locale};
 use sortie::ui::Look;
@@ -220,7 +220,7 @@ fn a_field_is_drawn_as_a_graph_wherever_one_is_until_it_is_let_go() {
     let census = recorded("flight.tlog", 0);
     let frame = census.tally(key).expect("it").last.clone();
     let frames = (0..50).map(|at| (Duration::from_secs(50 + at), frame.clone()));
-    let watched = Watched {
+    let watched = WatchedMessage {
         key,
         frames: frames.collect(),
         dropped: 0,

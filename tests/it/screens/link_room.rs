@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use sortie::app::event::LinkEvent;
 use sortie::app::state::{Activity, LinkSummary, Room};
-use sortie::doctor::{Cause, Finding, Way};
+use sortie::doctor::{Cause, LinkFinding, Way};
 use sortie::vehicle::Vehicle;
 
 use super::inspector::shows;
@@ -29,8 +29,8 @@ fn link(name: &str, up: bool) -> LinkSummary {
     }
 }
 
-fn finding(link: usize, way: Way, cause: Cause) -> Finding {
-    Finding { link, way, cause }
+fn finding(link: usize, way: Way, cause: Cause) -> LinkFinding {
+    LinkFinding { link, way, cause }
 }
 
 /// In the room of links, with one that is sick and one that is closed.

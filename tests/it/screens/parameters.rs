@@ -7,7 +7,9 @@ use ratatui::backend::TestBackend;
 use sortie::app::effect::FileKind;
 use sortie::app::event::{FileEvent, VehicleEvent};
 use sortie::ledger::RowState;
-use sortie::parameters::{Fetching, Heard, ParameterType, Parameters, Snapshot};
+use sortie::parameters::{
+    Fetching, HeardParameter, ParameterList, ParameterSnapshot, ParameterType,
+};
 use sortie::text::{Language, Locale};
 use sortie::ui::{self, Look};
 
@@ -39,7 +41,7 @@ fn edited() -> Console {
         arrives(&mut console, vehicle, {
             let mut list = list(f32::from(vehicle), 1000.0);
             let value = if vehicle == 2 { 1000.0 } else { 640.0 };
-            list.note(&Heard {
+            list.note(&HeardParameter {
                 name: "WPNAV_SPEED",
                 value,
                 kind: ParameterType::Real32,
@@ -76,9 +78,9 @@ fn a_list_that_is_coming() {
     let mut console = Console::flying(2);
     console.press("P").at(1);
     check("none", &console);
-    let mut half = Parameters::default();
+    let mut half = ParameterList::default();
     for index in 0..500_u16 {
-        half.note(&Heard {
+        half.note(&HeardParameter {
             name: &format!("P{index:04}"),
             value: f32::from(index) / 3.0,
             kind: ParameterType::Real32,
@@ -90,10 +92,10 @@ fn a_list_that_is_coming() {
     lost.link.lost = true;
     let mut hear = |fetching| {
         let list = Arc::new(half.clone());
-        let snapshot = Snapshot {
+        let snapshot = ParameterSnapshot {
             list,
             fetching,
-            ..Snapshot::default()
+            ..ParameterSnapshot::default()
         };
         console.hear(VehicleEvent::Parameters {
             vehicle: 1,
@@ -118,10 +120,10 @@ fn a_list_that_is_coming() {
     console.vehicle(lost);
     let list = Arc::new(half);
     let fetching = Fetching::UnderWay { fruitless: 0 };
-    let snapshot = Snapshot {
+    let snapshot = ParameterSnapshot {
         list,
         fetching,
-        ..Snapshot::default()
+        ..ParameterSnapshot::default()
     };
     console.hear(VehicleEvent::Parameters {
         vehicle: 1,

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 use std::time::Duration;
 
 use super::LinkTraffic;
-use crate::inspector::{Key, Value, read};
+use crate::inspector::{FieldReading, TallyKey, read};
 use crate::wire::Anatomy;
 
 /// How far a graph looks back.
@@ -17,7 +17,7 @@ pub struct Pin {
     /// The link, by its number.
     pub link: usize,
     /// The message.
-    pub key: Key,
+    pub key: TallyKey,
     /// The field's place in the message.
     pub field: usize,
     /// `ATTITUDE.roll`.
@@ -39,7 +39,10 @@ impl Pin {
         for (at, bytes) in mine.iter().flat_map(|watched| &watched.frames) {
             let reading = Anatomy::of(bytes).map(|frame| read(&frame));
             let value = reading.as_ref().and_then(|it| it.values.get(self.field));
-            if let Some(number) = value.filter(|it| !it.is_unknown).and_then(Value::number) {
+            if let Some(number) = value
+                .filter(|it| !it.is_unknown)
+                .and_then(FieldReading::number)
+            {
                 self.points.push_back((*at, number));
             }
         }

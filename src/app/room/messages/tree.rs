@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::time::Duration;
 
 use super::{LinkTraffic, Messages, Sort};
-use crate::inspector::{Direction, Key, Rate, Source, Tally, name_of};
+use crate::inspector::{Direction, FrameSource, MessageTally, Rate, TallyKey, name_of};
 use crate::wire::SystemId;
 
 /// With more systems than this they are closed to begin with.
@@ -19,9 +19,9 @@ pub enum Node {
     /// A system at one end of it, or this program.
     System(usize, Direction, u32, SystemId),
     /// One of its components.
-    Component(usize, Source),
+    Component(usize, FrameSource),
     /// One of its messages.
-    Message(usize, Key),
+    Message(usize, TallyKey),
 }
 
 impl Node {
@@ -67,7 +67,7 @@ impl Node {
         false
     }
 
-    fn system_of(link: usize, source: Source) -> Self {
+    fn system_of(link: usize, source: FrameSource) -> Self {
         Self::System(link, source.direction, source.peer, source.system)
     }
 }
@@ -101,7 +101,7 @@ impl Branch {
         }
     }
 
-    fn of(node: Node, tally: &Tally, now: Duration) -> Self {
+    fn of(node: Node, tally: &MessageTally, now: Duration) -> Self {
         Self {
             rate: tally.rate(now),
             count: tally.count,
@@ -192,7 +192,7 @@ impl Messages {
         is_open
     }
 
-    fn matches(&self, key: Key) -> bool {
+    fn matches(&self, key: TallyKey) -> bool {
         if self.filter.is_empty() {
             return true;
         }

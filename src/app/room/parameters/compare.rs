@@ -7,7 +7,7 @@ use super::files::incomplete;
 use super::{Setting, coming, rows};
 use crate::app::action::Action;
 use crate::app::state::{Confirm, Consequence, Overlay, State, ranges};
-use crate::parameters::{Finding, is_the_vehicles_own};
+use crate::parameters::{ParameterFinding, is_the_vehicles_own};
 use crate::text;
 use crate::vehicle::{Severity, VehicleId};
 
@@ -51,11 +51,11 @@ impl Comparison {
 
     /// Whether a value would be set: what differs and is not the vehicle's own, unless the user wants it otherwise.
     /// What the vehicle lacks is not set unasked.
-    pub fn is_marked(&self, name: &str, finding: Finding) -> bool {
+    pub fn is_marked(&self, name: &str, finding: ParameterFinding) -> bool {
         let by_itself = match finding {
-            Finding::Changed(..) => !is_the_vehicles_own(name),
-            Finding::Missing(_) => false,
-            Finding::Extra(_) => return false,
+            ParameterFinding::Changed(..) => !is_the_vehicles_own(name),
+            ParameterFinding::Missing(_) => false,
+            ParameterFinding::Extra(_) => return false,
         };
         by_itself != self.turned.contains(name)
     }

@@ -4,7 +4,7 @@ use super::{Comparison, Other};
 use crate::app::effect::{Effect, FileEffect, FileKind};
 use crate::app::room::Room;
 use crate::app::state::State;
-use crate::parameters::{self, Parameters};
+use crate::parameters::{self, ParameterList};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
@@ -82,7 +82,7 @@ pub fn read(state: &mut State, path: String, content: &str) {
 }
 
 /// That a list has not come as a whole.
-pub(super) fn incomplete(vehicle: VehicleId, list: &Parameters) -> Text {
+pub(super) fn incomplete(vehicle: VehicleId, list: &ParameterList) -> Text {
     text!(
         "parameters-not-complete",
         vehicle = vehicle,

@@ -4,7 +4,9 @@ use std::collections::BTreeMap;
 
 use super::{Comparison, Other};
 use crate::app::state::State;
-use crate::parameters::{Difference, Fetching, Finding, Parameter, differences};
+use crate::parameters::{
+    Fetching, ListedParameter, ParameterDifference, ParameterFinding, differences,
+};
 use crate::vehicle::VehicleId;
 
 /// One line of the list.
@@ -13,16 +15,18 @@ pub struct Row<'a> {
     /// The name.
     pub name: &'a str,
     /// The parameter of the vehicle that is shown, if it has it.
-    pub now: Option<Parameter>,
+    pub now: Option<ListedParameter>,
     /// How it differs from what it is compared with.
-    pub finding: Option<Finding>,
+    pub finding: Option<ParameterFinding>,
 }
 
 impl Row<'_> {
     /// The value on the other side of a comparison.
     pub fn other(&self) -> Option<f32> {
         match self.finding {
-            Some(Finding::Changed(_, other) | Finding::Missing(other)) => Some(other),
+            Some(ParameterFinding::Changed(_, other) | ParameterFinding::Missing(other)) => {
+                Some(other)
+            }
             _ => None,
         }
     }
@@ -64,9 +68,11 @@ fn plain(state: &State, vehicle: VehicleId) -> impl Iterator<Item = Row<'_>> {
 
 fn compared<'a>(state: &'a State, vehicle: VehicleId, comparison: &'a Comparison) -> Vec<Row<'a>> {
     let mut found = difference(state, vehicle, &comparison.with);
-    found.retain(|(_, finding)| comparison.lists_extra || !matches!(finding, Finding::Extra(_)));
+    found.retain(|(_, finding)| {
+        comparison.lists_extra || !matches!(finding, ParameterFinding::Extra(_))
+    });
     let set = comparison.set.iter().map(|name| (name.as_str(), None));
-    let mut all: BTreeMap<&str, Option<Finding>> = set.collect();
+    let mut all: BTreeMap<&str, Option<ParameterFinding>> = set.collect();
     all.extend(
         found
             .into_iter()
@@ -85,7 +91,8 @@ pub fn extra(state: &State, comparison: &Comparison) -> usize {
     let vehicle = state.session.cursor;
     let found = vehicle.map(|vehicle| difference(state, vehicle, &comparison.with));
     let found = found.unwrap_or_default();
-    let is_extra = |(_, finding): &&(&str, Finding)| matches!(finding, Finding::Extra(_));
+    let is_extra =
+        |(_, finding): &&(&str, ParameterFinding)| matches!(finding, ParameterFinding::Extra(_));
     found.iter().filter(is_extra).count()
 }
 
@@ -94,7 +101,7 @@ fn difference<'a>(
     state: &'a State,
     vehicle: VehicleId,
     with: &'a Other,
-) -> Vec<(&'a str, Finding)> {
+) -> Vec<(&'a str, ParameterFinding)> {
     let lists = &state.rooms.parameters.lists;
     let of = |id: VehicleId| {
         let known = lists.get(&id).into_iter();
@@ -102,7 +109,7 @@ fn difference<'a>(
             .flat_map(|known| known.list.iter())
             .map(|(name, parameter)| (name, parameter.value))
     };
-    let found: Vec<Difference<'a>> = match with {
+    let found: Vec<ParameterDifference<'a>> = match with {
         Other::Vehicle(other) => differences(of(vehicle), of(*other)),
         Other::File { values, .. } => {
             let values = values.iter().map(|(name, value)| (name.as_str(), *value));
@@ -111,8 +118,8 @@ fn difference<'a>(
     };
     let is_coming = coming(state, vehicle, with).is_some();
     // What one side lacks so far may still come.
-    let is_sure = |finding| !is_coming || matches!(finding, Finding::Changed(..));
-    let pair = |difference: Difference<'a>| (difference.name, difference.finding);
+    let is_sure = |finding| !is_coming || matches!(finding, ParameterFinding::Changed(..));
+    let pair = |difference: ParameterDifference<'a>| (difference.name, difference.finding);
     let pairs = found.into_iter().map(pair);
     pairs.filter(|(_, finding)| is_sure(*finding)).collect()
 }

@@ -6,7 +6,7 @@ use ratatui::symbols::Marker;
 use ratatui::widgets::{Axis, Block, Chart, Dataset, GraphType, Widget as _};
 
 use super::figure::{Figure, figures, label};
-use super::sample::Row;
+use super::sample::ScaleRow;
 use crate::ui::ascii;
 
 /// Two figures beside each other fit an ordinary terminal.
@@ -16,7 +16,7 @@ const ROWS: u16 = 13;
 const POINT: &str = "•";
 
 /// The figures as lines of text, 80 columns wide.
-pub(super) fn chart(rows: &[Row], is_ascii: bool) -> String {
+pub(super) fn chart(rows: &[ScaleRow], is_ascii: bool) -> String {
     let mut buffer = Buffer::empty(Rect::new(0, 0, 2 * COLUMNS, 2 * ROWS));
     for (index, figure) in figures(rows).iter().enumerate() {
         let (column, row) = (index as u16 % 2, index as u16 / 2);

@@ -1,7 +1,7 @@
 //! The four figures: the simulator's and the model update's processor time, in total and per vehicle, each against
 //! the number of vehicles and beside what the paper has. [`super::chart`] and [`super::svg`] draw them.
 
-use super::sample::Row;
+use super::sample::ScaleRow;
 
 /// What the paper says of a vehicle, in percent of a core: least and most.
 pub(super) const PAPER_SIM: [f64; 2] = [0.8, 1.0];
@@ -24,13 +24,13 @@ pub(super) struct Figure {
 }
 
 /// The four figures of a series.
-pub(super) fn figures(rows: &[Row]) -> [Figure; 4] {
-    type Value = fn(&Row) -> Option<f64>;
-    let flown: Vec<&Row> = rows.iter().filter(|row| row.repeats > 0).collect();
+pub(super) fn figures(rows: &[ScaleRow]) -> [Figure; 4] {
+    type Value = fn(&ScaleRow) -> Option<f64>;
+    let flown: Vec<&ScaleRow> = rows.iter().filter(|row| row.repeats > 0).collect();
     let most = flown.iter().map(|row| row.vehicles).max().unwrap_or(1);
     let most_vehicles = f64::from(most.max(1));
     let figure = |title, value: Value, paper: [f64; 2], is_total: bool| {
-        let point = |row: &&Row| Some((f64::from(row.vehicles), value(row)?));
+        let point = |row: &&ScaleRow| Some((f64::from(row.vehicles), value(row)?));
         let measured: Vec<_> = flown.iter().filter_map(point).collect();
         let paper = paper.map(|each| {
             let at = |vehicles: f64| (vehicles, if is_total { each * vehicles } else { each });

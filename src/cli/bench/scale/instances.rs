@@ -8,13 +8,15 @@ use tokio::io::DuplexStream;
 
 use super::cost::{self, Counted};
 use crate::hangar::programs::{self, PATIENCE};
-use crate::hangar::{Config, Hangar, Hangars, Home, Launch, Place, Restart, Stage};
+use crate::hangar::{
+    Hangar, HangarSetup, Hangars, InstancePlace, Launch, LaunchHome, Restart, SitlStage,
+};
 use crate::sim::{SYSTEMS, Start};
-use crate::sitl::Kind;
+use crate::sitl::SitlKind;
 
 /// A hangar for a series of measurements. Whoever kills this program ends its processes too; what the hangar's folder
 /// keeps is seen to by the next hangar in it.
-pub(super) struct Bay {
+pub(super) struct SitlBench {
     hangars: Hangars,
     counted: Counted,
     /// The program with its version.
@@ -23,28 +25,28 @@ pub(super) struct Bay {
 
 /// The processes of one measurement. Dropping it ends them.
 pub(super) struct Instances<'a> {
-    bay: &'a Bay,
-    places: Vec<Place>,
+    bench: &'a SitlBench,
+    places: Vec<InstancePlace>,
 }
 
-impl Bay {
+impl SitlBench {
     /// Opens the hangar, once its program has said that it is an `arducopter`.
     ///
     /// # Errors
     /// It is none, or the hangar's folder cannot be used.
-    pub fn open(config: Config) -> anyhow::Result<Self> {
+    pub fn open(config: HangarSetup) -> anyhow::Result<Self> {
         let counted = Counted::start("hangar")?;
-        let config = Config {
+        let config = HangarSetup {
             restart: Restart::Never,
             ..config
         };
-        let file = config.programs.get(&Kind::Copter).cloned();
+        let file = config.programs.get(&SitlKind::Copter).cloned();
         let file = file.unwrap_or_default();
         let (identity, hangars) = counted.runtime.block_on(async {
             let identity = programs::identify(&file, PATIENCE).await?;
             anyhow::Ok((identity, Hangars::own(Hangar::open(config)?)))
         })?;
-        if identity.kind != Kind::Copter {
+        if identity.kind != SitlKind::Copter {
             anyhow::bail!(
                 "{}: is no arducopter, but an {}",
                 file.display(),
@@ -69,17 +71,23 @@ impl Bay {
     /// Why one of them cannot be started.
     pub fn launch(&self, starts: &[Start]) -> anyhow::Result<(Instances<'_>, Vec<DuplexStream>)> {
         let launch = |(index, &start): (usize, &Start)| Launch {
-            home: Home::from(start),
+            home: LaunchHome::from(start),
             system: Some((index % SYSTEMS) as u8 + 1),
             ..Launch::default()
         };
         let launches = starts.iter().enumerate().map(launch).collect();
-        let berths = self
+        let launched = self
             .counted
             .runtime
             .block_on(self.hangars.launch(launches))?;
-        let (places, pipes) = berths.into_iter().map(|b| (b.place, b.pipe)).unzip();
-        Ok((Instances { bay: self, places }, pipes))
+        let (places, pipes) = launched.into_iter().map(|b| (b.place, b.pipe)).unzip();
+        Ok((
+            Instances {
+                bench: self,
+                places,
+            },
+            pipes,
+        ))
     }
 }
 
@@ -89,10 +97,10 @@ impl Instances<'_> {
     /// # Errors
     /// What one has ended of.
     pub fn ready(&self) -> anyhow::Result<usize> {
-        let seen = self.bay.hangars.instances();
+        let seen = self.bench.hangars.instances();
         let seen = seen.borrow();
         let ours = || seen.iter().filter(|(place, _)| self.places.contains(place));
-        if let Some((place, instance)) = ours().find(|(_, i)| i.stage == Stage::Ended) {
+        if let Some((place, instance)) = ours().find(|(_, i)| i.stage == SitlStage::Ended) {
             let fault = instance.fault.as_deref().unwrap_or("it has ended");
             let last = instance
                 .last_output
@@ -100,12 +108,12 @@ impl Instances<'_> {
                 .map(|line| format!("; it said last: {line}"));
             anyhow::bail!("instance {}: {fault}{}", place.id, last.unwrap_or_default());
         }
-        Ok(ours().filter(|(_, i)| i.stage == Stage::Ready).count())
+        Ok(ours().filter(|(_, i)| i.stage == SitlStage::Ready).count())
     }
 
     /// Processor time of each process so far, all its threads together.
     pub fn spent(&self) -> io::Result<Vec<Duration>> {
-        let seen = self.bay.hangars.instances();
+        let seen = self.bench.hangars.instances();
         let seen = seen.borrow();
         let ours = seen.iter().filter(|(place, _)| self.places.contains(place));
         ours.filter_map(|(_, i)| i.pid)
@@ -119,8 +127,8 @@ impl Drop for Instances<'_> {
         let stops = self
             .places
             .drain(..)
-            .map(|place| self.bay.hangars.stop(place));
+            .map(|place| self.bench.hangars.stop(place));
         // One that has ended by itself is as good.
-        self.bay.counted.runtime.block_on(join_all(stops));
+        self.bench.counted.runtime.block_on(join_all(stops));
     }
 }

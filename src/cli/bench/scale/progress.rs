@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 const EVERY: Duration = Duration::from_millis(500);
 
 /// One line that is written again and again on a terminal, and a line per phase elsewhere.
-pub(super) struct Progress {
+pub(super) struct ScaleProgress {
     is_terminal: bool,
     said: String,
     said_at: Instant,
@@ -23,7 +23,7 @@ pub(super) struct Progress {
     pub left: usize,
 }
 
-impl Progress {
+impl ScaleProgress {
     /// A series of so many repeats, each of which takes so long and longer.
     pub fn new(repeats: usize, repeat: Duration) -> Self {
         let now = Instant::now();

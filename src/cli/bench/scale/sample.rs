@@ -10,7 +10,7 @@ use super::strain;
 
 /// Where all meters stand.
 #[derive(Debug)]
-pub(super) struct Mark {
+pub(super) struct ScaleMark {
     pub at: Instant,
     /// Processor time of each thread or process of the simulator.
     pub sim: Vec<Duration>,
@@ -30,7 +30,7 @@ pub(super) struct Mark {
 
 /// What one repeat has measured.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub(super) struct Sample {
+pub(super) struct ScaleSample {
     pub window_s: f64,
     pub sim_ms: f64,
     pub model_ms: f64,
@@ -53,9 +53,9 @@ pub(super) struct Sample {
     pub void: Option<String>,
 }
 
-impl Sample {
+impl ScaleSample {
     /// What there was between two marks.
-    pub fn between(before: &Mark, after: &Mark) -> Self {
+    pub fn between(before: &ScaleMark, after: &ScaleMark) -> Self {
         let window_s = (after.at - before.at).as_secs_f64();
         let ms =
             |after: Duration, before: Duration| after.saturating_sub(before).as_secs_f64() * 1e3;
@@ -116,7 +116,7 @@ fn factor(
 
 /// The figures of a count of vehicles: medians over its repeats. The first nine fields are what scripts rely on.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
-pub(super) struct Row {
+pub(super) struct ScaleRow {
     pub vehicles: u16,
     pub window_s: f64,
     pub sim_cpu_ms: f64,
@@ -141,20 +141,20 @@ pub(super) struct Row {
     pub gave_way: Option<String>,
 }
 
-impl Row {
+impl ScaleRow {
     /// The row of a count's repeats. Void repeats do not count.
-    pub fn of(vehicles: u16, samples: &[Sample]) -> Self {
-        let used: Vec<&Sample> = samples.iter().filter(|s| s.void.is_none()).collect();
-        let some = |value: &dyn Fn(&Sample) -> Option<f64>| {
+    pub fn of(vehicles: u16, samples: &[ScaleSample]) -> Self {
+        let used: Vec<&ScaleSample> = samples.iter().filter(|s| s.void.is_none()).collect();
+        let some = |value: &dyn Fn(&ScaleSample) -> Option<f64>| {
             median(used.iter().filter_map(|s| value(s)).collect())
         };
-        let middle = |value: &dyn Fn(&Sample) -> f64| some(&|s| Some(value(s))).unwrap_or(0.0);
+        let middle = |value: &dyn Fn(&ScaleSample) -> f64| some(&|s| Some(value(s))).unwrap_or(0.0);
         let each =
             |total: f64| (vehicles > 0 && !used.is_empty()).then(|| total / f64::from(vehicles));
         let sim = middle(&|s| percent(s.sim_ms, s.window_s));
         let model = middle(&|s| percent(s.model_ms, s.window_s));
         let per_message =
-            |s: &Sample| (s.messages > 0).then(|| s.model_ms * 1e3 / s.messages as f64);
+            |s: &ScaleSample| (s.messages > 0).then(|| s.model_ms * 1e3 / s.messages as f64);
         let lost = used.iter().map(|s| s.lost_in_console + s.lost_before);
         Self {
             vehicles,

@@ -1,7 +1,7 @@
 //! Which part gave way when real time was not held.
 
 use super::cost;
-use super::sample::Sample;
+use super::sample::ScaleSample;
 
 /// Below this many simulated seconds per second, real time is not held.
 const HELD_FROM: f64 = 0.97;
@@ -18,7 +18,7 @@ const AT_ITS_END_PERCENT: f64 = 98.0;
 const MEMORY_SHORT_PERCENT: f64 = 3.0;
 
 /// What could not keep up; `None` if everything could.
-pub(super) fn gave_way(sample: &Sample) -> Option<String> {
+pub(super) fn gave_way(sample: &ScaleSample) -> Option<String> {
     let factor = sample.factor.map_or(1.0, |(mean, _)| mean);
     let lost = sample.lost_in_console + sample.lost_before;
     let lost_share = lost as f64 / (lost + sample.messages).max(1) as f64;
@@ -35,7 +35,7 @@ pub(super) fn gave_way(sample: &Sample) -> Option<String> {
     }
 }
 
-fn part(sample: &Sample) -> String {
+fn part(sample: &ScaleSample) -> String {
     let (sim, model) = (sample.sim_most_percent, sample.model_most_percent);
     if let Some(free) = sample.memory_free_percent
         && free < MEMORY_SHORT_PERCENT
@@ -81,14 +81,14 @@ fn part(sample: &Sample) -> String {
 mod tests {
     use super::*;
 
-    type Change = fn(&mut Sample);
+    type Change = fn(&mut ScaleSample);
 
     #[test]
     fn whatever_could_not_keep_up_is_named_with_its_figures() {
-        let calm = Sample {
+        let calm = ScaleSample {
             window_s: 1.0,
             messages: 1000,
-            ..Sample::default()
+            ..ScaleSample::default()
         };
         let cases: [(f64, Change, Option<&str>); 10] = [
             (0.99, |_| {}, None),

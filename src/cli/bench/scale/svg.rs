@@ -1,7 +1,7 @@
 //! The figures as a drawing.
 
 use super::figure::{Figure, figures, label, rounded_up};
-use super::sample::Row;
+use super::sample::ScaleRow;
 
 /// Pixels of the drawing's heading, and of each of the four panels below it.
 const HEADING: usize = 40;
@@ -13,7 +13,7 @@ const MEASURED: &str = "#005aa0";
 const PAPER: &str = "#be5000";
 
 /// The four figures as an SVG document with this heading.
-pub(super) fn svg(rows: &[Row], heading: &str) -> String {
+pub(super) fn svg(rows: &[ScaleRow], heading: &str) -> String {
     let (width, height) = (2 * PANEL.0, HEADING + 2 * PANEL.1);
     let middle = PANEL.0;
     let heading = heading.replace('&', "&amp;").replace('<', "&lt;");

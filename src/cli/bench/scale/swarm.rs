@@ -10,13 +10,13 @@ use tokio::sync::{mpsc, watch};
 use tokio_util::sync::{CancellationToken, DropGuard};
 
 use super::cost::{Counted, Machine};
-use super::instances::{Bay, Instances};
-use super::sample::Mark;
+use super::instances::{Instances, SitlBench};
+use super::sample::ScaleMark;
 use crate::commands::Command;
-use crate::fleet::{Clock, Fleet, FleetEvent};
+use crate::fleet::{Fleet, FleetClock, FleetEvent};
 use crate::geo::LatLon;
 use crate::ledger::{EntryId, RowState};
-use crate::link::{Endpoint, LinkStatus, Simulator, Started, Transport};
+use crate::link::{Endpoint, LinkStatus, Simulator, StartedSimulator, Transport};
 use crate::session::{Report, Stream, VehicleCommand};
 use crate::sim::{SYSTEMS, Start, World, WorldConfig};
 use crate::vehicle::{Vehicle, VehicleId};
@@ -43,33 +43,33 @@ const fn stream(message: u32, rate_hz: f64) -> Stream {
 }
 
 /// Vehicles in a row with the fleets on them. Dropping it ends everything.
-pub(super) struct Swarm<'a> {
+pub(super) struct ScaleSwarm<'a> {
     size: usize,
-    parts: Vec<Part>,
+    parts: Vec<SwarmPart>,
     vehicles: BTreeMap<(usize, VehicleId), watch::Receiver<Arc<Vehicle>>>,
     refusal: Option<String>,
-    running: Running<'a>,
+    running: RunningSimulation<'a>,
 }
 
 /// Up to 254 vehicles, of which each has a system id of its own, and the fleet on them.
-struct Part {
+struct SwarmPart {
     fleet: Fleet,
     events: mpsc::Receiver<FleetEvent>,
     links: Vec<watch::Receiver<LinkStatus>>,
     counted: Counted,
 }
 
-enum Running<'a> {
+enum RunningSimulation<'a> {
     Embedded { counted: Counted, _end: DropGuard },
-    ArduPilot(Instances<'a>, &'a Bay),
+    ArduPilot(Instances<'a>, &'a SitlBench),
 }
 
-impl<'a> Swarm<'a> {
-    /// Starts so many vehicles, embedded ones without a bay, and the console's fleets on them.
+impl<'a> ScaleSwarm<'a> {
+    /// Starts so many vehicles, embedded ones without a bench, and the console's fleets on them.
     ///
     /// # Errors
     /// Why one of them cannot be started.
-    pub fn start(bay: Option<&'a Bay>, size: u16) -> anyhow::Result<Self> {
+    pub fn start(bench: Option<&'a SitlBench>, size: u16) -> anyhow::Result<Self> {
         let size = usize::from(size);
         let row = WorldConfig::row(
             size,
@@ -79,15 +79,15 @@ impl<'a> Swarm<'a> {
                 heading_deg: 0.0,
             },
         );
-        let (running, pipes) = match bay {
+        let (running, pipes) = match bench {
             None => embedded(&row)?,
-            Some(bay) => {
-                let (instances, pipes) = bay.launch(&row.starts)?;
-                (Running::ArduPilot(instances, bay), pipes)
+            Some(bench) => {
+                let (instances, pipes) = bench.launch(&row.starts)?;
+                (RunningSimulation::ArduPilot(instances, bench), pipes)
             }
         };
-        let parts = (0..size.div_ceil(SYSTEMS).max(1)).map(|_| Part::start());
-        let parts: Vec<Part> = parts.collect::<anyhow::Result<_>>()?;
+        let parts = (0..size.div_ceil(SYSTEMS).max(1)).map(|_| SwarmPart::start());
+        let parts: Vec<SwarmPart> = parts.collect::<anyhow::Result<_>>()?;
         for (index, pipe) in pipes.into_iter().enumerate() {
             parts[index / SYSTEMS]
                 .fleet
@@ -147,11 +147,13 @@ impl<'a> Swarm<'a> {
     /// Why one never will.
     pub fn ready(&self) -> anyhow::Result<(usize, usize)> {
         let ready = match &self.running {
-            Running::Embedded { .. } => {
+            RunningSimulation::Embedded { .. } => {
                 let ready = self.each(Vehicle::ready_to_arm);
                 ready.into_iter().filter(|is_ready| *is_ready).count()
             }
-            Running::ArduPilot(instances, _) => instances.ready()?.min(self.vehicles.len()),
+            RunningSimulation::ArduPilot(instances, _) => {
+                instances.ready()?.min(self.vehicles.len())
+            }
         };
         Ok((ready, self.size))
     }
@@ -170,14 +172,16 @@ impl<'a> Swarm<'a> {
     ///
     /// # Errors
     /// The system does not tell, or a simulator has ended.
-    pub fn mark(&self) -> anyhow::Result<Mark> {
+    pub fn mark(&self) -> anyhow::Result<ScaleMark> {
         let model: Result<_, _> = self.parts.iter().map(|part| part.counted.spent()).collect();
         let (sim, relay) = match &self.running {
-            Running::Embedded { counted, .. } => (vec![counted.spent()?], None),
-            Running::ArduPilot(instances, bay) => (instances.spent()?, Some(bay.spent()?)),
+            RunningSimulation::Embedded { counted, .. } => (vec![counted.spent()?], None),
+            RunningSimulation::ArduPilot(instances, bench) => {
+                (instances.spent()?, Some(bench.spent()?))
+            }
         };
         let links = self.parts.iter().flat_map(|part| &part.links);
-        Ok(Mark {
+        Ok(ScaleMark {
             at: Instant::now(),
             sim,
             model: model?,
@@ -194,12 +198,12 @@ impl<'a> Swarm<'a> {
     }
 }
 
-fn embedded(row: &WorldConfig) -> anyhow::Result<(Running<'static>, Vec<DuplexStream>)> {
+fn embedded(row: &WorldConfig) -> anyhow::Result<(RunningSimulation<'static>, Vec<DuplexStream>)> {
     let counted = Counted::start("simulator")?;
     let cancel = CancellationToken::new();
     let start = Simulator::start(World::new(row), 1.0, &[Endpoint::Pipes], cancel.clone());
-    let Started { pipes, .. } = counted.runtime.block_on(start)?;
-    let running = Running::Embedded {
+    let StartedSimulator { pipes, .. } = counted.runtime.block_on(start)?;
+    let running = RunningSimulation::Embedded {
         counted,
         _end: cancel.drop_guard(),
     };
@@ -211,12 +215,12 @@ pub(super) fn interval(Stream { message, rate_hz }: Stream) -> Command {
     Command::MessageInterval { message, rate_hz }
 }
 
-impl Part {
+impl SwarmPart {
     fn start() -> anyhow::Result<Self> {
         let counted = Counted::start("model")?;
         let inside = counted.runtime.enter();
         let (fleet, events) =
-            Fleet::start_wanting(STREAMS, Clock::start(), CancellationToken::new());
+            Fleet::start_wanting(STREAMS, FleetClock::start(), CancellationToken::new());
         drop(inside);
         Ok(Self {
             fleet,
@@ -246,7 +250,7 @@ mod tests {
 
     #[test]
     fn more_commands_than_the_fleet_keeps_are_not_lost() {
-        let part = Part::start().expect("a thread");
+        let part = SwarmPart::start().expect("a thread");
         let (release, released) = std::sync::mpsc::channel::<()>();
         // The fleet's only thread is busy until all are given but some.
         part.counted.runtime.spawn(async move { released.recv() });

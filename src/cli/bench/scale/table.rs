@@ -1,10 +1,10 @@
 //! The figures as tables, beside the paper's.
 
 use super::figure::{PAPER_MODEL, PAPER_SIM, PAPER_US_PER_MESSAGE};
-use super::sample::Row;
+use super::sample::ScaleRow;
 
 /// Of what the tables are.
-pub(super) struct Heading<'a> {
+pub(super) struct ScaleHeading<'a> {
     pub simulator: &'a str,
     pub seconds: f64,
     pub repeats: u16,
@@ -14,7 +14,7 @@ pub(super) struct Heading<'a> {
 }
 
 /// The tables, 80 columns wide at most but for what is told of single repeats.
-pub(super) fn table(rows: &[Row], heading: &Heading<'_>) -> String {
+pub(super) fn table(rows: &[ScaleRow], heading: &ScaleHeading<'_>) -> String {
     let flown = || rows.iter().filter(|row| row.repeats > 0);
     let mut lines = vec![
         format!("Simulator: {}.", heading.simulator),
@@ -67,7 +67,7 @@ pub(super) fn table(rows: &[Row], heading: &Heading<'_>) -> String {
     lines.join("\n")
 }
 
-fn simulator(row: &Row) -> String {
+fn simulator(row: &ScaleRow) -> String {
     let [least, most] = PAPER_SIM;
     format!(
         "{:>6} {:>8.0} {:>12.2} {:>12} {:>19} {:>13}",
@@ -80,7 +80,7 @@ fn simulator(row: &Row) -> String {
     )
 }
 
-fn model(row: &Row) -> String {
+fn model(row: &ScaleRow) -> String {
     let [least, most] = PAPER_MODEL;
     format!(
         "{:>6} {:>8.1} {:>12.3} {:>12} {:>19} {:>11} {:>6}",
@@ -95,7 +95,7 @@ fn model(row: &Row) -> String {
 }
 
 /// The paper's figure where it has one: it went from 1 to 32 drones.
-fn paper(row: &Row, figure: String) -> String {
+fn paper(row: &ScaleRow, figure: String) -> String {
     if (1..=32).contains(&row.vehicles) {
         figure
     } else {

@@ -1,30 +1,30 @@
 use std::time::{Duration, Instant};
 
 use super::cost::Machine;
-use super::sample::{Mark, Row, Sample};
+use super::sample::{ScaleMark, ScaleRow, ScaleSample};
 use super::{chart, svg, table};
 
-fn sample(vehicles: u16, slowness: f64) -> Sample {
+fn sample(vehicles: u16, slowness: f64) -> ScaleSample {
     let each = f64::from(vehicles);
-    Sample {
+    ScaleSample {
         window_s: 20.0,
         sim_ms: (5.0 + 2.0 * each) * slowness,
         model_ms: (1.0 + 8.0 * each) * slowness,
         messages: 424 * u64::from(vehicles),
         factor: (vehicles > 0).then_some((1.0, 0.9998)),
         machine_busy_percent: 3.0,
-        ..Sample::default()
+        ..ScaleSample::default()
     }
 }
 
-fn rows() -> Vec<Row> {
-    let row = |vehicles| Row::of(vehicles, &[1.0, 1.3, 0.9].map(|s| sample(vehicles, s)));
+fn rows() -> Vec<ScaleRow> {
+    let row = |vehicles| ScaleRow::of(vehicles, &[1.0, 1.3, 0.9].map(|s| sample(vehicles, s)));
     [0, 1, 2, 4, 8, 16, 32].map(row).into()
 }
 
-fn mark(at_ms: u64, clocks_ms: [Option<u32>; 2]) -> Mark {
+fn mark(at_ms: u64, clocks_ms: [Option<u32>; 2]) -> ScaleMark {
     let passed = Duration::from_millis(at_ms);
-    Mark {
+    ScaleMark {
         at: Instant::now() + passed,
         sim: vec![passed / 10, passed / 2],
         model: vec![passed / 100],
@@ -40,7 +40,7 @@ fn mark(at_ms: u64, clocks_ms: [Option<u32>; 2]) -> Mark {
 #[test]
 fn what_is_measured_is_what_the_meters_rose_by() {
     let before = mark(1000, [Some(70_000), Some(500)]);
-    let sample = Sample::between(&before, &mark(3000, [Some(72_000), Some(2300)]));
+    let sample = ScaleSample::between(&before, &mark(3000, [Some(72_000), Some(2300)]));
     let near =
         |value: f64, expected: f64| assert!((value / expected - 1.0).abs() < 1e-3, "{sample:?}");
     near(sample.window_s, 2.0);
@@ -52,13 +52,13 @@ fn what_is_measured_is_what_the_meters_rose_by() {
     near(least, 0.9);
     let lost = (sample.messages, sample.lost_in_console, sample.lost_before);
     assert_eq!(lost, (2000, 160, 40));
-    let nothing = Mark {
+    let nothing = ScaleMark {
         sim: Vec::new(),
         ..mark(3000, [None; 2])
     };
-    let nothing = Sample::between(&nothing, &nothing).sim_ms;
+    let nothing = ScaleSample::between(&nothing, &nothing).sim_ms;
     assert!(nothing.is_sign_positive(), "0, and not {nothing}");
-    let silent = Sample::between(&before, &mark(3000, [Some(72_000), None]));
+    let silent = ScaleSample::between(&before, &mark(3000, [Some(72_000), None]));
     assert_eq!(
         silent.factor,
         Some((0.5, 0.0)),
@@ -69,26 +69,26 @@ fn what_is_measured_is_what_the_meters_rose_by() {
 #[test]
 fn the_median_counts_and_void_repeats_do_not() {
     let mut samples = vec![sample(4, 1.0), sample(4, 2.0), sample(4, 9.0)];
-    assert!((Row::of(4, &samples).sim_cpu_ms - 26.0).abs() < 1e-9);
+    assert!((ScaleRow::of(4, &samples).sim_cpu_ms - 26.0).abs() < 1e-9);
     samples[1].void = Some("1 of 4 vehicles did not move".to_owned());
-    let row = Row::of(4, &samples);
+    let row = ScaleRow::of(4, &samples);
     assert!((row.sim_cpu_ms - 65.0).abs() < 1e-9, "{row:?}");
     assert_eq!((row.repeats, row.void.len()), (2, 1));
-    let void = Row::of(4, &samples[1..2]);
+    let void = ScaleRow::of(4, &samples[1..2]);
     assert_eq!((void.repeats, void.sim_core_percent_per_vehicle), (0, None));
-    assert_eq!(Row::never_flown(4, "memory".to_owned()).repeats, 0);
+    assert_eq!(ScaleRow::never_flown(4, "memory".to_owned()).repeats, 0);
 }
 
 #[test]
 fn shares_are_of_a_core_and_of_a_vehicle() {
-    let row = Row::of(4, &[sample(4, 1.0)]);
+    let row = ScaleRow::of(4, &[sample(4, 1.0)]);
     assert!((row.sim_core_percent - 13.0 / 200.0).abs() < 1e-9);
     assert_eq!(
         row.sim_core_percent_per_vehicle,
         Some(row.sim_core_percent / 4.0)
     );
     assert!((row.us_per_message.expect("messages") - 33_000.0 / 1696.0).abs() < 1e-9);
-    let none = Row::of(0, &[sample(0, 1.0)]);
+    let none = ScaleRow::of(0, &[sample(0, 1.0)]);
     assert_eq!(
         (none.model_percent_per_vehicle, none.us_per_message),
         (None, None)
@@ -108,8 +108,8 @@ fn the_document_begins_with_what_scripts_rely_on() {
     }
 }
 
-fn heading(is_ardupilot: bool) -> table::Heading<'static> {
-    table::Heading {
+fn heading(is_ardupilot: bool) -> table::ScaleHeading<'static> {
+    table::ScaleHeading {
         simulator: "embedded",
         seconds: 20.0,
         repeats: 3,
@@ -122,7 +122,7 @@ fn heading(is_ardupilot: bool) -> table::Heading<'static> {
 fn the_tables_stand_beside_the_papers() {
     let mut rows = rows();
     rows[6].gave_way = Some("0.900 of real time: processor time".to_owned());
-    rows.push(Row::never_flown(
+    rows.push(ScaleRow::never_flown(
         64,
         "40 of 64 vehicles could be armed".to_owned(),
     ));
@@ -136,11 +136,11 @@ fn the_tables_stand_beside_the_papers() {
 
 #[test]
 fn processes_have_a_hangar() {
-    let with_processes = Sample {
+    let with_processes = ScaleSample {
         relay_ms: Some(100.0),
         ..sample(32, 1.0)
     };
-    let table = table::table(&[Row::of(32, &[with_processes])], &heading(true));
+    let table = table::table(&[ScaleRow::of(32, &[with_processes])], &heading(true));
     for words in ["32 instances' bytes on for 0.50 %", "3.06 % per drone"] {
         assert!(table.contains(words), "{words:?} is not in\n{table}");
     }
@@ -160,7 +160,7 @@ fn the_chart_fits_a_terminal_and_one_of_ascii_gets_ascii() {
 
 #[test]
 fn nothing_measured_can_be_drawn_and_printed() {
-    let rows = [Row::never_flown(2, "no processes".to_owned())];
+    let rows = [ScaleRow::never_flown(2, "no processes".to_owned())];
     assert!(table::table(&rows, &heading(false)).contains("no processes"));
     assert!(chart::chart(&rows, false).contains("Simulator"));
     assert!(svg::svg(&rows, "Nothing").ends_with("</svg>\n"));

@@ -3,10 +3,10 @@
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-use super::instances::Bay;
-use super::progress::Progress;
-use super::sample::Sample;
-use super::swarm::{STREAMS, Swarm, interval};
+use super::instances::SitlBench;
+use super::progress::ScaleProgress;
+use super::sample::ScaleSample;
+use super::swarm::{STREAMS, ScaleSwarm, interval};
 use crate::commands::{Command, Destination, Heading};
 use crate::geo::LatLon;
 use crate::session::{Stream, WANTED_STREAMS};
@@ -29,14 +29,14 @@ const READY_WITHIN_EACH: Duration = Duration::from_secs(3);
 
 /// How a repeat goes.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Plan {
+pub(super) struct TrialPlan {
     /// How long to measure.
     pub window: Duration,
     /// The least time between two kinds of commands.
     pub spacing: Duration,
 }
 
-impl Plan {
+impl TrialPlan {
     /// How long a repeat takes when its vehicles can be armed.
     pub fn lasts(&self) -> Duration {
         self.window + 4 * self.spacing
@@ -48,13 +48,13 @@ impl Plan {
 /// # Errors
 /// Why the vehicles could not be started, or did not become ready; or why nothing could be measured.
 pub(super) fn trial(
-    bay: Option<&Bay>,
+    bench: Option<&SitlBench>,
     vehicles: u16,
-    plan: Plan,
-    progress: &mut Progress,
-) -> anyhow::Result<Sample> {
-    let mut trial = Trial {
-        swarm: Swarm::start(bay, vehicles)?,
+    plan: TrialPlan,
+    progress: &mut ScaleProgress,
+) -> anyhow::Result<ScaleSample> {
+    let mut trial = ScaleTrial {
+        swarm: ScaleSwarm::start(bench, vehicles)?,
         plan,
         progress,
     };
@@ -65,13 +65,13 @@ pub(super) fn trial(
     Ok(sample)
 }
 
-struct Trial<'a> {
-    swarm: Swarm<'a>,
-    plan: Plan,
-    progress: &'a mut Progress,
+struct ScaleTrial<'a> {
+    swarm: ScaleSwarm<'a>,
+    plan: TrialPlan,
+    progress: &'a mut ScaleProgress,
 }
 
-impl Trial<'_> {
+impl ScaleTrial<'_> {
     fn get_ready(&mut self) -> anyhow::Result<()> {
         let begun = Instant::now();
         loop {
@@ -148,7 +148,11 @@ impl Trial<'_> {
     }
 
     /// Waits until that is true of all vehicles.
-    fn wait(&mut self, name: &str, are_good: impl Fn(&Swarm<'_>) -> Vec<bool>) -> Option<String> {
+    fn wait(
+        &mut self,
+        name: &str,
+        are_good: impl Fn(&ScaleSwarm<'_>) -> Vec<bool>,
+    ) -> Option<String> {
         let begun = Instant::now();
         loop {
             let good = are_good(&self.swarm);
@@ -178,13 +182,13 @@ impl Trial<'_> {
         }
     }
 
-    fn measure(&mut self) -> anyhow::Result<Sample> {
+    fn measure(&mut self) -> anyhow::Result<ScaleSample> {
         self.progress.say("measuring");
         let before = self.swarm.mark()?;
         self.listen(self.plan.window);
         // One that has ended would only be missed in the figures.
         self.swarm.ready()?;
-        Ok(Sample::between(&before, &self.swarm.mark()?))
+        Ok(ScaleSample::between(&before, &self.swarm.mark()?))
     }
 }
 

@@ -26,7 +26,7 @@ fn shown(heard: &[u8]) -> Shown {
     shown
 }
 
-fn instance(vehicle: VehicleId, stage: Stage) -> Instance {
+fn instance(vehicle: VehicleId, stage: SitlStage) -> Instance {
     Instance {
         vehicle,
         host: None,
@@ -82,14 +82,14 @@ fn a_vehicle_whose_process_has_ended_is_lost_to_the_mission_once() {
     let mut course = Course::of_processes(flight(), 1.0);
     let mut shown = shown(&[1, 2, 3]);
     shown.hangar = Some(Hangar {
-        instances: (1..=3).map(|id| instance(id, Stage::Ready)).collect(),
+        instances: (1..=3).map(|id| instance(id, SitlStage::Ready)).collect(),
         expected: 3,
         begun: true,
         ..Hangar::default()
     });
     assert!(lost(&course.fly(s(1), &shown)).is_empty());
     if let Some(hangar) = &mut shown.hangar {
-        hangar.instances[1] = instance(2, Stage::Ended);
+        hangar.instances[1] = instance(2, SitlStage::Ended);
     }
     assert_eq!(lost(&course.fly(s(2), &shown)), [2]);
     assert!(lost(&course.fly(s(3), &shown)).is_empty());

@@ -6,7 +6,9 @@ use ratatui::text::{Line, Span};
 
 use super::{age, hertz};
 use crate::app::room::messages::{Messages, Selected};
-use crate::inspector::{Census, Direction, Key, Reading, Tally, Value, name_of, read};
+use crate::inspector::{
+    Census, Direction, FieldReading, MessageReading, MessageTally, TallyKey, name_of, read,
+};
 use crate::text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
@@ -92,7 +94,7 @@ fn draw_hint(room: &Messages, look: &Look, area: Rect, buffer: &mut Buffer) {
 }
 
 /// How the last frame was dressed: version, signature, length, number.
-fn dress(key: Key, frame: &Anatomy<'_>, tally: &Tally, look: &Look) -> String {
+fn dress(key: TallyKey, frame: &Anatomy<'_>, tally: &MessageTally, look: &Look) -> String {
     let version = match frame.version {
         MavlinkVersion::V1 => 1,
         MavlinkVersion::V2 => 2,
@@ -141,7 +143,7 @@ fn draw_rows(rows: &[Row], field: Option<usize>, look: &Look, area: Rect, buffer
 fn rows(
     room: &Messages,
     selected: Selected<'_>,
-    reading: &Reading,
+    reading: &MessageReading,
     look: &Look,
     width: usize,
 ) -> Vec<Row> {
@@ -182,7 +184,7 @@ fn rows(
 }
 
 /// A value with its unit and its names.
-fn words(value: &Value, look: &Look) -> (String, Role) {
+fn words(value: &FieldReading, look: &Look) -> (String, Role) {
     if value.is_unknown {
         let text = text!("messages-unknown", value = value.figures());
         return (look.text(&text), Role::Muted);
@@ -194,7 +196,13 @@ fn words(value: &Value, look: &Look) -> (String, Role) {
 }
 
 /// A message that nobody can read: why not, and its bytes.
-fn draw_undecoded(reading: &Reading, tally: &Tally, look: &Look, area: Rect, buffer: &mut Buffer) {
+fn draw_undecoded(
+    reading: &MessageReading,
+    tally: &MessageTally,
+    look: &Look,
+    area: Rect,
+    buffer: &mut Buffer,
+) {
     let reason = if reading.name.is_some() {
         look.say("messages-other-layout")
     } else {
@@ -214,7 +222,7 @@ fn draw_undecoded(reading: &Reading, tally: &Tally, look: &Look, area: Rect, buf
 }
 
 /// The last frame byte by byte.
-fn draw_bytes(tally: &Tally, look: &Look, area: Rect, buffer: &mut Buffer) {
+fn draw_bytes(tally: &MessageTally, look: &Look, area: Rect, buffer: &mut Buffer) {
     let per_line = if area.width >= 72 { 16 } else { 8 };
     for (row, bytes) in tally.last.chunks(per_line).enumerate() {
         let mut hex = String::new();

@@ -7,7 +7,7 @@ use ratatui::text::{Line, Span};
 use super::{Row, cell, edited};
 use crate::app::room::parameters::Comparison;
 use crate::app::state::State;
-use crate::parameters::{Finding, Parameter, is_same, is_the_vehicles_own, shown};
+use crate::parameters::{ListedParameter, ParameterFinding, is_same, is_the_vehicles_own, shown};
 use crate::text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
@@ -92,7 +92,7 @@ fn line_of<'a>(
     if let Some(comparison) = comparison {
         spans.push(mark(comparison, row, look));
     }
-    let changed = row.now.filter(Parameter::is_changed);
+    let changed = row.now.filter(ListedParameter::is_changed);
     let value = row
         .now
         .map_or_else(|| "-".to_owned(), |now| shown(now.value));
@@ -157,7 +157,7 @@ fn value_of(state: &State, id: VehicleId, row: &Row<'_>, look: &Look) -> Span<'s
 
 fn mark(comparison: &Comparison, row: &Row<'_>, look: &Look) -> Span<'static> {
     match row.finding {
-        None | Some(Finding::Extra(_)) => Span::raw("    "),
+        None | Some(ParameterFinding::Extra(_)) => Span::raw("    "),
         Some(finding) if comparison.is_marked(row.name, finding) => {
             Span::styled("[x] ", look.style(Role::Selected))
         }
@@ -180,12 +180,12 @@ fn standing(
             let value = shown(edit.value as f32);
             (text!("parameters-asked", value = value, state = word), role)
         }
-        (None, Some(Finding::Changed(..))) if is_the_vehicles_own(row.name) => {
+        (None, Some(ParameterFinding::Changed(..))) if is_the_vehicles_own(row.name) => {
             (text!("parameters-own"), Role::Muted)
         }
-        (None, Some(Finding::Changed(..))) => (text!("parameters-differs"), Role::Warning),
-        (None, Some(Finding::Missing(_))) => (text!("parameters-missing"), Role::Muted),
-        (None, Some(Finding::Extra(_))) => (text!("parameters-extra"), Role::Muted),
+        (None, Some(ParameterFinding::Changed(..))) => (text!("parameters-differs"), Role::Warning),
+        (None, Some(ParameterFinding::Missing(_))) => (text!("parameters-missing"), Role::Muted),
+        (None, Some(ParameterFinding::Extra(_))) => (text!("parameters-extra"), Role::Muted),
         (None, None) if row.now.is_some_and(|now| now.is_changed()) => {
             (text!("parameters-changed"), Role::Accent)
         }

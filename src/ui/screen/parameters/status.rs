@@ -6,7 +6,7 @@ use ratatui::text::{Line, Span};
 
 use crate::app::room::parameters::{Other, Row, extra};
 use crate::app::state::{State, ranges};
-use crate::parameters::{Fetching, Snapshot};
+use crate::parameters::{Fetching, ParameterSnapshot};
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
@@ -56,7 +56,7 @@ pub fn named(other: &Other) -> Text {
     }
 }
 
-fn progress(known: Option<&Snapshot>, is_lost: bool, look: &Look) -> Vec<Span<'static>> {
+fn progress(known: Option<&ParameterSnapshot>, is_lost: bool, look: &Look) -> Vec<Span<'static>> {
     let (received, count) = known.map_or((0, 0), |known| {
         (known.list.received(), known.list.count().unwrap_or(0))
     });

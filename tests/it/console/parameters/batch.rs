@@ -3,7 +3,7 @@
 use sortie::app::effect::FileKind;
 use sortie::app::event::{FileEvent, VehicleEvent};
 use sortie::ledger::{EntryId, RowState, RowUpdate};
-use sortie::parameters::{Heard, ParameterType, Parameters};
+use sortie::parameters::{HeardParameter, ParameterList, ParameterType};
 
 use super::{arrives, in_the_room, row, said, settings};
 use crate::harness::Console;
@@ -12,10 +12,10 @@ use crate::harness::Console;
 fn many_values_go_out_a_few_at_a_time_with_a_result_for_each() {
     let mut console = Console::flying(1);
     console.press("P").at(1);
-    let mut many = Parameters::default();
+    let mut many = ParameterList::default();
     let names: Vec<String> = (0..100).map(|at| format!("P{at:02}")).collect();
     for (index, name) in (0..).zip(&names) {
-        many.note(&Heard {
+        many.note(&HeardParameter {
             name,
             value: 0.0,
             kind: ParameterType::Real32,
