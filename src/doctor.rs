@@ -125,8 +125,10 @@ fn sender(census: &Census, source: FrameSource, now: Duration) -> Option<Sender>
     let first_at = tallies().map(|tally| tally.first_at).min()?;
     let newest = tallies().max_by_key(|tally| tally.last_at)?;
     let (version, signed) = dress(newest)?;
-    let heartbeat = census.of(source).find(|(id, _)| *id == HEARTBEAT);
-    let heartbeat = heartbeat.map(|(_, tally)| tally);
+    let heartbeat = census
+        .of(source)
+        .find(|(id, _)| *id == HEARTBEAT)
+        .map(|(_, tally)| tally);
     Some(Sender {
         source,
         role: heartbeat.map_or(HeartbeatRole::Silent, role),

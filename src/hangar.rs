@@ -233,8 +233,12 @@ impl Hangar {
             return Err(HangarRefusal::Closing);
         }
         launch.check()?;
-        let program = shared.config.programs.get(&launch.kind).cloned();
-        let program = program.ok_or(HangarRefusal::NoProgram(launch.kind.program()))?;
+        let program = shared
+            .config
+            .programs
+            .get(&launch.kind)
+            .cloned()
+            .ok_or(HangarRefusal::NoProgram(launch.kind.program()))?;
         let (requests, inbox) = mpsc::channel(REQUESTS_KEPT);
         let taken = shared.roster.take(&launch, requests)?;
         let id = taken.id;

@@ -10,6 +10,8 @@ mod census;
 mod definitions;
 mod reading;
 
-pub use census::{Census, Direction, FrameSource, MessageTally, Rate, TallyKey, WatchedMessage};
+pub use census::{
+    Census, Direction, FrameSource, FrameWay, MessageTally, Rate, TallyKey, WatchedMessage,
+};
 pub use definitions::{Definitions, EnumDefinition, FieldDefinition, FieldType, MessageDefinition};
 pub use reading::{ElementReading, FieldReading, MessageReading, figure, name_of, read};

@@ -238,8 +238,9 @@ impl Door {
         let Self::Listening(instance) = self else {
             return Ok(Vec::new());
         };
-        let first = instance.checked_mul(PORTS_PER_INSTANCE);
-        let first = first.and_then(|above| above.checked_add(FIRST_PORT));
+        let first = instance
+            .checked_mul(PORTS_PER_INSTANCE)
+            .and_then(|above| above.checked_add(FIRST_PORT));
         let last = first.and_then(|first| first.checked_add(SERIALS));
         let (first, last) = first.zip(last).ok_or(SitlUnfit::Instance(instance))?;
         Ok(vec![first, last - 1, last])

@@ -123,8 +123,11 @@ pub(super) fn own(
         .folders
         .as_ref()
         .map(|folders| folders.state.clone());
-    let folder = set.folder.clone().map(PathBuf::from);
-    let folder = folder.unwrap_or_else(|| state.unwrap_or_else(env::temp_dir).join("hangar"));
+    let folder = set
+        .folder
+        .clone()
+        .map(PathBuf::from)
+        .unwrap_or_else(|| state.unwrap_or_else(env::temp_dir).join("hangar"));
     Ok(HangarSetup {
         programs: found.paths(),
         folder,

@@ -38,8 +38,11 @@ impl DesignArguments {
             designs.map(|name| find(name, settings, locale)).collect();
         let id = mission.id.clone();
         mission.with_fleet(fleet?).map_err(|faults| {
-            let lines = faults.iter().map(|fault| locale.text(fault));
-            let lines: Vec<String> = lines.map(|line| format!("sortie: {id}: {line}")).collect();
+            let lines: Vec<String> = faults
+                .iter()
+                .map(|fault| locale.text(fault))
+                .map(|line| format!("sortie: {id}: {line}"))
+                .collect();
             Failure::Invalid(lines.join("\n"))
         })
     }
@@ -71,8 +74,9 @@ pub(super) fn find(name: &str, settings: &CliSettings, locale: &Locale) -> Resul
 fn own(name: &str, settings: &CliSettings, locale: &Locale) -> Result<Option<Design>, Failure> {
     let profiles = trainee::open(settings, locale)?;
     let profile = trainee::choose(&profiles, None, settings, locale)?;
-    let designs = profiles.designs(&profile);
-    let designs = designs.map_err(|error| trainee::refused(&error, locale))?;
+    let designs = profiles
+        .designs(&profile)
+        .map_err(|error| trainee::refused(&error, locale))?;
     let is_meant = |design: &Design| design.name.to_lowercase() == name.to_lowercase();
     Ok(designs.into_iter().find(is_meant))
 }

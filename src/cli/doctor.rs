@@ -82,8 +82,10 @@ impl HostFinding {
             Verdict::Note => "note ",
             Verdict::Fault => "FAULT",
         };
-        let mend = self.mend.as_ref();
-        let mend = mend.map_or_else(String::new, |mend| format!("\n{:20}-> {mend}", ""));
+        let mend = self
+            .mend
+            .as_ref()
+            .map_or_else(String::new, |mend| format!("\n{:20}-> {mend}", ""));
         format!("{verdict} {:<13} {}{mend}", self.about, self.found)
     }
 }

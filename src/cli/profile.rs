@@ -156,8 +156,10 @@ impl ProfileCommands<'_> {
     }
 
     fn progress(&self, profile: &Profile) -> Result<CareerProgress, Failure> {
-        let history = self.profiles.history(profile);
-        let history = history.map_err(|error| self.refused(&error))?;
+        let history = self
+            .profiles
+            .history(profile)
+            .map_err(|error| self.refused(&error))?;
         let today = day_of(SystemTime::now());
         Ok(CareerProgress::of(&store::course(), &history, today))
     }

@@ -106,8 +106,10 @@ fn markdown(
     locale: &Locale,
 ) -> String {
     let words = |text| locale.text(&text);
-    let lines = progress::heading(progress);
-    let lines: Vec<String> = lines.iter().map(|line| locale.text(line)).collect();
+    let lines: Vec<String> = progress::heading(progress)
+        .iter()
+        .map(|line| locale.text(line))
+        .collect();
     let day: String = profile.since.chars().take(10).collect();
     format!(
         "# {}\n\n{}\n\n{}\n\n## {}\n\n{}\n## {}\n\n{}\n## {}\n\n{}",

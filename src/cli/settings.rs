@@ -95,8 +95,10 @@ impl SettingsFault {
 /// Something that was named on the command line or in the environment is wrong or not there.
 pub(super) fn gather(common: &Common) -> Result<CliSettings, Failure> {
     let mut folders = Folders::find();
-    let data = common.data.clone();
-    let data = data.or_else(|| folders.as_ref().map(|folders| folders.data.clone()));
+    let data = common
+        .data
+        .clone()
+        .or_else(|| folders.as_ref().map(|folders| folders.data.clone()));
     if let (Some(folders), Some(data)) = (&mut folders, &data) {
         folders.data.clone_from(data);
     }
@@ -180,8 +182,9 @@ impl CliSettings {
             faults.extend(self.layers.flag(setting, flag, value).err());
         }
         // POSIX: the first of these that is set decides, also where it names a language that is not ours.
-        let mut locale = ["LC_ALL", "LC_MESSAGES", "LANG"].into_iter();
-        let locale = locale.find_map(|name| Some((name, variable(name)?)));
+        let locale = ["LC_ALL", "LC_MESSAGES", "LANG"]
+            .into_iter()
+            .find_map(|name| Some((name, variable(name)?)));
         if let Some((name, value)) = locale
             && let Some(language) = Language::of(&value)
         {
@@ -230,8 +233,12 @@ impl CliSettings {
 
     /// Paths of the section hangar in the configuration file lie beside it, unless they say otherwise.
     fn place_hangar_files(&mut self) {
-        let folder = self.file.as_deref().and_then(Path::parent);
-        let folder = folder.unwrap_or(Path::new("")).to_owned();
+        let folder = self
+            .file
+            .as_deref()
+            .and_then(Path::parent)
+            .unwrap_or(Path::new(""))
+            .to_owned();
         let of_file = [
             "arducopter",
             "arduplane",
@@ -249,8 +256,9 @@ impl CliSettings {
             &mut set.ardusub,
             &mut set.folder,
             &mut set.token_file,
-        ];
-        let paths = paths.into_iter().zip(of_file);
+        ]
+        .into_iter()
+        .zip(of_file);
         for path in paths.filter_map(|(path, of_file)| path.as_mut().filter(|_| of_file)) {
             *path = folder.join(store::user_path(path)).display().to_string();
         }

@@ -50,8 +50,9 @@ impl TextTable {
             })
             .collect();
         let line = |cells: &mut dyn Iterator<Item = &str>| {
-            let cells = cells.zip(&widths).zip(&self.columns);
             let cells: Vec<String> = cells
+                .zip(&widths)
+                .zip(&self.columns)
                 .map(|((cell, width), (_, side))| {
                     let space = " ".repeat(width.saturating_sub(cell.width()));
                     match side {

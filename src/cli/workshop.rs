@@ -311,8 +311,9 @@ fn export(design: &Design, folder: &std::path::Path, locale: &Locale) -> Result<
         .collect();
     let frame = folder.join(format!("{stem}.json"));
     let parameters = folder.join(format!("{stem}.parm"));
-    let lines = airframe.parameters.iter();
-    let lines: Vec<String> = lines
+    let lines: Vec<String> = airframe
+        .parameters
+        .iter()
         .map(|(name, value)| format!("{name} {value}\n"))
         .collect();
     let frame_text = serde_json::to_string_pretty(&airframe.frame)? + "\n";

@@ -33,10 +33,16 @@ const TYPE_GROUND_STATION: u8 = 6;
 /// `MAV_AUTOPILOT_INVALID`: a component that does not fly anything.
 const AUTOPILOT_NONE: u8 = 8;
 
-/// How a vehicle is reached.
-struct PeerRoute {
+/// A sender of frames.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct FrameSender {
     link: LinkId,
     peer: LinkPeer,
+}
+
+/// How a vehicle is reached.
+struct PeerRoute {
+    sender: FrameSender,
     /// The autopilot's component; other components with its system id may come another way.
     component: ComponentId,
     heard_at: Duration,
@@ -48,14 +54,13 @@ struct PeerRoute {
 
 impl PeerRoute {
     fn new(
-        (link, peer): (LinkId, LinkPeer),
+        sender: FrameSender,
         component: ComponentId,
         heard_at: Duration,
         inbox: mpsc::Sender<ToVehicle>,
     ) -> Self {
         Self {
-            link,
-            peer,
+            sender,
             component,
             heard_at,
             conflict_said_at: None,
@@ -189,12 +194,16 @@ impl Hub {
         for frame in batch.frames {
             by_system.entry(frame.system).or_default().push(frame);
         }
+        let sender = FrameSender {
+            link: batch.link,
+            peer: batch.peer,
+        };
         for (system, frames) in by_system {
-            self.deliver(system, (batch.link, batch.peer), frames).await;
+            self.deliver(system, sender, frames).await;
         }
     }
 
-    async fn deliver(&mut self, system: SystemId, from: (LinkId, LinkPeer), frames: Vec<Frame>) {
+    async fn deliver(&mut self, system: SystemId, from: FrameSender, frames: Vec<Frame>) {
         let now = self.clock.now();
         if !self.routes.contains_key(&system) {
             let Some(component) = frames.iter().find_map(autopilot_component) else {
@@ -209,7 +218,7 @@ impl Hub {
             .iter()
             .any(|frame| frame.component == route.component && frame.is_verified());
         if is_autopilot {
-            if (route.link, route.peer) != from && !self.reroute(system, from, now).await {
+            if route.sender != from && !self.reroute(system, from, now).await {
                 return;
             }
             if let Some(route) = self.routes.get_mut(&system) {
@@ -233,10 +242,10 @@ impl Hub {
     /// The autopilot is heard by another way. Once the way used so far has been silent for long enough it is
     /// the same vehicle with a new connection, or another port of a lab network; before that it is a second one,
     /// whose frames are not to be taken. Returns whether they are.
-    async fn reroute(&mut self, system: SystemId, from: (LinkId, LinkPeer), now: Duration) -> bool {
+    async fn reroute(&mut self, system: SystemId, from: FrameSender, now: Duration) -> bool {
         let (Some(route), Some(link)) = (
             self.routes.get_mut(&system),
-            self.links.get(usize::from(from.0.0)),
+            self.links.get(usize::from(from.link.0)),
         ) else {
             return false;
         };
@@ -244,41 +253,34 @@ impl Hub {
             self.complain(system, from, now).await;
             return false;
         }
-        let news = ToVehicle::Route(link.clone(), from.1);
+        let news = ToVehicle::Route(link.clone(), from.peer);
         if route.inbox.try_send(news).is_err() {
             return false;
         }
-        let before = std::mem::replace(&mut route.link, from.0);
-        route.peer = from.1;
+        let before = std::mem::replace(&mut route.sender, from);
         let text = text!(
             "heard-by-another-link",
-            link = self.name_of(from.0),
-            before = self.name_of(before)
+            link = self.name_of(from.link),
+            before = self.name_of(before.link)
         );
         self.warn(system, text, now).await;
         true
     }
 
-    async fn appear(
-        &mut self,
-        system: SystemId,
-        component: u8,
-        (link_id, peer): (LinkId, LinkPeer),
-        now: Duration,
-    ) {
-        let Some(link) = self.links.get(usize::from(link_id.0)) else {
+    async fn appear(&mut self, system: SystemId, component: u8, from: FrameSender, now: Duration) {
+        let Some(link) = self.links.get(usize::from(from.link.0)) else {
             return;
         };
         let (inbox, inbox_out) = mpsc::channel(BATCHES_KEPT);
         let (state, state_out) = watch::channel(Arc::new(Vehicle::new(system, component)));
         let (parameters, parameters_out) = watch::channel(ParameterSnapshot::default());
         let mut session = Session::new(system, component, now).wanting(self.streams, now);
-        session.heard_via(link_id.0, now);
+        session.heard_via(from.link.0, now);
         let task = VehicleTask {
             session,
             clock: self.clock.clone(),
             inbox: inbox_out,
-            route: (link.clone(), peer),
+            route: (link.clone(), from.peer),
             reconnects: link.status().borrow().reconnects,
             state,
             parameters: ParameterFeed::new(parameters),
@@ -287,8 +289,8 @@ impl Hub {
             dropped: 0,
         };
         tokio::spawn(task.run(self.cancel.clone()));
-        tracing::info!(system, link = link_id.0, "a vehicle is heard");
-        let route = PeerRoute::new((link_id, peer), component, now, inbox);
+        tracing::info!(system, link = from.link.0, "a vehicle is heard");
+        let route = PeerRoute::new(from, component, now, inbox);
         self.routes.insert(system, route);
         self.tell(FleetEvent::Appeared(state_out)).await;
         let id = VehicleId::from(system);
@@ -296,7 +298,7 @@ impl Hub {
     }
 
     /// Two senders with one system id: commands would reach whichever listens. Say so, and keep to the first.
-    async fn complain(&mut self, system: SystemId, from: (LinkId, LinkPeer), now: Duration) {
+    async fn complain(&mut self, system: SystemId, from: FrameSender, now: Duration) {
         let Some(route) = self.routes.get_mut(&system) else {
             return;
         };
@@ -307,11 +309,11 @@ impl Hub {
             return;
         }
         route.conflict_said_at = Some(now);
-        let used = route.link;
-        let other = if used == from.0 {
+        let used = route.sender.link;
+        let other = if used == from.link {
             text!("heard-another-sender")
         } else {
-            self.name_of(from.0).into()
+            self.name_of(from.link).into()
         };
         let text = text!(
             "heard-two-places",

@@ -62,9 +62,12 @@ impl Places {
 
     /// The folders, the first ones first, each with what it is.
     fn folders(&self) -> Vec<(PathBuf, &'static str)> {
-        let path = self.path.iter().flat_map(env::split_paths);
         // An empty entry means the current folder, which is no place for programs on a shared machine.
-        let path = path.filter(|folder| folder.is_absolute());
+        let path = self
+            .path
+            .iter()
+            .flat_map(env::split_paths)
+            .filter(|folder| folder.is_absolute());
         let mut folders: Vec<_> = path.map(|folder| (folder, "PATH")).collect();
         for build in BUILDS_HERE {
             let folder = self.here.join(build).join(BUILD_FOLDER);

@@ -169,6 +169,29 @@ pub struct WatchedMessage {
     pub dropped: u64,
 }
 
+/// Which way a frame went, and from or to which peer of its link.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct FrameWay {
+    /// Received or sent.
+    pub direction: Direction,
+    /// The number of the peer.
+    pub peer: u32,
+}
+
+impl FrameWay {
+    /// Received from a peer.
+    pub const fn received(peer: u32) -> Self {
+        let direction = Direction::In;
+        Self { direction, peer }
+    }
+
+    /// Sent to a peer.
+    pub const fn sent(peer: u32) -> Self {
+        let direction = Direction::Out;
+        Self { direction, peer }
+    }
+}
+
 /// Counts the messages of one link.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Census {
@@ -190,19 +213,13 @@ struct Witness {
 
 impl Census {
     /// Takes note of one frame. `is_verified` says whether the dialect could check it.
-    pub fn note(
-        &mut self,
-        (direction, peer): (Direction, u32),
-        bytes: &[u8],
-        is_verified: bool,
-        now: Duration,
-    ) {
+    pub fn note(&mut self, way: FrameWay, bytes: &[u8], is_verified: bool, now: Duration) {
         let Some(frame) = Anatomy::of(bytes) else {
             return;
         };
         let source = FrameSource {
-            direction,
-            peer,
+            direction: way.direction,
+            peer: way.peer,
             system: frame.system,
             component: frame.component,
         };
@@ -221,7 +238,7 @@ impl Census {
         tally.note(bytes, is_verified, now);
         if is_verified {
             let witness = self.sources.entry(source).or_default();
-            if direction == Direction::In && answers(&frame) {
+            if way.direction == Direction::In && answers(&frame) {
                 witness.answered_at = Some(now);
             }
         }

@@ -8,7 +8,7 @@ use tokio::time::Instant;
 
 use super::{LinkPeer, LinkState, LinkStatus};
 use crate::doctor::{self, Observation};
-use crate::inspector::{Census, Direction};
+use crate::inspector::{Census, FrameWay};
 
 /// The frames of one link. Every frame is counted and the last of each kind kept, which costs a look-up and a
 /// short copy; nothing is queued, so nobody who looks can slow the link down.
@@ -49,13 +49,12 @@ impl Tap {
     pub(super) fn received(&self, peer: LinkPeer, bytes: &[u8], is_verified: bool) {
         let now = self.opened.elapsed();
         self.census()
-            .note((Direction::In, peer.0), bytes, is_verified, now);
+            .note(FrameWay::received(peer.0), bytes, is_verified, now);
     }
 
     pub(super) fn sent(&self, peer: LinkPeer, bytes: &[u8]) {
         let now = self.opened.elapsed();
-        self.census()
-            .note((Direction::Out, peer.0), bytes, true, now);
+        self.census().note(FrameWay::sent(peer.0), bytes, true, now);
     }
 
     /// Notes bytes in which no frame was found.

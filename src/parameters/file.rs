@@ -75,8 +75,11 @@ struct ParameterLine<'a> {
 
 fn parse_line(line: &str, start: usize) -> Result<Option<ParameterLine<'_>>, Diagnostic> {
     // Some editors begin a file with a byte order mark.
-    let content = line.trim_start_matches('\u{feff}');
-    let content = content.split('#').next().unwrap_or_default();
+    let content = line
+        .trim_start_matches('\u{feff}')
+        .split('#')
+        .next()
+        .unwrap_or_default();
     let fields: Vec<&str> = content
         .split(|c: char| c == ',' || c.is_whitespace())
         .filter(|field| !field.is_empty())

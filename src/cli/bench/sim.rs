@@ -121,8 +121,9 @@ impl SimSwarm {
         };
         let vehicles = usize::from(vehicles);
         let mut world = World::new(&WorldConfig::row(vehicles, first));
-        let ports = (0..vehicles).map(|vehicle| world.connect(vehicle));
-        let ports = ports.collect();
+        let ports = (0..vehicles)
+            .map(|vehicle| world.connect(vehicle))
+            .collect();
         let mut swarm = Self {
             world,
             ports,
@@ -186,8 +187,9 @@ impl SimSwarm {
     /// Whether the measurement was of what it should be: all in the air, and nothing missing from the streams.
     fn check(&self, heard: u64, seconds: u64) -> Result<(), Failure> {
         let vehicles = self.world.vehicles();
-        let flying = (0..vehicles).filter(|&vehicle| !self.world.truth(vehicle).on_ground);
-        let flying = flying.count();
+        let flying = (0..vehicles)
+            .filter(|&vehicle| !self.world.truth(vehicle).on_ground)
+            .count();
         let expected = vehicles as u64 * seconds * RATE_HZ * STREAMED.len() as u64;
         // A message may fall just outside at either end.
         let tolerated = vehicles as u64 * STREAMED.len() as u64;

@@ -205,8 +205,12 @@ fn orders(options: &CommandArguments, program: &str) -> Result<Vec<WrittenStart>
     }
     let read =
         |path: &PathBuf, what| store::read(path, what).map_err(|error| wrong(error.to_string()));
-    let airframe = options.frame.as_ref().map(|path| read(path, "file-frame"));
-    let airframe = airframe.transpose()?.map(|source| source.text);
+    let airframe = options
+        .frame
+        .as_ref()
+        .map(|path| read(path, "file-frame"))
+        .transpose()?
+        .map(|source| source.text);
     let parameters = given_parameters(options)?;
     let formation = StartFormation {
         shape: options.formation.into(),

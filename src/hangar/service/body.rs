@@ -17,8 +17,11 @@ pub(super) async fn json<T: DeserializeOwned>(
     request: Request,
     bounds: ServiceBounds,
 ) -> Result<T, ServiceProblem> {
-    let kind = request.headers().get(header::CONTENT_TYPE);
-    let kind = kind.and_then(|kind| kind.to_str().ok()).unwrap_or_default();
+    let kind = request
+        .headers()
+        .get(header::CONTENT_TYPE)
+        .and_then(|kind| kind.to_str().ok())
+        .unwrap_or_default();
     let essence = kind.split(';').next().unwrap_or_default().trim();
     if !essence.eq_ignore_ascii_case("application/json") {
         let error = format!("the body is said to be `{essence}`; expected application/json");
@@ -44,8 +47,10 @@ async fn read(request: Request, bounds: ServiceBounds) -> Result<Vec<u8>, Servic
         let error = format!("the body is longer than {} bytes", bounds.request_bytes);
         ServiceProblem::new(StatusCode::PAYLOAD_TOO_LARGE, error)
     };
-    let told = request.headers().get(header::CONTENT_LENGTH);
-    let told = told.and_then(|len| len.to_str().ok()?.parse::<u64>().ok());
+    let told = request
+        .headers()
+        .get(header::CONTENT_LENGTH)
+        .and_then(|len| len.to_str().ok()?.parse::<u64>().ok());
     if told.is_some_and(|len| len > bounds.request_bytes as u64) {
         return Err(too_long());
     }

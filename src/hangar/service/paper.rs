@@ -93,8 +93,9 @@ fn line(instance: &Instance) -> String {
 }
 
 fn either<T: serde::Serialize>(headers: &HeaderMap, text: String, json: &T) -> Response {
-    let accepted = headers.get(header::ACCEPT);
-    let accepted = accepted.and_then(|kinds| kinds.to_str().ok());
+    let accepted = headers
+        .get(header::ACCEPT)
+        .and_then(|kinds| kinds.to_str().ok());
     if accepted.is_some_and(|kinds| kinds.contains("application/json")) {
         return Json(json).into_response();
     }

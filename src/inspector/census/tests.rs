@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use super::*;
 use crate::wire::{Encoder, Outgoing, ground_station_heartbeat};
 
-const IN: (Direction, u32) = (Direction::In, 0);
+const IN: FrameWay = FrameWay::received(0);
 
 fn bytes(system: u8, outgoing: &Outgoing) -> Vec<u8> {
     let mut bytes = Vec::new();
@@ -31,7 +31,7 @@ fn only(census: &Census) -> &MessageTally {
 #[test]
 fn the_same_system_over_two_peers_or_in_two_directions_is_never_merged() {
     let mut census = Census::default();
-    for from in [IN, (Direction::In, 1), (Direction::Out, 0)] {
+    for from in [IN, FrameWay::received(1), FrameWay::sent(0)] {
         census.note(from, &attitude(1), true, Duration::ZERO);
     }
     assert_eq!(census.sources().count(), 3);

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use sortie::app::event::LinkEvent;
 use sortie::app::room::messages::{LinkTraffic, wanted};
-use sortie::inspector::{Census, Direction, WatchedMessage};
+use sortie::inspector::{Census, FrameWay, WatchedMessage};
 use sortie::link::TlogReader;
 use sortie::text::{Language, Locale};
 use sortie::ui::Look;
@@ -32,12 +32,12 @@ fn recorded(name: &str, peer: u32) -> Census {
         let at = Duration::from_secs(100).saturating_sub(ago);
         let frame = Anatomy::of(&record.bytes).expect("a frame");
         if frame.system != 255 {
-            census.note((Direction::In, peer), &record.bytes, true, at);
+            census.note(FrameWay::received(peer), &record.bytes, true, at);
         }
     }
     let mut beat = Vec::new();
     Encoder::new(255, 190).encode(&ground_station_heartbeat(), &mut beat);
-    census.note((Direction::Out, peer), &beat, true, Duration::from_secs(99));
+    census.note(FrameWay::sent(peer), &beat, true, Duration::from_secs(99));
     census
 }
 
@@ -112,7 +112,7 @@ fn sources_with_one_system_id_are_two_branches() {
     let mut both = recorded("flight.tlog", 0);
     let mut beat = Vec::new();
     Encoder::new(12, 1).encode(&ground_station_heartbeat(), &mut beat);
-    both.note((Direction::In, 1), &beat, true, Duration::from_secs(99));
+    both.note(FrameWay::received(1), &beat, true, Duration::from_secs(99));
     both.name_peer(1, "10.0.0.9:14550".to_owned());
     console.hear(LinkEvent::Traffic(vec![
         traffic("udpin:0.0.0.0:14550", both),
@@ -249,7 +249,7 @@ fn what_no_dialect_knows_is_shown_by_its_number_and_bytes() {
     let mut console = inspecting();
     let mut census = Census::default();
     let foreign = [0xFD, 2, 0, 0, 5, 9, 1, 0x30, 0xEF, 0, 0x41, 0x42, 1, 2];
-    let from = (Direction::In, 0);
+    let from = FrameWay::received(0);
     for second in 97..=99 {
         let shown = census
             .tallies()
@@ -277,7 +277,7 @@ fn hundreds_of_sources_scroll() {
         let mut beat = Vec::new();
         Encoder::new(system, 1).encode(&ground_station_heartbeat(), &mut beat);
         census.note(
-            (Direction::In, system.into()),
+            FrameWay::received(system.into()),
             &beat,
             true,
             Duration::from_secs(99),

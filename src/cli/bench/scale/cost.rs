@@ -53,8 +53,11 @@ impl Counted {
 /// Processor time of a thread: the first number of its `schedstat`, nanoseconds.
 fn on_processor(thread: &Path) -> io::Result<Duration> {
     let text = fs::read_to_string(thread.join("schedstat"))?;
-    let nanoseconds = text.split(' ').next().and_then(|first| first.parse().ok());
-    let nanoseconds = nanoseconds.ok_or_else(|| io::Error::other("schedstat has no number"))?;
+    let nanoseconds = text
+        .split(' ')
+        .next()
+        .and_then(|first| first.parse().ok())
+        .ok_or_else(|| io::Error::other("schedstat has no number"))?;
     Ok(Duration::from_nanos(nanoseconds))
 }
 

@@ -40,8 +40,11 @@ impl SitlBench {
             restart: Restart::Never,
             ..config
         };
-        let file = config.programs.get(&SitlKind::Copter).cloned();
-        let file = file.unwrap_or_default();
+        let file = config
+            .programs
+            .get(&SitlKind::Copter)
+            .cloned()
+            .unwrap_or_default();
         let (identity, hangars) = counted.runtime.block_on(async {
             let identity = programs::identify(&file, PATIENCE).await?;
             anyhow::Ok((identity, Hangars::own(Hangar::open(config)?)))

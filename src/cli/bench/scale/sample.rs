@@ -105,11 +105,11 @@ fn factor(
         let wall_ms = after.saturating_sub(before).as_secs_f64() * 1e3;
         (wall_ms > 0.0).then(|| f64::from(boot_after.saturating_sub(boot_before)) / wall_ms)
     };
-    let paces = before
+    let paces: Vec<f64> = before
         .iter()
         .zip(after)
-        .map(|pair| pace(pair).unwrap_or(0.0));
-    let paces: Vec<f64> = paces.collect();
+        .map(|pair| pace(pair).unwrap_or(0.0))
+        .collect();
     let least = paces.iter().copied().reduce(f64::min)?;
     Some((paces.iter().sum::<f64>() / paces.len() as f64, least))
 }

@@ -86,8 +86,9 @@ impl<'a> ScaleSwarm<'a> {
                 (RunningSimulation::ArduPilot(instances, bench), pipes)
             }
         };
-        let parts = (0..size.div_ceil(SYSTEMS).max(1)).map(|_| SwarmPart::start());
-        let parts: Vec<SwarmPart> = parts.collect::<anyhow::Result<_>>()?;
+        let parts: Vec<SwarmPart> = (0..size.div_ceil(SYSTEMS).max(1))
+            .map(|_| SwarmPart::start())
+            .collect::<anyhow::Result<_>>()?;
         for (index, pipe) in pipes.into_iter().enumerate() {
             parts[index / SYSTEMS]
                 .fleet
@@ -118,8 +119,10 @@ impl<'a> ScaleSwarm<'a> {
                     FleetEvent::Report(Report::Row(row))
                         if [RowState::Refused, RowState::TimedOut].contains(&row.state) =>
                     {
-                        let why = row.explanation.map(|text| format!(": {text}"));
-                        let why = why.unwrap_or_default();
+                        let why = row
+                            .explanation
+                            .map(|text| format!(": {text}"))
+                            .unwrap_or_default();
                         self.refusal = Some(format!("vehicle {}: {}{why}", row.vehicle, row.state));
                     }
                     _ => {}

@@ -98,12 +98,14 @@ impl ScaleTrial<'_> {
     fn fly(&mut self) -> Option<String> {
         self.progress.say("streams");
         // Only what is to be measured is streamed.
-        let others = WANTED_STREAMS.iter().map(|stream| stream.message);
-        let others = others.filter(|id| STREAMS.iter().all(|stream| stream.message != *id));
-        let others = others.map(|message| Stream {
-            message,
-            rate_hz: 0.0,
-        });
+        let others = WANTED_STREAMS
+            .iter()
+            .map(|stream| stream.message)
+            .filter(|id| STREAMS.iter().all(|stream| stream.message != *id))
+            .map(|message| Stream {
+                message,
+                rate_hz: 0.0,
+            });
         for stream in others.chain(STREAMS.iter().copied()) {
             self.swarm.order(|_| interval(stream));
         }
@@ -163,8 +165,11 @@ impl ScaleTrial<'_> {
             self.progress
                 .say(&format!("{name}: waiting for {behind} of {}", good.len()));
             if begun.elapsed() > OBEYED_WITHIN {
-                let refusal = self.swarm.refusal().map(|why| format!(" ({why})"));
-                let refusal = refusal.unwrap_or_default();
+                let refusal = self
+                    .swarm
+                    .refusal()
+                    .map(|why| format!(" ({why})"))
+                    .unwrap_or_default();
                 let all = good.len();
                 return Some(format!(
                     "{behind} of {all} vehicles were told {name} and did not{refusal}"
