@@ -3,7 +3,7 @@
 use std::time::{Duration, UNIX_EPOCH};
 
 use super::table::{Side, TextTable};
-use crate::campaign::{MissionState, CareerProgress, Stake};
+use crate::campaign::{CareerProgress, MissionState, Stake};
 use crate::scoring::Medal;
 use crate::store::{PastRun, utc};
 use crate::text;
