@@ -12,7 +12,11 @@ fn parameter(value: f64) -> Want {
 #[test]
 fn what_finds_no_room_in_an_inbox_waits_and_comes_in_its_order() {
     let (inbox, mut read) = mpsc::channel(2);
-    let mut route = PeerRoute::new((LinkId(0), LinkPeer(0)), 1, Duration::ZERO, inbox);
+    let sender = FrameSender {
+        link: LinkId(0),
+        peer: LinkPeer(0),
+    };
+    let mut route = PeerRoute::new(sender, 1, Duration::ZERO, inbox);
     route.wants.extend([1.0, 2.0, 3.0].map(parameter));
     route.hand_over_wants();
     assert_eq!(route.wants, [parameter(3.0)]);
