@@ -125,7 +125,7 @@ mod tests {
 
     use super::*;
     use crate::console::{Opening, Options, Preferences};
-    use crate::hangar::Backend;
+    use crate::hangar::VehicleBackend;
     use crate::notice::Notice;
     use crate::ui::Look;
     use crate::vehicle::Severity;
@@ -133,7 +133,7 @@ mod tests {
     fn console() -> Console {
         let options = Options {
             opening: Opening::Home,
-            backend: Backend::default(),
+            backend: VehicleBackend::default(),
             ardupilot: None,
             vehicles: 1,
             seed: Some(1),
