@@ -21,6 +21,7 @@ mod standing;
 mod tests;
 mod wear;
 
+pub use crate::mission::Skill;
 pub use crate::mission::Stake;
 pub use aids::Aids;
 pub use attempt::{
@@ -34,7 +35,7 @@ pub use growth::{Growth, SkillMove, Try, Wealth};
 pub use knowledge::{Knowledge, Mastery};
 pub use progress::{CareerProgress, MissionProgress, MissionState, SkillProgress, TrainingAdvice};
 pub use reward::{OpenedItem, Reward, SkillChange};
-pub use skill::{Evidence, Skill};
+pub use skill::Evidence;
 pub use standing::{Best, CareerStanding, PartState, PurchaseRefusal};
 pub use wear::{FlownDesign, wear};
 

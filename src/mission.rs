@@ -5,15 +5,11 @@
 //! [`Report`]. Everything is a function of the file, the seed, and what was flown.
 //!
 //! # The file
-//! What may stand in it is told to those who write missions, in `docs/missions.md`, and to editors, by [`schema`]; tests
-//! hold both against the reader. For those who write code:
-//!
-//! - `file` reads one section after the other, so that one fault does not hide the others. A section is a serde struct
-//!   with spans that denies unknown fields, then ranges are checked; units are m, s, m/s, deg, Wh.
-//! - Zones, hazards, objectives and actions have kinds. A kind is a file of its own with a `read`, entered by name in the
-//!   table of its section (`hazard`'s and `objective`'s `KINDS`), with its keys in `schema::kinds` and a row in the guide.
-//! - A section may refer to those that were read before it (`file::Draft`): zones, fleet, places, hazards, objectives,
-//!   hints, events, scoring.
+//! - `format` knows how a table is read and described: one function per table does both. The JSON schema ([`schema`])
+//!   and the reference in `docs/missions.md` ([`reference`]) are written from that description.
+//! - `file` reads the sections, each on its own, so that one fault does not hide the others. A section may refer to those
+//!   that were read before it.
+//! - Hazards and objectives have kinds. A kind is a file of its own with a `read` and a line in the list `KINDS`.
 //! - Points are `[east, north]` metres from the origin, as on a map; the grammar's `goto n .. e ..` names its axes.
 //! - Cells are named like chess squares: `A1` is the south-west one, letters go east, numbers go north.
 
@@ -39,6 +35,7 @@ mod file;
 mod fit;
 mod fleet;
 mod flight;
+mod format;
 mod ground_truth;
 mod hazard;
 mod hint;
@@ -51,8 +48,8 @@ mod radio;
 pub mod record;
 mod report;
 mod saying;
-mod schema;
 mod sensor;
+mod skill;
 mod stake;
 mod survey;
 mod together;
@@ -68,6 +65,7 @@ pub use clock::Clock;
 pub use event::alert::OpenAlert;
 pub use event::demand::Demand;
 pub use event::mover::MoverKind;
+pub use file::{reference, schema};
 pub use flight::{Flight, Inject, Outcome, Pledge};
 pub use hint::{Clue, Hint, Phase};
 pub use listing::{FitListing, Listing, ObjectiveListing};
@@ -76,7 +74,7 @@ pub use progress::{
     Cell, ClueProgress, Ground, LoadLeft, MovingThing, ObjectiveProgress, ObjectiveState, Progress,
     Reading, ShownContact, ShownMark, Trust,
 };
-pub use schema::schema;
+pub use skill::Skill;
 pub use stake::Stake;
 
 /// The step of missions and scoring.
@@ -158,7 +156,7 @@ pub struct Mission {
     /// `None` where radio does not matter.
     pub(crate) radio: Option<radio::Radio>,
     /// Threats that an instructor may have happen, besides the mission's own.
-    pub(crate) may_inject: Vec<String>,
+    pub(crate) may_inject: Vec<event::standard::Standard>,
 }
 
 /// Metres east and north of the origin.
@@ -186,10 +184,10 @@ impl Origin {
 }
 
 impl Mission {
-    /// Id and kind of each objective, in order.
-    pub fn objective_kinds(&self) -> impl Iterator<Item = (&str, &str)> {
+    /// The id of each objective and the skill that it shows, if it shows one, in order.
+    pub fn objective_skills(&self) -> impl Iterator<Item = (&str, Option<Skill>)> {
         let objectives = self.objectives.iter();
-        objectives.map(|objective| (objective.id.as_str(), objective.kind_name.as_str()))
+        objectives.map(|objective| (objective.id.as_str(), objective.kind.skill(self.vehicles)))
     }
 
     /// Whether something can happen that wants an answer.

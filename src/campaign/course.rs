@@ -98,8 +98,8 @@ impl Offer {
                 Unlock::Mission(_) | Unlock::Threat(_) => None,
             });
         let mut skills: Vec<Skill> = mission
-            .objective_kinds()
-            .filter_map(|(_, kind)| Skill::of_objective(kind, mission.vehicles))
+            .objective_skills()
+            .filter_map(|(_, skill)| skill)
             .chain([Skill::K2, Skill::K4])
             .chain((mission.vehicles > 1).then_some(Skill::K10))
             .chain(mission.has_alerts().then_some(Skill::K8))

@@ -3,118 +3,21 @@
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
-use strum::{EnumString, IntoStaticStr, VariantArray};
 
-use crate::mission::Mission;
+use crate::mission::{Mission, Skill};
 use crate::scoring::{Component, Report};
 use crate::text;
 use crate::text::Text;
 
-/// A competency of a swarm operator; the codes are those of mission files.
-#[derive(
-    Debug,
-    Clone,
-    Copy,
-    PartialEq,
-    Eq,
-    PartialOrd,
-    Ord,
-    Hash,
-    Serialize,
-    Deserialize,
-    EnumString,
-    IntoStaticStr,
-    VariantArray,
-)]
-pub enum Skill {
-    /// Checks before flight, and arming.
-    K1,
-    /// Choice of flight modes and commands.
-    K2,
-    /// Flight to positions and along routes.
-    K3,
-    /// Management of battery energy.
-    K4,
-    /// Behaviour when links fail, and failsafes.
-    K5,
-    /// Coverage of areas.
-    K6,
-    /// Interpretation of sensor readings.
-    K7,
-    /// Response to alerts and threats.
-    K8,
-    /// Separation between vehicles, and airspace limits.
-    K9,
-    /// Division of work among the vehicles of a swarm.
-    K10,
-    /// Design of vehicles for a task.
-    K11,
-    /// Judgement of one's own work.
-    K12,
-}
-
-impl Skill {
-    /// All skills in the order of their codes.
-    pub const ALL: &[Self] = <Self as VariantArray>::VARIANTS;
-
-    /// `K1` to `K12`, as in mission files.
-    pub fn code(self) -> &'static str {
-        self.into()
-    }
-
-    /// The skill of a code.
-    pub fn of(code: &str) -> Option<Self> {
-        code.parse().ok()
-    }
-
-    /// Its name for people.
-    pub fn title(self) -> Text {
-        match self {
-            Self::K1 => text!("skill-arming"),
-            Self::K2 => text!("skill-commands"),
-            Self::K3 => text!("skill-navigation"),
-            Self::K4 => text!("skill-energy"),
-            Self::K5 => text!("skill-links"),
-            Self::K6 => text!("skill-coverage"),
-            Self::K7 => text!("skill-sensors"),
-            Self::K8 => text!("skill-threats"),
-            Self::K9 => text!("skill-separation"),
-            Self::K10 => text!("skill-swarm"),
-            Self::K11 => text!("skill-design"),
-            Self::K12 => text!("skill-judgement"),
-        }
-    }
-
-    /// The skill that an objective of a kind shows, in a mission with so many drones: one alone is no swarm.
-    pub fn of_objective(kind: &str, vehicles: usize) -> Option<Self> {
-        Some(match kind {
-            "arm_time" => Self::K1,
-            "land_with" => Self::K4,
-            "link" => Self::K5,
-            "sample_cells" | "coverage" | "perimeter" => Self::K6,
-            "map_error" | "locate" | "detect" | "dose" => Self::K7,
-            "protect" | "contain" | "deliver" | "recover" | "formation" if vehicles > 1 => {
-                Self::K10
-            }
-            "hover" | "gates" | "visit" | "land_on" | "standoff" | "deliver" | "recover" => {
-                Self::K3
-            }
-            _ => return None,
-        })
-    }
-}
-
-impl Skill {
-    /// The skill that a component of the score stands for.
-    fn of_component(component: Component) -> Option<Self> {
-        match component {
-            Component::Command => Some(Self::K2),
-            Component::Energy => Some(Self::K4),
-            Component::Attention => Some(Self::K8),
-            Component::Safety => Some(Self::K9),
-            Component::Utilisation => Some(Self::K10),
-            Component::Objective | Component::Quality | Component::Time => None,
-        }
+/// The skill that a component of the score stands for.
+fn shown_by(component: Component) -> Option<Skill> {
+    match component {
+        Component::Command => Some(Skill::K2),
+        Component::Energy => Some(Skill::K4),
+        Component::Attention => Some(Skill::K8),
+        Component::Safety => Some(Skill::K9),
+        Component::Utilisation => Some(Skill::K10),
+        Component::Objective | Component::Quality | Component::Time => None,
     }
 }
 
@@ -149,9 +52,9 @@ impl Evidence {
         if report.ledger.is_empty() {
             return Vec::new();
         }
-        let kinds: BTreeMap<&str, &str> = mission.objective_kinds().collect();
+        let skills: BTreeMap<&str, Option<Skill>> = mission.objective_skills().collect();
         let objectives = report.objectives.iter().filter_map(|objective| {
-            let skill = Skill::of_objective(kinds.get(objective.id.as_str())?, mission.vehicles)?;
+            let skill = skills.get(objective.id.as_str()).copied().flatten()?;
             let share = objective.points / objective.points_max.max(f64::EPSILON);
             Some(Self::new(skill, share, objective.title.clone()))
         });
@@ -160,7 +63,7 @@ impl Evidence {
             let component = Component::ALL
                 .into_iter()
                 .find(|it| it.title() == shown.name)?;
-            let skill = Skill::of_component(component)?;
+            let skill = shown_by(component)?;
             // A component without weight had nothing to judge, and neither had one of a flight that never began.
             let is_shown = has_flown || component == Component::Command;
             (is_shown && shown.weight > 0.0)

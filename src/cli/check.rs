@@ -23,7 +23,7 @@ mod script;
 #[derive(Debug, Args)]
 pub(super) struct CheckArguments {
     /// Files ending in .toml, whose content tells what they are, or .pilot; or folders with such files.
-    #[arg(required_unless_present_any = ["fly", "schema"], value_name = "FILE")]
+    #[arg(required_unless_present_any = ["fly", "schema", "reference"], value_name = "FILE")]
     files: Vec<PathBuf>,
     /// Flies missions with their reference pilot, a naive one and none at all: the first has to earn silver, the second
     /// must not earn a medal, and the third must not pass nor score more than 250. The scripts are MISSION.pilot and
@@ -36,6 +36,9 @@ pub(super) struct CheckArguments {
     /// Prints the JSON schema of mission files, for editors.
     #[arg(long, conflicts_with_all = ["files", "fly"])]
     schema: bool,
+    /// Prints the reference of mission files, as it stands in the mission guide.
+    #[arg(long, conflicts_with_all = ["files", "fly", "schema"])]
+    reference: bool,
     /// One JSON document instead of the table.
     #[arg(long, requires = "fly")]
     json: bool,
@@ -67,6 +70,10 @@ const MISSION_KEYS: &[&str] = &[
 pub(super) fn check(options: &CheckArguments) -> Result<ExitCode, Failure> {
     if options.schema {
         say!("{}", crate::mission::schema())?;
+        return Ok(ExitCode::SUCCESS);
+    }
+    if options.reference {
+        say!("{}", crate::mission::reference())?;
         return Ok(ExitCode::SUCCESS);
     }
     if !options.fly.is_empty() {

@@ -6,24 +6,24 @@ use std::time::Duration;
 use rand_chacha::ChaCha8Rng;
 
 use super::Point;
-use super::file::Reader;
+use super::format::KindOf;
 use super::ground_truth::{
     Load, LoadEffect, Object, ObjectClass, Quantity, TruthPiece, TruthShape,
 };
 use super::weather::Weather;
 
 mod dispersion;
-pub(super) mod fire;
-pub(super) mod flood;
-pub(super) mod line;
-pub(super) mod minefield;
-pub(super) mod people;
+mod fire;
+mod flood;
+mod line;
+mod minefield;
+mod people;
 mod placing;
-pub(super) mod plume;
-pub(super) mod puffs;
-pub(super) mod radiation;
+mod plume;
+mod puffs;
+mod radiation;
 mod source;
-pub(super) mod survivors;
+mod survivors;
 mod wander;
 
 pub(crate) use fire::{Fire, Grid};
@@ -76,14 +76,14 @@ pub(crate) trait Field: Debug + Send + Sync {
     }
 }
 
-/// All kinds by name.
-pub(super) const KINDS: &[(&str, Reader<Box<dyn Hazard>>)] = &[
-    ("flood", flood::read),
-    ("line", line::read),
-    ("minefield", minefield::read),
-    ("plume", plume::read),
-    ("puffs", puffs::read),
-    ("radiation", radiation::read),
-    ("survivors", survivors::read),
-    ("fire", fire::read),
+/// All kinds, in the order in which they are listed.
+pub(super) static KINDS: &[KindOf<Box<dyn Hazard>>] = &[
+    flood::KIND,
+    line::KIND,
+    minefield::KIND,
+    plume::KIND,
+    puffs::KIND,
+    radiation::KIND,
+    survivors::KIND,
+    fire::KIND,
 ];

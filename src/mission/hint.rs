@@ -1,7 +1,5 @@
 //! Hints: those that show by themselves in a phase of the flight, and those that the trainee asks for at a price.
 
-use serde::Deserialize;
-
 use crate::text::Text;
 
 /// Advice that fits a phase of the flight, shown by itself.
@@ -14,8 +12,7 @@ pub struct Hint {
 }
 
 /// Phases of a flight, for hints.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Phase {
     /// No vehicle is armed, not everything is done.
     Ground,
@@ -28,6 +25,14 @@ pub enum Phase {
 }
 
 impl Phase {
+    /// By the names that they have in files.
+    pub(super) const WORDS: [(&str, Self); 4] = [
+        ("ground", Self::Ground),
+        ("armed", Self::Armed),
+        ("air", Self::Air),
+        ("done", Self::Done),
+    ];
+
     /// How much its advice gives away: 1 is the routine that every flight begins with, 2 what this mission asks for.
     pub fn level(self) -> u8 {
         match self {

@@ -6,32 +6,33 @@ use std::time::Duration;
 
 use super::Point;
 use super::craft::Craft;
-use super::file::Reader;
+use super::format::{FileTable, KindOf, Target, number};
 use super::ground_truth::Release;
 use super::report::Mark;
+use super::skill::Skill;
 use super::survey::{Survey, SurveyPlan};
 use super::world::World;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
-pub(super) mod arm_time;
-pub(super) mod coverage;
-pub(super) mod deliver;
-pub(super) mod detect;
-pub(super) mod dose;
-pub(super) mod formation;
-pub(super) mod hover;
-pub(super) mod land_on;
-pub(super) mod link;
-pub(super) mod locate;
-pub(super) mod map_error;
-pub(super) mod perimeter;
-pub(super) mod protect;
-pub(super) mod recover;
+mod arm_time;
+mod coverage;
+mod deliver;
+mod detect;
+mod dose;
+mod formation;
+mod hover;
+mod land_on;
+mod link;
+mod locate;
+mod map_error;
+mod perimeter;
+mod protect;
+mod recover;
 mod route;
-pub(super) mod sample_cells;
-pub(super) mod standoff;
-pub(super) mod stops;
+mod sample_cells;
+mod standoff;
+mod stops;
 
 /// An objective of a mission.
 #[derive(Debug)]
@@ -42,9 +43,7 @@ pub(crate) struct Objective {
     pub value: f64,
     /// Whether the mission fails without it.
     pub mandatory: bool,
-    /// What its kind is called in mission files.
-    pub kind_name: String,
-    pub kind: Box<dyn Kind>,
+    pub kind: Box<dyn ObjectiveKind>,
 }
 
 /// What is to be reported.
@@ -66,7 +65,10 @@ pub(crate) struct Patch {
 }
 
 /// What an objective asks for.
-pub(crate) trait Kind: Debug + Send + Sync {
+pub(crate) trait ObjectiveKind: Debug + Send + Sync {
+    /// The skill that it shows in a mission with so many vehicles: one alone is no swarm.
+    fn skill(&self, vehicles: usize) -> Option<Skill>;
+
     /// The survey that it needs, if it needs one.
     fn survey(&self) -> Option<&SurveyPlan> {
         None
@@ -179,6 +181,20 @@ const NEXT_PLACE: &str = "next";
 /// How long vehicles must stand still on the ground before the flight counts as over.
 pub(crate) const DOWN_FOR: Duration = Duration::from_secs(2);
 
+impl Target {
+    /// How much of it a measure is worth, 0 to 1.
+    fn credit(self, measure: f64) -> f64 {
+        partial_credit(measure, self.partial_from, self.met_at)
+    }
+}
+
+impl FileTable<'_> {
+    /// How near to a place counts, by the key `radius`.
+    fn need_radius(&mut self) -> Option<f64> {
+        self.need("radius", number(0.5, 1000.0, "m"), "how near counts")
+    }
+}
+
 /// `clamp((x - partial) / (target - partial), 0, 1)`; works for targets below the partial mark too.
 pub(crate) fn partial_credit(x: f64, partial: f64, target: f64) -> f64 {
     let span = target - partial;
@@ -193,27 +209,27 @@ pub(crate) fn partial_credit(x: f64, partial: f64, target: f64) -> f64 {
     ((x - partial) / span).clamp(0.0, 1.0)
 }
 
-/// All kinds by name.
-pub(super) const KINDS: &[(&str, Reader<Box<dyn Kind>>)] = &[
-    ("sample_cells", sample_cells::read),
-    ("map_error", map_error::read),
-    ("recover", recover::read),
-    ("link", link::read),
-    ("coverage", coverage::read),
-    ("deliver", deliver::read),
-    ("detect", detect::read),
-    ("standoff", standoff::read),
-    ("arm_time", arm_time::read),
-    ("hover", hover::read),
-    ("gates", stops::read_gates),
-    ("visit", stops::read_visit),
-    ("formation", formation::read),
-    ("land_on", land_on::read),
-    ("locate", locate::read),
-    ("perimeter", perimeter::read),
-    ("protect", protect::read),
-    ("contain", protect::read_contain),
-    ("dose", dose::read),
+/// All kinds, in the order in which they are listed.
+pub(super) static KINDS: &[KindOf<Box<dyn ObjectiveKind>>] = &[
+    sample_cells::KIND,
+    map_error::KIND,
+    recover::KIND,
+    link::KIND,
+    coverage::KIND,
+    deliver::KIND,
+    detect::KIND,
+    standoff::KIND,
+    arm_time::KIND,
+    hover::KIND,
+    stops::GATES,
+    stops::VISIT,
+    formation::KIND,
+    land_on::KIND,
+    locate::KIND,
+    perimeter::KIND,
+    protect::PROTECT,
+    protect::CONTAIN,
+    dose::KIND,
 ];
 
 #[cfg(test)]

@@ -25,16 +25,23 @@ impl Wind {
 }
 
 /// The light, which decides what cameras see.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Deserialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Light {
     /// Sun.
-    #[default]
     Day,
     /// First or last light.
     Dawn,
     /// Dark.
     Night,
+}
+
+impl Light {
+    /// By the names that they have in files.
+    pub const WORDS: [(&str, Self); 3] = [
+        ("day", Self::Day),
+        ("dawn", Self::Dawn),
+        ("night", Self::Night),
+    ];
 }
 
 /// The weather at one moment.

@@ -39,7 +39,7 @@ const REFUSALS: &[&str] = &[
     "target-above-cells.toml:37:10: `target` must lie between 1 and the 9 cells of the zone",
     "time-limit.toml:8:14: `time_limit` must lie between 10 and 86400, not 1e300",
     "too-many-cells.toml:33:8: 1000 x 1000 cells are more than 10000; make `cell` larger",
-    "two-corners.toml:15:11: a polygon has 3 to 1000 corners",
+    "two-corners.toml:15:11: `polygon` must have 3 to 1000 entries",
     "two-shapes.toml:12:1: a zone has either `polygon`, or `center` and `radius`",
     "unknown-field.toml:8:1: unknown field `time_limt`, expected `time_limit` or `origin` (did you mean `time_limit`?)",
     "unknown-key.toml:4:1: unknown key `titel` (did you mean `title`?)",

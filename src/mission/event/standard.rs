@@ -20,7 +20,7 @@ const WALK_M: f64 = 40.0;
 
 /// One of them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in crate::mission) enum Standard {
+pub(crate) enum Standard {
     /// More wind for a while.
     Gust,
     /// Wind from somewhere else, for good.
@@ -58,6 +58,12 @@ impl Standard {
     /// Their names.
     pub fn names() -> [&'static str; Self::ALL.len()] {
         Self::ALL.map(|(name, _)| name)
+    }
+
+    /// What it is called in files.
+    pub fn name(self) -> &'static str {
+        let found = Self::ALL.iter().find(|(_, known)| *known == self);
+        found.map_or("", |(name, _)| name)
     }
 
     /// The one that is called so.

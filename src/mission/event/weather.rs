@@ -22,6 +22,18 @@ impl Element {
         ("weather.temp_c", Self::Temperature, -40.0..=60.0),
     ];
 
+    /// Their names.
+    pub fn names() -> Vec<&'static str> {
+        Self::ALL.iter().map(|(name, ..)| *name).collect()
+    }
+
+    /// The one that is called so, with what it may be set to.
+    pub fn named(name: &str) -> Option<(Self, std::ops::RangeInclusive<f64>)> {
+        let mut all = Self::ALL.into_iter();
+        let (_, element, range) = all.find(|(known, ..)| *known == name)?;
+        Some((element, range))
+    }
+
     fn get(self, weather: &Weather) -> f64 {
         match self {
             Self::WindSpeed => weather.wind.speed_m_s,

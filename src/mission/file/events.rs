@@ -2,192 +2,172 @@
 
 use std::time::Duration;
 
-use serde::Deserialize;
 use toml::Spanned;
-use toml::de::{DeArray, DeTable, DeValue};
+use toml::de::DeValue;
 
-use super::{Faults, Section, seconds};
-use crate::diagnostic::Diagnostic;
-use crate::mission::event::expression::{Expression, Names};
+use super::action;
+use crate::mission::event::expression::{Expression, LONGEST, Names};
 use crate::mission::event::{Event, Trigger};
-
-mod action;
+use crate::mission::format::{
+    Draft, FileShape, FileTable, FileValue, flag, list, number, table as table_of, text, time, word,
+};
+use crate::text::Text;
 
 /// Actions of one event.
 const MOST_ACTIONS: usize = 50;
-/// Characters of one condition, which is looked at several times a second.
-const LONGEST_CONDITION: usize = 1000;
-/// The longest time that an event may name.
-const LONGEST_S: f64 = 86_400.0;
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct EventFile {
-    id: Spanned<String>,
-    title: Option<Spanned<String>>,
-    title_uk: Option<Spanned<String>>,
-    at: Option<Spanned<f64>>,
-    when: Option<Spanned<String>>,
+/// When an event happens, as far as it is written.
+struct Written {
+    at: Option<Duration>,
+    when: Option<Expression>,
     after: Option<Spanned<String>>,
-    delay: Option<Spanned<f64>>,
-    by: Option<Spanned<String>>,
-    once: Option<bool>,
-    jitter: Option<Spanned<f64>>,
-    p: Option<Spanned<f64>>,
+    delay: Duration,
+    by: Option<()>,
 }
 
-/// The ids of events and of what they bring, as far as they can be made out, for those who refer to them.
-pub(super) fn declared(value: Option<&Spanned<DeValue<'_>>>) -> (Vec<String>, Vec<String>) {
-    let tables = value.and_then(|value| value.get_ref().as_array());
-    let tables = || tables.into_iter().flatten().map(Spanned::get_ref);
-    let word = |table: &DeValue<'_>, key: &str| {
-        let word = table.get(key)?.get_ref().as_str();
-        word.map(str::to_owned)
-    };
-    let events = tables().map(|table| word(table, "id").unwrap_or_default());
-    let spawned = tables()
-        .filter_map(|table| table.get("do")?.get_ref().as_array())
-        .flatten()
-        .filter_map(|action| {
-            let action = action.get_ref();
-            word(action, "id").or_else(|| word(action, "spawn"))
-        });
-    (events.collect(), spawned.collect())
-}
-
-/// The keys that tell actions, one each.
-pub(in crate::mission) fn action_keys() -> impl IntoIterator<Item = &'static str> {
-    action::ACTIONS.map(|(key, _)| key)
-}
-
-/// Reads one event.
-pub(super) fn event(
-    value: Spanned<DeValue<'_>>,
-    names: &Names<'_>,
-    seen: &mut Vec<String>,
-    faults: &mut Faults,
-) -> Option<Event> {
-    let span = value.span();
-    let DeValue::Table(mut table) = value.into_inner() else {
-        faults.add(span, "a table is needed here, as in [[events]]");
-        return None;
-    };
-    let actions = table.remove("do");
-    let file: EventFile = faults.read(Spanned::new(span.clone(), table))?;
-    super::check_unique(seen, &file.id, faults);
-    let once = file.once.unwrap_or(true);
-    let chance = file
-        .p
-        .as_ref()
-        .map_or(1.0, |p| faults.number(p, 0.0..=1.0, "p"));
-    let jitter = time(file.jitter.as_ref(), "jitter", faults);
-    let id = file.id.get_ref().clone();
-    let trigger = trigger(&file, span.clone(), names, faults);
-    let actions = match actions.map(|actions| (actions.span(), actions.into_inner())) {
-        Some((span, DeValue::Array(list))) => action_list(list, span, names, faults),
-        Some((span, _)) => {
-            faults.add(span, "a list of actions is needed here: do = [{ .. }]");
-            Vec::new()
-        }
-        None => {
-            faults.add(span, "missing field `do`");
-            Vec::new()
-        }
-    };
-    let title = match file.title {
-        Some(title) => faults.written(title, file.title_uk, "title_uk"),
-        None => crate::text::Text::verbatim(id.clone()),
-    };
+/// One event.
+pub(super) fn event(table: &mut FileTable<'_>) -> Option<Event> {
+    let id = table.need("id", text(""), "other events and conditions name it");
+    if let Some(id) = &id {
+        table.draft().add_id("events", id);
+    }
+    let title = table.may_text("title", "what an instructor reads; without it, the id");
+    let trigger = Written::of(table).trigger(table);
+    let once = table.or("once", flag(), true, "whether it happens once at most");
+    let jitter = table.or(
+        "jitter",
+        time(),
+        Duration::ZERO,
+        "the seed moves its time by up to this, either way",
+    );
+    let chance = number(0.0, 1.0, "");
+    let chance = table.or(
+        "p",
+        chance,
+        1.0,
+        "how likely it happens when its time has come",
+    );
+    let actions = list(table_of(action::action), 1, MOST_ACTIONS);
+    let actions = table.need(
+        "do",
+        actions,
+        "what happens: actions, each with one of the keys below",
+    );
+    let id = id?.into_inner();
     Some(Event {
+        title: title.unwrap_or_else(|| Text::verbatim(id.clone())),
         id,
-        title,
         trigger: trigger?,
         once,
         jitter,
         chance,
-        actions,
+        actions: actions?,
     })
 }
 
-fn action_list(
-    list: DeArray<'_>,
-    span: std::ops::Range<usize>,
-    names: &Names<'_>,
-    faults: &mut Faults,
-) -> Vec<crate::mission::event::Action> {
-    if !(1..=MOST_ACTIONS).contains(&list.len()) {
-        faults.add(span, format!("an event has 1 to {MOST_ACTIONS} actions"));
-        return Vec::new();
+impl Written {
+    fn of(table: &mut FileTable<'_>) -> Self {
+        Self {
+            at: table.may("at", time(), "when: at this mission time"),
+            when: table.may(
+                "when",
+                condition(),
+                "when: as it begins to hold (looked at twice a second)",
+            ),
+            after: table.may(
+                "after",
+                text("id of an event"),
+                "when: after this other event",
+            ),
+            delay: table.or("delay", time(), Duration::ZERO, "so long after it"),
+            by: table.may(
+                "by",
+                word(&[("instructor", ())]),
+                "when: an instructor says so",
+            ),
+        }
     }
-    let list = list.into_iter();
-    list.filter_map(|value| action::action(value, names, faults))
-        .collect()
-}
 
-fn trigger(
-    file: &EventFile,
-    span: std::ops::Range<usize>,
-    names: &Names<'_>,
-    faults: &mut Faults,
-) -> Option<Trigger> {
-    let delay = time(file.delay.as_ref(), "delay", faults);
-    match (&file.at, &file.when, &file.after, &file.by) {
-        (Some(at), None, None, None) => Some(Trigger::At(time(Some(at), "at", faults))),
-        (None, Some(when), None, None) => condition(when, names, faults).map(Trigger::When),
-        (None, None, Some(after), None) => {
-            Some(Trigger::After(known_event(after, names, faults)?, delay))
-        }
-        (None, None, None, Some(by)) if by.get_ref() == "instructor" => Some(Trigger::Instructor),
-        (None, None, None, Some(by)) => {
-            faults.unknown("originator", by, &["instructor"]);
-            None
-        }
-        _ => {
+    fn trigger(self, table: &mut FileTable<'_>) -> Option<Trigger> {
+        let keys = ["at", "when", "after", "by"].into_iter();
+        if keys.filter(|key| table.is_written(key)).count() != 1 {
             let message = "an event has exactly one of `at` (seconds), `when` (a condition), `after` \
                            (another event) and `by = \"instructor\"`";
-            faults.add(span, message);
-            None
+            table.fault(message);
+            return None;
         }
-    }
-}
-
-/// A length of time; a missing one is none.
-fn time(value: Option<&Spanned<f64>>, name: &str, faults: &mut Faults) -> Duration {
-    let value_s = value.map_or(0.0, |value| faults.number(value, 0.0..=LONGEST_S, name));
-    seconds(value_s).unwrap_or_default()
-}
-
-/// A condition; a fault in it is placed within its string.
-fn condition(
-    written: &Spanned<String>,
-    names: &Names<'_>,
-    faults: &mut Faults,
-) -> Option<Expression> {
-    if written.get_ref().len() > LONGEST_CONDITION {
-        let fault = format!("a condition may have {LONGEST_CONDITION} characters");
-        faults.add(written.span(), fault);
-        return None;
-    }
-    match Expression::parse(written.get_ref(), names) {
-        Ok(expression) => Some(expression),
-        Err(fault) => {
-            let fault: Diagnostic = fault.in_string(written.span(), written.get_ref().len());
-            faults.found.push(fault);
-            None
+        match self {
+            Self { at: Some(at), .. } => Some(Trigger::At(at)),
+            Self {
+                when: Some(when), ..
+            } => Some(Trigger::When(when)),
+            Self {
+                after: Some(after),
+                delay,
+                ..
+            } => Some(Trigger::After(known_event(table.draft(), &after)?, delay)),
+            Self { by: Some(()), .. } => Some(Trigger::Instructor),
+            // It is wrong, which has been told.
+            Self { .. } => None,
         }
     }
 }
 
 /// The place of an event in the file, by its id.
-fn known_event(name: &Spanned<String>, names: &Names<'_>, faults: &mut Faults) -> Option<usize> {
-    let found = names.events.iter().position(|id| id == name.get_ref());
+pub(super) fn known_event(draft: &mut Draft, name: &Spanned<String>) -> Option<usize> {
+    let events = &draft.declared.events;
+    let found = events.iter().position(|id| id == name.get_ref());
     if found.is_none() {
-        faults.unknown("event", name, names.events);
+        let known: Vec<&str> = events.iter().map(String::as_str).collect();
+        draft.faults.unknown("event", name, &known);
     }
     found
 }
 
-/// A table as a section, for reading it into a type.
-fn section(span: std::ops::Range<usize>, table: DeTable<'_>) -> Section<'_> {
-    Spanned::new(span, table)
+/// An expression.
+pub(super) fn condition() -> ConditionValue {
+    ConditionValue
+}
+
+/// See [`condition`].
+pub(super) struct ConditionValue;
+
+impl FileValue for ConditionValue {
+    type Out = Expression;
+
+    fn shape(&self) -> FileShape {
+        FileShape::Text("an expression", Some(LONGEST))
+    }
+
+    /// A fault in it is placed within its string.
+    fn read(
+        &self,
+        _: &str,
+        written: Spanned<DeValue<'_>>,
+        draft: &mut Draft,
+    ) -> Option<Expression> {
+        let place = written.span();
+        let source: String = draft.faults.read(written)?;
+        if source.len() > LONGEST {
+            let fault = format!("a condition may have {LONGEST} characters");
+            draft.faults.add(place, fault);
+            return None;
+        }
+        let names = Names {
+            zones: &draft.zones,
+            objectives: draft.ids("objectives"),
+            hazards: draft.ids("hazards"),
+            events: &draft.declared.events,
+            movers: &draft.declared.movers,
+            sensors: &draft.sensors,
+            vehicles: draft.pads.len(),
+        };
+        match Expression::parse(&source, &names) {
+            Ok(expression) => Some(expression),
+            Err(fault) => {
+                draft.faults.push(fault.in_string(place, source.len()));
+                None
+            }
+        }
+    }
 }

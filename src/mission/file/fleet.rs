@@ -1,55 +1,22 @@
-//! The section `fleet`: what flies, from where, and what each vehicle carries.
+//! `[fleet]`: what flies, from where, and what each vehicle carries.
 
 use std::collections::BTreeMap;
 
-use serde::Deserialize;
-use toml::Spanned;
-use toml::de::DeValue;
-
-use super::Faults;
-use super::campaign::is_part;
+use super::career::design_id;
 use crate::mission::fit::Fit;
+use crate::mission::format::{
+    FileTable, ListValue, NamedValue, list, named, point, table as table_of, whole,
+};
 use crate::mission::ground_truth::Load;
 use crate::mission::sensor::{SENSORS, Sensor};
 use crate::mission::{Outlay, Point};
 
 /// More than a console can fly.
-const MOST_VEHICLES: usize = 250;
+const MOST_VEHICLES: u32 = 250;
 /// Pieces of one load, or seconds of the sprayer, on one vehicle.
 const MOST_LOAD: u32 = 1000;
 /// More than any fleet costs.
 const MOST_CREDITS: u32 = 1_000_000;
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct FleetFile {
-    max_vehicles: Spanned<usize>,
-    pads: Spanned<Vec<Spanned<Point>>>,
-    #[serde(default)]
-    sensors: Vec<Spanned<String>>,
-    #[serde(default)]
-    loads: LoadsFile,
-    vehicles: Option<Spanned<Vec<VehicleFile>>>,
-    budget: Option<Spanned<u32>>,
-    loaner: Option<Spanned<Vec<Spanned<String>>>>,
-}
-
-/// What one vehicle carries besides what all do.
-#[derive(Deserialize, Default)]
-#[serde(deny_unknown_fields, default)]
-struct VehicleFile {
-    sensors: Vec<Spanned<String>>,
-    loads: LoadsFile,
-}
-
-#[derive(Deserialize, Default)]
-#[serde(deny_unknown_fields, default)]
-struct LoadsFile {
-    ball: Option<Spanned<u32>>,
-    spray: Option<Spanned<u32>>,
-    kit: Option<Spanned<u32>>,
-    node: Option<Spanned<u32>>,
-}
 
 /// What flies, and from where.
 pub(super) struct Fleet {
@@ -57,6 +24,13 @@ pub(super) struct Fleet {
     /// One for each pad.
     pub fits: Vec<Fit>,
     pub outlay: Outlay,
+}
+
+/// Sensors and loads as they are written.
+#[derive(Default)]
+struct Carried {
+    sensors: Vec<&'static Sensor>,
+    loads: BTreeMap<Load, u32>,
 }
 
 impl Fleet {
@@ -69,110 +43,113 @@ impl Fleet {
     }
 }
 
-pub(super) fn fleet(value: Spanned<DeValue<'_>>, faults: &mut Faults) -> Option<Fleet> {
-    let file: FleetFile = faults.read_value(value)?;
-    let (count, pads) = (*file.max_vehicles.get_ref(), file.pads.get_ref());
-    if !(1..=MOST_VEHICLES).contains(&count) {
-        faults.add(
-            file.max_vehicles.span(),
-            format!("`max_vehicles` must lie between 1 and {MOST_VEHICLES}"),
+pub(super) fn fleet(table: &mut FileTable<'_>) -> Option<Fleet> {
+    let vehicles = table.need(
+        "max_vehicles",
+        whole(1, MOST_VEHICLES, ""),
+        "how many fly it",
+    );
+    let pads = list(point(), 0, usize::MAX);
+    let pads = table.need("pads", pads, "where each stands, one per vehicle");
+    let common = Carried {
+        sensors: table
+            .may("sensors", sensors(), "what every vehicle carries")
+            .unwrap_or_default(),
+        loads: table
+            .may("loads", table_of(loads), "what every vehicle can let go of")
+            .unwrap_or_default(),
+    };
+    let own = list(table_of(vehicle), 0, usize::MAX);
+    let own = table.may("vehicles", own, "one table per pad");
+    let outlay = outlay(table, pads.as_ref().map(Vec::len));
+    let (vehicles, pads) = (vehicles?, pads?);
+    if pads.len() != vehicles as usize {
+        let fault = format!(
+            "{vehicles} vehicles need {vehicles} pads, not {}",
+            pads.len()
         );
-    } else if pads.len() != count {
-        faults.add(
-            file.pads.span(),
-            format!("{count} vehicles need {count} pads, not {}", pads.len()),
-        );
+        table.fault_of("pads", fault);
     }
-    let fits = fits(&file, faults);
+    if let Some(own) = &own
+        && own.len() != pads.len()
+    {
+        let fault = format!(
+            "`vehicles` has {} for {} pads: one each",
+            own.len(),
+            pads.len()
+        );
+        table.fault_of("vehicles", fault);
+    }
+    let common = common.added_to(Fit::default());
     Some(Fleet {
-        outlay: outlay(&file, faults),
-        pads: pads.iter().map(|pad| faults.point(pad, "pads")).collect(),
-        fits,
+        outlay,
+        fits: match own {
+            Some(own) => own
+                .into_iter()
+                .map(|own| own.added_to(common.clone()))
+                .collect(),
+            None => vec![common; pads.len()],
+        },
+        pads,
     })
 }
 
 /// What the fleet may cost, and what is lent.
-fn outlay(file: &FleetFile, faults: &mut Faults) -> Outlay {
-    if let Some(budget) = &file.budget
-        && !(1..=MOST_CREDITS).contains(budget.get_ref())
-    {
-        let fault = format!("`budget` must lie between 1 and {MOST_CREDITS} credits");
-        faults.add(budget.span(), fault);
-    }
-    let lent = file.loaner.as_ref();
-    if let Some(list) = lent.filter(|list| list.get_ref().len() > file.pads.get_ref().len()) {
-        let fault = "`loaner` lends one design for each pad at most";
-        faults.add(list.span(), fault);
-    }
-    let lent = lent.into_iter().flat_map(Spanned::get_ref);
-    for id in lent.clone().filter(|id| !is_part(id.get_ref())) {
-        let fault = "a design's id is 1 to 40 small letters, digits, `-` and `_`";
-        faults.add(id.span(), fault);
+fn outlay(table: &mut FileTable<'_>, pads: Option<usize>) -> Outlay {
+    let budget = table.may(
+        "budget",
+        whole(1, MOST_CREDITS, "credits"),
+        "what all that is flown may cost; enough for the cheapest fleet",
+    );
+    let loaners = table.may(
+        "loaner",
+        list(design_id(), 0, usize::MAX),
+        "designs that are lent to those who own nothing fit, one per pad at most",
+    );
+    let loaners = loaners.unwrap_or_default();
+    if pads.is_some_and(|pads| loaners.len() > pads) {
+        table.fault_of("loaner", "`loaner` lends one design for each pad at most");
     }
     Outlay {
-        budget: file.budget.as_ref().map(|budget| *budget.get_ref()),
-        loaners: lent.map(|id| id.get_ref().clone()).collect(),
+        budget,
+        loaners: loaners.into_iter().map(toml::Spanned::into_inner).collect(),
     }
 }
 
-/// What each vehicle carries: what all do, and its own.
-fn fits(file: &FleetFile, faults: &mut Faults) -> Vec<Fit> {
-    let common = VehicleFile::fit(&file.sensors, &file.loads, Fit::default(), faults);
-    let count = file.pads.get_ref().len();
-    let Some(vehicles) = &file.vehicles else {
-        return vec![common; count];
-    };
-    let own = vehicles.get_ref();
-    if own.len() != count {
-        faults.add(
-            vehicles.span(),
-            format!("`vehicles` has {} for {count} pads: one each", own.len()),
-        );
-    }
-    let fit =
-        |own: &VehicleFile| VehicleFile::fit(&own.sensors, &own.loads, common.clone(), faults);
-    own.iter().map(fit).collect()
+fn sensors() -> ListValue<NamedValue<&'static Sensor>> {
+    let names = || SENSORS.iter().map(|sensor| sensor.id).collect();
+    list(named("sensor", names, Sensor::by_id), 0, usize::MAX)
 }
 
-impl VehicleFile {
+fn vehicle(table: &mut FileTable<'_>) -> Option<Carried> {
+    let sensors = table.may("sensors", sensors(), "more than all have");
+    let loads = table.may("loads", table_of(loads), "in the place of the fleet's");
+    Some(Carried {
+        sensors: sensors.unwrap_or_default(),
+        loads: loads.unwrap_or_default(),
+    })
+}
+
+fn loads(table: &mut FileTable<'_>) -> Option<BTreeMap<Load, u32>> {
+    let keys = [
+        (Load::Ball, "ball", "extinguishing balls"),
+        (Load::Spray, "spray", "seconds of the sprayer"),
+        (Load::Kit, "kit", "kits for people"),
+        (Load::Node, "node", "sensor nodes"),
+    ];
+    let counted = keys.into_iter().filter_map(|(load, key, about)| {
+        let count = table.may(key, whole(0, MOST_LOAD, ""), about)?;
+        Some((load, count))
+    });
+    Some(counted.collect())
+}
+
+impl Carried {
     /// A fit with more sensors, and with these loads in the place of others of their kind.
-    fn fit(
-        sensors: &[Spanned<String>],
-        loads: &LoadsFile,
-        mut fit: Fit,
-        faults: &mut Faults,
-    ) -> Fit {
-        for name in sensors {
-            if let Some(sensor) = Sensor::by_id(name.get_ref()) {
-                fit.add(sensor);
-            } else {
-                let known: Vec<&str> = SENSORS.iter().map(|sensor| sensor.id).collect();
-                faults.unknown("sensor", name, &known);
-            }
-        }
-        fit.loads.extend(loads.counted(faults));
+    fn added_to(&self, mut fit: Fit) -> Fit {
+        self.sensors.iter().for_each(|sensor| fit.add(sensor));
+        fit.loads.extend(&self.loads);
         fit.loads.retain(|_, count| *count > 0);
         fit
-    }
-}
-
-impl LoadsFile {
-    fn counted(&self, faults: &mut Faults) -> BTreeMap<Load, u32> {
-        let all = [
-            (Load::Ball, &self.ball, "ball"),
-            (Load::Spray, &self.spray, "spray"),
-            (Load::Kit, &self.kit, "kit"),
-            (Load::Node, &self.node, "node"),
-        ];
-        let mut loads = BTreeMap::new();
-        for (load, written, name) in all {
-            let Some(written) = written else { continue };
-            if *written.get_ref() > MOST_LOAD {
-                let fault = format!("`{name}` must lie between 0 and {MOST_LOAD}");
-                faults.add(written.span(), fault);
-            }
-            loads.insert(load, *written.get_ref());
-        }
-        loads
     }
 }

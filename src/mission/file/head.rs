@@ -1,89 +1,131 @@
 //! What stands in a mission file before its first section.
 
-use serde::Deserialize;
 use toml::Spanned;
+use toml::de::DeValue;
 
-use super::Faults;
+use crate::mission::format::{Draft, FileShape, FileTable, FileValue, list, text_by, whole};
+use crate::text::Text;
 
 /// The only version of the format so far.
 const SCHEMA: u32 = 1;
 /// Tags, and authors.
 const MOST_NAMES: usize = 20;
-/// Characters of one of them.
-const LONGEST_NAME: usize = 60;
 
 /// What stands before the first section.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct HeadFile {
-    schema: Spanned<u32>,
-    pub id: Spanned<String>,
+pub(super) struct Head {
+    pub id: String,
     pub rev: u32,
-    pub title: Spanned<String>,
-    pub title_uk: Option<Spanned<String>>,
-    #[serde(default)]
+    pub title: Text,
     pub tier: u8,
-    #[serde(default = "none")]
-    pub tags: Spanned<Vec<String>>,
-    #[serde(default = "none")]
-    pub authors: Spanned<Vec<String>>,
-    pub brief: Spanned<String>,
-    pub brief_uk: Option<Spanned<String>>,
-    pub drill_of: Option<Spanned<String>>,
+    pub tags: Vec<String>,
+    pub authors: Vec<String>,
+    pub brief: Text,
+    pub drill_of: Option<String>,
 }
 
-impl HeadFile {
-    /// The same; faults in it have been added.
-    pub fn checked(self, faults: &mut Faults) -> Self {
-        if *self.schema.get_ref() != SCHEMA {
-            faults.add(
-                self.schema.span(),
-                format!("this program reads schema {SCHEMA} only"),
+impl Head {
+    /// Reads it.
+    pub fn need(table: &mut FileTable<'_>) -> Option<Self> {
+        let schema = table.need("schema", SchemaVersion, "version of the format");
+        let id = mission_id();
+        let id = table.need("id", id, "a shipped file is called after it");
+        let rev = table.need(
+            "rev",
+            whole(0, u32::MAX, ""),
+            "results are compared only within one; raise it when a change makes the mission harder or easier",
+        );
+        let title = title(table);
+        let brief = table.need_text("brief", "what the trainee is told before launch");
+        let tier = table.or(
+            "tier",
+            whole(0, 255, ""),
+            0,
+            "difficulty, 0 (first steps) to 3",
+        );
+        let mut names = |key, about| {
+            let names = list(
+                text_by("up to 60 characters", is_short, TOO_LONG),
+                0,
+                MOST_NAMES,
             );
+            table.may(key, names, about).unwrap_or_default()
+        };
+        let tags = names("tags", "subjects, for lists");
+        let authors = names("authors", "who wrote it");
+        let drill_of = table.may(
+            "drill_of",
+            mission_id(),
+            "id of the mission that this is a short exercise for",
+        );
+        if drill_of.is_some() && drill_of == id {
+            table.fault_of("drill_of", "a mission is no drill of itself");
         }
-        for id in std::iter::once(&self.id).chain(&self.drill_of) {
-            if !is_mission_id(id.get_ref()) {
-                faults.add(
-                    id.span(),
-                    "a mission's id is 1 to 40 small letters, digits and `-`",
-                );
-            }
-        }
-        if let Some(of) = self.drill_of.as_ref().filter(|of| **of == self.id) {
-            faults.add(of.span(), "a mission is no drill of itself");
-        }
-        self.check_names(faults);
-        for (title, key) in [
-            (Some(&self.title), "title"),
-            (self.title_uk.as_ref(), "title_uk"),
-        ] {
-            let Some(title) = title else { continue };
-            if !(1..=60).contains(&title.get_ref().chars().count()) {
-                let fault = format!("`{key}` must have 1 to 60 characters");
-                faults.add(title.span(), fault);
-            }
-        }
-        self
-    }
-
-    /// Tags and authors.
-    fn check_names(&self, faults: &mut Faults) {
-        for names in [&self.tags, &self.authors] {
-            let long = |name: &String| name.chars().count() > LONGEST_NAME;
-            if names.get_ref().len() > MOST_NAMES || names.get_ref().iter().any(long) {
-                let fault = format!("{MOST_NAMES} names of {LONGEST_NAME} characters are the most");
-                faults.add(names.span(), fault);
-            }
-        }
+        schema?;
+        // At most 255, so it fits.
+        let tier = u8::try_from(tier).unwrap_or(u8::MAX);
+        table.draft().tier = tier;
+        Some(Self {
+            id: id?.into_inner(),
+            rev: rev?,
+            title: title?,
+            tier,
+            tags: tags.into_iter().map(Spanned::into_inner).collect(),
+            authors: authors.into_iter().map(Spanned::into_inner).collect(),
+            brief: brief?,
+            drill_of: drill_of.map(Spanned::into_inner),
+        })
     }
 }
 
-fn none() -> Spanned<Vec<String>> {
-    Spanned::new(0..0, Vec::new())
+fn title(table: &mut FileTable<'_>) -> Option<Text> {
+    const FORM: &str = "1 to 60 characters";
+    let fits = |title: &str| !title.is_empty() && is_short(title);
+    let english = text_by(FORM, fits, "`title` must have 1 to 60 characters");
+    let english = table.need("title", english, "for people");
+    let ukrainian = text_by(FORM, fits, "`title_uk` must have 1 to 60 characters");
+    let ukrainian = table.may("title_uk", ukrainian, "the same in Ukrainian");
+    let faults = &mut table.draft().faults;
+    Some(faults.translated(english?, ukrainian, "title_uk"))
+}
+
+const TOO_LONG: &str = "a name may have 60 characters";
+
+fn is_short(name: &str) -> bool {
+    name.chars().count() <= 60
+}
+
+/// What can name a mission.
+pub(super) const fn mission_id() -> crate::mission::format::TextValue {
+    text_by(
+        "1 to 40 small letters, digits and `-`",
+        is_mission_id,
+        "a mission's id is 1 to 40 small letters, digits and `-`",
+    )
 }
 
 /// Whether it can name a mission.
 pub(super) fn is_mission_id(id: &str) -> bool {
     let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
     (1..=40).contains(&id.len()) && id.chars().all(plain)
+}
+
+/// The version of the format, of which this program reads one.
+struct SchemaVersion;
+
+impl FileValue for SchemaVersion {
+    type Out = ();
+
+    fn shape(&self) -> FileShape {
+        FileShape::Whole(SCHEMA, SCHEMA, "")
+    }
+
+    fn read(&self, _: &str, written: Spanned<DeValue<'_>>, draft: &mut Draft) -> Option<()> {
+        let place = written.span();
+        let version: u32 = draft.faults.read(written)?;
+        if version != SCHEMA {
+            let fault = format!("this program reads schema {SCHEMA} only");
+            draft.faults.add(place, fault);
+        }
+        Some(())
+    }
 }

@@ -1,67 +1,60 @@
 //! `[radio]` and `[instructor]`.
 
-use serde::Deserialize;
-use toml::Spanned;
-use toml::de::DeValue;
-
-use super::Faults;
-use crate::mission::Point;
 use crate::mission::event::standard::Standard;
+use crate::mission::format::{FileTable, NamedValue, flag, list, named, number, point};
 use crate::mission::radio::{Model, Radio, Set};
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct RadioFile {
-    model: Spanned<String>,
-    station: Option<Spanned<Point>>,
-    antenna: Option<Spanned<f64>>,
-    relays: Option<bool>,
-}
-
-/// Reads the radio that all vehicles carry.
-pub(super) fn radio(
-    value: Spanned<DeValue<'_>>,
-    station: Option<&Point>,
-    faults: &mut Faults,
-) -> Option<Radio> {
-    let file: RadioFile = faults.read_value(value)?;
-    let Some(model) = Model::by_id(file.model.get_ref()) else {
-        let known: Vec<&str> = Model::all().map(|model| model.id).collect();
-        faults.unknown("radio", &file.model, &known);
-        return None;
-    };
-    let set = Set::of(model);
-    let station = match &file.station {
-        Some(station) => faults.point(station, "station"),
-        None => station.copied().unwrap_or_default(),
-    };
+/// The radio that all vehicles carry.
+pub(super) fn radio(table: &mut FileTable<'_>) -> Option<Radio> {
+    let model = named("radio", radio_names, Model::by_id);
+    let model = table.need("model", model, "that of every vehicle");
+    let station = table.may(
+        "station",
+        point(),
+        "where the ground station is; without it, at the first pad",
+    );
+    let antenna = number(0.5, 100.0, "m");
+    let antenna_m = table.or(
+        "antenna",
+        antenna,
+        Radio::USUAL_ANTENNA_M,
+        "height of its antenna",
+    );
+    let relays = table.may(
+        "relays",
+        flag(),
+        "whether vehicles in the air pass on what others send; without it, as the model does",
+    );
+    let set = Set::of(model?);
+    let first_pad = table.draft().pads.first().copied();
     Some(Radio {
         own: Some(Set {
-            relays: file.relays.unwrap_or(set.relays),
+            relays: relays.unwrap_or(set.relays),
             ..set
         }),
-        station,
-        antenna_m: file.antenna.map_or(Radio::USUAL_ANTENNA_M, |antenna| {
-            faults.number(&antenna, 0.5..=100.0, "antenna")
-        }),
+        station: station.or(first_pad).unwrap_or_default(),
+        antenna_m,
     })
 }
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct InstructorFile {
-    #[serde(default)]
-    may_inject: Vec<Spanned<String>>,
+fn radio_names() -> Vec<&'static str> {
+    Model::all().map(|model| model.id).collect()
+}
+
+/// A standard threat by its name.
+pub(super) const fn threat() -> NamedValue<Standard> {
+    named("threat", || Standard::names().to_vec(), Standard::named)
 }
 
 /// What an instructor may have happen.
-pub(super) fn may_inject(value: Spanned<DeValue<'_>>, faults: &mut Faults) -> Option<Vec<String>> {
-    let file: InstructorFile = faults.read_value(value)?;
-    for name in &file.may_inject {
-        if Standard::named(name.get_ref()).is_none() {
-            faults.unknown("threat", name, &Standard::names());
-        }
-    }
-    let names = file.may_inject.into_iter();
-    Some(names.map(Spanned::into_inner).collect())
+pub(super) fn may_inject(table: &mut FileTable<'_>) -> Option<Vec<Standard>> {
+    let threats = list(threat(), 0, usize::MAX);
+    let threats = table.may(
+        "may_inject",
+        threats,
+        "`gust` (7 m/s more for 20 s), `wind_shift` (60 degrees), `gnss_jam` and `link_loss` (one vehicle, 20 s), \
+         `motor_fail` (a motor keeps 75 %), `battery_cold` and `battery_cell` (90 % and 80 % of the voltage), \
+         `person` and `aircraft` (pass through the first task zone)",
+    );
+    Some(threats.unwrap_or_default())
 }

@@ -1,11 +1,6 @@
 //! `[[zones]]`: a shape and a kind.
 
-use serde::Deserialize;
-use toml::Spanned;
-use toml::de::DeValue;
-
-use super::{Draft, Faults, Section, by_kind, check_unique, kinded, take, take_optional};
-use crate::mission::Point;
+use crate::mission::format::{FileTable, KindOf, POINT_RANGE, flag, list, number, point};
 use crate::mission::zone::{Shadow, Shape, Zone, ZoneKind};
 
 /// Zones without a ceiling reach up to here.
@@ -13,29 +8,35 @@ const HIGHEST_M: f64 = 10_000.0;
 /// Corners of one polygon.
 const MOST_CORNERS: usize = 1000;
 
-/// What reads one zone after the other.
-pub(super) fn reader<'i>() -> impl FnMut(Spanned<DeValue<'i>>, &mut Faults) -> Option<Zone> {
-    let mut seen = Vec::new();
-    move |value, faults| {
-        let mut section = kinded(value, faults)?;
-        check_unique(&mut seen, &section.id, faults);
-        let shape = shape(&mut section.rest, faults);
-        let active = take_optional::<bool>(section.rest.get_mut(), "active", faults);
-        let jitter: Option<Spanned<f64>> = take_optional(section.rest.get_mut(), "jitter", faults);
-        let id = section.id.get_ref().clone();
-        let kind = by_kind("zone", section, ZONE_KINDS, &Draft::default(), faults)?;
-        if let Some(jitter) = jitter.as_ref().filter(|_| is_fixed(kind)) {
-            let message = "objectives and rules go by this zone: the seed cannot move it";
-            faults.add(jitter.span(), message);
-        }
-        Some(Zone {
-            id,
-            kind,
-            shape: shape?,
-            active: active.unwrap_or(true),
-            jitter_m: jitter.map_or(0.0, |jitter| faults.number(&jitter, 0.0..=1000.0, "jitter")),
-        })
+/// One zone.
+pub(super) fn zone(table: &mut FileTable<'_>) -> Option<Zone> {
+    let id = table.need_id("zones");
+    let shape = shape(table);
+    let active = table.or(
+        "active",
+        flag(),
+        true,
+        "with `false` it is not there until an event switches it on",
+    );
+    let jitter_m = table.may(
+        "jitter",
+        number(0.0, 1000.0, "m"),
+        "the seed moves it by up to this to the east and to the north; not of `task` and `geofence`, which \
+         objectives and hazards are made for",
+    );
+    let (_, kind) = table.need_kind("zone", ZONE_KINDS)?;
+    if jitter_m.is_some() && is_fixed(kind) {
+        let message = "objectives and rules go by this zone: the seed cannot move it";
+        table.fault_of("jitter", message);
     }
+    id?;
+    Some(Zone {
+        id: table.own_id(),
+        kind,
+        shape: shape?,
+        active,
+        jitter_m: jitter_m.unwrap_or(0.0),
+    })
 }
 
 /// Whether it lies where the file says with every seed: objectives and hazards are made for the place.
@@ -43,187 +44,146 @@ fn is_fixed(kind: ZoneKind) -> bool {
     matches!(kind, ZoneKind::Task | ZoneKind::Geofence { .. })
 }
 
-/// The names of all kinds.
-pub(in crate::mission) fn zone_kinds() -> impl Iterator<Item = &'static str> {
-    ZONE_KINDS.iter().map(|(name, _)| *name)
+/// The shape of a zone: `polygon`, or `center` and `radius`.
+fn shape(table: &mut FileTable<'_>) -> Option<Shape> {
+    let corners = list(point(), 3, MOST_CORNERS);
+    let corners = table.may("polygon", corners, "its corners; or else:");
+    let center = table.may("center", point(), "of a circle");
+    let radius_m = table.may("radius", number(0.1, POINT_RANGE, "m"), "of a circle");
+    let is_circle = table.is_written("center") || table.is_written("radius");
+    if is_circle == table.is_written("polygon") {
+        table.fault("a zone has either `polygon`, or `center` and `radius`");
+        return None;
+    }
+    match (corners, center, radius_m) {
+        (Some(corners), ..) => Some(Shape::Polygon(corners)),
+        (None, Some(center), Some(radius_m)) => Some(Shape::Circle { center, radius_m }),
+        _ => {
+            let keys = ["center", "radius"].into_iter().filter(|_| is_circle);
+            for key in keys {
+                if !table.is_written(key) {
+                    table.fault(format!("missing field `{key}`"));
+                }
+            }
+            None
+        }
+    }
 }
 
-const ZONE_KINDS: &[(&str, super::Reader<ZoneKind>)] = &[
-    ("task", task),
-    ("geofence", geofence),
-    ("no_fly", no_fly),
-    ("gnss_jam", gnss_jam),
-    ("gnss_glitch", gnss_glitch),
-    ("people", people),
-    ("radio_jam", radio_jam),
-    ("comm_shadow", comm_shadow),
+const ZONE_KINDS: &[KindOf<ZoneKind>] = &[
+    KindOf {
+        name: "task",
+        about: "hazards and objectives refer to it",
+        read: |_| Some(ZoneKind::Task),
+    },
+    KindOf {
+        name: "geofence",
+        about: "must not be left, nor flown above its ceiling",
+        read: geofence,
+    },
+    KindOf {
+        name: "no_fly",
+        about: "must not be flown in between two heights",
+        read: no_fly,
+    },
+    KindOf {
+        name: "gnss_jam",
+        about: "satellite navigation fails inside. Who was inside has it back 5 m outside",
+        read: gnss_jam,
+    },
+    KindOf {
+        name: "gnss_glitch",
+        about: "satellite navigation shows a wrong place",
+        read: gnss_glitch,
+    },
+    KindOf {
+        name: "people",
+        about: "people are there: it must not be flown low",
+        read: people,
+    },
+    KindOf {
+        name: "radio_jam",
+        about: "radio noise rises; needs `[radio]`",
+        read: radio_jam,
+    },
+    KindOf {
+        name: "comm_shadow",
+        about: "stands in the way of radio, as a ridge or as walls and trees; needs `[radio]`",
+        read: comm_shadow,
+    },
 ];
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct TaskFile {}
-
-fn task(section: Section<'_>, _: &Draft, faults: &mut Faults) -> Option<ZoneKind> {
-    faults.read::<TaskFile>(section).map(|_| ZoneKind::Task)
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct GeofenceFile {
-    ceiling: Option<Spanned<f64>>,
-}
-
-fn geofence(section: Section<'_>, _: &Draft, faults: &mut Faults) -> Option<ZoneKind> {
-    let file: GeofenceFile = faults.read(section)?;
+fn geofence(table: &mut FileTable<'_>) -> Option<ZoneKind> {
+    let ceiling = number(1.0, HIGHEST_M, "m");
     Some(ZoneKind::Geofence {
-        ceiling_m: file
-            .ceiling
-            .map(|ceiling| faults.number(&ceiling, 1.0..=HIGHEST_M, "ceiling")),
+        ceiling_m: table.may("ceiling", ceiling, "not to be flown above"),
     })
 }
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct NoFlyFile {
-    floor: Option<Spanned<f64>>,
-    ceiling: Option<Spanned<f64>>,
-}
-
-fn no_fly(section: Section<'_>, _: &Draft, faults: &mut Faults) -> Option<ZoneKind> {
-    let span = section.span();
-    let file: NoFlyFile = faults.read(section)?;
-    let mut height = |value: Option<Spanned<f64>>, name, otherwise| {
-        value.map_or(otherwise, |value| {
-            faults.number(&value, 0.0..=HIGHEST_M, name)
-        })
-    };
-    let floor_m = height(file.floor, "floor", 0.0);
-    let ceiling_m = height(file.ceiling, "ceiling", HIGHEST_M);
+fn no_fly(table: &mut FileTable<'_>) -> Option<ZoneKind> {
+    let height = number(0.0, HIGHEST_M, "m");
+    let floor_m = table.or("floor", height, 0.0, "free below");
+    let ceiling_m = table.or("ceiling", height, HIGHEST_M, "free above");
     if floor_m >= ceiling_m {
-        faults.add(span, "the `floor` must lie below the `ceiling`");
+        table.fault("the `floor` must lie below the `ceiling`");
     }
     Some(ZoneKind::NoFly { floor_m, ceiling_m })
 }
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct GnssJamFile {
-    edge: Option<Spanned<f64>>,
+fn gnss_jam(table: &mut FileTable<'_>) -> Option<ZoneKind> {
+    let edge = number(0.0, 1000.0, "m");
+    Some(ZoneKind::GnssJam {
+        edge_m: table.or(
+            "edge",
+            edge,
+            0.0,
+            "around it, where satellites go one by one",
+        ),
+    })
 }
 
-fn gnss_jam(section: Section<'_>, _: &Draft, faults: &mut Faults) -> Option<ZoneKind> {
-    let file: GnssJamFile = faults.read(section)?;
-    let edge_m = edge(file.edge, faults);
-    Some(ZoneKind::GnssJam { edge_m })
+fn gnss_glitch(table: &mut FileTable<'_>) -> Option<ZoneKind> {
+    let offset_m = table.need("offset", point(), "how far off the place is that is shown");
+    Some(ZoneKind::GnssGlitch {
+        offset_m: offset_m?,
+    })
 }
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct GnssGlitchFile {
-    offset: Spanned<Point>,
+fn people(table: &mut FileTable<'_>) -> Option<ZoneKind> {
+    let below_m = table.need("below", number(1.0, 1000.0, "m"), "not to be flown lower");
+    Some(ZoneKind::People { below_m: below_m? })
 }
 
-fn gnss_glitch(section: Section<'_>, _: &Draft, faults: &mut Faults) -> Option<ZoneKind> {
-    let file: GnssGlitchFile = faults.read(section)?;
-    let offset_m = faults.point(&file.offset, "offset");
-    Some(ZoneKind::GnssGlitch { offset_m })
+fn radio_jam(table: &mut FileTable<'_>) -> Option<ZoneKind> {
+    let noise_db = table.need("noise", number(0.0, 100.0, "dB"), "how much more there is");
+    let edge_m = table.or(
+        "edge",
+        number(0.0, 1000.0, "m"),
+        0.0,
+        "around it, where it fades",
+    );
+    Some(ZoneKind::RadioJam {
+        noise_db: noise_db?,
+        edge_m,
+    })
 }
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct PeopleFile {
-    below: Spanned<f64>,
-}
-
-fn people(section: Section<'_>, _: &Draft, faults: &mut Faults) -> Option<ZoneKind> {
-    let file: PeopleFile = faults.read(section)?;
-    let below_m = faults.number(&file.below, 1.0..=1000.0, "below");
-    Some(ZoneKind::People { below_m })
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct RadioJamFile {
-    noise: Spanned<f64>,
-    edge: Option<Spanned<f64>>,
-}
-
-fn radio_jam(section: Section<'_>, _: &Draft, faults: &mut Faults) -> Option<ZoneKind> {
-    let file: RadioJamFile = faults.read(section)?;
-    let noise_db = faults.number(&file.noise, 0.0..=100.0, "noise");
-    let edge_m = edge(file.edge, faults);
-    Some(ZoneKind::RadioJam { noise_db, edge_m })
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct CommShadowFile {
-    height: Option<Spanned<f64>>,
-    loss: Option<Spanned<f64>>,
-}
-
-fn comm_shadow(section: Section<'_>, _: &Draft, faults: &mut Faults) -> Option<ZoneKind> {
-    let span = section.span();
-    let file: CommShadowFile = faults.read(section)?;
-    let shadow = match (file.height, file.loss) {
-        (Some(height), None) => Shadow::Ridge {
-            height_m: faults.number(&height, 1.0..=5000.0, "height"),
-        },
-        (None, Some(loss)) => Shadow::Inside {
-            loss_db: faults.number(&loss, 0.0..=200.0, "loss"),
-        },
+fn comm_shadow(table: &mut FileTable<'_>) -> Option<ZoneKind> {
+    let height_m = table.may("height", number(1.0, 5000.0, "m"), "of a ridge");
+    let loss = number(0.0, 200.0, "dB");
+    let loss_db = table.may(
+        "loss",
+        loss,
+        "what walls and trees take from all who are inside",
+    );
+    match (height_m, loss_db) {
+        (Some(height_m), None) => Some(ZoneKind::CommShadow(Shadow::Ridge { height_m })),
+        (None, Some(loss_db)) => Some(ZoneKind::CommShadow(Shadow::Inside { loss_db })),
         _ => {
             let message = "a `comm_shadow` has either the `height` of a ridge in m, or the `loss` \
                            of who is in it in dB";
-            faults.add(span, message);
-            return None;
+            table.fault(message);
+            None
         }
-    };
-    Some(ZoneKind::CommShadow(shadow))
-}
-
-/// How far around a zone its effect can be felt.
-fn edge(value: Option<Spanned<f64>>, faults: &mut Faults) -> f64 {
-    value.map_or(0.0, |edge| faults.number(&edge, 0.0..=1000.0, "edge"))
-}
-
-/// Takes a shape out of a zone: `polygon`, or `center` and `radius`.
-fn shape(section: &mut Section<'_>, faults: &mut Faults) -> Option<Shape> {
-    let span = section.span();
-    let table = section.get_mut();
-    let circle = table.contains_key("center") || table.contains_key("radius");
-    if circle == table.contains_key("polygon") {
-        faults.add(
-            span,
-            "a zone has either `polygon`, or `center` and `radius`",
-        );
-        for key in ["polygon", "center", "radius"] {
-            table.remove(key);
-        }
-        return None;
     }
-    if circle {
-        let center = take::<Spanned<Point>>(table, "center", &span, faults);
-        let radius = take::<Spanned<f64>>(table, "radius", &span, faults);
-        let (center, radius) = (center?, radius?);
-        return Some(Shape::Circle {
-            center: faults.point(&center, "center"),
-            radius_m: faults.number(&radius, 0.1..=super::POINT_RANGE, "radius"),
-        });
-    }
-    let corners: Spanned<Vec<Spanned<Point>>> = take(table, "polygon", &span, faults)?;
-    if !(3..=MOST_CORNERS).contains(&corners.get_ref().len()) {
-        faults.add(
-            corners.span(),
-            format!("a polygon has 3 to {MOST_CORNERS} corners"),
-        );
-        return None;
-    }
-    Some(Shape::Polygon(
-        corners
-            .get_ref()
-            .iter()
-            .map(|corner| faults.point(corner, "polygon"))
-            .collect(),
-    ))
 }

@@ -92,10 +92,9 @@ impl Flight {
             title: event.title.clone(),
         });
         let may_inject = self.mission.may_inject.iter();
-        let standard = may_inject.filter_map(|name| {
-            let title = Standard::named(name)?.title();
-            let name = name.clone();
-            Some(Inject { name, title })
+        let standard = may_inject.map(|standard| Inject {
+            name: standard.name().to_owned(),
+            title: standard.title(),
         });
         own.chain(standard).collect()
     }

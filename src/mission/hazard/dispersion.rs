@@ -1,12 +1,10 @@
 //! How clouds spread in the air, by the class of its stability.
 
-use serde::Deserialize;
-
 /// In less wind than this, air is calm: the formulas for wind divide by its speed.
 pub(super) const CALM_BELOW_M_S: f64 = 0.5;
 
 /// Pasquill's stability class of the air, very unstable to stable.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Stability {
     A,
     B,
@@ -17,14 +15,27 @@ pub(crate) enum Stability {
 }
 
 /// What the ground is like.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Terrain {
     /// Open country.
-    #[default]
     Open,
     /// Built over.
     Urban,
+}
+
+impl Stability {
+    pub const WORDS: [(&str, Self); 6] = [
+        ("A", Self::A),
+        ("B", Self::B),
+        ("C", Self::C),
+        ("D", Self::D),
+        ("E", Self::E),
+        ("F", Self::F),
+    ];
+}
+
+impl Terrain {
+    pub const WORDS: [(&str, Self); 2] = [("open", Self::Open), ("urban", Self::Urban)];
 }
 
 /// Horizontal and vertical spread at a distance downwind (Briggs 1973; x in metres, 100 m to 10 km).

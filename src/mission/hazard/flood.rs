@@ -6,34 +6,18 @@ use std::time::Duration;
 
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
-use serde::Deserialize;
-use toml::Spanned;
 
 use super::people::People;
 use super::placing::spread;
 use super::{Field, Hazard, Object, ObjectClass};
 use crate::mission::Point;
-use crate::mission::file::{Draft, Faults, Section};
+use crate::mission::format::{
+    FileTable, KindOf, list, number, point, spread as spread_values, whole,
+};
 use crate::mission::weather::Weather;
 use crate::mission::zone::Shape;
 
 const MOST_HOUSES: u32 = 500;
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct FloodFile {
-    zone: Spanned<String>,
-    houses: Spanned<u32>,
-    people: Spanned<u32>,
-    #[serde(default)]
-    animals: u32,
-    min_gap: Spanned<f64>,
-    roofs: Spanned<[f64; 2]>,
-    level: Spanned<f64>,
-    rise: Spanned<f64>,
-    #[serde(default)]
-    nodes: Vec<Spanned<Point>>,
-}
 
 #[derive(Debug)]
 struct Flood {
@@ -48,42 +32,53 @@ struct Flood {
     nodes: Vec<Point>,
 }
 
-/// Reads a `[[hazards]]` of kind `flood`; `rise` is in metres a minute.
-pub(crate) fn read(
-    section: Section<'_>,
-    draft: &Draft,
-    faults: &mut Faults,
-) -> Option<Box<dyn Hazard>> {
-    let file: FloodFile = faults.read(section)?;
-    let roofs_m = *file.roofs.get_ref();
-    let level_m = faults.number(&file.level, -20.0..=100.0, "level");
-    if !(level_m < roofs_m[0] && roofs_m[0] <= roofs_m[1] && roofs_m[1] <= 100.0) {
-        let fault = "`roofs` must be [low, high], above `level` and up to 100 m";
-        faults.add(file.roofs.span(), fault);
-    }
-    let (houses, inhabited) = (
-        *file.houses.get_ref(),
-        file.people.get_ref().saturating_add(file.animals),
+/// The kind `flood`.
+pub(super) const KIND: KindOf<Box<dyn Hazard>> = KindOf {
+    name: "flood",
+    about: "water that rises about houses with people on their roofs; who has no vest when the water comes is lost",
+    read,
+};
+
+fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
+    let zone = table.need_task_zone();
+    let houses = table.need("houses", whole(1, MOST_HOUSES, ""), "with a roof each");
+    let people = table.need("people", whole(1, MOST_HOUSES, ""), "on roofs of their own");
+    let animals = table.or(
+        "animals",
+        whole(0, MOST_HOUSES, ""),
+        0,
+        "on roofs of their own",
     );
-    if !(1..=MOST_HOUSES).contains(&houses) {
-        let fault = format!("`houses` must lie between 1 and {MOST_HOUSES}");
-        faults.add(file.houses.span(), fault);
+    let gap_m = table.need(
+        "min_gap",
+        number(0.0, 1000.0, "m"),
+        "how far apart the houses are",
+    );
+    let roofs = spread_values("[low, high]", number(-20.0, 100.0, "m"));
+    let roofs_m = table.need("roofs", roofs, "their heights, above `level`");
+    let level_m = table.need("level", number(-20.0, 100.0, "m"), "of the water at first");
+    let rise_m_min = table.need("rise", number(0.0, 60.0, "m a minute"), "of the water");
+    let nodes = list(point(), 0, usize::MAX);
+    let nodes = table.may("nodes", nodes, "where gauges belong");
+    let (houses, people, roofs_m, level_m) = (houses?, people?, roofs_m?, level_m?);
+    if level_m >= roofs_m[0] {
+        let fault = "`roofs` must be [low, high], above `level` and up to 100 m";
+        table.fault_of("roofs", fault);
     }
-    if *file.people.get_ref() < 1 || inhabited > houses {
+    if people + animals > houses {
         let fault = "there must be somebody, and a house for each of `people` and `animals`";
-        faults.add(file.people.span(), fault);
+        table.fault_of("people", fault);
     }
-    let nodes = file.nodes.iter();
     Some(Box::new(Flood {
-        shape: draft.task_zone(&file.zone, faults)?.shape.clone(),
+        shape: zone?.shape,
         houses: houses as usize,
-        people: *file.people.get_ref() as usize,
-        animals: file.animals as usize,
-        gap_m: faults.number(&file.min_gap, 0.0..=1000.0, "min_gap"),
+        people: people as usize,
+        animals: animals as usize,
+        gap_m: gap_m?,
         roofs_m,
         level_m,
-        rise_m_s: faults.number(&file.rise, 0.0..=60.0, "rise") / 60.0,
-        nodes: nodes.map(|node| faults.point(node, "nodes")).collect(),
+        rise_m_s: rise_m_min? / 60.0,
+        nodes: nodes.unwrap_or_default(),
     }))
 }
 

@@ -5,13 +5,11 @@
 
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
-use serde::Deserialize;
-use toml::Spanned;
 
 use super::placing::revealed;
 use super::{Field, Hazard, Object, ObjectClass, TruthPiece};
 use crate::mission::Point;
-use crate::mission::file::{Draft, Faults, Section};
+use crate::mission::format::{FileTable, KindOf, list, number, point, whole};
 use crate::mission::report::distance_m;
 use crate::mission::weather::Weather;
 
@@ -19,18 +17,6 @@ const MOST_PYLONS: usize = 100;
 const MOST_DEFECTS: u32 = 200;
 /// Distances to the wire are taken to points this far from one another.
 const STEP_M: f64 = 1.0;
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct LineFile {
-    pylons: Spanned<Vec<Spanned<Point>>>,
-    height: Spanned<f64>,
-    sag: Spanned<f64>,
-    defects: Spanned<u32>,
-    #[serde(default)]
-    stains: u32,
-    min_gap: Spanned<f64>,
-}
 
 #[derive(Debug)]
 struct Line {
@@ -56,42 +42,45 @@ struct Strung {
     points: Vec<(Point, f64)>,
 }
 
-/// Reads a `[[hazards]]` of kind `line`.
-pub(crate) fn read(
-    section: Section<'_>,
-    _: &Draft,
-    faults: &mut Faults,
-) -> Option<Box<dyn Hazard>> {
-    let file: LineFile = faults.read(section)?;
-    let pylons: Vec<Point> = file
-        .pylons
-        .get_ref()
-        .iter()
-        .map(|pylon| faults.point(pylon, "pylons"))
-        .collect();
-    let apart = pylons
-        .windows(2)
-        .all(|pair| distance_m(pair[0], pair[1]) >= 5.0);
-    if !(2..=MOST_PYLONS).contains(&pylons.len()) || !apart {
+/// The kind `line`.
+pub(super) const KIND: KindOf<Box<dyn Hazard>> = KindOf {
+    name: "line",
+    about: "a power line on pylons, with defects and stains on its wire",
+    read,
+};
+
+fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
+    let pylons = table.need("pylons", list(point(), 2, MOST_PYLONS), "5 m apart or more");
+    let height_m = table.need("height", number(2.0, 200.0, "m"), "of the pylons");
+    let sag_m = table.need(
+        "sag",
+        number(0.0, 200.0, "m"),
+        "of a span of mean length, less than `height`",
+    );
+    let defects = table.need("defects", whole(1, MOST_DEFECTS, ""), "what is to be found");
+    let stains = whole(0, MOST_DEFECTS, "");
+    let stains = table.or("stains", stains, 0, "what looks like defects from far");
+    let gap_m = table.need(
+        "min_gap",
+        number(0.0, 1000.0, "m"),
+        "how far apart they are; all of them together may take half of the line",
+    );
+    let (pylons, height_m, sag_m) = (pylons?, height_m?, sag_m?);
+    let mut spans = pylons.windows(2);
+    if !spans.all(|pair| distance_m(pair[0], pair[1]) >= 5.0) {
         let fault = format!("a line has 2 to {MOST_PYLONS} pylons, 5 m or more apart");
-        faults.add(file.pylons.span(), fault);
+        table.fault_of("pylons", fault);
         return None;
     }
-    let height_m = faults.number(&file.height, 2.0..=200.0, "height");
-    let sag_m = faults.number(&file.sag, 0.0..=height_m.max(0.0), "sag");
-    let gap_m = faults.number(&file.min_gap, 0.0..=1000.0, "min_gap");
-    let (defects, stains) = (*file.defects.get_ref(), file.stains);
-    if !(1..=MOST_DEFECTS).contains(&defects) || stains > MOST_DEFECTS {
-        let fault = format!("a line has 1 to {MOST_DEFECTS} defects");
-        faults.add(file.defects.span(), fault);
+    if sag_m > height_m {
+        let fault = format!("`sag` must lie between 0 and {height_m}, not {sag_m}");
+        table.fault_of("sag", fault);
     }
+    let (defects, gap_m) = (defects?, gap_m?);
     let wire = Wire::new(pylons, height_m, sag_m);
     // Half of the length is kept free, or chance finds no room.
-    if f64::from(defects.saturating_add(stains)) * gap_m > wire.length_m() / 2.0 {
-        faults.add(
-            file.min_gap.span(),
-            "so many with this gap have no room on the line",
-        );
+    if f64::from(defects + stains) * gap_m > wire.length_m() / 2.0 {
+        table.fault_of("min_gap", "so many with this gap have no room on the line");
     }
     Some(Box::new(Line {
         wire,

@@ -1,35 +1,15 @@
 //! `minefield`: mines and scrap in the ground of a zone, placed by the seed.
 
 use rand_chacha::ChaCha8Rng;
-use serde::Deserialize;
-use toml::Spanned;
 
 use super::placing::{revealed, spread};
 use super::{Field, Hazard, Object, ObjectClass, TruthPiece};
-use crate::mission::file::{Draft, Faults, Section};
+use crate::mission::format::{FileTable, KindOf, number, table as table_of, whole};
 use crate::mission::weather::Weather;
 use crate::mission::zone::Shape;
 
 /// More would slow a step down.
 const MOST_OBJECTS: f64 = 2000.0;
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct MinefieldFile {
-    zone: Spanned<String>,
-    count: Spanned<CountFile>,
-    #[serde(default)]
-    clutter: u32,
-    min_gap: Spanned<f64>,
-}
-
-#[derive(Debug, Deserialize, Default)]
-#[serde(deny_unknown_fields, default)]
-struct CountFile {
-    metal: u32,
-    min_metal: u32,
-    surface: u32,
-}
 
 #[derive(Debug)]
 struct Minefield {
@@ -41,43 +21,63 @@ struct Minefield {
 #[derive(Debug)]
 struct Laid(Vec<Object>);
 
-/// Reads a `[[hazards]]` of kind `minefield`.
-pub(crate) fn read(
-    section: Section<'_>,
-    draft: &Draft,
-    faults: &mut Faults,
-) -> Option<Box<dyn Hazard>> {
-    let file: MinefieldFile = faults.read(section)?;
-    let gap_m = faults.number(&file.min_gap, 0.0..=100.0, "min_gap");
-    let zone = draft.task_zone(&file.zone, faults)?;
-    let count = file.count.get_ref();
+/// The kind `minefield`.
+pub(super) const KIND: KindOf<Box<dyn Hazard>> = KindOf {
+    name: "minefield",
+    about: "mines and scrap in the ground of a zone",
+    read,
+};
+
+fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
+    let zone = table.need_task_zone();
+    let mines = table.need(
+        "count",
+        table_of(read_mines),
+        "one mine at least, 2000 objects at most",
+    );
+    let scrap = whole(0, 2000, "pieces");
+    let clutter = table.or("clutter", scrap, 0, "scrap that looks like mines");
+    let gap_m = table.need("min_gap", number(0.0, 100.0, "m"), "how far apart they lie");
+    let (zone, mines, gap_m) = (zone?, mines?, gap_m?);
     let counts = [
-        (ObjectClass::MetalMine, count.metal),
-        (ObjectClass::MinimumMetalMine, count.min_metal),
-        (ObjectClass::SurfaceMine, count.surface),
-        (ObjectClass::Clutter, file.clutter),
+        mines[0],
+        mines[1],
+        mines[2],
+        (ObjectClass::Clutter, clutter),
     ];
-    let mines: f64 = counts[..3].iter().map(|(_, count)| f64::from(*count)).sum();
-    let all = mines + f64::from(file.clutter);
-    if mines < 1.0 || all > MOST_OBJECTS {
+    let count = |counts: &[(ObjectClass, u32)]| -> f64 {
+        counts.iter().map(|(_, count)| f64::from(*count)).sum()
+    };
+    let all = count(&counts);
+    if count(&mines) < 1.0 || all > MOST_OBJECTS {
         let fault = format!("a minefield has a mine at least and {MOST_OBJECTS} objects at most");
-        faults.add(file.count.span(), fault);
+        table.fault_of("count", fault);
     }
     let (low, high) = zone.shape.bounds();
     let area_m2 = (high[0] - low[0]) * (high[1] - low[1]);
     // Discs of half the gap around each cannot be packed denser than about half by chance.
     if all * gap_m * gap_m > area_m2 {
-        let fault = format!(
-            "{all} objects with this gap have no room in zone `{}`",
-            zone.id
-        );
-        faults.add(file.min_gap.span(), fault);
+        let zone = &zone.id;
+        let fault = format!("{all} objects with this gap have no room in zone `{zone}`");
+        table.fault_of("min_gap", fault);
     }
     Some(Box::new(Minefield {
-        shape: zone.shape.clone(),
+        shape: zone.shape,
         counts,
         gap_m,
     }))
+}
+
+fn read_mines(table: &mut FileTable<'_>) -> Option<[(ObjectClass, u32); 3]> {
+    let mut count = |key, about| table.or(key, whole(0, 2000, ""), 0, about);
+    Some([
+        (ObjectClass::MetalMine, count("metal", "with much metal")),
+        (
+            ObjectClass::MinimumMetalMine,
+            count("min_metal", "with hardly any metal"),
+        ),
+        (ObjectClass::SurfaceMine, count("surface", "lying open")),
+    ])
 }
 
 impl Hazard for Minefield {

@@ -6,14 +6,12 @@ use std::f64::consts::TAU;
 use std::time::Duration;
 
 use rand_chacha::ChaCha8Rng;
-use serde::Deserialize;
-use toml::Spanned;
 
 use super::dispersion::{CALM_BELOW_M_S, Stability, Terrain, calm_growth_m_s, spreads_m};
-use super::source::{Jitter, JitterFile, Substance, UG_PER_G, leak};
+use super::source::{LeakPlan, Substance, UG_PER_G, leak};
 use super::wander::Wander;
 use super::{Field, Hazard, Object, ObjectClass, Quantity, TruthPiece, TruthShape};
-use crate::mission::file::{Draft, Faults, Section};
+use crate::mission::format::{FileTable, KindOf, number};
 use crate::mission::weather::{Weather, Wind};
 use crate::mission::{Point, TICK};
 
@@ -35,30 +33,12 @@ const SHADES_OUT: i32 = 25;
 const DECADES: f64 = 3.0;
 const FAINTEST: f64 = 0.1;
 
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct PlumeFile {
-    source: Spanned<Point>,
-    height: Spanned<f64>,
-    rate: Spanned<f64>,
-    stability: Stability,
-    #[serde(default)]
-    terrain: Terrain,
-    #[serde(default)]
-    substance: Substance,
-    meander: Option<Spanned<f64>>,
-    intermittency: Option<Spanned<f64>>,
-    jitter: Option<JitterFile>,
-}
-
 #[derive(Debug)]
 struct PlumeHazard {
-    plume: Plume,
-    substance: Substance,
+    leak: LeakPlan,
     /// Standard deviations: of the axis, and of the logarithm of the concentration.
     meander_deg: f64,
     intermittency: f64,
-    jitter: Jitter,
 }
 
 /// A source in the wind.
@@ -89,37 +69,42 @@ struct PlumeField {
     random: ChaCha8Rng,
 }
 
-/// Reads a `[[hazards]]` of kind `plume`.
-pub(crate) fn read(
-    section: Section<'_>,
-    _: &Draft,
-    faults: &mut Faults,
-) -> Option<Box<dyn Hazard>> {
-    let file: PlumeFile = faults.read(section)?;
-    let (meander, gusts) = (file.meander.as_ref(), file.intermittency.as_ref());
+/// The kind `plume`.
+pub(super) const KIND: KindOf<Box<dyn Hazard>> = KindOf {
+    name: "plume",
+    about: "a cloud that lies with the wind (Gauss; in calm air a cloud about its source)",
+    read,
+};
+
+fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
+    let leak = LeakPlan::need(table);
+    let meander_deg = table.or(
+        "meander",
+        number(0.0, 60.0, "degrees"),
+        0.0,
+        "how far its axis swings, standard deviation",
+    );
+    let intermittency = table.or(
+        "intermittency",
+        number(0.0, 2.0, ""),
+        0.0,
+        "its gusts: standard deviation of the logarithm of the reading; 0.5 is hard",
+    );
     Some(Box::new(PlumeHazard {
-        substance: file.substance,
-        meander_deg: faults.optional(meander, 0.0, 0.0..=60.0, "meander"),
-        intermittency: faults.optional(gusts, 0.0, 0.0..=2.0, "intermittency"),
-        plume: Plume::read(
-            &file.source,
-            &file.height,
-            &file.rate,
-            (file.stability, file.terrain),
-            faults,
-        ),
-        jitter: Jitter::read(file.jitter.as_ref(), faults),
+        leak: leak?,
+        meander_deg,
+        intermittency,
     }))
 }
 
 impl Hazard for PlumeHazard {
     fn release(&self, weather: &Weather, mut random: ChaCha8Rng) -> Box<dyn Field> {
-        let plume = self.jitter.vary(&self.plume, &mut random);
+        let plume = self.leak.drawn(&mut random);
         let axis_deg = Wander::new(self.meander_deg, MEANDER_TAU_S, &mut random);
         let mut field = PlumeField {
             leak: [leak(plume.source, plume.height_m)],
             plume,
-            substance: self.substance,
+            substance: self.leak.substance,
             drift_m_s: weather.wind.drift_m_s(),
             wind: weather.wind,
             axis_deg,
@@ -229,23 +214,6 @@ fn along_and_across(wind: Wind, source: Point, at: Point) -> (f64, f64) {
 }
 
 impl Plume {
-    /// A source as a mission file has it.
-    pub fn read(
-        source: &Spanned<Point>,
-        height: &Spanned<f64>,
-        rate: &Spanned<f64>,
-        (stability, terrain): (Stability, Terrain),
-        faults: &mut Faults,
-    ) -> Self {
-        Self {
-            source: faults.point(source, "source"),
-            height_m: faults.number(height, 0.0..=500.0, "height"),
-            rate_g_s: faults.number(rate, 1e-6..=1e6, "rate"),
-            stability,
-            terrain,
-        }
-    }
-
     /// The mean concentration; between calm air and the slowest wind that the plume is good for, a mixture.
     pub fn concentration_ug_m3(&self, wind: Wind, at: Point, height_m: f64) -> f64 {
         let windy = (wind.speed_m_s / CALM_BELOW_M_S).clamp(0.0, 1.0);

@@ -6,14 +6,12 @@ use std::f64::consts::TAU;
 use std::time::Duration;
 
 use rand_chacha::ChaCha8Rng;
-use serde::Deserialize;
-use toml::Spanned;
 
-use super::dispersion::{CALM_BELOW_M_S, Stability, Terrain, calm_growth_m_s, spreads_m};
+use super::dispersion::{CALM_BELOW_M_S, calm_growth_m_s, spreads_m};
 use super::plume::Plume;
-use super::source::{Jitter, JitterFile, Substance, UG_PER_G, leak};
+use super::source::{LeakPlan, Substance, UG_PER_G, leak};
 use super::{Field, Hazard, Object, ObjectClass, Quantity, TruthPiece, TruthShape};
-use crate::mission::file::{Draft, Faults, Section};
+use crate::mission::format::{FileTable, KindOf, number};
 use crate::mission::weather::Weather;
 use crate::mission::{Point, TICK};
 
@@ -24,27 +22,10 @@ const FIRST_SPREAD_M: f64 = 0.5;
 /// Beyond so many spreads from its middle, a puff is not felt.
 const FELT_SPREADS: f64 = 5.0;
 
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct PuffsFile {
-    source: Spanned<Point>,
-    height: Spanned<f64>,
-    rate: Spanned<f64>,
-    stability: Stability,
-    #[serde(default)]
-    terrain: Terrain,
-    #[serde(default)]
-    substance: Substance,
-    every: Option<Spanned<f64>>,
-    jitter: Option<JitterFile>,
-}
-
 #[derive(Debug)]
 struct PuffsHazard {
-    source: Plume,
-    substance: Substance,
+    leak: LeakPlan,
     every_s: f64,
-    jitter: Jitter,
 }
 
 /// One puff of it.
@@ -68,35 +49,29 @@ struct PuffsField {
     since_last_s: f64,
 }
 
-/// Reads a `[[hazards]]` of kind `puffs`.
-pub(crate) fn read(
-    section: Section<'_>,
-    _: &Draft,
-    faults: &mut Faults,
-) -> Option<Box<dyn Hazard>> {
-    let file: PuffsFile = faults.read(section)?;
-    let every_s = faults.optional(file.every.as_ref(), 2.0, 0.2..=60.0, "every");
+/// The kind `puffs`.
+pub(super) const KIND: KindOf<Box<dyn Hazard>> = KindOf {
+    name: "puffs",
+    about: "the same as `plume` in single puffs that drift apart, so the cloud bends where the wind has turned",
+    read,
+};
+
+fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
+    let leak = LeakPlan::need(table);
+    let every_s = table.or("every", number(0.2, 60.0, "s"), 2.0, "from puff to puff");
     Some(Box::new(PuffsHazard {
-        source: Plume::read(
-            &file.source,
-            &file.height,
-            &file.rate,
-            (file.stability, file.terrain),
-            faults,
-        ),
-        substance: file.substance,
+        leak: leak?,
         every_s,
-        jitter: Jitter::read(file.jitter.as_ref(), faults),
     }))
 }
 
 impl Hazard for PuffsHazard {
     fn release(&self, _: &Weather, mut random: ChaCha8Rng) -> Box<dyn Field> {
-        let source = self.jitter.vary(&self.source, &mut random);
+        let source = self.leak.drawn(&mut random);
         Box::new(PuffsField {
             objects: [leak(source.source, source.height_m)],
             source,
-            substance: self.substance,
+            substance: self.leak.substance,
             every_s: self.every_s,
             puffs: VecDeque::new(),
             since_last_s: 0.0,
@@ -183,6 +158,7 @@ impl Puff {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::mission::hazard::dispersion::{Stability, Terrain};
     use crate::mission::weather::Wind;
 
     fn puffs() -> PuffsField {

@@ -4,12 +4,12 @@
 
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
-use serde::Deserialize;
-use toml::Spanned;
 
 use super::{Field, Hazard, Object, ObjectClass, Quantity, TruthPiece, TruthShape};
 use crate::mission::Point;
-use crate::mission::file::{Draft, Faults, POINT_RANGE, Section};
+use crate::mission::format::{
+    FileTable, KindOf, POINT_RANGE, list, number, point, table as table_of, word,
+};
 use crate::mission::weather::Weather;
 
 /// What there is everywhere, in uSv/h.
@@ -19,45 +19,16 @@ const NEAREST_M: f64 = 0.5;
 /// More sources or walls than this would slow a step down.
 const MOST_PARTS: usize = 50;
 
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct RadiationFile {
-    sources: Spanned<Vec<SourceFile>>,
-    #[serde(default)]
-    walls: Vec<WallFile>,
-    background: Option<Spanned<f64>>,
-    jitter: Option<Spanned<f64>>,
-}
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct SourceFile {
-    at: Spanned<Point>,
-    #[serde(default)]
-    height: Option<Spanned<f64>>,
-    isotope: Isotope,
-    activity_gbq: Spanned<f64>,
-}
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct WallFile {
-    from: Spanned<Point>,
-    to: Spanned<Point>,
-    height: Spanned<f64>,
-    passes: Spanned<f64>,
-}
-
 /// What shines.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Isotope {
-    #[serde(rename = "Cs-137")]
     Caesium137,
-    #[serde(rename = "Co-60")]
     Cobalt60,
 }
 
 impl Isotope {
+    const WORDS: [(&str, Self); 2] = [("Cs-137", Self::Caesium137), ("Co-60", Self::Cobalt60)];
+
     /// Dose rate at 1 m in uSv/h per `GBq`, and the share that a metre of air absorbs.
     fn constants(self) -> (f64, f64) {
         match self {
@@ -101,50 +72,75 @@ struct RadiationField {
     objects: Vec<Object>,
 }
 
-/// Reads a `[[hazards]]` of kind `radiation`.
-pub(crate) fn read(
-    section: Section<'_>,
-    _: &Draft,
-    faults: &mut Faults,
-) -> Option<Box<dyn Hazard>> {
-    let file: RadiationFile = faults.read(section)?;
-    let count = file.sources.get_ref().len();
-    if count == 0 || count > MOST_PARTS || file.walls.len() > MOST_PARTS {
-        let message = format!("1 to {MOST_PARTS} sources and at most as many walls are needed");
-        faults.add(file.sources.span(), message);
-    }
-    let sources = file.sources.into_inner();
+/// The kind `radiation`.
+pub(super) const KIND: KindOf<Box<dyn Hazard>> = KindOf {
+    name: "radiation",
+    about: "gamma sources behind walls",
+    read,
+};
+
+fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
+    let sources = list(table_of(read_source), 1, MOST_PARTS);
+    let sources = table.need(
+        "sources",
+        sources,
+        "1 GBq gives 92.7 (`Cs-137`) or 351 uSv/h (`Co-60`) at 1 m",
+    );
+    let walls = table.may(
+        "walls",
+        list(table_of(read_wall), 0, MOST_PARTS),
+        "straight and upright",
+    );
+    let background = number(0.0, 1000.0, "uSv/h");
+    let background_usv_h = table.or(
+        "background",
+        background,
+        BACKGROUND_USV_H,
+        "what there is everywhere",
+    );
+    let jitter = number(0.0, POINT_RANGE, "m");
+    let jitter_m = table.or(
+        "jitter",
+        jitter,
+        0.0,
+        "the seed moves each source by up to this",
+    );
     Some(Box::new(RadiationHazard {
-        sources: sources.iter().map(|file| source(file, faults)).collect(),
-        walls: file.walls.iter().map(|file| wall(file, faults)).collect(),
-        background_usv_h: file.background.map_or(BACKGROUND_USV_H, |value| {
-            faults.number(&value, 0.0..=1000.0, "background")
-        }),
-        jitter_m: file.jitter.map_or(0.0, |value| {
-            faults.number(&value, 0.0..=POINT_RANGE, "jitter")
-        }),
+        sources: sources?,
+        walls: walls.unwrap_or_default(),
+        background_usv_h,
+        jitter_m,
     }))
 }
 
-fn source(file: &SourceFile, faults: &mut Faults) -> Source {
-    Source {
-        at: faults.point(&file.at, "at"),
-        height_m: file
-            .height
-            .as_ref()
-            .map_or(0.0, |height| faults.number(height, 0.0..=500.0, "height")),
-        isotope: file.isotope,
-        activity_gbq: faults.number(&file.activity_gbq, 1e-6..=1e6, "activity_gbq"),
-    }
+fn read_source(table: &mut FileTable<'_>) -> Option<Source> {
+    let at = table.need("at", point(), "where");
+    let height_m = table.or("height", number(0.0, 500.0, "m"), 0.0, "how high");
+    let isotope = table.need("isotope", word(&Isotope::WORDS), "what shines");
+    let activity_gbq = table.need("activity_gbq", number(1e-6, 1e6, "GBq"), "how much of it");
+    Some(Source {
+        at: at?,
+        height_m,
+        isotope: isotope?,
+        activity_gbq: activity_gbq?,
+    })
 }
 
-fn wall(file: &WallFile, faults: &mut Faults) -> Wall {
-    Wall {
-        from: faults.point(&file.from, "from"),
-        to: faults.point(&file.to, "to"),
-        height_m: faults.number(&file.height, 0.1..=500.0, "height"),
-        passes: faults.number(&file.passes, 0.0..=1.0, "passes"),
-    }
+fn read_wall(table: &mut FileTable<'_>) -> Option<Wall> {
+    let from = table.need("from", point(), "one end");
+    let to = table.need("to", point(), "the other end");
+    let height_m = table.need("height", number(0.1, 500.0, "m"), "how high");
+    let passes = table.need(
+        "passes",
+        number(0.0, 1.0, ""),
+        "the share that gets through",
+    );
+    Some(Wall {
+        from: from?,
+        to: to?,
+        height_m: height_m?,
+        passes: passes?,
+    })
 }
 
 impl Hazard for RadiationHazard {

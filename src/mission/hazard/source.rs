@@ -2,29 +2,19 @@
 
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
-use serde::Deserialize;
-use toml::Spanned;
 
+use super::dispersion::{Stability, Terrain};
 use super::plume::Plume;
 use super::{Object, ObjectClass, Quantity};
 use crate::mission::Point;
-use crate::mission::file::{Faults, POINT_RANGE};
+use crate::mission::format::{FileTable, POINT_RANGE, number, point, table as table_of, word};
 
 pub(super) const UG_PER_G: f64 = 1e6;
 
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct JitterFile {
-    position: Spanned<f64>,
-    rate: Spanned<f64>,
-}
-
 /// What comes out of a source.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Substance {
     /// The vapour of a solvent.
-    #[default]
     Vapour,
     /// Carbon monoxide.
     Monoxide,
@@ -35,6 +25,13 @@ pub(super) enum Substance {
 }
 
 impl Substance {
+    const WORDS: [(&str, Self); 4] = [
+        ("vapour", Self::Vapour),
+        ("monoxide", Self::Monoxide),
+        ("methane", Self::Methane),
+        ("smoke", Self::Smoke),
+    ];
+
     /// What it is measured in.
     pub fn quantity(self) -> Quantity {
         match self {
@@ -46,26 +43,92 @@ impl Substance {
     }
 }
 
+/// What lets something out, before the seed has varied it.
+#[derive(Debug)]
+pub(super) struct LeakPlan {
+    source: Plume,
+    pub substance: Substance,
+    jitter: Jitter,
+}
+
 /// By how much the seed varies a source.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Jitter {
+struct Jitter {
     /// On each axis.
     position_m: f64,
     /// As a share.
     rate: f64,
 }
 
-impl Jitter {
-    /// As a mission file has it; none where it says nothing.
-    pub fn read(file: Option<&JitterFile>, faults: &mut Faults) -> Self {
-        file.map_or_else(Self::default, |file| Self {
-            position_m: faults.number(&file.position, 0.0..=POINT_RANGE, "jitter.position"),
-            rate: faults.number(&file.rate, 0.0..=0.9, "jitter.rate"),
+impl LeakPlan {
+    /// Reads the keys of what lets something out.
+    pub fn need(table: &mut FileTable<'_>) -> Option<Self> {
+        let source = table.need("source", point(), "where it comes out");
+        let height_m = table.need("height", number(0.0, 500.0, "m"), "how high");
+        let rate_g_s = table.need("rate", number(1e-6, 1e6, "g/s"), "how much");
+        let stability = table.need(
+            "stability",
+            word(&Stability::WORDS),
+            "of the air: `A` very unstable (sun, spreads fast) to `F` stable (clear night, stays narrow); `D` neutral",
+        );
+        let terrain = table.or(
+            "terrain",
+            word(&Terrain::WORDS),
+            Terrain::Open,
+            "built-over ground spreads more",
+        );
+        let substance = table.or(
+            "substance",
+            word(&Substance::WORDS),
+            Substance::Vapour,
+            "what `s_voc`, `s_gas4`, `s_tdlas` and `s_pm25` measure, in this order",
+        );
+        let jitter = table.may("jitter", table_of(read_jitter), "what the seed changes");
+        Some(Self {
+            source: Plume {
+                source: source?,
+                height_m: height_m?,
+                rate_g_s: rate_g_s?,
+                stability: stability?,
+                terrain,
+            },
+            substance,
+            jitter: jitter.unwrap_or_default(),
         })
     }
 
+    /// Vapour that the seed does not vary.
+    #[cfg(test)]
+    pub fn steady(source: Plume) -> Self {
+        Self {
+            source,
+            substance: Substance::Vapour,
+            jitter: Jitter::default(),
+        }
+    }
+
     /// The source as it is this time.
-    pub fn vary(self, source: &Plume, random: &mut ChaCha8Rng) -> Plume {
+    pub fn drawn(&self, random: &mut ChaCha8Rng) -> Plume {
+        self.jitter.vary(&self.source, random)
+    }
+}
+
+fn read_jitter(table: &mut FileTable<'_>) -> Option<Jitter> {
+    let position = number(0.0, POINT_RANGE, "m");
+    let position_m = table.need(
+        "position",
+        position,
+        "the source, on each axis, by up to this",
+    );
+    let rate = table.need("rate", number(0.0, 0.9, ""), "by up to this share of it");
+    Some(Jitter {
+        position_m: position_m?,
+        rate: rate?,
+    })
+}
+
+impl Jitter {
+    fn vary(self, source: &Plume, random: &mut ChaCha8Rng) -> Plume {
         let mut sway = |by: f64| by * (2.0 * random.random::<f64>() - 1.0);
         let [east_m, north_m] = source.source;
         Plume {

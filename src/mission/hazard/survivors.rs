@@ -5,31 +5,19 @@ use std::time::Duration;
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, Weibull};
-use serde::Deserialize;
-use toml::Spanned;
 
 use super::people::People;
 use super::placing::spread;
 use super::{Field, Hazard, Object, ObjectClass};
-use crate::mission::file::{Draft, Faults, Section};
+use crate::mission::format::{
+    FileTable, KindOf, LONGEST_S, number, spread as spread_values, whole,
+};
 use crate::mission::weather::Weather;
 use crate::mission::zone::Shape;
 
 /// How long people last is Weibull's with this shape: hardly anybody is lost early.
 const WEIBULL_SHAPE: f64 = 2.0;
 const MOST_PEOPLE: u32 = 100;
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct SurvivorsFile {
-    zone: Spanned<String>,
-    count: Spanned<u32>,
-    #[serde(default)]
-    animals: u32,
-    cover: Option<Spanned<[f64; 2]>>,
-    min_gap: Spanned<f64>,
-    lasts: Option<Spanned<f64>>,
-}
 
 #[derive(Debug)]
 struct Survivors {
@@ -41,34 +29,44 @@ struct Survivors {
     lasts: Option<Weibull<f64>>,
 }
 
-/// Reads a `[[hazards]]` of kind `survivors`.
-pub(crate) fn read(
-    section: Section<'_>,
-    draft: &Draft,
-    faults: &mut Faults,
-) -> Option<Box<dyn Hazard>> {
-    let file: SurvivorsFile = faults.read(section)?;
-    let gap_m = faults.number(&file.min_gap, 0.0..=1000.0, "min_gap");
-    let cover = file.cover.map_or([0.0; 2], |cover| {
-        let [low, high] = *cover.get_ref();
-        if !(0.0 <= low && low <= high && high <= 0.95) {
-            faults.add(cover.span(), "`cover` must be [low, high], 0 to 0.95");
-        }
-        [low, high]
-    });
-    let lasts_s = file
-        .lasts
-        .map(|lasts| faults.number(&lasts, 10.0..=86_400.0, "lasts"));
-    if !(1..=MOST_PEOPLE).contains(file.count.get_ref()) || file.animals > MOST_PEOPLE {
-        let fault = format!("`count` must lie between 1 and {MOST_PEOPLE}, so must `animals`");
-        faults.add(file.count.span(), fault);
-    }
-    Some(Box::new(Survivors {
-        shape: draft.task_zone(&file.zone, faults)?.shape.clone(),
-        count: *file.count.get_ref() as usize,
-        animals: file.animals as usize,
+/// The kind `survivors`.
+pub(super) const KIND: KindOf<Box<dyn Hazard>> = KindOf {
+    name: "survivors",
+    about: "people somewhere in a zone, and animals that look like them from far",
+    read,
+};
+
+fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
+    let zone = table.need_task_zone();
+    let count = table.need("count", whole(1, MOST_PEOPLE, ""), "people");
+    let animals = table.or(
+        "animals",
+        whole(0, MOST_PEOPLE, ""),
+        0,
+        "what looks like people from far",
+    );
+    let cover = spread_values("[low, high]", number(0.0, 0.95, ""));
+    let cover = table.may(
+        "cover",
         cover,
-        gap_m,
+        "the share that trees hide; without it, nothing",
+    );
+    let gap_m = table.need(
+        "min_gap",
+        number(0.0, 1000.0, "m"),
+        "how far apart they are",
+    );
+    let lasts_s = table.may(
+        "lasts",
+        number(10.0, LONGEST_S, "s"),
+        "how long people last; hardly anybody is lost early (Weibull, shape 2, this scale); without it, for ever",
+    );
+    Some(Box::new(Survivors {
+        shape: zone?.shape,
+        count: count? as usize,
+        animals: animals as usize,
+        cover: cover.unwrap_or_default(),
+        gap_m: gap_m?,
         lasts: lasts_s.and_then(|scale_s| Weibull::new(scale_s, WEIBULL_SHAPE).ok()),
     }))
 }

@@ -2,20 +2,12 @@
 
 use std::time::Duration;
 
-use serde::Deserialize;
-use toml::Spanned;
-
-use super::{Kind, Scene, Standing, Tracker};
-use crate::mission::file::{Draft, Faults, Section};
+use super::{ObjectiveKind, Scene, Standing, Tracker};
+use crate::mission::format::{FileTable, KindOf, number};
+use crate::mission::skill::Skill;
 use crate::mission::world::World;
 use crate::text;
 use crate::text::Text;
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct ArmTimeFile {
-    within: Spanned<f64>,
-}
 
 #[derive(Debug)]
 struct ArmTime {
@@ -44,15 +36,25 @@ impl Arming {
     }
 }
 
-/// Reads a `[[objectives]]` of kind `arm_time`.
-pub(crate) fn read(section: Section<'_>, _: &Draft, faults: &mut Faults) -> Option<Box<dyn Kind>> {
-    let file: ArmTimeFile = faults.read(section)?;
+/// The kind `arm_time`.
+pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
+    name: "arm_time",
+    about: "met when every vehicle is armed soon after it was ready",
+    read,
+};
+
+fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
+    let within_s = table.need("within", number(1.0, 3600.0, "s"), "after it was ready");
     Some(Box::new(ArmTime {
-        within_s: faults.number(&file.within, 1.0..=3600.0, "within"),
+        within_s: within_s?,
     }))
 }
 
-impl Kind for ArmTime {
+impl ObjectiveKind for ArmTime {
+    fn skill(&self, _: usize) -> Option<Skill> {
+        Some(Skill::K1)
+    }
+
     fn start(&self, _: &World) -> Box<dyn Tracker> {
         Box::new(ArmTracker {
             within_s: self.within_s,

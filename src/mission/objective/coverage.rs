@@ -4,13 +4,13 @@
 //! coverage of search theory, `C = W L / A` (strip width times way over area), and what a search without any plan would
 //! find with it, `1 - e^-C` (Koopman 1980): the difference is what flying lines is worth.
 
-use serde::Deserialize;
 use toml::Spanned;
 
-use super::{Kind, Patch, Scene, Standing, Tracker, partial_credit};
+use super::{ObjectiveKind, Patch, Scene, Standing, Tracker};
 use crate::mission::craft::Craft;
-use crate::mission::file::{Better, Draft, Faults, Section};
+use crate::mission::format::{Better, FileTable, KindOf, Target, list, number, text};
 use crate::mission::sensor::Sensor;
+use crate::mission::skill::Skill;
 use crate::mission::weather::Light;
 use crate::mission::world::World;
 use crate::mission::zone::Shape;
@@ -22,22 +22,11 @@ mod gaps;
 
 const MOST_CELLS: f64 = 40_000.0;
 
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct CoverageFile {
-    zone: Spanned<String>,
-    sensors: Spanned<Vec<Spanned<String>>>,
-    cell: Spanned<f64>,
-    target: Spanned<f64>,
-    partial_from: Spanned<f64>,
-}
-
 #[derive(Debug)]
 struct Coverage {
     grid: Grid,
     sensors: Vec<&'static Sensor>,
-    target: f64,
-    partial_from: f64,
+    target: Target,
 }
 
 /// A zone in square cells; those with their middle outside are not among them.
@@ -55,54 +44,63 @@ struct Grid {
 struct Sweep {
     grid: Grid,
     sensors: Vec<&'static Sensor>,
-    target: f64,
-    partial_from: f64,
+    target: Target,
     /// Area that strips have passed over, within the zone, again and again.
     passed_m2: f64,
 }
 
-/// Reads a `[[objectives]]` of kind `coverage`.
-pub(crate) fn read(
-    section: Section<'_>,
-    draft: &Draft,
-    faults: &mut Faults,
-) -> Option<Box<dyn Kind>> {
-    let file: CoverageFile = faults.read(section)?;
-    let side_m = faults.number(&file.cell, 0.2..=1000.0, "cell");
-    let written = (&file.target, &file.partial_from);
-    let (target, partial_from) = faults.target(written, 0.01..=1.0, Better::Higher);
+/// The kind `coverage`.
+pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
+    name: "coverage",
+    about: "met when a working strip of one of the sensors went over this share of the cells; a sensor works where half of its best is left",
+    read,
+};
+
+fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
+    let zone = table.need_task_zone();
+    let sensors = table.need(
+        "sensors",
+        list(text("id of a sensor"), 1, 100),
+        "that find things; the fleet must carry them",
+    );
+    let cell = number(0.2, 1000.0, "m");
+    let side_m = table.need("cell", cell, "side of a cell");
+    let target = table.need_target([0.01, 1.0], Better::Higher);
+    let sensors = detectors(table, &sensors?);
+    Some(Box::new(Coverage {
+        grid: grid(table, &zone?.shape, side_m?)?,
+        sensors,
+        target: target?,
+    }))
+}
+
+fn detectors(table: &mut FileTable<'_>, names: &[Spanned<String>]) -> Vec<&'static Sensor> {
     let mut sensors = Vec::new();
-    for name in file.sensors.get_ref() {
-        let Some(sensor) = draft.fitted_sensor(name, faults) else {
+    for name in names {
+        let Some(sensor) = table.draft().fitted_sensor(name) else {
             continue;
         };
         if sensor.detector().is_none() {
             let fault = format!("`{}` measures where it is, it sweeps nothing", sensor.id);
-            faults.add(name.span(), fault);
+            table.draft().faults.add(name.span(), fault);
         }
         sensors.push(sensor);
     }
-    if file.sensors.get_ref().is_empty() {
-        faults.add(file.sensors.span(), "name a sensor at least");
-    }
-    let zone = draft.task_zone(&file.zone, faults)?;
-    let (low, high) = zone.shape.bounds();
+    sensors
+}
+
+fn grid(table: &mut FileTable<'_>, shape: &Shape, side_m: f64) -> Option<Grid> {
+    let (low, high) = shape.bounds();
     if (high[0] - low[0]) * (high[1] - low[1]) > MOST_CELLS * side_m * side_m {
         let fault = format!("more than {MOST_CELLS} cells; make `cell` larger");
-        faults.add(file.cell.span(), fault);
+        table.fault_of("cell", fault);
         return None;
     }
-    let grid = Grid::new(&zone.shape, side_m);
+    let grid = Grid::new(shape, side_m);
     if grid.count() == 0 {
-        let fault = "no cell of this size has its middle in the zone";
-        faults.add(file.cell.span(), fault);
+        table.fault_of("cell", "no cell of this size has its middle in the zone");
     }
-    Some(Box::new(Coverage {
-        grid,
-        sensors,
-        target,
-        partial_from,
-    }))
+    Some(grid)
 }
 
 impl Grid {
@@ -157,13 +155,16 @@ impl Grid {
     }
 }
 
-impl Kind for Coverage {
+impl ObjectiveKind for Coverage {
+    fn skill(&self, _: usize) -> Option<Skill> {
+        Some(Skill::K6)
+    }
+
     fn start(&self, _: &World) -> Box<dyn Tracker> {
         Box::new(Sweep {
             grid: self.grid.clone(),
             sensors: self.sensors.clone(),
             target: self.target,
-            partial_from: self.partial_from,
             passed_m2: 0.0,
         })
     }
@@ -217,11 +218,11 @@ impl Tracker for Sweep {
 
     fn standing(&self, _: &Scene<'_>) -> Standing {
         let swept = self.grid.swept();
-        let met = swept >= self.target;
+        let met = swept >= self.target.met_at;
         let coverage = self.coverage();
         let percent = |share: f64| format!("{:.0}", share * 100.0);
         Standing {
-            fraction: partial_credit(swept, self.partial_from, self.target),
+            fraction: self.target.credit(swept),
             measure: swept,
             met,
             settled: met,
@@ -235,7 +236,7 @@ impl Tracker for Sweep {
             ),
             outlook: Some(text!("coverage-outlook", swept = percent(swept))),
             quality_advice: Text::default(),
-            target: text!("coverage-target", target = percent(self.target)),
+            target: text!("coverage-target", target = percent(self.target.met_at)),
             advice: text!(
                 "coverage-advice",
                 left = percent(1.0 - swept),
@@ -259,8 +260,10 @@ mod tests {
         Sweep {
             grid: Grid::new(&shape, 1.0),
             sensors: Sensor::by_id("s_mag").into_iter().collect(),
-            target: 0.9,
-            partial_from: 0.5,
+            target: Target {
+                met_at: 0.9,
+                partial_from: 0.5,
+            },
             passed_m2: 0.0,
         }
     }

@@ -1,31 +1,22 @@
 //! `deliver`: bring kits to people while they are of use, or nodes to their places.
 
-use serde::Deserialize;
-use toml::Spanned;
-
-use super::{Kind, Scene, Standing, Tracker, partial_credit};
-use crate::mission::file::{Draft, Faults, Section};
-use crate::mission::hazard::Care;
+use super::{ObjectiveKind, Scene, Standing, Tracker, partial_credit};
+use crate::mission::format::{FileTable, KindOf, whole, word};
+use crate::mission::hazard::{Care, Field};
+use crate::mission::skill::Skill;
 use crate::mission::world::World;
 use crate::text;
 use crate::text::Text;
 
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct DeliverFile {
-    hazard: Spanned<String>,
-    load: What,
-    target: Spanned<u32>,
-    #[serde(default)]
-    partial_from: u32,
-}
-
 /// What is delivered.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum What {
     Kit,
     Node,
+}
+
+impl What {
+    const WORDS: [(&str, Self); 2] = [("kit", Self::Kit), ("node", Self::Node)];
 }
 
 #[derive(Debug, Clone)]
@@ -36,26 +27,39 @@ struct Deliver {
     partial_from: u32,
 }
 
-/// Reads a `[[objectives]]` of kind `deliver`.
-pub(crate) fn read(
-    section: Section<'_>,
-    draft: &Draft,
-    faults: &mut Faults,
-) -> Option<Box<dyn Kind>> {
-    let file: DeliverFile = faults.read(section)?;
-    let target = *file.target.get_ref();
-    if target <= file.partial_from {
-        faults.add(file.target.span(), "`target` must be above `partial_from`");
+/// The kind `deliver`.
+pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
+    name: "deliver",
+    about: "met when so many people have a kit in time, or so many nodes stand in their places",
+    read,
+};
+
+fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
+    let hazard = table.need_hazard("hazard", "with the people or the places");
+    let what = table.need("load", word(&What::WORDS), "what is brought");
+    let target = table.need("target", whole(0, 1000, "pieces"), "what is asked for");
+    let partial_from = table.or(
+        "partial_from",
+        whole(0, 1000, "pieces"),
+        0,
+        "where points begin",
+    );
+    if target.is_some_and(|target| target <= partial_from) {
+        table.fault_of("target", "`target` must be above `partial_from`");
     }
     Some(Box::new(Deliver {
-        hazard: draft.hazard(&file.hazard, faults)?,
-        what: file.load,
-        target: target as usize,
-        partial_from: file.partial_from,
+        hazard: hazard?,
+        what: what?,
+        target: target? as usize,
+        partial_from,
     }))
 }
 
-impl Kind for Deliver {
+impl ObjectiveKind for Deliver {
+    fn skill(&self, vehicles: usize) -> Option<Skill> {
+        Some(if vehicles > 1 { Skill::K10 } else { Skill::K3 })
+    }
+
     fn start(&self, _: &World) -> Box<dyn Tracker> {
         Box::new(self.clone())
     }
@@ -64,11 +68,7 @@ impl Kind for Deliver {
 impl Tracker for Deliver {
     fn standing(&self, scene: &Scene<'_>) -> Standing {
         let field = scene.world.field(self.hazard);
-        self.judged(
-            field
-                .and_then(super::super::hazard::Field::care)
-                .unwrap_or_default(),
-        )
+        self.judged(field.and_then(Field::care).unwrap_or_default())
     }
 }
 

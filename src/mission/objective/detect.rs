@@ -7,13 +7,12 @@
 
 use std::collections::BTreeSet;
 
-use serde::Deserialize;
-use toml::Spanned;
-
-use super::{Kind, Scene, Sought, Standing, Tracker, partial_credit};
-use crate::mission::file::{Better, Draft, Faults, Section};
+use super::{ObjectiveKind, Scene, Sought, Standing, Tracker};
+use crate::mission::format::{Better, FileTable, KindOf, Target, number};
 use crate::mission::ground_truth::Object;
+use crate::mission::hazard::Field;
 use crate::mission::report::{Mark, distance_m};
+use crate::mission::skill::Skill;
 use crate::mission::world::World;
 use crate::text;
 use crate::text::Text;
@@ -21,25 +20,13 @@ use crate::text::Text;
 /// Reports that count, for each object that is there.
 const BUDGET: f64 = 3.0;
 
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct DetectFile {
-    hazard: Spanned<String>,
-    beta: Spanned<f64>,
-    radius: Spanned<f64>,
-    budget: Option<Spanned<f64>>,
-    target: Spanned<f64>,
-    partial_from: Spanned<f64>,
-}
-
 #[derive(Debug, Clone)]
 struct Detect {
     hazard: usize,
     beta: f64,
     radius_m: f64,
     budget: f64,
-    target: f64,
-    partial_from: f64,
+    target: Target,
 }
 
 /// What reports are worth.
@@ -53,28 +40,43 @@ pub(crate) struct Tally {
     pub repeated: usize,
 }
 
-/// Reads a `[[objectives]]` of kind `detect`.
-pub(crate) fn read(
-    section: Section<'_>,
-    draft: &Draft,
-    faults: &mut Faults,
-) -> Option<Box<dyn Kind>> {
-    let file: DetectFile = faults.read(section)?;
-    let written = (&file.target, &file.partial_from);
-    let (target, partial_from) = faults.target(written, 0.01..=1.0, Better::Higher);
+/// The kind `detect`.
+pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
+    name: "detect",
+    about: "met when the F-measure of the reports is as high. It makes a product",
+    read,
+};
+
+fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
+    let hazard = table.need_hazard("hazard", "what is to be reported");
+    let beta = table.need(
+        "beta",
+        number(0.1, 10.0, ""),
+        "2: a miss is much worse than a false alarm; 1: alike",
+    );
+    let radius = number(0.1, 1000.0, "m");
+    let radius_m = table.need("radius", radius, "how near a report counts");
+    let budget = table.or(
+        "budget",
+        number(1.0, 100.0, ""),
+        BUDGET,
+        "reports that count for each object",
+    );
+    let target = table.need_target([0.01, 1.0], Better::Higher);
     Some(Box::new(Detect {
-        beta: faults.number(&file.beta, 0.1..=10.0, "beta"),
-        radius_m: faults.number(&file.radius, 0.1..=1000.0, "radius"),
-        budget: file.budget.map_or(BUDGET, |budget| {
-            faults.number(&budget, 1.0..=100.0, "budget")
-        }),
-        hazard: draft.hazard(&file.hazard, faults)?,
-        target,
-        partial_from,
+        hazard: hazard?,
+        beta: beta?,
+        radius_m: radius_m?,
+        budget,
+        target: target?,
     }))
 }
 
-impl Kind for Detect {
+impl ObjectiveKind for Detect {
+    fn skill(&self, _: usize) -> Option<Skill> {
+        Some(Skill::K7)
+    }
+
     fn sought(&self) -> Option<Sought> {
         Some(Sought {
             hazard: self.hazard,
@@ -89,16 +91,13 @@ impl Kind for Detect {
 
 impl Tracker for Detect {
     fn standing(&self, scene: &Scene<'_>) -> Standing {
-        let objects = scene
-            .world
-            .field(self.hazard)
-            .map(super::super::hazard::Field::objects);
+        let objects = scene.world.field(self.hazard).map(Field::objects);
         let tally = self.tally(objects.unwrap_or_default(), scene.marks);
         let score = tally.f_beta(self.beta);
-        let met = score >= self.target;
+        let met = score >= self.target.met_at;
         let [precision, recall] = tally.precision_and_recall();
         Standing {
-            fraction: partial_credit(score, self.partial_from, self.target),
+            fraction: self.target.credit(score),
             measure: score,
             met,
             settled: met,
@@ -118,7 +117,7 @@ impl Tracker for Detect {
             target: text!(
                 "detect-target",
                 beta = format!("{:.0}", self.beta),
-                target = format!("{:.2}", self.target),
+                target = format!("{:.2}", self.target.met_at),
                 radius = format!("{:.1}", self.radius_m),
             ),
             advice: tally.advice(),
@@ -226,8 +225,10 @@ mod tests {
         beta: 2.0,
         radius_m: 1.0,
         budget: 3.0,
-        target: 0.8,
-        partial_from: 0.3,
+        target: Target {
+            met_at: 0.8,
+            partial_from: 0.3,
+        },
     };
 
     fn mines() -> Vec<Object> {

@@ -2,13 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use serde::Deserialize;
-use toml::Spanned;
-
-use super::{Kind, Scene, Standing, Tracker, partial_credit};
+use super::{ObjectiveKind, Scene, Standing, Tracker, partial_credit};
 use crate::mission::TICK;
-use crate::mission::file::{Draft, Faults, Section};
+use crate::mission::format::{FileTable, KindOf, number};
 use crate::mission::ground_truth::Quantity;
+use crate::mission::skill::Skill;
 use crate::mission::world::World;
 use crate::text;
 use crate::text::Text;
@@ -16,12 +14,6 @@ use crate::vehicle::VehicleId;
 
 /// Twice the limit is worth nothing.
 const WORTHLESS: f64 = 2.0;
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct DoseFile {
-    limit_usv: Spanned<f64>,
-}
 
 #[derive(Debug)]
 struct Dose {
@@ -34,15 +26,25 @@ struct DoseTracker {
     gathered_usv: BTreeMap<VehicleId, f64>,
 }
 
-/// Reads a `[[objectives]]` of kind `dose`.
-pub(crate) fn read(section: Section<'_>, _: &Draft, faults: &mut Faults) -> Option<Box<dyn Kind>> {
-    let file: DoseFile = faults.read(section)?;
+/// The kind `dose`.
+pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
+    name: "dose",
+    about: "met when no vehicle has gathered more radiation; twice as much is worth nothing",
+    read,
+};
+
+fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
+    let limit_usv = table.need("limit_usv", number(1e-3, 1e6, "uSv"), "the most for each");
     Some(Box::new(Dose {
-        limit_usv: faults.number(&file.limit_usv, 1e-3..=1e6, "limit_usv"),
+        limit_usv: limit_usv?,
     }))
 }
 
-impl Kind for Dose {
+impl ObjectiveKind for Dose {
+    fn skill(&self, _: usize) -> Option<Skill> {
+        Some(Skill::K7)
+    }
+
     fn start(&self, _: &World) -> Box<dyn Tracker> {
         Box::new(DoseTracker {
             limit_usv: self.limit_usv,

@@ -1,27 +1,14 @@
 //! `formation`: the middle of all vehicles goes through gates while each keeps its distance to the nearest other.
 
-use serde::Deserialize;
-use toml::Spanned;
-
-use super::route::{Route, RouteFile};
-use super::{Kind, Scene, Standing, Tracker, partial_credit};
+use super::route::Route;
+use super::{ObjectiveKind, Scene, Standing, Tracker};
 use crate::mission::craft::Craft;
-use crate::mission::file::{Better, Draft, Faults, Section};
+use crate::mission::format::{Better, FileTable, KindOf, Target, number, rising};
+use crate::mission::skill::Skill;
 use crate::mission::world::World;
 use crate::mission::{Point, TICK};
 use crate::text;
 use crate::text::Text;
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct FormationFile {
-    gates: Spanned<Vec<Spanned<[f64; 3]>>>,
-    radius: Spanned<f64>,
-    jitter: Option<Spanned<f64>>,
-    spacing: Spanned<[f64; 2]>,
-    target: Spanned<f64>,
-    partial_from: Spanned<f64>,
-}
 
 #[derive(Debug)]
 struct Formation {
@@ -34,8 +21,7 @@ struct Formation {
 #[derive(Debug, Clone)]
 struct Keep {
     spacing_m: [f64; 2],
-    target: f64,
-    partial_from: f64,
+    target: Target,
 }
 
 #[derive(Debug)]
@@ -49,41 +35,39 @@ struct FormationTracker {
     kept_s: f64,
 }
 
-/// Reads a `[[objectives]]` of kind `formation`.
-pub(crate) fn read(
-    section: Section<'_>,
-    draft: &Draft,
-    faults: &mut Faults,
-) -> Option<Box<dyn Kind>> {
-    let place = section.span();
-    let file: FormationFile = faults.read(section)?;
-    if draft.pads.len() == 1 {
-        faults.add(place, "a formation needs two vehicles or more");
+/// The kind `formation`.
+pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
+    name: "formation",
+    about: "met when the middle of all vehicles went through the gates, and for a share of the way each had its nearest neighbour so far away",
+    read,
+};
+
+fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
+    let route = Route::need(table);
+    let spacing_m = table.need(
+        "spacing",
+        rising("[least, most]", number(0.5, 1000.0, "m")),
+        "to the nearest other vehicle",
+    );
+    let target = table.need_target([0.01, 1.0], Better::Higher);
+    if table.draft().pads.len() == 1 {
+        table.fault("a formation needs two vehicles or more");
     }
-    let [low, high] = *file.spacing.get_ref();
-    if !(0.5 <= low && low < high && high <= 1000.0) {
-        let fault = "`spacing` must be [least, most], 0.5 to 1000 m";
-        faults.add(file.spacing.span(), fault);
-    }
-    let written = (&file.target, &file.partial_from);
-    let (target, partial_from) = faults.target(written, 0.01..=1.0, Better::Higher);
-    let route = RouteFile {
-        gates: file.gates,
-        radius: file.radius,
-        jitter: file.jitter,
-    };
     Some(Box::new(Formation {
-        id: draft.objective.clone(),
-        route: route.checked(faults),
+        id: table.own_id(),
+        route: route?,
         keep: Keep {
-            spacing_m: [low, high],
-            target,
-            partial_from,
+            spacing_m: spacing_m?,
+            target: target?,
         },
     }))
 }
 
-impl Kind for Formation {
+impl ObjectiveKind for Formation {
+    fn skill(&self, vehicles: usize) -> Option<Skill> {
+        (vehicles > 1).then_some(Skill::K10)
+    }
+
     fn start(&self, world: &World) -> Box<dyn Tracker> {
         Box::new(FormationTracker {
             gates: self.route.drawn(world, &self.id),
@@ -160,11 +144,11 @@ impl Tracker for FormationTracker {
         let share = if through && count == 1 { 1.0 } else { share };
         let [low, high] = self.keep.spacing_m;
         let percent = |share: f64| format!("{:.0}", (share * 100.0).floor());
-        let kept = partial_credit(share, self.keep.partial_from, self.keep.target);
+        let kept = self.keep.target.credit(share);
         Standing {
             fraction: kept * self.passed as f64 / count.max(1) as f64,
             measure: share,
-            met: through && share >= self.keep.target,
+            met: through && share >= self.keep.target.met_at,
             settled: through,
             landing: false,
             quality: None,
@@ -178,7 +162,7 @@ impl Tracker for FormationTracker {
             quality_advice: Text::default(),
             target: text!(
                 "mission-formation",
-                percent = percent(self.keep.target),
+                percent = percent(self.keep.target.met_at),
                 count = count
             ),
             advice: text!(

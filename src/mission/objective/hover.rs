@@ -1,24 +1,13 @@
 //! `hover`: every vehicle holds its place in the air without a break.
 
-use serde::Deserialize;
-use toml::Spanned;
-
-use super::{Kind, Scene, Standing, Tracker};
+use super::{ObjectiveKind, Scene, Standing, Tracker};
 use crate::mission::craft::Craft;
-use crate::mission::file::{Draft, Faults, Section};
+use crate::mission::format::{FileTable, KindOf, heights, number, text};
+use crate::mission::skill::Skill;
 use crate::mission::world::World;
 use crate::mission::{Point, TICK};
 use crate::text;
 use crate::text::Text;
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct HoverFile {
-    heights: Spanned<[f64; 2]>,
-    radius: Spanned<f64>,
-    time: Spanned<f64>,
-    place: Option<Spanned<String>>,
-}
 
 #[derive(Debug, Clone)]
 struct Hover {
@@ -43,25 +32,39 @@ struct Hold {
     best_s: f64,
 }
 
-/// Reads a `[[objectives]]` of kind `hover`.
-pub(crate) fn read(
-    section: Section<'_>,
-    draft: &Draft,
-    faults: &mut Faults,
-) -> Option<Box<dyn Kind>> {
-    let file: HoverFile = faults.read(section)?;
+/// The kind `hover`.
+pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
+    name: "hover",
+    about: "met when every vehicle has stayed in its place in the air without a break",
+    read,
+};
+
+fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
+    let heights_m = table.need("heights", heights(), "where");
+    let radius_m = table.need_radius();
+    let time_s = table.need("time", number(0.5, 3600.0, "s"), "without a break");
+    let place = table.may(
+        "place",
+        text("id of a place"),
+        "where; without it, anywhere",
+    );
+    let at = place.map(|name| table.draft().place(&name));
     Some(Box::new(Hover {
-        heights_m: faults.heights(Some(&file.heights)),
-        radius_m: faults.number(&file.radius, 0.5..=1000.0, "radius"),
-        time_s: faults.number(&file.time, 0.5..=3600.0, "time"),
-        at: match file.place {
-            Some(name) => Some(draft.place(&name, faults)?),
+        heights_m: heights_m?,
+        radius_m: radius_m?,
+        time_s: time_s?,
+        at: match at {
+            Some(found) => Some(found?),
             None => None,
         },
     }))
 }
 
-impl Kind for Hover {
+impl ObjectiveKind for Hover {
+    fn skill(&self, _: usize) -> Option<Skill> {
+        Some(Skill::K3)
+    }
+
     fn start(&self, _: &World) -> Box<dyn Tracker> {
         Box::new(HoverTracker {
             plan: self.clone(),

@@ -1,23 +1,13 @@
 //! `land_on`: vehicles come down at a place and are disarmed there.
 
-use serde::Deserialize;
-use toml::Spanned;
-
-use super::{DOWN_FOR, Kind, Scene, Standing, Tracker};
+use super::{DOWN_FOR, ObjectiveKind, Scene, Standing, Tracker};
 use crate::mission::Point;
 use crate::mission::craft::Craft;
-use crate::mission::file::{Draft, Faults, Section};
+use crate::mission::format::{FileTable, KindOf, text, whole};
+use crate::mission::skill::Skill;
 use crate::mission::world::World;
 use crate::text;
 use crate::text::Text;
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct LandOnFile {
-    place: Spanned<String>,
-    radius: Spanned<f64>,
-    count: Option<Spanned<usize>>,
-}
 
 #[derive(Debug, Clone)]
 struct LandOn {
@@ -27,30 +17,36 @@ struct LandOn {
     count: usize,
 }
 
-/// Reads a `[[objectives]]` of kind `land_on`.
-pub(crate) fn read(
-    section: Section<'_>,
-    draft: &Draft,
-    faults: &mut Faults,
-) -> Option<Box<dyn Kind>> {
-    let file: LandOnFile = faults.read(section)?;
-    let fleet = draft.pads.len();
-    if let Some(count) = &file.count
-        && fleet > 0
-        && !(1..=fleet).contains(count.get_ref())
-    {
+/// The kind `land_on`.
+pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
+    name: "land_on",
+    about: "met when so many vehicles stand at the place, disarmed",
+    read,
+};
+
+fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
+    let place = table.need("place", text("id of a place"), "where");
+    let radius_m = table.need_radius();
+    let count = table.or("count", whole(1, 250, ""), 1, "how many vehicles");
+    let fleet = table.draft().pads.len();
+    if fleet > 0 && count as usize > fleet {
         let fault = format!("`count` must lie between 1 and the {fleet} vehicles of the fleet");
-        faults.add(count.span(), fault);
+        table.fault_of("count", fault);
     }
+    let place = place?;
     Some(Box::new(LandOn {
-        radius_m: faults.number(&file.radius, 0.5..=1000.0, "radius"),
-        count: file.count.map_or(1, Spanned::into_inner),
-        at: draft.place(&file.place, faults)?,
-        place: file.place.into_inner(),
+        at: table.draft().place(&place)?,
+        place: place.into_inner(),
+        radius_m: radius_m?,
+        count: count as usize,
     }))
 }
 
-impl Kind for LandOn {
+impl ObjectiveKind for LandOn {
+    fn skill(&self, _: usize) -> Option<Skill> {
+        Some(Skill::K3)
+    }
+
     fn start(&self, _: &World) -> Box<dyn Tracker> {
         Box::new(self.clone())
     }

@@ -2,26 +2,14 @@
 
 use std::time::Duration;
 
-use serde::Deserialize;
-use toml::Spanned;
-
-use super::{Kind, Scene, Standing, Tracker, partial_credit};
+use super::{ObjectiveKind, Scene, Standing, Tracker};
 use crate::mission::TICK;
-use crate::mission::file::{Better, Draft, Faults, Section};
+use crate::mission::format::{Better, FileTable, KindOf, LONGEST_S, Target, number, seconds};
+use crate::mission::skill::Skill;
 use crate::mission::world::World;
 use crate::mission::zone::Shape;
 use crate::text;
 use crate::text::Text;
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct LinkFile {
-    zone: Spanned<String>,
-    margin: Spanned<f64>,
-    time: Spanned<f64>,
-    target: Spanned<f64>,
-    partial_from: Spanned<f64>,
-}
 
 /// A link that has to be kept while vehicles work in a zone.
 #[derive(Debug, Clone)]
@@ -31,30 +19,35 @@ struct Link {
     /// Vehicle seconds in the zone that are asked for.
     needed: Duration,
     /// The share of them that has to be well heard.
-    target: f64,
-    partial_from: f64,
+    target: Target,
 }
 
-/// Reads the kind's own keys.
-pub(in crate::mission) fn read(
-    section: Section<'_>,
-    draft: &Draft,
-    faults: &mut Faults,
-) -> Option<Box<dyn Kind>> {
-    let file: LinkFile = faults.read(section)?;
-    let needed_s = faults.number(&file.time, 1.0..=86_400.0, "time");
-    let written = (&file.target, &file.partial_from);
-    let (target, partial_from) = faults.target(written, 0.01..=1.0, Better::Higher);
+/// The kind `link`.
+pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
+    name: "link",
+    about: "met when vehicles worked so long in the zone, and this share of it were heard so well",
+    read,
+};
+
+fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
+    let zone = table.need_task_zone();
+    let margin_db = table.need("margin", number(-20.0, 60.0, "dB"), "how well");
+    let time = seconds(1.0, LONGEST_S);
+    let needed = table.need("time", time, "of all vehicles in the zone together");
+    let target = table.need_target([0.01, 1.0], Better::Higher);
     Some(Box::new(Link {
-        margin_db: faults.number(&file.margin, -20.0..=60.0, "margin"),
-        shape: draft.task_zone(&file.zone, faults)?.shape.clone(),
-        needed: Duration::try_from_secs_f64(needed_s).ok()?,
-        target,
-        partial_from,
+        margin_db: margin_db?,
+        shape: zone?.shape,
+        needed: needed?,
+        target: target?,
     }))
 }
 
-impl Kind for Link {
+impl ObjectiveKind for Link {
+    fn skill(&self, _: usize) -> Option<Skill> {
+        Some(Skill::K5)
+    }
+
     fn start(&self, _: &World) -> Box<dyn Tracker> {
         Box::new(Watched {
             link: self.clone(),
@@ -100,10 +93,10 @@ impl Tracker for Watched {
             self.heard.as_secs_f64() / self.inside.as_secs_f64()
         };
         let worked = (self.inside.as_secs_f64() / link.needed.as_secs_f64()).min(1.0);
-        let met = worked >= 1.0 && share >= link.target;
+        let met = worked >= 1.0 && share >= link.target.met_at;
         let missing = link.needed.saturating_sub(self.inside).as_secs_f64().ceil();
         Standing {
-            fraction: worked * partial_credit(share, link.partial_from, link.target),
+            fraction: worked * link.target.credit(share),
             measure: share,
             met,
             settled: met,
@@ -123,7 +116,7 @@ impl Tracker for Watched {
             target: text!(
                 "link-target",
                 margin = format!("{:.0}", link.margin_db),
-                percent = format!("{:.0}", link.target * 100.0)
+                percent = format!("{:.0}", link.target.met_at * 100.0)
             ),
             advice: text!("link-advice"),
         }

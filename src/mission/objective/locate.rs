@@ -2,25 +2,16 @@
 //!
 //! How near the reports are is revealed when all vehicles are down or the time is up: else one could ask by reporting.
 
-use serde::Deserialize;
-use toml::Spanned;
-
-use super::{Kind, Scene, Sought, Standing, Tracker, partial_credit};
+use super::{ObjectiveKind, Scene, Sought, Standing, Tracker, partial_credit};
 use crate::mission::Point;
 use crate::mission::craft::Craft;
-use crate::mission::file::{Draft, Faults, Section};
+use crate::mission::format::{FileTable, KindOf, number};
+use crate::mission::ground_truth::Object;
 use crate::mission::report::{Mark, distance_m};
+use crate::mission::skill::Skill;
 use crate::mission::world::World;
 use crate::text;
 use crate::text::Text;
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct LocateFile {
-    of: Spanned<String>,
-    within: Spanned<f64>,
-    partial_to: Spanned<f64>,
-}
 
 #[derive(Debug, Clone)]
 struct Locate {
@@ -51,29 +42,33 @@ struct Found {
     astray: usize,
 }
 
-/// Reads a `[[objectives]]` of kind `locate`.
-pub(crate) fn read(
-    section: Section<'_>,
-    draft: &Draft,
-    faults: &mut Faults,
-) -> Option<Box<dyn Kind>> {
-    let file: LocateFile = faults.read(section)?;
-    let within_m = faults.number(&file.within, 0.1..=10_000.0, "within");
-    let partial_to_m = faults.number(&file.partial_to, 0.1..=10_000.0, "partial_to");
-    if partial_to_m <= within_m {
-        faults.add(
-            file.partial_to.span(),
-            "`partial_to` must be above `within`",
-        );
+/// The kind `locate`.
+pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
+    name: "locate",
+    about: "met when each source or leak was reported so near, which is told after landing. It makes a product",
+    read,
+};
+
+fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
+    let hazard = table.need_hazard("of", "what is to be located");
+    let within = number(0.1, 10_000.0, "m");
+    let within_m = table.need("within", within, "how near a report must be");
+    let partial_to_m = table.need("partial_to", within, "how near is worth something");
+    if partial_to_m <= within_m && partial_to_m.is_some() {
+        table.fault_of("partial_to", "`partial_to` must be above `within`");
     }
     Some(Box::new(Locate {
-        hazard: draft.hazard(&file.of, faults)?,
-        within_m,
-        partial_to_m,
+        hazard: hazard?,
+        within_m: within_m?,
+        partial_to_m: partial_to_m?,
     }))
 }
 
-impl Kind for Locate {
+impl ObjectiveKind for Locate {
+    fn skill(&self, _: usize) -> Option<Skill> {
+        Some(Skill::K7)
+    }
+
     fn sought(&self) -> Option<Sought> {
         Some(Sought {
             hazard: self.hazard,
@@ -85,7 +80,7 @@ impl Kind for Locate {
         let objects = world
             .field(self.hazard)
             .map_or(&[][..], |field| field.objects());
-        let wanted = |object: &crate::mission::ground_truth::Object| {
+        let wanted = |object: &Object| {
             let kind = object.class.kind().filter(|_| object.present)?;
             Some(Wanted {
                 at: object.at,

@@ -3,12 +3,10 @@
 //! The error is the root of the mean squared difference between measured and true cell means, divided by the mean of
 //! the true ones (NRMSE). A cell that was not sampled is a blank on the map and counts as a reading of zero.
 
-use serde::Deserialize;
-use toml::Spanned;
-
-use super::{Kind, Scene, Standing, Tracker, partial_credit};
+use super::{ObjectiveKind, Scene, Standing, Tracker};
 use crate::mission::Point;
-use crate::mission::file::{Better, Draft, Faults, Section};
+use crate::mission::format::{Better, FileTable, KindOf, Target, number, text};
+use crate::mission::skill::Skill;
 use crate::mission::survey::{Survey, SurveyPlan};
 use crate::mission::world::World;
 use crate::text;
@@ -19,21 +17,11 @@ const POINTS_PER_SIDE: u32 = 5;
 /// An error this large is worth no quality at all.
 const WORTHLESS: f64 = 0.5;
 
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct MapErrorFile {
-    of: Spanned<String>,
-    height: Spanned<f64>,
-    target: Spanned<f64>,
-    partial_from: Spanned<f64>,
-}
-
 #[derive(Debug)]
 struct MapError {
     of: SurveyPlan,
     height_m: f64,
-    target: f64,
-    partial_from: f64,
+    target: Target,
 }
 
 #[derive(Debug)]
@@ -41,28 +29,32 @@ struct MapTracker {
     of: String,
     height_m: f64,
     truth: Vec<f64>,
-    target: f64,
-    partial_from: f64,
+    target: Target,
 }
 
-/// Reads a `[[objectives]]` of kind `map_error`.
-pub(crate) fn read(
-    section: Section<'_>,
-    draft: &Draft,
-    faults: &mut Faults,
-) -> Option<Box<dyn Kind>> {
-    let file: MapErrorFile = faults.read(section)?;
-    let written = (&file.target, &file.partial_from);
-    let (target, partial_from) = faults.target(written, 0.0..=10.0, Better::Lower);
+/// The kind `map_error`.
+pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
+    name: "map_error",
+    about: "met when the map of a survey is so near to the truth: the root of the mean square of the error, divided by the mean; a cell without a sample counts as 0. It makes a product",
+    read,
+};
+
+fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
+    let of = table.need("of", text("id of an earlier `sample_cells`"), "the survey");
+    let height_m = table.need("height", number(0.0, 1000.0, "m"), "of the map");
+    let target = table.need_target([0.0, 10.0], Better::Lower);
     Some(Box::new(MapError {
-        of: draft.survey(&file.of, faults)?,
-        height_m: faults.number(&file.height, 0.0..=1000.0, "height"),
-        target,
-        partial_from,
+        of: table.draft().survey(&of?)?,
+        height_m: height_m?,
+        target: target?,
     }))
 }
 
-impl Kind for MapError {
+impl ObjectiveKind for MapError {
+    fn skill(&self, _: usize) -> Option<Skill> {
+        Some(Skill::K7)
+    }
+
     fn start(&self, world: &World) -> Box<dyn Tracker> {
         let cell_mean = |centre: Point| {
             let step = self.of.side_m / f64::from(POINTS_PER_SIDE);
@@ -90,7 +82,6 @@ impl Kind for MapError {
                 .map(|cell| cell_mean(cell.centre))
                 .collect(),
             target: self.target,
-            partial_from: self.partial_from,
         })
     }
 }
@@ -149,12 +140,10 @@ impl Tracker for MapTracker {
             || text!("mission-map-none"),
             |error| text!("mission-map-quality", error = error),
         );
-        let met = error.is_some_and(|error| error <= self.target);
+        let met = error.is_some_and(|error| error <= self.target.met_at);
         Standing {
-            fraction: error.map_or(0.0, |error| {
-                partial_credit(error, self.partial_from, self.target)
-            }),
-            measure: error.unwrap_or(self.partial_from),
+            fraction: error.map_or(0.0, |error| self.target.credit(error)),
+            measure: error.unwrap_or(self.target.partial_from),
             met,
             settled: met || whole,
             landing: false,
@@ -165,7 +154,7 @@ impl Tracker for MapTracker {
             result,
             outlook: None,
             quality_advice: self.quality_advice(survey),
-            target: format!("{:.2}", self.target).into(),
+            target: format!("{:.2}", self.target.met_at).into(),
             advice: text!(
                 "mission-map-advice",
                 height = format!("{:.0}", self.height_m)

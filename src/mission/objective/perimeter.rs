@@ -6,28 +6,15 @@
 
 use std::time::Duration;
 
-use serde::Deserialize;
-use toml::Spanned;
-
-use super::{Kind, Patch, Scene, Standing, Tracker, partial_credit};
-use crate::mission::file::{Draft, Faults, Section};
-use crate::mission::hazard::Grid;
+use super::{ObjectiveKind, Patch, Scene, Standing, Tracker};
+use crate::mission::format::{FileTable, KindOf, LONGEST_S, Target, list, number, seconds, text};
+use crate::mission::hazard::{Fire, Grid};
 use crate::mission::report::distance_m;
 use crate::mission::sensor::Sensor;
+use crate::mission::skill::Skill;
 use crate::mission::world::World;
 use crate::text;
 use crate::text::Text;
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct PerimeterFile {
-    of: Spanned<String>,
-    sensor: Spanned<String>,
-    times: Spanned<Vec<f64>>,
-    target: Spanned<f64>,
-    #[serde(default)]
-    partial_from: f64,
-}
 
 #[derive(Debug, Clone)]
 struct Perimeter {
@@ -35,8 +22,7 @@ struct Perimeter {
     hazard: usize,
     sensor: &'static Sensor,
     times: Vec<Duration>,
-    target: f64,
-    partial_from: f64,
+    target: Target,
 }
 
 #[derive(Debug)]
@@ -48,45 +34,55 @@ struct PerimeterTracker {
     fits: Vec<f64>,
 }
 
-/// Reads a `[[objectives]]` of kind `perimeter`.
-pub(crate) fn read(
-    section: Section<'_>,
-    draft: &Draft,
-    faults: &mut Faults,
-) -> Option<Box<dyn Kind>> {
-    let file: PerimeterFile = faults.read(section)?;
-    let target = faults.number(&file.target, 0.01..=1.0, "target");
-    if !(0.0..target).contains(&file.partial_from) {
-        faults.add(
-            file.target.span(),
+/// The kind `perimeter`.
+pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
+    name: "perimeter",
+    about: "met when at these times the map of what burns, drawn by what the camera saw, fits the truth: common area divided by joint area, mean of all times. It makes a product",
+    read,
+};
+
+fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
+    let hazard = table.need_hazard("of", "a fire");
+    let sensor = table.need("sensor", text("id of a sensor"), "a camera");
+    let times = table.need("times", list(seconds(1.0, LONGEST_S), 1, 1000), "rising");
+    let share = number(0.01, 1.0, "");
+    let met_at = table.need("target", share, "what is asked for");
+    let partial_from = table.or(
+        "partial_from",
+        number(0.0, 1.0, ""),
+        0.0,
+        "where points begin",
+    );
+    if met_at.is_some_and(|met_at| partial_from >= met_at) {
+        table.fault_of(
+            "target",
             "`target` must be above `partial_from`, which is 0 or more",
         );
     }
-    let times = file.times.get_ref();
-    let rising = times.is_sorted_by(|a, b| a < b);
-    let possible = times.iter().all(|time| (1.0..=86_400.0).contains(time));
-    if times.is_empty() || !rising || !possible {
-        faults.add(
-            file.times.span(),
-            "`times` are seconds that rise, from 1 on",
-        );
-        return None;
+    let times = times?;
+    if !times.is_sorted_by(|a, b| a < b) {
+        table.fault_of("times", "`times` are seconds that rise, from 1 on");
     }
-    let sensor = draft.fitted_sensor(&file.sensor, faults)?;
+    let sensor = table.draft().fitted_sensor(&sensor?)?;
     if sensor.swath_m(1.0).is_none() {
-        faults.add(file.sensor.span(), "the perimeter needs a camera");
+        table.fault_of("sensor", "the perimeter needs a camera");
     }
-    let seconds = |time: &f64| Duration::try_from_secs_f64(*time).ok();
     Some(Box::new(Perimeter {
-        hazard: draft.hazard(&file.of, faults)?,
+        hazard: hazard?,
         sensor,
-        times: times.iter().filter_map(seconds).collect(),
-        target,
-        partial_from: file.partial_from,
+        times,
+        target: Target {
+            met_at: met_at?,
+            partial_from,
+        },
     }))
 }
 
-impl Kind for Perimeter {
+impl ObjectiveKind for Perimeter {
+    fn skill(&self, _: usize) -> Option<Skill> {
+        Some(Skill::K6)
+    }
+
     fn start(&self, world: &World) -> Box<dyn Tracker> {
         let cells = self.grid(world).map_or(0, Grid::len);
         Box::new(PerimeterTracker {
@@ -99,10 +95,7 @@ impl Kind for Perimeter {
 
 impl Perimeter {
     fn grid<'a>(&self, world: &'a World) -> Option<&'a Grid> {
-        world
-            .field(self.hazard)?
-            .fire()
-            .map(super::super::hazard::fire::Fire::grid)
+        world.field(self.hazard)?.fire().map(Fire::grid)
     }
 }
 
@@ -187,7 +180,7 @@ impl Tracker for PerimeterTracker {
         let sum: f64 = 0.0 + self.fits.iter().sum::<f64>();
         let mean = sum / self.fits.len().max(1) as f64;
         let settled = self.fits.len() == all;
-        let credit = |fit: &f64| partial_credit(*fit, self.plan.partial_from, target);
+        let credit = |fit: &f64| target.credit(*fit);
         // No fits at all add up to a negative zero, which is written as `-0`.
         let credits: f64 = 0.0 + self.fits.iter().map(credit).sum::<f64>();
         let times = self.plan.times.iter();
@@ -195,7 +188,7 @@ impl Tracker for PerimeterTracker {
         Standing {
             fraction: credits / all.max(1) as f64,
             measure: mean,
-            met: settled && mean >= target,
+            met: settled && mean >= target.met_at,
             settled,
             landing: false,
             quality: Some((sum / all.max(1) as f64, self.words())),
@@ -204,7 +197,7 @@ impl Tracker for PerimeterTracker {
             quality_advice: text!("perimeter-advice"),
             target: text!(
                 "perimeter-target",
-                fit = format!("{target:.2}"),
+                fit = format!("{:.2}", target.met_at),
                 times = times.join(", ")
             ),
             advice: text!("perimeter-advice"),

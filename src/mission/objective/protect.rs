@@ -1,22 +1,13 @@
 //! `protect`: a zone must not burn. `contain`: less must burn than if nobody did anything.
 
-use serde::Deserialize;
-use toml::Spanned;
-
-use super::{Kind, Scene, Standing, Tracker, partial_credit};
-use crate::mission::file::{Better, Draft, Faults, Section};
+use super::{ObjectiveKind, Scene, Standing, Tracker};
+use crate::mission::format::{Better, FileTable, KindOf, Target};
 use crate::mission::hazard::Fire;
+use crate::mission::skill::Skill;
 use crate::mission::world::World;
 use crate::mission::zone::Shape;
 use crate::text;
 use crate::text::Text;
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct ProtectFile {
-    of: Spanned<String>,
-    zone: Spanned<String>,
-}
 
 #[derive(Debug, Clone)]
 struct Protect {
@@ -25,58 +16,59 @@ struct Protect {
     zone: Shape,
 }
 
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct ContainFile {
-    of: Spanned<String>,
-    target: Spanned<f64>,
-    partial_from: Spanned<f64>,
-}
-
 #[derive(Debug, Clone)]
 struct Contain {
     hazard: usize,
-    target: f64,
-    partial_from: f64,
+    target: Target,
 }
 
-/// Reads a `[[objectives]]` of kind `protect`.
-pub(crate) fn read(
-    section: Section<'_>,
-    draft: &Draft,
-    faults: &mut Faults,
-) -> Option<Box<dyn Kind>> {
-    let file: ProtectFile = faults.read(section)?;
-    let zone = draft.task_zone(&file.zone, faults)?.shape.clone();
+/// The kind `protect`.
+pub(super) const PROTECT: KindOf<Box<dyn ObjectiveKind>> = KindOf {
+    name: "protect",
+    about: "met when nothing in the zone has burnt",
+    read: read_protect,
+};
+
+fn read_protect(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
+    let hazard = table.need_hazard("of", "a fire");
+    let zone = table.need_task_zone();
     Some(Box::new(Protect {
-        hazard: draft.hazard(&file.of, faults)?,
-        zone,
+        hazard: hazard?,
+        zone: zone?.shape,
     }))
 }
 
-/// Reads a `[[objectives]]` of kind `contain`.
-pub(crate) fn read_contain(
-    section: Section<'_>,
-    draft: &Draft,
-    faults: &mut Faults,
-) -> Option<Box<dyn Kind>> {
-    let file: ContainFile = faults.read(section)?;
-    let written = (&file.target, &file.partial_from);
-    let (target, partial_from) = faults.target(written, 0.0..=1.0, Better::Lower);
+/// The kind `contain`.
+pub(super) const CONTAIN: KindOf<Box<dyn ObjectiveKind>> = KindOf {
+    name: "contain",
+    about: "met when no larger share has burnt of what would burn if nobody did anything",
+    read: read_contain,
+};
+
+fn read_contain(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
+    let hazard = table.need_hazard("of", "a fire");
+    let target = table.need_target([0.0, 1.0], Better::Lower);
     Some(Box::new(Contain {
-        hazard: draft.hazard(&file.of, faults)?,
-        target,
-        partial_from,
+        hazard: hazard?,
+        target: target?,
     }))
 }
 
-impl Kind for Protect {
+impl ObjectiveKind for Protect {
+    fn skill(&self, vehicles: usize) -> Option<Skill> {
+        (vehicles > 1).then_some(Skill::K10)
+    }
+
     fn start(&self, _: &World) -> Box<dyn Tracker> {
         Box::new(self.clone())
     }
 }
 
-impl Kind for Contain {
+impl ObjectiveKind for Contain {
+    fn skill(&self, vehicles: usize) -> Option<Skill> {
+        (vehicles > 1).then_some(Skill::K10)
+    }
+
     fn start(&self, _: &World) -> Box<dyn Tracker> {
         Box::new(self.clone())
     }
@@ -136,9 +128,9 @@ impl Tracker for Contain {
         let share = burnt as f64 / untouched.max(1) as f64;
         let good = scene.releases.iter().filter(|release| release.good).count();
         let all = scene.releases.len();
-        let met = share <= self.target;
+        let met = share <= self.target.met_at;
         Standing {
-            fraction: partial_credit(share, self.partial_from, self.target),
+            fraction: self.target.credit(share),
             measure: share,
             met,
             settled: fire.is_none_or(Fire::is_out),
@@ -152,7 +144,7 @@ impl Tracker for Contain {
             quality_advice: text!("contain-quality"),
             target: text!(
                 "contain-target",
-                percent = format!("{:.0}", self.target * 100.0)
+                percent = format!("{:.0}", self.target.met_at * 100.0)
             ),
             advice: text!("contain-advice"),
         }

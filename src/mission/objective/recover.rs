@@ -1,11 +1,9 @@
 //! `recover`: every vehicle back on a pad, disarmed, with enough battery left.
 
-use serde::Deserialize;
-use toml::Spanned;
-
-use super::{DOWN_FOR, Kind, Scene, Standing, Tracker};
+use super::{DOWN_FOR, ObjectiveKind, Scene, Standing, Tracker};
 use crate::mission::craft::Craft;
-use crate::mission::file::{Draft, Faults, Section};
+use crate::mission::format::{FileTable, KindOf, number};
+use crate::mission::skill::Skill;
 use crate::mission::world::World;
 use crate::text;
 use crate::text::Text;
@@ -13,29 +11,35 @@ use crate::text::Text;
 /// The battery is named before the distance when it is less than this many percent above what is needed.
 const RUNNING_SHORT: f64 = 10.0;
 
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct RecoverFile {
-    radius: Spanned<f64>,
-    battery_pct: Spanned<f64>,
-}
-
 #[derive(Debug, Clone)]
 struct Recover {
     radius_m: f64,
     battery_percent: f64,
 }
 
-/// Reads a `[[objectives]]` of kind `recover`.
-pub(crate) fn read(section: Section<'_>, _: &Draft, faults: &mut Faults) -> Option<Box<dyn Kind>> {
-    let file: RecoverFile = faults.read(section)?;
+/// The kind `recover`.
+pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
+    name: "recover",
+    about: "met when all vehicles are back on the pads, disarmed, with so much battery; nearly every mission has it",
+    read,
+};
+
+fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
+    let radius = number(0.5, 1000.0, "m");
+    let radius_m = table.need("radius", radius, "how near to a pad counts");
+    let charge = number(0.0, 100.0, "%");
+    let battery_percent = table.need("battery_pct", charge, "what the battery must have left");
     Some(Box::new(Recover {
-        radius_m: faults.number(&file.radius, 0.5..=1000.0, "radius"),
-        battery_percent: faults.number(&file.battery_pct, 0.0..=100.0, "battery_pct"),
+        radius_m: radius_m?,
+        battery_percent: battery_percent?,
     }))
 }
 
-impl Kind for Recover {
+impl ObjectiveKind for Recover {
+    fn skill(&self, vehicles: usize) -> Option<Skill> {
+        Some(if vehicles > 1 { Skill::K10 } else { Skill::K3 })
+    }
+
     fn start(&self, _: &World) -> Box<dyn Tracker> {
         Box::new(self.clone())
     }

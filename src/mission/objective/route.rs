@@ -3,23 +3,12 @@
 use std::f64::consts::TAU;
 
 use rand::RngExt as _;
-use serde::Deserialize;
-use toml::Spanned;
 
-use crate::mission::file::{Faults, POINT_RANGE};
+use crate::mission::format::{FileTable, gate, list, number};
 use crate::mission::world::World;
 
 /// Gates of one route.
 const MOST_GATES: usize = 100;
-
-/// The keys of a route.
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct RouteFile {
-    pub gates: Spanned<Vec<Spanned<[f64; 3]>>>,
-    pub radius: Spanned<f64>,
-    pub jitter: Option<Spanned<f64>>,
-}
 
 /// Gates as the mission describes them: east, north and up from the origin.
 #[derive(Debug, Clone)]
@@ -29,35 +18,24 @@ pub(super) struct Route {
     jitter_m: f64,
 }
 
-impl RouteFile {
-    pub fn checked(&self, faults: &mut Faults) -> Route {
-        let gates = self.gates.get_ref();
-        if !(1..=MOST_GATES).contains(&gates.len()) {
-            let fault = format!("`gates` must have 1 to {MOST_GATES} of them");
-            faults.add(self.gates.span(), fault);
-        }
-        for gate in gates {
-            let [east_m, north_m, up_m] = gate.get_ref();
-            let near = |axis: &f64| (-POINT_RANGE..=POINT_RANGE).contains(axis);
-            if !(near(east_m) && near(north_m) && (0.0..=1000.0).contains(up_m)) {
-                let fault = format!(
-                    "a gate is [east, north, up]: within {POINT_RANGE} m of the origin, 0 to 1000 m high"
-                );
-                faults.add(gate.span(), fault);
-            }
-        }
-        Route {
-            gates: gates.iter().map(|gate| *gate.get_ref()).collect(),
-            radius_m: faults.number(&self.radius, 0.5..=1000.0, "radius"),
-            jitter_m: self
-                .jitter
-                .as_ref()
-                .map_or(0.0, |jitter| faults.number(jitter, 0.0..=1000.0, "jitter")),
-        }
-    }
-}
-
 impl Route {
+    /// Reads the keys of a route.
+    pub fn need(table: &mut FileTable<'_>) -> Option<Self> {
+        let gates = table.need("gates", list(gate(), 1, MOST_GATES), "in their order");
+        let radius_m = table.need_radius();
+        let jitter_m = table.or(
+            "jitter",
+            number(0.0, 1000.0, "m"),
+            0.0,
+            "the seed moves each gate by up to this",
+        );
+        Some(Self {
+            gates: gates?,
+            radius_m: radius_m?,
+            jitter_m,
+        })
+    }
+
     /// What a gate is called.
     pub fn name(index: usize) -> String {
         format!("gate{}", index + 1)

@@ -1,10 +1,8 @@
 //! `sample_cells`: carry a sensor slowly enough and for long enough through the cells of a grid.
 
-use serde::Deserialize;
-use toml::Spanned;
-
-use super::{Kind, Scene, Standing, Tracker, partial_credit};
-use crate::mission::file::{Draft, Faults, Section};
+use super::{ObjectiveKind, Scene, Standing, Tracker, partial_credit};
+use crate::mission::format::{FileTable, KindOf, heights, number, text, whole};
+use crate::mission::skill::Skill;
 use crate::mission::survey::{CellPlan, Survey, SurveyPlan, letters};
 use crate::mission::world::World;
 use crate::mission::zone::Shape;
@@ -14,20 +12,6 @@ use crate::text::Text;
 /// More cells than a trainee could ever fly, fewer than would slow a step down.
 const MOST_CELLS: usize = 10_000;
 
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct SampleCellsFile {
-    zone: Spanned<String>,
-    sensor: Spanned<String>,
-    cell: Spanned<f64>,
-    dwell: Spanned<f64>,
-    max_speed: Spanned<f64>,
-    heights: Spanned<[f64; 2]>,
-    target: Spanned<u32>,
-    #[serde(default)]
-    partial_from: u32,
-}
-
 #[derive(Debug, Clone)]
 struct SampleCells {
     plan: SurveyPlan,
@@ -35,66 +19,72 @@ struct SampleCells {
     partial_from: u32,
 }
 
-/// Reads a `[[objectives]]` of kind `sample_cells`.
-pub(crate) fn read(
-    section: Section<'_>,
-    draft: &Draft,
-    faults: &mut Faults,
-) -> Option<Box<dyn Kind>> {
-    let file: SampleCellsFile = faults.read(section)?;
-    let side_m = faults.number(&file.cell, 1.0..=1000.0, "cell");
-    let cells = match draft.task_zone(&file.zone, faults) {
-        Some(zone) => grid(&zone.shape, side_m, &file.cell, faults),
-        None => Vec::new(),
+/// The kind `sample_cells`.
+pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
+    name: "sample_cells",
+    about: "met when so many cells were sampled: for so long in each, not faster, at these heights",
+    read,
+};
+
+fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
+    let zone = table.need_task_zone();
+    let sensor = table.need("sensor", text("id of a sensor"), "one that measures");
+    let side_m = table.need("cell", number(1.0, 1000.0, "m"), "side of a cell");
+    let dwell_s = table.need("dwell", number(0.1, 600.0, "s"), "in each cell");
+    let max_speed_m_s = table.need("max_speed", number(0.1, 100.0, "m/s"), "while sampling");
+    let heights_m = table.need("heights", heights(), "where");
+    let target = table.need("target", whole(1, 10_000, "cells"), "what is asked for");
+    let partial_from = table.or(
+        "partial_from",
+        whole(0, 10_000, "cells"),
+        0,
+        "where points begin",
+    );
+    let cells = match (zone, side_m) {
+        (Some(zone), Some(side_m)) => grid(&zone.shape, side_m, table),
+        _ => Vec::new(),
     };
-    let target = *file.target.get_ref() as usize;
-    if !cells.is_empty() && !(1..=cells.len()).contains(&target) {
-        faults.add(
-            file.target.span(),
-            format!(
-                "`target` must lie between 1 and the {} cells of the zone",
-                cells.len()
-            ),
-        );
+    let target = target?;
+    if !cells.is_empty() && target as usize > cells.len() {
+        let count = cells.len();
+        let fault = format!("`target` must lie between 1 and the {count} cells of the zone");
+        table.fault_of("target", fault);
     }
-    if file.partial_from as usize >= target.max(1) {
-        faults.add(file.target.span(), "`target` must be above `partial_from`");
+    if partial_from >= target {
+        table.fault_of("target", "`target` must be above `partial_from`");
     }
-    let heights_m = *file.heights.get_ref();
-    if !(0.0 <= heights_m[0] && heights_m[0] < heights_m[1] && heights_m[1] <= 1000.0) {
-        faults.add(
-            file.heights.span(),
-            "`heights` must be [low, high], 0 to 1000 m",
-        );
+    let sensor = table.draft().fitted_sensor(&sensor?)?;
+    let probe = sensor.probe();
+    if probe.is_none() {
+        let fault = format!("`{}` finds things, it measures nothing", sensor.id);
+        table.fault_of("sensor", fault);
     }
-    let (sensor, probe) = draft.fitted_probe(&file.sensor, faults)?;
     Some(Box::new(SampleCells {
         plan: SurveyPlan {
-            id: draft.objective.clone(),
+            id: table.own_id(),
             cells,
-            side_m,
+            side_m: side_m?,
             sensor,
-            probe,
-            dwell_s: faults.number(&file.dwell, 0.1..=600.0, "dwell"),
-            max_speed_m_s: faults.number(&file.max_speed, 0.1..=100.0, "max_speed"),
-            heights_m,
+            probe: probe?,
+            dwell_s: dwell_s?,
+            max_speed_m_s: max_speed_m_s?,
+            heights_m: heights_m?,
         },
-        target,
-        partial_from: file.partial_from,
+        target: target as usize,
+        partial_from,
     }))
 }
 
 /// The cells whose centres lie in the shape, row by row from the south-west.
-fn grid(shape: &Shape, side_m: f64, place: &Spanned<f64>, faults: &mut Faults) -> Vec<CellPlan> {
+fn grid(shape: &Shape, side_m: f64, table: &mut FileTable<'_>) -> Vec<CellPlan> {
     let (low, high) = shape.bounds();
     // A last column that is thinner than a thousandth of a cell is a rounding error.
     let count = |axis: usize| ((high[axis] - low[axis]) / side_m - 1e-3).ceil().max(0.0) as usize;
     let (columns, rows) = (count(0), count(1));
     if columns.saturating_mul(rows) > MOST_CELLS {
-        faults.add(
-            place.span(),
-            format!("{columns} x {rows} cells are more than {MOST_CELLS}; make `cell` larger"),
-        );
+        let fault =
+            format!("{columns} x {rows} cells are more than {MOST_CELLS}; make `cell` larger");
+        table.fault_of("cell", fault);
         return Vec::new();
     }
     let mut cells = Vec::new();
@@ -113,15 +103,16 @@ fn grid(shape: &Shape, side_m: f64, place: &Spanned<f64>, faults: &mut Faults) -
         }
     }
     if cells.is_empty() {
-        faults.add(
-            place.span(),
-            "no cell of this size has its centre in the zone",
-        );
+        table.fault_of("cell", "no cell of this size has its centre in the zone");
     }
     cells
 }
 
-impl Kind for SampleCells {
+impl ObjectiveKind for SampleCells {
+    fn skill(&self, _: usize) -> Option<Skill> {
+        Some(Skill::K6)
+    }
+
     fn survey(&self) -> Option<&SurveyPlan> {
         Some(&self.plan)
     }

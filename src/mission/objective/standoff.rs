@@ -5,26 +5,15 @@
 
 use std::time::Duration;
 
-use serde::Deserialize;
-use toml::Spanned;
-
-use super::{Kind, Scene, Standing, Tracker, partial_credit};
+use super::{ObjectiveKind, Scene, Standing, Tracker};
 use crate::mission::TICK;
-use crate::mission::file::{Better, Draft, Faults, Section};
+use crate::mission::format::{
+    Better, FileTable, KindOf, LONGEST_S, Target, number, rising, seconds,
+};
+use crate::mission::skill::Skill;
 use crate::mission::world::World;
 use crate::text;
 use crate::text::Text;
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct StandoffFile {
-    hazard: Spanned<String>,
-    range: Spanned<[f64; 2]>,
-    near: Spanned<f64>,
-    time: Spanned<f64>,
-    target: Spanned<f64>,
-    partial_from: Spanned<f64>,
-}
 
 #[derive(Debug, Clone)]
 struct Standoff {
@@ -32,46 +21,49 @@ struct Standoff {
     range_m: [f64; 2],
     near_m: f64,
     least: Duration,
-    target: f64,
-    partial_from: f64,
+    target: Target,
     /// Time near the structure, at the right distance, and too near.
     near: Duration,
     kept: Duration,
     too_near: Duration,
 }
 
-/// Reads a `[[objectives]]` of kind `standoff`.
-pub(crate) fn read(
-    section: Section<'_>,
-    draft: &Draft,
-    faults: &mut Faults,
-) -> Option<Box<dyn Kind>> {
-    let file: StandoffFile = faults.read(section)?;
-    let written = (&file.target, &file.partial_from);
-    let (target, partial_from) = faults.target(written, 0.01..=1.0, Better::Higher);
-    let range_m = *file.range.get_ref();
-    let near_m = faults.number(&file.near, 1.0..=1000.0, "near");
-    if !(0.0 <= range_m[0] && range_m[0] < range_m[1] && range_m[1] <= near_m) {
-        faults.add(
-            file.range.span(),
-            "`range` must be [nearest, farthest], up to `near`",
-        );
+/// The kind `standoff`.
+pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
+    name: "standoff",
+    about: "met when of the time near the line this share was at the right distance",
+    read,
+};
+
+fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
+    let hazard = table.need_hazard("hazard", "a line");
+    let range = rising("[nearest, farthest]", number(0.0, 1000.0, "m"));
+    let range_m = table.need("range", range, "the right distance, up to `near`");
+    let near_m = table.need("near", number(1.0, 1000.0, "m"), "how near time counts");
+    let time = seconds(1.0, LONGEST_S);
+    let least = table.need("time", time, "the least to spend there");
+    let target = table.need_target([0.01, 1.0], Better::Higher);
+    let (range_m, near_m) = (range_m?, near_m?);
+    if range_m[1] > near_m {
+        table.fault_of("range", "`range` must be [nearest, farthest], up to `near`");
     }
-    let least_s = faults.number(&file.time, 1.0..=86_400.0, "time");
     Some(Box::new(Standoff {
-        hazard: draft.hazard(&file.hazard, faults)?,
+        hazard: hazard?,
         range_m,
         near_m,
-        least: Duration::try_from_secs_f64(least_s).ok()?,
-        target,
-        partial_from,
+        least: least?,
+        target: target?,
         near: Duration::ZERO,
         kept: Duration::ZERO,
         too_near: Duration::ZERO,
     }))
 }
 
-impl Kind for Standoff {
+impl ObjectiveKind for Standoff {
+    fn skill(&self, _: usize) -> Option<Skill> {
+        Some(Skill::K3)
+    }
+
     fn start(&self, _: &World) -> Box<dyn Tracker> {
         Box::new(self.clone())
     }
@@ -114,12 +106,12 @@ impl Tracker for Standoff {
 
     fn standing(&self, _: &Scene<'_>) -> Standing {
         let share = self.share();
-        let met = share >= self.target;
+        let met = share >= self.target.met_at;
         let [nearest, farthest] = self.range_m.map(|metres| format!("{metres:.0}"));
         let percent = |share: f64| format!("{:.0}", share * 100.0);
         let seconds = |time: Duration| format!("{:.0}", time.as_secs_f64());
         Standing {
-            fraction: partial_credit(share, self.partial_from, self.target),
+            fraction: self.target.credit(share),
             measure: share,
             met,
             settled: self.near >= self.least,
@@ -135,7 +127,7 @@ impl Tracker for Standoff {
             quality_advice: Text::default(),
             target: text!(
                 "standoff-target",
-                share = percent(self.target),
+                share = percent(self.target.met_at),
                 nearest = nearest.clone(),
                 farthest = farthest.clone(),
             ),
@@ -159,8 +151,10 @@ mod tests {
             range_m: [5.0, 12.0],
             near_m: 30.0,
             least: Duration::from_secs(60),
-            target: 0.9,
-            partial_from: 0.5,
+            target: Target {
+                met_at: 0.9,
+                partial_from: 0.5,
+            },
             near: Duration::ZERO,
             kept: Duration::ZERO,
             too_near: Duration::ZERO,

@@ -2,13 +2,11 @@
 
 use std::collections::BTreeSet;
 
-use serde::Deserialize;
-use toml::Spanned;
-
-use super::{Kind, Scene, Standing, Tracker, partial_credit};
+use super::{ObjectiveKind, Scene, Standing, Tracker, partial_credit};
 use crate::mission::craft::Craft;
-use crate::mission::file::{Draft, Faults, Section};
-use crate::mission::objective::route::{Route, RouteFile};
+use crate::mission::format::{FileTable, KindOf, heights, list, number, text};
+use crate::mission::objective::route::Route;
+use crate::mission::skill::Skill;
 use crate::mission::world::World;
 use crate::mission::{Point, TICK};
 use crate::text;
@@ -16,15 +14,7 @@ use crate::text::Text;
 
 /// Places of one `visit`.
 const MOST_PLACES: usize = 100;
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct VisitFile {
-    places: Spanned<Vec<Spanned<String>>>,
-    radius: Spanned<f64>,
-    dwell: Option<Spanned<f64>>,
-    heights: Option<Spanned<[f64; 2]>>,
-}
+const ANY_HEIGHT: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
 #[derive(Debug, Clone)]
 struct Visit {
@@ -63,47 +53,49 @@ impl Stop {
     }
 }
 
-/// Reads a `[[objectives]]` of kind `gates`.
-pub(crate) fn read_gates(
-    section: Section<'_>,
-    draft: &Draft,
-    faults: &mut Faults,
-) -> Option<Box<dyn Kind>> {
-    let file: RouteFile = faults.read(section)?;
+/// The kind `gates`.
+pub(super) const GATES: KindOf<Box<dyn ObjectiveKind>> = KindOf {
+    name: "gates",
+    about: "met when somebody went through each gate, in their order; only one objective of a mission may have gates",
+    read: read_gates,
+};
+
+fn read_gates(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
+    let route = Route::need(table);
     Some(Box::new(Gates {
-        id: draft.objective.clone(),
-        route: file.checked(faults),
+        id: table.own_id(),
+        route: route?,
     }))
 }
 
-/// Reads a `[[objectives]]` of kind `visit`.
-pub(crate) fn read_visit(
-    section: Section<'_>,
-    draft: &Draft,
-    faults: &mut Faults,
-) -> Option<Box<dyn Kind>> {
-    let file: VisitFile = faults.read(section)?;
-    let count = file.places.get_ref().len();
-    if !(1..=MOST_PLACES).contains(&count) {
-        let fault = format!("`places` must name 1 to {MOST_PLACES} places");
-        faults.add(file.places.span(), fault);
-    }
-    let radius_m = faults.number(&file.radius, 0.5..=1000.0, "radius");
-    let heights_m = faults.heights(file.heights.as_ref());
-    let dwell_s = file
-        .dwell
-        .map_or(0.0, |dwell| faults.number(&dwell, 0.0..=600.0, "dwell"));
+/// The kind `visit`.
+pub(super) const VISIT: KindOf<Box<dyn ObjectiveKind>> = KindOf {
+    name: "visit",
+    about: "met when somebody was at each of the places, in any order",
+    read: read_visit,
+};
+
+fn read_visit(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
+    let places = list(text("id of a place"), 1, MOST_PLACES);
+    let places = table.need("places", places, "each once");
+    let radius_m = table.need_radius();
+    let dwell_s = table.or("dwell", number(0.0, 600.0, "s"), 0.0, "how long to stay");
+    let heights_m = table.may("heights", heights(), "where; without it, at any height");
+    let (places, radius_m) = (places?, radius_m?);
     let mut named = BTreeSet::new();
     let mut stops = Vec::new();
-    for name in file.places.get_ref() {
+    for name in &places {
         if !named.insert(name.get_ref()) {
-            faults.add(name.span(), "this place is named twice");
+            table
+                .draft()
+                .faults
+                .add(name.span(), "this place is named twice");
         }
-        if let Some(at) = draft.place(name, faults) {
+        if let Some(at) = table.draft().place(name) {
             stops.push(Stop {
                 name: name.get_ref().clone(),
                 at,
-                heights_m,
+                heights_m: heights_m.unwrap_or(ANY_HEIGHT),
                 up_m: None,
                 radius_m,
             });
@@ -112,13 +104,17 @@ pub(crate) fn read_visit(
     Some(Box::new(Visit { stops, dwell_s }))
 }
 
-impl Kind for Gates {
+impl ObjectiveKind for Gates {
+    fn skill(&self, _: usize) -> Option<Skill> {
+        Some(Skill::K3)
+    }
+
     fn start(&self, world: &World) -> Box<dyn Tracker> {
         let gates = self.route.drawn(world, &self.id);
         let stop = |(index, [east, north, up]): (usize, [f64; 3])| Stop {
             name: Route::name(index),
             at: [east, north],
-            heights_m: [f64::NEG_INFINITY, f64::INFINITY],
+            heights_m: ANY_HEIGHT,
             up_m: Some(up),
             radius_m: self.route.radius_m,
         };
@@ -131,7 +127,11 @@ impl Kind for Gates {
     }
 }
 
-impl Kind for Visit {
+impl ObjectiveKind for Visit {
+    fn skill(&self, _: usize) -> Option<Skill> {
+        Some(Skill::K3)
+    }
+
     fn start(&self, _: &World) -> Box<dyn Tracker> {
         Box::new(Stops::new(self.stops.clone(), false, self.dwell_s))
     }

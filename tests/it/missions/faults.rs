@@ -28,7 +28,7 @@ const REFUSALS: &[(&str, &str, &str)] = &[
     ),
     (
         "[scoring]",
-        "[rewards]\nunlock = [\"part:s_pm25\", \"part:s_ball\", \"part:r_mesh24\", \"part:fr_x500\"]\ncredits = -1\n[scoring]",
+        "[rewards]\nunlock = [\"part:s_pm25\", \"part:s_ball\", \"part:r_mesh24\", \"part:fr_500q\"]\ncredits = -1\n[scoring]",
         "51:11: invalid value: integer `-1`, expected a whole number, 0 or more",
     ),
     (
@@ -69,7 +69,7 @@ const REFUSALS: &[(&str, &str, &str)] = &[
     (
         "[scoring]",
         "[[objectives]]\nid = \"o\"\ntitle = \"O\"\nvalue = 1\nkind = \"gates\"\ngates = []\nradius = 5\n[scoring]",
-        "54:9: `gates` must have 1 to 100 of them",
+        "54:9: `gates` must have 1 to 100 entries",
     ),
     (
         "[scoring]",
@@ -89,7 +89,7 @@ const REFUSALS: &[(&str, &str, &str)] = &[
     (
         "[scoring]",
         "[[objectives]]\nid = \"o\"\ntitle = \"O\"\nvalue = 1\nkind = \"visit\"\nplaces = []\nradius = 5\n[scoring]",
-        "54:10: `places` must name 1 to 100 places",
+        "54:10: `places` must have 1 to 100 entries",
     ),
     (
         "[scoring]",

@@ -8,6 +8,7 @@ use super::token::Token;
 use super::{Type, Value};
 use crate::diagnostic::Diagnostic;
 use crate::mission::event::scope::{Scope, Spot};
+use crate::mission::sensor::Sensor;
 use crate::mission::zone::Zone;
 use crate::scoring::AlertLevel;
 use crate::vehicle::VehicleClass;
@@ -16,12 +17,12 @@ use crate::vehicle::VehicleClass;
 #[derive(Debug, Clone, Copy, Default)]
 pub(in crate::mission) struct Names<'a> {
     pub zones: &'a [Zone],
-    /// Ids of objectives, hazards, sensors, events, and of who and what events bring.
-    pub objectives: &'a [&'a str],
-    pub hazards: &'a [&'a str],
-    pub sensors: &'a [&'static str],
-    pub events: &'a [&'a str],
-    pub movers: &'a [&'a str],
+    /// Ids of objectives, hazards, events, and of who and what events bring.
+    pub objectives: &'a [String],
+    pub hazards: &'a [String],
+    pub events: &'a [String],
+    pub movers: &'a [String],
+    pub sensors: &'a [&'static Sensor],
     pub vehicles: usize,
 }
 
@@ -312,11 +313,11 @@ impl Argument {
         let zones = || names.zones.iter().map(|zone| zone.id.as_str());
         let known: Vec<&str> = match self {
             Self::Zone => zones().collect(),
-            Self::Place => zones().chain(names.movers.iter().copied()).collect(),
-            Self::Objective => names.objectives.to_vec(),
-            Self::Hazard => names.hazards.to_vec(),
-            Self::Sensor => names.sensors.to_vec(),
-            Self::Event => names.events.to_vec(),
+            Self::Place => zones().chain(ids(names.movers)).collect(),
+            Self::Objective => ids(names.objectives).collect(),
+            Self::Hazard => ids(names.hazards).collect(),
+            Self::Sensor => names.sensors.iter().map(|sensor| sensor.id).collect(),
+            Self::Event => ids(names.events).collect(),
             _ => levels.to_vec(),
         };
         let Some(index) = known.iter().position(|known| *known == name) else {
@@ -335,6 +336,10 @@ impl Argument {
             _ => Given::Index(index),
         })
     }
+}
+
+fn ids(ids: &[String]) -> impl Iterator<Item = &str> {
+    ids.iter().map(String::as_str)
 }
 
 /// `['LAND', 'RTL']`.

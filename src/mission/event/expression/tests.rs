@@ -8,6 +8,7 @@ use proptest::prelude::*;
 use super::{Expression, Names};
 use crate::mission::craft::Craft;
 use crate::mission::event::scope::{Scope, Sight};
+use crate::mission::sensor::Sensor;
 use crate::mission::zone::{Shape, Zone, ZoneKind};
 use crate::scoring::AlertLevel;
 
@@ -44,14 +45,19 @@ fn crafts() -> Vec<Craft> {
     ]
 }
 
+fn leaked(names: &[&str]) -> &'static [String] {
+    let names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
+    names.leak()
+}
+
 fn names(zones: &[Zone]) -> Names<'_> {
     Names {
         zones,
-        objectives: &["cover"],
-        hazards: &["mines"],
-        sensors: &["s_mag"],
-        events: &["first", "second"],
-        movers: &["walker"],
+        objectives: leaked(&["cover"]),
+        hazards: leaked(&["mines"]),
+        sensors: Box::leak(Box::new([Sensor::by_id("s_mag").expect("it is known")])),
+        events: leaked(&["first", "second"]),
+        movers: leaked(&["walker"]),
         vehicles: 3,
     }
 }

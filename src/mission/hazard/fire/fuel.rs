@@ -1,15 +1,11 @@
 //! What burns, and how fast a front runs through it.
 
-use serde::Deserialize;
-
 use crate::mission::weather::Wind;
 
 /// What covers the ground.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default, Deserialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Fuel {
     /// Cured grass.
-    #[default]
     Grass,
     /// Shrubs.
     Shrub,
@@ -59,6 +55,13 @@ const DRY: f64 = 0.05;
 const SHAPE_PER_M_S: f64 = 0.131;
 
 impl Fuel {
+    pub const WORDS: [(&str, Self); 4] = [
+        ("grass", Self::Grass),
+        ("shrub", Self::Shrub),
+        ("timber", Self::Timber),
+        ("bare", Self::Bare),
+    ];
+
     fn burning(self) -> Option<&'static Burning> {
         match self {
             Self::Grass => Some(&GRASS),

@@ -15,7 +15,7 @@ fn windy() -> Weather {
     }
 }
 
-fn meadow(patches: &[PatchFile]) -> Grid {
+fn meadow(patches: &[Patch]) -> Grid {
     let cell = Cell {
         fuel: Fuel::Grass,
         state: State::Unburnt(0.0),
@@ -52,7 +52,7 @@ fn burn(field: &mut dyn Field, seconds: u32, weather: &Weather) {
     }
 }
 
-fn released(patches: &[PatchFile], seed: u64) -> Box<dyn Field> {
+fn released(patches: &[Patch], seed: u64) -> Box<dyn Field> {
     hazard(meadow(patches)).release(&windy(), ChaCha8Rng::seed_from_u64(seed))
 }
 
@@ -83,12 +83,12 @@ fn a_front_runs_with_the_wind_and_against_it_at_the_speeds_of_the_formula() {
 
 #[test]
 fn no_fire_crosses_a_road_even_where_its_cells_only_touch() {
-    let road = |area| PatchFile {
+    let road = |area| Patch {
         area,
         fuel: Fuel::Bare,
     };
     let straight = [road([100.0, 0.0, 110.0, 210.0])];
-    let stairs: Vec<PatchFile> = (0..21)
+    let stairs: Vec<Patch> = (0..21)
         .map(|row| {
             let (x, y) = (50.0 + 10.0 * f64::from(row), 10.0 * f64::from(row));
             road([x, y, x + 10.0, y + 10.0])

@@ -20,11 +20,9 @@ fn plume(stability: Stability) -> Plume {
 
 fn field(meander_deg: f64, intermittency: f64, wind: Wind, seed: u64) -> Box<dyn Field> {
     let hazard = PlumeHazard {
-        plume: plume(Stability::D),
-        substance: Substance::Vapour,
+        leak: LeakPlan::steady(plume(Stability::D)),
         meander_deg,
         intermittency,
-        jitter: Jitter::default(),
     };
     let weather = Weather {
         wind,

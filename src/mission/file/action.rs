@@ -1,0 +1,264 @@
+//! What an event does: one table per action, told apart by the key that only it has.
+
+use std::time::Duration;
+
+use toml::Spanned;
+use toml::de::DeValue;
+
+use super::events::{condition, known_event};
+use crate::mission::event::Action;
+use crate::mission::event::fault::{Fault, FaultKind, Victim};
+use crate::mission::event::mover::{MoverKind, Spawn};
+use crate::mission::event::weather::{Change, Element, Target};
+use crate::mission::format::{
+    Draft, FileShape, FileTable, FileValue, KindOf, flag, list, named, number, point, seconds,
+    text, time, word,
+};
+use crate::scoring::AlertLevel;
+
+/// All actions by the key that tells them.
+const ACTIONS: &[KindOf<Action>] = &[
+    KindOf {
+        name: "say",
+        about: "tells the trainee",
+        read: say,
+    },
+    KindOf {
+        name: "alert",
+        about: "warns; with `ok` the trainee has to make that true within the time, and it counts for attention",
+        read: alert,
+    },
+    KindOf {
+        name: "set",
+        about: "changes the weather",
+        read: set,
+    },
+    KindOf {
+        name: "zone",
+        about: "switches a zone on or off",
+        read: zone,
+    },
+    KindOf {
+        name: "spawn",
+        about: "brings somebody, or a drone of somebody else's, who goes along the path and is gone",
+        read: spawn,
+    },
+    KindOf {
+        name: "fault",
+        about: "breaks something",
+        read: fault,
+    },
+    KindOf {
+        name: "fail",
+        about: "ends the mission as failed",
+        read: fail,
+    },
+    KindOf {
+        name: "event",
+        about: "another event happens as well",
+        read: event,
+    },
+];
+/// Points of one path.
+const MOST_POINTS: usize = 100;
+
+const LEVELS: [(&str, AlertLevel); 3] = [
+    ("caution", AlertLevel::Caution),
+    ("warning", AlertLevel::Warning),
+    ("critical", AlertLevel::Critical),
+];
+
+/// One action.
+pub(super) fn action(table: &mut FileTable<'_>) -> Option<Action> {
+    table.need_one_of("an action", ACTIONS)
+}
+
+fn say(table: &mut FileTable<'_>) -> Option<Action> {
+    table.need_text("say", "what is said").map(Action::Say)
+}
+
+fn fail(table: &mut FileTable<'_>) -> Option<Action> {
+    table.need_text("fail", "why").map(Action::Fail)
+}
+
+fn alert(table: &mut FileTable<'_>) -> Option<Action> {
+    let level = table.need("alert", word(&LEVELS), "how much it matters");
+    let text = table.need_text("text", "what it says");
+    let ok = table.may("ok", condition(), "what answers it");
+    let within = table.may(
+        "within",
+        seconds(1.0, 3600.0),
+        "time to answer; without it 60, 30 or 10 s by level",
+    );
+    if within.is_some() && !table.is_written("ok") {
+        let message = "`within` needs an `ok`: the condition that answers the alert";
+        table.fault_of("within", message);
+    }
+    let level = level?;
+    Some(Action::Alert {
+        level,
+        text: text?,
+        ok,
+        within: within.unwrap_or_else(|| level.usual_limit()),
+    })
+}
+
+fn set(table: &mut FileTable<'_>) -> Option<Action> {
+    let quantity = named("quantity", Element::names, Element::named);
+    let quantity = table.need("set", quantity, "what of the weather");
+    let to = table.need("to", number(-40.0, 360.0, ""), "its new value");
+    let ramp = table.or(
+        "ramp",
+        time(),
+        Duration::ZERO,
+        "little by little within this",
+    );
+    let lasts = table.may("for", time(), "then it is as before; without it, for good");
+    let ((element, range), to) = (quantity?, to?);
+    if !range.contains(&to) {
+        let (low, high) = (range.start(), range.end());
+        table.fault_of(
+            "to",
+            format!("`to` must lie between {low} and {high}, not {to}"),
+        );
+    }
+    Some(Action::Weather(Change {
+        element,
+        to: Target::Value(to),
+        ramp,
+        lasts,
+    }))
+}
+
+fn zone(table: &mut FileTable<'_>) -> Option<Action> {
+    let id = table.need("zone", text("id of a zone"), "which one");
+    let active = table.need("active", flag(), "whether it is there");
+    let id = id?;
+    let Draft { zones, faults, .. } = table.draft();
+    let found = zones.iter().position(|zone| zone.id == *id.get_ref());
+    if found.is_none() {
+        let known: Vec<&str> = zones.iter().map(|zone| zone.id.as_str()).collect();
+        faults.unknown("zone", &id, &known);
+    }
+    Some(Action::Zone(found?, active?))
+}
+
+/// What can be brought, with how high it moves and how far to keep away unless the file says otherwise.
+const MOVERS: [(&str, MoverKind, f64, f64); 3] = [
+    ("person", MoverKind::Person, 0.0, 15.0),
+    ("aircraft", MoverKind::Aircraft, 80.0, 60.0),
+    ("intruder", MoverKind::Intruder, 30.0, 15.0),
+];
+
+fn spawn(table: &mut FileTable<'_>) -> Option<Action> {
+    let mover = named(
+        "mover",
+        || MOVERS.map(|(name, ..)| name).to_vec(),
+        |name| MOVERS.iter().find(|(known, ..)| *known == name),
+    );
+    let mover = table.need("spawn", mover, "`person`, `aircraft` or `intruder`");
+    let id = table.may(
+        "id",
+        text(""),
+        "what conditions call it; without it, its kind",
+    );
+    let path = table.need("path", list(point(), 2, MOST_POINTS), "from point to point");
+    let speed_m_s = table.need("speed", number(0.1, 300.0, "m/s"), "along the path");
+    let height_m = table.may(
+        "height",
+        number(0.0, 5000.0, "m"),
+        "how high it moves; without it 0, 80 or 30 by kind",
+    );
+    let keep_out_m = table.may(
+        "keep_out",
+        number(0.0, 1000.0, "m"),
+        "how far vehicles have to stay away; without it 15, 60 or 15 by kind",
+    );
+    let jitter = number(0.0, 1000.0, "m");
+    let jitter_m = table.or(
+        "jitter",
+        jitter,
+        0.0,
+        "the seed moves the whole path by up to this",
+    );
+    let &(name, kind, usual_height_m, usual_keep_out_m) = mover?;
+    Some(Action::Spawn(Spawn {
+        id: id.map_or_else(|| name.to_owned(), Spanned::into_inner),
+        kind,
+        path: path?,
+        speed_m_s: speed_m_s?,
+        height_m: height_m.unwrap_or(usual_height_m),
+        keep_out_m: keep_out_m.unwrap_or(usual_keep_out_m),
+        jitter_m,
+    }))
+}
+
+fn fault(table: &mut FileTable<'_>) -> Option<Action> {
+    let kind = named(
+        "fault",
+        || FaultKind::ALL.iter().map(|(name, ..)| *name).collect(),
+        |name| {
+            FaultKind::ALL
+                .into_iter()
+                .find(|(known, ..)| *known == name)
+        },
+    );
+    let kind = table.need("fault", kind, "what breaks");
+    let victim = table.need("vehicle", VictimValue, "which one");
+    let to = table.may(
+        "to",
+        number(-1e6, 1e6, ""),
+        "how bad, in the unit of the fault; without it as usual",
+    );
+    let lasts = table.may("for", time(), "then it works again; without it, for good");
+    let (_, kind, usual, range) = kind?;
+    if let Some(to) = to.filter(|to| !range.contains(to)) {
+        let (low, high) = (range.start(), range.end());
+        table.fault_of(
+            "to",
+            format!("`to` must lie between {low} and {high}, not {to}"),
+        );
+    }
+    Some(Action::Fault(Fault {
+        kind,
+        victim: victim?,
+        to: to.unwrap_or(usual),
+        lasts,
+    }))
+}
+
+/// A vehicle's number, `all`, or `random`.
+struct VictimValue;
+
+impl FileValue for VictimValue {
+    type Out = Victim;
+
+    fn shape(&self) -> FileShape {
+        FileShape::NumberOrWord("a vehicle's number, `all` or `random`")
+    }
+
+    fn read(&self, name: &str, written: Spanned<DeValue<'_>>, draft: &mut Draft) -> Option<Victim> {
+        let place = written.span();
+        let last = draft.pads.len();
+        let victim = match written.get_ref() {
+            DeValue::String(word) if word == "all" => Some(Victim::All),
+            DeValue::String(word) if word == "random" => Some(Victim::Chance),
+            DeValue::Integer(_) => {
+                let number: u32 = draft.faults.read(written)?;
+                let index = (number as usize).checked_sub(1);
+                index.filter(|index| *index < last).map(Victim::One)
+            }
+            _ => None,
+        };
+        if victim.is_none() {
+            let message = format!("`{name}` is a number from 1 to {last}, \"all\" or \"random\"");
+            draft.faults.add(place, message);
+        }
+        victim
+    }
+}
+
+fn event(table: &mut FileTable<'_>) -> Option<Action> {
+    let id = table.need("event", text("id of an event"), "which one")?;
+    known_event(table.draft(), &id).map(Action::Event)
+}

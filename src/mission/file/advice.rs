@@ -1,0 +1,92 @@
+//! `[[hints]]`: advice that is shown by itself, or given when it is asked for.
+
+use crate::mission::format::{FileTable, text, whole, word};
+use crate::mission::{Clue, Hint, NEXT_CELL, Phase};
+
+/// All advice of a mission.
+#[derive(Default)]
+pub(super) struct Advice {
+    /// What is shown by itself.
+    pub hints: Vec<Hint>,
+    /// What has to be asked for.
+    pub clues: Vec<Clue>,
+}
+
+/// One piece of advice.
+pub(super) enum OneAdvice {
+    Shown(Hint),
+    Asked(Clue),
+}
+
+impl Advice {
+    /// All advice, by how it is given.
+    pub fn of(all: Vec<OneAdvice>) -> Self {
+        let mut advice = Self::default();
+        for one in all {
+            match one {
+                OneAdvice::Shown(hint) => advice.hints.push(hint),
+                OneAdvice::Asked(clue) => advice.clues.push(clue),
+            }
+        }
+        advice
+    }
+}
+
+/// One `[[hints]]`.
+pub(super) fn advice(table: &mut FileTable<'_>) -> Option<OneAdvice> {
+    let phase = table.may(
+        "phase",
+        word(&Phase::WORDS),
+        "with this alone it shows by itself: on the ground, when armed, in the air, when all but the landing is done",
+    );
+    let level = table.may(
+        "level",
+        whole(1, 3, ""),
+        "it has to be asked for (`1 hint`) and costs: 1 (where to look) 2 %, 2 (what to do) 5 %, 3 (how to do it) \
+         10 % of the score, 30 % at most, nothing on the first try; the mildest is given first",
+    );
+    let objective = text("id of an objective");
+    let objective = table.may("objective", objective, "it is given until this is met");
+    let english = table.need(
+        "text",
+        text(""),
+        "what it says; `{next_cell}` becomes the next cell to sample",
+    );
+    let ukrainian = table.may("text_uk", text(""), "the same in Ukrainian");
+    let no_cells = table.draft().surveys.is_empty() && table.draft().faults.is_empty();
+    for written in english.iter().chain(&ukrainian) {
+        let text = written.get_ref();
+        let rest = text.replace(NEXT_CELL, "");
+        if rest.contains(['{', '}']) {
+            let message = format!("a hint knows one placeholder only: `{NEXT_CELL}`");
+            table.draft().faults.add(written.span(), message);
+        }
+        if rest.len() < text.len() && no_cells {
+            let message = format!("`{NEXT_CELL}` needs an objective of kind `sample_cells`");
+            table.draft().faults.add(written.span(), message);
+        }
+    }
+    let text = table
+        .draft()
+        .faults
+        .translated(english?, ukrainian, "text_uk");
+    let Some(level) = level else {
+        // Shown by itself, so it has to be said when.
+        let Some(phase) = phase else {
+            let fault = "a hint needs a `phase` to be shown in, or a `level`";
+            table.fault_of("text", fault);
+            return None;
+        };
+        return Some(OneAdvice::Shown(Hint { phase, text }));
+    };
+    if let Some(id) = &objective {
+        table.draft().check_declared("objective", id);
+    }
+    Some(OneAdvice::Asked(Clue {
+        // At most 3, so it fits.
+        level: u8::try_from(level).unwrap_or(u8::MAX),
+        phase,
+        objective: objective.map(toml::Spanned::into_inner),
+        text,
+    }))
+}

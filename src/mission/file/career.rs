@@ -1,0 +1,146 @@
+//! `[requires]` and `[rewards]`.
+
+use toml::Spanned;
+
+use super::head::{is_mission_id, mission_id};
+use crate::mission::campaign::{Requires, Rewards, Unlock};
+use crate::mission::event::standard::Standard;
+use crate::mission::format::{FileTable, TextValue, list, map, number, text, text_by, whole, word};
+use crate::mission::skill::Skill;
+use crate::scoring::Medal;
+use crate::workshop;
+
+/// Missions of one list, and things to unlock.
+const MOST_NAMES: usize = 50;
+/// No mission brings more.
+const MOST_CREDITS: u32 = 100_000;
+/// The highest difficulty.
+const HIGHEST_TIER: u32 = 3;
+
+const MEDALS: [(&str, Medal); 3] = [
+    ("bronze", Medal::Bronze),
+    ("silver", Medal::Silver),
+    ("gold", Medal::Gold),
+];
+
+/// What has to be shown before.
+pub(super) fn requires(table: &mut FileTable<'_>) -> Option<Requires> {
+    let missions = list(mission_id(), 0, usize::MAX);
+    let missions = table.may("missions", missions, "those that have to be passed");
+    let medals = map("mission", word(&MEDALS));
+    let medals = table.may(
+        "medals",
+        medals,
+        "missions that need this medal or a better one",
+    );
+    let skills = map("skill, `K1` to `K12`", number(0.0, 1.0, ""));
+    let skills = table.may("skills", skills, "how likely a skill has to be mastered");
+    let (missions, medals) = (missions.unwrap_or_default(), medals.unwrap_or_default());
+    let skills = skills.unwrap_or_default();
+    if missions.len() + medals.len() > MOST_NAMES {
+        table.fault(format!("`requires` may name {MOST_NAMES} missions"));
+    }
+    for (name, _) in &medals {
+        mission(table, name.get_ref(), name);
+    }
+    for (code, _) in &skills {
+        if Skill::of(code.get_ref()).is_none() {
+            let known: Vec<&str> = Skill::ALL.iter().map(|skill| skill.code()).collect();
+            table.draft().faults.unknown("skill", code, &known);
+        }
+    }
+    let owned = |name: Spanned<String>| name.into_inner();
+    Some(Requires {
+        missions: missions.into_iter().map(owned).collect(),
+        medals: medals
+            .into_iter()
+            .map(|(id, medal)| (owned(id), medal))
+            .collect(),
+        skills: skills
+            .into_iter()
+            .map(|(code, chance)| (owned(code), chance))
+            .collect(),
+    })
+}
+
+/// What passing it brings.
+pub(super) fn rewards(table: &mut FileTable<'_>) -> Option<Rewards> {
+    let credits = whole(0, MOST_CREDITS, "");
+    let credits = table.or("credits", credits, 0, "for a perfect first pass");
+    let tier = whole(0, HIGHEST_TIER, "");
+    let xp_tier = table.may(
+        "xp_tier",
+        tier,
+        "that experience is counted with; without it, `tier`",
+    );
+    let unlock = list(text("`part:ID`, `mission:ID`, `threat:ID`"), 0, MOST_NAMES);
+    let unlock = table
+        .may("unlock", unlock, "what becomes available")
+        .unwrap_or_default();
+    let own = table.draft().tier;
+    let unlocked = unlock.iter().filter_map(|name| unlocked(table, name));
+    Some(Rewards {
+        credits,
+        unlock: unlocked.collect(),
+        // At most 3, so it fits.
+        xp_tier: xp_tier.map_or(own, |tier| u8::try_from(tier).unwrap_or(own)),
+    })
+}
+
+fn unlocked(table: &mut FileTable<'_>, written: &Spanned<String>) -> Option<Unlock> {
+    let (kind, name) = written.get_ref().split_once(':').unwrap_or_default();
+    let named = Spanned::new(written.span(), name.to_owned());
+    let name = name.to_owned();
+    let faults = &mut table.draft().faults;
+    match kind {
+        "part" if is_part(&name) => {
+            if workshop::part(&name).is_none() {
+                let known: Vec<&str> = workshop::parts().map(|part| part.id).collect();
+                faults.unknown("part", &named, &known);
+            }
+            Some(Unlock::Part(name))
+        }
+        "part" => {
+            let fault = "a part's id is 1 to 40 small letters, digits, `-` and `_`";
+            faults.add(written.span(), fault);
+            None
+        }
+        "mission" => {
+            mission(table, &name, written);
+            Some(Unlock::Mission(name))
+        }
+        "threat" => {
+            if Standard::named(&name).is_none() {
+                faults.unknown("threat", &named, &Standard::names());
+            }
+            Some(Unlock::Threat(name))
+        }
+        _ => {
+            let fault = "what is unlocked is written `part:ID`, `mission:ID` or `threat:ID`";
+            faults.add(written.span(), fault);
+            None
+        }
+    }
+}
+
+/// What can name a design, as it can a part of the catalogue.
+pub(super) const fn design_id() -> TextValue {
+    text_by(
+        "id of a design",
+        is_part,
+        "a design's id is 1 to 40 small letters, digits, `-` and `_`",
+    )
+}
+
+fn is_part(id: &str) -> bool {
+    let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-' || c == '_';
+    (1..=40).contains(&id.len()) && id.chars().all(plain)
+}
+
+/// Whether the mission is there, only the folder can tell.
+fn mission(table: &mut FileTable<'_>, id: &str, written: &Spanned<String>) {
+    if !is_mission_id(id) {
+        let fault = "a mission's id is 1 to 40 small letters, digits and `-`";
+        table.draft().faults.add(written.span(), fault);
+    }
+}

@@ -1,0 +1,48 @@
+//! `[[objectives]]`: what all kinds have in common.
+
+use crate::mission::format::{FileTable, flag, number};
+use crate::mission::objective::{self, Objective};
+
+/// One objective.
+pub(super) fn objective(table: &mut FileTable<'_>) -> Option<Objective> {
+    let id = table.need_id("objectives");
+    let title = table.need_text("title", "for people");
+    let value = number(0.1, 1000.0, "");
+    let value = table.need("value", value, "its share of the points for objectives");
+    let mandatory = table.or(
+        "mandatory",
+        flag(),
+        false,
+        "whether the mission fails without it; at least one must be",
+    );
+    let (_, kind) = table.need_kind("objective", objective::KINDS)?;
+    table.draft().surveys.extend(kind.survey().cloned());
+    for name in kind.place_names() {
+        if table.draft().drawn.contains(&name) {
+            let fault =
+                format!("an earlier objective has a place `{name}`: one of them may have gates");
+            table.fault_of("id", fault);
+            break;
+        }
+    }
+    table.draft().drawn.extend(kind.place_names());
+    id?;
+    Some(Objective {
+        id: table.own_id(),
+        title: title?,
+        value: value?,
+        mandatory,
+        kind,
+    })
+}
+
+/// Checks that the mission can be passed at all.
+pub(super) fn check(file: &mut FileTable<'_>, objectives: Option<&[Objective]>) {
+    let none_mandatory = |all: &[Objective]| all.iter().all(|objective| !objective.mandatory);
+    if objectives.is_some_and(none_mandatory) && file.draft().faults.is_empty() {
+        file.fault_of(
+            "objectives",
+            "at least one objective must be `mandatory`, or the mission can never be passed",
+        );
+    }
+}

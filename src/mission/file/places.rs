@@ -1,0 +1,53 @@
+//! `[[places]]`: named points.
+
+use crate::mission::format::{Draft, FileTable, NamedPlace, point, text_by};
+
+/// One of them.
+pub(super) fn place(table: &mut FileTable<'_>) -> Option<NamedPlace> {
+    let id = text_by(
+        "2 to 32 letters, digits, `-` and `_`, beginning with a letter",
+        is_name,
+        "a place's id begins with a letter: 2 to 32 letters, digits, `-` and `_`",
+    );
+    let id = table.need("id", id, "lines and objectives name it: `goto tower up 20`");
+    let at = table.need("at", point(), "where");
+    let id = id?;
+    if is_taken(id.get_ref()) {
+        let fault = "`pad`, `pad1`, `c1`, `gate1`, `peak`, `peak1` and `next` are names of the flight's own places";
+        table.fault_of("id", fault);
+    }
+    table.draft().add_id("places", &id);
+    Some(NamedPlace {
+        written: id.span(),
+        name: id.into_inner(),
+        at: at?,
+    })
+}
+
+/// Cells have names of their own; the objectives bring them.
+pub(super) fn check_no_cells(draft: &mut Draft) {
+    for survey in &draft.surveys {
+        let is_cell = |name: &str| survey.cells.iter().any(|cell| cell.name == name);
+        for place in draft.places.iter().filter(|place| is_cell(&place.name)) {
+            let (name, survey) = (&place.name, &survey.id);
+            let fault = format!("`{name}` is a cell of `{survey}`");
+            draft.faults.add(place.written.clone(), fault);
+        }
+    }
+}
+
+/// One letter alone would read as an axis of `goto`.
+fn is_name(name: &str) -> bool {
+    let plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
+    (2..=32).contains(&name.len())
+        && name.starts_with(|c: char| c.is_ascii_alphabetic())
+        && name.chars().all(plain)
+}
+
+fn is_taken(name: &str) -> bool {
+    let numbered = |prefix| {
+        let rest = name.strip_prefix(prefix);
+        rest.is_some_and(|rest: &str| rest.chars().all(|c| c.is_ascii_digit()))
+    };
+    ["pad", "c", "gate", "peak"].into_iter().any(numbered) || name == "next"
+}

@@ -1,0 +1,48 @@
+//! `[rules]`: what everybody has to keep to.
+
+use crate::mission::format::{FileTable, flag, number};
+
+const USUAL_MAX_HEIGHT_M: f64 = 120.0;
+const USUAL_RESERVE_PERCENT: f64 = 20.0;
+
+/// What everybody has to keep to.
+pub(super) struct RuleSet {
+    pub max_height_m: f64,
+    pub land_reserve_percent: f64,
+    pub separation_m: Option<f64>,
+    pub pausable: bool,
+}
+
+impl RuleSet {
+    /// The rules of a file that has none of its own.
+    pub fn usual() -> Self {
+        Self {
+            max_height_m: USUAL_MAX_HEIGHT_M,
+            land_reserve_percent: USUAL_RESERVE_PERCENT,
+            separation_m: None,
+            pausable: true,
+        }
+    }
+}
+
+pub(super) fn rules(table: &mut FileTable<'_>) -> Option<RuleSet> {
+    let usual = RuleSet::usual();
+    let height = number(1.0, 10_000.0, "m");
+    let charge = number(0.0, 100.0, "%");
+    Some(RuleSet {
+        max_height_m: table.or("max_agl", height, usual.max_height_m, "highest height"),
+        land_reserve_percent: table.or(
+            "land_reserve_pct",
+            charge,
+            usual.land_reserve_percent,
+            "battery to land with",
+        ),
+        separation_m: table.may(
+            "min_separation",
+            number(0.0, 1000.0, "m"),
+            "how far apart vehicles in the air must be, 2 m without it; if written, also what surveys, formations \
+             and the like keep (2 m at least), which is 5 m otherwise",
+        ),
+        pausable: table.or("pause", flag(), usual.pausable, "whether it may be paused"),
+    })
+}

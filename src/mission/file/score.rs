@@ -1,0 +1,158 @@
+//! `[scoring]`: what it all is worth.
+
+use std::time::Duration;
+
+use toml::Spanned;
+
+use crate::diagnostic::Diagnostic;
+use crate::mission::format::{
+    FileTable, LONGEST_S, list, number, seconds, table as table_of, text, whole,
+};
+use crate::scoring::{Component, Gate, Medals, Rules, Weights};
+
+const USUAL_MEDALS: Medals = Medals {
+    gold: 850,
+    silver: 700,
+    bronze: 550,
+};
+
+/// What gets all points.
+struct Par {
+    time: Duration,
+    energy_wh: f64,
+}
+
+/// The section; gates may name the objectives.
+pub(super) fn rules(table: &mut FileTable<'_>) -> Option<Rules> {
+    let weights = table.may(
+        "weights",
+        table_of(weights),
+        "of the components, which sum to 1; without it .35, .15, .10, .05, .20, .05, .05 and .05",
+    );
+    let par = table.need(
+        "par",
+        table_of(par),
+        "what gets all points. Fly the reference script and take 1.35 (tier 0), 1.25 or 1.15 (tier 2 and 3) times \
+         what it needs",
+    );
+    let medals = table.may(
+        "medals",
+        table_of(medals),
+        "points needed, without it 850, 700 and 550; every medal needs the mandatory objectives",
+    );
+    let gates = list(
+        text("`NAME >= NUMBER`, with `>=`, `<=` or `==`"),
+        0,
+        usize::MAX,
+    );
+    let gates = table.may(
+        "gold_requires",
+        gates,
+        "what gold needs besides: of a component (0 to 1), `crashes`, or an objective's measure (cells, vehicles, \
+         shares)",
+    );
+    let gates = gates.unwrap_or_default();
+    let gold_requires = gates.iter().filter_map(|written| gate(table, written));
+    let gold_requires = gold_requires.collect();
+    let par = par?;
+    Some(Rules {
+        weights: weights.unwrap_or_default(),
+        par_time: par.time,
+        par_energy_wh: par.energy_wh,
+        time_limit: table.draft().time_limit?,
+        medals: medals.unwrap_or(USUAL_MEDALS),
+        gold_requires,
+    })
+}
+
+fn par(table: &mut FileTable<'_>) -> Option<Par> {
+    let time = table.need("time", seconds(1.0, LONGEST_S), "below the time limit");
+    let energy = number(0.01, 1e6, "Wh");
+    let energy_wh = table.need("energy_wh", energy, "of all vehicles");
+    let limit = table.draft().time_limit;
+    if time.zip(limit).is_some_and(|(time, limit)| time >= limit) {
+        table.fault_of("time", "the par time must be shorter than `time_limit`");
+    }
+    Some(Par {
+        time: time?,
+        energy_wh: energy_wh?,
+    })
+}
+
+fn gate(table: &mut FileTable<'_>, written: &Spanned<String>) -> Option<Gate> {
+    let gate = match Gate::parse(written.get_ref()) {
+        Ok(gate) => gate,
+        Err(reason) => {
+            table.draft().faults.add(written.span(), reason);
+            return None;
+        }
+    };
+    let components = Component::ALL.map(Component::name).into_iter();
+    let objectives = table.draft().ids("objectives").to_vec();
+    let names = components
+        .chain(["crashes"])
+        .chain(objectives.iter().map(String::as_str));
+    let names: Vec<&str> = names.collect();
+    if !names.contains(&gate.name()) {
+        let message = format!("unknown name `{}` in a gate", gate.name());
+        let fault = Diagnostic::new(written.span(), message);
+        table
+            .draft()
+            .faults
+            .push(fault.with_nearest(gate.name(), names));
+    }
+    Some(gate)
+}
+
+/// What each component looks at, for people who write missions.
+fn about(component: Component) -> &'static str {
+    match component {
+        Component::Objective => {
+            "the objectives by `value`; .5 at most where a mandatory one was missed"
+        }
+        Component::Quality => "of the product; where there is none, the others take its weight",
+        Component::Time => {
+            "1 up to `par.time`, 0 at the time limit; 0 under 60 % of the objectives"
+        }
+        Component::Energy => {
+            "1 up to `par.energy_wh`, 0 at 1.6 times; 0 under 80 % of the objectives"
+        }
+        Component::Safety => "1 less what rules cost that were broken",
+        Component::Command => "few refused, repeated and unanswered commands",
+        Component::Attention => {
+            "alerts with `ok` that were answered in time, by level 1, 2 or 4 times; no such alert, no weight"
+        }
+        Component::Utilisation => {
+            "vehicles in the air with something to do; of a single one it counts for safety"
+        }
+    }
+}
+
+fn weights(table: &mut FileTable<'_>) -> Option<Weights> {
+    let weight = number(0.0, 1.0, "");
+    let weights =
+        Component::ALL.map(|component| table.or(component.name(), weight, 0.0, about(component)));
+    let sum: f64 = weights.iter().sum();
+    if (sum - 1.0).abs() > 1e-6 && !table.has_wrong() {
+        table.fault(format!("the weights must sum to 1, not {sum:.3}"));
+    }
+    Some(Weights(weights))
+}
+
+fn medals(table: &mut FileTable<'_>) -> Option<Medals> {
+    let points = whole(0, 1000, "points");
+    let mut points = |medal| {
+        let points = table.need(medal, points, "for this medal");
+        points.and_then(|points| u16::try_from(points).ok())
+    };
+    let (gold, silver, bronze) = (points("gold"), points("silver"), points("bronze"));
+    let medals = Medals {
+        gold: gold?,
+        silver: silver?,
+        bronze: bronze?,
+    };
+    if !(medals.bronze < medals.silver && medals.silver < medals.gold) {
+        table.fault("medals must rise from bronze to gold, 1000 at most");
+    }
+    Some(medals)
+}

@@ -1,0 +1,76 @@
+//! `[sim]` and `[weather]`: where, for how long, and in what weather.
+
+use std::time::Duration;
+
+use crate::geo::LatLon;
+use crate::mission::Origin;
+use crate::mission::format::{FileTable, LONGEST_S, number, seconds, table as table_of, word};
+use crate::mission::weather::{Light, Weather, Wind};
+
+/// Where and for how long.
+pub(super) struct Site {
+    pub time_limit: Duration,
+    pub origin: Origin,
+}
+
+pub(super) fn site(table: &mut FileTable<'_>) -> Option<Site> {
+    let limit = seconds(10.0, LONGEST_S);
+    let time_limit = table.need("time_limit", limit, "mission time allowed");
+    let origin = table.need("origin", table_of(origin), "where `[0, 0]` is");
+    table.draft().time_limit = time_limit;
+    Some(Site {
+        time_limit: time_limit?,
+        origin: origin?,
+    })
+}
+
+fn origin(table: &mut FileTable<'_>) -> Option<Origin> {
+    let lat = table.need("lat", number(-85.0, 85.0, "degrees"), "latitude");
+    let lon = table.need("lon", number(-180.0, 180.0, "degrees"), "longitude");
+    let altitude_amsl_m = table.need("alt", number(-500.0, 9000.0, "m"), "height above the sea");
+    let heading = number(0.0, 360.0, "degrees");
+    let heading_deg = table.or("heading", heading, 0.0, "where parked vehicles look");
+    Some(Origin {
+        at: LatLon::new(lat?, lon?),
+        altitude_amsl_m: altitude_amsl_m?,
+        heading_deg,
+    })
+}
+
+pub(super) fn weather(table: &mut FileTable<'_>) -> Option<Weather> {
+    let calm = Weather::CALM;
+    let wind = table.may("wind", table_of(wind), "mean wind; without it, calm");
+    let gust_m_s = table.or(
+        "gust",
+        number(0.0, 20.0, "m/s"),
+        calm.gust_m_s,
+        "how much the wind swings about its mean (standard deviation)",
+    );
+    let temperature = number(-40.0, 60.0, "degrees Celsius");
+    let temperature_c = table.or("temp_c", temperature, calm.temperature_c, "of the air");
+    let light = table.or(
+        "light",
+        word(&Light::WORDS),
+        calm.light,
+        "what cameras see; see the sensors",
+    );
+    Some(Weather {
+        wind: wind.unwrap_or(calm.wind),
+        gust_m_s,
+        temperature_c,
+        light,
+    })
+}
+
+fn wind(table: &mut FileTable<'_>) -> Option<Wind> {
+    let speed_m_s = table.need(
+        "speed",
+        number(0.0, 60.0, "m/s"),
+        "for vehicles it dies down below 5 m, with the root of the height",
+    );
+    let from_deg = table.need("dir", number(0.0, 360.0, "degrees"), "where it comes from");
+    Some(Wind {
+        speed_m_s: speed_m_s?,
+        from_deg: from_deg?,
+    })
+}

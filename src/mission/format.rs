@@ -1,0 +1,34 @@
+//! The format of mission files: one function per table both reads and describes it.
+//!
+//! A [reader](Reader) asks a [`FileTable`] for its keys by name, value and meaning, and builds something of what it is
+//! given. Run on a table of a file, it reads; run by [`describe`], it is given nothing, and what it asked for is the
+//! description. The JSON schema ([`schema`]) and the reference of the guide ([`reference`]) are written from that. So a
+//! reader asks for all of its keys before it gives up for want of one.
+//!
+//! Sections refer to those that were read before them: to what is in the [`Draft`], which keeps the faults as well.
+
+mod description;
+mod draft;
+mod faults;
+mod reference;
+mod schema;
+mod table;
+mod value;
+
+#[cfg(test)]
+pub(super) use description::FileTableDescription;
+pub(super) use description::{FileShape, describe};
+pub(super) use draft::{Draft, NamedPlace};
+pub(super) use faults::Faults;
+pub(super) use reference::reference;
+pub(super) use schema::schema;
+pub(super) use table::{Better, FileTable, KindOf, Target};
+pub(super) use value::{
+    FileValue, ListValue, NamedValue, TextValue, area, flag, gate, heights, list, map, named,
+    number, point, rising, seconds, spread, table, tables, text, text_by, time, whole, word,
+};
+
+/// Points may lie this far from the origin on each axis; the flat earth of [`crate::geo`] holds no farther.
+pub(super) const POINT_RANGE: f64 = 20_000.0;
+/// The longest time of a file, in seconds: a day.
+pub(super) const LONGEST_S: f64 = 86_400.0;

@@ -1,0 +1,178 @@
+//! A mission file while it is read: what earlier sections have established, references to it, and the faults so far.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::time::Duration;
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use super::Faults;
+use crate::mission::Point;
+use crate::mission::sensor::Sensor;
+use crate::mission::survey::SurveyPlan;
+use crate::mission::zone::{Zone, ZoneKind};
+
+/// What earlier sections have established, for those that refer to it.
+#[derive(Debug, Default)]
+pub(in crate::mission) struct Draft {
+    pub faults: Faults,
+    pub zones: Vec<Zone>,
+    /// Every sensor that some vehicle carries.
+    pub sensors: Vec<&'static Sensor>,
+    pub surveys: Vec<SurveyPlan>,
+    pub places: Vec<NamedPlace>,
+    pub pads: Vec<Point>,
+    pub time_limit: Option<Duration>,
+    /// The highest difficulty that the head names.
+    pub tier: u8,
+    /// The names of places that earlier objectives will bring.
+    pub drawn: Vec<String>,
+    /// The ids of each section so far, in the order of the file, whether the rest of their tables could be read or not.
+    ids: BTreeMap<&'static str, Vec<String>>,
+    /// All names in the file that could be referred to, whether they could be read or not.
+    pub declared: Declared,
+}
+
+/// A named point.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::mission) struct NamedPlace {
+    pub name: String,
+    pub at: Point,
+    /// Where the file names it.
+    pub written: Range<usize>,
+}
+
+/// The names that stand anywhere in a file.
+#[derive(Debug, Default)]
+pub(in crate::mission) struct Declared {
+    /// Of zones, places, hazards, objectives and sensors.
+    all: Vec<String>,
+    pub events: Vec<String>,
+    /// Of whom and what events bring.
+    pub movers: Vec<String>,
+}
+
+impl Draft {
+    /// A file of which nothing is read yet.
+    pub fn of(root: &DeTable<'_>) -> Self {
+        Self {
+            declared: Declared::of(root),
+            ..Self::default()
+        }
+    }
+
+    /// The id of a table of a section; one that the section has already is a fault.
+    pub fn add_id(&mut self, section: &'static str, id: &Spanned<String>) {
+        let seen = self.ids.entry(section).or_default();
+        if seen.contains(id.get_ref()) {
+            let fault = format!("the id `{}` is used twice", id.get_ref());
+            self.faults.add(id.span(), fault);
+        }
+        seen.push(id.get_ref().clone());
+    }
+
+    /// The ids of a section so far, in the order of the file.
+    pub fn ids(&self, section: &str) -> &[String] {
+        self.ids.get(section).map_or(&[], Vec::as_slice)
+    }
+
+    /// A zone of kind `task` by name.
+    pub fn task_zone(&mut self, name: &Spanned<String>) -> Option<Zone> {
+        let tasks = self.zones.iter().filter(|zone| zone.kind == ZoneKind::Task);
+        let known = tasks.map(|zone| zone.id.clone()).collect();
+        self.refer("task zone", name, known)?;
+        let mut zones = self.zones.iter();
+        zones.find(|zone| zone.id == *name.get_ref()).cloned()
+    }
+
+    /// A sensor that the fleet carries.
+    pub fn fitted_sensor(&mut self, name: &Spanned<String>) -> Option<&'static Sensor> {
+        let known = self.sensors.iter().map(|sensor| sensor.id.to_owned());
+        let index = self.refer("sensor of the fleet", name, known.collect())?;
+        Some(self.sensors[index])
+    }
+
+    /// The place of a hazard in the file, by name.
+    pub fn hazard(&mut self, name: &Spanned<String>) -> Option<usize> {
+        self.refer("hazard", name, self.ids("hazards").to_vec())
+    }
+
+    /// The survey of an objective that stands earlier in the file.
+    pub fn survey(&mut self, name: &Spanned<String>) -> Option<SurveyPlan> {
+        let known = self.surveys.iter().map(|survey| survey.id.clone());
+        let index = self.refer("earlier sample_cells objective", name, known.collect())?;
+        Some(self.surveys[index].clone())
+    }
+
+    /// A place of the file, or a pad.
+    pub fn place(&mut self, name: &Spanned<String>) -> Option<Point> {
+        let named = self
+            .places
+            .iter()
+            .map(|place| (place.name.clone(), place.at));
+        let pads = (1..).zip(&self.pads);
+        let pads = pads.map(|(number, &pad)| (format!("pad{number}"), pad));
+        let (names, points): (Vec<String>, Vec<Point>) = named.chain(pads).unzip();
+        let index = self.refer("place", name, names)?;
+        Some(points[index])
+    }
+
+    /// Checks that something of this name stands anywhere in the file.
+    pub fn check_declared(&mut self, what: &str, name: &Spanned<String>) {
+        if !self.declared.all.contains(name.get_ref()) {
+            let known: Vec<&str> = self.declared.all.iter().map(String::as_str).collect();
+            self.faults.unknown(what, name, &known);
+        }
+    }
+
+    /// Where a name stands among the known ones. A name that is not among them is a fault, unless that only follows from
+    /// one that is known already.
+    fn refer(&mut self, what: &str, name: &Spanned<String>, known: Vec<String>) -> Option<usize> {
+        let found = known.iter().position(|known| known == name.get_ref());
+        let is_declared = known.is_empty() || self.declared.all.contains(name.get_ref());
+        if found.is_none() && (self.faults.is_empty() || !is_declared) {
+            let known: Vec<&str> = known.iter().map(String::as_str).collect();
+            self.faults.unknown(what, name, &known);
+        }
+        found
+    }
+}
+
+impl Declared {
+    /// The names in a file, as far as they can be made out.
+    pub fn of(root: &DeTable<'_>) -> Self {
+        let value = |key: &str| root.get(key).map(Spanned::get_ref);
+        let sections = ["zones", "places", "hazards", "objectives"];
+        let tables = sections.into_iter().flat_map(|key| items(value(key)));
+        let ids = tables.filter_map(|table| word(table, "id"));
+        let fleet = value("fleet");
+        let vehicles = items(fleet.and_then(|fleet| field(fleet, "vehicles")));
+        let fitted = fleet.into_iter().chain(vehicles);
+        let sensors = fitted.flat_map(|table| items(field(table, "sensors")));
+        let sensors = sensors.filter_map(|item| item.as_str().map(str::to_owned));
+        let events = || items(value("events"));
+        let actions = events().flat_map(|event| items(field(event, "do")));
+        let brought = |action| word(action, "id").or_else(|| word(action, "spawn"));
+        Self {
+            all: ids.chain(sensors).collect(),
+            events: events()
+                .map(|event| word(event, "id").unwrap_or_default())
+                .collect(),
+            movers: actions.filter_map(brought).collect(),
+        }
+    }
+}
+
+fn field<'t, 'i>(table: &'t DeValue<'i>, key: &str) -> Option<&'t DeValue<'i>> {
+    table.get(key).map(Spanned::get_ref)
+}
+
+fn word(table: &DeValue<'_>, key: &str) -> Option<String> {
+    field(table, key)?.as_str().map(str::to_owned)
+}
+
+fn items<'t, 'i>(list: Option<&'t DeValue<'i>>) -> impl Iterator<Item = &'t DeValue<'i>> {
+    let list = list.and_then(DeValue::as_array);
+    list.into_iter().flatten().map(Spanned::get_ref)
+}

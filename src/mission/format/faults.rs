@@ -1,0 +1,129 @@
+//! The faults of a mission file, each with its place.
+
+use std::ops::Range;
+
+use serde::Deserialize;
+use toml::Spanned;
+use toml::de::{DeValue, ValueDeserializer};
+
+use crate::diagnostic::Diagnostic;
+use crate::text;
+use crate::text::{Language, Text};
+
+/// Bytes of one text: three screens full of letters of two bytes.
+const LONGEST_TEXT: usize = 8000;
+
+/// The faults found so far.
+#[derive(Debug, Default)]
+pub(in crate::mission) struct Faults {
+    found: Vec<Diagnostic>,
+    /// Texts without a translation, which are no faults.
+    untranslated: Vec<Diagnostic>,
+    /// Whether there is any translation.
+    translated: bool,
+}
+
+impl Faults {
+    /// Adds a fault at a place.
+    pub fn add(&mut self, place: Range<usize>, message: impl Into<Text>) {
+        self.push(Diagnostic::new(place, message));
+    }
+
+    /// Adds a fault.
+    pub fn push(&mut self, fault: Diagnostic) {
+        self.found.push(fault);
+    }
+
+    /// Whether nothing is wrong so far.
+    pub fn is_empty(&self) -> bool {
+        self.found.is_empty()
+    }
+
+    /// All faults in the order of the file.
+    pub fn sorted(mut self) -> Vec<Diagnostic> {
+        self.found.sort_by_key(|fault| fault.span.start);
+        self.found
+    }
+
+    /// The texts without a translation; one note for a file that nobody has begun to translate.
+    pub fn take_untranslated(&mut self) -> Vec<Diagnostic> {
+        let mut untranslated = std::mem::take(&mut self.untranslated);
+        untranslated.sort_by_key(|note| note.span.start);
+        if !self.translated {
+            untranslated.truncate(1);
+            let note = |note: &mut Diagnostic| note.message = text!("mission-english-only");
+            untranslated.iter_mut().for_each(note);
+        }
+        untranslated
+    }
+
+    /// Adds a fault about a name that is not among the known ones.
+    pub fn unknown(&mut self, what: &str, written: &Spanned<String>, known: &[&str]) {
+        let list = if known.is_empty() {
+            "none".to_owned()
+        } else {
+            known.join(", ")
+        };
+        let name = written.get_ref();
+        let message = format!("unknown {what} `{name}`; known: {list}");
+        let fault = Diagnostic::new(written.span(), message);
+        self.push(fault.with_nearest(name, known.iter().copied()));
+    }
+
+    /// Reads a value that has no parts with faults of their own; a fault in it is added and gives `None`.
+    pub fn read<'i, T: Deserialize<'i>>(&mut self, value: Spanned<DeValue<'i>>) -> Option<T> {
+        let place = value.span();
+        match T::deserialize(ValueDeserializer::from(value)) {
+            Ok(value) => Some(value),
+            Err(error) => {
+                let place = error.span().unwrap_or(place);
+                self.add(place, in_plain_words(error.message()));
+                None
+            }
+        }
+    }
+
+    /// A text with its translation, if there is one, which `key` would name.
+    pub fn translated(
+        &mut self,
+        english: Spanned<String>,
+        ukrainian: Option<Spanned<String>>,
+        key: &str,
+    ) -> Text {
+        for text in std::iter::once(&english).chain(&ukrainian) {
+            if text.get_ref().len() > LONGEST_TEXT {
+                let fault = format!("a text may have {LONGEST_TEXT} bytes");
+                self.add(text.span(), fault);
+            }
+        }
+        match &ukrainian {
+            None => {
+                let note = text!("mission-untranslated", key = key);
+                self.untranslated
+                    .push(Diagnostic::new(english.span(), note));
+            }
+            Some(words) if words.get_ref().trim().is_empty() => {
+                self.add(words.span(), text!("mission-translation-empty", key = key));
+            }
+            Some(_) => self.translated = true,
+        }
+        let translation = ukrainian.map(|words| (Language::Ukrainian, words.into_inner()));
+        Text::written(english.into_inner(), translation)
+    }
+}
+
+/// A message of the TOML reader with the field's words in the place of the program's types.
+fn in_plain_words(message: &str) -> String {
+    const TYPES: [(&str, &str); 4] = [
+        ("f64", "a number"),
+        ("u32", "a whole number, 0 or more"),
+        ("u64", "a whole number, 0 or more"),
+        ("i64", "a whole number"),
+    ];
+    let named = TYPES.iter().find_map(|(name, words)| {
+        let before = message.strip_suffix(name)?;
+        let before = before.strip_suffix("expected ")?;
+        Some(format!("{before}expected {words}"))
+    });
+    named.unwrap_or_else(|| message.to_owned())
+}

@@ -1,0 +1,418 @@
+//! A table of a mission file, as its reader sees it.
+
+use std::ops::Range;
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use super::description::{FileKey, FileKind, FileTableDescription, Presence, describe};
+use super::draft::Draft;
+use super::value::{self, FileValue};
+use crate::diagnostic::{Diagnostic, nearest};
+use crate::mission::zone::Zone;
+use crate::text::Text;
+
+/// Reads one table, or describes it: it asks for all of its keys before it gives up for want of one.
+pub(in crate::mission) type Reader<T> = fn(&mut FileTable<'_>) -> Option<T>;
+
+/// A kind of table, entered in the list of its section.
+#[derive(Debug)]
+pub(in crate::mission) struct KindOf<T> {
+    pub name: &'static str,
+    /// What it is, for people who write missions.
+    pub about: &'static str,
+    /// Reads the keys that only it has.
+    pub read: Reader<T>,
+}
+
+/// Which of two values is the better one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::mission) enum Better {
+    Higher,
+    Lower,
+}
+
+/// A table that is being read, or described.
+#[derive(Debug)]
+pub(in crate::mission) struct FileTable<'a> {
+    content: Content<'a>,
+    /// Where the table stands.
+    place: Range<usize>,
+    asked: Vec<AskedKey>,
+    /// The faults of those of them that had to be there and were not.
+    missing: Vec<(String, Diagnostic)>,
+    /// Whether it is the whole file, whose keys are too many to name in a fault.
+    is_root: bool,
+    /// Its own id, once it was asked for.
+    id: String,
+    draft: &'a mut Draft,
+}
+
+/// A key that was asked for.
+#[derive(Debug)]
+pub(super) struct AskedKey {
+    pub name: String,
+    /// Where its value stands, if it has one.
+    place: Option<Range<usize>>,
+    /// Whether there is a value that could not be read.
+    is_wrong: bool,
+}
+
+#[derive(Debug)]
+enum Content<'a> {
+    /// What nobody has asked for yet.
+    Written(DeTable<'a>),
+    /// What is left once it is known that the rest cannot be understood.
+    Abandoned,
+    Described(FileTableDescription),
+}
+
+impl<'a> FileTable<'a> {
+    /// Reads a table; keys that nobody asks for are faults.
+    pub fn read<T>(
+        reader: Reader<T>,
+        written: Spanned<DeValue<'_>>,
+        draft: &mut Draft,
+    ) -> Option<T> {
+        let place = written.span();
+        let DeValue::Table(values) = written.into_inner() else {
+            draft.faults.add(place, "a table is needed here");
+            return None;
+        };
+        FileTable::read_as(reader, Spanned::new(place, values), false, draft)
+    }
+
+    /// Reads a whole file.
+    pub fn read_root<T>(
+        reader: Reader<T>,
+        root: Spanned<DeTable<'_>>,
+        draft: &mut Draft,
+    ) -> Option<T> {
+        FileTable::read_as(reader, root, true, draft)
+    }
+
+    fn read_as<T>(
+        reader: Reader<T>,
+        written: Spanned<DeTable<'_>>,
+        is_root: bool,
+        draft: &mut Draft,
+    ) -> Option<T> {
+        let place = written.span();
+        let content = Content::Written(written.into_inner());
+        let mut table = FileTable::new(content, place, draft);
+        table.is_root = is_root;
+        let value = reader(&mut table);
+        // Only what is asked for whatever is written can be described.
+        debug_assert!(value.is_none() || describe(reader).has_all(&table.asked));
+        table.finish();
+        value
+    }
+
+    /// What a reader asks for.
+    pub fn describe<T>(reader: Reader<T>, draft: &mut Draft) -> FileTableDescription {
+        let content = Content::Described(FileTableDescription::default());
+        let mut table = FileTable::new(content, 0..0, draft);
+        // Nothing is written, so nothing comes of it but what it asked for.
+        drop(reader(&mut table));
+        match table.content {
+            Content::Described(description) => description,
+            Content::Written(_) | Content::Abandoned => FileTableDescription::default(),
+        }
+    }
+
+    fn new<'b>(content: Content<'b>, place: Range<usize>, draft: &'b mut Draft) -> FileTable<'b> {
+        FileTable {
+            content,
+            place,
+            asked: Vec::new(),
+            missing: Vec::new(),
+            is_root: false,
+            id: String::new(),
+            draft,
+        }
+    }
+
+    /// What earlier sections have established.
+    pub fn draft(&mut self) -> &mut Draft {
+        self.draft
+    }
+
+    /// The table's own id.
+    pub fn own_id(&self) -> String {
+        self.id.clone()
+    }
+
+    /// A key that has to be there; `None` where it is missing or wrong, which is a fault.
+    pub fn need<V: FileValue>(
+        &mut self,
+        name: &str,
+        value: V,
+        about: &'static str,
+    ) -> Option<V::Out> {
+        self.ask(name, &value, Presence::Needed, about)
+    }
+
+    /// A key that may be left out; `None` where it is, or where it is wrong, which is a fault.
+    pub fn may<V: FileValue>(
+        &mut self,
+        name: &str,
+        value: V,
+        about: &'static str,
+    ) -> Option<V::Out> {
+        self.ask(name, &value, Presence::Optional, about)
+    }
+
+    /// A key that counts as something where it is left out.
+    pub fn or<V: FileValue>(
+        &mut self,
+        name: &str,
+        value: V,
+        default: V::Out,
+        about: &'static str,
+    ) -> V::Out {
+        let shown = Presence::Default(value.show(&default));
+        self.ask(name, &value, shown, about).unwrap_or(default)
+    }
+
+    fn ask<V: FileValue>(
+        &mut self,
+        name: &str,
+        value: &V,
+        presence: Presence,
+        about: &'static str,
+    ) -> Option<V::Out> {
+        let written = match &mut self.content {
+            Content::Written(values) => values.remove(name),
+            Content::Abandoned => None,
+            Content::Described(description) => {
+                description.keys.push(FileKey {
+                    name: name.to_owned(),
+                    shape: value.shape(),
+                    presence,
+                    about,
+                });
+                return None;
+            }
+        };
+        let place = written.as_ref().map(Spanned::span);
+        let read = written.map(|written| value.read(name, written, self.draft));
+        self.asked.push(AskedKey {
+            name: name.to_owned(),
+            place,
+            is_wrong: matches!(read, Some(None)),
+        });
+        match read {
+            Some(read) => read,
+            None => {
+                if presence == Presence::Needed {
+                    let fault = if value.is_section() && self.is_root {
+                        Diagnostic::new(0..0, format!("the section `{name}` is missing"))
+                    } else {
+                        Diagnostic::new(self.place.clone(), format!("missing field `{name}`"))
+                    };
+                    self.missing.push((name.to_owned(), fault));
+                }
+                None
+            }
+        }
+    }
+
+    /// The id of a table of a section, in which it must be the only one.
+    pub fn need_id(&mut self, section: &'static str) -> Option<()> {
+        let written = self.need("id", value::id(), "what other tables call it")?;
+        self.draft.add_id(section, &written);
+        self.id = written.into_inner();
+        Some(())
+    }
+
+    /// A text, with its translation under the same name and `_uk`.
+    pub fn need_text(&mut self, name: &str, about: &'static str) -> Option<Text> {
+        let english = self.need(name, value::text(""), about);
+        self.translated(name, english)
+    }
+
+    /// The same for one that may be left out.
+    pub fn may_text(&mut self, name: &str, about: &'static str) -> Option<Text> {
+        let english = self.may(name, value::text(""), about);
+        self.translated(name, english)
+    }
+
+    fn translated(&mut self, name: &str, english: Option<Spanned<String>>) -> Option<Text> {
+        let key = format!("{name}_uk");
+        let ukrainian = self.may(&key, value::text(""), "the same in Ukrainian");
+        Some(self.draft.faults.translated(english?, ukrainian, &key))
+    }
+
+    /// The kind of the table, by its key `kind`, and what is read of the keys that only this kind has.
+    pub fn need_kind<T>(
+        &mut self,
+        what: &'static str,
+        kinds: &'static [KindOf<T>],
+    ) -> Option<(&'static str, T)> {
+        let names = || kinds.iter().map(|kind| kind.name);
+        if self.describe_kinds(kinds, true) {
+            return None;
+        }
+        let Some(written) = self.need("kind", value::text(""), "") else {
+            self.abandon();
+            return None;
+        };
+        let Some(kind) = kinds.iter().find(|kind| kind.name == written.get_ref()) else {
+            let known: Vec<&str> = names().collect();
+            let what = format!("{what} kind");
+            self.draft.faults.unknown(&what, &written, &known);
+            self.abandon();
+            return None;
+        };
+        Some((kind.name, (kind.read)(self)?))
+    }
+
+    /// What is read of a table that is told by a key called after its kind.
+    pub fn need_one_of<T>(&mut self, what: &'static str, kinds: &'static [KindOf<T>]) -> Option<T> {
+        if self.describe_kinds(kinds, false) {
+            return None;
+        }
+        let found = kinds.iter().find(|kind| self.is_written(kind.name));
+        if found.is_none() {
+            let known: Vec<&str> = kinds.iter().map(|kind| kind.name).collect();
+            let fault = format!("{what} needs one of {}", known.join(", "));
+            self.fault(fault);
+            self.abandon();
+        }
+        (found?.read)(self)
+    }
+
+    /// Describes the kinds, if it is to be described.
+    fn describe_kinds<T>(&mut self, kinds: &'static [KindOf<T>], by_kind_key: bool) -> bool {
+        let Content::Described(description) = &mut self.content else {
+            return false;
+        };
+        let of = |kind: &KindOf<T>| FileKind {
+            name: kind.name,
+            about: kind.about,
+            own: FileTable::describe(kind.read, &mut Draft::default()),
+        };
+        description.kinds = kinds.iter().map(of).collect();
+        description.by_kind_key = by_kind_key;
+        true
+    }
+
+    /// Whether a key has a value, right or wrong.
+    pub fn is_written(&self, name: &str) -> bool {
+        let mut asked = self.asked.iter();
+        let is_left = match &self.content {
+            Content::Written(values) => values.contains_key(name),
+            Content::Abandoned | Content::Described(_) => false,
+        };
+        is_left || asked.any(|asked| asked.name == name && asked.place.is_some())
+    }
+
+    /// Whether a value that was asked for could not be read.
+    pub fn has_wrong(&self) -> bool {
+        self.asked.iter().any(|asked| asked.is_wrong)
+    }
+
+    /// Adds a fault of the table as a whole.
+    pub fn fault(&mut self, message: impl Into<Text>) {
+        self.draft.faults.add(self.place.clone(), message);
+    }
+
+    /// Adds a fault of a key that was asked for, at its value if it has one.
+    pub fn fault_of(&mut self, name: &str, message: impl Into<Text>) {
+        let place = self.place_of(name);
+        self.draft.faults.add(place, message);
+    }
+
+    /// Where the value of a key stands that was asked for; the table's place where it has none.
+    pub fn place_of(&self, name: &str) -> Range<usize> {
+        let mut asked = self.asked.iter();
+        let found = asked.find(|asked| asked.name == name);
+        let place = found.and_then(|asked| asked.place.clone());
+        place.unwrap_or_else(|| self.place.clone())
+    }
+
+    /// Says no more of what is left: it cannot be understood.
+    fn abandon(&mut self) {
+        self.content = Content::Abandoned;
+    }
+
+    /// Adds the faults of keys that are missing or that nobody knows. A missing key that was only misspelt is one fault.
+    fn finish(self) {
+        let Content::Written(left) = &self.content else {
+            return;
+        };
+        let known: Vec<&str> = self.asked.iter().map(|asked| asked.name.as_str()).collect();
+        let mut misspelt = Vec::new();
+        for (key, _) in left {
+            let name = key.get_ref().as_ref();
+            let message = if self.is_root {
+                format!("unknown key `{name}`")
+            } else {
+                format!("unknown field `{name}`, {}", value::expected(&known))
+            };
+            misspelt.extend(nearest(name, known.iter().copied()).map(str::to_owned));
+            let fault = Diagnostic::new(key.span(), message);
+            self.draft.faults.push(match name.len() {
+                // Of names of one letter, all are equally close.
+                1 => fault,
+                _ => fault.with_nearest(name, known.iter().copied()),
+            });
+        }
+        for (name, fault) in self.missing {
+            if !misspelt.contains(&name) {
+                self.draft.faults.push(fault);
+            }
+        }
+    }
+}
+
+/// What tables of several sections have in common.
+impl FileTable<'_> {
+    /// A task zone by the key `zone`.
+    pub fn need_task_zone(&mut self) -> Option<Zone> {
+        let name = self.need("zone", value::text("id of a task zone"), "where")?;
+        self.draft.task_zone(&name)
+    }
+
+    /// A hazard by a key; its place in the file.
+    pub fn need_hazard(&mut self, name: &str, about: &'static str) -> Option<usize> {
+        let id = self.need(name, value::text("id of a hazard"), about)?;
+        self.draft.hazard(&id)
+    }
+
+    /// What is asked for, and from where on a part of it counts, which must lie on the worse side of it.
+    pub fn need_target(&mut self, range: [f64; 2], better: Better) -> Option<Target> {
+        let [low, high] = range;
+        let asked = value::number(low, high, "");
+        let met_at = self.need("target", asked, "what is asked for");
+        let from = value::number(0.0, high, "");
+        let partial_from = self.need("partial_from", from, "where points begin");
+        let target = Target {
+            met_at: met_at?,
+            partial_from: partial_from?,
+        };
+        let (is_worse, message) = match better {
+            Better::Higher => (
+                target.partial_from < target.met_at,
+                "`partial_from` must be below `target`",
+            ),
+            Better::Lower => (
+                target.partial_from > target.met_at,
+                "`partial_from` must be above `target`: less is better here",
+            ),
+        };
+        if !is_worse {
+            self.fault_of("partial_from", message);
+        }
+        Some(target)
+    }
+}
+
+/// What an objective asks for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::mission) struct Target {
+    /// The measure that is all of it.
+    pub met_at: f64,
+    /// Where points begin.
+    pub partial_from: f64,
+}
