@@ -10,7 +10,6 @@ use std::time::Duration;
 
 use super::Point;
 use super::craft::Craft;
-use super::fit::Fit;
 use super::zone::{Shadow, Shape, Zone, ZoneKind};
 use crate::session::RadioFault;
 use crate::vehicle::VehicleId;
@@ -130,17 +129,17 @@ impl Radio {
     pub const USUAL_ANTENNA_M: f64 = 2.0;
 
     /// How well each vehicle is heard, in dB: by the best path, which is as good as its worst leg. Only radios of one
-    /// model hear each other.
+    /// model hear each other. `own` is the radio that the craft of a seat was built with, if it was.
     pub fn margins_db<'a>(
         &self,
         zones: impl Iterator<Item = &'a Zone>,
         crafts: &[Craft],
-        fits: &[Fit],
+        own: impl Fn(usize) -> Option<Set>,
     ) -> BTreeMap<VehicleId, f64> {
         let zones: Vec<(&Shape, ZoneKind)> = zones.map(|zone| (&zone.shape, zone.kind)).collect();
         let mut nets: BTreeMap<&str, (Vec<VehicleId>, Vec<Node>)> = BTreeMap::new();
         for (seat, craft) in crafts.iter().enumerate() {
-            let fitted = fits.get(seat).and_then(|fit| fit.radio).or(self.own);
+            let fitted = own(seat).or(self.own);
             if let Some(set) = fitted
                 && let Some(node) = set.node(craft)
             {

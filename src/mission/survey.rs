@@ -1,7 +1,11 @@
 //! A survey: a grid of cells that a sensor has to be carried through.
 
+use super::craft::Craft;
 use super::sensor::{ProbeSpec, Sensor};
 use super::{Point, TICK};
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::VehicleId;
 
 /// A survey as the mission asks for it.
 #[derive(Debug, Clone)]
@@ -99,6 +103,54 @@ impl Survey {
     pub fn mean(&self, index: usize) -> Option<f64> {
         let cell = self.cells[index];
         (cell.ticks > 0).then(|| cell.sum / f64::from(cell.ticks))
+    }
+}
+
+/// The surveys of one flight.
+#[derive(Debug, Default)]
+pub(crate) struct Surveys(Vec<Survey>);
+
+impl Surveys {
+    /// One for each plan.
+    pub fn of<'p>(plans: impl Iterator<Item = &'p SurveyPlan>) -> Self {
+        Self(plans.map(Survey::new).collect())
+    }
+
+    /// All of them.
+    pub fn all(&self) -> &[Survey] {
+        &self.0
+    }
+
+    /// Whether a vehicle samples a cell that is not done.
+    pub fn want(&self, craft: &Craft) -> bool {
+        let wants = |at| {
+            let mut surveys = self.0.iter();
+            surveys.any(|survey| survey.wants(at, craft.height_m, craft.speed_m_s))
+        };
+        craft.at.is_some_and(wants)
+    }
+
+    /// Counts one tick of all vehicles; tells of each cell that is sampled now, and by whom.
+    pub fn step(&mut self, crafts: &[Craft], mut tell: impl FnMut(VehicleId, Text)) {
+        for survey in &mut self.0 {
+            for craft in crafts.iter().filter(|craft| craft.can_see()) {
+                let mut probes = craft.probes.iter();
+                let probe = probes.find(|probe| *probe.sensor == *survey.plan.sensor);
+                let (Some(at), Some(probe)) = (craft.at, probe) else {
+                    continue;
+                };
+                let sampled = survey.step(at, craft.height_m, craft.speed_m_s, probe.shown);
+                if let Some(cell) = sampled {
+                    let text = text!(
+                        "mission-cell-sampled",
+                        cell = &survey.plan.cells[cell].name,
+                        count = survey.sampled(),
+                        all = survey.plan.cells.len()
+                    );
+                    tell(craft.id, text);
+                }
+            }
+        }
     }
 }
 

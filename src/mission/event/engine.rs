@@ -129,7 +129,8 @@ impl Engine {
             .collect();
         if is_due(sight.now, expression::EVERY) {
             self.margins_db = mission.radio.as_ref().map_or_else(BTreeMap::new, |radio| {
-                radio.margins_db(self.zones_now(), sight.crafts, &mission.fits)
+                let own = |seat: usize| mission.fits.get(seat)?.radio;
+                radio.margins_db(self.zones_now(), sight.crafts, own)
             });
             self.ask(mission, weather, sight, &mut news);
         }

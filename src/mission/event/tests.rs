@@ -96,7 +96,7 @@ fn alerts_are_answered_by_what_happens() {
     assert_eq!(words, ["climb", "far"]);
     assert!(open[0].remaining.as_secs() >= 18, "{:?}", open[0].remaining);
     pilot.take_off(20.0);
-    let facts = pilot.flight.engine.alert_facts();
+    let facts = pilot.flight.alert_facts();
     assert_eq!(facts.len(), 2);
     let after_s = facts[0]
         .answered_after
@@ -212,7 +212,7 @@ fn zones_that_appear_have_to_be_left() {
     pilot.take_off(20.0);
     pilot.goto(60.0, 0.0, 10.0);
     let broken = |pilot: &Pilot| -> Vec<SafetyKind> {
-        let events = pilot.flight.safety.events().iter();
+        let events = pilot.flight.broken_rules().iter();
         events.map(|event| event.kind).collect()
     };
     assert!(broken(&pilot).is_empty());
@@ -233,13 +233,7 @@ fn whoever_hurts_somebody_has_failed() {
         "{}",
         report.score
     );
-    let kinds: Vec<SafetyKind> = pilot
-        .flight
-        .safety
-        .events()
-        .iter()
-        .map(|e| e.kind)
-        .collect();
+    let kinds: Vec<SafetyKind> = pilot.flight.broken_rules().iter().map(|e| e.kind).collect();
     assert!(kinds.contains(&SafetyKind::Injury), "{kinds:?}");
 }
 
@@ -312,7 +306,7 @@ fn faults_of_events_are_told_where_they_are() {
             "exactly one of `at`",
         ),
         ("[[events]]\nid = 'e'\nat = 1", "missing field `do`"),
-        ("[[events]]\nid = 'e'\nat = 1\ndo = []", "1 to 50 actions"),
+        ("[[events]]\nid = 'e'\nat = 1\ndo = []", "1 to 50 entries"),
         (
             "[[events]]\nid = 'e'\nat = 1\ndo = [{ shout = 'x' }]",
             "an action needs one of",

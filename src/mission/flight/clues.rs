@@ -1,5 +1,7 @@
 //! Hints that the trainee asks for.
 
+use std::time::Duration;
+
 use super::Flight;
 use crate::mission::hint::{Clue, next_clue};
 use crate::mission::{ClueProgress, Phase};
@@ -7,14 +9,47 @@ use crate::scoring::{EventKind, HintsUsed};
 use crate::text;
 use crate::text::Text;
 
-impl Flight {
-    /// What hints have cost so far.
-    pub(super) fn hints_used(&self) -> HintsUsed {
+/// The clues that were asked for.
+#[derive(Debug)]
+pub(super) struct CluesGiven {
+    /// Which try of this trainee's it is, from 1.
+    attempt: u32,
+    given: Vec<GivenClue>,
+}
+
+/// A clue that was asked for.
+#[derive(Debug, Clone, Copy)]
+struct GivenClue {
+    at: Duration,
+    /// Its place among the mission's clues.
+    index: usize,
+}
+
+impl Default for CluesGiven {
+    fn default() -> Self {
+        Self {
+            attempt: 1,
+            given: Vec::new(),
+        }
+    }
+}
+
+impl CluesGiven {
+    pub fn set_attempt(&mut self, attempt: u32) {
+        self.attempt = attempt.max(1);
+    }
+
+    pub fn attempt(&self) -> u32 {
+        self.attempt
+    }
+
+    /// What they have cost so far.
+    pub fn used(&self, clues: &[Clue]) -> HintsUsed {
         let mut used = HintsUsed {
             free: self.attempt == 1,
             ..HintsUsed::default()
         };
-        for (_, clue) in self.given_clues() {
+        for (_, clue) in self.all(clues) {
             if let Some(count) = used.levels.get_mut(usize::from(clue.level).wrapping_sub(1)) {
                 *count += 1;
             }
@@ -22,41 +57,39 @@ impl Flight {
         used
     }
 
-    /// The clues that were given, oldest first, with the mission time in seconds.
-    pub(super) fn given_clues(&self) -> impl Iterator<Item = (f64, &Clue)> {
-        let given = self.clues_given.iter();
-        given.filter_map(|(at, index)| {
-            let clue = self.mission.clues.get(*index)?;
-            Some((at.as_secs_f64(), clue))
-        })
+    /// Those of the mission's clues that were given, oldest first, with the mission time in seconds.
+    pub fn all<'a>(&'a self, clues: &'a [Clue]) -> impl Iterator<Item = (f64, &'a Clue)> {
+        let given = self.given.iter();
+        given.filter_map(|given| Some((given.at.as_secs_f64(), clues.get(given.index)?)))
     }
+}
 
+impl Flight {
     /// Gives the next clue that fits.
     pub(super) fn give_clue(&mut self) -> Result<Text, Text> {
         let index = self.next_clue().ok_or_else(|| text!("deed-no-hint"))?;
         let clue = &self.mission.clues[index];
-        let price = self.hints_used().price(clue.level);
-        let text = self.filled(&clue.text);
+        let price = self.clues.used(&self.mission.clues).price(clue.level);
         let text = text!(
             "mission-hint-given",
             level = clue.level,
             percent = (price * 100.0).round() as u32,
-            hint = text
+            hint = self.filled(&clue.text)
         );
-        self.clues_given.push((self.elapsed, index));
-        self.record(EventKind::Hint, None, text.clone());
+        let at = self.elapsed;
+        self.clues.given.push(GivenClue { at, index });
+        self.journal.record(EventKind::Hint, None, text.clone());
         Ok(text)
     }
 
     /// How the hints stand, for the mission panel.
     pub(super) fn clue_progress(&self) -> ClueProgress {
-        let used = self.hints_used();
-        let next = self
-            .next_clue()
-            .map(|index| self.mission.clues[index].level);
+        let clues = &self.mission.clues;
+        let used = self.clues.used(clues);
+        let next = self.next_clue().map(|index| clues[index].level);
+        let given = self.clues.all(clues);
         ClueProgress {
-            given: self
-                .given_clues()
+            given: given
                 .map(|(_, clue)| (clue.level, self.filled(&clue.text)))
                 .collect(),
             next: next.map(|level| (level, used.price(level))),
@@ -65,7 +98,8 @@ impl Flight {
     }
 
     fn next_clue(&self) -> Option<usize> {
-        let given: Vec<usize> = self.clues_given.iter().map(|(_, index)| *index).collect();
+        let given = self.clues.given.iter();
+        let given: Vec<usize> = given.map(|given| given.index).collect();
         let standings = self.standings();
         let is_open = |id: &str| {
             let objectives = self.mission.objectives.iter().zip(&standings);

@@ -1,6 +1,6 @@
 //! What a mission does when it is asked: reports, and the trainee's word before launch.
 
-use super::Flight;
+use super::{Flight, Loads, LoadsScene};
 use crate::commands::{Deed, Goal, Spot, Subject};
 use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::mission::Point;
@@ -85,8 +85,7 @@ impl Flight {
             },
             Deed::Unmark { spot } => {
                 let at = self.point(vehicle, *spot)?;
-                let mark = self.marks.remove(at);
-                mark.map(|_| None).ok_or_else(|| text!("deed-no-mark"))
+                self.search.unmark(at)
             }
             Deed::Predict { points } => {
                 self.before_launch()?;
@@ -98,9 +97,15 @@ impl Flight {
                 self.pledge.goal = Some(*goal);
                 Ok(None)
             }
-            Deed::Sample => self.take_sample(vehicle),
-            Deed::Drop => self.drop_piece(vehicle),
-            Deed::Spray { on } => self.set_sprayer(vehicle, *on),
+            Deed::Sample => self.loads_and_scene().1.take_sample(vehicle),
+            Deed::Drop => {
+                let (loads, mut scene) = self.loads_and_scene();
+                loads.drop_piece(vehicle, &mut scene)
+            }
+            Deed::Spray { on } => {
+                let (loads, scene) = self.loads_and_scene();
+                loads.set_sprayer(vehicle, *on, &scene)
+            }
             Deed::Hint => Err(text!("deed-no-hint")),
         }
     }
@@ -113,19 +118,23 @@ impl Flight {
         Ok(())
     }
 
+    fn loads_and_scene(&mut self) -> (&mut Loads, LoadsScene<'_>) {
+        let scene = LoadsScene {
+            crafts: &self.crafts,
+            world: &mut self.world,
+            journal: &mut self.journal,
+        };
+        (&mut self.loads, scene)
+    }
+
     fn mark(&mut self, by: VehicleId, spot: Spot, kind: Option<&'static str>) -> Done {
         let at = self.point(by, spot)?;
-        let mark = Mark {
+        self.search.mark(Mark {
             at,
             kind,
             by,
             when: self.elapsed,
-        };
-        if self.marks.add(mark) {
-            Ok(Some(text!("deed-marked", count = self.marks.all().len())))
-        } else {
-            Err(text!("deed-marked-before"))
-        }
+        })
     }
 
     fn mark_contacts(
@@ -134,26 +143,10 @@ impl Flight {
         confirmed: bool,
         kind: Option<&'static str>,
     ) -> Done {
-        let mut found = Vec::new();
-        for contact in self.contacts.unreported() {
-            let wanted = kind.is_none_or(|kind| kind == contact.kind);
-            if wanted && (!confirmed || contact.is_confirmed()) {
-                contact.reported = true;
-                found.push((contact.at, contact.kind));
-            }
-        }
-        if found.is_empty() {
-            return Err(text!("deed-no-contacts"));
-        }
-        for &(at, kind) in &found {
-            self.marks.add(Mark {
-                at,
-                kind: Some(kind),
-                by,
-                when: self.elapsed,
-            });
-        }
-        Ok(Some(text!("deed-marked", count = self.marks.all().len())))
+        self.search.mark_contacts(by, &self.journal, |contact| {
+            let is_kind = kind.is_none_or(|kind| kind == contact.kind);
+            is_kind && (!confirmed || contact.is_confirmed())
+        })
     }
 
     /// Where a spot is in the mission's frame.

@@ -3,14 +3,14 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-use super::Flight;
 use super::deeds::Done;
+use super::journal::FlightJournal;
 use crate::mission::craft::Craft;
 use crate::mission::fit::Fit;
 use crate::mission::ground_truth::{Load, LoadEffect, Release};
 use crate::mission::sensor::Probe;
+use crate::mission::world::World;
 use crate::mission::{LoadLeft, Point, TICK};
-use crate::notice::Notice;
 use crate::scoring::EventKind;
 use crate::text;
 use crate::text::Text;
@@ -29,7 +29,7 @@ const SAMPLE_UP_TO_M_S: f64 = 1.0;
 
 /// What one vehicle has on board.
 #[derive(Debug, Clone)]
-pub(super) struct Hold {
+struct Hold {
     full: BTreeMap<Load, u32>,
     left: BTreeMap<Load, u32>,
     /// For how long the sprayer has been open in this second of the load; `None` while it is shut.
@@ -95,32 +95,62 @@ impl Hold {
     }
 }
 
-impl Flight {
+/// What the crafts have on board, in the order of the crafts, and what was let go of.
+#[derive(Debug, Default)]
+pub(super) struct Loads {
+    holds: Vec<Hold>,
+    releases: Vec<Release>,
+}
+
+/// What loads fall through and onto.
+pub(super) struct LoadsScene<'a> {
+    pub crafts: &'a [Craft],
+    pub world: &'a mut World,
+    pub journal: &'a mut FlightJournal,
+}
+
+/// A vehicle that can do something from the air.
+struct Able {
+    /// Its place among the crafts.
+    seat: usize,
+    at: Point,
+}
+
+impl Loads {
+    /// Another vehicle takes part.
+    pub fn add(&mut self, fit: &Fit) {
+        self.holds.push(Hold::new(fit));
+    }
+
+    /// Everything that was let go of.
+    pub fn releases(&self) -> &[Release] {
+        &self.releases
+    }
+
     /// Lets go of one piece.
-    pub(super) fn drop_piece(&mut self, vehicle: VehicleId) -> Done {
-        let (index, at) = self.able(vehicle, DROP_UP_TO_M)?;
-        let hold = &mut self.holds[index];
+    pub fn drop_piece(&mut self, vehicle: VehicleId, scene: &mut LoadsScene<'_>) -> Done {
+        let Able { seat, at } = scene.able(vehicle, DROP_UP_TO_M)?;
+        let hold = &mut self.holds[seat];
         let load = hold.piece().ok_or_else(|| text!("deed-no-load"))?;
         if !hold.take(load) {
             return Err(text!("load-empty", load = load.name()));
         }
         let left = hold.left(load);
-        let effect = self.release(vehicle, load, at);
+        let effect = self.release(vehicle, load, at, scene);
         let what = effect.map_or_else(|| text!("load-nothing"), |effect| effect.text);
         Ok(Some(text!("load-dropped", what = what, left = left)))
     }
 
     /// Opens or shuts the sprayer.
-    pub(super) fn set_sprayer(&mut self, vehicle: VehicleId, on: bool) -> Done {
+    pub fn set_sprayer(&mut self, vehicle: VehicleId, on: bool, scene: &LoadsScene<'_>) -> Done {
         if !on {
-            let index = self.seat(vehicle)?;
-            let hold = &mut self.holds[index];
+            let hold = &mut self.holds[scene.seat(vehicle)?];
             let shut = hold.spraying.take().map(|_| hold.left(Load::Spray));
             let left = shut.ok_or_else(|| text!("load-shut"))?;
             return Ok(Some(text!("load-spray-left", left = left)));
         }
-        let (index, _) = self.able(vehicle, SPRAY_UP_TO_M)?;
-        let hold = &mut self.holds[index];
+        let able = scene.able(vehicle, SPRAY_UP_TO_M)?;
+        let hold = &mut self.holds[able.seat];
         if !hold.full.contains_key(&Load::Spray) {
             return Err(text!("deed-no-load"));
         }
@@ -132,10 +162,77 @@ impl Flight {
         Ok(Some(text!("load-spray-left", left = left)))
     }
 
+    /// A tick of sprayers and of the service on the pads.
+    pub fn step(&mut self, scene: &mut LoadsScene<'_>) {
+        for (index, craft) in scene.crafts.iter().enumerate() {
+            if !craft.airborne || craft.lost {
+                self.holds[index].spraying = None;
+            }
+            if self.holds[index].serve(craft) {
+                let text = text!("load-served");
+                scene
+                    .journal
+                    .say(EventKind::Load, Some(craft.id), Severity::Info, text);
+            }
+            if self.holds[index].spray() {
+                if let Some(at) = craft.at.filter(|_| craft.height_m <= SPRAY_UP_TO_M) {
+                    self.release(craft.id, Load::Spray, at, scene);
+                }
+                if self.holds[index].left(Load::Spray) == 0 {
+                    self.holds[index].spraying = None;
+                    let text = text!("load-empty", load = Load::Spray.name());
+                    scene
+                        .journal
+                        .say(EventKind::Load, Some(craft.id), Severity::Notice, text);
+                }
+            }
+        }
+    }
+
+    /// What is left on board.
+    pub fn left(&self, crafts: &[Craft]) -> Vec<LoadLeft> {
+        let mut loads = Vec::new();
+        for (craft, hold) in crafts.iter().zip(&self.holds) {
+            loads.extend(hold.left.iter().map(|(load, left)| LoadLeft {
+                vehicle: craft.id,
+                load: load.name(),
+                left: *left,
+                unit: if *load == Load::Spray { "s" } else { "" },
+            }));
+        }
+        loads
+    }
+
+    fn release(
+        &mut self,
+        by: VehicleId,
+        load: Load,
+        at: Point,
+        scene: &mut LoadsScene<'_>,
+    ) -> Option<LoadEffect> {
+        let effects = scene.world.affect(load, at);
+        let good = effects.iter().find(|effect| effect.good);
+        let effect = good.or(effects.first()).cloned();
+        self.releases.push(Release {
+            load,
+            at,
+            by,
+            when: scene.journal.now(),
+            good: effect.as_ref().is_some_and(|effect| effect.good),
+        });
+        if let Some(effect) = &effect {
+            let text = effect.text.clone();
+            scene.journal.record(EventKind::Load, Some(by), text);
+        }
+        effect
+    }
+}
+
+impl LoadsScene<'_> {
     /// Says what the vehicle's sensors show where it hovers.
-    pub(super) fn take_sample(&mut self, vehicle: VehicleId) -> Done {
-        let (index, _) = self.able(vehicle, f64::INFINITY)?;
-        let craft = &self.crafts[index];
+    pub fn take_sample(&mut self, vehicle: VehicleId) -> Done {
+        let able = self.able(vehicle, f64::INFINITY)?;
+        let craft = &self.crafts[able.seat];
         if craft.probes.is_empty() {
             return Err(text!("deed-no-load"));
         }
@@ -153,47 +250,9 @@ impl Flight {
         };
         let readings: Vec<Text> = craft.probes.iter().map(reading).collect();
         let remark = Text::joined(", ", readings);
-        self.record(EventKind::Sample, Some(vehicle), remark.clone());
+        self.journal
+            .record(EventKind::Sample, Some(vehicle), remark.clone());
         Ok(Some(remark))
-    }
-
-    /// A tick of sprayers and of the service on the pads.
-    pub(super) fn step_loads(&mut self, notices: &mut Vec<Notice>) {
-        for index in 0..self.holds.len() {
-            let craft = &self.crafts[index];
-            let (id, at, height_m) = (craft.id, craft.at, craft.height_m);
-            if !craft.airborne || craft.lost {
-                self.holds[index].spraying = None;
-            }
-            if self.holds[index].serve(&self.crafts[index]) {
-                let text = text!("load-served");
-                self.say(EventKind::Load, Some(id), Severity::Info, text, notices);
-            }
-            if self.holds[index].spray() {
-                if let Some(at) = at.filter(|_| height_m <= SPRAY_UP_TO_M) {
-                    self.release(id, Load::Spray, at);
-                }
-                if self.holds[index].left(Load::Spray) == 0 {
-                    self.holds[index].spraying = None;
-                    let text = text!("load-empty", load = Load::Spray.name());
-                    self.say(EventKind::Load, Some(id), Severity::Notice, text, notices);
-                }
-            }
-        }
-    }
-
-    /// What is left on board.
-    pub(super) fn loads_left(&self) -> Vec<LoadLeft> {
-        let mut loads = Vec::new();
-        for (craft, hold) in self.crafts.iter().zip(&self.holds) {
-            loads.extend(hold.left.iter().map(|(load, left)| LoadLeft {
-                vehicle: craft.id,
-                load: load.name(),
-                left: *left,
-                unit: if *load == Load::Spray { "s" } else { "" },
-            }));
-        }
-        loads
     }
 
     /// Where a vehicle stands among those of the mission.
@@ -202,10 +261,10 @@ impl Flight {
         index.ok_or_else(|| text!("deed-no-position"))
     }
 
-    /// Whether a vehicle can do something from the air, at most so high: its seat, and where it is.
-    fn able(&self, vehicle: VehicleId, up_to_m: f64) -> Result<(usize, Point), Text> {
-        let index = self.seat(vehicle)?;
-        let craft = &self.crafts[index];
+    /// Whether a vehicle can do something from the air, at most so high.
+    fn able(&self, vehicle: VehicleId, up_to_m: f64) -> Result<Able, Text> {
+        let seat = self.seat(vehicle)?;
+        let craft = &self.crafts[seat];
         let heard = craft.at.filter(|_| craft.heard && !craft.lost);
         let at = heard.ok_or_else(|| text!("deed-no-position"))?;
         if !craft.airborne {
@@ -215,28 +274,7 @@ impl Flight {
             let (height, limit) = (format!("{:.0}", craft.height_m), format!("{up_to_m:.0}"));
             return Err(text!("load-too-high", height = height, limit = limit));
         }
-        Ok((index, at))
-    }
-
-    fn release(&mut self, by: VehicleId, load: Load, at: Point) -> Option<LoadEffect> {
-        let effects = self.world.affect(load, at);
-        let effect = effects
-            .iter()
-            .find(|effect| effect.good)
-            .or(effects.first());
-        let release = Release {
-            load,
-            at,
-            by,
-            when: self.elapsed,
-            good: effect.is_some_and(|effect| effect.good),
-        };
-        self.releases.push(release);
-        let effect = effect.cloned();
-        if let Some(effect) = &effect {
-            self.record(EventKind::Load, Some(by), effect.text.clone());
-        }
-        effect
+        Ok(Able { seat, at })
     }
 }
 

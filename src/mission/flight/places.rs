@@ -6,6 +6,7 @@ use super::Flight;
 use crate::geo::LatLon;
 use crate::mission::Mission;
 use crate::mission::contact::Contacts;
+use crate::mission::objective::Tracker;
 use crate::vehicle::VehicleId;
 
 /// Contacts that a script may name before anybody has found them.
@@ -18,28 +19,15 @@ impl Flight {
     /// that of vehicle 1 has, and those that the seed decides: `gate1`, and `next` for the one to go to.
     pub fn places(&self) -> BTreeMap<String, LatLon> {
         let place = |point| self.mission.origin.place(point);
-        let contacts = self.contacts.all().iter().enumerate();
+        let contacts = self.search.contacts().iter().enumerate();
         let contacts = contacts.map(|(index, contact)| (Contacts::name(index), place(contact.at)));
-        let peaks = self.peaks.iter();
-        let peaks = peaks.map(|(id, (_, at))| (peak_of(*id), place(*at)));
-        let highest = self.peaks.values().max_by(|a, b| a.0.total_cmp(&b.0));
-        let peak = highest.map(|(_, at)| (PEAK.to_owned(), place(*at)));
-        let drawn = self.trackers.iter().flat_map(|tracker| tracker.places());
+        let peaks = self.tracks.peaks().iter();
+        let own_peaks = peaks.map(|(id, peak)| (peak_of(*id), place(peak.at)));
+        let highest = self.tracks.highest();
+        let peak = highest.map(|peak| (PEAK.to_owned(), place(peak.at)));
+        let drawn = self.goals.trackers().flat_map(Tracker::places);
         let drawn = drawn.map(|(name, at)| (name, place(at)));
-        contacts.chain(peaks).chain(peak).chain(drawn).collect()
-    }
-
-    /// Keeps where the first sensor of each vehicle has shown the most.
-    pub(super) fn note_peaks(&mut self) {
-        for craft in self.crafts.iter().filter(|craft| craft.airborne) {
-            let (Some(at), Some(probe)) = (craft.at, craft.probes.first()) else {
-                continue;
-            };
-            let known = self.peaks.get(&craft.id);
-            if known.is_none_or(|(most, _)| probe.shown > *most) {
-                self.peaks.insert(craft.id, (probe.shown, at));
-            }
-        }
+        contacts.chain(own_peaks).chain(peak).chain(drawn).collect()
     }
 }
 

@@ -9,7 +9,7 @@ impl Flight {
     /// Records everything that the flight is shown and asked from now on, before its first step; the mission, seed, try and
     /// drones of the head are the flight's own.
     pub fn start_record(&mut self, occasion: &Occasion) {
-        let head = Head::of(&self.mission, self.seed, self.attempt, occasion);
+        let head = Head::of(&self.mission, self.seed, self.clues.attempt(), occasion);
         self.recorder = Some(Box::new(Recorder::new(&head)));
     }
 

@@ -36,12 +36,12 @@ pub(super) fn facts(flight: &Flight, standings: &[Standing]) -> Facts {
             .collect(),
         elapsed: flight.elapsed,
         energy_wh: (!used.is_empty()).then(|| used.iter().sum()),
-        safety: flight.safety.events().to_vec(),
-        commands: flight.tally,
-        alerts: flight.engine.alert_facts().to_vec(),
+        safety: flight.journal.broken_rules().to_vec(),
+        commands: flight.orders.tally(),
+        alerts: flight.threats.engine().alert_facts().to_vec(),
         vehicles: flight.mission.vehicles,
         usage: flight.vehicle_uses(),
-        hints: flight.hints_used(),
+        hints: flight.clues.used(&flight.mission.clues),
     }
 }
 
@@ -49,10 +49,10 @@ pub(super) fn facts(flight: &Flight, standings: &[Standing]) -> Facts {
 pub(super) fn report(flight: &Flight, ledger: &Ledger) -> Report {
     let mut facts = facts(flight, &flight.standings());
     // Rows may have ended after the last step.
-    facts.commands = flight.commands.tally(ledger);
+    facts.commands = flight.orders.tally_of(ledger);
     let mission = &flight.mission;
     let score = score(&mission.scoring, &facts);
-    let commands = flight.commands.entries(ledger);
+    let commands = flight.orders.entries(ledger);
     Report {
         mission: mission.id.clone(),
         revision: mission.rev,
@@ -71,7 +71,7 @@ pub(super) fn report(flight: &Flight, ledger: &Ledger) -> Report {
         ledger: commands
             .map(|(at, entry)| command(at.as_secs_f64(), entry))
             .collect(),
-        events: flight.events.clone(),
+        events: flight.journal.events().to_vec(),
         title: mission.title.clone(),
         outcome: flight
             .ended
@@ -83,13 +83,13 @@ pub(super) fn report(flight: &Flight, ledger: &Ledger) -> Report {
         energy_wh: facts.energy_wh.map(|energy| rounded(energy, 2)),
         par_energy_wh: rounded(mission.scoring.par_energy_wh, 2),
         improvements: improvements(&mission.scoring, &facts),
-        attempt: flight.attempt,
+        attempt: flight.clues.attempt(),
         hints: hints(flight),
         prediction: flight.prediction_report(&score),
         goal: flight.goal_report(&facts, &score),
         alerts: facts.alerts.iter().map(AlertReport::from).collect(),
         usage: uses(&facts),
-        swarm: flight.swarm_figures(),
+        swarm: flight.swarm.figures(&flight.crafts, flight.elapsed),
         truth: flight.truth_report(),
         drill: None,
         tries: Vec::new(),
@@ -117,7 +117,11 @@ fn hints(flight: &Flight) -> Vec<HintReport> {
         level: clue.level,
         text: flight.filled(&clue.text),
     };
-    flight.given_clues().map(report).collect()
+    flight
+        .clues
+        .all(&flight.mission.clues)
+        .map(report)
+        .collect()
 }
 
 fn objectives(facts: &Facts) -> Vec<ObjectiveReport> {

@@ -1,72 +1,92 @@
 //! How the vehicles are put to use, and how their operator handles them.
 
-use super::Flight;
-use crate::ledger::{Entry, Ledger};
+use std::time::Duration;
+
+use crate::ledger::{Entry, EntryId, Ledger};
+use crate::mission::craft::Craft;
+use crate::mission::survey::Surveys;
 use crate::mission::usage::{Look, Usage};
-use crate::scoring::{SwarmFigures, VehicleUse};
+use crate::scoring::{SwarmFigures, SwarmTimes, VehicleUse};
 use crate::vehicle::VehicleId;
 use crate::verb::Movement;
 
-impl Flight {
+/// The account of how the vehicles are used and led.
+#[derive(Debug, Default)]
+pub(super) struct SwarmAccount {
+    /// What each craft did with its time, in the order of the crafts.
+    usage: Vec<Usage>,
+    times: SwarmTimes,
+    /// The newest command to vehicles.
+    newest: Option<NewestOrder>,
+}
+
+/// A command to vehicles.
+#[derive(Debug)]
+struct NewestOrder {
+    id: EntryId,
+    targets: Vec<VehicleId>,
+}
+
+impl SwarmAccount {
+    /// Another vehicle takes part.
+    pub fn add(&mut self, vehicle: VehicleId) {
+        self.usage.push(Usage::new(vehicle));
+    }
+
     /// Takes the tick into the account of every vehicle.
-    pub(super) fn step_usage(&mut self, ledger: &Ledger) {
-        let commanded = self.note_orders(ledger);
-        for (craft, usage) in self.crafts.iter().zip(&mut self.usage) {
+    pub fn step(&mut self, crafts: &[Craft], surveys: &Surveys, ledger: &Ledger, now: Duration) {
+        let commanded = self.note_orders(ledger, now);
+        for (craft, usage) in crafts.iter().zip(&mut self.usage) {
             let flies = craft.airborne && !craft.lost;
             // Nobody hears of samples that are taken while the radio is cut.
-            let samples = craft.at.is_some_and(|at| {
-                let mut surveys = self.surveys.iter();
-                let wants = surveys.any(|it| it.wants(at, craft.height_m, craft.speed_m_s));
-                wants && flies && craft.heard
-            });
-            let latest = ledger
-                .entries()
-                .rev()
-                .find(|entry| is_order_to(entry, craft.id));
+            let samples = craft.can_see() && surveys.want(craft);
+            let mut entries = ledger.entries().rev();
+            let latest = entries.find(|entry| is_order_to(entry, craft.id));
             let on_station = latest.is_some_and(|entry| entry.verb.movement == Movement::Station);
             let look = Look {
                 airborne_at: craft.place_m().filter(|_| flies),
                 busy: samples || on_station,
                 commanded: commanded.contains(&craft.id),
             };
-            usage.step(look, &mut self.swarm);
+            usage.step(look, &mut self.times);
         }
     }
 
     /// How the operator handles the swarm so far.
-    pub(super) fn swarm_figures(&self) -> SwarmFigures {
-        let flown = self.crafts.iter().filter(|craft| craft.flown).count();
-        self.swarm.figures(flown, self.elapsed)
+    pub fn figures(&self, crafts: &[Craft], now: Duration) -> SwarmFigures {
+        let flown = crafts.iter().filter(|craft| craft.flown).count();
+        self.times.figures(flown, now)
     }
 
-    /// How each vehicle that the mission wants was used; those that nobody has heard were not.
-    pub(super) fn vehicle_uses(&self) -> Vec<VehicleUse> {
+    /// How each of so many vehicles was used; those that nobody has heard were not.
+    pub fn uses(&self, wanted: usize) -> Vec<VehicleUse> {
         let heard = self.usage.iter().map(Usage::totals);
-        let used = |id: &VehicleId| self.crafts.iter().any(|craft| craft.id == *id);
-        let unheard = (1..=VehicleId::MAX).filter(|id| !used(id));
-        let unheard = unheard.map(|vehicle| VehicleUse {
+        let used: Vec<VehicleId> = heard.clone().map(|totals| totals.vehicle).collect();
+        let unheard = (1..=VehicleId::MAX).filter(|id| !used.contains(id));
+        let unused = unheard.map(|vehicle| VehicleUse {
             vehicle,
             ..VehicleUse::default()
         });
-        let wanted = self.mission.vehicles;
-        heard.chain(unheard).take(wanted).collect()
+        heard.chain(unused).take(wanted).collect()
     }
 
     /// Takes down the commands that are new; returns the vehicles that they were for.
-    fn note_orders(&mut self, ledger: &Ledger) -> Vec<VehicleId> {
-        let newest = self.ordered.as_ref().map(|(id, _)| *id);
-        let new = ledger.entries().rev();
-        let mut new: Vec<&Entry> = new.take_while(|entry| Some(entry.id) > newest).collect();
+    fn note_orders(&mut self, ledger: &Ledger, now: Duration) -> Vec<VehicleId> {
+        let newest = self.newest.as_ref().map(|order| order.id);
+        let entries = ledger.entries().rev();
+        let mut new: Vec<&Entry> = entries
+            .take_while(|entry| Some(entry.id) > newest)
+            .collect();
         new.reverse();
         let mut commanded = Vec::new();
         for entry in new.into_iter().filter(|entry| is_for_vehicles(entry)) {
             let targets: Vec<VehicleId> = entry.rows.iter().map(|row| row.vehicle).collect();
-            let before = self.ordered.as_ref().map(|(_, targets)| targets);
+            let before = self.newest.as_ref().map(|order| &order.targets);
             let switched = before.is_some_and(|before| *before != targets);
-            let order = (self.elapsed, targets.len(), switched);
-            self.swarm.commands.push(order);
+            self.times.commands.push((now, targets.len(), switched));
             commanded.extend(&targets);
-            self.ordered = Some((entry.id, targets));
+            let id = entry.id;
+            self.newest = Some(NewestOrder { id, targets });
         }
         commanded
     }

@@ -1,13 +1,25 @@
 //! What the trainee asks and says: hints, a prediction, a goal.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::*;
 use crate::commands::{Deed, Goal};
 use crate::language;
-use crate::ledger::{Given, Risk, RowState};
+use crate::ledger::{EntryId, Given, Risk, RowState};
 use crate::mission::fake::{Pilot, fly_the_cells};
+use crate::scoring::{AlertFact, SafetyEvent};
 use crate::vehicle::{Unheard, Vehicle};
+
+impl Flight {
+    pub(in crate::mission) fn alert_facts(&self) -> &[AlertFact] {
+        self.threats.engine().alert_facts()
+    }
+
+    pub(in crate::mission) fn broken_rules(&self) -> &[SafetyEvent] {
+        self.journal.broken_rules()
+    }
+}
 
 /// The second mission with two hints of ours to be asked for instead of its own.
 fn with_clues() -> Arc<Mission> {
@@ -146,7 +158,7 @@ fn a_hint_that_is_not_there_is_no_refused_command() {
         let told = events
             .iter()
             .filter(|event| event.kind == EventKind::Rejected);
-        let found = (pilot.flight.tally.rejected, told.count());
+        let found = (pilot.flight.orders.tally().rejected, told.count());
         assert_eq!(found, rejected, "{line}");
     }
 }

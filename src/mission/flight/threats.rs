@@ -1,16 +1,18 @@
 //! What threatens a flight, and what an instructor may have happen.
 
-use super::{Flight, Standing};
+use super::Flight;
+use super::journal::FlightJournal;
+use crate::mission::Mission;
 use crate::mission::event::Trigger;
 use crate::mission::event::demand::Demand;
-use crate::mission::event::engine::News;
+use crate::mission::event::engine::{Engine, News};
 use crate::mission::event::scope::Sight;
 use crate::mission::event::standard::Standard;
-use crate::notice::Notice;
+use crate::mission::weather::Weather;
 use crate::scoring::{AlertLevel, EventKind};
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{Severity, Vehicles};
+use crate::vehicle::Severity;
 
 /// Something that an instructor may have happen.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -21,68 +23,79 @@ pub struct Inject {
     pub title: Text,
 }
 
-impl Flight {
-    /// Lets events and what they have brought go on.
-    pub(super) fn step_threats(
-        &mut self,
-        vehicles: &Vehicles,
-        standings: &[Standing],
-        notices: &mut Vec<Notice>,
-    ) {
-        let mission = std::sync::Arc::clone(&self.mission);
-        let sight = Sight {
-            now: self.elapsed,
-            crafts: &self.crafts,
-            vehicles,
-            standings,
-            contacts: self.contacts.all(),
-            marks: self.marks.all(),
-            last_command: self.commands.last_given(),
-        };
-        let news = self.engine.step(&mission, &mut self.world.weather, &sight);
-        for news in news {
-            self.hear_news(news, notices);
+/// The threats of one flight.
+#[derive(Debug)]
+pub(super) struct Threats {
+    engine: Engine,
+    /// Whether an event has ended the mission as failed.
+    failed: bool,
+}
+
+impl Threats {
+    pub fn new(mission: &Mission, seed: u64) -> Self {
+        Self {
+            engine: Engine::new(mission, seed),
+            failed: false,
         }
     }
 
-    fn hear_news(&mut self, news: News, notices: &mut Vec<Notice>) {
+    /// Lets events and what they have brought go on; the weather changes with them.
+    pub fn step(
+        &mut self,
+        mission: &Mission,
+        weather: &mut Weather,
+        sight: &Sight<'_>,
+        journal: &mut FlightJournal,
+    ) {
+        for news in self.engine.step(mission, weather, sight) {
+            self.hear(news, journal);
+        }
+    }
+
+    fn hear(&mut self, news: News, journal: &mut FlightJournal) {
         match news {
-            News::Said(text) => self.say(
-                EventKind::MissionEvent,
-                None,
-                Severity::Notice,
-                text,
-                notices,
-            ),
+            News::Said(text) => {
+                journal.say(EventKind::MissionEvent, None, Severity::Notice, text);
+            }
             News::Alert(level, text) => {
                 let severity = match level {
                     AlertLevel::Caution => Severity::Notice,
                     AlertLevel::Warning => Severity::Warning,
                     AlertLevel::Critical => Severity::Critical,
                 };
-                self.say(EventKind::Alert, None, severity, text, notices);
+                journal.say(EventKind::Alert, None, severity, text);
             }
             News::Answered(fact) => {
                 let after_s = fact.answered_after.unwrap_or_default().as_secs_f64();
                 let seconds = format!("{after_s:.0}");
                 let text = text!("threat-answered", alert = fact.text, seconds = seconds);
-                self.say(EventKind::Answer, None, Severity::Info, text, notices);
+                journal.say(EventKind::Answer, None, Severity::Info, text);
             }
-            News::Broken(vehicle, (kind, text)) => {
-                self.break_rule(kind, vehicle, &text, notices);
-            }
+            News::Broken(vehicle, (kind, text)) => journal.break_rule(kind, vehicle, &text),
             News::Failed(text) => {
-                self.say(EventKind::Alert, None, Severity::Critical, text, notices);
+                journal.say(EventKind::Alert, None, Severity::Critical, text);
                 self.failed = true;
             }
         }
+    }
+
+    /// What there is of them now.
+    pub fn engine(&self) -> &Engine {
+        &self.engine
+    }
+
+    /// Whether an event has ended the mission as failed.
+    pub fn have_failed_it(&self) -> bool {
+        self.failed
     }
 
     /// What has to be done to simulators and links since this was asked last.
     pub fn take_demands(&mut self) -> Vec<Demand> {
         self.engine.take_demands()
     }
+}
 
+impl Flight {
     /// What an instructor may have happen.
     pub fn injects(&self) -> Vec<Inject> {
         let events = self.mission.events.iter();
@@ -120,11 +133,12 @@ impl Flight {
             event.id == name && event.trigger == Trigger::Instructor
         };
         if let Some(index) = events.position(own) {
-            self.engine.inject_event(index, self.elapsed);
+            self.threats.engine.inject_event(index, self.elapsed);
         } else if let Some(standard) = Standard::named(name) {
-            self.engine.inject_standard(standard);
+            self.threats.engine.inject_standard(standard);
         }
-        self.record(EventKind::Inject, None, inject.title.clone());
+        self.journal
+            .record(EventKind::Inject, None, inject.title.clone());
         Ok(inject.title)
     }
 }

@@ -3,41 +3,21 @@
 use super::Flight;
 use crate::mission::Point;
 use crate::mission::ground_truth::{ObjectClass, TruthShape};
-use crate::mission::objective::Sought;
+use crate::mission::objective::{Sought, Tracker};
 use crate::mission::report::{Mark, distance_m};
+use crate::mission::survey::Survey;
 use crate::scoring::{MarkReport, ObjectReport, SquareReport, TrackReport, TruthReport, rounded};
 
-/// Points of a track are this far apart.
-const TRACK_STEP_M: f64 = 5.0;
 /// A report of what nobody asked for is right this near to it.
 const UNASKED_WITHIN_M: f64 = 15.0;
-/// A track has no more points than this.
-const TRACK_POINTS: usize = 2000;
-
 impl Flight {
-    /// Keeps where the vehicles in the air are.
-    pub(super) fn note_tracks(&mut self) {
-        self.tracks.resize(self.crafts.len(), Vec::new());
-        for (craft, track) in self.crafts.iter().zip(&mut self.tracks) {
-            let Some(at) = craft.at.filter(|_| craft.airborne && !craft.lost) else {
-                continue;
-            };
-            let far = track
-                .last()
-                .is_none_or(|&last| distance_m(last, at) >= TRACK_STEP_M);
-            if far && track.len() < TRACK_POINTS {
-                track.push(at);
-            }
-        }
-    }
-
     /// The truth as it is now.
     pub(super) fn truth_report(&self) -> TruthReport {
         let mut truth = TruthReport {
             pads: self.mission.pads.iter().map(|&pad| tenths(pad)).collect(),
             ..TruthReport::default()
         };
-        let mut found = vec![false; self.marks.all().len()];
+        let mut found = vec![false; self.search.marks().len()];
         for (hazard, piece) in self.world.truth() {
             let sought = self.sought(hazard);
             match piece.shape {
@@ -47,7 +27,7 @@ impl Flight {
                     strength: rounded(strength.clamp(0.0, 1.0), 2),
                 }),
                 TruthShape::Object(class, present) => {
-                    let hits = self.marks.all().iter().enumerate();
+                    let hits = self.search.marks().iter().enumerate();
                     let hits = hits.filter(|(_, mark)| is_meant(mark, class, piece.at, sought));
                     let hits: Vec<usize> = hits.map(|(index, _)| index).collect();
                     for &index in &hits {
@@ -63,7 +43,7 @@ impl Flight {
                 }
             }
         }
-        let marks = self.marks.all().iter().zip(found);
+        let marks = self.search.marks().iter().zip(found);
         truth.marks = marks
             .map(|(mark, right)| mark_report(mark, right))
             .collect();
@@ -73,7 +53,7 @@ impl Flight {
     }
 
     fn track_reports(&self) -> Vec<TrackReport> {
-        let crafts = self.crafts.iter().zip(&self.tracks);
+        let crafts = self.crafts.iter().zip(self.tracks.all());
         let flown = crafts.filter(|(_, track)| !track.is_empty());
         let report = |(craft, track): (&super::Craft, &Vec<Point>)| TrackReport {
             vehicle: craft.id,
@@ -97,16 +77,15 @@ impl Flight {
             side_m: rounded(side_m, 1),
             strength: 0.0,
         };
-        let of = |survey: &super::Survey| {
+        let of = |survey: &Survey| {
             let cells = survey.plan.cells.iter().enumerate();
             let open = cells.filter(|(index, _)| !survey.is_sampled(*index));
             let side_m = survey.plan.side_m;
             let open = open.map(|(_, cell)| gap(cell.centre, side_m));
             open.collect::<Vec<_>>()
         };
-        let cells = self.surveys.iter().flat_map(of);
-        let trackers = self.trackers.iter();
-        let unseen = trackers.flat_map(|tracker| tracker.gaps());
+        let cells = self.surveys.all().iter().flat_map(of);
+        let unseen = self.goals.trackers().flat_map(Tracker::gaps);
         cells
             .chain(unseen.map(|it| gap(it.at, it.side_m)))
             .collect()

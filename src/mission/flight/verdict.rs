@@ -5,7 +5,6 @@ use std::time::Duration;
 use super::Flight;
 use crate::mission::craft::Craft;
 use crate::mission::objective::{DOWN_FOR, Standing};
-use crate::notice::Notice;
 use crate::scoring::EventKind;
 use crate::text;
 use crate::text::Text;
@@ -40,30 +39,24 @@ impl Outcome {
 }
 
 impl Flight {
-    pub(super) fn warn_of_time(&mut self, previous: Duration, notices: &mut Vec<Notice>) {
+    pub(super) fn warn_of_time(&mut self, previous: Duration) {
         for seconds in WARN_BEFORE_S {
             let mark = self
                 .mission
                 .time_limit
                 .saturating_sub(Duration::from_secs(seconds));
             if previous < mark && mark <= self.elapsed {
-                self.say(
+                self.journal.say(
                     EventKind::Alert,
                     None,
                     Severity::Warning,
                     text!("mission-time-left", seconds = seconds),
-                    notices,
                 );
             }
         }
     }
 
-    pub(super) fn decide(
-        &mut self,
-        now: Duration,
-        standings: &[Standing],
-        notices: &mut Vec<Notice>,
-    ) {
+    pub(super) fn decide(&mut self, now: Duration, standings: &[Standing]) {
         let mut mandatory = standings
             .iter()
             .zip(&self.mission.objectives)
@@ -78,35 +71,28 @@ impl Flight {
         } else {
             Outcome::Failed
         };
-        let harmed = self
-            .safety
-            .events()
-            .iter()
-            .any(|event| event.kind.is_harm());
-        if self.failed || harmed {
-            self.end(Outcome::Failed, notices);
+        let mut broken = self.journal.broken_rules().iter();
+        let harmed = broken.any(|event| event.kind.is_harm());
+        if self.threats.have_failed_it() || harmed {
+            self.end(Outcome::Failed);
         } else if all_lost || (settled && all_down) {
-            self.end(verdict, notices);
+            self.end(verdict);
         } else if now >= self.mission.time_limit {
-            self.end(
-                if all_met {
-                    Outcome::Passed
-                } else {
-                    Outcome::TimedOut
-                },
-                notices,
-            );
+            self.end(if all_met {
+                Outcome::Passed
+            } else {
+                Outcome::TimedOut
+            });
         }
     }
 
-    pub(super) fn end(&mut self, outcome: Outcome, notices: &mut Vec<Notice>) {
+    pub(super) fn end(&mut self, outcome: Outcome) {
         self.ended = Some(outcome);
-        self.say(
+        self.journal.say(
             EventKind::Phase,
             None,
             Severity::Notice,
             text!("mission-over", outcome = outcome.text()),
-            notices,
         );
     }
 }

@@ -1,16 +1,17 @@
 //! How a flight stands, for the mission panel.
 
-use super::{Craft, Flight, Standing, Survey, result};
+use super::{Craft, Flight, Standing, result};
 use crate::language::Findings;
+use crate::mission::event::alert::OpenAlert;
+use crate::mission::event::mover::Mover;
 use crate::mission::sensor::Probe;
+use crate::mission::survey::Survey;
 use crate::mission::{
-    Cell, Ground, NEXT_CELL, ObjectiveProgress, ObjectiveState, Phase, Progress, Reading,
+    Area, Cell, Ground, MovingThing, NEXT_CELL, ObjectiveProgress, ObjectiveState, Phase, Progress,
+    Reading,
 };
 use crate::scoring::score;
 use crate::text::Text;
-
-mod finds;
-mod threats;
 
 impl Flight {
     /// How it stands, for the mission panel.
@@ -42,25 +43,25 @@ impl Flight {
             score_so_far: self.score_so_far(&standings),
             objectives,
             readings: self.readings(),
-            loads: self.loads_left(),
+            loads: self.loads.left(&self.crafts),
             findings: self.findings(),
             phase: self.phase(&standings),
             hint: self.hint(&standings),
-            feedback: self.feedback.line().cloned(),
+            feedback: self.journal.feedback().cloned(),
             clues: self.clue_progress(),
             pledge: self.pledge,
             can_pledge: self.before_launch().is_ok(),
-            swarm: self.swarm_figures(),
+            swarm: self.swarm.figures(&self.crafts, self.elapsed),
             places: self.places(),
-            contacts: self.shown_contacts(),
+            contacts: self.search.shown_contacts(&self.mission.origin),
             injects: self.injects(),
-            marks: self.shown_marks(),
+            marks: self.search.shown_marks(&self.mission.origin),
             cells: self.cells(),
             mapped: self.mapped(),
             areas: self.areas_now(),
             movers: self.moving_things(),
             alerts: self.open_alerts(),
-            margins_db: self.engine.margins_db().clone(),
+            margins_db: self.threats.engine().margins_db().clone(),
         }
     }
 
@@ -68,7 +69,7 @@ impl Flight {
     pub fn findings(&self) -> Findings {
         let reading = |craft: &Craft| Some((craft.id, craft.probes.first()?.shown));
         Findings {
-            contacts: self.contacts.all().len(),
+            contacts: self.search.contacts().len(),
             readings: self.crafts.iter().filter_map(reading).collect(),
         }
     }
@@ -122,13 +123,13 @@ impl Flight {
             let mut open = cells.filter(|(index, _)| !survey.is_sampled(*index));
             open.next().map(|(_, cell)| cell.name.clone())
         };
-        let next = self.surveys.iter().find_map(next);
+        let next = self.surveys.all().iter().find_map(next);
         text.filled(NEXT_CELL, next.as_deref().unwrap_or("pad"))
     }
 
     fn mapped(&self) -> Vec<Ground> {
-        let mapped = self.trackers.iter();
-        let mapped = mapped.flat_map(|tracker| tracker.mapped(&self.world));
+        let trackers = self.goals.trackers();
+        let mapped = trackers.flat_map(|tracker| tracker.mapped(&self.world));
         let ground = mapped.map(|patch| Ground {
             centre: self.mission.origin.place(patch.at),
             side_m: patch.side_m,
@@ -147,6 +148,30 @@ impl Flight {
             };
             (0..survey.plan.cells.len()).map(cell).collect::<Vec<_>>()
         };
-        self.surveys.iter().flat_map(of).collect()
+        self.surveys.all().iter().flat_map(of).collect()
+    }
+
+    /// The areas that are there now.
+    fn areas_now(&self) -> Vec<Area> {
+        let zones = self.threats.engine().zones_now();
+        zones.map(|zone| self.mission.area(zone)).collect()
+    }
+
+    fn moving_things(&self) -> Vec<MovingThing> {
+        let thing = |mover: &Mover| MovingThing {
+            name: mover.id.clone(),
+            kind: mover.kind,
+            at: self.mission.origin.place(mover.at),
+            height_m: mover.height_m,
+            keep_out_m: mover.keep_out_m,
+        };
+        self.threats.engine().movers().iter().map(thing).collect()
+    }
+
+    fn open_alerts(&self) -> Vec<OpenAlert> {
+        if self.ended.is_some() {
+            return Vec::new();
+        }
+        self.threats.engine().waiting(self.elapsed)
     }
 }

@@ -1,0 +1,67 @@
+//! How the objectives stand.
+
+use super::journal::FlightJournal;
+use crate::mission::objective::{Objective, Scene, Standing, Tracker};
+use crate::mission::world::World;
+use crate::scoring::EventKind;
+use crate::text;
+use crate::vehicle::Severity;
+
+/// The trackers of the objectives, in the order of the file.
+#[derive(Debug, Default)]
+pub(super) struct Goals {
+    trackers: Vec<Box<dyn Tracker>>,
+    /// Which were met when it was last told.
+    met: Vec<bool>,
+}
+
+impl Goals {
+    pub fn new(objectives: &[Objective], world: &World) -> Self {
+        let trackers = objectives.iter().map(|it| it.kind.start(world));
+        Self {
+            trackers: trackers.collect(),
+            met: vec![false; objectives.len()],
+        }
+    }
+
+    /// Lets a tick pass; returns how each stands.
+    pub fn step(&mut self, scene: &Scene<'_>) -> Vec<Standing> {
+        for tracker in &mut self.trackers {
+            tracker.step(scene);
+        }
+        self.standings(scene)
+    }
+
+    pub fn standings(&self, scene: &Scene<'_>) -> Vec<Standing> {
+        let trackers = self.trackers.iter();
+        trackers.map(|tracker| tracker.standing(scene)).collect()
+    }
+
+    /// Says which objectives have been met, or are open again.
+    pub fn tell_changes(
+        &mut self,
+        objectives: &[Objective],
+        standings: &[Standing],
+        journal: &mut FlightJournal,
+    ) {
+        let all = objectives.iter().zip(standings).zip(&mut self.met);
+        for ((objective, standing), met) in all {
+            if standing.met == *met {
+                continue;
+            }
+            *met = standing.met;
+            let (title, result) = (&objective.title, &standing.result);
+            let text = if standing.met {
+                text!("mission-objective-met", objective = title, result = result)
+            } else {
+                text!("mission-objective-open", objective = title, result = result)
+            };
+            journal.say(EventKind::Objective, None, Severity::Notice, text);
+        }
+    }
+
+    /// What watches the objectives, for what they alone know.
+    pub fn trackers(&self) -> impl Iterator<Item = &dyn Tracker> {
+        self.trackers.iter().map(AsRef::as_ref)
+    }
+}

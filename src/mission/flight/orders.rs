@@ -1,0 +1,64 @@
+//! The quality of the commands that were given.
+
+use std::time::Duration;
+
+use super::journal::FlightJournal;
+use crate::ledger::{Entry, Ledger};
+use crate::scoring::{CommandEvent, CommandLog, CommandTally, EventKind, SafetyKind};
+use crate::text;
+use crate::vehicle::Vehicles;
+
+/// The count of a flight's commands.
+#[derive(Debug, Default)]
+pub(super) struct OrderCount {
+    log: CommandLog,
+    /// The state of the ledger that the commands are counted from.
+    counted: Option<u64>,
+    tally: CommandTally,
+}
+
+impl OrderCount {
+    /// Counts what is new in the ledger.
+    pub fn step(&mut self, vehicles: &Vehicles, ledger: &Ledger, journal: &mut FlightJournal) {
+        // Rows change seldom, and there are thousands of them late in a swarm's mission.
+        if self.counted.replace(ledger.revision()) == Some(ledger.revision()) {
+            return;
+        }
+        for event in self.log.step(journal.now(), vehicles, ledger) {
+            match event {
+                // The fleet tells the operator about refusals; here they only go on record.
+                CommandEvent::Rejected { vehicle, text } => {
+                    journal.record(EventKind::Rejected, Some(vehicle), text);
+                }
+                CommandEvent::Forced { vehicle } => {
+                    let text = text!("mission-checks-bypassed");
+                    journal.break_rule(SafetyKind::ForcedArm, vehicle, &text);
+                }
+            }
+        }
+        self.tally = self.log.tally(ledger);
+    }
+
+    /// The counts as of the last step.
+    pub fn tally(&self) -> CommandTally {
+        self.tally
+    }
+
+    /// The counts as the ledger is now.
+    pub fn tally_of(&self, ledger: &Ledger) -> CommandTally {
+        self.log.tally(ledger)
+    }
+
+    /// The commands with their mission times.
+    pub fn entries<'a>(
+        &'a self,
+        ledger: &'a Ledger,
+    ) -> impl Iterator<Item = (Duration, &'a Entry)> {
+        self.log.entries(ledger)
+    }
+
+    /// Mission time of the last command.
+    pub fn last_given(&self) -> Option<Duration> {
+        self.log.last_given()
+    }
+}

@@ -1,0 +1,69 @@
+//! Where the vehicles have been, and where their sensors have shown the most.
+
+use std::collections::BTreeMap;
+
+use crate::mission::Point;
+use crate::mission::craft::Craft;
+use crate::mission::report::distance_m;
+use crate::vehicle::VehicleId;
+
+/// Points of a track are this far apart.
+const TRACK_STEP_M: f64 = 5.0;
+/// A track has no more points than this.
+const TRACK_POINTS: usize = 2000;
+
+/// The tracks of one flight.
+#[derive(Debug, Default)]
+pub(super) struct Tracks {
+    /// Where each craft has been, in the order of the crafts.
+    tracks: Vec<Vec<Point>>,
+    /// The most that each vehicle's first sensor has shown, and where.
+    peaks: BTreeMap<VehicleId, Peak>,
+}
+
+/// The most that a sensor has shown.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Peak {
+    pub shown: f64,
+    pub at: Point,
+}
+
+impl Tracks {
+    /// Keeps where the vehicles in the air are.
+    pub fn step(&mut self, crafts: &[Craft]) {
+        self.tracks.resize(crafts.len(), Vec::new());
+        for (craft, track) in crafts.iter().zip(&mut self.tracks) {
+            let Some(at) = craft.at.filter(|_| craft.airborne) else {
+                continue;
+            };
+            if let Some(probe) = craft.probes.first() {
+                let known = self.peaks.get(&craft.id);
+                if known.is_none_or(|known| probe.shown > known.shown) {
+                    let shown = probe.shown;
+                    self.peaks.insert(craft.id, Peak { shown, at });
+                }
+            }
+            let last = track.last();
+            let is_far = last.is_none_or(|&last| distance_m(last, at) >= TRACK_STEP_M);
+            if !craft.lost && is_far && track.len() < TRACK_POINTS {
+                track.push(at);
+            }
+        }
+    }
+
+    /// Where each craft has been, in the order of the crafts.
+    pub fn all(&self) -> &[Vec<Point>] {
+        &self.tracks
+    }
+
+    /// The peak of each vehicle that has one.
+    pub fn peaks(&self) -> &BTreeMap<VehicleId, Peak> {
+        &self.peaks
+    }
+
+    /// The highest of all peaks.
+    pub fn highest(&self) -> Option<Peak> {
+        let peaks = self.peaks.values();
+        peaks.max_by(|a, b| a.shown.total_cmp(&b.shown)).copied()
+    }
+}
