@@ -11,6 +11,7 @@ use mavlink::dialects::ardupilotmega::{MavMessage, MavSeverity};
 
 use super::airframe::{Airframe, air_density};
 use super::arming::Safety;
+use super::auto_plan::Mission;
 use super::battery::Battery;
 use super::body::Body;
 use super::boot::Boot;
@@ -20,7 +21,6 @@ use super::crash::CrashWatch;
 use super::estimator::Estimator;
 use super::failsafe::{self, Failsafe};
 use super::fence::{self, Geofence};
-use super::mission::Mission;
 use super::mode::{self, Mode};
 use super::parameters::{Parameters, Tuning};
 use super::place::Place;

@@ -15,6 +15,7 @@ use mavlink::dialects::ardupilotmega::MavResult::{
 };
 
 use super::autopilot::Autopilot;
+use super::cmd;
 use super::port::Link;
 use sortie_geo::LatLon;
 
@@ -74,94 +75,100 @@ impl Command {
     }
 }
 
-/// Home, region of interest, reposition, position estimate.
-const WITH_PLACE: &[u16] = &[179, 201, 195, 192, 43003];
+/// Commands about a place on the earth.
+const WITH_PLACE: &[u16] = &[
+    cmd::DO_SET_HOME,
+    cmd::DO_SET_ROI,
+    cmd::DO_SET_ROI_LOCATION,
+    cmd::DO_REPOSITION,
+    cmd::EXTERNAL_POSITION_ESTIMATE,
+];
 
 type Handler = fn(&mut Autopilot, &mut Link, &Command) -> MavResult;
 
 /// What the vehicle carries out, by number of the `MAV_CMD`.
 const TABLE: &[(u16, Handler)] = &[
-    (17, flight::loiter),
-    (20, flight::return_to_launch),
-    (21, flight::land),
-    (85, flight::land),
-    (22, flight::takeoff),
-    (84, flight::takeoff),
-    (32, setup::follow),
-    (115, motion::yaw),
-    (176, flight::set_mode),
-    (178, motion::change_speed),
-    (179, setup::set_home),
-    (181, outputs::relay),
-    (182, outputs::relay),
-    (183, outputs::servo),
-    (184, outputs::servo),
-    (185, flight::terminate),
-    (188, flight::start_return_path),
-    (189, plan::start_landing_sequence),
-    (192, motion::reposition),
-    (193, motion::pause_or_continue),
-    (195, motion::look_at),
-    (197, motion::look_ahead),
-    (201, motion::look_at),
-    (207, fence::enable),
-    (208, outputs::parachute),
-    (209, outputs::motor_test),
-    (218, auxiliary::switch),
-    (224, plan::set_current),
-    (241, calibration::preflight),
-    (245, setup::storage),
-    (246, setup::reboot),
-    (300, plan::start),
-    (400, flight::arm_or_disarm),
-    (401, setup::run_checks),
-    (410, streams::home_position),
-    (510, streams::get_interval),
-    (511, streams::set_interval),
-    (512, streams::request),
-    (520, streams::capabilities),
-    (601, plan::jump_to_tag),
-    (2600, setup::high_latency),
-    (5300, outputs::safety_switch),
-    (42001, flight::fly_button),
-    (42002, flight::fly_button_held),
-    (42003, flight::pause_button),
-    (42007, setup::estimator_source),
-    (42424, calibration::start_compass),
-    (42425, calibration::accept_compass),
-    (42426, calibration::cancel_compass),
-    (42428, setup::banner),
-    (42651, outputs::battery_reset),
+    (cmd::NAV_LOITER_UNLIM, flight::loiter),
+    (cmd::NAV_RETURN_TO_LAUNCH, flight::return_to_launch),
+    (cmd::NAV_LAND, flight::land),
+    (cmd::NAV_VTOL_LAND, flight::land),
+    (cmd::NAV_TAKEOFF, flight::takeoff),
+    (cmd::NAV_VTOL_TAKEOFF, flight::takeoff),
+    (cmd::DO_FOLLOW, setup::follow),
+    (cmd::CONDITION_YAW, motion::yaw),
+    (cmd::DO_SET_MODE, flight::set_mode),
+    (cmd::DO_CHANGE_SPEED, motion::change_speed),
+    (cmd::DO_SET_HOME, setup::set_home),
+    (cmd::DO_SET_RELAY, outputs::relay),
+    (cmd::DO_REPEAT_RELAY, outputs::relay),
+    (cmd::DO_SET_SERVO, outputs::servo),
+    (cmd::DO_REPEAT_SERVO, outputs::servo),
+    (cmd::DO_FLIGHTTERMINATION, flight::terminate),
+    (cmd::DO_RETURN_PATH_START, flight::start_return_path),
+    (cmd::DO_LAND_START, plan::start_landing_sequence),
+    (cmd::DO_REPOSITION, motion::reposition),
+    (cmd::DO_PAUSE_CONTINUE, motion::pause_or_continue),
+    (cmd::DO_SET_ROI_LOCATION, motion::look_at),
+    (cmd::DO_SET_ROI_NONE, motion::look_ahead),
+    (cmd::DO_SET_ROI, motion::look_at),
+    (cmd::DO_FENCE_ENABLE, fence::enable),
+    (cmd::DO_PARACHUTE, outputs::parachute),
+    (cmd::DO_MOTOR_TEST, outputs::motor_test),
+    (cmd::DO_AUX_FUNCTION, auxiliary::switch),
+    (cmd::DO_SET_MISSION_CURRENT, plan::set_current),
+    (cmd::PREFLIGHT_CALIBRATION, calibration::preflight),
+    (cmd::PREFLIGHT_STORAGE, setup::storage),
+    (cmd::PREFLIGHT_REBOOT_SHUTDOWN, setup::reboot),
+    (cmd::MISSION_START, plan::start),
+    (cmd::COMPONENT_ARM_DISARM, flight::arm_or_disarm),
+    (cmd::RUN_PREARM_CHECKS, setup::run_checks),
+    (cmd::GET_HOME_POSITION, streams::home_position),
+    (cmd::GET_MESSAGE_INTERVAL, streams::get_interval),
+    (cmd::SET_MESSAGE_INTERVAL, streams::set_interval),
+    (cmd::REQUEST_MESSAGE, streams::request),
+    (cmd::REQUEST_AUTOPILOT_CAPABILITIES, streams::capabilities),
+    (cmd::DO_JUMP_TAG, plan::jump_to_tag),
+    (cmd::CONTROL_HIGH_LATENCY, setup::high_latency),
+    (cmd::DO_SET_SAFETY_SWITCH_STATE, outputs::safety_switch),
+    (cmd::SOLO_BTN_FLY_CLICK, flight::fly_button),
+    (cmd::SOLO_BTN_FLY_HOLD, flight::fly_button_held),
+    (cmd::SOLO_BTN_PAUSE_CLICK, flight::pause_button),
+    (cmd::SET_EKF_SOURCE_SET, setup::estimator_source),
+    (cmd::DO_START_MAG_CAL, calibration::start_compass),
+    (cmd::DO_ACCEPT_MAG_CAL, calibration::accept_compass),
+    (cmd::DO_CANCEL_MAG_CAL, calibration::cancel_compass),
+    (cmd::DO_SEND_BANNER, setup::banner),
+    (cmd::BATTERY_RESET, outputs::battery_reset),
 ];
 
 /// Commands to devices that a plain SITL copter has, lacks, or has without using them: the answer to a sweep with
 /// every parameter zero (camera, gimbal, gripper, winch, sprayer, scripting and their like).
 const FIXED: &[(u16, MavResult)] = &[
-    (198, ACCEPTED),
-    (202, ACCEPTED),
-    (203, ACCEPTED),
-    (204, FAILED),
-    (205, FAILED),
-    (206, ACCEPTED),
-    (211, FAILED),
-    (216, ACCEPTED),
-    (500, FAILED),
-    (532, DENIED),
-    (534, DENIED),
-    (1000, FAILED),
-    (1001, FAILED),
-    (2000, FAILED),
-    (2001, ACCEPTED),
-    (2500, FAILED),
-    (2501, FAILED),
-    (2520, ACCEPTED),
-    (10001, FAILED),
-    (32000, ACCEPTED),
-    (42006, ACCEPTED),
-    (42429, FAILED),
-    (42600, FAILED),
-    (42700, DENIED),
-    (42701, ACCEPTED),
+    (cmd::DO_SET_ROI_SYSID, ACCEPTED),
+    (cmd::DO_DIGICAM_CONFIGURE, ACCEPTED),
+    (cmd::DO_DIGICAM_CONTROL, ACCEPTED),
+    (cmd::DO_MOUNT_CONFIGURE, FAILED),
+    (cmd::DO_MOUNT_CONTROL, FAILED),
+    (cmd::DO_SET_CAM_TRIGG_DIST, ACCEPTED),
+    (cmd::DO_GRIPPER, FAILED),
+    (cmd::DO_SPRAYER, ACCEPTED),
+    (cmd::START_RX_PAIR, FAILED),
+    (cmd::SET_CAMERA_FOCUS, DENIED),
+    (cmd::SET_CAMERA_SOURCE, DENIED),
+    (cmd::DO_GIMBAL_MANAGER_PITCHYAW, FAILED),
+    (cmd::DO_GIMBAL_MANAGER_CONFIGURE, FAILED),
+    (cmd::IMAGE_START_CAPTURE, FAILED),
+    (cmd::IMAGE_STOP_CAPTURE, ACCEPTED),
+    (cmd::VIDEO_START_CAPTURE, FAILED),
+    (cmd::VIDEO_STOP_CAPTURE, FAILED),
+    (cmd::AIRFRAME_CONFIGURATION, ACCEPTED),
+    (cmd::DO_ADSB_OUT_IDENT, FAILED),
+    (cmd::CAN_FORWARD, ACCEPTED),
+    (cmd::FIXED_MAG_CAL_YAW, ACCEPTED),
+    (cmd::ACCELCAL_VEHICLE_POS, FAILED),
+    (cmd::DO_WINCH, FAILED),
+    (cmd::DEBUG_TRAP, DENIED),
+    (cmd::SCRIPTING, ACCEPTED),
 ];
 
 /// Carries out a command and says how it went.
@@ -177,7 +184,7 @@ pub(super) fn execute(autopilot: &mut Autopilot, link: &mut Link, command: &Comm
 
 /// Whether the messages that a command asks for come before its acknowledgement.
 pub(super) fn answers_first(number: u16) -> bool {
-    matches!(number, 410 | 510)
+    matches!(number, cmd::GET_HOME_POSITION | cmd::GET_MESSAGE_INTERVAL)
 }
 
 /// ACCEPTED or FAILED.

@@ -22,10 +22,12 @@
 
 mod airframe;
 mod arming;
+mod auto_plan;
 mod autopilot;
 mod battery;
 mod body;
 mod boot;
+mod cmd;
 mod collision;
 mod commands;
 mod control;
@@ -35,7 +37,6 @@ mod estimator;
 mod failsafe;
 mod fence;
 mod inbound;
-mod mission;
 mod mixer;
 mod mode;
 mod parameters;

@@ -1,14 +1,5 @@
 //! What ground stations upload: the mission, the fence and the rally points, item by item.
 
-/// `MAV_CMD_NAV_FENCE_*`: the items of a fence.
-pub(super) const FENCE_RETURN_POINT: u16 = 5000;
-pub(super) const POLYGON_INCLUSION: u16 = 5001;
-pub(super) const POLYGON_EXCLUSION: u16 = 5002;
-pub(super) const CIRCLE_INCLUSION: u16 = 5003;
-pub(super) const CIRCLE_EXCLUSION: u16 = 5004;
-/// `MAV_CMD_NAV_RALLY_POINT`.
-pub(super) const RALLY_POINT: u16 = 5100;
-
 /// One item of a list, as it came over the link.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Item {

@@ -5,7 +5,8 @@ use glam::DVec3;
 use super::Start;
 use super::parameters::Parameters;
 use super::place::altitude_amsl_m;
-use super::plan::{Item, RALLY_POINT};
+use super::plan::Item;
+use crate::cmd;
 use sortie_geo::LatLon;
 
 /// What the `RALLY_*` parameters say.
@@ -62,7 +63,7 @@ impl Rally<'_> {
     fn point(&self, item: &Item, home_m: DVec3) -> Option<DVec3> {
         let at = LatLon::from_e7(item.x, item.y);
         let set = (item.x, item.y) != (0, 0) && at.is_valid() && item.z.is_finite();
-        if item.command != RALLY_POINT || !set {
+        if item.command != cmd::NAV_RALLY_POINT || !set {
             return None;
         }
         // The vehicle stores whole metres.
@@ -80,7 +81,7 @@ mod tests {
     fn point(north_m: f64, east_m: f64, z: f32) -> Item {
         let (x, y) = crate::tests::start().at.moved(north_m, east_m).to_e7();
         Item {
-            command: RALLY_POINT,
+            command: cmd::NAV_RALLY_POINT,
             frame: 3,
             x,
             y,

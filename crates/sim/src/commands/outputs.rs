@@ -4,6 +4,7 @@ use mavlink::dialects::ardupilotmega::{MavResult, MavSeverity};
 
 use super::{Command, done};
 use crate::autopilot::Autopilot;
+use crate::cmd;
 use crate::port::Link;
 use crate::workbench::MotorTest;
 
@@ -43,7 +44,7 @@ pub(super) fn servo(autopilot: &mut Autopilot, _: &mut Link, command: &Command) 
 /// There is one relay, with number 0.
 pub(super) fn relay(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
     let known = command.whole(0) == Some(0) && command.whole(1).is_some();
-    if known && command.number == 181 {
+    if known && command.number == cmd::DO_SET_RELAY {
         autopilot.workbench.relay_on = command.p[1] > 0.0;
     }
     done(known)

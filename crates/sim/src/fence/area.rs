@@ -3,10 +3,8 @@
 use glam::DVec2;
 use mavlink::dialects::ardupilotmega::MavSeverity;
 
-use crate::plan::{
-    CIRCLE_EXCLUSION, CIRCLE_INCLUSION, FENCE_RETURN_POINT, Item, POLYGON_EXCLUSION,
-    POLYGON_INCLUSION,
-};
+use crate::cmd;
+use crate::plan::Item;
 use sortie_geo::LatLon;
 
 /// One area, with points on the earth or in metres.
@@ -92,7 +90,8 @@ impl Fence {
                 continue;
             };
             match item.command {
-                POLYGON_INCLUSION | POLYGON_EXCLUSION => {
+                cmd::NAV_FENCE_POLYGON_VERTEX_INCLUSION
+                | cmd::NAV_FENCE_POLYGON_VERTEX_EXCLUSION => {
                     unfinished = fence.corner(unfinished.take(), item)?;
                     continue;
                 }
@@ -102,7 +101,7 @@ impl Fence {
                 let wanted = own_type(*command).unwrap_or_default();
                 return Err(FenceError::OtherType { wanted, got: kind });
             }
-            if item.command == FENCE_RETURN_POINT {
+            if item.command == cmd::NAV_FENCE_RETURN_POINT {
                 returns += 1;
                 if returns > 1 {
                     return Err(FenceError::ReturnPoints);
@@ -150,7 +149,7 @@ impl Fence {
             return Ok(Some(polygon));
         }
         self.areas.push(Area {
-            keeps_in: item.command == POLYGON_INCLUSION,
+            keeps_in: item.command == cmd::NAV_FENCE_POLYGON_VERTEX_INCLUSION,
             shape: Shape::Polygon(polygon.corners),
         });
         Ok(None)
@@ -218,11 +217,11 @@ pub(crate) fn is_inside(point: DVec2, corners: &[DVec2]) -> bool {
 /// The number by which the vehicle's own texts name an item.
 fn own_type(command: u16) -> Option<u8> {
     match command {
-        POLYGON_INCLUSION => Some(98),
-        POLYGON_EXCLUSION => Some(97),
-        FENCE_RETURN_POINT => Some(95),
-        CIRCLE_EXCLUSION => Some(93),
-        CIRCLE_INCLUSION => Some(92),
+        cmd::NAV_FENCE_POLYGON_VERTEX_INCLUSION => Some(98),
+        cmd::NAV_FENCE_POLYGON_VERTEX_EXCLUSION => Some(97),
+        cmd::NAV_FENCE_RETURN_POINT => Some(95),
+        cmd::NAV_FENCE_CIRCLE_EXCLUSION => Some(93),
+        cmd::NAV_FENCE_CIRCLE_INCLUSION => Some(92),
         _ => None,
     }
 }
@@ -238,7 +237,7 @@ fn circle(item: &Item) -> Result<Area<LatLon>, FenceError> {
         return Err(FenceError::Radius);
     }
     Ok(Area {
-        keeps_in: item.command == CIRCLE_INCLUSION,
+        keeps_in: item.command == cmd::NAV_FENCE_CIRCLE_INCLUSION,
         shape: Shape::Circle {
             centre: place(item)?,
             radius_m,

@@ -1,10 +1,8 @@
 //! How much room a fence takes in the vehicle's storage, and how long it is said to be. Whether it makes sense is for
 //! [`Fence::check`](crate::fence::Fence::check).
 
-use crate::plan::{
-    CIRCLE_EXCLUSION, CIRCLE_INCLUSION, FENCE_RETURN_POINT, Item, POLYGON_EXCLUSION,
-    POLYGON_INCLUSION,
-};
+use crate::cmd;
+use crate::plan::Item;
 
 /// Bytes of storage for fences.
 const STORAGE: usize = 560;
@@ -15,11 +13,11 @@ pub(super) fn fits(items: &[Item]) -> bool {
     let mut rest = items;
     while let Some(item) = rest.first() {
         let (bytes, length) = match item.command {
-            POLYGON_INCLUSION | POLYGON_EXCLUSION => {
+            cmd::NAV_FENCE_POLYGON_VERTEX_INCLUSION | cmd::NAV_FENCE_POLYGON_VERTEX_EXCLUSION => {
                 let corners = usize::from(item.p[0] as u8);
                 (2 + 8 * corners, corners.max(1))
             }
-            CIRCLE_INCLUSION | CIRCLE_EXCLUSION => (13, 1),
+            cmd::NAV_FENCE_CIRCLE_INCLUSION | cmd::NAV_FENCE_CIRCLE_EXCLUSION => (13, 1),
             _ => (9, 1),
         };
         needed += bytes;
@@ -32,7 +30,7 @@ pub(super) fn fits(items: &[Item]) -> bool {
 pub(super) fn total(items: &[Item]) -> f32 {
     let counted = items
         .iter()
-        .filter(|item| item.command != FENCE_RETURN_POINT)
+        .filter(|item| item.command != cmd::NAV_FENCE_RETURN_POINT)
         .count();
     if counted < 3 {
         0.0
@@ -47,7 +45,7 @@ mod tests {
 
     fn corner(corners: u8) -> Item {
         Item {
-            command: POLYGON_INCLUSION,
+            command: cmd::NAV_FENCE_POLYGON_VERTEX_INCLUSION,
             p: [f32::from(corners), 0.0, 0.0, 0.0],
             ..Item::default()
         }
@@ -56,7 +54,7 @@ mod tests {
     #[test]
     fn the_old_protocol_counts_two_points_more_and_no_return_point() {
         let returning = Item {
-            command: FENCE_RETURN_POINT,
+            command: cmd::NAV_FENCE_RETURN_POINT,
             ..Item::default()
         };
         for (corners, expected) in [(2, 0.0), (3, 5.0), (4, 6.0)] {

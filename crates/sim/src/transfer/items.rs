@@ -8,10 +8,8 @@ use mavlink::dialects::ardupilotmega::MavMissionResult::{
     MAV_MISSION_UNSUPPORTED_FRAME,
 };
 
-use crate::plan::{
-    CIRCLE_EXCLUSION, CIRCLE_INCLUSION, FENCE_RETURN_POINT, Item, POLYGON_EXCLUSION,
-    POLYGON_INCLUSION, RALLY_POINT,
-};
+use crate::cmd;
+use crate::plan::Item;
 use sortie_geo::LatLon;
 
 /// Altitudes in metres from here on do not fit.
@@ -21,68 +19,68 @@ const ALTITUDE_LIMIT_M: f32 = 83_000.0;
 /// signed byte, `H` and `h` as 16 bits, `f` as a float, `c` in hundredths, `o` as a yes or no, `L` as part of a place,
 /// and four that only loiters and landings have: `t` turns, `r` and `s` radii with a direction, `d` the direction alone.
 const COMMANDS: &[(u16, &[u8; 7])] = &[
-    (16, b"H...LLL"),
-    (17, b"..s.LLL"),
-    (18, b"t.roLLL"),
-    (19, b"H.doLLL"),
-    (20, b"......."),
-    (21, b"H..dLLL"),
-    (22, b"H...LLL"),
-    (30, b"H...LLL"),
-    (31, b".s.oLLL"),
-    (82, b"H...LLL"),
-    (83, b"ffB...."),
-    (84, b"....LLL"),
-    (85, b"H...LLL"),
-    (92, b"H...LLL"),
-    (93, b"fbbb..."),
-    (94, b"c...LLL"),
-    (112, b"f......"),
-    (114, b"f......"),
-    (115, b"ffbB..."),
-    (177, b"Hh....."),
-    (178, b"Bff...."),
-    (179, b"H...LLL"),
-    (181, b"BB....."),
-    (182, b"Bhf...."),
-    (183, b"BH....."),
-    (184, b"BHhf..."),
-    (188, b"....LLL"),
-    (189, b"....LLL"),
-    (191, b"....LLL"),
-    (193, b"H......"),
-    (194, b"H......"),
-    (201, b"H...LLL"),
-    (202, b"BHBHBBf"),
-    (203, b"BBbBBB."),
-    (205, b"fff...."),
-    (206, b"f.B...."),
-    (207, b"H......"),
-    (208, b"H......"),
-    (210, b"H......"),
-    (211, b"BB....."),
-    (212, b"H......"),
-    (213, b"ffB...."),
-    (215, b"H......"),
-    (216, b"H......"),
-    (217, b"Hfff..."),
-    (218, b"HB....."),
-    (222, b"Hfff..."),
-    (223, b"ooco..."),
-    (531, b"Bf....."),
-    (532, b"Bf....."),
-    (534, b"BBB...."),
-    (600, b"H......"),
-    (601, b"Hh....."),
-    (1000, b"bhbbB.B"),
-    (2000, b"BfHH..."),
-    (2001, b"H......"),
-    (2500, b"B......"),
-    (2501, b"B......"),
-    (3000, b"B......"),
-    (42_600, b"BBff..."),
-    (42_702, b"BBffhh."),
-    (42_703, b"Hhbhh.."),
+    (cmd::NAV_WAYPOINT, b"H...LLL"),
+    (cmd::NAV_LOITER_UNLIM, b"..s.LLL"),
+    (cmd::NAV_LOITER_TURNS, b"t.roLLL"),
+    (cmd::NAV_LOITER_TIME, b"H.doLLL"),
+    (cmd::NAV_RETURN_TO_LAUNCH, b"......."),
+    (cmd::NAV_LAND, b"H..dLLL"),
+    (cmd::NAV_TAKEOFF, b"H...LLL"),
+    (cmd::NAV_CONTINUE_AND_CHANGE_ALT, b"H...LLL"),
+    (cmd::NAV_LOITER_TO_ALT, b".s.oLLL"),
+    (cmd::NAV_SPLINE_WAYPOINT, b"H...LLL"),
+    (cmd::NAV_ALTITUDE_WAIT, b"ffB...."),
+    (cmd::NAV_VTOL_TAKEOFF, b"....LLL"),
+    (cmd::NAV_VTOL_LAND, b"H...LLL"),
+    (cmd::NAV_GUIDED_ENABLE, b"H...LLL"),
+    (cmd::NAV_DELAY, b"fbbb..."),
+    (cmd::NAV_PAYLOAD_PLACE, b"c...LLL"),
+    (cmd::CONDITION_DELAY, b"f......"),
+    (cmd::CONDITION_DISTANCE, b"f......"),
+    (cmd::CONDITION_YAW, b"ffbB..."),
+    (cmd::DO_JUMP, b"Hh....."),
+    (cmd::DO_CHANGE_SPEED, b"Bff...."),
+    (cmd::DO_SET_HOME, b"H...LLL"),
+    (cmd::DO_SET_RELAY, b"BB....."),
+    (cmd::DO_REPEAT_RELAY, b"Bhf...."),
+    (cmd::DO_SET_SERVO, b"BH....."),
+    (cmd::DO_REPEAT_SERVO, b"BHhf..."),
+    (cmd::DO_RETURN_PATH_START, b"....LLL"),
+    (cmd::DO_LAND_START, b"....LLL"),
+    (cmd::DO_GO_AROUND, b"....LLL"),
+    (cmd::DO_PAUSE_CONTINUE, b"H......"),
+    (cmd::DO_SET_REVERSE, b"H......"),
+    (cmd::DO_SET_ROI, b"H...LLL"),
+    (cmd::DO_DIGICAM_CONFIGURE, b"BHBHBBf"),
+    (cmd::DO_DIGICAM_CONTROL, b"BBbBBB."),
+    (cmd::DO_MOUNT_CONTROL, b"fff...."),
+    (cmd::DO_SET_CAM_TRIGG_DIST, b"f.B...."),
+    (cmd::DO_FENCE_ENABLE, b"H......"),
+    (cmd::DO_PARACHUTE, b"H......"),
+    (cmd::DO_INVERTED_FLIGHT, b"H......"),
+    (cmd::DO_GRIPPER, b"BB....."),
+    (cmd::DO_AUTOTUNE_ENABLE, b"H......"),
+    (cmd::NAV_SET_YAW_SPEED, b"ffB...."),
+    (cmd::DO_SET_RESUME_REPEAT_DIST, b"H......"),
+    (cmd::DO_SPRAYER, b"H......"),
+    (cmd::DO_SEND_SCRIPT_MESSAGE, b"Hfff..."),
+    (cmd::DO_AUX_FUNCTION, b"HB....."),
+    (cmd::DO_GUIDED_LIMITS, b"Hfff..."),
+    (cmd::DO_ENGINE_CONTROL, b"ooco..."),
+    (cmd::SET_CAMERA_ZOOM, b"Bf....."),
+    (cmd::SET_CAMERA_FOCUS, b"Bf....."),
+    (cmd::SET_CAMERA_SOURCE, b"BBB...."),
+    (cmd::JUMP_TAG, b"H......"),
+    (cmd::DO_JUMP_TAG, b"Hh....."),
+    (cmd::DO_GIMBAL_MANAGER_PITCHYAW, b"bhbbB.B"),
+    (cmd::IMAGE_START_CAPTURE, b"BfHH..."),
+    (cmd::IMAGE_STOP_CAPTURE, b"H......"),
+    (cmd::VIDEO_START_CAPTURE, b"B......"),
+    (cmd::VIDEO_STOP_CAPTURE, b"B......"),
+    (cmd::DO_VTOL_TRANSITION, b"B......"),
+    (cmd::DO_WINCH, b"BBff..."),
+    (cmd::NAV_SCRIPT_TIME, b"BBffhh."),
+    (cmd::NAV_ATTITUDE_TIME, b"Hhbhh.."),
 ];
 
 fn letters(command: u16) -> Option<&'static [u8; 7]> {
@@ -134,7 +132,7 @@ pub(super) fn mission_item(item: &Item) -> Result<Item, MavMissionResult> {
 
 /// A rally point as the vehicle keeps it, or why it does not take it.
 pub(super) fn rally_item(item: &Item) -> Result<Item, MavMissionResult> {
-    if item.command != RALLY_POINT {
+    if item.command != cmd::NAV_RALLY_POINT {
         return Err(MAV_MISSION_UNSUPPORTED);
     }
     check_place(item)?;
@@ -157,11 +155,17 @@ pub(super) fn rally_item(item: &Item) -> Result<Item, MavMissionResult> {
 pub(super) fn fence_item(item: &Item) -> Result<Item, MavMissionResult> {
     height_frame(item.frame)?;
     let first = match item.command {
-        POLYGON_INCLUSION | POLYGON_EXCLUSION => f32::from(item.p[0] as u8),
+        cmd::NAV_FENCE_POLYGON_VERTEX_INCLUSION | cmd::NAV_FENCE_POLYGON_VERTEX_EXCLUSION => {
+            f32::from(item.p[0] as u8)
+        }
         // Radii close to whole metres are kept as whole metres.
-        CIRCLE_INCLUSION | CIRCLE_EXCLUSION if item.p[0].fract() < 0.001 => item.p[0].trunc(),
-        CIRCLE_INCLUSION | CIRCLE_EXCLUSION => item.p[0],
-        FENCE_RETURN_POINT => 0.0,
+        cmd::NAV_FENCE_CIRCLE_INCLUSION | cmd::NAV_FENCE_CIRCLE_EXCLUSION
+            if item.p[0].fract() < 0.001 =>
+        {
+            item.p[0].trunc()
+        }
+        cmd::NAV_FENCE_CIRCLE_INCLUSION | cmd::NAV_FENCE_CIRCLE_EXCLUSION => item.p[0],
+        cmd::NAV_FENCE_RETURN_POINT => 0.0,
         _ => return Err(MAV_MISSION_UNSUPPORTED),
     };
     Ok(Item {
@@ -186,8 +190,8 @@ fn check_place(item: &Item) -> Result<(), MavMissionResult> {
 /// Infinite parameters are refused, and those that are not a number except where they mean "as it is".
 fn check_numbers(item: &Item) -> Result<(), MavMissionResult> {
     let may_be_nan: &[usize] = match item.command {
-        16 | 21 | 22 | 84 => &[3],
-        85 => &[2, 3],
+        cmd::NAV_WAYPOINT | cmd::NAV_LAND | cmd::NAV_TAKEOFF | cmd::NAV_VTOL_TAKEOFF => &[3],
+        cmd::NAV_VTOL_LAND => &[2, 3],
         _ => &[],
     };
     let reasons = [

@@ -6,7 +6,7 @@ use mavlink::dialects::ardupilotmega::MavMissionResult::{
 };
 
 use crate::autopilot::Autopilot;
-use crate::mission::command;
+use crate::cmd;
 use crate::mode;
 use crate::plan::Item;
 use crate::targets::{Point, Setpoint};
@@ -33,7 +33,7 @@ pub(super) fn go(autopilot: &mut Autopilot, item: &Item, current: u8) -> MavMiss
     if current == CHANGE_HEIGHT {
         return MAV_MISSION_ACCEPTED;
     }
-    if autopilot.mode.number != mode::GUIDED || item.command != command::NAV_WAYPOINT {
+    if autopilot.mode.number != mode::GUIDED || item.command != cmd::NAV_WAYPOINT {
         return MAV_MISSION_ERROR;
     }
     autopilot.take_setpoint(&Setpoint {

@@ -3,8 +3,8 @@
 use mavlink::dialects::ardupilotmega::MavSeverity::{MAV_SEVERITY_DEBUG, MAV_SEVERITY_WARNING};
 
 use crate::autopilot::Autopilot;
+use crate::cmd;
 use crate::fence::Fence;
-use crate::mission::command;
 use crate::plan::{Item, ListKind};
 use crate::transfer::fence;
 
@@ -53,7 +53,7 @@ pub(in crate::transfer) fn take_fence(autopilot: &mut Autopilot, items: Vec<Item
 /// Whether an item may stand in a mission of that many items: jumps lead to an item that there is.
 pub(in crate::transfer) fn leads_somewhere(item: &Item, items: usize) -> bool {
     let target = item.p[0] as usize;
-    item.command != command::DO_JUMP || (target != 0 && target < items)
+    item.command != cmd::DO_JUMP || (target != 0 && target < items)
 }
 
 /// The lengths of the lists are parameters too.
@@ -70,7 +70,7 @@ pub(in crate::transfer) fn announce(autopilot: &mut Autopilot, kind: ListKind) {
 /// Item 0 of a mission is wherever home is now.
 fn home(autopilot: &Autopilot) -> Item {
     let mut item = Item {
-        command: command::NAV_WAYPOINT,
+        command: cmd::NAV_WAYPOINT,
         auto_continue: true,
         ..Item::default()
     };

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::command;
+use crate::cmd;
 use crate::plan::Item;
 
 /// Jumps in a row after which the search gives up.
@@ -17,7 +17,11 @@ pub(super) type Jumps = BTreeMap<u16, i16>;
 
 /// Whether the command navigates; all others act or wait beside a navigation command.
 pub(super) fn is_navigation(command: u16) -> bool {
-    command <= command::NAV_LAST || matches!(command, command::NAV_SET_YAW_SPEED | 42702 | 42703)
+    command <= cmd::NAV_LAST
+        || matches!(
+            command,
+            cmd::NAV_SET_YAW_SPEED | cmd::NAV_SCRIPT_TIME | cmd::NAV_ATTITUDE_TIME
+        )
 }
 
 /// The first item at or after a place that is not a jump. Jumps on the way are counted, with a text each.
@@ -95,7 +99,7 @@ pub(super) fn tagged(items: &[Item], tag: u16) -> Option<u16> {
     items
         .iter()
         .skip(1)
-        .position(|item| item.command == command::JUMP_TAG && item.p[0] as u16 == tag)
+        .position(|item| item.command == cmd::JUMP_TAG && item.p[0] as u16 == tag)
         .map(|place| place as u16 + 1)
 }
 
@@ -107,8 +111,8 @@ pub(super) fn takes_off_first(items: &[Item], from: u16, jumps: &Jumps) -> bool 
             .and_then(|at| items.get(usize::from(at)))
             .map(|item| item.command)
         {
-            Some(command::NAV_TAKEOFF | command::NAV_VTOL_TAKEOFF) => return true,
-            Some(command::NAV_DELAY) => {}
+            Some(cmd::NAV_TAKEOFF | cmd::NAV_VTOL_TAKEOFF) => return true,
+            Some(cmd::NAV_DELAY) => {}
             _ => return false,
         }
     }
@@ -119,8 +123,8 @@ pub(super) fn takes_off_first(items: &[Item], from: u16, jumps: &Jumps) -> bool 
 fn jump_of(items: &[Item], item: &Item) -> Option<(u16, i16)> {
     let (target, times) = (item.p[0] as u16, item.p[1] as i16);
     match item.command {
-        command::DO_JUMP => Some((target, times)),
-        command::DO_JUMP_TAG => Some((tagged(items, target).unwrap_or(0), times)),
+        cmd::DO_JUMP => Some((target, times)),
+        cmd::DO_JUMP_TAG => Some((tagged(items, target).unwrap_or(0), times)),
         _ => None,
     }
 }

@@ -2,8 +2,9 @@
 
 use glam::DVec3;
 
-use super::{FIRST, command, sequence};
+use super::{FIRST, sequence};
 use crate::autopilot::Autopilot;
+use crate::cmd;
 use crate::plan::Item;
 use crate::task::Task;
 use sortie_geo::LatLon;
@@ -72,7 +73,7 @@ impl Autopilot {
             .filter(|&at| {
                 items
                     .get(usize::from(at))
-                    .is_some_and(|item| item.command == command::DO_LAND_START)
+                    .is_some_and(|item| item.command == cmd::DO_LAND_START)
             })
             .filter_map(distance)
             .min_by(|a, b| a.1.total_cmp(&b.1))

@@ -5,7 +5,7 @@
 //! the vehicle's task, so that takeoffs, returns and landings are the same as in the other modes.
 
 mod advance;
-pub(super) mod command;
+mod command;
 mod place;
 mod sequence;
 mod start;

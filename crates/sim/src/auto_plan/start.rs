@@ -7,6 +7,7 @@ use mavlink::dialects::ardupilotmega::MavSeverity;
 
 use super::{Wait, command, sequence};
 use crate::autopilot::Autopilot;
+use crate::cmd;
 use crate::place::Place;
 use crate::plan::Item;
 use crate::task::{Landing, Orbit, Returning, Route, Takeoff, Task};
@@ -27,30 +28,30 @@ impl Autopilot {
         };
         self.mission.nav_item = item;
         match item.command {
-            command::NAV_TAKEOFF | command::NAV_VTOL_TAKEOFF => self.begin_takeoff(&item),
-            command::NAV_WAYPOINT | command::NAV_SPLINE_WAYPOINT => self.begin_waypoint(at, &item),
-            command::NAV_LAND | command::NAV_VTOL_LAND => self.begin_landing(&item),
-            command::NAV_LOITER_UNLIM => self.begin_loiter(&item, Wait::Nothing),
-            command::NAV_LOITER_TIME => self.begin_loiter(&item, Wait::Stay(None)),
-            command::NAV_LOITER_TURNS => self.begin_circle(&item),
-            command::NAV_LOITER_TO_ALT => {
+            cmd::NAV_TAKEOFF | cmd::NAV_VTOL_TAKEOFF => self.begin_takeoff(&item),
+            cmd::NAV_WAYPOINT | cmd::NAV_SPLINE_WAYPOINT => self.begin_waypoint(at, &item),
+            cmd::NAV_LAND | cmd::NAV_VTOL_LAND => self.begin_landing(&item),
+            cmd::NAV_LOITER_UNLIM => self.begin_loiter(&item, Wait::Nothing),
+            cmd::NAV_LOITER_TIME => self.begin_loiter(&item, Wait::Stay(None)),
+            cmd::NAV_LOITER_TURNS => self.begin_circle(&item),
+            cmd::NAV_LOITER_TO_ALT => {
                 let wait = Wait::Height {
                     down_m: self.item_down_m(&item),
                     left_m: None,
                 };
                 self.begin_loiter(&item, wait);
             }
-            command::NAV_RETURN_TO_LAUNCH => {
+            cmd::NAV_RETURN_TO_LAUNCH => {
                 let returning = self.with_cockpit(|_, cockpit| Returning::new(cockpit));
                 self.fly_task(Task::Return(returning), Wait::Nothing);
                 self.yaw.demand = self.default_yaw_home();
             }
-            command::NAV_GUIDED_ENABLE => {
+            cmd::NAV_GUIDED_ENABLE => {
                 if item.p[0] as u16 > 0 {
                     self.fly_task(Task::STOP, Wait::Guided);
                 }
             }
-            command::NAV_DELAY => self.begin_delay(&item),
+            cmd::NAV_DELAY => self.begin_delay(&item),
             _ => return false,
         }
         true
@@ -62,7 +63,7 @@ impl Autopilot {
             return;
         };
         match item.command {
-            command::CONDITION_YAW => {
+            cmd::CONDITION_YAW => {
                 let [angle, rate, direction, relative] = item.p.map(f64::from);
                 if !(angle.is_finite() && rate.is_finite()) {
                     return;
@@ -75,9 +76,9 @@ impl Autopilot {
                     self.yaw.turn_to(angle, rate, direction);
                 }
             }
-            command::DO_CHANGE_SPEED => self.change_mission_speed(&item),
-            command::DO_SET_HOME => self.set_mission_home(&item),
-            command::DO_SET_SERVO => {
+            cmd::DO_CHANGE_SPEED => self.change_mission_speed(&item),
+            cmd::DO_SET_HOME => self.set_mission_home(&item),
+            cmd::DO_SET_SERVO => {
                 let channel = item.p[0] as usize;
                 if (5..=16).contains(&channel)
                     && let Some(servo) = self.servos_us.get_mut(channel - 1)
@@ -85,7 +86,7 @@ impl Autopilot {
                     *servo = item.p[1] as u16;
                 }
             }
-            command::DO_SET_ROI => self.look_at_item(&item),
+            cmd::DO_SET_ROI => self.look_at_item(&item),
             _ => {}
         }
     }
@@ -124,7 +125,7 @@ impl Autopilot {
     fn announce_item(&mut self, at: u16) -> Option<Item> {
         let item = self.item(at)?;
         let name = command::name(item.command);
-        let text = if item.command == command::JUMP_TAG {
+        let text = if item.command == cmd::JUMP_TAG {
             // The vehicle prints a field that tags do not use.
             format!("Mission: {at} {name} 0")
         } else {
@@ -165,10 +166,10 @@ impl Autopilot {
             .filter(|next| {
                 matches!(
                     next.command,
-                    command::NAV_WAYPOINT
-                        | command::NAV_SPLINE_WAYPOINT
-                        | command::NAV_LOITER_UNLIM
-                        | command::NAV_LOITER_TIME
+                    cmd::NAV_WAYPOINT
+                        | cmd::NAV_SPLINE_WAYPOINT
+                        | cmd::NAV_LOITER_UNLIM
+                        | cmd::NAV_LOITER_TIME
                 )
             });
         if let Some(next) = next.filter(|_| !stays) {

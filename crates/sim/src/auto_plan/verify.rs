@@ -7,6 +7,7 @@ use mavlink::dialects::ardupilotmega::MavSeverity;
 
 use super::{Wait, command, sequence};
 use crate::autopilot::Autopilot;
+use crate::cmd;
 use crate::control::square_root;
 use crate::plan::Item;
 use crate::task::{Landing, Task};
@@ -21,18 +22,18 @@ impl Autopilot {
     pub(super) fn navigation_is_over(&mut self, at: u16) -> bool {
         let item = self.mission.nav_item;
         let over = match item.command {
-            command::NAV_TAKEOFF | command::NAV_VTOL_TAKEOFF => {
+            cmd::NAV_TAKEOFF | cmd::NAV_VTOL_TAKEOFF => {
                 matches!(&self.task, Task::Takeoff(takeoff) if takeoff.reached)
             }
-            command::NAV_WAYPOINT | command::NAV_SPLINE_WAYPOINT | command::NAV_LOITER_TIME => {
+            cmd::NAV_WAYPOINT | cmd::NAV_SPLINE_WAYPOINT | cmd::NAV_LOITER_TIME => {
                 self.has_stayed(at, &item)
             }
-            command::NAV_LAND | command::NAV_VTOL_LAND => self.has_landed(at),
-            command::NAV_LOITER_TURNS => self.has_turned(&item),
-            command::NAV_LOITER_TO_ALT => return self.has_height(),
-            command::NAV_RETURN_TO_LAUNCH => self.landing_is_over(),
-            command::NAV_GUIDED_ENABLE => item.p[0] as u16 == 0,
-            command::NAV_DELAY => {
+            cmd::NAV_LAND | cmd::NAV_VTOL_LAND => self.has_landed(at),
+            cmd::NAV_LOITER_TURNS => self.has_turned(&item),
+            cmd::NAV_LOITER_TO_ALT => return self.has_height(),
+            cmd::NAV_RETURN_TO_LAUNCH => self.landing_is_over(),
+            cmd::NAV_GUIDED_ENABLE => item.p[0] as u16 == 0,
+            cmd::NAV_DELAY => {
                 matches!(self.mission.wait, Wait::Until(until) if self.uptime() >= until)
             }
             _ => false,
@@ -52,14 +53,12 @@ impl Autopilot {
             return true;
         }
         let over = match item.command {
-            command::CONDITION_DELAY => {
+            cmd::CONDITION_DELAY => {
                 let seconds = f64::from(item.p[0]).clamp(0.0, 1e6);
                 self.uptime() > self.mission.action.since + Duration::from_secs_f64(seconds)
             }
-            command::CONDITION_DISTANCE => {
-                self.distance_to_goal_m() < f64::from(item.p[0]).max(0.0)
-            }
-            command::CONDITION_YAW => self.yaw.has_turned(self.body.yaw_deg),
+            cmd::CONDITION_DISTANCE => self.distance_to_goal_m() < f64::from(item.p[0]).max(0.0),
+            cmd::CONDITION_YAW => self.yaw.has_turned(self.body.yaw_deg),
             known if command::acts_at_once(known) => true,
             unknown => {
                 self.say(
