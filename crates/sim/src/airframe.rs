@@ -14,7 +14,7 @@ use serde_json::Value;
 pub use file::AirframeError;
 pub(super) use layout::Motor;
 
-use super::body::GRAVITY_M_S2;
+use super::kinematics::GRAVITY_M_S2;
 
 /// Density of the standard atmosphere at sea level, in kilograms per cubic metre.
 const SEA_LEVEL_DENSITY: f64 = 1.225;

@@ -85,7 +85,7 @@ impl Autopilot {
                 self.refuse("Arm", &reasons);
                 return false;
             }
-            let may_arm = self.mode.number == mode::AUTO && self.tuning.auto.may_arm;
+            let may_arm = self.mode.number == mode::AUTO && self.tuning.flight.auto.may_arm;
             if !self.mode.armable && !may_arm {
                 let text = format!("Arm: {} mode not armable", self.mode.name);
                 self.say(MavSeverity::MAV_SEVERITY_CRITICAL, &text);
@@ -105,7 +105,7 @@ impl Autopilot {
             ..Safety::default()
         };
         self.begin_trail(self.is_ready());
-        if self.home.is_some() {
+        if self.datum.home.is_some() {
             self.set_home(self.here());
         }
         if !forced && self.tuning.arming.is_off() {
@@ -148,7 +148,7 @@ impl Autopilot {
 
     /// Makes a place home and tells everybody.
     pub(super) fn set_home(&mut self, home: Place) {
-        self.home = Some(home);
+        self.datum.home = Some(home);
         self.outbox.extend(telemetry::message(49, self));
         self.outbox.extend(telemetry::message(242, self));
     }

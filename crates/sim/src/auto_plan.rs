@@ -146,7 +146,10 @@ impl Autopilot {
             return false;
         }
         let items = &self.plans.mission;
-        let stands = self.mission.nav.filter(|_| !self.tuning.auto.restarts);
+        let stands = self
+            .mission
+            .nav
+            .filter(|_| !self.tuning.flight.auto.restarts);
         let from = stands.unwrap_or(FIRST);
         let lifts = sequence::takes_off_first(items, from, &self.mission.jumps);
         let empty = items.len() < 2;
@@ -202,7 +205,7 @@ impl Autopilot {
     pub(super) fn fly_mission(&mut self) {
         let said_before = self.outbox.len();
         if self.mission.starting {
-            if self.home.is_some() {
+            if self.datum.home.is_some() {
                 self.start_or_resume();
                 self.mission.starting = false;
             }

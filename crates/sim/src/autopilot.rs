@@ -22,14 +22,15 @@ use super::estimator::Estimator;
 use super::failsafe::{self, Failsafe};
 use super::fence::{self, Geofence};
 use super::mode::{self, Mode};
-use super::parameters::{Parameters, Tuning};
-use super::place::Place;
+use super::parameters::Parameters;
+use super::place::{Datum, Place};
 use super::plan::Plans;
-use super::radio::Radio;
+use super::radio::{Radio, Sticks};
 use super::rally::Rally;
-use super::task::{Cockpit, Pilot, Sticks, Task};
+use super::task::{Cockpit, FlightTuning, Pilot, Task};
 use super::trail::{self, Trail};
 use super::transfer::Transfers;
+use super::tuning::Tuning;
 use super::wind::Wind;
 use super::workbench::Workbench;
 use super::yaw::{YawControl, YawDemand};
@@ -53,7 +54,7 @@ pub(super) struct Speeds {
 #[derive(Debug, Clone)]
 pub(super) struct Autopilot {
     pub(super) system: u8,
-    pub(super) start: Start,
+    pub(super) datum: Datum,
     pub(super) airframe: Arc<Airframe>,
     /// Density of the air at the start.
     start_density: f64,
@@ -73,7 +74,6 @@ pub(super) struct Autopilot {
     pub(super) failsafe: Failsafe,
     pub(super) crash: CrashWatch,
     pub(super) battery: Battery,
-    pub(super) home: Option<Place>,
     pub(super) plans: Plans,
     pub(super) mission: Mission,
     pub(super) fence: Geofence,
@@ -122,7 +122,7 @@ impl Autopilot {
         let tuning = Tuning::read(&parameters);
         Self {
             system,
-            start,
+            datum: Datum { start, home: None },
             start_density: air_density(start.altitude_amsl_m),
             battery: Battery::charged(&airframe, tuning.battery_set_v),
             airframe,
@@ -139,7 +139,6 @@ impl Autopilot {
             safety: Safety::default(),
             failsafe: Failsafe::default(),
             crash: CrashWatch::default(),
-            home: None,
             plans: Plans::default(),
             mission: Mission::default(),
             radio: Radio::default(),
@@ -175,6 +174,16 @@ impl Autopilot {
     /// What the autopilot believes of the vehicle's motion.
     pub(super) fn believed(&self) -> &Body {
         self.estimator.belief(&self.body)
+    }
+
+    /// Where the vehicle believes to be.
+    pub(super) fn here(&self) -> Place {
+        self.datum.place_of(self.believed().position_m)
+    }
+
+    /// Where the vehicle really is.
+    pub(super) fn truly_here(&self) -> Place {
+        self.datum.place_of(self.body.position_m)
     }
 
     /// Says something to every ground station.
@@ -264,7 +273,7 @@ impl Autopilot {
 
     /// Reads the parameters again after a change.
     pub(super) fn retune(&mut self) {
-        let entered_with = self.tuning.speed_m_s;
+        let entered_with = self.tuning.flight.speed_m_s;
         self.tuning = Tuning::read(&self.parameters);
         // The cruise speed is taken over when the mode is entered, not in the middle of a flight.
         if self.safety.armed && self.speeds.ground_m_s.is_none() {
@@ -278,21 +287,21 @@ impl Autopilot {
         work: impl FnOnce(&mut Task, &mut Cockpit<'_>) -> T,
     ) -> T {
         let mut cockpit = Cockpit {
-            limits: limits(&self.tuning, self.speeds),
+            limits: limits(&self.tuning.flight, self.speeds),
             sticks: self.sticks(),
             piloted: self.uptime() < self.radio.until,
-            home_m: self.home_point(),
+            home_m: self.datum.home_point(),
             now: self.uptime(),
             control: &mut self.control,
             body: self.estimator.belief(&self.body),
             has_position: self.estimator.has_position(),
             pilot: &mut self.pilot,
-            tuning: &self.tuning,
+            tuning: &self.tuning.flight,
             fence: &mut self.fence,
             trail: &mut self.trail,
             rally: Rally {
                 items: &self.plans.rally,
-                start: &self.start,
+                start: &self.datum.start,
             },
         };
         work(&mut self.task, &mut cockpit)
@@ -345,7 +354,7 @@ pub(super) fn factory_parameters(system: u8, airframe: &Airframe) -> Parameters 
 }
 
 /// The limits of the flight: parameters, with what commands changed.
-fn limits(tuning: &Tuning, speeds: Speeds) -> Limits {
+fn limits(tuning: &FlightTuning, speeds: Speeds) -> Limits {
     Limits {
         speed_m_s: speeds.ground_m_s.unwrap_or(tuning.speed_m_s),
         speed_up_m_s: speeds.up_m_s.unwrap_or(tuning.speed_up_m_s),

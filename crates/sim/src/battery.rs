@@ -2,7 +2,7 @@
 //! it down. Without a capacity it never runs down.
 
 use super::airframe::Airframe;
-use super::body::STEP_S;
+use super::kinematics::STEP_S;
 
 /// Volts of a cell at rest, and the charge that is left, in percent.
 const CELL: [(f64, f64); 40] = [

@@ -4,12 +4,9 @@
 use glam::{DVec2, DVec3};
 
 use super::airframe::{Airframe, axes};
+use super::kinematics::{GRAVITY_M_S2, STEP_S};
 use super::upset::{Drive, Upset, Wanted};
 
-/// Standard gravity, in metres per second squared.
-pub(super) const GRAVITY_M_S2: f64 = 9.806_65;
-/// The step of the simulation, in seconds.
-pub(super) const STEP_S: f64 = 0.01;
 /// Lag of the lean behind its demand (`ArduPilot`'s `ATC_INPUT_TC`).
 const LEAN_LAG_S: f64 = 0.15;
 /// Lag of the vertical acceleration behind its demand.

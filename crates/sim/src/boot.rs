@@ -297,7 +297,7 @@ impl Autopilot {
             }
             Origin => self.set_home_here(),
             Elevation => {
-                let elevation_m = self.start.altitude_amsl_m;
+                let elevation_m = self.datum.start.altitude_amsl_m;
                 let text = format!("Field Elevation Set: {elevation_m:.0}m");
                 self.say(MavSeverity::MAV_SEVERITY_INFO, &text);
             }

@@ -131,7 +131,7 @@ impl Collisions {
     fn ball(&mut self, vehicle: usize, autopilot: &Autopilot) -> Ball {
         let body = &autopilot.body;
         let radius_m = (0.5 * autopilot.airframe.size_m()).min(RADIUS_MAX_M);
-        let feet_m = self.offset(vehicle, autopilot.start) + body.position_m;
+        let feet_m = self.offset(vehicle, autopilot.datum.start) + body.position_m;
         Ball {
             centre_m: feet_m - DVec3::Z * radius_m,
             velocity_m_s: body.velocity_m_s,

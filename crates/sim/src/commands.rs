@@ -16,7 +16,7 @@ use mavlink::dialects::ardupilotmega::MavResult::{
 
 use super::autopilot::Autopilot;
 use super::cmd;
-use super::port::Link;
+use super::link::Link;
 use sortie_geo::LatLon;
 
 /// A command as `COMMAND_LONG` or `COMMAND_INT` brought it.

@@ -3,7 +3,8 @@
 
 use glam::{DVec2, DVec3};
 
-use super::body::{Body, GRAVITY_M_S2, STEP_S};
+use super::body::Body;
+use super::kinematics::{GRAVITY_M_S2, STEP_S, square_root};
 
 /// Gains of the feedback (`PSC_POSXY_P`, `PSC_VELXY_P`, `_I`, `_D`, `PSC_POSZ_P`, `PSC_VELZ_P`).
 const POSITION_P: f64 = 1.0;
@@ -292,21 +293,6 @@ fn within(accel: DVec2, moving: DVec2, most: f64) -> DVec2 {
     let across = (accel - way * along).clamp_length_max(most);
     let left = (most * most - across.length_squared()).max(0.0).sqrt();
     across + way * along.clamp(-left, left)
-}
-
-/// The square-root controller: proportional near the target, on a parabola of constant deceleration further out;
-/// never so fast that one step would overshoot.
-pub(super) fn square_root(error: f64, p: f64, accel: f64) -> f64 {
-    let linear = accel / (p * p);
-    let rate = if error > linear {
-        (2.0 * accel * (error - linear / 2.0)).sqrt()
-    } else if error < -linear {
-        -(2.0 * accel * (-error - linear / 2.0)).sqrt()
-    } else {
-        error * p
-    };
-    let most = error.abs() / STEP_S;
-    rate.clamp(-most, most)
 }
 
 struct Speeds {

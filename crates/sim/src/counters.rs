@@ -70,7 +70,7 @@ impl Autopilot {
         }
         let counters = &mut self.counters;
         if counters.flown.is_zero() {
-            counters.hover = self.tuning.pilot.hover();
+            counters.hover = self.tuning.flight.pilot.hover();
         }
         counters.flown += LOOK;
         counters.hover +=

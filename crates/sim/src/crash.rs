@@ -4,7 +4,7 @@ use glam::DVec3;
 use mavlink::dialects::ardupilotmega::MavSeverity;
 
 use super::autopilot::Autopilot;
-use super::body::STEP_S;
+use super::kinematics::STEP_S;
 use super::mode;
 
 /// A crash: more than this far off the wanted lean and leaning, slow and hardly accelerating, for so long.
@@ -97,7 +97,7 @@ impl Autopilot {
 
     fn watch_thrust(&mut self) {
         let body = &self.body;
-        let asked = body.lean_m_s2.length() / super::body::GRAVITY_M_S2;
+        let asked = body.lean_m_s2.length() / super::kinematics::GRAVITY_M_S2;
         let losing = (body.saturated || body.throttle >= LOSS_THROTTLE)
             && asked < LOSS_LEAN_DEG.to_radians().tan()
             && body.velocity_m_s.z > 0.0

@@ -21,7 +21,8 @@ use self::compass::Compass;
 pub(super) use self::faults::{Faults, RadioFault};
 pub(super) use self::gps::Fix;
 use self::gps::Receiver;
-use super::body::{Body, STEP_S};
+use super::body::Body;
+use super::kinematics::STEP_S;
 use super::texts;
 
 /// Without a GPS position for this long the horizontal estimate is not trusted; for this long, it is given up.

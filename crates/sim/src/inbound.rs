@@ -4,18 +4,18 @@ mod fields;
 
 use mavlink::dialects::ardupilotmega::{
     MISSION_CURRENT_DATA, MavMessage, MavResult, MavSeverity, PARAM_REQUEST_READ_DATA,
-    PARAM_VALUE_DATA, RC_CHANNELS_OVERRIDE_DATA, TIMESYNC_DATA,
+    PARAM_VALUE_DATA, RC_CHANNELS_OVERRIDE_DATA, SETUP_SIGNING_DATA, TIMESYNC_DATA,
 };
 use mavlink::types::CharArray;
 
 use self::fields::{Addressed, Request};
 use super::autopilot::Autopilot;
 use super::commands::{self, Command};
+use super::link::Link;
 use super::parameters::Parameter;
 use super::place::Place;
-use super::port::Link;
 use super::radio::CHANNELS;
-use super::{signing, telemetry, transfer};
+use super::{telemetry, texts, transfer};
 use sortie_geo::LatLon;
 use sortie_wire::{Content, Frame, Outgoing};
 
@@ -115,7 +115,7 @@ fn converse(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, message: 
                 .extend(telemetry::message(148, autopilot).map(Into::into));
         }
         MavMessage::SETUP_SIGNING(data) if own(data.target_system) => {
-            signing::set_up(autopilot, link, data);
+            set_up_signing(autopilot, link, data);
         }
         MavMessage::MISSION_SET_CURRENT(data) if own(data.target_system) => {
             set_current(autopilot, link, data.seq);
@@ -126,6 +126,22 @@ fn converse(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, message: 
         }
         _ => {}
     }
+}
+
+/// Takes a key over from a ground station, for all links; refused while armed. Without an acknowledgement: the
+/// protocol has none.
+fn set_up_signing(autopilot: &Autopilot, link: &mut Link, data: &SETUP_SIGNING_DATA) {
+    if autopilot.safety.armed {
+        let mut said = Vec::new();
+        texts::say(
+            &mut said,
+            MavSeverity::MAV_SEVERITY_WARNING,
+            "ERROR: Won't setup signing when armed",
+        );
+        link.replies.extend(said.into_iter().map(Into::into));
+        return;
+    }
+    link.key = Some((data.secret_key, data.initial_timestamp));
 }
 
 /// What only the vehicle's own ground station may say: that it is still there, and where the sticks are.
@@ -150,7 +166,7 @@ fn take_home(autopilot: &mut Autopilot, at: LatLon, altitude_amsl_m: f64) {
         at,
         altitude_amsl_m,
     };
-    if autopilot.is_ready() && autopilot.may_be_home(home) {
+    if autopilot.is_ready() && autopilot.datum.may_be_home(home) {
         autopilot.set_home(home);
     }
 }

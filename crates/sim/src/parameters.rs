@@ -2,13 +2,11 @@
 
 mod aliases;
 mod table;
-mod tuning;
 
 use mavlink::dialects::ardupilotmega::MavParamType;
 
 use self::table::TABLE;
 pub use aliases::{AliasSense, other_name};
-pub(super) use tuning::Tuning;
 
 /// How a parameter is stored; all travel as floats.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

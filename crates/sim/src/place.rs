@@ -3,7 +3,6 @@
 use glam::DVec3;
 
 use super::Start;
-use super::autopilot::Autopilot;
 use sortie_geo::LatLon;
 
 /// Home lies at most this far above or below the origin.
@@ -32,17 +31,14 @@ pub(super) fn altitude_amsl_m(
     }
 }
 
-impl Autopilot {
-    /// Where the vehicle believes to be.
-    pub(super) fn here(&self) -> Place {
-        self.place_of(self.believed().position_m)
-    }
+/// Where a vehicle's north, east and down begin, and its home.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Datum {
+    pub(super) start: Start,
+    pub(super) home: Option<Place>,
+}
 
-    /// Where the vehicle really is.
-    pub(super) fn truly_here(&self) -> Place {
-        self.place_of(self.body.position_m)
-    }
-
+impl Datum {
     /// The place of a point in metres north, east and down from the start.
     pub(super) fn place_of(&self, point_m: DVec3) -> Place {
         Place {

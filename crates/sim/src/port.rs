@@ -4,16 +4,13 @@
 //! one ground station; here any number can be on it. Each of them gets the same streams and texts; an answer (and a
 //! parameter list) goes only to the one who asked.
 
-use std::time::Duration;
-
 use mavlink::dialects::ardupilotmega::MavMessage;
 
 use super::autopilot::Autopilot;
-use super::parameters::Parameters;
-use super::schedule::Schedule;
+use super::link::{Link, LinkNumber};
 use super::signing::Signing;
 use super::{Serial, inbound, transfer};
-use sortie_wire::{AUTOPILOT_COMPONENT, Decoder, Encoder, Frame, Outgoing, SigningKey};
+use sortie_wire::{AUTOPILOT_COMPONENT, Decoder, Encoder, Frame, Outgoing};
 
 /// Bytes that wait for a reader at most.
 const PENDING_MAX: usize = 256 * 1024;
@@ -29,40 +26,6 @@ const PIECE: usize = 4096;
 const PAUSE_STEPS: u32 = 50;
 /// Parameters sent per step while a list is under way (2300 per second).
 const PARAMETERS_PER_STEP: u16 = 23;
-
-/// What the vehicle keeps for one serial port, and what the handling of one frame leaves for the one who sent it.
-#[derive(Debug)]
-pub(super) struct Link {
-    pub(super) schedule: Schedule,
-    /// Who on this port is being answered, in transfers.
-    pub(super) transfer: transfer::Own,
-    /// Whether anything was ever received: until then the vehicle says little.
-    pub(super) heard: bool,
-    /// Asked for: a list of parameters from this one on.
-    pub(super) listing: Option<u16>,
-    /// Answers to the asker alone.
-    pub(super) replies: Vec<Outgoing>,
-    /// Asked for: this key, and the time from which on it counts.
-    pub(super) key: Option<(SigningKey, u64)>,
-}
-
-impl Link {
-    fn new(serial: Serial, parameters: &Parameters, now: Duration) -> Self {
-        Self {
-            schedule: Schedule::booted(serial, parameters, now),
-            transfer: transfer::Own::default(),
-            heard: false,
-            listing: None,
-            replies: Vec::new(),
-            key: None,
-        }
-    }
-
-    /// Queues an answer.
-    pub(super) fn reply(&mut self, message: MavMessage) {
-        self.replies.push(message.into());
-    }
-}
 
 /// The serial ports of one vehicle.
 #[derive(Debug)]
@@ -97,7 +60,7 @@ pub(super) struct Port {
     /// The next parameter of a list that is being sent.
     listing: Option<u16>,
     /// What tells this ground station from the others in transfers.
-    transfer: transfer::Own,
+    transfer: LinkNumber,
     quiet_steps: u32,
 }
 
@@ -110,7 +73,7 @@ impl Port {
             encoder: Encoder::new(system, AUTOPILOT_COMPONENT),
             pending: Vec::new(),
             listing: None,
-            transfer: transfer::Own::default(),
+            transfer: LinkNumber::default(),
             quiet_steps: 0,
         }
     }

@@ -5,7 +5,6 @@ use std::time::Duration;
 
 use super::autopilot::Autopilot;
 use super::parameters::Parameters;
-use super::task::Sticks;
 
 /// Channels that can be overridden.
 pub(super) const CHANNELS: usize = 16;
@@ -113,6 +112,26 @@ impl StickRange {
     }
 }
 
+/// Pulse widths of the channels in microseconds: roll, pitch, throttle, yaw, then switches.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Sticks {
+    pub(super) channels_us: [u16; CHANNELS],
+}
+
+impl Sticks {
+    /// Sticks centred and throttle down, as a SITL without a transmitter sees them.
+    pub(super) const RELEASED: Self = Self {
+        channels_us: [
+            1500, 1500, 1000, 1500, 1800, 1000, 1000, 1800, 0, 0, 0, 0, 0, 0, 0, 0,
+        ],
+    };
+
+    /// Whether the throttle is all the way down.
+    pub(super) fn throttle_is_low(&self) -> bool {
+        self.channels_us[2] <= 1050
+    }
+}
+
 /// What a transmitter, or ground stations in its place, last said.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Radio {
@@ -171,7 +190,7 @@ impl Autopilot {
     /// Takes over `RC_CHANNELS_OVERRIDE`: 65535 leaves a channel as it is, 0 gives one of the first eight back,
     /// 65534 one of the others.
     pub(super) fn override_channels(&mut self, asked: [u16; CHANNELS]) {
-        let Some(lasts) = self.tuning.radio.override_time else {
+        let Some(lasts) = self.tuning.flight.radio.override_time else {
             return;
         };
         let until = self.uptime().saturating_add(lasts);
@@ -189,7 +208,7 @@ impl Autopilot {
     /// Takes over `MANUAL_CONTROL`: pitch, roll, throttle and yaw in thousandths; 32767 leaves an axis alone. A
     /// negative throttle makes the whole message void.
     pub(super) fn control_manually(&mut self, [x, y, z, r]: [i16; 4]) {
-        let Some(lasts) = self.tuning.radio.override_time else {
+        let Some(lasts) = self.tuning.flight.radio.override_time else {
             return;
         };
         if z < 0 {
@@ -207,7 +226,7 @@ impl Autopilot {
             let pulse_us = if value == i16::MAX {
                 0
             } else {
-                self.tuning.radio.sticks[channel].pulse(share)
+                self.tuning.flight.radio.sticks[channel].pulse(share)
             };
             self.radio.set(channel, pulse_us, until);
         }
@@ -216,7 +235,7 @@ impl Autopilot {
     /// Looks at the mode switch and at the corner of the sticks that arms; ten times a second.
     pub(super) fn watch_sticks(&mut self) {
         let sticks = self.sticks();
-        let channel = self.tuning.radio.mode_channel.wrapping_sub(1);
+        let channel = self.tuning.flight.radio.mode_channel.wrapping_sub(1);
         if let Some(pulse_us) = sticks.channels_us.get(channel) {
             let position = switch_position(*pulse_us);
             self.radio.switch = if position == self.radio.switch.0 {
@@ -229,10 +248,10 @@ impl Autopilot {
                 self.obey_mode_switch();
             }
         }
-        let [.., throttle, yaw] = self.tuning.radio.sticks;
+        let [.., throttle, yaw] = self.tuning.flight.radio.sticks;
         let low = throttle.pushed(sticks.channels_us[2]) <= 0.0;
         let cornered = low && yaw.off_centre(sticks.channels_us[3]) > CORNER;
-        if !cornered || self.safety.armed || !self.tuning.radio.rudder_arms {
+        if !cornered || self.safety.armed || !self.tuning.flight.radio.rudder_arms {
             self.radio.corner = 0;
             return;
         }

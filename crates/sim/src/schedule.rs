@@ -4,8 +4,10 @@ use std::time::Duration;
 
 use super::Serial;
 use super::parameters::Parameters;
-use super::telemetry::{TERRAIN_REPORT, TERRAIN_REQUEST};
 
+/// `TERRAIN_REQUEST` and `TERRAIN_REPORT` come together.
+pub(super) const TERRAIN_REQUEST: u32 = 133;
+pub(super) const TERRAIN_REPORT: u32 = 136;
 /// The shortest interval; shorter ones are lengthened to it, as the vehicle does.
 const SHORTEST_US: i64 = 3_000;
 /// What a new link gets unasked: HEARTBEAT once per second.

@@ -4,11 +4,7 @@
 //! others. The table against replays is shared by all ports. Serial 0 is meant to be a cable and goes on accepting
 //! everything; the others silently drop what is not signed rightly.
 
-use mavlink::dialects::ardupilotmega::{MavSeverity, SETUP_SIGNING_DATA};
-
-use super::autopilot::Autopilot;
-use super::port::Link;
-use super::{Serial, texts};
+use super::Serial;
 use sortie_wire::{Frame, SigningKey, Stamp, is_signed_with};
 
 /// Timestamps count tens of microseconds.
@@ -38,22 +34,6 @@ pub(super) struct Signing {
     streams: Vec<Stream>,
     /// Serial 0 does not accept everything either.
     strict: bool,
-}
-
-/// Takes a key over from a ground station, for all links; refused while armed. Without an acknowledgement: the
-/// protocol has none.
-pub(super) fn set_up(autopilot: &Autopilot, link: &mut Link, data: &SETUP_SIGNING_DATA) {
-    if autopilot.safety.armed {
-        let mut said = Vec::new();
-        texts::say(
-            &mut said,
-            MavSeverity::MAV_SEVERITY_WARNING,
-            "ERROR: Won't setup signing when armed",
-        );
-        link.replies.extend(said.into_iter().map(Into::into));
-        return;
-    }
-    link.key = Some((data.secret_key, data.initial_timestamp));
 }
 
 impl Signing {

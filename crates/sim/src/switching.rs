@@ -122,7 +122,7 @@ impl Autopilot {
             }),
             mode::BRAKE => Task::Brake,
             mode::CIRCLE => {
-                let circle = Task::circle(self.believed(), &self.tuning);
+                let circle = Task::circle(self.believed(), &self.tuning.flight);
                 if let Task::Circle(circle) = &circle {
                     self.yaw.demand = YawDemand::Towards(circle.centre_m);
                 }

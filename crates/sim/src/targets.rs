@@ -153,9 +153,9 @@ impl Autopilot {
         }
         let off = (thrust.clamp(0.0, 1.0) - 0.5) * 2.0;
         Lift::Climb(if off > 0.0 {
-            off * self.tuning.speed_up_m_s
+            off * self.tuning.flight.speed_up_m_s
         } else {
-            off * self.tuning.speed_down_m_s
+            off * self.tuning.flight.speed_down_m_s
         })
     }
 
@@ -243,9 +243,9 @@ impl Autopilot {
                 } else {
                     setpoint.frame
                 };
-                let altitude_amsl_m = self.altitude_amsl_m(frame, height_m)?;
+                let altitude_amsl_m = self.datum.altitude_amsl_m(frame, height_m)?;
                 at.is_valid().then(|| {
-                    self.point_of(Place {
+                    self.datum.point_of(Place {
                         at,
                         altitude_amsl_m,
                     })

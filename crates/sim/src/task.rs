@@ -6,6 +6,7 @@ mod landing;
 mod piloted;
 mod returning;
 mod takeoff;
+mod tuning;
 
 use std::time::Duration;
 
@@ -14,14 +15,16 @@ use glam::{DVec2, DVec3};
 pub(super) use attitude::{Attitude, Lift};
 pub(super) use auto::{Orbit, Route, Rules as AutoRules, stopping_point};
 pub(super) use landing::Landing;
-pub(super) use piloted::{Pilot, PilotRules, Sticks};
+pub(super) use piloted::{Pilot, PilotRules};
 pub(super) use returning::Returning;
 pub(super) use takeoff::Takeoff;
+pub(super) use tuning::FlightTuning;
 
-use super::body::{Body, STEP_S};
+use super::body::Body;
 use super::control::{Limits, PositionControl};
 use super::fence::Geofence;
-use super::parameters::Tuning;
+use super::kinematics::STEP_S;
+use super::radio::Sticks;
 use super::rally::Rally;
 use super::trail::Trail;
 
@@ -38,7 +41,7 @@ pub(super) struct Cockpit<'a> {
     pub(super) pilot: &'a mut Pilot,
     /// What the autopilot believes of the body.
     pub(super) body: &'a Body,
-    pub(super) tuning: &'a Tuning,
+    pub(super) tuning: &'a FlightTuning,
     pub(super) limits: Limits,
     pub(super) sticks: Sticks,
     /// A ground station speaks in the transmitter's place: the throttle is somebody's will.
@@ -146,7 +149,7 @@ impl Task {
     }
 
     /// A circle whose centre lies ahead of the nose.
-    pub(super) fn circle(body: &Body, tuning: &Tuning) -> Self {
+    pub(super) fn circle(body: &Body, tuning: &FlightTuning) -> Self {
         let (sin, cos) = body.yaw_deg.to_radians().sin_cos();
         let here = body.position_m.truncate();
         Self::Circle(Circle {

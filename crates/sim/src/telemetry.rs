@@ -12,6 +12,7 @@ use mavlink::dialects::ardupilotmega::MavMessage;
 use self::Builder::{Always, Sometimes};
 pub(super) use self::health::EPOCH_US;
 use super::autopilot::Autopilot;
+use super::schedule::{TERRAIN_REPORT, TERRAIN_REQUEST};
 
 /// The real vehicle accepts requests for these, but without the hardware behind them it sends nothing.
 const SILENT: &[u32] = &[
@@ -20,9 +21,6 @@ const SILENT: &[u32] = &[
 ];
 /// Sent with another message and not to be asked for by itself.
 const UNASKABLE: u32 = TERRAIN_REPORT;
-/// `TERRAIN_REQUEST` and `TERRAIN_REPORT` come together.
-pub(super) const TERRAIN_REQUEST: u32 = 133;
-pub(super) const TERRAIN_REPORT: u32 = 136;
 
 /// How a message is made: it can be made at any time, or not always.
 #[derive(Clone, Copy)]

@@ -132,7 +132,7 @@ impl Autopilot {
     pub(super) fn begin_trail(&mut self, known: bool) {
         let here_m = known.then(|| self.believed().position_m);
         let now = self.uptime();
-        self.trail.begin(here_m, &self.tuning.trail, now);
+        self.trail.begin(here_m, &self.tuning.flight.trail, now);
     }
 
     /// Drops a breadcrumb where one is due.
@@ -142,7 +142,7 @@ impl Autopilot {
         }
         let here_m = self.trusted_m();
         let now = self.uptime();
-        if let Some(reason) = self.trail.note(here_m, &self.tuning.trail, now) {
+        if let Some(reason) = self.trail.note(here_m, &self.tuning.flight.trail, now) {
             let text = format!("SmartRTL deactivated: {reason}");
             self.say(MavSeverity::MAV_SEVERITY_WARNING, &text);
         }

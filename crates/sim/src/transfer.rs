@@ -20,9 +20,9 @@ use self::files::Files;
 use self::lists::Lists;
 use self::logs::Logs;
 use super::autopilot::Autopilot;
+use super::link::{Link, LinkNumber};
 use super::payload::Payload;
 use super::plan::ListKind;
-use super::port::Link;
 use super::texts;
 use sortie_wire::{Frame, Outgoing};
 
@@ -48,10 +48,6 @@ impl Transfers {
         }
     }
 }
-
-/// What tells one link from the others: a number, from its first request on.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(super) struct Own(u32);
 
 /// A ground station on a link.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -102,7 +98,7 @@ pub(super) fn handle(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame) 
     };
     if link.transfer.0 == 0 {
         autopilot.transfers.links += 1;
-        link.transfer = Own(autopilot.transfers.links);
+        link.transfer = LinkNumber(autopilot.transfers.links);
     }
     let peer = Peer {
         link: link.transfer.0,

@@ -5,8 +5,8 @@
 use glam::{DMat3, DQuat, DVec3};
 
 use super::airframe::{Airframe, Conditions};
-use super::body::{GRAVITY_M_S2, STEP_S};
-use super::control::square_root;
+use super::kinematics::square_root;
+use super::kinematics::{GRAVITY_M_S2, STEP_S};
 use super::mixer::{MOTORS_MAX, Mixer};
 
 /// Rounds of the attitude control in one step of the simulation.

@@ -4,7 +4,7 @@ use glam::DVec3;
 use rand::{Rng as _, RngExt as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 
-use super::body::STEP_S;
+use super::kinematics::STEP_S;
 use super::parameters::Parameters;
 
 /// Gusts drift past even a vehicle that hovers in a calm; at this speed they do so at least, in metres per second.

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::body::STEP_S;
+use super::kinematics::STEP_S;
 use sortie_geo::wrap_180;
 
 /// A nose that a pilot turns, or that does not do what it should, is made to follow its setpoint with this lag.

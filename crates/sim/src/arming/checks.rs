@@ -74,7 +74,7 @@ impl Autopilot {
         }
         let mut reasons = self.parameter_obstacles();
         if !self.boot.is_over() {
-            reasons.extend(self.boot.obstacles(&self.mode, self.home.is_some()));
+            reasons.extend(self.boot.obstacles(&self.mode, self.datum.home.is_some()));
         }
         self.sensor_obstacles(&mut reasons);
         self.power_obstacles(&mut reasons);

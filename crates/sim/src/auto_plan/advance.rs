@@ -13,7 +13,7 @@ impl Autopilot {
     /// Starts the mission, or goes on where it stands, as `MIS_RESTART` says.
     pub(super) fn start_or_resume(&mut self) {
         let resumes = std::mem::take(&mut self.mission.resumes);
-        if self.tuning.auto.restarts && !resumes {
+        if self.tuning.flight.auto.restarts && !resumes {
             self.start_from_first();
         } else {
             self.resume_mission();

@@ -33,7 +33,7 @@ impl Autopilot {
         if (item.x == 0 && item.y == 0) || !at.is_valid() {
             return None;
         }
-        let (north, east) = self.start.at.offset_to(at);
+        let (north, east) = self.datum.start.at.offset_to(at);
         Some(glam::DVec2::new(north, east))
     }
 
@@ -41,9 +41,9 @@ impl Autopilot {
     pub(super) fn item_down_m(&self, item: &Item) -> f64 {
         let height = if item.z.is_finite() { item.z } else { 0.0 };
         let height_m = f64::from(height.clamp(-HEIGHT_MAX_M, HEIGHT_MAX_M));
-        match self.altitude_amsl_m(item.frame, height_m) {
-            Some(amsl_m) => self.start.altitude_amsl_m - amsl_m,
-            None => self.home_point().z - height_m,
+        match self.datum.altitude_amsl_m(item.frame, height_m) {
+            Some(amsl_m) => self.datum.start.altitude_amsl_m - amsl_m,
+            None => self.datum.home_point().z - height_m,
         }
     }
 
@@ -66,7 +66,7 @@ impl Autopilot {
             } else {
                 item
             };
-            let way = self.item_point(placed, self.home_point()) - self.believed().position_m;
+            let way = self.item_point(placed, self.datum.home_point()) - self.believed().position_m;
             Some((at, way.length()))
         };
         (FIRST..items.len() as u16)

@@ -94,7 +94,7 @@ impl Autopilot {
     /// A takeoff that waits lifts once the motors run and the throttle is up.
     pub(super) fn lift_if_allowed(&mut self) {
         let throttle_up = !self.sticks().throttle_is_low();
-        self.mission.may_lift |= throttle_up || self.tuning.auto.lifts_unasked;
+        self.mission.may_lift |= throttle_up || self.tuning.flight.auto.lifts_unasked;
         if let Wait::Throttle(height_m) = self.mission.wait
             && self.mission.may_lift
         {
@@ -205,9 +205,9 @@ impl Autopilot {
     /// A point as the vehicle stores places: in 1e-7 degrees and centimetres. That is why even a stay on the spot
     /// begins with a way, of a few millimetres and about a second.
     fn stored(&self, point_m: DVec3) -> DVec3 {
-        let place = self.place_of(point_m);
+        let place = self.datum.place_of(point_m);
         let (lat, lon) = place.at.to_e7();
-        self.point_of(Place {
+        self.datum.point_of(Place {
             at: LatLon::from_e7(lat, lon),
             altitude_amsl_m: (place.altitude_amsl_m * 100.0).trunc() / 100.0,
         })
@@ -274,7 +274,7 @@ impl Autopilot {
         if at.is_valid() {
             self.set_home(Place {
                 at,
-                altitude_amsl_m: self.start.altitude_amsl_m - self.item_down_m(item),
+                altitude_amsl_m: self.datum.start.altitude_amsl_m - self.item_down_m(item),
             });
         }
     }

@@ -8,7 +8,7 @@ use mavlink::dialects::ardupilotmega::MavSeverity;
 use super::{Wait, command, sequence};
 use crate::autopilot::Autopilot;
 use crate::cmd;
-use crate::control::square_root;
+use crate::kinematics::square_root;
 use crate::plan::Item;
 use crate::task::{Landing, Task};
 
@@ -145,7 +145,7 @@ impl Autopilot {
         if !self.landing_is_over() {
             return false;
         }
-        let goes_on = self.tuning.auto.continues_after_landing
+        let goes_on = self.tuning.flight.auto.continues_after_landing
             && sequence::takes_off_first(
                 &self.plans.mission,
                 at.saturating_add(1),
@@ -163,7 +163,7 @@ impl Autopilot {
             Task::Route(route) => route.goal_m(),
             Task::Takeoff(takeoff) => takeoff.goal_m,
             Task::Goto { goal_m, .. } => *goal_m,
-            Task::Return(_) => self.home_point(),
+            Task::Return(_) => self.datum.home_point(),
             _ => here_m,
         };
         (goal_m - here_m).truncate().length()

@@ -54,8 +54,8 @@ impl Autopilot {
             Act::Throttle(throttle) => Demand::Throttle(throttle),
             Act::Accelerate(wanted) => Demand::Acceleration(wanted),
             Act::Fly => {
-                let lean_max = self.tuning.lean_max_rad;
-                let correction = self.tuning.accel_m_s2;
+                let lean_max = self.tuning.flight.lean_max_rad;
+                let correction = self.tuning.flight.accel_m_s2;
                 Demand::Acceleration(self.control.demand(believed, lean_max, correction))
             }
             Act::Level => {
@@ -98,7 +98,7 @@ impl Autopilot {
             now: self.uptime(),
             truth: &self.body,
             faults: &self.tuning.faults,
-            latitude_deg: self.start.at.lat_deg,
+            latitude_deg: self.datum.start.at.lat_deg,
         };
         if let Some(jump_m) = self.estimator.step(&around, &mut self.outbox) {
             self.control.path_m += jump_m;

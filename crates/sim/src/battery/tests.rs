@@ -13,7 +13,7 @@ fn small() -> Airframe {
 fn a_small_battery_empties_like_the_real_one() {
     let airframe = small();
     let mut battery = Battery::charged(&airframe, 12.6);
-    let hover_w = airframe.power_w(super::super::body::GRAVITY_M_S2);
+    let hover_w = airframe.power_w(crate::kinematics::GRAVITY_M_S2);
     for (drawn_mah, volts, amperes) in [
         (164.0, 11.94, 29.7),
         (332.0, 11.48, 30.8),

@@ -4,8 +4,8 @@ use mavlink::dialects::ardupilotmega::{MavResult, MavSeverity};
 
 use super::Command;
 use crate::autopilot::Autopilot;
+use crate::link::Link;
 use crate::mode;
-use crate::port::Link;
 
 /// Positions of the switch.
 const LOW: i32 = 0;

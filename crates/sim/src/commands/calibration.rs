@@ -4,7 +4,7 @@ use mavlink::dialects::ardupilotmega::{MavResult, MavSeverity};
 
 use super::{Command, done};
 use crate::autopilot::Autopilot;
-use crate::port::Link;
+use crate::link::Link;
 
 /// The parameter that accepts the calibration which is there.
 const FORCE: f32 = 76.0;

@@ -4,7 +4,7 @@ use mavlink::dialects::ardupilotmega::MavResult;
 
 use super::{Command, done};
 use crate::autopilot::Autopilot;
-use crate::port::Link;
+use crate::link::Link;
 
 /// 0 switches it off, 1 on, 2 only the floor off.
 pub(super) fn enable(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {

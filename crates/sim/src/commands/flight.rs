@@ -6,8 +6,8 @@ use mavlink::dialects::ardupilotmega::{MavResult, MavSeverity};
 
 use super::{Command, done};
 use crate::autopilot::Autopilot;
+use crate::link::Link;
 use crate::mode;
-use crate::port::Link;
 use crate::task::{Takeoff, Task};
 
 /// The second parameter that makes disarming work in the air.
@@ -153,7 +153,7 @@ pub(super) fn pause_button(
 impl Autopilot {
     /// Takes off to a height above home in metres, if the mode and the moment allow it.
     fn take_off(&mut self, above_home_m: f64, navigates: bool) -> bool {
-        let height_m = above_home_m - self.home_point().z;
+        let height_m = above_home_m - self.datum.home_point().z;
         let climb_m = height_m - self.believed().height_m();
         let sensible = climb_m > 0.0 && climb_m < ALTITUDE_MAX_M;
         let able = mode::takes_off(self.mode.number, navigates);

@@ -5,9 +5,9 @@ use mavlink::dialects::ardupilotmega::{MavResult, MavSeverity};
 
 use super::{Command, done};
 use crate::autopilot::{Autopilot, Speeds};
+use crate::link::Link;
 use crate::mode;
 use crate::place::Place;
-use crate::port::Link;
 use crate::task::Task;
 use crate::yaw::YawDemand;
 
@@ -71,7 +71,7 @@ pub(super) fn place(autopilot: &mut Autopilot, command: &Command, frame: u8) -> 
     if height_m.is_nan() || height_m.abs() > HEIGHT_MAX_M {
         return None;
     }
-    let Some(altitude_amsl_m) = autopilot.altitude_amsl_m(frame, height_m) else {
+    let Some(altitude_amsl_m) = autopilot.datum.altitude_amsl_m(frame, height_m) else {
         let text = format!("Unknown mavlink coordinate frame {frame}");
         autopilot.say(MavSeverity::MAV_SEVERITY_INFO, &text);
         return None;
@@ -95,7 +95,7 @@ pub(super) fn reposition(autopilot: &mut Autopilot, _: &mut Link, command: &Comm
     let Some(place) = place(autopilot, command, frame) else {
         return MavResult::MAV_RESULT_DENIED;
     };
-    let goal = autopilot.point_of(place);
+    let goal = autopilot.datum.point_of(place);
     if !autopilot.safety.landed && !autopilot.may_fly_to(goal) {
         return MavResult::MAV_RESULT_FAILED;
     }
@@ -155,7 +155,7 @@ pub(super) fn look_at(autopilot: &mut Autopilot, link: &mut Link, command: &Comm
     if (command.x, command.y) == (0, 0) {
         return look_ahead(autopilot, link, command);
     }
-    let (north, east) = autopilot.start.at.offset_to(place.at);
+    let (north, east) = autopilot.datum.start.at.offset_to(place.at);
     autopilot.yaw.demand = YawDemand::Towards(glam::DVec2::new(north, east));
     MavResult::MAV_RESULT_ACCEPTED
 }

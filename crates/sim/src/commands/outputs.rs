@@ -5,7 +5,7 @@ use mavlink::dialects::ardupilotmega::{MavResult, MavSeverity};
 use super::{Command, done};
 use crate::autopilot::Autopilot;
 use crate::cmd;
-use crate::port::Link;
+use crate::link::Link;
 use crate::workbench::MotorTest;
 
 /// `SERVOn_FUNCTION` of outputs that a command may drive: none, RC input through, sprayer, gripper.

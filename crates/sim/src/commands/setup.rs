@@ -4,7 +4,7 @@ use mavlink::dialects::ardupilotmega::{MavResult, MavSeverity};
 
 use super::{Command, done, motion};
 use crate::autopilot::Autopilot;
-use crate::port::Link;
+use crate::link::Link;
 
 /// The sixth parameter that reboots an armed vehicle too.
 const FORCE_REBOOT: i32 = 20_190_226;
@@ -24,7 +24,7 @@ pub(super) fn set_home(autopilot: &mut Autopilot, _: &mut Link, command: &Comman
         return MavResult::MAV_RESULT_DENIED;
     };
     done(
-        autopilot.may_be_home(place) && {
+        autopilot.datum.may_be_home(place) && {
             autopilot.set_home(place);
             true
         },

@@ -4,8 +4,8 @@ use mavlink::dialects::ardupilotmega::{MESSAGE_INTERVAL_DATA, MavMessage, MavRes
 
 use super::{Command, done};
 use crate::autopilot::Autopilot;
-use crate::port::Link;
-use crate::telemetry;
+use crate::link::Link;
+use crate::{schedule, telemetry};
 
 /// A message id from a float parameter; fractions are cut off, everything else that is no id is no message.
 fn id(parameter: f32) -> u32 {
@@ -54,9 +54,9 @@ pub(super) fn request(autopilot: &mut Autopilot, link: &mut Link, command: &Comm
         link.replies
             .extend(telemetry::message(id, autopilot).map(Into::into));
     }
-    if id == telemetry::TERRAIN_REQUEST {
+    if id == schedule::TERRAIN_REQUEST {
         link.replies
-            .extend(telemetry::message(telemetry::TERRAIN_REPORT, autopilot).map(Into::into));
+            .extend(telemetry::message(schedule::TERRAIN_REPORT, autopilot).map(Into::into));
     }
     done(known)
 }

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use super::faults::{BarometerFault, Faults};
-use crate::body::STEP_S;
+use crate::kinematics::STEP_S;
 
 /// The estimate follows the barometer with this time constant.
 const FOLLOWS_S: f64 = 4.0;

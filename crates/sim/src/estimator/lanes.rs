@@ -6,7 +6,7 @@ use glam::DVec3;
 use mavlink::dialects::ardupilotmega::{MavMessage, MavSeverity};
 
 use super::{Estimator, NEGLIGIBLE_M, Surroundings};
-use crate::body::STEP_S;
+use crate::kinematics::STEP_S;
 use crate::texts;
 
 /// A stuck accelerometer is noticed after this time; until then it enters the velocity by this share.

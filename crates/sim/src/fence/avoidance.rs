@@ -8,8 +8,8 @@ use std::time::Duration;
 use glam::{DVec2, DVec3};
 
 use super::area::{Area, Shape, is_inside};
-use crate::body::STEP_S;
-use crate::control::square_root;
+use crate::kinematics::STEP_S;
+use crate::kinematics::square_root;
 use crate::parameters::Parameters;
 
 /// Stopping before a fence is planned with no more than this.

@@ -47,12 +47,12 @@ impl Autopilot {
                 Fence::default()
             }
         };
-        self.fence.areas = fence.in_metres(self.start.at);
+        self.fence.areas = fence.in_metres(self.datum.start.at);
     }
 
     /// Switches the fence on or off; `false` if there is no fence to switch on.
     pub(crate) fn enable_fence(&mut self, on: bool) -> bool {
-        if on && !self.fence.is_present(&self.tuning.fence) {
+        if on && !self.fence.is_present(&self.tuning.flight.fence) {
             return false;
         }
         self.parameters.set("FENCE_ENABLE", f32::from(u8::from(on)));
@@ -72,14 +72,14 @@ impl Autopilot {
 
     /// Looks at the fences and acts on a breach.
     pub(crate) fn watch_fence(&mut self) {
-        if !self.tuning.fence.is_enabled && self.fence.broken == 0 {
+        if !self.tuning.flight.fence.is_enabled && self.fence.broken == 0 {
             return;
         }
         let spot =
             self.with_cockpit(|_, cockpit| Spot::new(cockpit.body.position_m, cockpit.home_m));
         let now = self.uptime();
         let was_broken = self.fence.broken != 0;
-        let fresh = self.fence.check(&self.tuning.fence, spot, now);
+        let fresh = self.fence.check(&self.tuning.flight.fence, spot, now);
         if fresh == 0 {
             return;
         }
@@ -88,7 +88,7 @@ impl Autopilot {
             self.fence.told = Some(now);
         }
         let flying = self.safety.armed && !self.safety.landed;
-        if self.safety.armed && self.tuning.fence.action != 0 {
+        if self.safety.armed && self.tuning.flight.fence.action != 0 {
             self.act_on_breach(fresh);
         }
         if tell {
@@ -109,7 +109,7 @@ impl Autopilot {
         let ways: &[u8] = if self.fence.farthest_m(fresh) > GIVE_UP_M {
             &[mode::LAND]
         } else {
-            match self.tuning.fence.action {
+            match self.tuning.flight.fence.action {
                 2 => &[mode::LAND],
                 3 => &[mode::SMART_RTL, mode::RTL, mode::LAND],
                 4 => &[mode::BRAKE, mode::LAND],
@@ -126,7 +126,7 @@ impl Autopilot {
 
     /// Why the fence forbids arming now.
     pub(crate) fn fence_obstacle(&self) -> Option<&'static str> {
-        let rules = &self.tuning.fence;
+        let rules = &self.tuning.flight.fence;
         let level = rules.active() & (CIRCLE | AREAS) != 0;
         if level && !self.is_ready() {
             return Some("Fence requires position");
@@ -137,12 +137,12 @@ impl Autopilot {
     /// Whether the fence lets the vehicle fly to a point.
     pub(crate) fn may_fly_to(&self, point_m: DVec3) -> bool {
         self.fence
-            .allows(&self.tuning.fence, point_m, self.home_point())
+            .allows(&self.tuning.flight.fence, point_m, self.datum.home_point())
     }
 
     /// The bits of the fence in `SYS_STATUS`.
     pub(crate) fn fence_health(&self) -> FenceHealth {
-        let rules = &self.tuning.fence;
+        let rules = &self.tuning.flight.fence;
         let is_present = self.fence.is_present(rules);
         FenceHealth {
             is_present,
@@ -153,7 +153,7 @@ impl Autopilot {
 
     /// The report of the fence, as long as it is enabled.
     pub(crate) fn fence_report(&self) -> Option<FenceReport> {
-        self.tuning.fence.is_enabled.then(|| FenceReport {
+        self.tuning.flight.fence.is_enabled.then(|| FenceReport {
             is_broken: self.fence.broken != 0,
             breaches: self.fence.breaches,
             kind: self.fence.breach_type(),

@@ -5,7 +5,7 @@ use std::time::Duration;
 use glam::DVec2;
 
 use super::{Act, Cockpit};
-use crate::body::{GRAVITY_M_S2, STEP_S};
+use crate::kinematics::{GRAVITY_M_S2, STEP_S};
 
 /// Leans beyond this are flown as this: the level part of thrust would otherwise grow without bound.
 const LEAN_MAX_RAD: f64 = 75.0 * std::f64::consts::PI / 180.0;

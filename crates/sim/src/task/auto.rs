@@ -9,8 +9,9 @@ use glam::DVec3;
 use self::curve::{Bounds, Curve};
 pub(crate) use self::orbit::Orbit;
 use super::{Act, Cockpit};
-use crate::body::STEP_S;
-use crate::control::{Limits, square_root};
+use crate::control::Limits;
+use crate::kinematics::STEP_S;
+use crate::kinematics::square_root;
 use crate::parameters::Parameters;
 
 /// A vehicle that flies at least this share of the wanted speed does not hold the path up.

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use super::{Act, Cockpit, piloted};
-use crate::control::square_root;
+use crate::kinematics::square_root;
 
 /// The motors stop this long after the touch.
 const MOTORS_OFF_AFTER: Duration = Duration::from_millis(700);

@@ -11,10 +11,10 @@ use glam::{DVec2, DVec3};
 
 pub(crate) use self::rules::PilotRules;
 use super::{Act, Cockpit};
-use crate::body::{GRAVITY_M_S2, STEP_S};
-use crate::control::{Limits, square_root};
+use crate::control::Limits;
+use crate::kinematics::square_root;
+use crate::kinematics::{GRAVITY_M_S2, STEP_S};
 use crate::mode;
-use crate::radio::CHANNELS;
 
 /// Rotors that climb lose thrust to the air that streams through them, per metre per second.
 const INFLOW_PER_S: f64 = 0.27;
@@ -34,26 +34,6 @@ const DRIFT_BRAKE_GROWS_PER_S: f64 = 0.03;
 const DRIFT_LEAN_MAX_RAD: f64 = 45.0 * std::f64::consts::PI / 180.0;
 /// DRIFT: a throttle stick in the middle third holds the height with this much per metre per second.
 const DRIFT_ASSIST: f64 = 0.18;
-
-/// Pulse widths of the channels in microseconds: roll, pitch, throttle, yaw, then switches.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Sticks {
-    pub(crate) channels_us: [u16; CHANNELS],
-}
-
-impl Sticks {
-    /// Sticks centred and throttle down, as a SITL without a transmitter sees them.
-    pub(crate) const RELEASED: Self = Self {
-        channels_us: [
-            1500, 1500, 1000, 1500, 1800, 1000, 1000, 1800, 0, 0, 0, 0, 0, 0, 0, 0,
-        ],
-    };
-
-    /// Whether the throttle is all the way down.
-    pub(crate) fn throttle_is_low(&self) -> bool {
-        self.channels_us[2] <= 1050
-    }
-}
 
 /// How the sticks fly the vehicle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

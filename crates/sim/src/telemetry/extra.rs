@@ -10,7 +10,7 @@ use mavlink::dialects::ardupilotmega::{
 
 use super::{boot_ms, boot_us, health, sensors};
 use crate::autopilot::Autopilot;
-use crate::body::GRAVITY_M_S2;
+use crate::kinematics::GRAVITY_M_S2;
 use sortie_geo::wrap_360;
 
 /// The earth's magnetic field at the place of the measurements, in the vehicle's axes facing north, milligauss.

@@ -7,7 +7,7 @@ use mavlink::dialects::ardupilotmega::{
 
 use super::boot_ms;
 use crate::autopilot::Autopilot;
-use crate::body::GRAVITY_M_S2;
+use crate::kinematics::GRAVITY_M_S2;
 use crate::place::Place;
 use sortie_geo::{wrap_180, wrap_360};
 
@@ -71,7 +71,7 @@ pub(super) fn global_position_int(autopilot: &Autopilot) -> MavMessage {
     let here = reported_place(autopilot);
     let (lat, lon) = here.at.to_e7();
     let v = body.velocity_m_s;
-    let over_home_m = autopilot.home_point().z - body.position_m.z;
+    let over_home_m = autopilot.datum.home_point().z - body.position_m.z;
     MavMessage::GLOBAL_POSITION_INT(GLOBAL_POSITION_INT_DATA {
         time_boot_ms: boot_ms(autopilot),
         lat,
@@ -96,10 +96,10 @@ fn nowhere_yet(autopilot: &Autopilot) -> MavMessage {
 
 /// Where the vehicle believes to be; while the estimator has given up, where it last knew itself.
 fn reported_place(autopilot: &Autopilot) -> Place {
-    autopilot
-        .estimator
-        .last_known_m()
-        .map_or_else(|| autopilot.here(), |last_m| autopilot.place_of(last_m))
+    autopilot.estimator.last_known_m().map_or_else(
+        || autopilot.here(),
+        |last_m| autopilot.datum.place_of(last_m),
+    )
 }
 
 pub(super) fn vfr_hud(autopilot: &Autopilot) -> MavMessage {

@@ -19,9 +19,9 @@ const POSITION_ONLY: u16 = 0x0DF8;
 const VELOCITY_ONLY: u16 = 0x0C07;
 
 pub(super) fn home_position(autopilot: &Autopilot) -> Option<MavMessage> {
-    let home = autopilot.home?;
+    let home = autopilot.datum.home?;
     let (latitude, longitude) = home.at.to_e7();
-    let point = autopilot.home_point();
+    let point = autopilot.datum.home_point();
     Some(MavMessage::HOME_POSITION(HOME_POSITION_DATA {
         latitude,
         longitude,
@@ -36,12 +36,12 @@ pub(super) fn home_position(autopilot: &Autopilot) -> Option<MavMessage> {
 }
 
 pub(super) fn gps_global_origin(autopilot: &Autopilot) -> Option<MavMessage> {
-    autopilot.home?;
-    let (latitude, longitude) = autopilot.start.at.to_e7();
+    autopilot.datum.home?;
+    let (latitude, longitude) = autopilot.datum.start.at.to_e7();
     Some(MavMessage::GPS_GLOBAL_ORIGIN(GPS_GLOBAL_ORIGIN_DATA {
         latitude,
         longitude,
-        altitude: (autopilot.start.altitude_amsl_m * 1000.0) as i32,
+        altitude: (autopilot.datum.start.altitude_amsl_m * 1000.0) as i32,
         time_usec: boot_us(autopilot),
     }))
 }
@@ -91,7 +91,7 @@ pub(super) fn position_target_local_ned(autopilot: &Autopilot) -> Option<MavMess
 
 pub(super) fn position_target_global_int(autopilot: &Autopilot) -> Option<MavMessage> {
     let goal = goal(autopilot)?;
-    let place = autopilot.place_of(goal);
+    let place = autopilot.datum.place_of(goal);
     let (lat_int, lon_int) = place.at.to_e7();
     Some(MavMessage::POSITION_TARGET_GLOBAL_INT(
         POSITION_TARGET_GLOBAL_INT_DATA {
@@ -111,7 +111,7 @@ pub(super) fn goal(autopilot: &Autopilot) -> Option<DVec3> {
     match &autopilot.task {
         Task::Goto { .. } if autopilot.holds_takeoff() => None,
         Task::Goto { goal_m, .. } => Some(*goal_m),
-        Task::Return(_) => Some(autopilot.home_point()),
+        Task::Return(_) => Some(autopilot.datum.home_point()),
         Task::Route(route) => Some(route.goal_m()),
         _ => None,
     }

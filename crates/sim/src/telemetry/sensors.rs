@@ -9,12 +9,14 @@ use glam::DVec3;
 
 use super::{boot_ms, boot_us};
 use crate::autopilot::Autopilot;
-use crate::body::GRAVITY_M_S2;
+use crate::kinematics::GRAVITY_M_S2;
 use sortie_geo::wrap_360;
 
 pub(super) fn gps_raw_int(autopilot: &Autopilot) -> MavMessage {
     let (kind, satellites, offset_m, velocity_m_s) = reception(autopilot);
-    let here = autopilot.place_of(autopilot.body.position_m + offset_m);
+    let here = autopilot
+        .datum
+        .place_of(autopilot.body.position_m + offset_m);
     let (lat, lon) = here.at.to_e7();
     let v = autopilot.body.velocity_m_s + velocity_m_s;
     let seen = kind != GpsFixType::GPS_FIX_TYPE_NO_GPS;

@@ -8,7 +8,8 @@ use mavlink::dialects::ardupilotmega::{MavCmd, MavMessage, RC_CHANNELS_OVERRIDE_
 use super::transfers::{flight, upload};
 use super::*;
 use crate::airframe::tests::any_frame;
-use crate::body::{Body, GRAVITY_M_S2, STEP_S};
+use crate::body::Body;
+use crate::kinematics::{GRAVITY_M_S2, STEP_S};
 use crate::parameters::Parameters;
 
 /// Any parameter with a value of any size; half of the draws concern the simulation itself.

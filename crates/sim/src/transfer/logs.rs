@@ -176,6 +176,7 @@ impl Autopilot {
         let here = self.here();
         let (lat_e7, lon_e7) = here.at.to_e7();
         let home_m = self
+            .datum
             .home
             .map_or(here.altitude_amsl_m, |home| home.altitude_amsl_m);
         let (roll, pitch) = body.roll_pitch_rad();

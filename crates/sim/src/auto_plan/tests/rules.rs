@@ -381,7 +381,7 @@ fn actions_set_home_and_servos_and_the_unknown_is_skipped_with_a_text() {
     ground.run(1.0);
     let vehicle = ground.vehicle();
     assert_eq!(vehicle.servos_us[8], 1700);
-    let home = vehicle.home_point();
+    let home = vehicle.datum.home_point();
     assert!((home.x - 5.0).abs() < 0.1 && (home.y - 5.0).abs() < 0.1);
     let news = ground.news();
     assert!(

@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::super::{Act, Cockpit};
-use crate::body::STEP_S;
+use crate::kinematics::STEP_S;
 use crate::parameters::Parameters;
 use crate::yaw::YawDemand;
 

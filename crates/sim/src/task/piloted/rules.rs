@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use crate::body::GRAVITY_M_S2;
+use crate::kinematics::GRAVITY_M_S2;
 use crate::parameters::Parameters;
 
 /// What the sticks mean, from `LOIT_*`, `PILOT_*`, `PHLD_*`, `ACRO_*`, `ANGLE_MAX`.

@@ -74,7 +74,7 @@ fn home(autopilot: &Autopilot) -> Item {
         auto_continue: true,
         ..Item::default()
     };
-    if let Some(home) = autopilot.home {
+    if let Some(home) = autopilot.datum.home {
         (item.x, item.y) = home.at.to_e7();
         item.z = (home.altitude_amsl_m * 100.0).round() as f32 * 0.01;
     }

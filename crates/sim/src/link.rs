@@ -1,0 +1,48 @@
+//! What the vehicle keeps for one serial port.
+
+use std::time::Duration;
+
+use mavlink::dialects::ardupilotmega::MavMessage;
+use sortie_wire::{Outgoing, SigningKey};
+
+use super::Serial;
+use super::parameters::Parameters;
+use super::schedule::Schedule;
+
+/// What tells one ground station from the others in transfers: a number, from its first request on; 0 before that.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) struct LinkNumber(pub(super) u32);
+
+/// What the vehicle keeps for one serial port, and what the handling of one frame leaves for the one who sent it.
+#[derive(Debug)]
+pub(super) struct Link {
+    pub(super) schedule: Schedule,
+    /// Who on this port is being answered, in transfers.
+    pub(super) transfer: LinkNumber,
+    /// Whether anything was ever received: until then the vehicle says little.
+    pub(super) heard: bool,
+    /// Asked for: a list of parameters from this one on.
+    pub(super) listing: Option<u16>,
+    /// Answers to the asker alone.
+    pub(super) replies: Vec<Outgoing>,
+    /// Asked for: this key, and the time from which on it counts.
+    pub(super) key: Option<(SigningKey, u64)>,
+}
+
+impl Link {
+    pub(super) fn new(serial: Serial, parameters: &Parameters, now: Duration) -> Self {
+        Self {
+            schedule: Schedule::booted(serial, parameters, now),
+            transfer: LinkNumber::default(),
+            heard: false,
+            listing: None,
+            replies: Vec::new(),
+            key: None,
+        }
+    }
+
+    /// Queues an answer.
+    pub(super) fn reply(&mut self, message: MavMessage) {
+        self.replies.push(message.into());
+    }
+}

@@ -1,0 +1,81 @@
+//! All that the parameters set, converted once per change instead of once per step.
+
+use std::time::Duration;
+
+use super::arming::ArmingRules;
+use super::estimator::Faults;
+use super::failsafe::Rules;
+use super::parameters::Parameters;
+use super::task::FlightTuning;
+use super::transfer::Recorder;
+use super::upset::MotorFault;
+use super::wind;
+
+/// Limits and settings in SI units.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Tuning {
+    pub(crate) flight: FlightTuning,
+    /// `GUID_OPTIONS`.
+    pub(crate) guided_options: i32,
+    /// `ATC_ACCEL_Y_MAX` in degrees per second squared.
+    pub(crate) yaw_accel_deg_s2: f64,
+    pub(crate) yaw_behaviour: i32,
+    pub(crate) slew_yaw_deg_s: f64,
+    /// Zero: never.
+    pub(crate) disarm_delay: Duration,
+    pub(crate) setpoint_timeout: Duration,
+    pub(crate) ground_station: u8,
+    pub(crate) only_ground_station: bool,
+    pub(crate) wind: wind::Rules,
+    /// To which the simulated battery is charged or drained when it changes.
+    pub(crate) battery_set_v: f64,
+    pub(crate) motor_fault: Option<MotorFault>,
+    pub(crate) crash_check: bool,
+    pub(crate) battery_capacity_mah: f64,
+    pub(crate) failsafes: Rules,
+    pub(crate) recorder: Recorder,
+    pub(crate) faults: Faults,
+    pub(crate) arming: ArmingRules,
+}
+
+impl Tuning {
+    /// Reads the parameters.
+    pub(crate) fn read(all: &Parameters) -> Self {
+        let cm = |name| all.value(name) * 0.01;
+        let seconds = |s: f64| Duration::from_secs_f64(s.clamp(0.0, 1e6));
+        Self {
+            flight: FlightTuning::read(all),
+            guided_options: all.value("GUID_OPTIONS") as i32,
+            yaw_accel_deg_s2: cm("ATC_ACCEL_Y_MAX").clamp(10.0, 7200.0),
+            yaw_behaviour: all.value("WP_YAW_BEHAVIOR") as i32,
+            slew_yaw_deg_s: cm("ATC_SLEW_YAW").clamp(1.0, 360.0),
+            disarm_delay: seconds(all.value("DISARM_DELAY")),
+            setpoint_timeout: seconds(all.value("GUID_TIMEOUT").max(0.1)),
+            ground_station: all.value("SYSID_MYGCS") as u8,
+            only_ground_station: all.value("SYSID_ENFORCE") > 0.0,
+            wind: wind::Rules::read(all),
+            battery_set_v: all.value("SIM_BATT_VOLTAGE").clamp(0.0, 600.0),
+            motor_fault: motor_fault(all),
+            crash_check: all.value("FS_CRASH_CHECK") > 0.0,
+            battery_capacity_mah: all.value("BATT_CAPACITY").max(1.0),
+            failsafes: Rules::read(all),
+            recorder: Recorder::read(all),
+            faults: Faults::read(all),
+            arming: ArmingRules::read(all),
+        }
+    }
+}
+
+/// The motor that does not obey: `SIM_ENGINE_FAIL` counts outputs from 0, and one beyond the last means the first.
+fn motor_fault(all: &Parameters) -> Option<MotorFault> {
+    let multiplier = all.value("SIM_ENGINE_MUL").clamp(-10.0, 10.0);
+    let output = all.value("SIM_ENGINE_FAIL");
+    ((multiplier - 1.0).abs() > 1e-6).then_some(MotorFault {
+        motor: if (0.0..16.0).contains(&output) {
+            output as usize
+        } else {
+            0
+        },
+        multiplier,
+    })
+}
