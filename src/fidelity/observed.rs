@@ -120,22 +120,22 @@ impl Observed {
     fn note_answer(&mut self, at_s: f64, message: &MavMessage) {
         match message {
             MavMessage::COMMAND_ACK(data) => {
-                let name = format!("{:?}", data.command);
-                let name = name.trim_start_matches("MAV_CMD_");
+                let named = format!("{:?}", data.command);
+                let name = named.trim_start_matches("MAV_CMD_");
                 self.note_result(at_s, data.command as u16, data.result as u8, name);
             }
             MavMessage::MISSION_ACK(data) => {
-                let text = format!("{:?} {:?}", data.mission_type, data.mavtype);
-                let text = text.replace("MAV_MISSION_TYPE_", "plan ");
-                self.acks
-                    .push(Said::new(at_s, text.replace("MAV_MISSION_", "")));
+                let text = format!("{:?} {:?}", data.mission_type, data.mavtype)
+                    .replace("MAV_MISSION_TYPE_", "plan ")
+                    .replace("MAV_MISSION_", "");
+                self.acks.push(Said::new(at_s, text));
             }
             MavMessage::MISSION_ITEM_REACHED(data) => {
                 self.reached.push(Said::new(at_s, data.seq.to_string()));
             }
             MavMessage::STATUSTEXT(data) => {
-                let text = String::from_utf8_lossy(&data.text[..]);
-                let text = text.trim_end_matches('\0');
+                let padded = String::from_utf8_lossy(&data.text[..]);
+                let text = padded.trim_end_matches('\0');
                 self.texts.push(Said::text(at_s, data.severity as u8, text));
             }
             _ => {}

@@ -83,9 +83,10 @@ impl Ground {
     fn encode(&mut self, frame: &Frame, bytes: &mut Vec<u8>) {
         if let Some(outgoing) = readdressed(&frame.content, self.recorded) {
             let (system, component) = (frame.system, frame.component);
-            let encoder = self.encoders.entry((system, component));
-            let encoder = encoder.or_insert_with(|| Encoder::new(system, component));
-            encoder.encode(&outgoing, bytes);
+            self.encoders
+                .entry((system, component))
+                .or_insert_with(|| Encoder::new(system, component))
+                .encode(&outgoing, bytes);
         }
     }
 }

@@ -337,8 +337,8 @@ impl Airframe {
         let pulse_us = 1000.0 + (self.pulse_us(share) - 1000.0) * multiplier;
         let (low, high) = self.figures.pwm_us;
         let (spin_min, spin_max) = self.figures.spin;
-        let command = ((pulse_us - low) / (high - low) - spin_min) / (spin_max - spin_min);
-        let command = command.clamp(0.0, 1.0);
+        let spin = (pulse_us - low) / (high - low);
+        let command = ((spin - spin_min) / (spin_max - spin_min)).clamp(0.0, 1.0);
         (1.0 - self.figures.expo) * command + self.figures.expo * command * command
     }
 

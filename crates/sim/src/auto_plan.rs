@@ -21,10 +21,10 @@ use mavlink::dialects::ardupilotmega::{
 };
 
 use self::sequence::Jumps;
-use super::autopilot::Autopilot;
 use super::mode;
 use super::plan::Item;
 use super::task::{Orbit, Task};
+use super::vehicle::Vehicle;
 
 /// The first command; item 0 is home.
 const FIRST: u16 = 1;
@@ -76,7 +76,7 @@ enum Wait {
     clippy::struct_excessive_bools,
     reason = "each is a fact of its own, and any may hold beside any other"
 )]
-pub(super) struct Mission {
+pub(super) struct AutoPlan {
     state: State,
     /// The navigation command, and whether it is under way.
     nav: Option<u16>,
@@ -101,7 +101,7 @@ pub(super) struct Mission {
     reached: Option<u16>,
 }
 
-impl Mission {
+impl AutoPlan {
     /// The item that `MISSION_CURRENT` shows.
     pub(super) fn current(&self) -> u16 {
         self.nav.unwrap_or(0)
@@ -128,6 +128,39 @@ impl Mission {
         self.may_lift = true;
     }
 
+    /// Stops the motors: the plan is back before its first item.
+    fn disarm(&mut self, vehicle: &mut Vehicle) {
+        if vehicle.disarm() {
+            self.reset();
+        }
+    }
+
+    /// Starts, or goes on where the plan stands.
+    pub(super) fn start_unless_running(&mut self, vehicle: &mut Vehicle) {
+        if self.state != State::Running {
+            self.start_or_resume(vehicle);
+        }
+    }
+
+    /// Goes on where the plan stands: in AUTO at once, else when AUTO is entered.
+    pub(super) fn go_on(&mut self, vehicle: &mut Vehicle) {
+        if vehicle.flight.mode.number != mode::AUTO {
+            self.resumes = true;
+        } else if self.state == State::Stopped {
+            self.resume(vehicle);
+        }
+    }
+
+    /// Whether a landing sequence is flown on request.
+    pub(super) fn is_returning(&self) -> bool {
+        self.returns
+    }
+
+    /// A landing sequence is flown on request, or not.
+    pub(super) fn set_returning(&mut self, returns: bool) {
+        self.returns = returns;
+    }
+
     /// Back before the first item, as after every disarming. A running mission goes on running.
     pub(super) fn reset(&mut self) {
         self.nav = None;
@@ -139,29 +172,26 @@ impl Mission {
     }
 }
 
-impl Autopilot {
+impl AutoPlan {
     /// Whether AUTO cannot be entered now; then it says why. Disarmed it always can.
-    pub(super) fn mission_refuses(&mut self) -> bool {
-        if !self.safety.armed {
+    pub(super) fn refuses(&mut self, vehicle: &mut Vehicle) -> bool {
+        if !vehicle.safety.armed {
             return false;
         }
-        let items = &self.plans.mission;
-        let stands = self
-            .mission
-            .nav
-            .filter(|_| !self.tuning.flight.auto.restarts);
+        let items = &vehicle.plans.mission;
+        let stands = self.nav.filter(|_| !vehicle.tuning.flight.auto.restarts);
         let from = stands.unwrap_or(FIRST);
-        let lifts = sequence::takes_off_first(items, from, &self.mission.jumps);
+        let lifts = sequence::takes_off_first(items, from, &self.jumps);
         let empty = items.len() < 2;
-        let missing = !empty && self.safety.landed && !lifts;
+        let missing = !empty && vehicle.safety.landed && !lifts;
         if missing {
-            self.say(
+            vehicle.say(
                 MavSeverity::MAV_SEVERITY_CRITICAL,
                 "Auto: Missing Takeoff Cmd",
             );
         }
         if empty || missing {
-            self.say(
+            vehicle.say(
                 MavSeverity::MAV_SEVERITY_WARNING,
                 "Mode change to AUTO failed: init failed",
             );
@@ -170,75 +200,64 @@ impl Autopilot {
     }
 
     /// AUTO has been entered: the mission starts with the next step.
-    pub(super) fn enter_mission(&mut self) {
-        self.mission.starting = true;
-        self.mission.paused = false;
-        self.mission.looks_at_place = false;
+    pub(super) fn enter(&mut self) {
+        self.starting = true;
+        self.paused = false;
+        self.looks_at_place = false;
     }
 
     /// AUTO has been left.
-    pub(super) fn leave_mission(&mut self) {
-        if self.mission.state == State::Running {
-            self.mission.state = State::Stopped;
+    pub(super) fn leave(&mut self) {
+        if self.state == State::Running {
+            self.state = State::Stopped;
         }
-        self.mission.starting = false;
-        self.mission.returns = false;
-        self.mission.wait = Wait::Nothing;
-    }
-
-    /// `MISSION_START`: enters AUTO and allows the takeoff. A vehicle without a mission lands.
-    pub(super) fn start_mission(&mut self) -> bool {
-        if !self.set_mode(mode::AUTO) {
-            return false;
-        }
-        self.mission.may_lift = true;
-        if self.plans.mission.len() < 2 && self.safety.landed {
-            return self.set_mode(mode::LAND);
-        }
-        if self.mission.state != State::Running {
-            self.start_or_resume();
-        }
-        true
+        self.starting = false;
+        self.returns = false;
+        self.wait = Wait::Nothing;
     }
 
     /// One step in AUTO, before the step of the task.
-    pub(super) fn fly_mission(&mut self) {
-        let said_before = self.outbox.len();
-        if self.mission.starting {
-            if self.datum.home.is_some() {
-                self.start_or_resume();
-                self.mission.starting = false;
+    pub(super) fn step(&mut self, vehicle: &mut Vehicle) {
+        let said_before = vehicle.outbox.len();
+        if self.starting {
+            if vehicle.datum.home.is_some() {
+                self.start_or_resume(vehicle);
+                self.starting = false;
             }
-        } else if self.mission.state == State::Running && self.plans.mission.len() > 1 {
-            self.update_mission();
+        } else if self.state == State::Running && vehicle.plans.mission.len() > 1 {
+            self.update(vehicle);
         }
-        if self.safety.armed {
-            self.lift_if_allowed();
+        if vehicle.safety.armed {
+            self.lift_if_allowed(vehicle);
         }
-        if let Some(seq) = self.mission.reached.take() {
+        if let Some(seq) = self.reached.take() {
             let reached = MavMessage::MISSION_ITEM_REACHED(MISSION_ITEM_REACHED_DATA { seq });
             // The message overtakes the texts of its step.
-            self.outbox
-                .insert(said_before.min(self.outbox.len()), reached);
+            vehicle
+                .outbox
+                .insert(said_before.min(vehicle.outbox.len()), reached);
         }
     }
 
     /// The mission was written to: called for every item that was stored, and whenever its length changes. On the way to a
     /// place the command begins again with what the list says now; an emptied mission is forgotten.
-    pub(super) fn mission_changed(&mut self) {
-        let runs = self.mission.state == State::Running;
-        if self.plans.mission.is_empty() && !(runs && self.safety.armed) {
-            self.mission.nav = None;
-            self.mission.nav_loaded = false;
-            self.mission.action = Action::default();
-            self.mission.state = State::Stopped;
+    pub(super) fn list_changed(&mut self, vehicle: &mut Vehicle) {
+        let runs = self.state == State::Running;
+        if vehicle.plans.mission.is_empty() && !(runs && vehicle.safety.armed) {
+            self.nav = None;
+            self.nav_loaded = false;
+            self.action = Action::default();
+            self.state = State::Stopped;
         }
-        if !runs || self.mode.number != mode::AUTO || !matches!(self.task, Task::Route(_)) {
+        if !runs
+            || vehicle.flight.mode.number != mode::AUTO
+            || !matches!(vehicle.flight.task, Task::Route(_))
+        {
             return;
         }
-        let at = self.mission.nav.filter(|&at| self.item(at).is_some());
-        let restarted = at.is_some_and(|at| at != 0 && self.set_mission_item(at));
-        self.say(
+        let at = self.nav.filter(|&at| vehicle.plans.item(at).is_some());
+        let restarted = at.is_some_and(|at| at != 0 && self.set_item(vehicle, at));
+        vehicle.say(
             MavSeverity::MAV_SEVERITY_CRITICAL,
             if restarted {
                 "Auto mission changed, restarted command"
@@ -250,85 +269,54 @@ impl Autopilot {
 
     /// Makes an item the current one; `false` if that is not possible. A mission that does not run goes on from there
     /// when it is started.
-    pub(super) fn set_mission_item(&mut self, at: u16) -> bool {
-        if usize::from(at) >= self.plans.mission.len() || self.plans.mission.len() == 1 {
+    pub(super) fn set_item(&mut self, vehicle: &mut Vehicle, at: u16) -> bool {
+        if usize::from(at) >= vehicle.plans.mission.len() || vehicle.plans.mission.len() == 1 {
             return false;
         }
-        self.mission.action = Action::default();
-        self.mission.nav_loaded = false;
-        self.mission.returns = false;
-        if at == 0 || self.mission.state == State::Complete {
-            self.mission.jumps.clear();
+        self.action = Action::default();
+        self.nav_loaded = false;
+        self.returns = false;
+        if at == 0 || self.state == State::Complete {
+            self.jumps.clear();
         }
         let at = at.max(FIRST);
-        if self.mission.state != State::Running {
-            return self.prepare(at);
+        if self.state != State::Running {
+            return self.prepare(vehicle, at);
         }
-        let worked = self.advance_to(at);
+        let worked = self.advance_to(vehicle, at);
         if !worked {
-            self.complete_mission();
+            self.complete(vehicle);
         }
         worked
     }
 
     /// The same, with the jumps forgotten and the mission running again.
-    pub(super) fn reset_to_mission_item(&mut self, at: u16) -> bool {
-        let may_lift = self.mission.may_lift;
-        self.mission.reset();
-        self.mission.may_lift = may_lift;
-        let worked = self.set_mission_item(at);
+    pub(super) fn reset_to_item(&mut self, vehicle: &mut Vehicle, at: u16) -> bool {
+        let may_lift = self.may_lift;
+        self.reset();
+        self.may_lift = may_lift;
+        let worked = self.set_item(vehicle, at);
         if worked {
-            self.resume_mission();
+            self.resume(vehicle);
         }
         worked
     }
 
     /// Goes on from the first item with a tag.
-    pub(super) fn jump_to_tag(&mut self, tag: u16) -> bool {
-        sequence::tagged(&self.plans.mission, tag).is_some_and(|at| self.set_mission_item(at))
-    }
-
-    /// Goes on from the nearest `DO_LAND_START`, in a mode that ground stations see as AUTO RTL.
-    pub(super) fn fly_landing_sequence(&mut self) -> bool {
-        let worked = self
-            .landing_start()
-            .is_some_and(|at| self.set_mission_item(at));
-        if !worked {
-            return false;
-        }
-        self.say(MavSeverity::MAV_SEVERITY_INFO, "Landing sequence start");
-        if self.mode.number != mode::AUTO {
-            self.mission.resumes = true;
-        } else if self.mission.state == State::Stopped {
-            self.resume_mission();
-        }
-        self.mission.returns = self.set_mode(mode::AUTO);
-        self.mission.returns
-    }
-
-    /// The mode that ground stations see: AUTO on the way to a landing has a number of its own.
-    pub(super) fn reported_mode(&self) -> u8 {
-        if self.mode.number == mode::AUTO && self.mission.returns {
-            mode::AUTO_RTL
-        } else {
-            self.mode.number
-        }
+    pub(super) fn jump_to_tag(&mut self, vehicle: &mut Vehicle, tag: u16) -> bool {
+        sequence::tagged(&vehicle.plans.mission, tag).is_some_and(|at| self.set_item(vehicle, at))
     }
 
     /// Stops on the way, or goes on. Only a way to a place can be interrupted.
-    pub(super) fn pause_mission(&mut self, pause: bool) -> bool {
-        let Task::Route(route) = &mut self.task else {
+    pub(super) fn pause(&mut self, vehicle: &mut Vehicle, pause: bool) -> bool {
+        let Task::Route(route) = &mut vehicle.flight.task else {
             return !pause;
         };
         if pause && route.reached {
             return false;
         }
         route.paused = pause;
-        self.mission.paused = pause;
+        self.paused = pause;
         true
-    }
-
-    fn item(&self, at: u16) -> Option<Item> {
-        self.plans.mission.get(usize::from(at)).copied()
     }
 }

@@ -1,100 +1,45 @@
-//! One vehicle: what its subsystems remember, and the order in which they work in a step. What a subsystem does stands
-//! beside its state, in a module of its own, as methods of [`Autopilot`].
+//! What decides: the autopilot of one vehicle, put together from its parts, and the order in which they work in a step.
+//! A part owns what it remembers; what it needs of the others it gets as arguments, and what it wants done it returns.
 
-mod fly;
+mod arming;
+mod modes;
+mod reactions;
+pub(super) mod telemetry;
 
 use std::sync::Arc;
 use std::time::Duration;
 
-use glam::DVec3;
-use mavlink::dialects::ardupilotmega::{MavMessage, MavSeverity};
+use mavlink::dialects::ardupilotmega::{MavMessage, MavSeverity, TIMESYNC_DATA};
 
-use super::airframe::{Airframe, air_density};
-use super::arming::Safety;
-use super::auto_plan::Mission;
-use super::battery::Battery;
-use super::body::Body;
-use super::boot::Boot;
-use super::control::{Limits, PositionControl};
-use super::counters::Counters;
-use super::crash::CrashWatch;
-use super::estimator::Estimator;
+use super::Start;
+use super::airframe::Airframe;
+use super::arming::GroundInputs;
+use super::auto_plan::AutoPlan;
+use super::boot::{Boot, BootEvent};
+use super::counters::{CounterInputs, Counters};
+use super::crash::{CrashInputs, CrashWatch};
 use super::failsafe::{self, Failsafe};
-use super::fence::{self, Geofence};
-use super::mode::{self, Mode};
 use super::parameters::Parameters;
-use super::place::{Datum, Place};
-use super::plan::Plans;
-use super::radio::{Radio, Sticks};
-use super::rally::Rally;
-use super::task::{Cockpit, FlightTuning, Pilot, Task};
-use super::trail::{self, Trail};
-use super::transfer::Transfers;
-use super::tuning::Tuning;
+use super::plan::ListKind;
+use super::vehicle::{Build, Vehicle};
 use super::wind::Wind;
 use super::workbench::Workbench;
-use super::yaw::{YawControl, YawDemand};
-use super::{STEP, Start, texts};
+use super::{fence, mode, trail};
 
 /// A vehicle that reboots drops its links this long after the acknowledgement.
 const REBOOT_AFTER: Duration = Duration::from_millis(200);
 /// The autopilot asks for the time this often.
 const TIMESYNC_EVERY_STEPS: u64 = 1000;
 
-/// Speeds asked by commands; they last until the mode changes, in GUIDED also only as long as one kind of target.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-#[expect(clippy::struct_field_names, reason = "the unit belongs to each name")]
-pub(super) struct Speeds {
-    pub(super) ground_m_s: Option<f64>,
-    pub(super) up_m_s: Option<f64>,
-    pub(super) down_m_s: Option<f64>,
-}
-
-/// One vehicle.
+/// The autopilot of one vehicle, with the vehicle.
 #[derive(Debug, Clone)]
 pub(super) struct Autopilot {
-    pub(super) system: u8,
-    pub(super) datum: Datum,
-    pub(super) airframe: Arc<Airframe>,
-    /// Density of the air at the start.
-    start_density: f64,
-    pub(super) parameters: Parameters,
-    pub(super) tuning: Tuning,
-    pub(super) body: Body,
-    pub(super) control: PositionControl,
-    pub(super) yaw: YawControl,
-    pub(super) mode: Mode,
-    pub(super) task: Task,
-    /// The task that `DO_PAUSE_CONTINUE` interrupted.
-    pub(super) paused: Option<Task>,
-    pub(super) speeds: Speeds,
-    /// The way back of `SMART_RTL`.
-    pub(super) trail: Trail,
-    pub(super) safety: Safety,
+    pub(super) vehicle: Vehicle,
+    pub(super) auto_plan: AutoPlan,
     pub(super) failsafe: Failsafe,
-    pub(super) crash: CrashWatch,
-    pub(super) battery: Battery,
-    pub(super) plans: Plans,
-    pub(super) mission: Mission,
-    pub(super) fence: Geofence,
-    pub(super) transfers: Transfers,
-    pub(super) radio: Radio,
-    /// What the modes with a pilot remember.
-    pub(super) pilot: Pilot,
-    /// When BRAKE, entered by the pause button, turns into LOITER.
-    pub(super) brake_until: Option<Duration>,
+    crash: CrashWatch,
+    counters: Counters,
     pub(super) workbench: Workbench,
-    pub(super) counters: Counters,
-    pub(super) servos_us: [u16; 16],
-    pub(super) wind: Wind,
-    pub(super) board_id: u64,
-    pub(super) boot: Boot,
-    pub(super) estimator: Estimator,
-    /// Where the last takeoff ended, until it is told where to fly.
-    pub(super) takeoff_m: Option<DVec3>,
-    /// Messages for every link, in order.
-    pub(super) outbox: Vec<MavMessage>,
-    steps: u64,
     reboot_at: Option<Duration>,
 }
 
@@ -103,237 +48,217 @@ impl Autopilot {
     pub(super) fn new(system: u8, start: Start, airframe: Arc<Airframe>, mut wind: Wind) -> Self {
         let board_id = wind.board_id();
         let parameters = factory_parameters(system, &airframe);
-        Self::booted(system, (start, airframe), parameters, (wind, board_id))
-    }
-
-    /// The same vehicle, which takes as long to boot as a real one.
-    pub(super) fn booting_realistically(mut self) -> Self {
-        self.boot = Boot::new(true);
-        self
-    }
-
-    fn booted(
-        system: u8,
-        (start, airframe): (Start, Arc<Airframe>),
-        parameters: Parameters,
-        own: (Wind, u64),
-    ) -> Self {
-        let body = Body::resting(start.heading_deg);
-        let tuning = Tuning::read(&parameters);
-        Self {
+        let build = Build {
             system,
-            datum: Datum { start, home: None },
-            start_density: air_density(start.altitude_amsl_m),
-            battery: Battery::charged(&airframe, tuning.battery_set_v),
+            board_id,
             airframe,
-            tuning,
-            parameters,
-            control: PositionControl::at(&body),
-            yaw: YawControl::holding(start.heading_deg),
-            body,
-            mode: Mode::BOOT,
-            task: Task::Manual,
-            paused: None,
-            speeds: Speeds::default(),
-            trail: Trail::default(),
-            safety: Safety::default(),
+            start,
+        };
+        Self::booted(Vehicle::booted(build, parameters, wind))
+    }
+
+    fn booted(vehicle: Vehicle) -> Self {
+        Self {
+            vehicle,
+            auto_plan: AutoPlan::default(),
             failsafe: Failsafe::default(),
             crash: CrashWatch::default(),
-            plans: Plans::default(),
-            mission: Mission::default(),
-            radio: Radio::default(),
-            pilot: Pilot::default(),
-            brake_until: None,
-            workbench: Workbench::default(),
             counters: Counters::default(),
-            fence: Geofence::default(),
-            transfers: Transfers::default(),
-            servos_us: [0; 16],
-            wind: own.0,
-            board_id: own.1,
-            boot: Boot::new(false),
-            estimator: Estimator::new(own.1),
-            takeoff_m: None,
-            outbox: Vec::new(),
-            steps: 0,
+            workbench: Workbench::default(),
             reboot_at: None,
         }
     }
 
-    /// Time since boot.
-    pub(super) fn uptime(&self) -> Duration {
-        // Multiplying keeps this exact; a vehicle would have to fly for a year to overflow.
-        STEP * u32::try_from(self.steps).unwrap_or(u32::MAX)
-    }
-
-    /// Whether the position estimate is good.
-    pub(super) fn is_ready(&self) -> bool {
-        self.boot.is_over() && self.estimator.has_position()
-    }
-
-    /// What the autopilot believes of the vehicle's motion.
-    pub(super) fn believed(&self) -> &Body {
-        self.estimator.belief(&self.body)
-    }
-
-    /// Where the vehicle believes to be.
-    pub(super) fn here(&self) -> Place {
-        self.datum.place_of(self.believed().position_m)
-    }
-
-    /// Where the vehicle really is.
-    pub(super) fn truly_here(&self) -> Place {
-        self.datum.place_of(self.body.position_m)
-    }
-
-    /// Says something to every ground station.
-    pub(super) fn say(&mut self, severity: MavSeverity, text: &str) {
-        texts::say(&mut self.outbox, severity, text);
-        self.record_text(text);
+    /// The same vehicle, which takes as long to boot as a real one.
+    pub(super) fn booting_realistically(mut self) -> Self {
+        self.vehicle.boot = Boot::new(true);
+        self
     }
 
     /// Asks for a reboot; [`Autopilot::take_reboot`] performs it when it is due.
     pub(super) fn schedule_reboot(&mut self) {
-        self.reboot_at.get_or_insert(self.uptime() + REBOOT_AFTER);
+        let at = self.vehicle.uptime() + REBOOT_AFTER;
+        self.reboot_at.get_or_insert(at);
     }
 
-    /// Performs a reboot that is due. Parameters survive, and the place where the vehicle stands.
+    /// Performs a reboot that is due. Parameters, lists and logs survive, and the place where the vehicle stands.
     pub(super) fn take_reboot(&mut self) -> bool {
-        if self.reboot_at.is_none_or(|at| self.uptime() < at) {
+        let before = &mut self.vehicle;
+        if self.reboot_at.is_none_or(|at| before.uptime() < at) {
             return false;
         }
-        let here = self.truly_here();
-        let start = Start {
-            at: here.at,
-            altitude_amsl_m: here.altitude_amsl_m,
-            heading_deg: self.body.yaw_deg,
-        };
-        let system = self.parameters.value("SYSID_THISMAV").clamp(1.0, 255.0) as u8;
-        let own = (self.wind.clone(), self.board_id);
-        let plans = std::mem::take(&mut self.plans);
-        let transfers = std::mem::take(&mut self.transfers).rebooted();
-        let boot = Boot::new(self.boot.realistic);
-        let built = (start, Arc::clone(&self.airframe));
+        let here = before.truly_here();
         let parameters = if self.workbench.erased {
-            factory_parameters(self.system, &self.airframe)
+            factory_parameters(before.system, &before.plant.airframe)
         } else {
-            self.parameters.clone()
+            before.parameters.clone()
         };
-        *self = Self::booted(system, built, parameters, own);
-        self.boot = boot;
-        self.plans = plans;
-        self.transfers = transfers;
-        self.fence_changed();
+        let build = Build {
+            system: before.parameters.value("SYSID_THISMAV").clamp(1.0, 255.0) as u8,
+            board_id: before.board_id,
+            airframe: Arc::clone(&before.plant.airframe),
+            start: Start {
+                at: here.at,
+                altitude_amsl_m: here.altitude_amsl_m,
+                heading_deg: before.plant.body.yaw_deg,
+            },
+        };
+        let mut vehicle = Vehicle::booted(build, parameters, before.plant.wind.clone());
+        vehicle.boot = Boot::new(before.boot.realistic);
+        vehicle.plans = std::mem::take(&mut before.plans);
+        vehicle.log = std::mem::take(&mut before.log).rebooted();
+        vehicle.fence_changed();
+        *self = Self::booted(vehicle);
         true
     }
 
     /// Moves on by one step.
     pub(super) fn step(&mut self) {
-        self.steps += 1;
+        self.vehicle.steps += 1;
+        let steps = self.vehicle.steps;
         self.step_boot();
-        if self.mode.number == mode::AUTO {
-            self.fly_mission();
+        if self.vehicle.flight.mode.number == mode::AUTO {
+            self.auto_plan.step(&mut self.vehicle);
         }
-        let asleep = self.body.on_ground && !self.safety.armed;
-        if !asleep {
-            self.fly();
-        }
-        let power_w = self.airframe.power_w(self.body.thrust_m_s2);
-        self.estimate();
-        self.battery
-            .step(power_w, self.tuning.battery_set_v, &self.airframe);
+        self.fly();
         self.watch_crash();
         self.watch_ground();
-        self.watch_alignment();
+        self.vehicle.watch_alignment();
         self.watch_radio();
-        self.report_obstacles(self.steps);
-        if self.steps.is_multiple_of(failsafe::EVERY_STEPS) {
+        self.report_obstacles();
+        if steps.is_multiple_of(failsafe::EVERY_STEPS) {
             self.watch_failsafes();
             self.watch_workbench();
             self.watch_brake();
             self.count();
             self.watch_sticks();
         }
-        if self.steps.is_multiple_of(fence::EVERY_STEPS) {
+        if steps.is_multiple_of(fence::EVERY_STEPS) {
             self.watch_fence();
         }
-        if self.steps.is_multiple_of(trail::EVERY_STEPS) {
-            self.watch_trail();
+        if steps.is_multiple_of(trail::EVERY_STEPS) {
+            self.vehicle.watch_trail();
         }
-        self.record(self.steps);
-        if self.steps.is_multiple_of(TIMESYNC_EVERY_STEPS) {
+        self.vehicle.record();
+        if steps.is_multiple_of(TIMESYNC_EVERY_STEPS) {
             self.ask_time();
         }
     }
 
-    /// The sticks as they are now: released when nobody has moved them lately.
-    pub(super) fn sticks(&self) -> Sticks {
-        self.radio.sticks(self.uptime())
-    }
-
-    /// Reads the parameters again after a change.
-    pub(super) fn retune(&mut self) {
-        let entered_with = self.tuning.flight.speed_m_s;
-        self.tuning = Tuning::read(&self.parameters);
-        // The cruise speed is taken over when the mode is entered, not in the middle of a flight.
-        if self.safety.armed && self.speeds.ground_m_s.is_none() {
-            self.speeds.ground_m_s = Some(entered_with);
+    /// Something in a list is no longer what it was.
+    pub(super) fn plans_changed(&mut self, kind: ListKind) {
+        match kind {
+            ListKind::Mission => self.auto_plan.list_changed(&mut self.vehicle),
+            ListKind::Fence => self.vehicle.fence_changed(),
+            ListKind::Rally => {}
         }
     }
 
-    /// Works with the position control and the rest of the state at once.
-    pub(super) fn with_cockpit<T>(
-        &mut self,
-        work: impl FnOnce(&mut Task, &mut Cockpit<'_>) -> T,
-    ) -> T {
-        let mut cockpit = Cockpit {
-            limits: limits(&self.tuning.flight, self.speeds),
-            sticks: self.sticks(),
-            piloted: self.uptime() < self.radio.until,
-            home_m: self.datum.home_point(),
-            now: self.uptime(),
-            control: &mut self.control,
-            body: self.estimator.belief(&self.body),
-            has_position: self.estimator.has_position(),
-            pilot: &mut self.pilot,
-            tuning: &self.tuning.flight,
-            fence: &mut self.fence,
-            trail: &mut self.trail,
-            rally: Rally {
-                items: &self.plans.rally,
-                start: &self.datum.start,
-            },
+    fn step_boot(&mut self) {
+        let gps = &self.vehicle.tuning.faults.gps;
+        let is_blind = gps.disabled || gps.jammed || self.vehicle.uptime() < gps.lock_after;
+        for event in self.vehicle.boot.step(is_blind) {
+            self.pass(event);
+        }
+    }
+
+    fn pass(&mut self, event: BootEvent) {
+        let vehicle = &mut self.vehicle;
+        match event {
+            BootEvent::Say(text) => vehicle.say(MavSeverity::MAV_SEVERITY_INFO, text),
+            BootEvent::Print(text) => vehicle.boot.print(text),
+            BootEvent::Initialised => {
+                self.go_back_to_first_mode();
+                let heartbeat = telemetry::message(0, self);
+                self.vehicle.outbox.extend(heartbeat);
+            }
+            BootEvent::Origin => vehicle.set_home_here(),
+            BootEvent::Elevation => {
+                let elevation_m = vehicle.datum.start.altitude_amsl_m;
+                let text = format!("Field Elevation Set: {elevation_m:.0}m");
+                vehicle.say(MavSeverity::MAV_SEVERITY_INFO, &text);
+            }
+            BootEvent::Ready => vehicle.boot.finish(),
+        }
+    }
+
+    /// Flies, unless the vehicle stands with its motors off, and lets the estimator and the battery follow.
+    fn fly(&mut self) {
+        let vehicle = &mut self.vehicle;
+        let is_asleep = vehicle.plant.body.on_ground && !vehicle.safety.armed;
+        let impact_m_s = if is_asleep { None } else { vehicle.fly() };
+        let reaction = impact_m_s.and_then(|impact_m_s| self.crash.touch(impact_m_s));
+        self.react(reaction);
+        let vehicle = &mut self.vehicle;
+        let power_w = vehicle.plant.power_w();
+        vehicle.estimate();
+        let plant = &mut vehicle.plant;
+        let set_v = vehicle.tuning.battery_set_v;
+        plant.battery.step(power_w, set_v, &plant.airframe);
+    }
+
+    fn watch_crash(&mut self) {
+        let vehicle = &self.vehicle;
+        let reactions = self.crash.step(&CrashInputs {
+            body: &vehicle.plant.body,
+            is_flying: vehicle.safety.armed && !vehicle.safety.landed,
+            checks_crash: vehicle.tuning.crash_check,
+            mode: vehicle.flight.mode.number,
+        });
+        self.react(reactions);
+    }
+
+    fn watch_ground(&mut self) {
+        let vehicle = &mut self.vehicle;
+        let may_rest = vehicle.safety.armed && vehicle.plant.body.on_ground;
+        let inputs = GroundInputs {
+            now: vehicle.uptime(),
+            on_ground: vehicle.plant.body.on_ground,
+            touched: vehicle.flight.task.touched_in_landing(),
+            is_resting: may_rest && vehicle.has_nothing_to_do(),
+            disarm_delay: vehicle.tuning.disarm_delay,
         };
-        work(&mut self.task, &mut cockpit)
+        if vehicle.safety.watch_ground(&inputs) {
+            self.disarm();
+        }
+    }
+
+    fn watch_workbench(&mut self) {
+        if self.workbench.step(self.vehicle.uptime()) {
+            let text = "finished motor test";
+            self.vehicle.say(MavSeverity::MAV_SEVERITY_INFO, text);
+        }
+    }
+
+    /// Counts, and stores what has been counted.
+    fn count(&mut self) {
+        let vehicle = &mut self.vehicle;
+        let report = self.counters.step(&CounterInputs {
+            now: vehicle.uptime(),
+            armed: vehicle.safety.armed,
+            landed: vehicle.safety.landed,
+            body: &vehicle.plant.body,
+            hover: vehicle.tuning.flight.pilot.hover(),
+            parameters: &vehicle.parameters,
+        });
+        for (name, value) in report.times {
+            vehicle.store_parameter(name, value);
+        }
+        if let Some(hover) = report.hover {
+            vehicle.store_parameter("MOT_THST_HOVER", hover);
+            vehicle.retune();
+        }
     }
 
     fn ask_time(&mut self) {
-        let ns = self.uptime().as_nanos() as i64;
-        self.outbox.push(MavMessage::TIMESYNC(
-            mavlink::dialects::ardupilotmega::TIMESYNC_DATA {
+        let ns = self.vehicle.uptime().as_nanos() as i64;
+        self.vehicle
+            .outbox
+            .push(MavMessage::TIMESYNC(TIMESYNC_DATA {
                 tc1: 0,
-                ts1: ns + i64::from(self.system),
+                ts1: ns + i64::from(self.vehicle.system),
                 ..Default::default()
-            },
-        ));
-    }
-
-    /// How the nose behaves when a mode or a target leaves it to the autopilot.
-    pub(super) fn default_yaw(&self) -> YawDemand {
-        if self.tuning.yaw_behaviour == 0 {
-            YawDemand::Hold
-        } else {
-            YawDemand::Course
-        }
-    }
-
-    /// The same on the way home, where `WP_YAW_BEHAVIOR` 2 keeps the heading.
-    pub(super) fn default_yaw_home(&self) -> YawDemand {
-        if self.tuning.yaw_behaviour == 2 {
-            YawDemand::Hold
-        } else {
-            self.default_yaw()
-        }
+            }));
     }
 }
 
@@ -351,17 +276,4 @@ pub(super) fn factory_parameters(system: u8, airframe: &Airframe) -> Parameters 
         parameters.set(name, value as f32);
     }
     parameters
-}
-
-/// The limits of the flight: parameters, with what commands changed.
-fn limits(tuning: &FlightTuning, speeds: Speeds) -> Limits {
-    Limits {
-        speed_m_s: speeds.ground_m_s.unwrap_or(tuning.speed_m_s),
-        speed_up_m_s: speeds.up_m_s.unwrap_or(tuning.speed_up_m_s),
-        speed_down_m_s: speeds.down_m_s.unwrap_or(tuning.speed_down_m_s),
-        accel_m_s2: tuning.accel_m_s2,
-        accel_z_m_s2: tuning.accel_z_m_s2,
-        jerk_m_s3: tuning.jerk_m_s3,
-        jerk_z_m_s3: tuning.jerk_z_m_s3,
-    }
 }

@@ -1,17 +1,14 @@
 //! What happens between switching on and being ready, in seconds or like the real thing.
 
-use mavlink::dialects::ardupilotmega::{MavMessage, MavSeverity};
-
-use super::autopilot::Autopilot;
 use super::estimator::{FLAGS_GIVEN_UP, FLAGS_GOOD};
 use super::mode::Mode;
-use super::telemetry;
 
 /// One event, and whether it waits for a GPS position; times are in hundredths of a second.
-type Entry = (u32, bool, Event);
+type Entry = (u32, bool, BootEvent);
 
+/// What happens during the boot.
 #[derive(Debug, Clone, Copy)]
-enum Event {
+pub(super) enum BootEvent {
     Say(&'static str),
     /// Plain text on the serial ports, between the frames.
     Print(&'static str),
@@ -24,7 +21,7 @@ enum Event {
     Ready,
 }
 
-use Event::{Elevation, Initialised, Origin, Print, Ready, Say};
+use BootEvent::{Elevation, Initialised, Origin, Print, Ready, Say};
 
 /// A boot that keeps nobody waiting.
 const QUICK: &[Entry] = &[
@@ -246,6 +243,39 @@ impl Boot {
         }
     }
 
+    /// One step of the boot; `is_blind` without a GPS position. The events that it comes to.
+    pub(super) fn step(&mut self, is_blind: bool) -> impl Iterator<Item = BootEvent> + use<> {
+        let table = self.table();
+        let from = self.next;
+        // The clock does not pass an event that waits for a position.
+        let holds = table
+            .get(self.next)
+            .is_some_and(|(time, waits, _)| *waits && is_blind && self.clock + 1 >= *time);
+        if !self.over && !holds {
+            self.clock += 1;
+            let due = |place: usize| {
+                table
+                    .get(place)
+                    .is_some_and(|(time, ..)| *time <= self.clock)
+            };
+            while due(self.next) {
+                self.next += 1;
+            }
+        }
+        let passed = table.get(from..self.next).unwrap_or_default();
+        passed.iter().map(|(_, _, event)| *event)
+    }
+
+    /// The position can be flown by.
+    pub(super) fn finish(&mut self) {
+        self.over = true;
+    }
+
+    /// Prints plain text on the serial ports.
+    pub(super) fn print(&mut self, text: &'static str) {
+        self.console.push(text);
+    }
+
     /// Takes what is to be printed.
     pub(super) fn take_console(&mut self) -> Vec<&'static str> {
         std::mem::take(&mut self.console)
@@ -257,51 +287,5 @@ impl Boot {
 
     fn table(&self) -> &'static [Entry] {
         if self.realistic { REALISTIC } else { QUICK }
-    }
-}
-
-impl Autopilot {
-    /// One step of the boot.
-    pub(super) fn step_boot(&mut self) {
-        if self.boot.over {
-            return;
-        }
-        let table = self.boot.table();
-        let gps = &self.tuning.faults.gps;
-        let blind = gps.disabled || gps.jammed || self.uptime() < gps.lock_after;
-        // The clock does not pass an event that waits for a position.
-        let holds = table
-            .get(self.boot.next)
-            .is_some_and(|(time, waits, _)| *waits && blind && self.boot.clock + 1 >= *time);
-        if holds {
-            return;
-        }
-        self.boot.clock += 1;
-        while let Some((_, _, event)) = table
-            .get(self.boot.next)
-            .filter(|(time, _, _)| *time <= self.boot.clock)
-        {
-            self.boot.next += 1;
-            self.pass(*event);
-        }
-    }
-
-    fn pass(&mut self, event: Event) {
-        match event {
-            Say(text) => self.say(MavSeverity::MAV_SEVERITY_INFO, text),
-            Print(text) => self.boot.console.push(text),
-            Initialised => {
-                self.go_back_to_first_mode();
-                let heartbeat: Option<MavMessage> = telemetry::message(0, self);
-                self.outbox.extend(heartbeat);
-            }
-            Origin => self.set_home_here(),
-            Elevation => {
-                let elevation_m = self.datum.start.altitude_amsl_m;
-                let text = format!("Field Elevation Set: {elevation_m:.0}m");
-                self.say(MavSeverity::MAV_SEVERITY_INFO, &text);
-            }
-            Ready => self.boot.over = true,
-        }
     }
 }

@@ -129,14 +129,14 @@ impl Collisions {
     }
 
     fn ball(&mut self, vehicle: usize, autopilot: &Autopilot) -> Ball {
-        let body = &autopilot.body;
-        let radius_m = (0.5 * autopilot.airframe.size_m()).min(RADIUS_MAX_M);
-        let feet_m = self.offset(vehicle, autopilot.datum.start) + body.position_m;
+        let body = &autopilot.vehicle.plant.body;
+        let radius_m = (0.5 * autopilot.vehicle.plant.airframe.size_m()).min(RADIUS_MAX_M);
+        let feet_m = self.offset(vehicle, autopilot.vehicle.datum.start) + body.position_m;
         Ball {
             centre_m: feet_m - DVec3::Z * radius_m,
             velocity_m_s: body.velocity_m_s,
             radius_m,
-            mass_kg: autopilot.airframe.mass_kg(),
+            mass_kg: autopilot.vehicle.plant.airframe.mass_kg(),
             in_air: !body.on_ground,
             wrecked: body.wrecked,
         }
@@ -200,8 +200,8 @@ impl Collisions {
 
     fn meet_vehicle(&mut self, now: Duration, first: usize, second: usize) {
         let (one, two) = (self.balls[first], self.balls[second]);
-        let apart = (one.centre_m - two.centre_m).try_normalize();
-        let apart = apart.unwrap_or(DVec3::NEG_Z);
+        let between = one.centre_m - two.centre_m;
+        let apart = between.try_normalize().unwrap_or(DVec3::NEG_Z);
         let approach = two.velocity_m_s - one.velocity_m_s;
         let closing_m_s = approach.dot(apart);
         if closing_m_s <= 0.0 {

@@ -73,6 +73,26 @@ pub(super) struct PositionControl {
     saturated: DVec2,
 }
 
+/// A horizontal motion, north and east.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[expect(clippy::struct_field_names, reason = "the unit belongs to each name")]
+pub(super) struct FlatMotion {
+    pub(super) place_m: DVec2,
+    pub(super) velocity_m_s: DVec2,
+    pub(super) accel_m_s2: DVec2,
+}
+
+impl FlatMotion {
+    /// Without acceleration.
+    pub(super) fn steady(place_m: DVec2, velocity_m_s: DVec2) -> Self {
+        Self {
+            place_m,
+            velocity_m_s,
+            accel_m_s2: DVec2::ZERO,
+        }
+    }
+}
+
 impl PositionControl {
     /// A path that begins where the body is, with its motion.
     pub(super) fn at(body: &Body) -> Self {
@@ -169,32 +189,25 @@ impl PositionControl {
     }
 
     /// Puts the horizontal path onto a planned trajectory and moves the height towards `height_m` (down).
-    pub(super) fn along(&mut self, planned: (DVec2, DVec2, DVec2), down_m: f64, limits: &Limits) {
+    pub(super) fn along(&mut self, planned: &FlatMotion, down_m: f64, limits: &Limits) {
         let hold = self.path_m.truncate().extend(down_m);
         self.velocity_m_s = DVec2::ZERO.extend(self.velocity_m_s.z);
         self.accel_m_s2 = DVec2::ZERO.extend(self.accel_m_s2.z);
         self.towards(hold, limits);
-        let (position, velocity, accel) = planned;
-        self.path_m = position.extend(self.path_m.z);
-        self.velocity_m_s = velocity.extend(self.velocity_m_s.z);
-        self.accel_m_s2 = accel.extend(self.accel_m_s2.z);
+        self.path_m = planned.place_m.extend(self.path_m.z);
+        self.velocity_m_s = planned.velocity_m_s.extend(self.velocity_m_s.z);
+        self.accel_m_s2 = planned.accel_m_s2.extend(self.accel_m_s2.z);
     }
 
     /// Puts the horizontal path where a pilot steers it (place, velocity, acceleration) and brings the height to a
     /// vertical speed, positive down.
-    pub(super) fn steered(
-        &mut self,
-        planned: (DVec2, DVec2, DVec2),
-        down_m_s: f64,
-        limits: &Limits,
-    ) {
+    pub(super) fn steered(&mut self, planned: &FlatMotion, down_m_s: f64, limits: &Limits) {
         self.velocity_m_s = DVec2::ZERO.extend(self.velocity_m_s.z);
         self.accel_m_s2 = DVec2::ZERO.extend(self.accel_m_s2.z);
         self.at_velocity(DVec3::new(0.0, 0.0, down_m_s), limits);
-        let (position, velocity, accel) = planned;
-        self.path_m = position.extend(self.path_m.z);
-        self.velocity_m_s = velocity.extend(self.velocity_m_s.z);
-        self.accel_m_s2 = accel.extend(self.accel_m_s2.z);
+        self.path_m = planned.place_m.extend(self.path_m.z);
+        self.velocity_m_s = planned.velocity_m_s.extend(self.velocity_m_s.z);
+        self.accel_m_s2 = planned.accel_m_s2.extend(self.accel_m_s2.z);
     }
 
     /// The downward acceleration that makes the body follow the path's height.

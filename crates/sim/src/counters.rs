@@ -3,7 +3,8 @@
 
 use std::time::Duration;
 
-use super::autopilot::Autopilot;
+use super::body::Body;
+use super::parameters::Parameters;
 
 /// The counters are stored, and told, this often.
 const COUNTED_EVERY: Duration = Duration::from_secs(30);
@@ -27,65 +28,76 @@ pub(super) struct Counters {
     was_armed: bool,
 }
 
-impl Autopilot {
-    /// Counts time in the air and since boot, and tells the counters when they are stored: every 30 s and after a
-    /// flight. To be called every [`LOOK`].
-    pub(super) fn count(&mut self) {
-        let now = self.uptime();
-        let armed = self.safety.armed;
-        let landed_again = self.counters.was_armed && !armed;
-        self.counters.was_armed = armed;
-        self.watch_hover();
-        if !self.safety.landed {
-            self.counters.flight_s += LOOK.as_secs_f64();
+/// What the counters look at.
+pub(super) struct CounterInputs<'a> {
+    /// Since boot.
+    pub(super) now: Duration,
+    pub(super) armed: bool,
+    pub(super) landed: bool,
+    pub(super) body: &'a Body,
+    /// The share of the throttle that is known to hold the vehicle in the air.
+    pub(super) hover: f64,
+    pub(super) parameters: &'a Parameters,
+}
+
+/// Values that parameters get.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(super) struct CounterReport {
+    /// `STAT_FLTTIME` and `STAT_RUNTIME`.
+    pub(super) times: Vec<(&'static str, f32)>,
+    /// `MOT_THST_HOVER`.
+    pub(super) hover: Option<f32>,
+}
+
+impl Counters {
+    /// Counts time in the air and since boot, and stores the counters every 30 s and after a flight. To be called every
+    /// [`LOOK`].
+    pub(super) fn step(&mut self, inputs: &CounterInputs<'_>) -> CounterReport {
+        let mut report = CounterReport::default();
+        let landed_again = self.was_armed && !inputs.armed;
+        self.was_armed = inputs.armed;
+        self.watch_hover(inputs);
+        if !inputs.landed {
+            self.flight_s += LOOK.as_secs_f64();
         }
-        let due = now >= self.counters.counted + COUNTED_EVERY;
-        if due || (landed_again && self.counters.flight_s >= 1.0) {
-            let passed = now
-                .as_secs()
-                .saturating_sub(self.counters.counted.as_secs()) as f64;
-            let flown = self.counters.flight_s.floor();
-            self.counters.counted = now;
-            self.counters.flight_s -= flown;
-            self.add("STAT_FLTTIME", flown);
-            self.add("STAT_RUNTIME", passed);
+        let due = inputs.now >= self.counted + COUNTED_EVERY;
+        if due || (landed_again && self.flight_s >= 1.0) {
+            let passed = inputs.now.as_secs().saturating_sub(self.counted.as_secs()) as f64;
+            let flown = self.flight_s.floor();
+            self.counted = inputs.now;
+            self.flight_s -= flown;
+            for (name, seconds) in [("STAT_FLTTIME", flown), ("STAT_RUNTIME", passed)] {
+                if seconds > 0.0 {
+                    let sum = inputs.parameters.value(name) + seconds;
+                    report.times.push((name, sum as f32));
+                }
+            }
         }
         if landed_again {
-            self.learn_hover();
+            report.hover = self.learn_hover(inputs.parameters);
         }
-    }
-
-    fn add(&mut self, name: &str, seconds: f64) {
-        if seconds > 0.0 {
-            let sum = self.parameters.value(name) + seconds;
-            self.store_parameter(name, sum as f32);
-        }
+        report
     }
 
     /// Averages the throttle while the vehicle hovers, as `MOT_HOVER_LEARN` does.
-    fn watch_hover(&mut self) {
-        let still = self.body.velocity_m_s.z.abs() < HOVER_CLIMB_M_S;
-        if self.safety.landed || !still {
+    fn watch_hover(&mut self, inputs: &CounterInputs<'_>) {
+        let still = inputs.body.velocity_m_s.z.abs() < HOVER_CLIMB_M_S;
+        if inputs.landed || !still {
             return;
         }
-        let counters = &mut self.counters;
-        if counters.flown.is_zero() {
-            counters.hover = self.tuning.flight.pilot.hover();
+        if self.flown.is_zero() {
+            self.hover = inputs.hover;
         }
-        counters.flown += LOOK;
-        counters.hover +=
-            (self.body.throttle - counters.hover) * LOOK.as_secs_f64() / HOVER_LEARNT_S;
+        self.flown += LOOK;
+        self.hover += (inputs.body.throttle - self.hover) * LOOK.as_secs_f64() / HOVER_LEARNT_S;
     }
 
     /// After a flight the throttle that held the vehicle is the new hover throttle.
-    fn learn_hover(&mut self) {
-        let learned = self.counters.hover as f32;
-        let known = self.parameters.value("MOT_THST_HOVER") as f32;
-        let long_enough = self.counters.flown > LOOK * 10;
-        self.counters.flown = Duration::ZERO;
-        if long_enough && (learned - known).abs() > HOVER_MOVED {
-            self.store_parameter("MOT_THST_HOVER", learned.clamp(0.125, 0.6875));
-            self.retune();
-        }
+    fn learn_hover(&mut self, parameters: &Parameters) -> Option<f32> {
+        let learned = self.hover as f32;
+        let known = parameters.value("MOT_THST_HOVER") as f32;
+        let long_enough = self.flown > LOOK * 10;
+        self.flown = Duration::ZERO;
+        (long_enough && (learned - known).abs() > HOVER_MOVED).then(|| learned.clamp(0.125, 0.6875))
     }
 }

@@ -3,9 +3,10 @@
 use glam::DVec3;
 use mavlink::dialects::ardupilotmega::MavSeverity;
 
-use super::autopilot::Autopilot;
-use super::kinematics::STEP_S;
+use super::body::Body;
+use super::kinematics::{GRAVITY_M_S2, STEP_S};
 use super::mode;
+use super::reaction::Reaction;
 
 /// A crash: more than this far off the wanted lean and leaning, slow and hardly accelerating, for so long.
 const CRASH_ERROR_DEG: f64 = 30.0;
@@ -34,94 +35,107 @@ pub(super) struct CrashWatch {
     since_contact: Option<u32>,
 }
 
-impl Autopilot {
+/// What the checks look at.
+pub(super) struct CrashInputs<'a> {
+    pub(super) body: &'a Body,
+    /// Armed and not landed.
+    pub(super) is_flying: bool,
+    /// `FS_CRASH_CHECK`.
+    pub(super) checks_crash: bool,
+    pub(super) mode: u8,
+}
+
+impl CrashWatch {
     /// Looks for a crash and for lost thrust.
-    pub(super) fn watch_crash(&mut self) {
-        if let Some(steps) = self.crash.since_contact {
-            self.crash.since_contact = (steps < CONTACT_STEPS).then_some(steps + 1);
+    pub(super) fn step(&mut self, inputs: &CrashInputs<'_>) -> Vec<Reaction> {
+        if let Some(steps) = self.since_contact {
+            self.since_contact = (steps < CONTACT_STEPS).then_some(steps + 1);
         }
-        if !self.safety.armed || self.safety.landed {
-            self.crash.crashing_steps = 0;
-            self.crash.losing_steps = 0;
-            self.crash.loss_told = false;
-            return;
+        if !inputs.is_flying {
+            self.crashing_steps = 0;
+            self.losing_steps = 0;
+            self.loss_told = false;
+            return Vec::new();
         }
-        if self.body.upset.is_some() {
-            self.watch_attitude();
+        let mut reactions = Vec::new();
+        if inputs.body.upset.is_some() {
+            reactions.extend(self.watch_attitude(inputs).into_iter().flatten());
         }
-        if self.body.saturated || self.crash.losing_steps > 0 {
-            self.watch_thrust();
+        if inputs.body.saturated || self.losing_steps > 0 {
+            reactions.extend(self.watch_thrust(inputs.body).into_iter().flatten());
         }
+        reactions
     }
 
     /// The ground was touched at a speed.
-    pub(super) fn report_impact(&mut self, impact_m_s: f64) {
-        if self.crash.since_contact.is_none() {
-            let text = format!("SIM Hit ground at {impact_m_s:.3} m/s");
-            self.say(MavSeverity::MAV_SEVERITY_INFO, &text);
-            self.crash.since_contact = Some(0);
+    pub(super) fn touch(&mut self, impact_m_s: f64) -> Option<Reaction> {
+        if self.since_contact.is_some() {
+            return None;
         }
+        self.since_contact = Some(0);
+        let text = format!("SIM Hit ground at {impact_m_s:.3} m/s");
+        Some(Reaction::Say(MavSeverity::MAV_SEVERITY_INFO, text))
     }
 
-    fn watch_attitude(&mut self) {
-        let change = self.body.accel_m_s2 - self.crash.accel_m_s2;
-        self.crash.accel_m_s2 += change * ACCEL_BLEND;
-        let accel = self.crash.accel_m_s2.length();
-        let error_deg = self.body.lean_error_rad().to_degrees();
-        let (roll, pitch) = self.body.roll_pitch_rad();
+    fn watch_attitude(&mut self, inputs: &CrashInputs<'_>) -> Option<[Reaction; 2]> {
+        let body = inputs.body;
+        self.accel_m_s2 += (body.accel_m_s2 - self.accel_m_s2) * ACCEL_BLEND;
+        let accel = self.accel_m_s2.length();
+        let error_deg = body.lean_error_rad().to_degrees();
+        let (roll, pitch) = body.roll_pitch_rad();
         let lean_deg = (roll.cos() * pitch.cos())
             .clamp(-1.0, 1.0)
             .acos()
             .to_degrees();
-        let crashing = self.tuning.crash_check
-            && self.mode.number != mode::ACRO
+        let crashing = inputs.checks_crash
+            && inputs.mode != mode::ACRO
             && accel < CRASH_ACCEL_M_S2
             && lean_deg > CRASH_LEAN_DEG
             && error_deg > CRASH_ERROR_DEG
-            && self.body.velocity_m_s.length() < CRASH_SPEED_M_S;
+            && body.velocity_m_s.length() < CRASH_SPEED_M_S;
         if !crashing {
-            self.crash.crashing_steps = 0;
-            return;
+            self.crashing_steps = 0;
+            return None;
         }
-        self.crash.crashing_steps += 1;
-        if self.crash.crashing_steps >= CRASH_STEPS {
-            self.crash.crashing_steps = 0;
-            let text = format!(
-                "Crash: Disarming: AngErr={error_deg:.0}>{CRASH_ERROR_DEG:.0}, \
-                 Accel={accel:.1}<{CRASH_ACCEL_M_S2:.1}"
-            );
-            self.say(MavSeverity::MAV_SEVERITY_EMERGENCY, &text);
-            self.disarm();
+        self.crashing_steps += 1;
+        if self.crashing_steps < CRASH_STEPS {
+            return None;
         }
+        self.crashing_steps = 0;
+        let text = format!(
+            "Crash: Disarming: AngErr={error_deg:.0}>{CRASH_ERROR_DEG:.0}, \
+             Accel={accel:.1}<{CRASH_ACCEL_M_S2:.1}"
+        );
+        Some([
+            Reaction::Say(MavSeverity::MAV_SEVERITY_EMERGENCY, text),
+            Reaction::Disarm,
+        ])
     }
 
-    fn watch_thrust(&mut self) {
-        let body = &self.body;
-        let asked = body.lean_m_s2.length() / super::kinematics::GRAVITY_M_S2;
+    fn watch_thrust(&mut self, body: &Body) -> Option<[Reaction; 2]> {
+        let asked = body.lean_m_s2.length() / GRAVITY_M_S2;
         let losing = (body.saturated || body.throttle >= LOSS_THROTTLE)
             && asked < LOSS_LEAN_DEG.to_radians().tan()
             && body.velocity_m_s.z > 0.0
             && body.lean_error_rad() < CRASH_ERROR_DEG.to_radians()
-            && !self.crash.loss_told;
+            && !self.loss_told;
         if !losing {
-            self.crash.losing_steps = 0;
-            return;
+            self.losing_steps = 0;
+            return None;
         }
-        self.crash.losing_steps += 1;
-        if self.crash.losing_steps < LOSS_STEPS {
-            return;
+        self.losing_steps += 1;
+        if self.losing_steps < LOSS_STEPS {
+            return None;
         }
-        self.crash.losing_steps = 0;
+        self.losing_steps = 0;
         // Told once a flight: on the real vehicle the thrust boost stays on from here.
-        self.crash.loss_told = true;
-        let motor = match &mut self.body.upset {
-            Some(upset) => {
-                upset.mixer.boost = true;
-                upset.mixer.lost + 1
-            }
-            None => SOME_MOTOR,
-        };
+        self.loss_told = true;
+        let upset = body.upset.as_ref();
+        let motor = upset.map_or(SOME_MOTOR, |upset| upset.mixer.lost + 1);
         let text = format!("Potential Thrust Loss ({motor})");
-        self.say(MavSeverity::MAV_SEVERITY_EMERGENCY, &text);
+        Some([
+            Reaction::BoostThrust,
+            Reaction::Say(MavSeverity::MAV_SEVERITY_EMERGENCY, text),
+        ])
     }
 }

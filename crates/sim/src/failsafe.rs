@@ -2,7 +2,6 @@
 //!
 //! Conditions, texts and actions are those of `ArduCopter` (`events.cpp`, `ekf_check.cpp`, `AP_BattMonitor`).
 
-mod actions;
 mod battery;
 mod ekf;
 mod links;
@@ -15,8 +14,11 @@ pub(super) use self::battery::BatteryRules;
 use self::battery::BatteryWatch;
 use self::ekf::EkfWatch;
 use self::links::LinkWatch;
-use super::autopilot::Autopilot;
+use super::battery::Battery;
+use super::estimator::{Estimator, RadioFault};
+use super::mode::{self, Mode};
 use super::parameters::Parameters;
+use super::reaction::Reaction;
 
 /// The vehicle looks this often.
 pub(super) const EVERY_STEPS: u64 = 10;
@@ -39,7 +41,7 @@ impl Options {
 
 /// When the failsafes act and what they do, from the `FS_*` and `BATT_*` parameters.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Rules {
+pub(super) struct FailsafeRules {
     /// `FS_GCS_ENABLE`.
     ground_station: i32,
     ground_station_timeout: Duration,
@@ -55,7 +57,7 @@ pub(super) struct Rules {
     pub(super) battery: BatteryRules,
 }
 
-impl Rules {
+impl FailsafeRules {
     /// Reads the parameters.
     pub(super) fn read(all: &Parameters) -> Self {
         let seconds = |name| Duration::from_secs_f64(all.value(name).clamp(0.0, 1e6));
@@ -70,6 +72,47 @@ impl Rules {
             ekf_action: all.value("FS_EKF_ACTION") as i32,
             battery: BatteryRules::read(all),
         }
+    }
+}
+
+/// What the failsafes look at.
+pub(super) struct FailsafeInputs<'a> {
+    /// Since boot.
+    pub(super) now: Duration,
+    pub(super) rules: &'a FailsafeRules,
+    pub(super) armed: bool,
+    pub(super) landed: bool,
+    pub(super) mode: Mode,
+    pub(super) is_landing: bool,
+    pub(super) throttle_is_low: bool,
+    pub(super) is_booted: bool,
+    pub(super) estimator: &'a Estimator,
+    pub(super) battery: &'a Battery,
+    pub(super) battery_capacity_mah: f64,
+    pub(super) radio: RadioInputs,
+}
+
+/// What comes from the remote control.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct RadioInputs {
+    pub(super) fault: RadioFault,
+    /// A ground station speaks in its place.
+    pub(super) is_overridden: bool,
+    pub(super) throttle_us: f64,
+}
+
+impl FailsafeInputs<'_> {
+    /// A vehicle that stands is disarmed instead of being sent somewhere.
+    fn should_disarm(&self) -> bool {
+        match self.mode.number {
+            mode::STABILIZE | mode::ACRO => self.throttle_is_low || self.landed,
+            _ => self.landed,
+        }
+    }
+
+    /// Whether a landing is under way that must not be interrupted (`FS_OPTIONS`).
+    fn goes_on_landing(&self) -> bool {
+        self.is_landing && self.rules.options.has(Options::LANDING_CONTINUES)
     }
 }
 
@@ -113,20 +156,11 @@ impl Failsafe {
     }
 }
 
-impl Autopilot {
-    /// Looks at the links, the estimate and the battery, and acts.
-    pub(super) fn watch_failsafes(&mut self) {
-        self.watch_ground_station();
-        self.watch_estimate();
-        self.watch_battery();
-    }
-
-    /// `X Failsafe`, with what becomes of it.
-    fn announce(&mut self, what: &str, outcome: Option<&str>) {
-        let text = match outcome {
-            Some(outcome) => format!("{what} Failsafe - {outcome}"),
-            None => format!("{what} Failsafe"),
-        };
-        self.say(MavSeverity::MAV_SEVERITY_WARNING, &text);
-    }
+/// `X Failsafe`, with what becomes of it.
+fn announce(what: &str, outcome: Option<&str>) -> Reaction {
+    let text = match outcome {
+        Some(outcome) => format!("{what} Failsafe - {outcome}"),
+        None => format!("{what} Failsafe"),
+    };
+    Reaction::Say(MavSeverity::MAV_SEVERITY_WARNING, text)
 }

@@ -13,7 +13,7 @@ use glam::{DVec2, DVec3};
 use mavlink::dialects::ardupilotmega::FenceBreach;
 
 use self::area::Area;
-pub(super) use self::area::Fence;
+pub(super) use self::area::{Fence, FenceError};
 use self::avoidance::Limiter;
 use super::parameters::Parameters;
 
@@ -32,7 +32,7 @@ const COUNT_MAX: u16 = 65_500;
 
 /// What the `FENCE_*` parameters say.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Rules {
+pub(super) struct FenceRules {
     pub(super) is_enabled: bool,
     kinds: u8,
     action: u8,
@@ -40,10 +40,10 @@ pub(super) struct Rules {
     floor_m: f64,
     radius_m: f64,
     margin_m: f64,
-    avoidance: avoidance::Rules,
+    avoidance: avoidance::AvoidanceRules,
 }
 
-impl Rules {
+impl FenceRules {
     /// Reads the parameters.
     pub(super) fn read(all: &Parameters) -> Self {
         Self {
@@ -54,7 +54,7 @@ impl Rules {
             floor_m: all.value("FENCE_ALT_MIN"),
             radius_m: all.value("FENCE_RADIUS"),
             margin_m: all.value("FENCE_MARGIN"),
-            avoidance: avoidance::Rules::read(all),
+            avoidance: avoidance::AvoidanceRules::read(all),
         }
     }
 
@@ -123,7 +123,7 @@ impl Geofence {
     }
 
     /// Looks at every fence; the kinds that have just been broken.
-    fn check(&mut self, rules: &Rules, spot: Spot, now: Duration) -> u8 {
+    fn check(&mut self, rules: &FenceRules, spot: Spot, now: Duration) -> u8 {
         self.broken &= rules.kinds;
         if rules.active() == 0 {
             return 0;
@@ -191,7 +191,7 @@ impl Geofence {
     }
 
     /// Whether a point may be flown to.
-    pub(super) fn allows(&self, rules: &Rules, point_m: DVec3, home_m: DVec3) -> bool {
+    pub(super) fn allows(&self, rules: &FenceRules, point_m: DVec3, home_m: DVec3) -> bool {
         let active = rules.active();
         if active == 0 {
             return true;
@@ -216,13 +216,13 @@ impl Geofence {
         .fold(0.0, |most, (_, limit)| limit.beyond_m.max(most))
     }
 
-    fn is_present(&self, rules: &Rules) -> bool {
+    fn is_present(&self, rules: &FenceRules) -> bool {
         rules.kinds & (CEILING | FLOOR | CIRCLE) != 0
             || (rules.kinds & AREAS != 0 && !self.areas.is_empty())
     }
 
     /// Why the fence forbids arming.
-    fn obstacle(&self, rules: &Rules) -> Option<&'static str> {
+    fn obstacle(&self, rules: &FenceRules) -> Option<&'static str> {
         if !rules.is_enabled {
             return None;
         }

@@ -6,37 +6,41 @@ use mavlink::dialects::ardupilotmega::{
     MISSION_CURRENT_DATA, MavMessage, MavResult, MavSeverity, PARAM_REQUEST_READ_DATA,
     PARAM_VALUE_DATA, RC_CHANNELS_OVERRIDE_DATA, SETUP_SIGNING_DATA, TIMESYNC_DATA,
 };
-use mavlink::types::CharArray;
 
 use self::fields::{Addressed, Request};
 use super::autopilot::Autopilot;
+use super::autopilot::telemetry;
 use super::commands::{self, Command};
 use super::link::Link;
-use super::parameters::Parameter;
+use super::parameters::BY_NAME;
 use super::place::Place;
 use super::radio::CHANNELS;
-use super::{telemetry, texts, transfer};
+use super::transfer::{self, Transfers};
+use super::{guided, texts};
 use sortie_geo::LatLon;
 use sortie_wire::{Content, Frame, Outgoing};
 
 /// `COMMAND_ACK`.
 const COMMAND_ACK: u32 = 77;
-/// The index in the answer to a parameter that was asked or set by name.
-const BY_NAME: u16 = u16::MAX;
 
 /// Handles one frame.
-pub(super) fn handle(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame) {
-    let enforced = autopilot.tuning.only_ground_station;
-    if enforced && frame.system != autopilot.tuning.ground_station {
+pub(super) fn handle(
+    autopilot: &mut Autopilot,
+    transfers: &mut Transfers,
+    link: &mut Link,
+    frame: &Frame,
+) {
+    let enforced = autopilot.vehicle.tuning.only_ground_station;
+    if enforced && frame.system != autopilot.vehicle.tuning.ground_station {
         return;
     }
     if let Some(Addressed { to, request }) = Request::read(&frame.content) {
-        if to == 0 || to == autopilot.system {
+        if to == 0 || to == autopilot.vehicle.system {
             carry_out(autopilot, link, frame, &request);
         }
         return;
     }
-    if transfer::handle(autopilot, link, frame) {
+    if transfer::handle(transfers, autopilot, link, frame) {
         return;
     }
     if let Content::Message(message) = &frame.content {
@@ -56,16 +60,16 @@ fn carry_out(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, request:
             link.replies
                 .insert(place, acknowledgement(command, result, frame));
         }
-        Request::Setpoint(setpoint) => autopilot.take_setpoint(setpoint),
+        Request::Setpoint(setpoint) => guided::take_setpoint(autopilot, setpoint),
         Request::SetMode { base, custom } if base & 1 == 1 => {
             // Only the lowest byte counts, as in the real vehicle.
             autopilot.set_mode(*custom as u8);
         }
         Request::SetMode { .. } => {}
-        Request::Attitude(asked) => autopilot.take_attitude(asked),
+        Request::Attitude(asked) => guided::take_attitude(&mut autopilot.vehicle, asked),
         Request::SetParameter { name, value } => {
-            if autopilot.store_parameter(name, *value) {
-                autopilot.retune();
+            if autopilot.vehicle.store_parameter(name, *value) {
+                autopilot.vehicle.retune();
             }
         }
     }
@@ -89,22 +93,22 @@ fn acknowledgement(command: &Command, result: MavResult, frame: &Frame) -> Outgo
     reason = "ground stations in use still send what the dialect calls superseded"
 )]
 fn converse(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, message: &MavMessage) {
-    if frame.system == autopilot.tuning.ground_station {
+    if frame.system == autopilot.vehicle.tuning.ground_station {
         hear_pilot(autopilot, message);
     }
-    let own = |target: u8| target == 0 || target == autopilot.system;
+    let own = |target: u8| target == 0 || target == autopilot.vehicle.system;
     match message {
         MavMessage::REQUEST_DATA_STREAM(data) if own(data.target_system) => {
             let rate = data.req_message_rate * u16::from(data.start_stop.min(1));
             link.schedule
-                .set_stream(data.req_stream_id as u8, rate, autopilot.uptime());
+                .set_stream(data.req_stream_id as u8, rate, autopilot.vehicle.uptime());
         }
         // A vehicle that still initialises itself does not hear this.
         MavMessage::PARAM_REQUEST_LIST(data)
-            if own(data.target_system) && !autopilot.boot.is_initialising() =>
+            if own(data.target_system) && !autopilot.vehicle.boot.is_initialising() =>
         {
             link.listing = Some(0);
-            autopilot.say_banner();
+            autopilot.vehicle.say_banner();
         }
         MavMessage::PARAM_REQUEST_READ(data) if own(data.target_system) => {
             read_parameter(autopilot, link, data);
@@ -131,7 +135,7 @@ fn converse(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, message: 
 /// Takes a key over from a ground station, for all links; refused while armed. Without an acknowledgement: the
 /// protocol has none.
 fn set_up_signing(autopilot: &Autopilot, link: &mut Link, data: &SETUP_SIGNING_DATA) {
-    if autopilot.safety.armed {
+    if autopilot.vehicle.safety.armed {
         let mut said = Vec::new();
         texts::say(
             &mut said,
@@ -149,16 +153,24 @@ fn hear_pilot(autopilot: &mut Autopilot, message: &MavMessage) {
     match message {
         MavMessage::HEARTBEAT(_) => {}
         MavMessage::RC_CHANNELS_OVERRIDE(data)
-            if data.target_system == 0 || data.target_system == autopilot.system =>
+            if data.target_system == 0 || data.target_system == autopilot.vehicle.system =>
         {
-            autopilot.override_channels(channels(data));
+            let now = autopilot.vehicle.uptime();
+            let rules = &autopilot.vehicle.tuning.flight.radio;
+            autopilot
+                .vehicle
+                .radio
+                .override_channels(channels(data), rules, now);
         }
-        MavMessage::MANUAL_CONTROL(data) if data.target == autopilot.system => {
-            autopilot.control_manually([data.x, data.y, data.z, data.r]);
+        MavMessage::MANUAL_CONTROL(data) if data.target == autopilot.vehicle.system => {
+            let now = autopilot.vehicle.uptime();
+            let rules = &autopilot.vehicle.tuning.flight.radio;
+            let axes = [data.x, data.y, data.z, data.r];
+            autopilot.vehicle.radio.control_manually(axes, rules, now);
         }
         _ => return,
     }
-    autopilot.failsafe.heard = Some(autopilot.uptime());
+    autopilot.failsafe.heard = Some(autopilot.vehicle.uptime());
 }
 
 fn take_home(autopilot: &mut Autopilot, at: LatLon, altitude_amsl_m: f64) {
@@ -166,15 +178,15 @@ fn take_home(autopilot: &mut Autopilot, at: LatLon, altitude_amsl_m: f64) {
         at,
         altitude_amsl_m,
     };
-    if autopilot.is_ready() && autopilot.datum.may_be_home(home) {
-        autopilot.set_home(home);
+    if autopilot.vehicle.is_ready() && autopilot.vehicle.datum.may_be_home(home) {
+        autopilot.vehicle.set_home(home);
     }
 }
 
 /// Jumps to an item of the mission. The answer shows the item that was asked, as ground stations take it for an
 /// acknowledgement.
 fn set_current(autopilot: &mut Autopilot, link: &mut Link, seq: u16) {
-    if autopilot.set_mission_item(seq)
+    if autopilot.auto_plan.set_item(&mut autopilot.vehicle, seq)
         && let Some(MavMessage::MISSION_CURRENT(now)) = telemetry::message(42, autopilot)
     {
         link.reply(MavMessage::MISSION_CURRENT(MISSION_CURRENT_DATA {
@@ -187,7 +199,7 @@ fn set_current(autopilot: &mut Autopilot, link: &mut Link, seq: u16) {
 /// The vehicle's clock beside the asker's stamp.
 fn time(autopilot: &Autopilot, frame: &Frame, ts1: i64) -> MavMessage {
     MavMessage::TIMESYNC(TIMESYNC_DATA {
-        tc1: autopilot.uptime().as_nanos() as i64,
+        tc1: autopilot.vehicle.uptime().as_nanos() as i64,
         ts1,
         target_system: frame.system,
         target_component: frame.component,
@@ -218,8 +230,8 @@ fn channels(data: &RC_CHANNELS_OVERRIDE_DATA) -> [u16; CHANNELS] {
 
 fn read_parameter(autopilot: &Autopilot, link: &mut Link, data: &PARAM_REQUEST_READ_DATA) {
     if let Ok(index) = u16::try_from(data.param_index) {
-        if let Some(parameter) = autopilot.parameters.at(index) {
-            link.reply(parameter_value(autopilot, &parameter));
+        if let Some(parameter) = autopilot.vehicle.parameters.at(index) {
+            link.reply(autopilot.vehicle.parameters.message(&parameter));
         }
         return;
     }
@@ -227,59 +239,13 @@ fn read_parameter(autopilot: &Autopilot, link: &mut Link, data: &PARAM_REQUEST_R
         .param_id
         .to_str()
         .ok()
-        .and_then(|name| autopilot.parameters.named(name));
+        .and_then(|name| autopilot.vehicle.parameters.named(name));
     if let Some(parameter) = found {
         link.reply(MavMessage::PARAM_VALUE(PARAM_VALUE_DATA {
             param_index: BY_NAME,
             // The name is echoed as it was asked.
             param_id: data.param_id,
-            ..value_of(autopilot, &parameter)
+            ..autopilot.vehicle.parameters.fields_of(&parameter)
         }));
-    }
-}
-
-/// `PARAM_VALUE` with the place in the list.
-pub(super) fn parameter_value(autopilot: &Autopilot, parameter: &Parameter) -> MavMessage {
-    MavMessage::PARAM_VALUE(value_of(autopilot, parameter))
-}
-
-fn value_of(autopilot: &Autopilot, parameter: &Parameter) -> PARAM_VALUE_DATA {
-    let mut name = [0; 16];
-    let len = parameter.name.len().min(name.len());
-    name[..len].copy_from_slice(&parameter.name.as_bytes()[..len]);
-    PARAM_VALUE_DATA {
-        param_value: parameter.value,
-        param_count: autopilot.parameters.count(),
-        param_index: parameter.index,
-        param_id: CharArray::new(name),
-        param_type: parameter.kind.on_the_wire(),
-    }
-}
-
-impl Autopilot {
-    /// Sets a parameter, and tells every link that it has changed; `false` if there is no such parameter.
-    pub(super) fn store_parameter(&mut self, name: &str, value: f32) -> bool {
-        let Some(parameter) = self.parameters.set(name, value) else {
-            return false;
-        };
-        // Without its place in the list, as it was not asked for by that.
-        let told = PARAM_VALUE_DATA {
-            param_index: BY_NAME,
-            ..value_of(self, &parameter)
-        };
-        self.outbox.push(MavMessage::PARAM_VALUE(told));
-        true
-    }
-
-    /// Version, board and frame, as three texts.
-    pub(super) fn say_banner(&mut self) {
-        let board = format!("{:016x}{:016x}", self.board_id, u64::from(self.system));
-        for text in [
-            "ArduCopter V4.6.0-dev (sortie)",
-            board.as_str(),
-            "Frame: QUAD/PLUS",
-        ] {
-            self.say(MavSeverity::MAV_SEVERITY_INFO, text);
-        }
     }
 }

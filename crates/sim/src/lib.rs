@@ -1,24 +1,57 @@
-//! The embedded simulator: `ArduCopters` that speak `MAVLink`, stepped by hand.
+//! Simulated `ArduCopters` that speak `MAVLink`, stepped by hand: for the tests of ground stations and of other programs.
 //!
 //! A [`World`] holds vehicles. Ground stations [`connect`](World::connect) to one of them, push bytes in and take
-//! bytes out; nothing else goes in or out, so a program cannot tell the simulator from a SITL behind a socket. The
-//! world is a function of its configuration, the bytes it received and the steps between them.
+//! bytes out; nothing else goes in or out, so a program cannot tell the simulator from a SITL behind a socket. There is
+//! no clock, no thread, no file and no socket: the world is a function of its configuration, the bytes it received and
+//! the [steps](World::step) of 10 ms between them. Behaviour and figures follow an `ArduCopter` 4.6 SITL: modes, arming
+//! checks, failsafes, fences, plans, parameters, files, logs, signing, faults of sensors and motors, wind.
 //!
-//! How the parts fit, from the socket to the ground and back:
+//! ```
+//! use sortie_sim::geo::LatLon;
+//! use sortie_sim::wire::{Content, Decoder};
+//! use sortie_sim::{Start, World, WorldConfig};
 //!
-//! - `slot` is a vehicle with its connections: `port` frames, paces (`schedule`) and signs (`signing`).
-//! - `inbound` understands what came. `commands` and `targets` are orders; `transfer` carries missions, fences,
-//!   rally points (together the `plan`), files and logs, read and written as a `payload`.
-//! - `autopilot` is the vehicle's whole state and its step; what a subsystem does stands beside its own state. A
-//!   `mode` is entered by `switching`, and gives the autopilot a `task` that steers the path of `control`, along
-//!   `leg`s, and the nose (`yaw`). `mission` gives one task after the other; a pilot's sticks come by `radio`.
-//! - `arming`, `failsafe`, `fence`, `rally` and `crash` judge and step in; `boot`, `workbench` (what is done by hand)
-//!   and `counters` are the rest of a vehicle's life.
-//! - `body` is what really moves: `airframe`, `battery` and `wind` drive it, and with a motor lost `upset` and `mixer`.
-//!   The autopilot knows it only through its `estimator`, which errs as the sensors do. `collision` is between bodies.
-//! - `telemetry` and `texts` report. `parameters` rule everything; `place` says where on the earth a point is.
+//! let start = Start {
+//!     at: LatLon::new(50.4501, 30.5234),
+//!     altitude_amsl_m: 170.0,
+//!     heading_deg: 90.0,
+//! };
+//! let mut world = World::new(&WorldConfig::row(1, start));
+//! let port = world.connect(0);
+//! let mut decoder = Decoder::new();
+//! let mut heard = 0;
+//! for _ in 0..500 {
+//!     world.step();
+//!     let mut bytes = Vec::new();
+//!     world.take_output(port, &mut bytes);
+//!     decoder.push(&bytes);
+//!     while let Some(frame) = decoder.next_frame() {
+//!         assert!(matches!(frame.content, Content::Message(_)));
+//!         heard += 1;
+//!     }
+//! }
+//! // A heartbeat per second, and home once the position is known.
+//! assert!(heard >= 5);
+//! assert!(!world.truth(0).armed);
+//! ```
 //!
-//! Behaviour and figures follow an `ArduCopter` 4.6 SITL.
+//! `examples/takeoff.rs` arms the vehicle, takes off and reads its position, as a test of another program would.
+//!
+//! # How the parts fit
+//! From the bottom up; a module uses those before it, and no two use each other.
+//!
+//! - What really happens: `kinematics`, `airframe`, `battery`, `wind`, `body`, with a motor lost `upset` and `mixer`.
+//! - Facts: `parameters`, `mode`, `cmd` (numbers of commands), `plan` (lists of items), `place` (where on the earth a
+//!   point is), `radio` (sticks), `texts`, `payload`.
+//! - Parts that own what they remember, are given what they need of the others, and return what they want done
+//!   (`reaction`): `estimator` (what is believed of the motion), `control` and `yaw` (the path and the nose), `task` (what
+//!   is flown now, in a cockpit lent to it), `trail`, `rally`, `fence`, `boot`, `arming`, `failsafe`, `crash`,
+//!   `counters`, `workbench` (what is done by hand), `flight_log`. `tuning` is what the parameters tell all of them.
+//! - `vehicle` puts together what flies; `auto_plan` flies the plan of AUTO with it; `autopilot` decides, and steps all
+//!   parts in order. Its `telemetry` reports.
+//! - Ground stations: `commands`, `guided` (setpoints) and `transfer` (lists, files, logs) are what they ask for;
+//!   `inbound` understands it. `schedule`, `signing`, `link` and `port` are the way there; `slot` is a vehicle with its
+//!   connections. `collision` is between bodies.
 
 mod airframe;
 mod arming;
@@ -36,6 +69,8 @@ mod crash;
 mod estimator;
 mod failsafe;
 mod fence;
+mod flight_log;
+mod guided;
 mod inbound;
 mod kinematics;
 mod link;
@@ -48,18 +83,17 @@ mod plan;
 mod port;
 mod radio;
 mod rally;
+mod reaction;
 mod schedule;
 mod signing;
 mod slot;
-mod switching;
-mod targets;
 mod task;
-mod telemetry;
 mod texts;
 mod trail;
 mod transfer;
 mod tuning;
 mod upset;
+mod vehicle;
 mod wind;
 mod workbench;
 mod yaw;
@@ -69,6 +103,10 @@ mod tests;
 
 use std::sync::Arc;
 use std::time::Duration;
+
+pub use mavlink;
+pub use sortie_geo as geo;
+pub use sortie_wire as wire;
 
 pub use self::airframe::{Airframe, AirframeError};
 use self::autopilot::Autopilot;
@@ -330,7 +368,7 @@ impl World {
         let autopilots = self.slots.iter().map(|slot| &slot.autopilot);
         for hit in self.collisions.find(now, autopilots) {
             if let Some(slot) = self.slots.get_mut(hit.vehicle) {
-                slot.autopilot.body.take(hit);
+                slot.autopilot.vehicle.plant.body.take(hit);
             }
         }
     }
@@ -348,7 +386,7 @@ impl World {
     pub fn wanted_speedup(&self) -> Option<f64> {
         self.slots
             .iter()
-            .map(|slot| slot.autopilot.tuning.faults.speedup)
+            .map(|slot| slot.autopilot.vehicle.tuning.faults.speedup)
             .find(|speedup| *speedup > 0.0 && (*speedup - 1.0).abs() > f64::EPSILON)
     }
 
@@ -375,8 +413,8 @@ impl Part<'_> {
 }
 
 fn truth_of(autopilot: &Autopilot) -> Truth {
-    let body = &autopilot.body;
-    let here = autopilot.truly_here();
+    let body = &autopilot.vehicle.plant.body;
+    let here = autopilot.vehicle.truly_here();
     let (roll, pitch) = body.roll_pitch_rad();
     Truth {
         at: here.at,
@@ -386,12 +424,12 @@ fn truth_of(autopilot: &Autopilot) -> Truth {
         roll_deg: roll.to_degrees(),
         pitch_deg: pitch.to_degrees(),
         heading_deg: wrap_360(body.yaw_deg),
-        armed: autopilot.safety.armed,
+        armed: autopilot.vehicle.safety.armed,
         on_ground: body.on_ground,
         mode: autopilot.reported_mode(),
-        battery_voltage_v: autopilot.battery.voltage_v,
-        battery_current_a: autopilot.battery.current_a,
-        battery_consumed_mah: autopilot.battery.consumed_mah,
+        battery_voltage_v: autopilot.vehicle.plant.battery.voltage_v,
+        battery_current_a: autopilot.vehicle.plant.battery.current_a,
+        battery_consumed_mah: autopilot.vehicle.plant.battery.consumed_mah,
         throttle: body.throttle,
     }
 }

@@ -3,10 +3,14 @@
 mod aliases;
 mod table;
 
-use mavlink::dialects::ardupilotmega::MavParamType;
+use mavlink::dialects::ardupilotmega::{MavMessage, MavParamType, PARAM_VALUE_DATA};
+use mavlink::types::CharArray;
 
 use self::table::TABLE;
 pub use aliases::{AliasSense, other_name};
+
+/// The index in the answer to a parameter that was asked or set by name.
+pub(super) const BY_NAME: u16 = u16::MAX;
 
 /// How a parameter is stored; all travel as floats.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -79,8 +83,8 @@ impl Parameters {
     /// The parameter at a place in the list.
     pub(super) fn at(&self, index: u16) -> Option<Parameter> {
         let row = TABLE.rows.get(usize::from(index))?;
-        let changed = self.changed_place(index).ok();
-        let changed = changed.and_then(|place| self.changed.get(place));
+        let place = self.changed_place(index).ok();
+        let changed = place.and_then(|place| self.changed.get(place));
         Some(Parameter {
             name: row.name,
             kind: row.kind,
@@ -128,6 +132,25 @@ impl Parameters {
             Err(place) => self.changed.insert(place, changed),
         }
         self.at(parameter.index)
+    }
+
+    /// `PARAM_VALUE` of one, with its place in the list.
+    pub(super) fn message(&self, parameter: &Parameter) -> MavMessage {
+        MavMessage::PARAM_VALUE(self.fields_of(parameter))
+    }
+
+    /// What `PARAM_VALUE` says of one, with its place in the list.
+    pub(super) fn fields_of(&self, parameter: &Parameter) -> PARAM_VALUE_DATA {
+        let mut name = [0; 16];
+        let len = parameter.name.len().min(name.len());
+        name[..len].copy_from_slice(&parameter.name.as_bytes()[..len]);
+        PARAM_VALUE_DATA {
+            param_value: parameter.value,
+            param_count: self.count(),
+            param_index: parameter.index,
+            param_id: CharArray::new(name),
+            param_type: parameter.kind.on_the_wire(),
+        }
     }
 
     fn changed_place(&self, index: u16) -> Result<usize, usize> {

@@ -1,6 +1,7 @@
 //! Places on the earth, the points in metres from the start that stand for them, and what heights mean.
 
 use glam::DVec3;
+use mavlink::dialects::ardupilotmega::{GPS_GLOBAL_ORIGIN_DATA, HOME_POSITION_DATA, MavMessage};
 
 use super::Start;
 use sortie_geo::LatLon;
@@ -71,5 +72,35 @@ impl Datum {
     pub(super) fn may_be_home(&self, place: Place) -> bool {
         let above_m = place.altitude_amsl_m - self.start.altitude_amsl_m;
         place.at.is_valid() && above_m.abs() <= HOME_HEIGHT_MAX_M
+    }
+
+    /// `HOME_POSITION`, once there is a home.
+    pub(super) fn home_position(&self, boot_us: u64) -> Option<MavMessage> {
+        let home = self.home?;
+        let (latitude, longitude) = home.at.to_e7();
+        let point = self.home_point();
+        Some(MavMessage::HOME_POSITION(HOME_POSITION_DATA {
+            latitude,
+            longitude,
+            altitude: (home.altitude_amsl_m * 1000.0) as i32,
+            x: point.x as f32,
+            y: point.y as f32,
+            z: point.z as f32,
+            q: [f32::NAN; 4],
+            time_usec: boot_us,
+            ..Default::default()
+        }))
+    }
+
+    /// `GPS_GLOBAL_ORIGIN`, once there is a home.
+    pub(super) fn global_origin(&self, boot_us: u64) -> Option<MavMessage> {
+        self.home?;
+        let (latitude, longitude) = self.start.at.to_e7();
+        Some(MavMessage::GPS_GLOBAL_ORIGIN(GPS_GLOBAL_ORIGIN_DATA {
+            latitude,
+            longitude,
+            altitude: (self.start.altitude_amsl_m * 1000.0) as i32,
+            time_usec: boot_us,
+        }))
     }
 }

@@ -36,6 +36,11 @@ pub(super) struct Plans {
 }
 
 impl Plans {
+    /// An item of the mission by its number.
+    pub(super) fn item(&self, at: u16) -> Option<Item> {
+        self.mission.get(usize::from(at)).copied()
+    }
+
     /// One of the lists.
     pub(super) fn list(&self, kind: ListKind) -> &Vec<Item> {
         match kind {

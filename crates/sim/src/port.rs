@@ -9,6 +9,8 @@ use mavlink::dialects::ardupilotmega::MavMessage;
 use super::autopilot::Autopilot;
 use super::link::{Link, LinkNumber};
 use super::signing::Signing;
+use super::transfer::Transfers;
+use super::vehicle::Vehicle;
 use super::{Serial, inbound, transfer};
 use sortie_wire::{AUTOPILOT_COMPONENT, Decoder, Encoder, Frame, Outgoing};
 
@@ -32,15 +34,17 @@ const PARAMETERS_PER_STEP: u16 = 23;
 pub(super) struct Serials {
     pub(super) links: [Link; Serial::ALL.len()],
     pub(super) signing: Signing,
+    pub(super) transfers: Transfers,
 }
 
 impl Serials {
     /// As they are after boot.
-    pub(super) fn booted(autopilot: &Autopilot, signing: Signing) -> Self {
-        let now = autopilot.uptime();
+    pub(super) fn booted(vehicle: &Vehicle, signing: Signing, transfers: Transfers) -> Self {
+        let now = vehicle.uptime();
         Self {
-            links: Serial::ALL.map(|serial| Link::new(serial, &autopilot.parameters, now)),
+            links: Serial::ALL.map(|serial| Link::new(serial, &vehicle.parameters, now)),
             signing,
+            transfers,
         }
     }
 
@@ -127,11 +131,15 @@ impl Port {
         if !frame.is_verified() || !serials.signing.admits(self.serial, frame, bytes) {
             return Vec::new();
         }
-        let Serials { links, signing } = serials;
+        let Serials {
+            links,
+            signing,
+            transfers,
+        } = serials;
         let link = &mut links[self.serial.index()];
         link.heard = true;
         link.transfer = self.transfer;
-        inbound::handle(autopilot, link, frame);
+        inbound::handle(autopilot, transfers, link, frame);
         self.transfer = link.transfer;
         if let Some((key, timestamp)) = link.key.take() {
             signing.load(key, timestamp);
@@ -140,7 +148,7 @@ impl Port {
         for reply in link.replies.drain(..) {
             self.answer(&reply, signing);
         }
-        let said = std::mem::take(&mut autopilot.outbox);
+        let said = std::mem::take(&mut autopilot.vehicle.outbox);
         self.broadcast(&said, serials);
         said
     }
@@ -179,11 +187,11 @@ impl Port {
         let Some(first) = self.listing else {
             return;
         };
-        let count = autopilot.parameters.count();
+        let count = autopilot.vehicle.parameters.count();
         let next = (first + PARAMETERS_PER_STEP).min(count);
         for index in first..next {
-            if let Some(parameter) = autopilot.parameters.at(index) {
-                let value = inbound::parameter_value(autopilot, &parameter);
+            if let Some(parameter) = autopilot.vehicle.parameters.at(index) {
+                let value = autopilot.vehicle.parameters.message(&parameter);
                 self.say(&value, signing, PENDING_MAX);
             }
         }
@@ -195,10 +203,14 @@ impl Port {
         if self.pending.len() >= TRANSFERS_MAX {
             return;
         }
-        let Serials { links, signing } = serials;
+        let Serials {
+            links,
+            signing,
+            transfers,
+        } = serials;
         let link = &mut links[self.serial.index()];
         link.transfer = self.transfer;
-        transfer::step(autopilot, link);
+        transfer::step(transfers, autopilot, link);
         for reply in link.replies.drain(..) {
             self.answer(&reply, signing);
         }

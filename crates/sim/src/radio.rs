@@ -3,7 +3,6 @@
 
 use std::time::Duration;
 
-use super::autopilot::Autopilot;
 use super::parameters::Parameters;
 
 /// Channels that can be overridden.
@@ -186,35 +185,54 @@ fn switch_position(pulse_us: u16) -> usize {
         .count()
 }
 
-impl Autopilot {
+/// What sticks and switches ask for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct StickRequests {
+    /// The mode switch has a new position.
+    pub(super) moved_switch: bool,
+    /// The sticks were held in the corner that arms.
+    pub(super) arms: bool,
+}
+
+impl Radio {
     /// Takes over `RC_CHANNELS_OVERRIDE`: 65535 leaves a channel as it is, 0 gives one of the first eight back,
     /// 65534 one of the others.
-    pub(super) fn override_channels(&mut self, asked: [u16; CHANNELS]) {
-        let Some(lasts) = self.tuning.flight.radio.override_time else {
+    pub(super) fn override_channels(
+        &mut self,
+        asked: [u16; CHANNELS],
+        rules: &RadioRules,
+        now: Duration,
+    ) {
+        let Some(lasts) = rules.override_time else {
             return;
         };
-        let until = self.uptime().saturating_add(lasts);
+        let until = now.saturating_add(lasts);
         for (channel, pulse_us) in asked.into_iter().enumerate() {
             let front = channel < 8;
             match pulse_us {
                 UNCHANGED => {}
                 0 if !front => {}
-                GIVEN_BACK if !front => self.radio.set(channel, 0, until),
-                pulse_us => self.radio.set(channel, pulse_us.min(PULSE_MAX_US), until),
+                GIVEN_BACK if !front => self.set(channel, 0, until),
+                pulse_us => self.set(channel, pulse_us.min(PULSE_MAX_US), until),
             }
         }
     }
 
     /// Takes over `MANUAL_CONTROL`: pitch, roll, throttle and yaw in thousandths; 32767 leaves an axis alone. A
     /// negative throttle makes the whole message void.
-    pub(super) fn control_manually(&mut self, [x, y, z, r]: [i16; 4]) {
-        let Some(lasts) = self.tuning.flight.radio.override_time else {
+    pub(super) fn control_manually(
+        &mut self,
+        [x, y, z, r]: [i16; 4],
+        rules: &RadioRules,
+        now: Duration,
+    ) {
+        let Some(lasts) = rules.override_time else {
             return;
         };
         if z < 0 {
             return;
         }
-        let until = self.uptime().saturating_add(lasts);
+        let until = now.saturating_add(lasts);
         let centred = |value: i16| (f64::from(value) + 1000.0) / 2000.0;
         let shares = [
             (y, centred(y)),
@@ -226,46 +244,53 @@ impl Autopilot {
             let pulse_us = if value == i16::MAX {
                 0
             } else {
-                self.tuning.flight.radio.sticks[channel].pulse(share)
+                rules.sticks[channel].pulse(share)
             };
-            self.radio.set(channel, pulse_us, until);
+            self.set(channel, pulse_us, until);
         }
     }
 
     /// Looks at the mode switch and at the corner of the sticks that arms; ten times a second.
-    pub(super) fn watch_sticks(&mut self) {
-        let sticks = self.sticks();
-        let channel = self.tuning.flight.radio.mode_channel.wrapping_sub(1);
-        if let Some(pulse_us) = sticks.channels_us.get(channel) {
-            let position = switch_position(*pulse_us);
-            self.radio.switch = if position == self.radio.switch.0 {
-                (position, self.radio.switch.1.saturating_add(1))
-            } else {
-                (position, 0)
-            };
-            if position != self.radio.obeyed && self.radio.switch.1 >= STEADY_LOOKS {
-                self.radio.obeyed = position;
-                self.obey_mode_switch();
-            }
-        }
-        let [.., throttle, yaw] = self.tuning.flight.radio.sticks;
+    pub(super) fn watch(
+        &mut self,
+        rules: &RadioRules,
+        armed: bool,
+        now: Duration,
+    ) -> StickRequests {
+        let sticks = self.sticks(now);
+        let channel = rules.mode_channel.wrapping_sub(1);
+        let pulse_us = sticks.channels_us.get(channel);
+        let moved_switch = pulse_us.is_some_and(|us| self.watch_switch(switch_position(*us)));
+        let [.., throttle, yaw] = rules.sticks;
         let low = throttle.pushed(sticks.channels_us[2]) <= 0.0;
         let cornered = low && yaw.off_centre(sticks.channels_us[3]) > CORNER;
-        if !cornered || self.safety.armed || !self.tuning.flight.radio.rudder_arms {
-            self.radio.corner = 0;
-            return;
-        }
-        self.radio.corner = self.radio.corner.saturating_add(1);
-        if self.radio.corner == CORNER_LOOKS {
-            self.arm(false);
+        self.corner = if cornered && !armed && rules.rudder_arms {
+            self.corner.saturating_add(1)
+        } else {
+            0
+        };
+        StickRequests {
+            moved_switch,
+            arms: self.corner == CORNER_LOOKS,
         }
     }
 
-    /// Enters the mode of the switch's position (`FLTMODE1` to 6).
-    pub(super) fn obey_mode_switch(&mut self) {
-        let name = format!("FLTMODE{}", self.radio.obeyed + 1);
-        let number = self.parameters.value(&name) as i32;
-        self.set_mode(number as u8);
+    fn watch_switch(&mut self, position: usize) -> bool {
+        self.switch = if position == self.switch.0 {
+            (position, self.switch.1.saturating_add(1))
+        } else {
+            (position, 0)
+        };
+        let moved = position != self.obeyed && self.switch.1 >= STEADY_LOOKS;
+        if moved {
+            self.obeyed = position;
+        }
+        moved
+    }
+
+    /// The parameter that names the mode of the switch's position: `FLTMODE1` to 6.
+    pub(super) fn mode_parameter(&self) -> String {
+        format!("FLTMODE{}", self.obeyed + 1)
     }
 }
 

@@ -11,14 +11,14 @@ use sortie_geo::LatLon;
 
 /// What the `RALLY_*` parameters say.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Rules {
+pub(super) struct RallyRules {
     /// Rally points further away than this do not count; zero: all do.
     limit_m: f64,
     /// Home counts as one of them.
     with_home: bool,
 }
 
-impl Rules {
+impl RallyRules {
     /// Reads the parameters.
     pub(super) fn read(all: &Parameters) -> Self {
         Self {
@@ -41,7 +41,7 @@ impl Rally<'_> {
     /// which to arrive.
     pub(super) fn destination(
         &self,
-        rules: &Rules,
+        rules: &RallyRules,
         here_m: DVec3,
         home_m: DVec3,
         allowed: impl Fn(DVec3) -> bool,
@@ -96,7 +96,7 @@ mod tests {
             items,
             start: &start,
         };
-        let rules = Rules { limit_m, with_home };
+        let rules = RallyRules { limit_m, with_home };
         let here = DVec3::new(90.0, 0.0, -20.0);
         let to = rally.destination(&rules, here, DVec3::ZERO, |point| point.y < 50.0);
         (to.x.round() as i64, to.y.round() as i64)

@@ -3,10 +3,12 @@
 
 use mavlink::dialects::ardupilotmega::MavMessage;
 
+use super::Serial;
 use super::autopilot::Autopilot;
+use super::autopilot::telemetry;
 use super::port::{Port, Serials};
 use super::signing::Signing;
-use super::{Serial, telemetry};
+use super::transfer::Transfers;
 
 /// A vehicle and its connections.
 #[derive(Debug)]
@@ -20,7 +22,7 @@ pub(super) struct Slot {
 impl Slot {
     pub(super) fn new(autopilot: Autopilot) -> Self {
         Self {
-            serials: Serials::booted(&autopilot, Signing::default()),
+            serials: Serials::booted(&autopilot.vehicle, Signing::default(), Transfers::default()),
             autopilot,
             ports: Vec::new(),
         }
@@ -32,10 +34,10 @@ impl Slot {
 
     pub(super) fn connect(&mut self, number: u64, serial: Serial) {
         if !self.is_anybody_on(serial) {
-            let now = self.autopilot.uptime();
+            let now = self.autopilot.vehicle.uptime();
             self.serials.link_mut(serial).schedule.resume(now);
         }
-        let port = Port::new(self.autopilot.system, serial);
+        let port = Port::new(self.autopilot.vehicle.system, serial);
         self.ports.push((number, port));
     }
 
@@ -68,7 +70,9 @@ impl Slot {
 
     /// Moves on by one step and sends what is due.
     pub(super) fn step(&mut self) {
-        if self.autopilot.boot.awaits_client() && !self.ports.iter().any(|(_, port)| port.open) {
+        if self.autopilot.vehicle.boot.awaits_client()
+            && !self.ports.iter().any(|(_, port)| port.open)
+        {
             return;
         }
         for place in 0..self.ports.len() {
@@ -78,8 +82,8 @@ impl Slot {
         }
         self.autopilot.step();
         self.print();
-        if !self.autopilot.outbox.is_empty() {
-            let said = std::mem::take(&mut self.autopilot.outbox);
+        if !self.autopilot.vehicle.outbox.is_empty() {
+            let said = std::mem::take(&mut self.autopilot.vehicle.outbox);
             self.tell(&said, None);
         }
         self.stream();
@@ -94,7 +98,7 @@ impl Slot {
 
     /// Sends what the boot prints on the first serial port.
     fn print(&mut self) {
-        for text in self.autopilot.boot.take_console() {
+        for text in self.autopilot.vehicle.boot.take_console() {
             for (_, port) in &mut self.ports {
                 if port.open && port.serial == Serial::Zero {
                     port.print(text.as_ref());
@@ -105,14 +109,14 @@ impl Slot {
 
     /// Sends the messages that are due, on each serial port where somebody listens.
     fn stream(&mut self) {
-        let now = self.autopilot.uptime();
+        let now = self.autopilot.vehicle.uptime();
         for serial in Serial::ALL {
             if !self.is_anybody_on(serial) {
                 continue;
             }
-            let Serials { links, signing } = &mut self.serials;
+            let Serials { links, signing, .. } = &mut self.serials;
             links[serial.index()].schedule.each_due(now, |id| {
-                if self.autopilot.boot.holds_back(id) {
+                if self.autopilot.vehicle.boot.holds_back(id) {
                     return;
                 }
                 let Some(message) = telemetry::message(id, &self.autopilot) else {
@@ -133,7 +137,8 @@ impl Slot {
         }
         let mut signing = std::mem::take(&mut self.serials.signing);
         signing.reboot();
-        self.serials = Serials::booted(&self.autopilot, signing);
+        let transfers = std::mem::take(&mut self.serials.transfers).rebooted();
+        self.serials = Serials::booted(&self.autopilot.vehicle, signing, transfers);
     }
 
     fn place(&self, number: u64) -> Option<usize> {

@@ -13,7 +13,7 @@ use std::time::Duration;
 use glam::{DVec2, DVec3};
 
 pub(super) use attitude::{Attitude, Lift};
-pub(super) use auto::{Orbit, Route, Rules as AutoRules, stopping_point};
+pub(super) use auto::{AutoRules, Orbit, Route, stopping_point};
 pub(super) use landing::Landing;
 pub(super) use piloted::{Pilot, PilotRules};
 pub(super) use returning::Returning;
@@ -21,7 +21,7 @@ pub(super) use takeoff::Takeoff;
 pub(super) use tuning::FlightTuning;
 
 use super::body::Body;
-use super::control::{Limits, PositionControl};
+use super::control::{FlatMotion, Limits, PositionControl};
 use super::fence::Geofence;
 use super::kinematics::STEP_S;
 use super::radio::Sticks;
@@ -148,6 +148,24 @@ impl Task {
         }
     }
 
+    /// When a landing touched the ground.
+    pub(super) fn touched_in_landing(&self) -> Option<Duration> {
+        match self {
+            Self::Land(landing) => landing.touched,
+            Self::Return(returning) => returning.landing().and_then(|landing| landing.touched),
+            _ => None,
+        }
+    }
+
+    /// Whether a vehicle with this task that stands on the ground has nothing to do.
+    pub(super) fn is_resting(&self, throttle_is_low: bool) -> bool {
+        match self {
+            Self::Wait | Self::Route(_) => true,
+            Self::Manual | Self::Piloted => throttle_is_low,
+            _ => false,
+        }
+    }
+
     /// A circle whose centre lies ahead of the nose.
     pub(super) fn circle(body: &Body, tuning: &FlightTuning) -> Self {
         let (sin, cos) = body.yaw_deg.to_radians().sin_cos();
@@ -190,7 +208,7 @@ impl Task {
             }
             Self::Velocity { wanted_m_s, until } => {
                 let fresh = cockpit.now < *until && *until != Duration::MAX;
-                let wanted = cockpit.keep_inside(if fresh { *wanted_m_s } else { DVec3::ZERO });
+                let wanted = keep_inside(cockpit, if fresh { *wanted_m_s } else { DVec3::ZERO });
                 if fresh {
                     // What the fence takes away stays away until the next setpoint.
                     *wanted_m_s = wanted;
@@ -212,6 +230,16 @@ impl Task {
         }
         Act::Fly
     }
+}
+
+/// A wanted velocity, slowed so that the vehicle stays inside its fence.
+fn keep_inside(cockpit: &mut Cockpit<'_>, wanted_m_s: DVec3) -> DVec3 {
+    let points_m = [cockpit.body.position_m, cockpit.home_m];
+    let rules = &cockpit.tuning.fence;
+    let limits = &cockpit.limits;
+    cockpit
+        .fence
+        .keep_inside(wanted_m_s, rules, points_m, limits, cockpit.now)
 }
 
 fn brake(cockpit: &mut Cockpit<'_>) {
@@ -257,12 +285,12 @@ impl Circle {
         self.angle_rad += self.rate_rad_s * STEP_S;
         let (sin, cos) = self.angle_rad.sin_cos();
         let outwards = DVec2::new(cos, sin) * radius_m;
-        let planned = (
-            self.centre_m + outwards,
-            DVec2::new(-outwards.y, outwards.x) * self.rate_rad_s,
-            -outwards * self.rate_rad_s * self.rate_rad_s,
-        );
+        let planned = FlatMotion {
+            place_m: self.centre_m + outwards,
+            velocity_m_s: DVec2::new(-outwards.y, outwards.x) * self.rate_rad_s,
+            accel_m_s2: -outwards * self.rate_rad_s * self.rate_rad_s,
+        };
         let limits = cockpit.limits;
-        cockpit.control.along(planned, self.down_m, &limits);
+        cockpit.control.along(&planned, self.down_m, &limits);
     }
 }

@@ -3,10 +3,7 @@
 use std::time::Duration;
 
 use glam::{DVec3, Vec3};
-use mavlink::dialects::ardupilotmega::MavSeverity;
 
-use super::autopilot::Autopilot;
-use super::mode;
 use super::parameters::Parameters;
 
 /// A breadcrumb may be dropped this often.
@@ -24,13 +21,13 @@ const PRUNE_SHARE: f64 = 0.99;
 
 /// `SRTL_*`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Rules {
+pub(super) struct TrailRules {
     accuracy_m: f64,
     /// 0: there is no `SMART_RTL`.
     points: usize,
 }
 
-impl Rules {
+impl TrailRules {
     /// Reads the parameters.
     pub(super) fn read(all: &Parameters) -> Self {
         Self {
@@ -57,7 +54,7 @@ impl Trail {
     }
 
     /// Begins at a place; without a position there will be no way back.
-    pub(super) fn begin(&mut self, here_m: Option<DVec3>, rules: &Rules, now: Duration) {
+    pub(super) fn begin(&mut self, here_m: Option<DVec3>, rules: &TrailRules, now: Duration) {
         self.points_m.clear();
         self.points_m.extend(here_m.map(DVec3::as_vec3));
         self.active = here_m.is_some() && rules.points > 0;
@@ -65,10 +62,10 @@ impl Trail {
     }
 
     /// Notes where the vehicle is, if that is known. Says why the path is given up, if it is.
-    fn note(
+    pub(super) fn note(
         &mut self,
         here_m: Option<DVec3>,
-        rules: &Rules,
+        rules: &TrailRules,
         now: Duration,
     ) -> Option<&'static str> {
         if !self.active {
@@ -91,7 +88,7 @@ impl Trail {
     }
 
     /// Whether the place is, or did not need to be, kept.
-    fn keep(&mut self, here_m: DVec3, rules: &Rules) -> bool {
+    fn keep(&mut self, here_m: DVec3, rules: &TrailRules) -> bool {
         let last = self.points_m.last().map(|point| point.as_dvec3());
         if last.is_some_and(|last| last.distance(here_m) < rules.accuracy_m) {
             return true;
@@ -107,7 +104,7 @@ impl Trail {
     }
 
     /// Leaves out what the way back does not need.
-    pub(super) fn tidy(&mut self, rules: &Rules) {
+    pub(super) fn tidy(&mut self, rules: &TrailRules) {
         let mut points_m: Vec<DVec3> = self.points_m.iter().map(|p| p.as_dvec3()).collect();
         points_m = simplified(&points_m, rules.accuracy_m * SIMPLIFY_SHARE);
         prune(&mut points_m, rules.accuracy_m * PRUNE_SHARE);
@@ -124,32 +121,6 @@ impl Trail {
     pub(super) fn peek(&self) -> Option<(DVec3, bool)> {
         let point = self.points_m.last()?;
         Some((point.as_dvec3(), self.points_m.len() == 1))
-    }
-}
-
-impl Autopilot {
-    /// Begins the way back here, if it is known where that is.
-    pub(super) fn begin_trail(&mut self, known: bool) {
-        let here_m = known.then(|| self.believed().position_m);
-        let now = self.uptime();
-        self.trail.begin(here_m, &self.tuning.flight.trail, now);
-    }
-
-    /// Drops a breadcrumb where one is due.
-    pub(super) fn watch_trail(&mut self) {
-        if !self.safety.armed || self.mode.number == mode::SMART_RTL {
-            return;
-        }
-        let here_m = self.trusted_m();
-        let now = self.uptime();
-        if let Some(reason) = self.trail.note(here_m, &self.tuning.flight.trail, now) {
-            let text = format!("SmartRTL deactivated: {reason}");
-            self.say(MavSeverity::MAV_SEVERITY_WARNING, &text);
-        }
-    }
-
-    fn trusted_m(&self) -> Option<DVec3> {
-        self.is_ready().then(|| self.believed().position_m)
     }
 }
 
@@ -184,10 +155,10 @@ fn off_line(point: DVec3, from: DVec3, to: DVec3) -> f64 {
 fn prune(points_m: &mut Vec<DVec3>, delta_m: f64) {
     let mut from = 1;
     while from + 2 < points_m.len() {
-        let one = (points_m[from - 1], points_m[from]);
+        let one = [points_m[from - 1], points_m[from]];
         // The longest loop goes first.
         let crossing = (from + 2..points_m.len()).rev().find_map(|to| {
-            let [a, b] = nearest(one, (points_m[to - 1], points_m[to]));
+            let [a, b] = nearest(one, [points_m[to - 1], points_m[to]]);
             (a.distance(b) < delta_m).then(|| (to, a.midpoint(b)))
         });
         if let Some((to, middle)) = crossing {
@@ -198,8 +169,8 @@ fn prune(points_m: &mut Vec<DVec3>, delta_m: f64) {
 }
 
 /// The points of two stretches that are nearest to each other (Ericson, Real-Time Collision Detection, 5.1.9).
-fn nearest(one: (DVec3, DVec3), other: (DVec3, DVec3)) -> [DVec3; 2] {
-    let (way, along, apart) = (one.1 - one.0, other.1 - other.0, one.0 - other.0);
+fn nearest(one: [DVec3; 2], other: [DVec3; 2]) -> [DVec3; 2] {
+    let (way, along, apart) = (one[1] - one[0], other[1] - other[0], one[0] - other[0]);
     let (way_2, along_2) = (way.length_squared(), along.length_squared());
     let both = way.dot(along);
     let (apart_way, apart_along) = (apart.dot(way), apart.dot(along));
@@ -215,17 +186,17 @@ fn nearest(one: (DVec3, DVec3), other: (DVec3, DVec3)) -> [DVec3; 2] {
         both * apart_along - apart_way * along_2,
         way_2 * along_2 - both * both,
     );
-    let on_other = share(both * crossing + apart_along, along_2);
-    let on_one = share(both * on_other - apart_way, way_2);
+    let first_guess = share(both * crossing + apart_along, along_2);
+    let on_one = share(both * first_guess - apart_way, way_2);
     let on_other = share(both * on_one + apart_along, along_2);
-    [one.0 + way * on_one, other.0 + along * on_other]
+    [one[0] + way * on_one, other[0] + along * on_other]
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    const RULES: Rules = Rules {
+    const RULES: TrailRules = TrailRules {
         accuracy_m: 2.0,
         points: 50,
     };

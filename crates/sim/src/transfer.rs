@@ -6,7 +6,6 @@
 mod content;
 mod fence;
 mod files;
-mod flash;
 mod items;
 mod lists;
 mod logs;
@@ -18,32 +17,28 @@ use mavlink::dialects::ardupilotmega::{MavMessage, MavSeverity};
 
 use self::files::Files;
 use self::lists::Lists;
-use self::logs::Logs;
+use self::logs::LogDownload;
 use super::autopilot::Autopilot;
 use super::link::{Link, LinkNumber};
 use super::payload::Payload;
-use super::plan::ListKind;
 use super::texts;
 use sortie_wire::{Frame, Outgoing};
-
-pub(super) use logs::Recorder;
 
 /// Every transfer of a vehicle.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Transfers {
     lists: Lists,
     files: Files,
-    logs: Logs,
+    download: LogDownload,
     /// How many links have asked for something.
     links: u32,
 }
 
 impl Transfers {
-    /// What a reboot leaves: files and logs.
+    /// What a reboot leaves: files.
     pub(super) fn rebooted(self) -> Self {
         Self {
             files: self.files.rebooted(),
-            logs: self.logs.rebooted(),
             ..Self::default()
         }
     }
@@ -66,13 +61,22 @@ impl Peer {
 /// A conversation with a ground station.
 struct Talk<'a> {
     autopilot: &'a mut Autopilot,
+    transfers: &'a mut Transfers,
     link: &'a mut Link,
     peer: Peer,
 }
 
 impl Talk<'_> {
     fn is_for_us(&self, to: u8) -> bool {
-        to == 0 || to == self.autopilot.system
+        to == 0 || to == self.autopilot.vehicle.system
+    }
+
+    /// Version, board and frame, for this link.
+    fn banner(&mut self) -> Vec<MavMessage> {
+        let vehicle = &mut self.autopilot.vehicle;
+        let before = vehicle.outbox.len();
+        vehicle.say_banner();
+        vehicle.outbox.split_off(before)
     }
 
     fn raw(&mut self, id: u32, payload: Vec<u8>) {
@@ -88,7 +92,12 @@ impl Talk<'_> {
 }
 
 /// Answers a message that belongs to a transfer; `false` if it belongs to none.
-pub(super) fn handle(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame) -> bool {
+pub(super) fn handle(
+    transfers: &mut Transfers,
+    autopilot: &mut Autopilot,
+    link: &mut Link,
+    frame: &Frame,
+) -> bool {
     let id = frame.content.id();
     if !matches!(id, 38..=51 | 73 | 110 | 117..=122) {
         return false;
@@ -97,8 +106,8 @@ pub(super) fn handle(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame) 
         return false;
     };
     if link.transfer.0 == 0 {
-        autopilot.transfers.links += 1;
-        link.transfer = LinkNumber(autopilot.transfers.links);
+        transfers.links += 1;
+        link.transfer = LinkNumber(transfers.links);
     }
     let peer = Peer {
         link: link.transfer.0,
@@ -107,6 +116,7 @@ pub(super) fn handle(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame) 
     };
     let mut talk = Talk {
         autopilot,
+        transfers,
         link,
         peer,
     };
@@ -116,9 +126,8 @@ pub(super) fn handle(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame) 
 }
 
 /// Carries on with what is under way on a link.
-pub(super) fn step(autopilot: &mut Autopilot, link: &mut Link) {
-    let transfers = &autopilot.transfers;
-    if transfers.lists.is_idle() && transfers.files.is_idle() && transfers.logs.is_idle() {
+pub(super) fn step(transfers: &mut Transfers, autopilot: &mut Autopilot, link: &mut Link) {
+    if transfers.lists.is_idle() && transfers.files.is_idle() && transfers.download.is_idle() {
         return;
     }
     let peer = Peer {
@@ -127,28 +136,11 @@ pub(super) fn step(autopilot: &mut Autopilot, link: &mut Link) {
     };
     let mut talk = Talk {
         autopilot,
+        transfers,
         link,
         peer,
     };
     lists::step(&mut talk);
     files::step(&mut talk);
     logs::step(&mut talk);
-}
-
-impl Autopilot {
-    /// Something in a list is no longer what it was.
-    pub(super) fn plans_changed(&mut self, kind: ListKind) {
-        match kind {
-            ListKind::Mission => self.mission_changed(),
-            ListKind::Fence => self.fence_changed(),
-            ListKind::Rally => {}
-        }
-    }
-
-    /// Version, board and frame, for one link.
-    fn banner(&mut self) -> Vec<MavMessage> {
-        let before = self.outbox.len();
-        self.say_banner();
-        self.outbox.split_off(before)
-    }
 }

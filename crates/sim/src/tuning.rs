@@ -4,12 +4,12 @@ use std::time::Duration;
 
 use super::arming::ArmingRules;
 use super::estimator::Faults;
-use super::failsafe::Rules;
+use super::failsafe::FailsafeRules;
+use super::flight_log::LogRules;
 use super::parameters::Parameters;
 use super::task::FlightTuning;
-use super::transfer::Recorder;
 use super::upset::MotorFault;
-use super::wind;
+use super::wind::WindRules;
 
 /// Limits and settings in SI units.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,14 +26,14 @@ pub(crate) struct Tuning {
     pub(crate) setpoint_timeout: Duration,
     pub(crate) ground_station: u8,
     pub(crate) only_ground_station: bool,
-    pub(crate) wind: wind::Rules,
+    pub(crate) wind: WindRules,
     /// To which the simulated battery is charged or drained when it changes.
     pub(crate) battery_set_v: f64,
     pub(crate) motor_fault: Option<MotorFault>,
     pub(crate) crash_check: bool,
     pub(crate) battery_capacity_mah: f64,
-    pub(crate) failsafes: Rules,
-    pub(crate) recorder: Recorder,
+    pub(crate) failsafes: FailsafeRules,
+    pub(crate) recorder: LogRules,
     pub(crate) faults: Faults,
     pub(crate) arming: ArmingRules,
 }
@@ -53,13 +53,13 @@ impl Tuning {
             setpoint_timeout: seconds(all.value("GUID_TIMEOUT").max(0.1)),
             ground_station: all.value("SYSID_MYGCS") as u8,
             only_ground_station: all.value("SYSID_ENFORCE") > 0.0,
-            wind: wind::Rules::read(all),
+            wind: WindRules::read(all),
             battery_set_v: all.value("SIM_BATT_VOLTAGE").clamp(0.0, 600.0),
             motor_fault: motor_fault(all),
             crash_check: all.value("FS_CRASH_CHECK") > 0.0,
             battery_capacity_mah: all.value("BATT_CAPACITY").max(1.0),
-            failsafes: Rules::read(all),
-            recorder: Recorder::read(all),
+            failsafes: FailsafeRules::read(all),
+            recorder: LogRules::read(all),
             faults: Faults::read(all),
             arming: ArmingRules::read(all),
         }

@@ -16,7 +16,7 @@ const METRES_PER_FOOT: f64 = 0.3048;
 
 /// The wind from the `SIM_WIND_*` parameters.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Rules {
+pub(super) struct WindRules {
     speed_m_s: f64,
     /// Where the air moves to, of length 1.
     towards: DVec3,
@@ -57,7 +57,7 @@ struct Filter {
     second: f64,
 }
 
-impl Rules {
+impl WindRules {
     /// Reads the parameters.
     pub(super) fn read(all: &Parameters) -> Self {
         let finite = |name| all.value(name).clamp(-1e6, 1e6);
@@ -116,7 +116,7 @@ impl Wind {
     }
 
     /// The air's velocity (north, east, down) at a height above the start, for one step.
-    pub(super) fn step(&mut self, height_m: f64, rules: &Rules) -> DVec3 {
+    pub(super) fn step(&mut self, height_m: f64, rules: &WindRules) -> DVec3 {
         if rules.is_calm() {
             return DVec3::ZERO;
         }
@@ -134,7 +134,7 @@ impl Wind {
     }
 
     /// Dryden's gusts: near the ground the vertical ones are weaker than the horizontal ones, and all are shorter.
-    fn gust(&mut self, height_m: f64, speed_m_s: f64, rules: &Rules) -> DVec3 {
+    fn gust(&mut self, height_m: f64, speed_m_s: f64, rules: &WindRules) -> DVec3 {
         let height_ft = (height_m / METRES_PER_FOOT).clamp(10.0, 1000.0);
         let shape = 0.177 + 0.000_823 * height_ft;
         let long_m = height_ft * METRES_PER_FOOT / shape.powf(1.2);

@@ -3,10 +3,6 @@
 
 use std::time::Duration;
 
-use mavlink::dialects::ardupilotmega::MavSeverity;
-
-use super::autopilot::Autopilot;
-
 /// A motor test lasts at most this long, in seconds.
 const TEST_MAX_S: f32 = 600.0;
 /// The vehicle has three compasses.
@@ -124,6 +120,15 @@ impl CompassCalibration {
 }
 
 impl Workbench {
+    /// Moves on; whether a motor test is over.
+    pub(super) fn step(&mut self, now: Duration) -> bool {
+        let ends = self.motor_test.as_mut().is_some_and(|test| test.step(now));
+        if ends {
+            self.motor_test = None;
+        }
+        ends
+    }
+
     /// Why the vehicle cannot be armed, in the order in which it says so.
     pub(super) fn obstacles(&self) -> impl Iterator<Item = &'static str> {
         let compasses = &self.compasses;
@@ -139,19 +144,6 @@ impl Workbench {
         ]
         .into_iter()
         .filter_map(|(holds, text)| holds.then_some(text))
-    }
-}
-
-impl Autopilot {
-    /// Looks after what is under way on the workbench.
-    pub(super) fn watch_workbench(&mut self) {
-        let now = self.uptime();
-        if let Some(test) = &mut self.workbench.motor_test
-            && test.step(now)
-        {
-            self.workbench.motor_test = None;
-            self.say(MavSeverity::MAV_SEVERITY_INFO, "finished motor test");
-        }
     }
 }
 

@@ -2,18 +2,18 @@
 
 use std::time::Duration;
 
-use mavlink::dialects::ardupilotmega::MavSeverity;
-
-use crate::autopilot::Autopilot;
-use crate::mode;
+use crate::boot::Boot;
+use crate::estimator::{Estimator, Faults};
+use crate::failsafe::{Failsafe, FailsafeRules};
+use crate::mode::{self, Mode};
 use crate::parameters::Parameters;
 
 /// Unasked, the reasons against arming are told this often.
 pub(super) const REPORT_EVERY: Duration = Duration::from_secs(30);
 /// What newly speaks against arming is told this long after the last report.
-const REPORT_SOON: Duration = Duration::from_secs(4);
+pub(super) const REPORT_SOON: Duration = Duration::from_secs(4);
 /// The checks are made this often.
-const LOOK_STEPS: u64 = 100;
+pub(crate) const LOOK_STEPS: u64 = 100;
 /// The lowest throttle of a calibrated remote control, with the margin that is required to `FS_THR_VALUE`.
 const THROTTLE_MARGIN_US: f64 = 10.0;
 const LOSS_OF_SIGNAL_US: f64 = 910.0;
@@ -66,20 +66,39 @@ impl ArmingRules {
     }
 }
 
-impl Autopilot {
+/// What the checks look at.
+pub(crate) struct ArmingChecks<'a> {
+    pub(crate) rules: &'a ArmingRules,
+    pub(crate) failsafe_rules: &'a FailsafeRules,
+    pub(crate) faults: &'a Faults,
+    pub(crate) boot: &'a Boot,
+    pub(crate) estimator: &'a Estimator,
+    pub(crate) failsafe: &'a Failsafe,
+    pub(crate) mode: &'a Mode,
+    pub(crate) has_home: bool,
+    /// What the remote control says of its throttle, and the stick itself, in microseconds.
+    pub(crate) received_throttle_us: f64,
+    pub(crate) throttle_us: u16,
+    /// What the battery, the workbench and the fence say against it.
+    pub(crate) battery: Option<&'static str>,
+    pub(crate) workbench: Vec<&'static str>,
+    pub(crate) fence: Option<&'static str>,
+}
+
+impl ArmingChecks<'_> {
     /// Why the vehicle cannot be armed now; empty when it can.
-    pub(crate) fn arming_obstacles(&self) -> Vec<&'static str> {
-        if self.tuning.arming.is_off() {
+    pub(crate) fn obstacles(&self) -> Vec<&'static str> {
+        if self.rules.is_off() {
             return self.mandatory_obstacles();
         }
         let mut reasons = self.parameter_obstacles();
         if !self.boot.is_over() {
-            reasons.extend(self.boot.obstacles(&self.mode, self.datum.home.is_some()));
+            reasons.extend(self.boot.obstacles(self.mode, self.has_home));
         }
         self.sensor_obstacles(&mut reasons);
         self.power_obstacles(&mut reasons);
-        reasons.extend(self.workbench.obstacles());
-        reasons.extend(self.fence_obstacle());
+        reasons.extend(&self.workbench);
+        reasons.extend(self.fence);
         reasons
     }
 
@@ -87,7 +106,7 @@ impl Autopilot {
     pub(crate) fn mandatory_obstacles(&self) -> Vec<&'static str> {
         let mut reasons: Vec<_> = self
             .boot
-            .reference_obstacle(&self.mode)
+            .reference_obstacle(self.mode)
             .into_iter()
             .collect();
         if self.boot.is_over() {
@@ -97,53 +116,22 @@ impl Autopilot {
     }
 
     /// What is looked at only when everything else is fine and arming was asked for.
-    pub(super) fn last_obstacles(&self) -> Vec<&'static str> {
+    pub(crate) fn last_obstacles(&self) -> Vec<&'static str> {
         let by_itself = matches!(
             self.mode.number,
             mode::GUIDED | mode::GUIDED_NOGPS | mode::AUTO
         );
-        let high = self.sticks().channels_us[2] > CLIMB_US;
-        if self.tuning.arming.has(Check::Radio) && high && !by_itself {
+        let high = self.throttle_us > CLIMB_US;
+        if self.rules.has(Check::Radio) && high && !by_itself {
             vec!["Throttle too high"]
         } else {
             Vec::new()
         }
     }
 
-    /// Whether `SYS_STATUS` may say that all pre-arm checks pass.
-    pub(crate) fn is_armable(&self) -> bool {
-        self.safety.armed || (self.boot.is_checked() && self.arming_obstacles().is_empty())
-    }
-
-    /// Tells, now and then, what speaks against arming.
-    pub(crate) fn report_obstacles(&mut self, steps: u64) {
-        if self.safety.armed || !steps.is_multiple_of(LOOK_STEPS) || self.boot.is_initialising() {
-            return;
-        }
-        let now = self.uptime();
-        let reasons = self.arming_obstacles();
-        let could_arm = std::mem::replace(&mut self.safety.may_arm, reasons.is_empty());
-        if could_arm && !self.safety.may_arm && self.safety.reports_at > now + REPORT_SOON {
-            self.safety.reports_at -= REPORT_EVERY.saturating_sub(REPORT_SOON);
-        }
-        if now < self.safety.reports_at {
-            return;
-        }
-        self.safety.reports_at = now + REPORT_EVERY;
-        self.refuse("PreArm", &reasons);
-    }
-
-    /// One text per reason.
-    pub(super) fn refuse(&mut self, what: &str, reasons: &[&'static str]) {
-        for reason in reasons {
-            let text = format!("{what}: {reason}");
-            self.say(MavSeverity::MAV_SEVERITY_CRITICAL, &text);
-        }
-    }
-
     fn parameter_obstacles(&self) -> Vec<&'static str> {
-        let rules = &self.tuning.arming;
-        let failsafes = &self.tuning.failsafes;
+        let rules = self.rules;
+        let failsafes = self.failsafe_rules;
         let mut reasons = Vec::new();
         if rules.has(Check::Parameters) {
             let low_us = failsafes.radio_low_us;
@@ -167,7 +155,7 @@ impl Autopilot {
         }
         if rules.has(Check::Radio)
             && failsafes.radio != 0
-            && self.radio_throttle_us() < failsafes.radio_low_us
+            && self.received_throttle_us < failsafes.radio_low_us
         {
             reasons.push("Throttle below failsafe");
         }
@@ -175,8 +163,8 @@ impl Autopilot {
     }
 
     fn sensor_obstacles(&self, reasons: &mut Vec<&'static str>) {
-        let rules = &self.tuning.arming;
-        let faults = &self.tuning.faults;
+        let rules = self.rules;
+        let faults = self.faults;
         let barometers_off = faults.barometers.iter().any(|barometer| barometer.disabled);
         if rules.has(Check::Barometer) && barometers_off {
             reasons.push("Baro: not healthy");
@@ -203,9 +191,7 @@ impl Autopilot {
         if !self.mode.needs_position() {
             return None;
         }
-        if self.tuning.arming.has(Check::Gps)
-            && self.estimator.fix().is_some_and(|fix| !fix.is_locked())
-        {
+        if self.rules.has(Check::Gps) && self.estimator.fix().is_some_and(|fix| !fix.is_locked()) {
             return Some("GPS 1: Bad fix");
         }
         self.estimate_obstacle()
@@ -222,7 +208,7 @@ impl Autopilot {
         if self.estimator.is_glitching() {
             return Some("GPS glitching");
         }
-        let threshold = self.tuning.failsafes.ekf_threshold;
+        let threshold = self.failsafe_rules.ekf_threshold;
         let ratios = self.estimator.ratios();
         let over = |ratio: f64| threshold > 0.0 && ratio >= threshold;
         if over(ratios.compass) {
@@ -239,9 +225,9 @@ impl Autopilot {
     }
 
     fn power_obstacles(&self, reasons: &mut Vec<&'static str>) {
-        let rules = &self.tuning.arming;
+        let rules = self.rules;
         if rules.has(Check::Battery) {
-            reasons.extend(self.battery_obstacle());
+            reasons.extend(self.battery);
         }
         if self.failsafe.radio_is_lost() {
             reasons.push("Radio failsafe on");

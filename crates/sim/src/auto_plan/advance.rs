@@ -2,181 +2,178 @@
 
 use mavlink::dialects::ardupilotmega::MavSeverity;
 
-use super::{Action, FIRST, State, Wait, sequence};
-use crate::autopilot::Autopilot;
+use super::{Action, AutoPlan, FIRST, State, Wait, sequence};
 use crate::task::{Route, Task};
+use crate::vehicle::Vehicle;
 
 /// How many items a navigation command may be searched over in one step.
 const ITEMS_PER_STEP: usize = 255;
 
-impl Autopilot {
+impl AutoPlan {
     /// Starts the mission, or goes on where it stands, as `MIS_RESTART` says.
-    pub(super) fn start_or_resume(&mut self) {
-        let resumes = std::mem::take(&mut self.mission.resumes);
-        if self.tuning.flight.auto.restarts && !resumes {
-            self.start_from_first();
+    pub(super) fn start_or_resume(&mut self, vehicle: &mut Vehicle) {
+        let resumes = std::mem::take(&mut self.resumes);
+        if vehicle.tuning.flight.auto.restarts && !resumes {
+            self.start_from_first(vehicle);
         } else {
-            self.resume_mission();
+            self.resume(vehicle);
         }
     }
 
-    fn start_from_first(&mut self) {
-        let may_lift = self.mission.may_lift;
-        self.mission.reset();
-        self.mission.may_lift = may_lift;
-        self.mission.state = State::Running;
-        if !self.advance_to(FIRST) {
-            self.complete_mission();
+    fn start_from_first(&mut self, vehicle: &mut Vehicle) {
+        let may_lift = self.may_lift;
+        self.reset();
+        self.may_lift = may_lift;
+        self.state = State::Running;
+        if !self.advance_to(vehicle, FIRST) {
+            self.complete(vehicle);
         }
     }
 
     /// Goes on where the mission stands: the action or the navigation command there begins again. A mission that is
     /// complete or stands nowhere starts from the first item.
-    pub(super) fn resume_mission(&mut self) {
-        let at = self.mission.nav.filter(|&at| self.item(at).is_some());
-        let Some(at) = at.filter(|_| self.mission.state != State::Complete) else {
-            self.start_from_first();
+    pub(super) fn resume(&mut self, vehicle: &mut Vehicle) {
+        let at = self.nav.filter(|&at| vehicle.plans.item(at).is_some());
+        let Some(at) = at.filter(|_| self.state != State::Complete) else {
+            self.start_from_first(vehicle);
             return;
         };
-        self.mission.state = State::Running;
-        let action = self.mission.action;
+        self.state = State::Running;
+        let action = self.action;
         match action.at {
-            Some(action) if self.mission.action.loaded => self.set_mission_item(action),
-            _ => self.mission.nav_loaded && self.set_mission_item(at),
+            Some(action) if self.action.loaded => self.set_item(vehicle, action),
+            _ => self.nav_loaded && self.set_item(vehicle, at),
         };
     }
 
     /// Finds the navigation command of a mission that does not run, and the action before it.
-    pub(super) fn prepare(&mut self, from: u16) -> bool {
+    pub(super) fn prepare(&mut self, vehicle: &mut Vehicle, from: u16) -> bool {
         let mut at = from;
         for _ in 0..ITEMS_PER_STEP {
-            let Some(found) = self.next_counted(at) else {
+            let Some(found) = self.next_counted(vehicle, at) else {
                 break;
             };
-            let navigates = self
+            let navigates = vehicle
+                .plans
                 .item(found)
                 .is_some_and(|item| sequence::is_navigation(item.command));
             if navigates {
-                self.mission.nav = Some(found);
-                self.mission.nav_loaded = true;
-                self.mission.action.all_done = !self.mission.action.loaded;
-                self.mission.state = State::Stopped;
+                self.nav = Some(found);
+                self.nav_loaded = true;
+                self.action.all_done = !self.action.loaded;
+                self.state = State::Stopped;
                 return true;
             }
-            if !self.mission.action.loaded {
-                self.mission.action.at = Some(found);
-                self.mission.action.loaded = true;
+            if !self.action.loaded {
+                self.action.at = Some(found);
+                self.action.loaded = true;
             }
             at = found + 1;
         }
-        self.mission.nav = None;
+        self.nav = None;
         false
     }
 
     /// One step of a running mission: what is over is followed by what comes next.
-    pub(super) fn update_mission(&mut self) {
-        match self.mission.nav.filter(|_| self.mission.nav_loaded) {
+    pub(super) fn update(&mut self, vehicle: &mut Vehicle) {
+        match self.nav.filter(|_| self.nav_loaded) {
             None => {
-                let next = self.mission.nav.map_or(FIRST, |at| at.saturating_add(1));
-                if !self.advance_to(next) {
-                    self.complete_mission();
+                let next = self.nav.map_or(FIRST, |at| at.saturating_add(1));
+                if !self.advance_to(vehicle, next) {
+                    self.complete(vehicle);
                     return;
                 }
             }
-            Some(at) if self.navigation_is_over(at) => {
-                self.mission.nav_loaded = false;
-                if !self.advance_to(at.saturating_add(1)) {
-                    self.complete_mission();
+            Some(at) if self.navigation_is_over(vehicle, at) => {
+                self.nav_loaded = false;
+                if !self.advance_to(vehicle, at.saturating_add(1)) {
+                    self.complete(vehicle);
                     return;
                 }
             }
             Some(_) => {}
         }
-        match self
-            .mission
-            .action
-            .at
-            .filter(|_| self.mission.action.loaded)
-        {
-            None => self.advance_action(),
+        match self.action.at.filter(|_| self.action.loaded) {
+            None => self.advance_action(vehicle),
             Some(at) => {
-                if self.action_is_over(at) {
-                    self.mission.action.loaded = false;
+                if self.action_is_over(vehicle, at) {
+                    self.action.loaded = false;
                 }
             }
         }
     }
 
     /// Starts the first navigation command at or after an item, and the first action on the way there.
-    pub(super) fn advance_to(&mut self, from: u16) -> bool {
-        self.mission.action = Action::default();
+    pub(super) fn advance_to(&mut self, vehicle: &mut Vehicle, from: u16) -> bool {
+        self.action = Action::default();
         let mut at = from;
         for _ in 0..ITEMS_PER_STEP {
-            let Some(found) = self.next_counted(at) else {
+            let Some(found) = self.next_counted(vehicle, at) else {
                 return false;
             };
-            let navigates = self
+            let navigates = vehicle
+                .plans
                 .item(found)
                 .is_some_and(|item| sequence::is_navigation(item.command));
             if navigates {
-                self.mission.nav = Some(found);
-                if self.start_navigation(found) {
-                    self.mission.nav_loaded = true;
-                    self.mission.action.all_done = !self.mission.action.loaded;
+                self.nav = Some(found);
+                if self.start_navigation(vehicle, found) {
+                    self.nav_loaded = true;
+                    self.action.all_done = !self.action.loaded;
                     return true;
                 }
-            } else if !self.mission.action.loaded {
-                self.load_action(found);
+            } else if !self.action.loaded {
+                self.load_action(vehicle, found);
             }
             at = found + 1;
         }
         false
     }
 
-    fn advance_action(&mut self) {
-        if self.mission.action.all_done {
+    fn advance_action(&mut self, vehicle: &mut Vehicle) {
+        if self.action.all_done {
             return;
         }
-        let from = self.mission.action.at.map_or(FIRST, |at| at + 1);
-        let items = &self.plans.mission;
-        let next = sequence::next_ahead(items, from, &self.mission.jumps).filter(|&at| {
+        let from = self.action.at.map_or(FIRST, |at| at + 1);
+        let items = &vehicle.plans.mission;
+        let next = sequence::next_ahead(items, from, &self.jumps).filter(|&at| {
             items
                 .get(usize::from(at))
                 .is_some_and(|item| !sequence::is_navigation(item.command))
         });
         match next {
-            Some(at) => self.load_action(at),
-            None => self.mission.action.all_done = true,
+            Some(at) => self.load_action(vehicle, at),
+            None => self.action.all_done = true,
         }
     }
 
-    fn load_action(&mut self, at: u16) {
-        self.mission.action.at = Some(at);
-        self.mission.action.loaded = true;
-        self.mission.action.since = self.uptime();
-        self.start_action(at);
+    fn load_action(&mut self, vehicle: &mut Vehicle, at: u16) {
+        self.action.at = Some(at);
+        self.action.loaded = true;
+        self.action.since = vehicle.uptime();
+        self.start_action(vehicle, at);
     }
 
-    fn next_counted(&mut self, from: u16) -> Option<u16> {
+    fn next_counted(&mut self, vehicle: &mut Vehicle, from: u16) -> Option<u16> {
         let mut texts = Vec::new();
-        let items = &self.plans.mission;
-        let found = sequence::next_counting(items, from, &mut self.mission.jumps, &mut texts);
+        let items = &vehicle.plans.mission;
+        let found = sequence::next_counting(items, from, &mut self.jumps, &mut texts);
         for text in texts {
-            self.say(MavSeverity::MAV_SEVERITY_INFO, &text);
+            vehicle.say(MavSeverity::MAV_SEVERITY_INFO, &text);
         }
         found
     }
 
     /// The end of the mission: hover in the air, disarm on the ground.
-    pub(super) fn complete_mission(&mut self) {
-        self.mission.state = State::Complete;
-        self.mission.wait = Wait::Nothing;
-        if self.safety.landed || self.landing_is_over() {
-            self.disarm();
+    pub(super) fn complete(&mut self, vehicle: &mut Vehicle) {
+        self.state = State::Complete;
+        self.wait = Wait::Nothing;
+        if vehicle.safety.landed || vehicle.landing_is_over() {
+            self.disarm(vehicle);
         } else {
-            let route = self.with_cockpit(|_, cockpit| Route::standing(cockpit));
-            self.task = Task::Route(Box::new(route));
-            self.yaw.settle(self.body.yaw_deg);
+            let route = vehicle.with_cockpit(|_, cockpit| Route::standing(cockpit));
+            vehicle.flight.task = Task::Route(Box::new(route));
+            vehicle.flight.yaw.settle(vehicle.plant.body.yaw_deg);
         }
     }
 }

@@ -2,71 +2,30 @@
 
 use glam::DVec3;
 
-use super::{FIRST, sequence};
-use crate::autopilot::Autopilot;
+use super::{AutoPlan, FIRST, sequence};
 use crate::cmd;
 use crate::plan::Item;
 use crate::task::Task;
+use crate::vehicle::Vehicle;
 use sortie_geo::LatLon;
 
 /// Heights beyond this are mistakes, metres.
 const HEIGHT_MAX_M: f32 = 1e6;
 
-impl Autopilot {
-    /// The point of an item (north, east, down from the start). What the item leaves out, a place of 0, 0 or a height
-    /// of 0, is taken from `otherwise`.
-    pub(super) fn item_point(&self, item: &Item, otherwise: DVec3) -> DVec3 {
-        let flat = self
-            .item_place(item)
-            .unwrap_or_else(|| otherwise.truncate());
-        let down_m = if item.z == 0.0 {
-            otherwise.z
-        } else {
-            self.item_down_m(item)
-        };
-        flat.extend(down_m)
-    }
-
-    /// The place of an item in metres north and east of the start, if it has one.
-    pub(super) fn item_place(&self, item: &Item) -> Option<glam::DVec2> {
-        let at = LatLon::from_e7(item.x, item.y);
-        if (item.x == 0 && item.y == 0) || !at.is_valid() {
-            return None;
-        }
-        let (north, east) = self.datum.start.at.offset_to(at);
-        Some(glam::DVec2::new(north, east))
-    }
-
-    /// The height of an item as metres down from the start; in a frame the vehicle lacks it counts from home.
-    pub(super) fn item_down_m(&self, item: &Item) -> f64 {
-        let height = if item.z.is_finite() { item.z } else { 0.0 };
-        let height_m = f64::from(height.clamp(-HEIGHT_MAX_M, HEIGHT_MAX_M));
-        match self.datum.altitude_amsl_m(item.frame, height_m) {
-            Some(amsl_m) => self.datum.start.altitude_amsl_m - amsl_m,
-            None => self.datum.home_point().z - height_m,
-        }
-    }
-
-    /// What a navigation command takes its missing coordinates from: the goal that was reached, or the vehicle's place.
-    pub(super) fn reference_point(&self) -> DVec3 {
-        match &self.task {
-            Task::Route(route) if route.reached => route.goal_m(),
-            _ => self.believed().position_m,
-        }
-    }
-
+impl AutoPlan {
     /// The nearest `DO_LAND_START`. One without a place counts where the next navigation command is.
-    pub(crate) fn landing_start(&self) -> Option<u16> {
-        let items = &self.plans.mission;
+    pub(crate) fn landing_start(&self, vehicle: &Vehicle) -> Option<u16> {
+        let items = &vehicle.plans.mission;
         let distance = |at: u16| {
             let item = items.get(usize::from(at))?;
             let placed = if item.x == 0 && item.y == 0 && item.z == 0.0 {
-                let next = sequence::next_navigation(items, at, &self.mission.jumps)?;
+                let next = sequence::next_navigation(items, at, &self.jumps)?;
                 items.get(usize::from(next))?
             } else {
                 item
             };
-            let way = self.item_point(placed, self.datum.home_point()) - self.believed().position_m;
+            let way = item_point(vehicle, placed, vehicle.datum.home_point())
+                - vehicle.believed().position_m;
             Some((at, way.length()))
         };
         (FIRST..items.len() as u16)
@@ -78,5 +37,45 @@ impl Autopilot {
             .filter_map(distance)
             .min_by(|a, b| a.1.total_cmp(&b.1))
             .map(|(at, _)| at)
+    }
+}
+
+/// The point of an item (north, east, down from the start). What the item leaves out, a place of 0, 0 or a height
+/// of 0, is taken from `otherwise`.
+pub(super) fn item_point(vehicle: &Vehicle, item: &Item, otherwise: DVec3) -> DVec3 {
+    let flat = item_place(vehicle, item).unwrap_or_else(|| otherwise.truncate());
+    let down_m = if item.z == 0.0 {
+        otherwise.z
+    } else {
+        item_down_m(vehicle, item)
+    };
+    flat.extend(down_m)
+}
+
+/// The place of an item in metres north and east of the start, if it has one.
+pub(super) fn item_place(vehicle: &Vehicle, item: &Item) -> Option<glam::DVec2> {
+    let at = LatLon::from_e7(item.x, item.y);
+    if (item.x == 0 && item.y == 0) || !at.is_valid() {
+        return None;
+    }
+    let (north, east) = vehicle.datum.start.at.offset_to(at);
+    Some(glam::DVec2::new(north, east))
+}
+
+/// The height of an item as metres down from the start; in a frame the vehicle lacks it counts from home.
+pub(super) fn item_down_m(vehicle: &Vehicle, item: &Item) -> f64 {
+    let height = if item.z.is_finite() { item.z } else { 0.0 };
+    let height_m = f64::from(height.clamp(-HEIGHT_MAX_M, HEIGHT_MAX_M));
+    match vehicle.datum.altitude_amsl_m(item.frame, height_m) {
+        Some(amsl_m) => vehicle.datum.start.altitude_amsl_m - amsl_m,
+        None => vehicle.datum.home_point().z - height_m,
+    }
+}
+
+/// What a navigation command takes its missing coordinates from: the goal that was reached, or the vehicle's place.
+pub(super) fn reference_point(vehicle: &Vehicle) -> DVec3 {
+    match &vehicle.flight.task {
+        Task::Route(route) if route.reached => route.goal_m(),
+        _ => vehicle.believed().position_m,
     }
 }

@@ -5,12 +5,13 @@ use std::time::Duration;
 use glam::DVec3;
 use mavlink::dialects::ardupilotmega::MavSeverity;
 
-use super::{Wait, command, sequence};
-use crate::autopilot::Autopilot;
+use super::place::{item_down_m, item_place, item_point, reference_point};
+use super::{AutoPlan, Wait, command, sequence};
 use crate::cmd;
 use crate::place::Place;
 use crate::plan::Item;
 use crate::task::{Landing, Orbit, Returning, Route, Takeoff, Task};
+use crate::vehicle::Vehicle;
 use crate::yaw::YawDemand;
 use sortie_geo::LatLon;
 /// A takeoff from the ground goes at least this far up.
@@ -20,46 +21,46 @@ const AT_EDGE_M: f64 = 3.0;
 /// Radii of this size and more are stored in steps of 10 m.
 const COARSE_RADIUS_M: f64 = 255.0;
 
-impl Autopilot {
+impl AutoPlan {
     /// Starts a navigation command; `false` for one the vehicle cannot fly, so that the next one is tried.
-    pub(super) fn start_navigation(&mut self, at: u16) -> bool {
-        let Some(item) = self.announce_item(at) else {
+    pub(super) fn start_navigation(&mut self, vehicle: &mut Vehicle, at: u16) -> bool {
+        let Some(item) = announce_item(vehicle, at) else {
             return false;
         };
-        self.mission.nav_item = item;
+        self.nav_item = item;
         match item.command {
-            cmd::NAV_TAKEOFF | cmd::NAV_VTOL_TAKEOFF => self.begin_takeoff(&item),
-            cmd::NAV_WAYPOINT | cmd::NAV_SPLINE_WAYPOINT => self.begin_waypoint(at, &item),
-            cmd::NAV_LAND | cmd::NAV_VTOL_LAND => self.begin_landing(&item),
-            cmd::NAV_LOITER_UNLIM => self.begin_loiter(&item, Wait::Nothing),
-            cmd::NAV_LOITER_TIME => self.begin_loiter(&item, Wait::Stay(None)),
-            cmd::NAV_LOITER_TURNS => self.begin_circle(&item),
+            cmd::NAV_TAKEOFF | cmd::NAV_VTOL_TAKEOFF => self.begin_takeoff(vehicle, &item),
+            cmd::NAV_WAYPOINT | cmd::NAV_SPLINE_WAYPOINT => self.begin_waypoint(vehicle, at, &item),
+            cmd::NAV_LAND | cmd::NAV_VTOL_LAND => self.begin_landing(vehicle, &item),
+            cmd::NAV_LOITER_UNLIM => self.begin_loiter(vehicle, &item, Wait::Nothing),
+            cmd::NAV_LOITER_TIME => self.begin_loiter(vehicle, &item, Wait::Stay(None)),
+            cmd::NAV_LOITER_TURNS => self.begin_circle(vehicle, &item),
             cmd::NAV_LOITER_TO_ALT => {
                 let wait = Wait::Height {
-                    down_m: self.item_down_m(&item),
+                    down_m: item_down_m(vehicle, &item),
                     left_m: None,
                 };
-                self.begin_loiter(&item, wait);
+                self.begin_loiter(vehicle, &item, wait);
             }
             cmd::NAV_RETURN_TO_LAUNCH => {
-                let returning = self.with_cockpit(|_, cockpit| Returning::new(cockpit));
-                self.fly_task(Task::Return(returning), Wait::Nothing);
-                self.yaw.demand = self.default_yaw_home();
+                let returning = vehicle.with_cockpit(|_, cockpit| Returning::new(cockpit));
+                self.fly_task(vehicle, Task::Return(returning), Wait::Nothing);
+                vehicle.flight.yaw.demand = vehicle.default_yaw_home();
             }
             cmd::NAV_GUIDED_ENABLE => {
                 if item.p[0] as u16 > 0 {
-                    self.fly_task(Task::STOP, Wait::Guided);
+                    self.fly_task(vehicle, Task::STOP, Wait::Guided);
                 }
             }
-            cmd::NAV_DELAY => self.begin_delay(&item),
+            cmd::NAV_DELAY => self.begin_delay(vehicle, &item),
             _ => return false,
         }
         true
     }
 
     /// Starts an action or a condition.
-    pub(super) fn start_action(&mut self, at: u16) {
-        let Some(item) = self.announce_item(at) else {
+    pub(super) fn start_action(&mut self, vehicle: &mut Vehicle, at: u16) {
+        let Some(item) = announce_item(vehicle, at) else {
             return;
         };
         match item.command {
@@ -68,45 +69,45 @@ impl Autopilot {
                 if !(angle.is_finite() && rate.is_finite()) {
                     return;
                 }
-                self.mission.looks_at_place = false;
+                self.looks_at_place = false;
                 if relative > 0.0 {
                     let signed = if direction < 0.0 { -angle } else { angle };
-                    self.yaw.turn_by(signed, rate);
+                    vehicle.flight.yaw.turn_by(signed, rate);
                 } else {
-                    self.yaw.turn_to(angle, rate, direction);
+                    vehicle.flight.yaw.turn_to(angle, rate, direction);
                 }
             }
-            cmd::DO_CHANGE_SPEED => self.change_mission_speed(&item),
-            cmd::DO_SET_HOME => self.set_mission_home(&item),
+            cmd::DO_CHANGE_SPEED => change_mission_speed(vehicle, &item),
+            cmd::DO_SET_HOME => set_mission_home(vehicle, &item),
             cmd::DO_SET_SERVO => {
                 let channel = item.p[0] as usize;
                 if (5..=16).contains(&channel)
-                    && let Some(servo) = self.servos_us.get_mut(channel - 1)
+                    && let Some(servo) = vehicle.servos_us.get_mut(channel - 1)
                 {
                     *servo = item.p[1] as u16;
                 }
             }
-            cmd::DO_SET_ROI => self.look_at_item(&item),
+            cmd::DO_SET_ROI => self.look_at_item(vehicle, &item),
             _ => {}
         }
     }
 
     /// A takeoff that waits lifts once the motors run and the throttle is up.
-    pub(super) fn lift_if_allowed(&mut self) {
-        let throttle_up = !self.sticks().throttle_is_low();
-        self.mission.may_lift |= throttle_up || self.tuning.flight.auto.lifts_unasked;
-        if let Wait::Throttle(height_m) = self.mission.wait
-            && self.mission.may_lift
+    pub(super) fn lift_if_allowed(&mut self, vehicle: &mut Vehicle) {
+        let throttle_up = !vehicle.sticks().throttle_is_low();
+        self.may_lift |= throttle_up || vehicle.tuning.flight.auto.lifts_unasked;
+        if let Wait::Throttle(height_m) = self.wait
+            && self.may_lift
         {
-            let begins = self.safety.takeoff_begins(self.uptime());
-            let takeoff = Takeoff::new(self.believed().position_m, height_m, begins);
-            self.fly_task(Task::Takeoff(takeoff), Wait::Nothing);
+            let begins = vehicle.safety.takeoff_begins(vehicle.uptime());
+            let takeoff = Takeoff::new(vehicle.believed().position_m, height_m, begins);
+            self.fly_task(vehicle, Task::Takeoff(takeoff), Wait::Nothing);
         }
     }
 
     /// Flies a route on from where the vehicle is, or from the end of the one it flies.
-    pub(super) fn fly_to(&mut self, goal_m: DVec3, wait: Wait) {
-        self.with_cockpit(|task, cockpit| {
+    pub(super) fn fly_to(&mut self, vehicle: &mut Vehicle, goal_m: DVec3, wait: Wait) {
+        vehicle.with_cockpit(|task, cockpit| {
             if !matches!(task, Task::Route(_)) {
                 *task = Task::Route(Box::new(Route::standing(cockpit)));
             }
@@ -114,55 +115,42 @@ impl Autopilot {
                 route.go_to(goal_m, cockpit);
             }
         });
-        self.mission.wait = wait;
-        self.mission.paused = false;
-        if !self.mission.looks_at_place {
-            self.yaw.demand = self.default_yaw();
+        self.wait = wait;
+        self.paused = false;
+        if !self.looks_at_place {
+            vehicle.flight.yaw.demand = vehicle.default_yaw();
         }
     }
 
-    /// Says which command begins.
-    fn announce_item(&mut self, at: u16) -> Option<Item> {
-        let item = self.item(at)?;
-        let name = command::name(item.command);
-        let text = if item.command == cmd::JUMP_TAG {
-            // The vehicle prints a field that tags do not use.
-            format!("Mission: {at} {name} 0")
-        } else {
-            format!("Mission: {at} {name}")
-        };
-        self.say(MavSeverity::MAV_SEVERITY_INFO, &text);
-        Some(item)
+    fn fly_task(&mut self, vehicle: &mut Vehicle, task: Task, wait: Wait) {
+        vehicle.flight.task = task;
+        self.wait = wait;
+        self.looks_at_place = false;
+        vehicle.flight.yaw.settle(vehicle.plant.body.yaw_deg);
     }
 
-    fn fly_task(&mut self, task: Task, wait: Wait) {
-        self.task = task;
-        self.mission.wait = wait;
-        self.mission.looks_at_place = false;
-        self.yaw.settle(self.body.yaw_deg);
-    }
-
-    fn begin_takeoff(&mut self, item: &Item) {
-        self.mission.returns = false;
-        let landed = self.safety.landed;
-        let here_m = self.believed().height_m();
+    fn begin_takeoff(&mut self, vehicle: &mut Vehicle, item: &Item) {
+        self.returns = false;
+        let landed = vehicle.safety.landed;
+        let here_m = vehicle.believed().height_m();
         let least_m = here_m + if landed { LEAST_CLIMB_M } else { 0.0 };
-        let height_m = (-self.item_down_m(item)).max(least_m);
+        let height_m = (-item_down_m(vehicle, item)).max(least_m);
         if landed {
-            self.fly_task(Task::Wait, Wait::Throttle(height_m));
+            self.fly_task(vehicle, Task::Wait, Wait::Throttle(height_m));
         } else {
-            let takeoff = Takeoff::in_flight(self.believed().position_m, height_m, self.uptime());
-            self.fly_task(Task::Takeoff(takeoff), Wait::Nothing);
+            let takeoff =
+                Takeoff::in_flight(vehicle.believed().position_m, height_m, vehicle.uptime());
+            self.fly_task(vehicle, Task::Takeoff(takeoff), Wait::Nothing);
         }
     }
 
-    fn begin_waypoint(&mut self, at: u16, item: &Item) {
-        let goal_m = self.item_point(item, self.reference_point());
-        self.fly_to(goal_m, Wait::Stay(None));
+    fn begin_waypoint(&mut self, vehicle: &mut Vehicle, at: u16, item: &Item) {
+        let goal_m = item_point(vehicle, item, reference_point(vehicle));
+        self.fly_to(vehicle, goal_m, Wait::Stay(None));
         let stays = item.p[0] as u16 > 0;
-        let items = &self.plans.mission;
-        let next = sequence::next_navigation(items, at.saturating_add(1), &self.mission.jumps)
-            .and_then(|next| self.item(next))
+        let items = &vehicle.plans.mission;
+        let next = sequence::next_navigation(items, at.saturating_add(1), &self.jumps)
+            .and_then(|next| vehicle.plans.item(next))
             .filter(|next| {
                 matches!(
                     next.command,
@@ -173,8 +161,8 @@ impl Autopilot {
                 )
             });
         if let Some(next) = next.filter(|_| !stays) {
-            let further_m = self.item_point(&next, goal_m);
-            self.with_cockpit(|task, cockpit| {
+            let further_m = item_point(vehicle, &next, goal_m);
+            vehicle.with_cockpit(|task, cockpit| {
                 if let Task::Route(route) = task {
                     route.then_to(further_m, cockpit);
                 }
@@ -183,105 +171,119 @@ impl Autopilot {
     }
 
     /// To the place of the item, at the present height, and down; or down at once.
-    fn begin_landing(&mut self, item: &Item) {
-        match self.item_place(item) {
+    fn begin_landing(&mut self, vehicle: &mut Vehicle, item: &Item) {
+        match item_place(vehicle, item) {
             Some(flat) => {
-                let goal_m = flat.extend(self.believed().position_m.z);
-                self.fly_to(goal_m, Wait::LandingPlace);
+                let goal_m = flat.extend(vehicle.believed().position_m.z);
+                self.fly_to(vehicle, goal_m, Wait::LandingPlace);
             }
-            None => self.fly_task(Task::Land(Landing::default()), Wait::Nothing),
+            None => self.fly_task(vehicle, Task::Land(Landing::default()), Wait::Nothing),
         }
     }
 
-    fn begin_loiter(&mut self, item: &Item, wait: Wait) {
-        let mut otherwise = self.believed().position_m;
-        if self.item_place(item).is_none() {
-            let stop_m = self.with_cockpit(|_, cockpit| crate::task::stopping_point(cockpit));
-            otherwise = self.stored(stop_m.truncate().extend(otherwise.z));
+    fn begin_loiter(&mut self, vehicle: &mut Vehicle, item: &Item, wait: Wait) {
+        let mut otherwise = vehicle.believed().position_m;
+        if item_place(vehicle, item).is_none() {
+            let stop_m = vehicle.with_cockpit(|_, cockpit| crate::task::stopping_point(cockpit));
+            otherwise = stored(vehicle, stop_m.truncate().extend(otherwise.z));
         }
-        self.fly_to(self.item_point(item, otherwise), wait);
+        self.fly_to(vehicle, item_point(vehicle, item, otherwise), wait);
     }
 
-    /// A point as the vehicle stores places: in 1e-7 degrees and centimetres. That is why even a stay on the spot
-    /// begins with a way, of a few millimetres and about a second.
-    fn stored(&self, point_m: DVec3) -> DVec3 {
-        let place = self.datum.place_of(point_m);
-        let (lat, lon) = place.at.to_e7();
-        self.datum.point_of(Place {
-            at: LatLon::from_e7(lat, lon),
-            altitude_amsl_m: (place.altitude_amsl_m * 100.0).trunc() / 100.0,
-        })
-    }
-
-    fn begin_circle(&mut self, item: &Item) {
-        let centre_m = self.item_point(item, self.believed().position_m);
+    fn begin_circle(&mut self, vehicle: &mut Vehicle, item: &Item) {
+        let centre_m = item_point(vehicle, item, vehicle.believed().position_m);
         let asked_m = f64::from(item.p[2]).abs().min(2550.0);
         let radius_m = if asked_m > COARSE_RADIUS_M {
             (asked_m / 10.0).floor() * 10.0
         } else {
             asked_m.floor()
         };
-        let orbit = Orbit::around(centre_m, radius_m, item.p[2] < 0.0, &self.parameters);
-        let here_m = self.believed().position_m;
+        let orbit = Orbit::around(centre_m, radius_m, item.p[2] < 0.0, &vehicle.parameters);
+        let here_m = vehicle.believed().position_m;
         let edge_m = orbit.nearest_m(here_m);
         if edge_m.distance(here_m) <= AT_EDGE_M {
-            self.begin_turning(orbit);
+            self.begin_turning(vehicle, orbit);
             return;
         }
         let outside = orbit.is_outside(here_m);
-        self.fly_to(edge_m, Wait::Edge(orbit));
-        if !outside && !self.mission.looks_at_place {
-            self.yaw.settle(self.body.yaw_deg);
+        self.fly_to(vehicle, edge_m, Wait::Edge(orbit));
+        if !outside && !self.looks_at_place {
+            vehicle.flight.yaw.settle(vehicle.plant.body.yaw_deg);
         }
     }
 
     /// The edge is reached: the circle begins.
-    pub(super) fn begin_turning(&mut self, mut orbit: Orbit) {
-        orbit.begin(self.believed().position_m);
-        if !self.mission.looks_at_place {
-            self.yaw.demand = orbit.yaw();
+    pub(super) fn begin_turning(&mut self, vehicle: &mut Vehicle, mut orbit: Orbit) {
+        orbit.begin(vehicle.believed().position_m);
+        if !self.looks_at_place {
+            vehicle.flight.yaw.demand = orbit.yaw();
         }
-        self.task = Task::Orbit(orbit);
-        self.mission.wait = Wait::Nothing;
+        vehicle.flight.task = Task::Orbit(orbit);
+        self.wait = Wait::Nothing;
     }
 
-    fn begin_delay(&mut self, item: &Item) {
+    fn begin_delay(&mut self, vehicle: &mut Vehicle, item: &Item) {
         let seconds = f64::from(item.p[0]).clamp(0.0, 1e6);
-        self.mission.wait = Wait::Until(self.uptime() + Duration::from_secs_f64(seconds));
+        self.wait = Wait::Until(vehicle.uptime() + Duration::from_secs_f64(seconds));
         let text = format!("Delaying {} sec", seconds as u32);
-        self.say(MavSeverity::MAV_SEVERITY_INFO, &text);
+        vehicle.say(MavSeverity::MAV_SEVERITY_INFO, &text);
     }
 
-    fn change_mission_speed(&mut self, item: &Item) {
-        let speed = f64::from(item.p[1]);
-        if !(speed > 0.0 && speed.is_finite()) {
-            return;
-        }
-        match item.p[0] as i32 {
-            2 => self.speeds.up_m_s = Some(speed),
-            3 => self.speeds.down_m_s = Some(speed),
-            _ => self.speeds.ground_m_s = Some(speed.max(0.2)),
-        }
+    fn look_at_item(&mut self, vehicle: &mut Vehicle, item: &Item) {
+        let place = item_place(vehicle, item);
+        self.looks_at_place = place.is_some();
+        vehicle.flight.yaw.demand = place.map_or_else(|| vehicle.default_yaw(), YawDemand::Towards);
     }
+}
 
-    fn set_mission_home(&mut self, item: &Item) {
-        let unset = item.x == 0 && item.y == 0 && item.z == 0.0;
-        if item.p[0] as u16 == 1 || unset {
-            self.set_home_here();
-            return;
-        }
-        let at = LatLon::from_e7(item.x, item.y);
-        if at.is_valid() {
-            self.set_home(Place {
-                at,
-                altitude_amsl_m: self.datum.start.altitude_amsl_m - self.item_down_m(item),
-            });
-        }
+/// A point as the vehicle stores places: in 1e-7 degrees and centimetres. That is why even a stay on the spot
+/// begins with a way, of a few millimetres and about a second.
+fn stored(vehicle: &Vehicle, point_m: DVec3) -> DVec3 {
+    let place = vehicle.datum.place_of(point_m);
+    let (lat, lon) = place.at.to_e7();
+    vehicle.datum.point_of(Place {
+        at: LatLon::from_e7(lat, lon),
+        altitude_amsl_m: (place.altitude_amsl_m * 100.0).trunc() / 100.0,
+    })
+}
+
+/// Says which command begins.
+fn announce_item(vehicle: &mut Vehicle, at: u16) -> Option<Item> {
+    let item = vehicle.plans.item(at)?;
+    let name = command::name(item.command);
+    let text = if item.command == cmd::JUMP_TAG {
+        // The vehicle prints a field that tags do not use.
+        format!("Mission: {at} {name} 0")
+    } else {
+        format!("Mission: {at} {name}")
+    };
+    vehicle.say(MavSeverity::MAV_SEVERITY_INFO, &text);
+    Some(item)
+}
+
+fn change_mission_speed(vehicle: &mut Vehicle, item: &Item) {
+    let speed = f64::from(item.p[1]);
+    if !(speed > 0.0 && speed.is_finite()) {
+        return;
     }
+    match item.p[0] as i32 {
+        2 => vehicle.flight.speeds.up_m_s = Some(speed),
+        3 => vehicle.flight.speeds.down_m_s = Some(speed),
+        _ => vehicle.flight.speeds.ground_m_s = Some(speed.max(0.2)),
+    }
+}
 
-    fn look_at_item(&mut self, item: &Item) {
-        let place = self.item_place(item);
-        self.mission.looks_at_place = place.is_some();
-        self.yaw.demand = place.map_or_else(|| self.default_yaw(), YawDemand::Towards);
+fn set_mission_home(vehicle: &mut Vehicle, item: &Item) {
+    let unset = item.x == 0 && item.y == 0 && item.z == 0.0;
+    if item.p[0] as u16 == 1 || unset {
+        vehicle.set_home_here();
+        return;
+    }
+    let at = LatLon::from_e7(item.x, item.y);
+    if at.is_valid() {
+        vehicle.set_home(Place {
+            at,
+            altitude_amsl_m: vehicle.datum.start.altitude_amsl_m - item_down_m(vehicle, item),
+        });
     }
 }

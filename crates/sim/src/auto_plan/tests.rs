@@ -6,9 +6,11 @@ mod rules;
 
 use mavlink::dialects::ardupilotmega::{MavCmd, MavMessage, MavResult};
 
+use super::AutoPlan;
 use crate::autopilot::Autopilot;
 use crate::plan::{Item, ListKind};
 use crate::tests::{Ground, start};
+use crate::vehicle::Vehicle;
 
 const AUTO: f32 = 3.0;
 const GUIDED: f32 = 4.0;
@@ -41,15 +43,22 @@ fn with(item: Item, p: [f32; 4]) -> Item {
 }
 
 impl Ground {
-    fn vehicle(&mut self) -> &mut Autopilot {
+    fn autopilot(&mut self) -> &mut Autopilot {
         &mut self.world.slots[0].autopilot
+    }
+
+    fn with_plan(&mut self, work: impl FnOnce(&mut AutoPlan, &mut Vehicle) -> bool) {
+        let Autopilot {
+            vehicle, auto_plan, ..
+        } = self.autopilot();
+        work(auto_plan, vehicle);
     }
 
     /// Stores a mission, home in front.
     fn load(&mut self, items: &[Item]) {
         let mut list = vec![at(16, 0.0, 0.0, 0.0)];
         list.extend_from_slice(items);
-        self.vehicle().plans.mission = list;
+        self.autopilot().vehicle.plans.mission = list;
     }
 
     fn mode(&mut self, mode: f32) -> MavResult {
@@ -72,7 +81,8 @@ impl Ground {
     }
 
     fn current(&mut self) -> (u16, u16, u8, u8) {
-        let Some(MavMessage::MISSION_CURRENT(data)) = crate::telemetry::message(42, self.vehicle())
+        let Some(MavMessage::MISSION_CURRENT(data)) =
+            crate::autopilot::telemetry::message(42, self.autopilot())
         else {
             panic!("no MISSION_CURRENT")
         };

@@ -18,9 +18,9 @@ fn autopilot(at: [f64; 3], velocity: [f64; 3], in_air: bool) -> Autopilot {
         crate::Airframe::shared_default(),
         Wind::new(0, 0),
     );
-    autopilot.body.position_m = DVec3::from_array(at);
-    autopilot.body.velocity_m_s = DVec3::from_array(velocity);
-    autopilot.body.on_ground = !in_air;
+    autopilot.vehicle.plant.body.position_m = DVec3::from_array(at);
+    autopilot.vehicle.plant.body.velocity_m_s = DVec3::from_array(velocity);
+    autopilot.vehicle.plant.body.on_ground = !in_air;
     autopilot
 }
 
@@ -43,9 +43,11 @@ fn pairs_by_hand(autopilots: &[Autopilot]) -> Vec<(usize, usize)> {
     let mut pairs = Vec::new();
     for (first, a) in autopilots.iter().enumerate() {
         for (second, b) in autopilots.iter().enumerate().skip(first + 1) {
-            let apart = a.body.position_m - b.body.position_m;
-            let closing = (b.body.velocity_m_s - a.body.velocity_m_s).dot(apart) > 0.0;
-            let flying = !(a.body.on_ground && b.body.on_ground);
+            let apart = a.vehicle.plant.body.position_m - b.vehicle.plant.body.position_m;
+            let closing = (b.vehicle.plant.body.velocity_m_s - a.vehicle.plant.body.velocity_m_s)
+                .dot(apart)
+                > 0.0;
+            let flying = !(a.vehicle.plant.body.on_ground && b.vehicle.plant.body.on_ground);
             if apart.length() < SIZE_M && closing && flying {
                 pairs.push((first, second));
             }
@@ -101,8 +103,8 @@ fn two_in_the_air() -> Ground {
     ground.takeoff(10.0);
     let goal = DVec3::new(0.0, 0.0, -10.0);
     let other = &mut ground.world.slots[1].autopilot;
-    other.safety.landed = false;
-    other.task = crate::task::Task::goto(goal);
+    other.vehicle.safety.landed = false;
+    other.vehicle.flight.task = crate::task::Task::goto(goal);
     ground.run(25.0);
     ground
 }
@@ -138,11 +140,11 @@ fn a_wreck_flies_again_after_a_reboot() {
     ground.goto([0.0, 10.0, -10.0]);
     ground.run(20.0);
     let own = &mut ground.world.slots[0].autopilot;
-    assert!(own.body.wrecked);
+    assert!(own.vehicle.plant.body.wrecked);
     own.disarm();
     ground.long(MavCmd::MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN, [1.0]);
     ground.run(1.0);
-    assert!(!ground.world.slots[0].autopilot.body.wrecked);
+    assert!(!ground.world.slots[0].autopilot.vehicle.plant.body.wrecked);
 }
 
 fn obstacle(north_m: f64, shape: Shape, height_m: f64) -> Obstacle {

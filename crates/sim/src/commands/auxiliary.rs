@@ -52,7 +52,7 @@ pub(super) fn switch(autopilot: &mut Autopilot, _: &mut Link, command: &Command)
     if let Some((_, number)) = MODES.iter().find(|(known, _)| *known == function) {
         if position == HIGH {
             autopilot.set_mode(*number);
-        } else if position == LOW && autopilot.mode.number == *number {
+        } else if position == LOW && autopilot.vehicle.flight.mode.number == *number {
             // Back to what the mode switch of the transmitter says.
             autopilot.obey_mode_switch();
         }
@@ -69,7 +69,7 @@ pub(super) fn switch(autopilot: &mut Autopilot, _: &mut Link, command: &Command)
         known if FAILING.contains(&known) => return MavResult::MAV_RESULT_FAILED,
         _ => {
             let text = format!("Invalid channel option ({function})");
-            autopilot.say(MavSeverity::MAV_SEVERITY_INFO, &text);
+            autopilot.vehicle.say(MavSeverity::MAV_SEVERITY_INFO, &text);
             return MavResult::MAV_RESULT_FAILED;
         }
     }

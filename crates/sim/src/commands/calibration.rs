@@ -12,8 +12,8 @@ const FORCE_WHOLE: i32 = 76;
 
 /// Gyros, barometer, accelerometers, level.
 pub(super) fn preflight(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
-    if autopilot.safety.armed {
-        autopilot.say(
+    if autopilot.vehicle.safety.armed {
+        autopilot.vehicle.say(
             MavSeverity::MAV_SEVERITY_NOTICE,
             "Disarm to allow calibration",
         );
@@ -21,7 +21,7 @@ pub(super) fn preflight(autopilot: &mut Autopilot, _: &mut Link, command: &Comma
     }
     let says = |autopilot: &mut Autopilot, texts: &[&str]| {
         for text in texts {
-            autopilot.say(MavSeverity::MAV_SEVERITY_INFO, text);
+            autopilot.vehicle.say(MavSeverity::MAV_SEVERITY_INFO, text);
         }
         MavResult::MAV_RESULT_ACCEPTED
     };
@@ -54,8 +54,8 @@ pub(super) fn start_compass(
     _: &mut Link,
     command: &Command,
 ) -> MavResult {
-    if autopilot.safety.armed {
-        autopilot.say(
+    if autopilot.vehicle.safety.armed {
+        autopilot.vehicle.say(
             MavSeverity::MAV_SEVERITY_NOTICE,
             "Disarm to allow compass calibration",
         );

@@ -9,9 +9,9 @@ use crate::link::Link;
 /// 0 switches it off, 1 on, 2 only the floor off.
 pub(super) fn enable(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
     match command.p[0] as u16 {
-        on @ (0 | 1) => done(autopilot.enable_fence(on == 1)),
+        on @ (0 | 1) => done(autopilot.vehicle.enable_fence(on == 1)),
         2 => {
-            autopilot.disable_fence_floor();
+            autopilot.vehicle.fence.disable_floor();
             MavResult::MAV_RESULT_ACCEPTED
         }
         _ => MavResult::MAV_RESULT_FAILED,

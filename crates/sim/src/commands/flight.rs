@@ -38,7 +38,7 @@ pub(super) fn arm_or_disarm(
         return MavResult::MAV_RESULT_UNSUPPORTED;
     }
     let forced = (command.p[1] - FORCE).abs() < 0.5;
-    let allowed = forced || autopilot.safety.landed || !autopilot.safety.armed;
+    let allowed = forced || autopilot.vehicle.safety.landed || !autopilot.vehicle.safety.armed;
     if allowed {
         autopilot.disarm();
     }
@@ -83,7 +83,7 @@ pub(super) fn land(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -> MavR
 
 /// A return path is part of a plan.
 pub(super) fn start_return_path(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -> MavResult {
-    autopilot.say(
+    autopilot.vehicle.say(
         MavSeverity::MAV_SEVERITY_WARNING,
         "Mode change to AUTO RTL failed: No return path found",
     );
@@ -99,7 +99,7 @@ pub(super) fn takeoff(autopilot: &mut Autopilot, _: &mut Link, command: &Command
     }
     // With a third parameter of zero the vehicle must hold its place by itself.
     let navigates = command.p[2] == 0.0;
-    done(autopilot.take_off(f64::from(command.z), navigates))
+    done(take_off(autopilot, f64::from(command.z), navigates))
 }
 
 /// Solo's fly button: LOITER, or `ALT_HOLD` where that is impossible.
@@ -116,11 +116,11 @@ pub(super) fn fly_button_held(
     _: &mut Link,
     command: &Command,
 ) -> MavResult {
-    if !autopilot.safety.armed {
+    if !autopilot.vehicle.safety.armed {
         autopilot.arm(false);
-    } else if autopilot.safety.landed {
+    } else if autopilot.vehicle.safety.landed {
         if autopilot.set_mode(mode::LOITER) {
-            autopilot.take_off(f64::from(command.p[0]), true);
+            take_off(autopilot, f64::from(command.p[0]), true);
         }
     } else {
         autopilot.set_mode(mode::LAND);
@@ -134,15 +134,17 @@ pub(super) fn pause_button(
     _: &mut Link,
     command: &Command,
 ) -> MavResult {
-    if !autopilot.safety.armed {
+    if !autopilot.vehicle.safety.armed {
         return MavResult::MAV_RESULT_ACCEPTED;
     }
-    let takes_pictures = command.p[0] != 0.0 && mode::is_guided(autopilot.mode.number);
-    if autopilot.safety.landed {
+    let takes_pictures =
+        command.p[0] != 0.0 && mode::is_guided(autopilot.vehicle.flight.mode.number);
+    if autopilot.vehicle.safety.landed {
         autopilot.disarm();
     } else if !takes_pictures {
         if autopilot.set_mode(mode::BRAKE) {
-            autopilot.brake_until = Some(autopilot.uptime() + PAUSE_BUTTON_BRAKE);
+            autopilot.vehicle.flight.brake_until =
+                Some(autopilot.vehicle.uptime() + PAUSE_BUTTON_BRAKE);
         } else {
             autopilot.set_mode(mode::ALT_HOLD);
         }
@@ -150,31 +152,31 @@ pub(super) fn pause_button(
     MavResult::MAV_RESULT_ACCEPTED
 }
 
-impl Autopilot {
-    /// Takes off to a height above home in metres, if the mode and the moment allow it.
-    fn take_off(&mut self, above_home_m: f64, navigates: bool) -> bool {
-        let height_m = above_home_m - self.datum.home_point().z;
-        let climb_m = height_m - self.believed().height_m();
-        let sensible = climb_m > 0.0 && climb_m < ALTITUDE_MAX_M;
-        let able = mode::takes_off(self.mode.number, navigates);
-        if !self.safety.armed || !self.safety.landed || !able || !sensible {
-            return false;
-        }
-        // AUTO entered from here on needs no raised throttle.
-        self.mission.allow_lifting();
-        let low = self.mode.number != mode::GUIDED && self.sticks().throttle_is_low();
-        let height_m = if low {
-            self.believed().height_m() + climb_m.min(PILOTED_TAKEOFF_M)
-        } else {
-            height_m
-        };
-        if let Task::Takeoff(takeoff) = &mut self.task {
-            takeoff.goal_m.z = -height_m;
-            return true;
-        }
-        let begins = self.safety.takeoff_begins(self.uptime());
-        self.task = Task::Takeoff(Takeoff::new(self.believed().position_m, height_m, begins));
-        self.yaw.settle(self.body.yaw_deg);
-        true
+/// Takes off to a height above home in metres, if the mode and the moment allow it.
+fn take_off(autopilot: &mut Autopilot, above_home_m: f64, navigates: bool) -> bool {
+    let vehicle = &mut autopilot.vehicle;
+    let asked_m = above_home_m - vehicle.datum.home_point().z;
+    let climb_m = asked_m - vehicle.believed().height_m();
+    let sensible = climb_m > 0.0 && climb_m < ALTITUDE_MAX_M;
+    let able = mode::takes_off(vehicle.flight.mode.number, navigates);
+    if !vehicle.safety.armed || !vehicle.safety.landed || !able || !sensible {
+        return false;
     }
+    // AUTO entered from here on needs no raised throttle.
+    autopilot.auto_plan.allow_lifting();
+    let guided = vehicle.flight.mode.number == mode::GUIDED;
+    let height_m = if !guided && vehicle.sticks().throttle_is_low() {
+        vehicle.believed().height_m() + climb_m.min(PILOTED_TAKEOFF_M)
+    } else {
+        asked_m
+    };
+    if let Task::Takeoff(takeoff) = &mut vehicle.flight.task {
+        takeoff.goal_m.z = -height_m;
+        return true;
+    }
+    let begins = vehicle.safety.takeoff_begins(vehicle.uptime());
+    let from_m = vehicle.believed().position_m;
+    vehicle.flight.task = Task::Takeoff(Takeoff::new(from_m, height_m, begins));
+    vehicle.flight.yaw.settle(vehicle.plant.body.yaw_deg);
+    true
 }

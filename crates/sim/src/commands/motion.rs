@@ -4,11 +4,13 @@ use glam::DVec3;
 use mavlink::dialects::ardupilotmega::{MavResult, MavSeverity};
 
 use super::{Command, done};
-use crate::autopilot::{Autopilot, Speeds};
+use crate::autopilot::Autopilot;
+use crate::guided;
 use crate::link::Link;
 use crate::mode;
 use crate::place::Place;
 use crate::task::Task;
+use crate::vehicle::AskedSpeeds;
 use crate::yaw::YawDemand;
 
 /// Heights beyond this cannot be stored in a location.
@@ -24,9 +26,9 @@ pub(super) fn yaw(autopilot: &mut Autopilot, _: &mut Link, command: &Command) ->
     }
     if relative > 0.0 {
         let signed = if direction < 0.0 { -angle } else { angle };
-        autopilot.yaw.turn_by(signed, rate);
+        autopilot.vehicle.flight.yaw.turn_by(signed, rate);
     } else {
-        autopilot.yaw.turn_to(angle, rate, direction);
+        autopilot.vehicle.flight.yaw.turn_to(angle, rate, direction);
     }
     MavResult::MAV_RESULT_ACCEPTED
 }
@@ -37,29 +39,29 @@ pub(super) fn change_speed(
     command: &Command,
 ) -> MavResult {
     let [kind, speed, ..] = command.p.map(f64::from);
-    let able = mode::changes_speed(autopilot.mode.number);
+    let able = mode::changes_speed(autopilot.vehicle.flight.mode.number);
     if !(able && speed > 0.0 && speed.is_finite()) {
         return MavResult::MAV_RESULT_FAILED;
     }
     // The autopilot sets climb and descent together: asking for one resets the other. The kinds are compared
     // like this by the real one too: 9 is a descent, -1 the speed over ground.
-    let ground_m_s = autopilot.speeds.ground_m_s;
-    autopilot.speeds = if kind > 2.9 {
-        Speeds {
+    let ground_m_s = autopilot.vehicle.flight.speeds.ground_m_s;
+    autopilot.vehicle.flight.speeds = if kind > 2.9 {
+        AskedSpeeds {
             ground_m_s,
             up_m_s: None,
             down_m_s: Some(speed),
         }
     } else if kind > 1.9 {
-        Speeds {
+        AskedSpeeds {
             ground_m_s,
             up_m_s: Some(speed),
             down_m_s: None,
         }
     } else {
-        Speeds {
+        AskedSpeeds {
             ground_m_s: Some(speed),
-            ..autopilot.speeds
+            ..autopilot.vehicle.flight.speeds
         }
     };
     MavResult::MAV_RESULT_ACCEPTED
@@ -71,9 +73,9 @@ pub(super) fn place(autopilot: &mut Autopilot, command: &Command, frame: u8) -> 
     if height_m.is_nan() || height_m.abs() > HEIGHT_MAX_M {
         return None;
     }
-    let Some(altitude_amsl_m) = autopilot.datum.altitude_amsl_m(frame, height_m) else {
+    let Some(altitude_amsl_m) = autopilot.vehicle.datum.altitude_amsl_m(frame, height_m) else {
         let text = format!("Unknown mavlink coordinate frame {frame}");
-        autopilot.say(MavSeverity::MAV_SEVERITY_INFO, &text);
+        autopilot.vehicle.say(MavSeverity::MAV_SEVERITY_INFO, &text);
         return None;
     };
     Some(Place {
@@ -87,7 +89,7 @@ pub(super) fn reposition(autopilot: &mut Autopilot, _: &mut Link, command: &Comm
         return MavResult::MAV_RESULT_UNSUPPORTED;
     };
     let may_change_mode = command.whole(1).is_some_and(|flags| flags & 1 == 1);
-    let guided = mode::is_guided(autopilot.mode.number);
+    let guided = mode::is_guided(autopilot.vehicle.flight.mode.number);
     let somewhere = command.at().is_valid() && (command.x, command.y) != (0, 0);
     if !somewhere || !(guided || may_change_mode) {
         return MavResult::MAV_RESULT_DENIED;
@@ -95,16 +97,16 @@ pub(super) fn reposition(autopilot: &mut Autopilot, _: &mut Link, command: &Comm
     let Some(place) = place(autopilot, command, frame) else {
         return MavResult::MAV_RESULT_DENIED;
     };
-    let goal = autopilot.datum.point_of(place);
-    if !autopilot.safety.landed && !autopilot.may_fly_to(goal) {
+    let goal = autopilot.vehicle.datum.point_of(place);
+    if !autopilot.vehicle.safety.landed && !autopilot.vehicle.may_fly_to(goal) {
         return MavResult::MAV_RESULT_FAILED;
     }
     if !guided && !autopilot.set_mode(mode::GUIDED) {
         return MavResult::MAV_RESULT_FAILED;
     }
-    if !autopilot.safety.landed {
-        autopilot.go_to(goal, DVec3::ZERO);
-        autopilot.yaw.demand = autopilot.default_yaw();
+    if !autopilot.vehicle.safety.landed {
+        guided::go_to(&mut autopilot.vehicle, goal, DVec3::ZERO);
+        autopilot.vehicle.flight.yaw.demand = autopilot.vehicle.default_yaw();
     }
     MavResult::MAV_RESULT_ACCEPTED
 }
@@ -114,7 +116,7 @@ pub(super) fn pause_or_continue(
     _: &mut Link,
     command: &Command,
 ) -> MavResult {
-    if autopilot.mode.number == mode::AUTO {
+    if autopilot.vehicle.flight.mode.number == mode::AUTO {
         return super::plan::pause_or_continue(autopilot, command);
     }
     let pause = match command.whole(0) {
@@ -122,23 +124,23 @@ pub(super) fn pause_or_continue(
         Some(1) => false,
         _ => return MavResult::MAV_RESULT_DENIED,
     };
-    if !mode::is_guided(autopilot.mode.number) {
+    if !mode::is_guided(autopilot.vehicle.flight.mode.number) {
         let text = if pause {
             "Failed to pause"
         } else {
             "Failed to resume"
         };
-        autopilot.say(MavSeverity::MAV_SEVERITY_INFO, text);
+        autopilot.vehicle.say(MavSeverity::MAV_SEVERITY_INFO, text);
         return done(false);
     }
-    if !autopilot.safety.landed {
+    if !autopilot.vehicle.safety.landed {
         if !pause {
-            if let Some(task) = autopilot.paused.take() {
-                autopilot.task = task;
+            if let Some(task) = autopilot.vehicle.flight.paused.take() {
+                autopilot.vehicle.flight.task = task;
             }
-        } else if autopilot.paused.is_none() {
-            let interrupted = std::mem::replace(&mut autopilot.task, Task::STOP);
-            autopilot.paused = Some(interrupted);
+        } else if autopilot.vehicle.flight.paused.is_none() {
+            let interrupted = std::mem::replace(&mut autopilot.vehicle.flight.task, Task::STOP);
+            autopilot.vehicle.flight.paused = Some(interrupted);
         }
     }
     MavResult::MAV_RESULT_ACCEPTED
@@ -155,12 +157,12 @@ pub(super) fn look_at(autopilot: &mut Autopilot, link: &mut Link, command: &Comm
     if (command.x, command.y) == (0, 0) {
         return look_ahead(autopilot, link, command);
     }
-    let (north, east) = autopilot.datum.start.at.offset_to(place.at);
-    autopilot.yaw.demand = YawDemand::Towards(glam::DVec2::new(north, east));
+    let (north, east) = autopilot.vehicle.datum.start.at.offset_to(place.at);
+    autopilot.vehicle.flight.yaw.demand = YawDemand::Towards(glam::DVec2::new(north, east));
     MavResult::MAV_RESULT_ACCEPTED
 }
 
 pub(super) fn look_ahead(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -> MavResult {
-    autopilot.yaw.demand = autopilot.default_yaw();
+    autopilot.vehicle.flight.yaw.demand = autopilot.vehicle.default_yaw();
     MavResult::MAV_RESULT_ACCEPTED
 }

@@ -21,6 +21,7 @@ pub(super) fn servo(autopilot: &mut Autopilot, _: &mut Link, command: &Command) 
     };
     let function = if SERVOS.contains(&channel) {
         autopilot
+            .vehicle
             .parameters
             .value(&format!("SERVO{channel}_FUNCTION")) as i32
     } else if BACK_SERVOS.contains(&channel) {
@@ -31,11 +32,11 @@ pub(super) fn servo(autopilot: &mut Autopilot, _: &mut Link, command: &Command) 
     };
     if !FREE_FUNCTIONS.contains(&function) && !RC_THROUGH.contains(&function) {
         let text = format!("ServoRelayEvent: Channel {channel} is already in use");
-        autopilot.say(MavSeverity::MAV_SEVERITY_INFO, &text);
+        autopilot.vehicle.say(MavSeverity::MAV_SEVERITY_INFO, &text);
         return MavResult::MAV_RESULT_FAILED;
     }
     let place = usize::try_from(channel - 1).ok();
-    if let Some(servo) = place.and_then(|place| autopilot.servos_us.get_mut(place)) {
+    if let Some(servo) = place.and_then(|place| autopilot.vehicle.servos_us.get_mut(place)) {
         *servo = width_us.clamp(0, i32::from(u16::MAX)) as u16;
     }
     MavResult::MAV_RESULT_ACCEPTED
@@ -53,8 +54,10 @@ pub(super) fn relay(autopilot: &mut Autopilot, _: &mut Link, command: &Command) 
 pub(super) fn parachute(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
     match command.whole(0) {
         Some(on @ (0 | 1)) => autopilot.workbench.parachute = on == 1,
-        Some(2) if autopilot.workbench.parachute && autopilot.safety.landed => {
-            autopilot.say(MavSeverity::MAV_SEVERITY_INFO, "Parachute: Landed");
+        Some(2) if autopilot.workbench.parachute && autopilot.vehicle.safety.landed => {
+            autopilot
+                .vehicle
+                .say(MavSeverity::MAV_SEVERITY_INFO, "Parachute: Landed");
         }
         Some(2) => {}
         _ => return MavResult::MAV_RESULT_FAILED,
@@ -86,7 +89,8 @@ pub(super) fn battery_reset(
     };
     if batteries & 1 == 1 {
         let left = f64::from(command.p[1].clamp(0.0, 100.0)) / 100.0;
-        autopilot.battery.consumed_mah = autopilot.tuning.battery_capacity_mah * (1.0 - left);
+        autopilot.vehicle.plant.battery.consumed_mah =
+            autopilot.vehicle.tuning.battery_capacity_mah * (1.0 - left);
     }
     MavResult::MAV_RESULT_ACCEPTED
 }
@@ -96,21 +100,23 @@ pub(super) fn motor_test(autopilot: &mut Autopilot, _: &mut Link, command: &Comm
         return MavResult::MAV_RESULT_DENIED;
     };
     if autopilot.workbench.motor_test.is_none() {
-        if !autopilot.safety.landed {
-            autopilot.say(
+        if !autopilot.vehicle.safety.landed {
+            autopilot.vehicle.say(
                 MavSeverity::MAV_SEVERITY_CRITICAL,
                 "Motor Test: vehicle not landed",
             );
             return MavResult::MAV_RESULT_FAILED;
         }
-        autopilot.say(MavSeverity::MAV_SEVERITY_INFO, "starting motor test");
+        autopilot
+            .vehicle
+            .say(MavSeverity::MAV_SEVERITY_INFO, "starting motor test");
     }
     let [_, _, throttle, timeout_s] = command.p;
     let test = MotorTest::new(
         [motor, kind, command.x],
         throttle,
         timeout_s,
-        autopilot.uptime(),
+        autopilot.vehicle.uptime(),
     );
     autopilot.workbench.motor_test = Some(test);
     MavResult::MAV_RESULT_ACCEPTED

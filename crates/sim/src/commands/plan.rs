@@ -4,8 +4,8 @@ use mavlink::dialects::ardupilotmega::{MavResult, MavSeverity};
 
 use super::{Command, done};
 use crate::autopilot::Autopilot;
+use crate::autopilot::telemetry;
 use crate::link::Link;
-use crate::telemetry;
 
 /// `MISSION_CURRENT`.
 const MISSION_CURRENT: u32 = 42;
@@ -27,7 +27,9 @@ pub(super) fn start_landing_sequence(
         "Unable to start landing sequence",
         "Mode change to AUTO RTL failed: No landing sequence found",
     ] {
-        autopilot.say(MavSeverity::MAV_SEVERITY_WARNING, text);
+        autopilot
+            .vehicle
+            .say(MavSeverity::MAV_SEVERITY_WARNING, text);
     }
     MavResult::MAV_RESULT_FAILED
 }
@@ -38,14 +40,16 @@ pub(super) fn set_current(
     link: &mut Link,
     command: &Command,
 ) -> MavResult {
-    let items = autopilot.plans.mission.len();
+    let items = autopilot.vehicle.plans.mission.len();
     let Some(at) = whole(command.p[0]).filter(|&at| usize::from(at) < items) else {
         return MavResult::MAV_RESULT_DENIED;
     };
     let worked = if (command.p[1] - 1.0).abs() < f32::EPSILON {
-        autopilot.reset_to_mission_item(at)
+        autopilot
+            .auto_plan
+            .reset_to_item(&mut autopilot.vehicle, at)
     } else {
-        autopilot.set_mission_item(at)
+        autopilot.auto_plan.set_item(&mut autopilot.vehicle, at)
     };
     if worked {
         report(autopilot, link);
@@ -61,7 +65,7 @@ pub(super) fn jump_to_tag(
     let Some(tag) = whole(command.p[0]) else {
         return MavResult::MAV_RESULT_DENIED;
     };
-    let worked = autopilot.jump_to_tag(tag);
+    let worked = autopilot.auto_plan.jump_to_tag(&mut autopilot.vehicle, tag);
     if worked {
         report(autopilot, link);
     }
@@ -74,9 +78,11 @@ pub(super) fn pause_or_continue(autopilot: &mut Autopilot, command: &Command) ->
         Some(1) => false,
         _ => return MavResult::MAV_RESULT_DENIED,
     };
-    let worked = autopilot.pause_mission(pause);
+    let worked = autopilot.auto_plan.pause(&mut autopilot.vehicle, pause);
     if !worked {
-        autopilot.say(MavSeverity::MAV_SEVERITY_INFO, "Failed to pause");
+        autopilot
+            .vehicle
+            .say(MavSeverity::MAV_SEVERITY_INFO, "Failed to pause");
     }
     done(worked)
 }

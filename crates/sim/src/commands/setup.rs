@@ -10,11 +10,11 @@ use crate::link::Link;
 const FORCE_REBOOT: i32 = 20_190_226;
 
 pub(super) fn set_home(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
-    if !autopilot.is_ready() {
+    if !autopilot.vehicle.is_ready() {
         return MavResult::MAV_RESULT_FAILED;
     }
     if command.is(0, 1.0) || (command.x, command.y) == (0, 0) {
-        autopilot.set_home_here();
+        autopilot.vehicle.set_home_here();
         return MavResult::MAV_RESULT_ACCEPTED;
     }
     if command.p[0] != 0.0 {
@@ -24,8 +24,8 @@ pub(super) fn set_home(autopilot: &mut Autopilot, _: &mut Link, command: &Comman
         return MavResult::MAV_RESULT_DENIED;
     };
     done(
-        autopilot.datum.may_be_home(place) && {
-            autopilot.set_home(place);
+        autopilot.vehicle.datum.may_be_home(place) && {
+            autopilot.vehicle.set_home(place);
             true
         },
     )
@@ -58,18 +58,22 @@ pub(super) fn high_latency(
     } else {
         "High Latency disabled"
     };
-    autopilot.say(MavSeverity::MAV_SEVERITY_NOTICE, text);
+    autopilot
+        .vehicle
+        .say(MavSeverity::MAV_SEVERITY_NOTICE, text);
     MavResult::MAV_RESULT_ACCEPTED
 }
 
 /// Says which pre-arm checks fail.
 pub(super) fn run_checks(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -> MavResult {
-    if autopilot.safety.armed {
+    if autopilot.vehicle.safety.armed {
         return MavResult::MAV_RESULT_TEMPORARILY_REJECTED;
     }
-    for reason in autopilot.arming_obstacles() {
+    for reason in autopilot.arming_checks().obstacles() {
         let text = format!("PreArm: {reason}");
-        autopilot.say(MavSeverity::MAV_SEVERITY_CRITICAL, &text);
+        autopilot
+            .vehicle
+            .say(MavSeverity::MAV_SEVERITY_CRITICAL, &text);
     }
     MavResult::MAV_RESULT_ACCEPTED
 }
@@ -80,7 +84,7 @@ pub(super) fn storage(autopilot: &mut Autopilot, _: &mut Link, command: &Command
         return MavResult::MAV_RESULT_DENIED;
     }
     autopilot.workbench.erased = true;
-    autopilot.say(
+    autopilot.vehicle.say(
         MavSeverity::MAV_SEVERITY_WARNING,
         "All parameters reset, reboot board",
     );
@@ -88,7 +92,7 @@ pub(super) fn storage(autopilot: &mut Autopilot, _: &mut Link, command: &Command
 }
 
 pub(super) fn reboot(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
-    if autopilot.safety.armed && command.y != FORCE_REBOOT {
+    if autopilot.vehicle.safety.armed && command.y != FORCE_REBOOT {
         return MavResult::MAV_RESULT_FAILED;
     }
     if !command.is(0, 1.0) && !command.is(0, 3.0) {
@@ -99,6 +103,6 @@ pub(super) fn reboot(autopilot: &mut Autopilot, _: &mut Link, command: &Command)
 }
 
 pub(super) fn banner(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -> MavResult {
-    autopilot.say_banner();
+    autopilot.vehicle.say_banner();
     MavResult::MAV_RESULT_ACCEPTED
 }

@@ -4,8 +4,9 @@ use mavlink::dialects::ardupilotmega::{MESSAGE_INTERVAL_DATA, MavMessage, MavRes
 
 use super::{Command, done};
 use crate::autopilot::Autopilot;
+use crate::autopilot::telemetry;
 use crate::link::Link;
-use crate::{schedule, telemetry};
+use crate::schedule;
 
 /// A message id from a float parameter; fractions are cut off, everything else that is no id is no message.
 fn id(parameter: f32) -> u32 {
@@ -24,11 +25,14 @@ pub(super) fn set_interval(
     let id = id(command.p[0]);
     if !telemetry::is_known(id) {
         let text = format!("No ap_message for mavlink id ({})", command.p[0] as i64);
-        autopilot.say(MavSeverity::MAV_SEVERITY_INFO, &text);
+        autopilot.vehicle.say(MavSeverity::MAV_SEVERITY_INFO, &text);
         return MavResult::MAV_RESULT_DENIED;
     }
-    link.schedule
-        .set(id, i64::from(command.p[1] as i32), autopilot.uptime());
+    link.schedule.set(
+        id,
+        i64::from(command.p[1] as i32),
+        autopilot.vehicle.uptime(),
+    );
     MavResult::MAV_RESULT_ACCEPTED
 }
 

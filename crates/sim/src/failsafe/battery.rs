@@ -4,9 +4,9 @@ use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::{MavBatteryChargeState, MavSeverity};
 
-use super::actions::Action;
-use crate::autopilot::Autopilot;
+use super::{Failsafe, FailsafeInputs, announce};
 use crate::parameters::Parameters;
+use crate::reaction::{FailsafeAction, Reaction};
 
 /// Below which voltage or remaining charge a battery level is reached (0: never), and the action.
 #[derive(Debug, Clone, PartialEq)]
@@ -42,7 +42,7 @@ pub(super) struct BatteryWatch {
     low_since: Option<Duration>,
     critical_since: Option<Duration>,
     fallen: Fallen,
-    acted: Option<Action>,
+    acted: Option<FailsafeAction>,
 }
 
 impl BatteryWatch {
@@ -61,7 +61,7 @@ impl BatteryWatch {
     /// Whether the most urgent action so far was to land, or more urgent still.
     pub(super) fn wants_to_land(&self) -> bool {
         self.acted
-            .is_some_and(|action| action.priority() <= Action::Land.priority())
+            .is_some_and(|action| action.priority() <= FailsafeAction::Land.priority())
     }
 }
 
@@ -94,51 +94,41 @@ impl BatteryRules {
             arm_mah: all.value("BATT_ARM_MAH"),
         }
     }
-}
-
-impl Autopilot {
-    /// The battery's voltage as its monitor reads it.
-    pub(crate) fn battery_voltage_v(&self) -> f64 {
-        self.battery.voltage_v
-    }
 
     /// Why the battery forbids arming at this moment.
-    pub(crate) fn battery_obstacle(&self) -> Option<&'static str> {
-        let rules = &self.tuning.failsafes.battery;
-        let voltage_v = self.battery_voltage_v();
-        let left_mah = self.charge_left_mah();
+    pub(crate) fn obstacle(&self, voltage_v: f64, left_mah: f64) -> Option<&'static str> {
         let upside_down = |low: f64, critical: f64| critical > 0.0 && low > 0.0 && low <= critical;
         let obstacles = [
             (
-                rules.arm_voltage_v > 0.0 && voltage_v < rules.arm_voltage_v,
+                self.arm_voltage_v > 0.0 && voltage_v < self.arm_voltage_v,
                 "Battery 1 below minimum arming voltage",
             ),
             (
-                rules.arm_mah > 0.0 && left_mah < rules.arm_mah,
+                self.arm_mah > 0.0 && left_mah < self.arm_mah,
                 "Battery 1 below minimum arming capacity",
             ),
             (
-                rules.low.is_below_voltage(voltage_v),
+                self.low.is_below_voltage(voltage_v),
                 "Battery 1 low voltage failsafe",
             ),
             (
-                rules.low.is_below_charge(left_mah),
+                self.low.is_below_charge(left_mah),
                 "Battery 1 low capacity failsafe",
             ),
             (
-                rules.critical.is_below_voltage(voltage_v),
+                self.critical.is_below_voltage(voltage_v),
                 "Battery 1 critical voltage failsafe",
             ),
             (
-                rules.critical.is_below_charge(left_mah),
+                self.critical.is_below_charge(left_mah),
                 "Battery 1 critical capacity failsafe",
             ),
             (
-                upside_down(rules.low.remaining_mah, rules.critical.remaining_mah),
+                upside_down(self.low.remaining_mah, self.critical.remaining_mah),
                 "Battery 1 capacity failsafe critical >= low",
             ),
             (
-                upside_down(rules.low.voltage_v, rules.critical.voltage_v),
+                upside_down(self.low.voltage_v, self.critical.voltage_v),
                 "Battery 1 voltage failsafe critical >= low",
             ),
         ];
@@ -146,27 +136,25 @@ impl Autopilot {
             .into_iter()
             .find_map(|(holds, text)| holds.then_some(text))
     }
+}
 
-    fn charge_left_mah(&self) -> f64 {
-        self.tuning.battery_capacity_mah - self.battery.consumed_mah
-    }
-
-    pub(super) fn watch_battery(&mut self) {
-        if !self.safety.armed {
-            return;
+impl Failsafe {
+    /// Looks at the battery.
+    pub(crate) fn watch_battery(&mut self, inputs: &FailsafeInputs<'_>) -> Vec<Reaction> {
+        if !inputs.armed {
+            return Vec::new();
         }
-        let now = self.uptime();
-        let (voltage_v, left_mah) = (self.battery_voltage_v(), self.charge_left_mah());
-        let rules = &self.tuning.failsafes.battery;
-        let delay = rules.delay;
+        let rules = &inputs.rules.battery;
+        let voltage_v = inputs.battery.voltage_v;
+        let left_mah = inputs.battery_capacity_mah - inputs.battery.consumed_mah;
         let held = |since: &mut Option<Duration>, applies: bool| {
             if !applies {
                 *since = None;
                 return false;
             }
-            now > *since.get_or_insert(now) + delay && !delay.is_zero()
+            inputs.now > *since.get_or_insert(inputs.now) + rules.delay && !rules.delay.is_zero()
         };
-        let watch = &mut self.failsafe.battery;
+        let watch = &mut self.battery;
         let critical = held(
             &mut watch.critical_since,
             rules.critical.is_below_voltage(voltage_v),
@@ -174,36 +162,49 @@ impl Autopilot {
         let low = held(&mut watch.low_since, rules.low.is_below_voltage(voltage_v))
             | rules.low.is_below_charge(left_mah);
         if critical && watch.fallen < Fallen::Critical {
-            let action = Action::numbered(rules.critical.action);
-            self.battery_fell(Fallen::Critical, "critical", action);
+            watch.fall(Fallen::Critical, &rules.critical, inputs)
         } else if low && watch.fallen < Fallen::Low {
-            let action = Action::numbered(rules.low.action);
-            self.battery_fell(Fallen::Low, "low", action);
+            watch.fall(Fallen::Low, &rules.low, inputs)
+        } else {
+            Vec::new()
         }
     }
+}
 
-    fn battery_fell(&mut self, fallen: Fallen, word: &str, action: Action) {
-        self.failsafe.battery.fallen = fallen;
+impl BatteryWatch {
+    fn fall(
+        &mut self,
+        fallen: Fallen,
+        level: &Level,
+        inputs: &FailsafeInputs<'_>,
+    ) -> Vec<Reaction> {
+        self.fallen = fallen;
+        let word = if fallen == Fallen::Critical {
+            "critical"
+        } else {
+            "low"
+        };
         let text = format!(
             "Battery 1 is {word} {:.2}V used {:.0} mAh",
-            self.battery_voltage_v(),
-            self.battery.consumed_mah
+            inputs.battery.voltage_v, inputs.battery.consumed_mah
         );
-        self.say(MavSeverity::MAV_SEVERITY_WARNING, &text);
-        let before = self.failsafe.battery.acted;
+        let mut reactions = vec![Reaction::Say(MavSeverity::MAV_SEVERITY_WARNING, text)];
+        let action = FailsafeAction::numbered(level.action);
+        let before = self.acted;
         if before.is_some_and(|before| before.priority() < action.priority()) {
-            return;
+            return reactions;
         }
-        self.failsafe.battery.acted = Some(action);
-        if self.should_disarm() {
-            self.disarm();
-            self.announce("Battery", Some("Disarming"));
-        } else if self.goes_on_landing() && action != Action::Nothing {
-            self.announce("Battery", Some("Continuing Landing"));
-            self.carry_out(Action::Land);
+        self.acted = Some(action);
+        reactions.extend(if inputs.should_disarm() {
+            [Reaction::Disarm, announce("Battery", Some("Disarming"))]
+        } else if inputs.goes_on_landing() && action != FailsafeAction::Nothing {
+            [
+                announce("Battery", Some("Continuing Landing")),
+                Reaction::Act(FailsafeAction::Land),
+            ]
         } else {
-            self.announce("Battery", None);
-            self.carry_out(action);
-        }
+            [announce("Battery", None), Reaction::Act(action)]
+        });
+        reactions
     }
 }

@@ -4,8 +4,10 @@ use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::MavSeverity;
 
-use crate::autopilot::Autopilot;
+use super::{Failsafe, FailsafeInputs};
+use crate::estimator::Estimator;
 use crate::mode;
+use crate::reaction::Reaction;
 
 /// So many bad looks (at 10 Hz) make a failsafe, so many good ones end it.
 const LOOKS: u8 = 10;
@@ -34,91 +36,90 @@ impl EkfWatch {
     }
 }
 
-impl Autopilot {
-    pub(super) fn watch_estimate(&mut self) {
-        let good = self.estimator.has_position() && self.estimator.fix().is_none();
-        if !self.boot.is_over() || (good && self.failsafe.ekf.is_idle()) {
-            return;
+impl Failsafe {
+    /// Looks at the estimate.
+    pub(crate) fn watch_estimate(&mut self, inputs: &FailsafeInputs<'_>) -> Vec<Reaction> {
+        let estimator = inputs.estimator;
+        let good = estimator.has_position() && estimator.fix().is_none();
+        if !inputs.is_booted || (good && self.ekf.is_idle()) {
+            return Vec::new();
         }
-        self.watch_glitches();
-        let threshold = self.tuning.failsafes.ekf_threshold;
+        let mut reactions = Vec::new();
+        reactions.extend(self.ekf.watch_glitches(estimator.is_glitching()));
+        let threshold = inputs.rules.ekf_threshold;
         if threshold <= 0.0 {
-            self.failsafe.ekf.failures = 0;
-            self.end_ekf_failsafe();
-            return;
+            self.ekf.failures = 0;
+            reactions.extend(self.ekf.end());
+            return reactions;
         }
-        let passed = self.estimator.has_position() && !self.is_over(threshold);
-        let watch = &mut self.failsafe.ekf;
+        let passed = estimator.has_position() && !is_over(estimator, threshold);
         if passed {
-            watch.failures = watch.failures.saturating_sub(1);
-            if watch.failures == 0 {
-                self.end_ekf_failsafe();
+            self.ekf.failures = self.ekf.failures.saturating_sub(1);
+            if self.ekf.failures == 0 {
+                reactions.extend(self.ekf.end());
             }
-        } else if !watch.bad {
-            watch.failures += 1;
-            if watch.failures >= LOOKS {
-                watch.bad = true;
-                self.say_variance();
-                self.begin_ekf_failsafe();
+        } else if !self.ekf.bad {
+            self.ekf.failures += 1;
+            if self.ekf.failures >= LOOKS {
+                self.ekf.bad = true;
+                reactions.extend(self.ekf.say_variance(inputs.now));
+                reactions.extend(self.begin_ekf_failsafe(inputs));
             }
         }
-    }
-
-    /// Two of compass, velocity and position beyond the threshold, or the velocity beyond twice the threshold.
-    fn is_over(&self, threshold: f64) -> bool {
-        let ratios = self.estimator.ratios();
-        let mut over = u8::from(ratios.compass >= threshold);
-        if ratios.velocity >= 2.0 * threshold {
-            over += 2;
-        } else if ratios.velocity >= threshold {
-            over += 1;
-        }
-        (ratios.position >= threshold && over >= 1) || over >= 2
-    }
-
-    fn say_variance(&mut self) {
-        let now = self.uptime();
-        let again = self.failsafe.ekf.warned.map(|at| at + WARNED_EVERY);
-        if again.is_none_or(|again| now > again) {
-            self.failsafe.ekf.warned = Some(now);
-            self.say(MavSeverity::MAV_SEVERITY_CRITICAL, "EKF variance");
-        }
+        reactions
     }
 
     /// Modes that need a position end; the others go on unless `FS_EKF_ACTION` is 3.
-    fn begin_ekf_failsafe(&mut self) {
-        let action = self.tuning.failsafes.ekf_action;
-        let concerned = self.mode.needs_position() || action == 3;
-        if !self.safety.armed || self.mode.number == mode::LAND || !concerned {
-            return;
+    fn begin_ekf_failsafe(&mut self, inputs: &FailsafeInputs<'_>) -> Option<Reaction> {
+        let action = inputs.rules.ekf_action;
+        let concerned = inputs.mode.needs_position() || action == 3;
+        if !inputs.armed || inputs.mode.number == mode::LAND || !concerned {
+            return None;
         }
-        let held = action == 2 && !self.failsafe.radio_is_lost() && self.set_mode(mode::ALT_HOLD);
-        if !held {
-            self.land_after_pause();
-        }
-        self.failsafe.ekf.acted = true;
-        let text = format!("EKF Failsafe: changed to {} Mode", self.mode.name);
-        self.say(MavSeverity::MAV_SEVERITY_CRITICAL, &text);
+        self.ekf.acted = true;
+        Some(Reaction::LeavePosition {
+            holds_height: action == 2 && !self.radio_is_lost(),
+        })
+    }
+}
+
+impl EkfWatch {
+    fn say_variance(&mut self, now: Duration) -> Option<Reaction> {
+        let again = self.warned.map(|at| at + WARNED_EVERY);
+        again.is_none_or(|again| now > again).then(|| {
+            self.warned = Some(now);
+            Reaction::say(MavSeverity::MAV_SEVERITY_CRITICAL, "EKF variance")
+        })
     }
 
-    fn end_ekf_failsafe(&mut self) {
-        self.failsafe.ekf.bad = false;
-        if std::mem::take(&mut self.failsafe.ekf.acted) {
-            self.say(MavSeverity::MAV_SEVERITY_CRITICAL, "EKF Failsafe Cleared");
-        }
+    fn end(&mut self) -> Option<Reaction> {
+        self.bad = false;
+        std::mem::take(&mut self.acted)
+            .then(|| Reaction::say(MavSeverity::MAV_SEVERITY_CRITICAL, "EKF Failsafe Cleared"))
     }
 
-    fn watch_glitches(&mut self) {
-        let glitching = self.estimator.is_glitching();
-        if glitching == self.failsafe.ekf.glitching {
-            return;
+    fn watch_glitches(&mut self, glitching: bool) -> Option<Reaction> {
+        if glitching == self.glitching {
+            return None;
         }
-        self.failsafe.ekf.glitching = glitching;
+        self.glitching = glitching;
         let text = if glitching {
             "GPS Glitch or Compass error"
         } else {
             "Glitch cleared"
         };
-        self.say(MavSeverity::MAV_SEVERITY_CRITICAL, text);
+        Some(Reaction::say(MavSeverity::MAV_SEVERITY_CRITICAL, text))
     }
+}
+
+/// Two of compass, velocity and position beyond the threshold, or the velocity beyond twice the threshold.
+fn is_over(estimator: &Estimator, threshold: f64) -> bool {
+    let ratios = estimator.ratios();
+    let mut over = u8::from(ratios.compass >= threshold);
+    if ratios.velocity >= 2.0 * threshold {
+        over += 2;
+    } else if ratios.velocity >= threshold {
+        over += 1;
+    }
+    (ratios.position >= threshold && over >= 1) || over >= 2
 }

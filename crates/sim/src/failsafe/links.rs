@@ -4,11 +4,11 @@ use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::MavSeverity;
 
-use super::Options;
-use super::actions::Action;
-use crate::autopilot::Autopilot;
+use super::{Failsafe, FailsafeInputs, Options, RadioInputs, announce};
 use crate::estimator::RadioFault;
 use crate::mode;
+use crate::radio::Sticks;
+use crate::reaction::{FailsafeAction, Reaction};
 
 /// A throttle that is too low must be seen this often, at 50 frames per second.
 const LOW_FOR: Duration = Duration::from_millis(50);
@@ -34,133 +34,143 @@ impl LinkWatch {
     }
 }
 
-impl Autopilot {
-    pub(super) fn watch_ground_station(&mut self) {
-        let rules = &self.tuning.failsafes;
-        let (rule, timeout) = (rules.ground_station, rules.ground_station_timeout);
-        let Some(heard) = self.failsafe.heard else {
-            return;
+impl RadioInputs {
+    /// What a receiver passes on: a throttle that tells of a lost transmitter, or that of the sticks.
+    pub(crate) fn new(fault: RadioFault, is_overridden: bool, sticks: &Sticks) -> Self {
+        let is_lost = fault == RadioFault::Low && !is_overridden;
+        Self {
+            fault,
+            is_overridden,
+            throttle_us: if is_lost {
+                LOST_THROTTLE_US
+            } else {
+                f64::from(sticks.channels_us[2])
+            },
+        }
+    }
+}
+
+impl Failsafe {
+    /// Looks whether the ground station is still there.
+    pub(crate) fn watch_station(&mut self, inputs: &FailsafeInputs<'_>) -> Vec<Reaction> {
+        let Some(heard) = self.heard else {
+            return Vec::new();
         };
-        if rule == 0 {
-            return;
+        if inputs.rules.ground_station == 0 {
+            return Vec::new();
         }
-        let lost = self.uptime() > heard + timeout;
-        if lost == self.failsafe.links.station_lost {
-            return;
+        let lost = inputs.now > heard + inputs.rules.ground_station_timeout;
+        if lost == self.links.station_lost {
+            return Vec::new();
         }
-        self.failsafe.links.station_lost = lost;
+        self.links.station_lost = lost;
         if lost {
-            self.lose_ground_station(rule);
+            // The ground station's hands on the sticks are gone as well.
+            let mut reactions = vec![Reaction::ReleaseSticks];
+            reactions.extend(self.lose_station(&FailsafeInputs {
+                throttle_is_low: Sticks::RELEASED.throttle_is_low(),
+                ..*inputs
+            }));
+            reactions
         } else {
-            self.say(MavSeverity::MAV_SEVERITY_WARNING, "GCS Failsafe Cleared");
+            vec![Reaction::say(
+                MavSeverity::MAV_SEVERITY_WARNING,
+                "GCS Failsafe Cleared",
+            )]
         }
     }
 
-    fn lose_ground_station(&mut self, rule: i32) {
-        // The ground station's hands on the sticks are gone as well.
-        self.radio.until = Duration::ZERO;
-        let options = self.tuning.failsafes.options;
-        let in_auto = self.mode.number == mode::AUTO;
-        let piloted = !self.mode.autonomous;
-        let action = match rule {
-            3 => Action::PathBackOrReturn,
-            4 => Action::PathBackOrLand,
-            5 => Action::Land,
-            6 => Action::PlannedLanding,
-            7 => Action::BrakeOrLand,
-            _ => Action::Return,
+    fn lose_station(&self, inputs: &FailsafeInputs<'_>) -> Vec<Reaction> {
+        let options = inputs.rules.options;
+        let action = match inputs.rules.ground_station {
+            3 => FailsafeAction::PathBackOrReturn,
+            4 => FailsafeAction::PathBackOrLand,
+            5 => FailsafeAction::Land,
+            6 => FailsafeAction::PlannedLanding,
+            7 => FailsafeAction::BrakeOrLand,
+            _ => FailsafeAction::Return,
         };
-        if !self.safety.armed {
-            self.announce("GCS", None);
-        } else if self.should_disarm() {
-            self.disarm();
-            self.announce("GCS", Some("Disarming"));
-        } else if self.is_landing() && self.failsafe.battery.wants_to_land() {
-            self.announce("GCS + Battery", Some("Continuing Landing"));
-            self.carry_out(Action::Land);
-        } else if self.goes_on_landing() {
-            self.announce("GCS", Some("Continuing Landing"));
-            self.carry_out(Action::Land);
-        } else if in_auto && options.has(Options::STATION_CONTINUES_AUTO) {
-            self.announce("GCS", Some("Continuing Auto Mode"));
-        } else if piloted
-            && self.mode.number != mode::LAND
-            && options.has(Options::STATION_CONTINUES_PILOTED)
-        {
-            self.announce("GCS", Some("Continuing Pilot Control"));
+        let continues_piloted = !inputs.mode.autonomous
+            && inputs.mode.number != mode::LAND
+            && options.has(Options::STATION_CONTINUES_PILOTED);
+        if !inputs.armed {
+            vec![announce("GCS", None)]
+        } else if inputs.should_disarm() {
+            vec![Reaction::Disarm, announce("GCS", Some("Disarming"))]
+        } else if inputs.is_landing && self.battery.wants_to_land() {
+            go_on_landing("GCS + Battery")
+        } else if inputs.goes_on_landing() {
+            go_on_landing("GCS")
+        } else if inputs.mode.number == mode::AUTO && options.has(Options::STATION_CONTINUES_AUTO) {
+            vec![announce("GCS", Some("Continuing Auto Mode"))]
+        } else if continues_piloted {
+            vec![announce("GCS", Some("Continuing Pilot Control"))]
         } else {
-            self.announce("GCS", None);
-            self.carry_out(action);
+            vec![announce("GCS", None), Reaction::Act(action)]
         }
     }
 
-    /// The throttle that comes from the remote control, in microseconds.
-    pub(crate) fn radio_throttle_us(&self) -> f64 {
-        let overridden = self.uptime() < self.radio.until;
-        if self.tuning.faults.radio == RadioFault::Low && !overridden {
-            LOST_THROTTLE_US
-        } else {
-            f64::from(self.sticks().channels_us[2])
-        }
+    /// Whether [`Failsafe::watch_radio`] has anything to look at: nothing while the remote control works.
+    pub(crate) fn doubts_radio(&self, fault: RadioFault) -> bool {
+        fault != RadioFault::Fine || self.links.radio_lost || self.links.radio_bad_since.is_some()
     }
 
-    /// Looks at the remote control. Costs nothing while it works.
-    pub(crate) fn watch_radio(&mut self) {
-        let links = &self.failsafe.links;
-        let fault = self.tuning.faults.radio;
-        if fault == RadioFault::Fine && !links.radio_lost && links.radio_bad_since.is_none() {
-            return;
-        }
-        let now = self.uptime();
-        let rules = &self.tuning.failsafes;
-        let overridden = now < self.radio.until;
-        let low = self.radio_throttle_us() < rules.radio_low_us;
-        let delay = match fault {
-            _ if rules.radio == 0 => None,
-            RadioFault::Silent if !overridden => Some(rules.radio_timeout),
+    /// Looks whether the remote control is still there.
+    pub(crate) fn watch_radio(&mut self, inputs: &FailsafeInputs<'_>) -> Vec<Reaction> {
+        let low = inputs.radio.throttle_us < inputs.rules.radio_low_us;
+        let delay = match inputs.radio.fault {
+            _ if inputs.rules.radio == 0 => None,
+            RadioFault::Silent if !inputs.radio.is_overridden => Some(inputs.rules.radio_timeout),
             _ if low => Some(LOW_FOR),
             _ => None,
         };
         let Some(delay) = delay else {
-            self.failsafe.links.radio_bad_since = None;
-            if std::mem::take(&mut self.failsafe.links.radio_lost) {
-                self.say(MavSeverity::MAV_SEVERITY_WARNING, "Radio Failsafe Cleared");
-            }
-            return;
+            self.links.radio_bad_since = None;
+            let was_lost = std::mem::take(&mut self.links.radio_lost);
+            let cleared = was_lost.then(|| {
+                Reaction::say(MavSeverity::MAV_SEVERITY_WARNING, "Radio Failsafe Cleared")
+            });
+            return cleared.into_iter().collect();
         };
-        let since = *self.failsafe.links.radio_bad_since.get_or_insert(now);
-        if !self.failsafe.links.radio_lost && now >= since + delay {
-            self.failsafe.links.radio_lost = true;
-            self.lose_radio();
+        let since = *self.links.radio_bad_since.get_or_insert(inputs.now);
+        if self.links.radio_lost || inputs.now < since + delay {
+            return Vec::new();
         }
+        self.links.radio_lost = true;
+        self.lose_radio(inputs)
     }
 
-    fn lose_radio(&mut self) {
-        let options = self.tuning.failsafes.options;
-        let action = match self.tuning.failsafes.radio {
-            1 | 2 => Action::Return,
-            4 => Action::PathBackOrReturn,
-            5 => Action::PathBackOrLand,
-            6 => Action::PlannedLanding,
-            7 => Action::BrakeOrLand,
-            _ => Action::Land,
+    fn lose_radio(&self, inputs: &FailsafeInputs<'_>) -> Vec<Reaction> {
+        let options = inputs.rules.options;
+        let action = match inputs.rules.radio {
+            1 | 2 => FailsafeAction::Return,
+            4 => FailsafeAction::PathBackOrReturn,
+            5 => FailsafeAction::PathBackOrLand,
+            6 => FailsafeAction::PlannedLanding,
+            7 => FailsafeAction::BrakeOrLand,
+            _ => FailsafeAction::Land,
         };
-        if self.should_disarm() {
-            self.announce("Radio", Some("Disarming"));
-            self.disarm();
-        } else if self.is_landing() && self.failsafe.battery.wants_to_land() {
-            self.announce("Radio + Battery", Some("Continuing Landing"));
-            self.carry_out(Action::Land);
-        } else if self.goes_on_landing() {
-            self.announce("Radio", Some("Continuing Landing"));
-            self.carry_out(Action::Land);
-        } else if self.mode.number == mode::AUTO && options.has(Options::RADIO_CONTINUES_AUTO) {
-            self.announce("Radio", Some("Continuing Auto"));
-        } else if self.mode.number == mode::GUIDED && options.has(Options::RADIO_CONTINUES_GUIDED) {
-            self.announce("Radio", Some("Continuing Guided Mode"));
+        let in_auto = inputs.mode.number == mode::AUTO;
+        let in_guided = inputs.mode.number == mode::GUIDED;
+        if inputs.should_disarm() {
+            vec![announce("Radio", Some("Disarming")), Reaction::Disarm]
+        } else if inputs.is_landing && self.battery.wants_to_land() {
+            go_on_landing("Radio + Battery")
+        } else if inputs.goes_on_landing() {
+            go_on_landing("Radio")
+        } else if in_auto && options.has(Options::RADIO_CONTINUES_AUTO) {
+            vec![announce("Radio", Some("Continuing Auto"))]
+        } else if in_guided && options.has(Options::RADIO_CONTINUES_GUIDED) {
+            vec![announce("Radio", Some("Continuing Guided Mode"))]
         } else {
-            self.announce("Radio", None);
-            self.carry_out(action);
+            vec![announce("Radio", None), Reaction::Act(action)]
         }
     }
+}
+
+fn go_on_landing(what: &str) -> Vec<Reaction> {
+    vec![
+        announce(what, Some("Continuing Landing")),
+        Reaction::Act(FailsafeAction::Land),
+    ]
 }

@@ -27,7 +27,7 @@ const ACTIVE: Duration = Duration::from_millis(500);
 
 /// The `AVOID_*` parameters.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Rules {
+pub(crate) struct AvoidanceRules {
     at_fence: bool,
     /// Stop in front of a fence instead of sliding along it.
     stops: bool,
@@ -37,7 +37,7 @@ pub(crate) struct Rules {
     accel_max_m_s2: f64,
 }
 
-impl Rules {
+impl AvoidanceRules {
     pub(super) fn read(all: &Parameters) -> Self {
         Self {
             at_fence: all.value("AVOID_ENABLE") as u8 & 1 != 0,
@@ -51,7 +51,7 @@ impl Rules {
 
 /// The fences as far as they limit the flight now.
 pub(super) struct Edges<'a> {
-    pub(super) rules: &'a Rules,
+    pub(super) rules: &'a AvoidanceRules,
     pub(super) margin_m: f64,
     /// Around home, if that fence is on and not broken: the radius and the vehicle's place from home.
     pub(super) around_home: Option<(f64, DVec2)>,

@@ -7,11 +7,10 @@ use mavlink::dialects::ardupilotmega::{
 
 mod limits;
 
-use super::watch::FENCE_STATUS;
 use super::*;
 use crate::autopilot::Autopilot;
+use crate::autopilot::telemetry;
 use crate::plan::Item;
-use crate::telemetry;
 use crate::tests::{Ground, start};
 
 const RTL: u8 = 6;
@@ -56,13 +55,19 @@ fn square(half_m: f64) -> Vec<Item> {
     polygon(5001, &[(-h, -h), (-h, h), (h, h), (h, -h)])
 }
 
+const FENCE_STATUS: u32 = 162;
+
+fn obstacle(ground: &mut Ground) -> Option<&'static str> {
+    autopilot(ground).arming_checks().fence
+}
+
 fn autopilot(ground: &mut Ground) -> &mut Autopilot {
     &mut ground.world.slots[0].autopilot
 }
 
 fn set_fence(ground: &mut Ground, items: Vec<Item>) {
-    autopilot(ground).plans.fence = items;
-    autopilot(ground).fence_changed();
+    autopilot(ground).vehicle.plans.fence = items;
+    autopilot(ground).vehicle.fence_changed();
 }
 
 fn enable(ground: &mut Ground, on: f32) -> MavResult {
@@ -235,15 +240,11 @@ fn a_fence_that_cannot_be_kept_forbids_arming() {
         let mut ground = Ground::new();
         set_fence(&mut ground, vec![item(5003, 90.0, (0.0, 0.0))]);
         ground.set("FENCE_ENABLE", 1.0);
-        let early = autopilot(&mut ground).fence_obstacle();
+        let early = obstacle(&mut ground);
         assert_eq!(early, Some("Fence requires position"));
         ground.run(2.0);
         ground.set(name, value);
-        assert_eq!(
-            autopilot(&mut ground).fence_obstacle(),
-            reason,
-            "{name} {value}"
-        );
+        assert_eq!(obstacle(&mut ground), reason, "{name} {value}");
     }
 }
 
@@ -341,7 +342,7 @@ fn a_return_lands_at_the_rally_point_as_the_real_one_did() {
     for (with_home, landed_at) in [(0.0, (-30.0, -20.0)), (1.0, (0.0, 0.0))] {
         let mut ground = Ground::hovering(10.0);
         ground.set("RALLY_INCL_HOME", with_home);
-        autopilot(&mut ground).plans.rally =
+        autopilot(&mut ground).vehicle.plans.rally =
             vec![rally(-30.0, -20.0, 18.0), rally(-30.0, 30.0, 12.0)];
         ground.long(MavCmd::MAV_CMD_NAV_RETURN_TO_LAUNCH, [0.0]);
         let mut highest_m: f64 = 0.0;
@@ -400,9 +401,9 @@ fn each_action_does_what_it_says() {
 
 #[test]
 fn a_limit_is_broken_anew_20_m_further_out_and_the_vehicle_gives_up_100_m_outside() {
-    let rules = Rules {
+    let rules = FenceRules {
         is_enabled: true,
-        ..Rules::read(&Parameters::new(1))
+        ..FenceRules::read(&Parameters::new(1))
     };
     let mut fence = Geofence::default();
     let mut check = |distance_m: f64, seconds: u64| {
@@ -427,5 +428,5 @@ fn a_reboot_keeps_the_fence() {
     set_fence(&mut ground, square(60.0));
     ground.long(MavCmd::MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN, [1.0]);
     ground.run(1.0);
-    assert_eq!(autopilot(&mut ground).fence.areas.len(), 1);
+    assert_eq!(autopilot(&mut ground).vehicle.fence.areas.len(), 1);
 }

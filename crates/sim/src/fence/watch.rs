@@ -1,22 +1,22 @@
-//! What the autopilot does with its fences: switching them, acting on a breach, slowing down, reporting.
+//! What comes of the fences: switching them, a breach, slowing down, what is reported.
 
 use std::time::Duration;
 
 use glam::DVec3;
-use mavlink::dialects::ardupilotmega::{FenceBreach, FenceMitigate, MavSeverity};
+use mavlink::dialects::ardupilotmega::{FenceBreach, FenceMitigate};
 
 use super::avoidance::Edges;
-use super::{AREAS, CEILING, CIRCLE, FLOOR, Fence, Spot};
-use crate::autopilot::Autopilot;
-use crate::task::Cockpit;
-use crate::{mode, telemetry};
+use super::{AREAS, CEILING, CIRCLE, FLOOR, Fence, FenceError, FenceRules, Geofence, Spot};
+use crate::control::Limits;
+use crate::mode;
+use crate::plan::Item;
+use crate::reaction::Reaction;
+use sortie_geo::LatLon;
 
 /// A vehicle this far outside lands where it is.
 const GIVE_UP_M: f64 = 100.0;
 /// Ground stations are told of a breach unasked, but not more often than this.
 const TELL_EVERY: Duration = Duration::from_secs(1);
-/// The id of `FENCE_STATUS`.
-pub(super) const FENCE_STATUS: u32 = 162;
 
 /// What `FENCE_STATUS` tells.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,160 +37,163 @@ pub(crate) struct FenceHealth {
     pub(crate) is_healthy: bool,
 }
 
-impl Autopilot {
+/// A fence that has just been broken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct NewBreach {
+    kinds: u8,
+    /// Whether ground stations are told.
+    pub(crate) is_told: bool,
+}
+
+impl Geofence {
     /// Takes over the uploaded fence. The upload has checked it; a list that makes no sense counts as no fence.
-    pub(crate) fn fence_changed(&mut self) {
-        let fence = match Fence::check(&self.plans.fence) {
-            Ok(fence) => fence,
-            Err(error) => {
-                self.say(error.severity(), &error.to_string());
-                Fence::default()
-            }
+    pub(crate) fn take(&mut self, items: &[Item], from: LatLon) -> Result<(), FenceError> {
+        let checked = Fence::check(items);
+        let (fence, outcome) = match checked {
+            Ok(fence) => (fence, Ok(())),
+            Err(error) => (Fence::default(), Err(error)),
         };
-        self.fence.areas = fence.in_metres(self.datum.start.at);
+        self.areas = fence.in_metres(from);
+        outcome
     }
 
-    /// Switches the fence on or off; `false` if there is no fence to switch on.
-    pub(crate) fn enable_fence(&mut self, on: bool) -> bool {
-        if on && !self.fence.is_present(&self.tuning.flight.fence) {
-            return false;
-        }
-        self.parameters.set("FENCE_ENABLE", f32::from(u8::from(on)));
-        self.retune();
-        self.fence.has_floor = on;
+    /// Whether there is a fence to switch on.
+    pub(crate) fn can_be_enabled(&self, rules: &FenceRules) -> bool {
+        self.is_present(rules)
+    }
+
+    /// The fence was switched on or off.
+    pub(crate) fn enabled(&mut self, on: bool) {
+        self.has_floor = on;
         if !on {
-            self.fence.broken = 0;
+            self.broken = 0;
         }
-        true
     }
 
     /// Stops looking at the floor.
-    pub(crate) fn disable_fence_floor(&mut self) {
-        self.fence.has_floor = false;
-        self.fence.broken &= !FLOOR;
+    pub(crate) fn disable_floor(&mut self) {
+        self.has_floor = false;
+        self.broken &= !FLOOR;
     }
 
-    /// Looks at the fences and acts on a breach.
-    pub(crate) fn watch_fence(&mut self) {
-        if !self.tuning.flight.fence.is_enabled && self.fence.broken == 0 {
-            return;
+    /// Looks at the fences from a point, with home as another.
+    pub(crate) fn watch(
+        &mut self,
+        rules: &FenceRules,
+        [here_m, home_m]: [DVec3; 2],
+        now: Duration,
+    ) -> Option<NewBreach> {
+        if !rules.is_enabled && self.broken == 0 {
+            return None;
         }
-        let spot =
-            self.with_cockpit(|_, cockpit| Spot::new(cockpit.body.position_m, cockpit.home_m));
-        let now = self.uptime();
-        let was_broken = self.fence.broken != 0;
-        let fresh = self.fence.check(&self.tuning.flight.fence, spot, now);
-        if fresh == 0 {
-            return;
+        let was_broken = self.broken != 0;
+        let kinds = self.check(rules, Spot::new(here_m, home_m), now);
+        if kinds == 0 {
+            return None;
         }
-        let tell = !was_broken && self.fence.told.is_none_or(|told| now > told + TELL_EVERY);
-        if tell {
-            self.fence.told = Some(now);
+        let is_told = !was_broken && self.told.is_none_or(|told| now > told + TELL_EVERY);
+        if is_told {
+            self.told = Some(now);
         }
-        let flying = self.safety.armed && !self.safety.landed;
-        if self.safety.armed && self.tuning.flight.fence.action != 0 {
-            self.act_on_breach(fresh);
-        }
-        if tell {
-            self.outbox.extend(telemetry::message(FENCE_STATUS, self));
-        }
-        if flying {
-            self.say(MavSeverity::MAV_SEVERITY_NOTICE, "Fence Breached");
-        }
+        Some(NewBreach { kinds, is_told })
     }
 
-    fn act_on_breach(&mut self, fresh: u8) {
-        let manual = !self.mode.controls_height && self.sticks().throttle_is_low();
-        let falling_back = self.fence.broken & CEILING != 0;
-        if self.safety.landed || (manual && !falling_back) {
-            self.disarm();
-            return;
+    /// What an armed vehicle does about a breach; `stands` if it has landed, `idles` if a pilot holds its throttle down.
+    pub(crate) fn reaction(
+        &self,
+        breach: NewBreach,
+        rules: &FenceRules,
+        stands: bool,
+        idles: bool,
+    ) -> Option<Reaction> {
+        if rules.action == 0 {
+            return None;
         }
-        let ways: &[u8] = if self.fence.farthest_m(fresh) > GIVE_UP_M {
-            &[mode::LAND]
-        } else {
-            match self.tuning.flight.fence.action {
-                2 => &[mode::LAND],
-                3 => &[mode::SMART_RTL, mode::RTL, mode::LAND],
-                4 => &[mode::BRAKE, mode::LAND],
-                5 => &[mode::SMART_RTL, mode::LAND],
-                _ => &[mode::RTL, mode::LAND],
-            }
-        };
-        for &way in ways {
-            if self.set_mode(way) {
-                break;
-            }
+        let falling_back = self.broken & CEILING != 0;
+        if stands || (idles && !falling_back) {
+            return Some(Reaction::Disarm);
         }
+        Some(Reaction::EnterFirst(
+            if self.farthest_m(breach.kinds) > GIVE_UP_M {
+                &[mode::LAND]
+            } else {
+                match rules.action {
+                    2 => &[mode::LAND],
+                    3 => &[mode::SMART_RTL, mode::RTL, mode::LAND],
+                    4 => &[mode::BRAKE, mode::LAND],
+                    5 => &[mode::SMART_RTL, mode::LAND],
+                    _ => &[mode::RTL, mode::LAND],
+                }
+            },
+        ))
     }
 
     /// Why the fence forbids arming now.
-    pub(crate) fn fence_obstacle(&self) -> Option<&'static str> {
-        let rules = &self.tuning.flight.fence;
+    pub(crate) fn arming_obstacle(
+        &self,
+        rules: &FenceRules,
+        is_ready: bool,
+    ) -> Option<&'static str> {
         let level = rules.active() & (CIRCLE | AREAS) != 0;
-        if level && !self.is_ready() {
+        if level && !is_ready {
             return Some("Fence requires position");
         }
-        self.fence.obstacle(rules)
-    }
-
-    /// Whether the fence lets the vehicle fly to a point.
-    pub(crate) fn may_fly_to(&self, point_m: DVec3) -> bool {
-        self.fence
-            .allows(&self.tuning.flight.fence, point_m, self.datum.home_point())
+        self.obstacle(rules)
     }
 
     /// The bits of the fence in `SYS_STATUS`.
-    pub(crate) fn fence_health(&self) -> FenceHealth {
-        let rules = &self.tuning.flight.fence;
-        let is_present = self.fence.is_present(rules);
+    pub(crate) fn health(&self, rules: &FenceRules) -> FenceHealth {
+        let is_present = self.is_present(rules);
         FenceHealth {
             is_present,
             is_enabled: is_present && rules.action != 0 && rules.is_enabled,
-            is_healthy: !(is_present && self.fence.broken != 0),
+            is_healthy: !(is_present && self.broken != 0),
         }
     }
 
     /// The report of the fence, as long as it is enabled.
-    pub(crate) fn fence_report(&self) -> Option<FenceReport> {
-        self.tuning.flight.fence.is_enabled.then(|| FenceReport {
-            is_broken: self.fence.broken != 0,
-            breaches: self.fence.breaches,
-            kind: self.fence.breach_type(),
-            broken_since: self.fence.broken_since,
-            mitigation: if self.fence.limiter.is_active(self.uptime()) {
+    pub(crate) fn report(&self, rules: &FenceRules, now: Duration) -> Option<FenceReport> {
+        rules.is_enabled.then(|| FenceReport {
+            is_broken: self.broken != 0,
+            breaches: self.breaches,
+            kind: self.breach_type(),
+            broken_since: self.broken_since,
+            mitigation: if self.limiter.is_active(now) {
                 FenceMitigate::FENCE_MITIGATE_VEL_LIMIT
             } else {
                 FenceMitigate::FENCE_MITIGATE_NONE
             },
         })
     }
-}
 
-impl Cockpit<'_> {
-    /// A wanted velocity, slowed so that the vehicle stays inside its fence.
-    pub(crate) fn keep_inside(&mut self, wanted_m_s: DVec3) -> DVec3 {
-        let rules = &self.tuning.fence;
+    /// A wanted velocity, slowed so that a vehicle at a point, with home at another, stays inside.
+    pub(crate) fn keep_inside(
+        &mut self,
+        wanted_m_s: DVec3,
+        rules: &FenceRules,
+        [here_m, home_m]: [DVec3; 2],
+        limits: &Limits,
+        now: Duration,
+    ) -> DVec3 {
         let active = rules.active();
         if active == 0 {
             return wanted_m_s;
         }
-        let spot = Spot::new(self.body.position_m, self.home_m);
-        let fence = &mut *self.fence;
+        let spot = Spot::new(here_m, home_m);
         let edges = Edges {
             rules: &rules.avoidance,
             margin_m: rules.margin_m.max(0.0),
-            around_home: (active & CIRCLE & !fence.broken != 0)
+            around_home: (active & CIRCLE & !self.broken != 0)
                 .then_some((rules.radius_m, spot.from_home_m)),
             areas: if active & AREAS == 0 {
                 &[]
             } else {
-                &fence.areas
+                &self.areas
             },
             headroom_m: rules.highest_m().map(|most| most - spot.above_home_m),
             here_m: spot.here_m,
-            accel_m_s2: (self.limits.accel_m_s2, self.limits.accel_z_m_s2),
+            accel_m_s2: (limits.accel_m_s2, limits.accel_z_m_s2),
         };
-        fence.limiter.limit(wanted_m_s, &edges, self.now)
+        self.limiter.limit(wanted_m_s, &edges, now)
     }
 }

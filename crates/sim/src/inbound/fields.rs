@@ -8,8 +8,8 @@ use mavlink::dialects::ardupilotmega::{
 };
 
 use crate::commands::Command;
+use crate::guided::{AttitudeTarget, Setpoint, TargetPoint};
 use crate::payload::Payload;
-use crate::targets::{AttitudeTarget, Point, Setpoint};
 use sortie_geo::LatLon;
 use sortie_wire::Content;
 
@@ -102,7 +102,7 @@ fn local(data: &SET_POSITION_TARGET_LOCAL_NED_DATA) -> Addressed {
     Addressed {
         to: data.target_system,
         request: Request::Setpoint(Setpoint {
-            point: Point::Local(vector(data.x, data.y, data.z)),
+            point: TargetPoint::Local(vector(data.x, data.y, data.z)),
             velocity_m_s: vector(data.vx, data.vy, data.vz),
             accel_m_s2: vector(data.afx, data.afy, data.afz),
             yaw_rad: f64::from(data.yaw),
@@ -117,7 +117,7 @@ fn global(data: &SET_POSITION_TARGET_GLOBAL_INT_DATA) -> Addressed {
     Addressed {
         to: data.target_system,
         request: Request::Setpoint(Setpoint {
-            point: Point::Global {
+            point: TargetPoint::Global {
                 at: LatLon::from_e7(data.lat_int, data.lon_int),
                 height_m: f64::from(data.alt),
             },
@@ -196,9 +196,9 @@ fn attitude_by_hand(payload: &Payload) -> AttitudeTarget {
 
 fn setpoint_by_hand(id: u32, payload: &Payload) -> Setpoint {
     let point = if id == 84 {
-        Point::Local(vector_at(payload, 4))
+        TargetPoint::Local(vector_at(payload, 4))
     } else {
-        Point::Global {
+        TargetPoint::Global {
             at: LatLon::from_e7(payload.integer(4), payload.integer(8)),
             height_m: f64::from(payload.float(12)),
         }

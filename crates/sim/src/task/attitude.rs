@@ -5,6 +5,7 @@ use std::time::Duration;
 use glam::DVec2;
 
 use super::{Act, Cockpit};
+use crate::control::FlatMotion;
 use crate::kinematics::{GRAVITY_M_S2, STEP_S};
 
 /// Leans beyond this are flown as this: the level part of thrust would otherwise grow without bound.
@@ -56,7 +57,7 @@ impl Attitude {
         };
         cockpit
             .control
-            .steered((here, moving, DVec2::ZERO), -climb, &limits);
+            .steered(&FlatMotion::steady(here, moving), -climb, &limits);
         if let Lift::Thrust(share) = self.lift
             && self.lean_rad == DVec2::ZERO
         {

@@ -25,7 +25,7 @@ const CORNER_FROM_SHARE: f64 = 0.5;
     clippy::struct_excessive_bools,
     reason = "parameters are switched one by one"
 )]
-pub(crate) struct Rules {
+pub(crate) struct AutoRules {
     radius_m: f64,
     corner_accel_m_s2: f64,
     jerk_m_s3: f64,
@@ -40,7 +40,7 @@ pub(crate) struct Rules {
     pub(crate) lifts_unasked: bool,
 }
 
-impl Rules {
+impl AutoRules {
     /// Reads the parameters.
     pub(crate) fn read(all: &Parameters) -> Self {
         let bit = |name: &str, bit: i32| (all.value(name) as i32) & bit != 0;
@@ -75,7 +75,7 @@ struct Track {
 }
 
 impl Track {
-    fn plan(from_m: DVec3, to_m: DVec3, limits: &Limits, rules: &Rules) -> Self {
+    fn plan(from_m: DVec3, to_m: DVec3, limits: &Limits, rules: &AutoRules) -> Self {
         let way = to_m - from_m;
         let direction = way.normalize_or_zero();
         let bounds = bounds(direction, limits, rules);
@@ -107,7 +107,7 @@ impl Track {
         [motion.way_m, motion.speed_m_s, motion.accel_m_s2].map(|along| self.direction * along)
     }
 
-    fn change_speed(&mut self, limits: &Limits, rules: &Rules) {
+    fn change_speed(&mut self, limits: &Limits, rules: &AutoRules) {
         let bounds = bounds(self.direction, limits, rules);
         self.fastest_m_s = bounds.speed_m_s;
         self.curve.change_speed(self.time_s, &bounds);
@@ -115,7 +115,7 @@ impl Track {
 }
 
 /// The limits along a direction: neither the horizontal nor the vertical one is broken.
-fn bounds(direction: DVec3, limits: &Limits, rules: &Rules) -> Bounds {
+fn bounds(direction: DVec3, limits: &Limits, rules: &AutoRules) -> Bounds {
     let (flat, steep) = (direction.truncate().length(), direction.z.abs());
     let along = |horizontal: f64, vertical: f64| {
         let by = |limit: f64, share: f64| {
@@ -330,7 +330,7 @@ impl Route {
 
 /// Whether the next leg may begin now: at the apex the vehicle then passes near enough to the corner, no faster than
 /// either leg allows and without leaning too far.
-fn may_turn(this: &Track, next: &Track, rules: &Rules) -> bool {
+fn may_turn(this: &Track, next: &Track, rules: &AutoRules) -> bool {
     let early = this.time_s < this.curve.brake_s - next.curve.turn_in_s;
     let [way, ..] = this.at(this.time_s);
     let near_start = way.length() < CORNER_FROM_SHARE * this.length_m;

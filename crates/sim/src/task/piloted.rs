@@ -11,7 +11,7 @@ use glam::{DVec2, DVec3};
 
 pub(crate) use self::rules::PilotRules;
 use super::{Act, Cockpit};
-use crate::control::Limits;
+use crate::control::{FlatMotion, Limits};
 use crate::kinematics::square_root;
 use crate::kinematics::{GRAVITY_M_S2, STEP_S};
 use crate::mode;
@@ -172,8 +172,8 @@ pub(crate) fn climb_m_s(cockpit: &Cockpit<'_>) -> f64 {
 
 /// One step of a mode in which the autopilot holds the height.
 pub(super) fn step(cockpit: &mut Cockpit<'_>) -> Act {
-    let climb = climb_m_s(cockpit);
-    let climb = -cockpit.keep_inside(DVec3::new(0.0, 0.0, -climb)).z;
+    let asked = climb_m_s(cockpit);
+    let climb = -super::keep_inside(cockpit, DVec3::new(0.0, 0.0, -asked)).z;
     if cockpit.body.on_ground && !cockpit.pilot.lifts(climb, cockpit.now) {
         return Act::Idle;
     }
@@ -196,8 +196,8 @@ pub(super) fn step(cockpit: &mut Cockpit<'_>) -> Act {
 fn leant(cockpit: &mut Cockpit<'_>, lean_m_s2: DVec2, climb_m_s: f64, limits: &Limits) -> Act {
     let moving = cockpit.body.velocity_m_s.truncate();
     let here = cockpit.body.position_m.truncate();
-    let flat = (here, moving, DVec2::ZERO);
-    cockpit.control.steered(flat, -climb_m_s, limits);
+    let flat = FlatMotion::steady(here, moving);
+    cockpit.control.steered(&flat, -climb_m_s, limits);
     let lift = cockpit.control.lift(cockpit.body);
     Act::Accelerate(north_east(cockpit, lean_m_s2).extend(lift))
 }
@@ -229,14 +229,20 @@ fn loiter(cockpit: &mut Cockpit<'_>, climb_m_s: f64, limits: &Limits) -> Act {
         velocity = way * slower.min(rules.loiter_speed_m_s);
         accel -= way * pilot.brake_m_s2;
     }
-    let velocity = cockpit.keep_inside(velocity.extend(0.0)).truncate();
+    let velocity = super::keep_inside(cockpit, velocity.extend(0.0)).truncate();
     let here = cockpit.body.position_m.truncate();
-    let path = cockpit.control.path_m.truncate() + velocity * STEP_S;
-    let path = here + (path - here).clamp_length_max(LEAD_MAX_M);
+    let ahead = cockpit.control.path_m.truncate() + velocity * STEP_S;
+    let path = here + (ahead - here).clamp_length_max(LEAD_MAX_M);
     let accel = accel.clamp_length_max(rules.loiter_accel_m_s2.max(limits.accel_m_s2));
-    cockpit
-        .control
-        .steered((path, velocity, accel), -climb_m_s, limits);
+    cockpit.control.steered(
+        &FlatMotion {
+            place_m: path,
+            velocity_m_s: velocity,
+            accel_m_s2: accel,
+        },
+        -climb_m_s,
+        limits,
+    );
     Act::Fly
 }
 

@@ -6,6 +6,7 @@ use std::time::Duration;
 use glam::{DVec2, DVec3};
 
 use super::{Act, Cockpit, Landing, Route};
+use crate::control::FlatMotion;
 
 /// The way home begins this long after the vehicle is near enough to where it stops: a climb of next to nothing still
 /// is a leg of its own.
@@ -167,8 +168,8 @@ impl Returning {
             .over_m
             .get_or_insert_with(|| cockpit.control.stopping_point(&limits));
         // The path waits at the stopping point: the error of the place alone brings the vehicle there.
-        let still = (over, DVec2::ZERO, DVec2::ZERO);
-        cockpit.control.along(still, self.down_m, &limits);
+        let still = FlatMotion::steady(over, DVec2::ZERO);
+        cockpit.control.along(&still, self.down_m, &limits);
         let high = (cockpit.body.position_m.z - self.down_m).abs() < HEIGHT_REACHED_M;
         let near = cockpit.body.position_m.truncate().distance(over) < HOME_REACHED_M;
         if let Stage::Climb { standing_since } = &mut self.stage

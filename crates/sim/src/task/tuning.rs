@@ -3,9 +3,11 @@
 use std::time::Duration;
 
 use super::{AutoRules, PilotRules};
+use crate::fence::FenceRules;
 use crate::parameters::Parameters;
 use crate::radio::RadioRules;
-use crate::{fence, rally, trail};
+use crate::rally::RallyRules;
+use crate::trail::TrailRules;
 
 /// Limits and settings of the tasks.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,9 +33,9 @@ pub(crate) struct FlightTuning {
     pub(crate) radio: RadioRules,
     pub(crate) circle_radius_m: f64,
     pub(crate) circle_rate_deg_s: f64,
-    pub(crate) fence: fence::Rules,
-    pub(crate) rally: rally::Rules,
-    pub(crate) trail: trail::Rules,
+    pub(crate) fence: FenceRules,
+    pub(crate) rally: RallyRules,
+    pub(crate) trail: TrailRules,
     pub(crate) auto: AutoRules,
 }
 
@@ -69,9 +71,9 @@ impl FlightTuning {
             radio: RadioRules::read(all),
             circle_radius_m: cm("CIRCLE_RADIUS").clamp(0.0, 2000.0),
             circle_rate_deg_s: all.value("CIRCLE_RATE").clamp(-90.0, 90.0),
-            fence: fence::Rules::read(all),
-            rally: rally::Rules::read(all),
-            trail: trail::Rules::read(all),
+            fence: FenceRules::read(all),
+            rally: RallyRules::read(all),
+            trail: TrailRules::read(all),
             auto: AutoRules::read(all),
         }
     }

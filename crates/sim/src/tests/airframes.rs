@@ -25,7 +25,7 @@ fn fail_motor(ground: &mut Ground, output: f32, multiplier: f32) {
 }
 
 fn body(ground: &mut Ground) -> &mut body::Body {
-    &mut ground.world.slots[0].autopilot.body
+    &mut ground.world.slots[0].autopilot.vehicle.plant.body
 }
 
 /// The largest distance from where the vehicle is now, in so many seconds.
@@ -143,7 +143,7 @@ fn a_heavy_octocopter_flies_like_the_real_one() {
 #[test]
 fn a_small_battery_lets_the_vehicle_fall() {
     let mut ground = flying("{\"battCapacityAh\": 1.2}").hover(20.0);
-    let parameters = &ground.world.slots[0].autopilot.parameters;
+    let parameters = &ground.world.slots[0].autopilot.vehicle.parameters;
     close("capacity", parameters.value("BATT_CAPACITY"), 1200.0, 1e-6);
     let drawn = ground.truth().battery_consumed_mah;
     assert!((200.0..400.0).contains(&drawn), "{drawn}");

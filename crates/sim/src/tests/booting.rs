@@ -189,14 +189,14 @@ fn without_a_client_or_a_gps_the_boot_waits() {
     for _ in 0..1000 {
         world.step();
     }
-    assert!(world.slots[0].autopilot.boot.awaits_client());
+    assert!(world.slots[0].autopilot.vehicle.boot.awaits_client());
     let mut ground = booting();
     ground.set("SIM_GPS_DISABLE", 1.0);
     ground.run(50.0);
-    assert!(!ground.world.slots[0].autopilot.is_ready());
+    assert!(!ground.world.slots[0].autopilot.vehicle.is_ready());
     ground.set("SIM_GPS_DISABLE", 0.0);
     ground.run(23.0);
-    assert!(ground.world.slots[0].autopilot.is_ready());
+    assert!(ground.world.slots[0].autopilot.vehicle.is_ready());
 }
 
 #[test]

@@ -283,7 +283,7 @@ fn what_is_over_leaves_the_belief_as_the_truth() {
         seen.run(3.0);
         seen.ground.set(name, 0.0);
         seen.run(60.0);
-        let estimator = &seen.ground.world.slots[0].autopilot.estimator;
+        let estimator = &seen.ground.world.slots[0].autopilot.vehicle.estimator;
         assert!(estimator.fix().is_none(), "{name} still costs something");
     }
 }

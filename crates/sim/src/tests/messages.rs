@@ -82,6 +82,7 @@ fn counters_are_told_every_half_minute_and_after_a_flight() {
     }
     let learned = ground.world.slots[0]
         .autopilot
+        .vehicle
         .parameters
         .value("MOT_THST_HOVER");
     assert!((0.33..0.385).contains(&learned), "{learned}");

@@ -82,7 +82,7 @@ proptest! {
         ground.run(2.0);
         let slot = &mut ground.world.slots[0].autopilot;
         slot.set_mode(4);
-        slot.safety.armed = true;
+        slot.vehicle.safety.armed = true;
         let mut climb = [0.0; 7];
         climb[6] = 20.0;
         ground.long7(mavlink::dialects::ardupilotmega::MavCmd::MAV_CMD_NAV_TAKEOFF, climb);
@@ -170,13 +170,13 @@ proptest! {
                 if step % 50 == 0 {
                     steer(&mut ground, sticks);
                 }
-                let before = ground.world.slots[0].autopilot.body.clone();
+                let before = ground.world.slots[0].autopilot.vehicle.plant.body.clone();
                 let drawn = ground.truth().battery_consumed_mah;
                 ground.step();
                 let truth = ground.truth();
                 check(&truth);
                 prop_assert!(truth.battery_consumed_mah >= drawn, "{mode} {truth:?}");
-                let after = &ground.world.slots[0].autopilot.body;
+                let after = &ground.world.slots[0].autopilot.vehicle.plant.body;
                 let gained = energy(after) - energy(&before);
                 prop_assert!(gained <= most_work(&before, after) + 1e-6, "{mode} {gained} {before:?} {after:?}");
             }

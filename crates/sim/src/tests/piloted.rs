@@ -239,7 +239,7 @@ fn manual_control_moves_the_channels_and_a_stranger_does_not() {
     };
     ground.say(control(1));
     let channels = |ground: &Ground| {
-        let sticks = ground.world.slots[0].autopilot.sticks();
+        let sticks = ground.world.slots[0].autopilot.vehicle.sticks();
         sticks.channels_us[..4].to_vec()
     };
     assert_eq!(channels(&ground), [1600, 1250, 1600, 1450]);

@@ -359,8 +359,13 @@ fn erased_parameters_come_back_as_defaults_after_the_reboot() {
     ground.run(2.0);
     ground.set("RTL_ALT", 4200.0);
     assert_eq!(ask(&mut ground, 245, &[2.0]).0, 0);
-    let value =
-        |ground: &Ground| ground.world.slots[0].autopilot.parameters.value("RTL_ALT") as i32;
+    let value = |ground: &Ground| {
+        ground.world.slots[0]
+            .autopilot
+            .vehicle
+            .parameters
+            .value("RTL_ALT") as i32
+    };
     assert_eq!(value(&ground), 4200, "at work until the reboot");
     assert_eq!(ask(&mut ground, 246, &[1.0]).0, 0);
     ground.run(1.0);

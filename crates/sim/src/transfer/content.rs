@@ -1,10 +1,10 @@
 //! What the vehicle's folders and files hold, also those that are made when they are read.
 
 use super::packed::{self, Wanted};
-use super::tree::{Entry, INVALID, NO_SUCH_FILE, READ_ONLY, clean};
+use super::tree::{Disk, Entry, INVALID, NO_SUCH_FILE, READ_ONLY, clean};
 use super::{logs, plan_file};
-use crate::autopilot::Autopilot;
 use crate::parameters::Parameters;
+use crate::vehicle::Vehicle;
 
 /// The system's files and how long they are said to be.
 const SYSTEM: [(&str, usize); 11] = [
@@ -64,9 +64,9 @@ pub(super) enum Content {
 
 impl Content {
     /// Opens a file; also how long it is said to be. An error is an error number.
-    pub(super) fn open(autopilot: &Autopilot, path: &str) -> Result<(Self, usize), u8> {
+    pub(super) fn open(vehicle: &Vehicle, disk: &Disk, path: &str) -> Result<(Self, usize), u8> {
         let bytes = match Place::of(path) {
-            Place::System(name) => return system(autopilot, &name),
+            Place::System(name) => return system(vehicle, &name),
             Place::Parameters(name) if packed::is_name(&name) => {
                 let wanted = Wanted::read(&name).ok_or(INVALID)?;
                 let content = Self::Parameters {
@@ -74,16 +74,16 @@ impl Content {
                     block: 0,
                     packed: Vec::new(),
                 };
-                return Ok((content, packed::estimated_len(&autopilot.parameters)));
+                return Ok((content, packed::estimated_len(&vehicle.parameters)));
             }
             Place::Plans(name) => {
                 let kind = plan_file::kind_of(&name).ok_or(NO_SUCH_FILE)?;
-                let content = Self::Bytes(plan_file::pack(autopilot, kind));
+                let content = Self::Bytes(plan_file::pack(vehicle, kind));
                 return Ok((content, plan_file::ESTIMATED_LEN));
             }
             Place::Parameters(_) | Place::Firmware(_) => return Err(NO_SUCH_FILE),
-            Place::Logs(name) => logs::file(autopilot, &name).ok_or(NO_SUCH_FILE)?,
-            Place::Disk(path) => autopilot.transfers.files.disk().read(&path)?.to_vec(),
+            Place::Logs(name) => logs::file(vehicle, &name).ok_or(NO_SUCH_FILE)?,
+            Place::Disk(path) => disk.read(&path)?.to_vec(),
         };
         let len = bytes.len();
         Ok((Self::Bytes(bytes), len))
@@ -119,18 +119,17 @@ impl Content {
 }
 
 /// What a folder holds.
-pub(super) fn list(autopilot: &Autopilot, path: &str) -> Result<Vec<Entry>, u8> {
-    let disk = autopilot.transfers.files.disk();
+pub(super) fn list(vehicle: &Vehicle, disk: &Disk, path: &str) -> Result<Vec<Entry>, u8> {
     match Place::of(path) {
         Place::System(rest) if rest.is_empty() => {
             Ok(SYSTEM.map(|(name, len)| Entry::file(name, len)).to_vec())
         }
         Place::Firmware(rest) if rest.is_empty() => Ok(Vec::new()),
-        Place::Logs(rest) if rest.is_empty() => Ok(dotted(logs::entries(autopilot))),
+        Place::Logs(rest) if rest.is_empty() => Ok(dotted(logs::entries(vehicle))),
         Place::Disk(path) => {
             let mut entries = dotted(disk.entries(&path).ok_or(NO_SUCH_FILE)?);
             if path.is_empty() {
-                let logs = logs::entries(autopilot);
+                let logs = logs::entries(vehicle);
                 entries.extend((!logs.is_empty()).then(|| Entry::folder(logs::FOLDER)));
                 entries.extend(["@ROMFS", "@SYS"].map(Entry::folder));
             }
@@ -164,12 +163,12 @@ fn dotted(entries: Vec<Entry>) -> Vec<Entry> {
 }
 
 /// Of the system's files those that a simulated board has something to write into.
-fn system(autopilot: &Autopilot, name: &str) -> Result<(Content, usize), u8> {
+fn system(vehicle: &Vehicle, name: &str) -> Result<(Content, usize), u8> {
     let (_, said) = SYSTEM
         .iter()
         .find(|(known, _)| *known == name)
         .ok_or(NO_SUCH_FILE)?;
-    let seconds = autopilot.uptime().as_secs();
+    let seconds = vehicle.uptime().as_secs();
     let bytes = match name {
         "tasks.txt" => format!(
             "TasksV2\nfast_loop                 TIM={:>10} ms\n",

@@ -15,7 +15,6 @@ use super::content::{self, Content, Place};
 use super::packed;
 use super::tree::{self, Disk, NO_SPACE, NO_SUCH_FILE};
 use super::{Talk, plan_file};
-use crate::autopilot::Autopilot;
 use crate::payload::Payload;
 use crate::plan::ListKind;
 
@@ -86,7 +85,7 @@ pub(super) fn handle(talk: &mut Talk<'_>, id: u32, payload: &Payload) -> bool {
     }
     if talk.is_for_us(payload.byte(1)) {
         let request = Request::read(payload, talk.peer);
-        let files = &mut talk.autopilot.transfers.files;
+        let files = &mut talk.transfers.files;
         if files.burst.is_none() {
             talk.serve(request);
         } else if files.waiting.len() < MOST_WAITING {
@@ -98,8 +97,8 @@ pub(super) fn handle(talk: &mut Talk<'_>, id: u32, payload: &Payload) -> bool {
 
 /// Sends the next messages of a burst, then answers what waited for its end.
 pub(super) fn step(talk: &mut Talk<'_>) {
-    let now = talk.autopilot.uptime();
-    let files = &mut talk.autopilot.transfers.files;
+    let now = talk.autopilot.vehicle.uptime();
+    let files = &mut talk.transfers.files;
     if let Some(burst) = &files.burst {
         if burst.request.from.link == talk.peer.link {
             talk.continue_burst(BURST_PER_STEP);
@@ -122,12 +121,12 @@ pub(super) fn step(talk: &mut Talk<'_>) {
 
 impl Talk<'_> {
     fn files(&mut self) -> &mut Files {
-        &mut self.autopilot.transfers.files
+        &mut self.transfers.files
     }
 
     fn send(&mut self, reply: Reply) {
         self.raw(MESSAGE, reply.payload());
-        let now = self.autopilot.uptime();
+        let now = self.autopilot.vehicle.uptime();
         let files = self.files();
         files.sent_at = now;
         files.last = Some(reply);
@@ -162,15 +161,15 @@ impl Talk<'_> {
         }
         self.send(reply);
         if wants_banner && done.is_ok() {
-            let banner = self.autopilot.banner();
+            let banner = self.banner();
             self.link.replies.extend(banner.into_iter().map(Into::into));
         }
     }
 
     /// Keeps a second session out while the first is alive.
     fn check_session(&mut self, request: &Request) -> Result<(), Refusal> {
-        let now = self.autopilot.uptime();
-        let files = &self.autopilot.transfers.files;
+        let now = self.autopilot.vehicle.uptime();
+        let files = &self.transfers.files;
         let idle = now.saturating_sub(files.sent_at) >= SESSION_TIMEOUT;
         match &files.open {
             Some((session, _)) if *session != request.session && !idle => {
@@ -200,7 +199,11 @@ impl Talk<'_> {
             0 => {}
             LIST => {
                 reply.offset = request.offset;
-                let entries = content::list(self.autopilot, &request.path()?)?;
+                let entries = content::list(
+                    &self.autopilot.vehicle,
+                    self.transfers.files.disk(),
+                    &request.path()?,
+                )?;
                 reply.data = listing(&entries, request.offset)?;
             }
             OPEN_RO => reply.data = self.open(request)?.to_le_bytes().to_vec(),
@@ -237,7 +240,7 @@ impl Talk<'_> {
             }
             opcode => {
                 let text = format!("Unsupported FTP: {opcode}");
-                self.autopilot.say(MAV_SEVERITY_DEBUG, &text);
+                self.autopilot.vehicle.say(MAV_SEVERITY_DEBUG, &text);
                 return Err(Refusal::Fail);
             }
         }
@@ -246,14 +249,22 @@ impl Talk<'_> {
 
     /// Opens a file for reading and tells its length.
     fn open(&mut self, request: &Request) -> Result<u32, Refusal> {
-        let idle = self.autopilot.uptime().saturating_sub(self.files().sent_at);
+        let idle = self
+            .autopilot
+            .vehicle
+            .uptime()
+            .saturating_sub(self.files().sent_at);
         if self.files().open.is_some() && idle > SESSION_TIMEOUT {
             self.close();
         }
         if self.files().open.is_some() {
             return Err(Refusal::Fail);
         }
-        let (content, len) = Content::open(self.autopilot, &request.path()?)?;
+        let (content, len) = Content::open(
+            &self.autopilot.vehicle,
+            self.transfers.files.disk(),
+            &request.path()?,
+        )?;
         self.files().open = Some((request.session, Open::Reading(content)));
         Ok(len as u32)
     }
@@ -285,12 +296,8 @@ impl Talk<'_> {
     }
 
     fn read(&mut self, offset: usize, len: usize) -> Result<Vec<u8>, Refusal> {
-        let Autopilot {
-            transfers,
-            parameters,
-            ..
-        } = &mut *self.autopilot;
-        match &mut transfers.files.open {
+        let parameters = &self.autopilot.vehicle.parameters;
+        match &mut self.transfers.files.open {
             None => Err(Refusal::NothingOpen),
             Some((_, Open::Reading(content))) => {
                 let bytes = content.read(parameters, offset, len)?;
@@ -322,7 +329,11 @@ impl Talk<'_> {
     }
 
     fn crc32(&mut self, request: &Request) -> Result<u32, Refusal> {
-        let (mut content, _) = Content::open(self.autopilot, &request.path()?)?;
+        let (mut content, _) = Content::open(
+            &self.autopilot.vehicle,
+            self.transfers.files.disk(),
+            &request.path()?,
+        )?;
         // Files that are packed while they are read are read in blocks of this size.
         let block = match &content {
             Content::Bytes(bytes) => bytes.len(),
@@ -330,7 +341,7 @@ impl Talk<'_> {
         };
         let mut all = Vec::new();
         loop {
-            let bytes = content.read(&self.autopilot.parameters, all.len(), block)?;
+            let bytes = content.read(&self.autopilot.vehicle.parameters, all.len(), block)?;
             if bytes.is_empty() {
                 return Ok(content::crc32(&all));
             }
@@ -343,9 +354,9 @@ impl Talk<'_> {
         match self.files().open.take() {
             Some((_, Open::WritingParameters(file))) => {
                 for (name, value) in packed::unpack(&file).unwrap_or_default() {
-                    self.autopilot.parameters.set(&name, value);
+                    self.autopilot.vehicle.parameters.set(&name, value);
                 }
-                self.autopilot.retune();
+                self.autopilot.vehicle.retune();
             }
             Some((_, Open::WritingPlan(kind, file))) => {
                 plan_file::take(self.autopilot, kind, &file);

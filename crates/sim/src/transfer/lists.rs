@@ -131,20 +131,20 @@ pub(super) fn handle(talk: &mut Talk<'_>, id: u32, payload: &Payload) -> bool {
 
 /// Asks again for what does not come, and gives up in the end.
 pub(super) fn step(talk: &mut Talk<'_>) {
-    let now = talk.autopilot.uptime();
+    let now = talk.autopilot.vehicle.uptime();
     for kind in ListKind::ALL {
-        let Some(upload) = &mut talk.autopilot.transfers.lists.of(kind).upload else {
+        let Some(upload) = &mut talk.transfers.lists.of(kind).upload else {
             continue;
         };
         let silent = now.saturating_sub(upload.heard_at);
         if upload.peer.link != talk.peer.link {
             // The link it came by may be gone.
             if silent > GIVE_UP_AFTER + ASK_AGAIN_AFTER {
-                talk.autopilot.transfers.lists.of(kind).upload = None;
+                talk.transfers.lists.of(kind).upload = None;
             }
         } else if silent > GIVE_UP_AFTER {
             talk.peer = upload.peer;
-            talk.autopilot.transfers.lists.of(kind).upload = None;
+            talk.transfers.lists.of(kind).upload = None;
             talk.ack(kind.number(), MAV_MISSION_OPERATION_CANCELLED);
             let name = match kind {
                 ListKind::Mission => "Mission",
@@ -160,7 +160,7 @@ pub(super) fn step(talk: &mut Talk<'_>) {
 
 impl Talk<'_> {
     fn state(&mut self, kind: ListKind) -> &mut State {
-        self.autopilot.transfers.lists.of(kind)
+        self.transfers.lists.of(kind)
     }
 
     fn ack(&mut self, list: u8, result: MavMissionResult) {
@@ -169,14 +169,14 @@ impl Talk<'_> {
     }
 
     fn say_count(&mut self, kind: ListKind) {
-        let count = self.autopilot.plans.list(kind).len() as u16;
+        let count = self.autopilot.vehicle.plans.list(kind).len() as u16;
         let to = [self.peer.system, self.peer.component, kind.number()];
         self.raw(COUNT, Writer::default().short(count).bytes(&to).done());
     }
 
     /// Asks the uploader for its next item.
     fn ask(&mut self, kind: ListKind) {
-        let now = self.autopilot.uptime();
+        let now = self.autopilot.vehicle.uptime();
         let Some(upload) = &mut self.state(kind).upload else {
             return;
         };
@@ -187,7 +187,7 @@ impl Talk<'_> {
     }
 
     fn begin(&mut self, kind: ListKind, range: (u16, u16), staged: Vec<Item>) {
-        let now = self.autopilot.uptime();
+        let now = self.autopilot.vehicle.uptime();
         *self.state(kind) = State {
             upload: Some(Upload {
                 peer: self.peer,
@@ -213,7 +213,7 @@ impl Talk<'_> {
         if usize::from(count) > kind.most() {
             self.ack(kind.number(), MAV_MISSION_NO_SPACE);
             let text = format!("Only {} items are supported", kind.most());
-            self.autopilot.say(MAV_SEVERITY_WARNING, &text);
+            self.autopilot.vehicle.say(MAV_SEVERITY_WARNING, &text);
             return;
         }
         if kind != ListKind::Fence {
@@ -232,7 +232,7 @@ impl Talk<'_> {
     }
 
     fn partial(&mut self, kind: ListKind, first: i16, last: i16) {
-        let length = self.autopilot.plans.list(kind).len();
+        let length = self.autopilot.vehicle.plans.list(kind).len();
         let range = (u16::try_from(first), u16::try_from(last));
         let (Ok(first), Ok(last)) = range else {
             return self.refuse_partial(kind);
@@ -241,7 +241,7 @@ impl Talk<'_> {
             return self.refuse_partial(kind);
         }
         let staged = match kind {
-            ListKind::Fence => self.autopilot.plans.fence.clone(),
+            ListKind::Fence => self.autopilot.vehicle.plans.fence.clone(),
             ListKind::Mission | ListKind::Rally => Vec::new(),
         };
         self.begin(kind, (first, last), staged);
@@ -250,6 +250,7 @@ impl Talk<'_> {
     fn refuse_partial(&mut self, kind: ListKind) {
         self.ack(kind.number(), MAV_MISSION_ERROR);
         self.autopilot
+            .vehicle
             .say(MAV_SEVERITY_WARNING, "Flight plan update rejected");
     }
 
@@ -257,8 +258,8 @@ impl Talk<'_> {
         let autopilot = &*self.autopilot;
         // A mission that is being flown cannot be taken away.
         let flown = kind == ListKind::Mission
-            && autopilot.safety.armed
-            && autopilot.mode.number == mode::AUTO;
+            && autopilot.vehicle.safety.armed
+            && autopilot.vehicle.flight.mode.number == mode::AUTO;
         let cleared = self.state(kind).upload.is_none() && !flown;
         if !cleared {
             self.ack(kind.number(), MAV_MISSION_ERROR);
@@ -273,7 +274,7 @@ impl Talk<'_> {
     }
 
     fn truncate(&mut self, kind: ListKind, length: usize) {
-        let items = self.autopilot.plans.list_mut(kind);
+        let items = self.autopilot.vehicle.plans.list_mut(kind);
         if items.len() > length {
             items.truncate(length);
             announce(self.autopilot, kind);
@@ -294,13 +295,13 @@ impl Talk<'_> {
             self.ack(kind.number(), MAV_MISSION_DENIED);
             return;
         }
-        let Some(item) = as_sent(self.autopilot, kind, usize::from(seq)) else {
+        let Some(item) = as_sent(&self.autopilot.vehicle, kind, usize::from(seq)) else {
             let result = match kind {
                 ListKind::Mission => {
                     self.say_count(kind);
                     MAV_MISSION_ERROR
                 }
-                ListKind::Fence if usize::from(seq) == self.autopilot.plans.fence.len() => {
+                ListKind::Fence if usize::from(seq) == self.autopilot.vehicle.plans.fence.len() => {
                     MAV_MISSION_ERROR
                 }
                 ListKind::Fence | ListKind::Rally => MAV_MISSION_INVALID_SEQUENCE,
@@ -316,7 +317,7 @@ impl Talk<'_> {
         self.raw(ITEM, laid_out(&item, seq, to, kind, float_place(&item)));
         if !std::mem::replace(&mut self.state(kind).warned_request, true) {
             let text = "got MISSION_REQUEST; use MISSION_REQUEST_INT!";
-            self.autopilot.say(MAV_SEVERITY_WARNING, text);
+            self.autopilot.vehicle.say(MAV_SEVERITY_WARNING, text);
         }
     }
 
@@ -337,7 +338,7 @@ impl Talk<'_> {
         }
         if with_floats && !std::mem::replace(&mut self.state(kind).warned_item, true) {
             let text = "got MISSION_ITEM; GCS should send MISSION_ITEM_INT";
-            self.autopilot.say(MAV_SEVERITY_WARNING, text);
+            self.autopilot.vehicle.say(MAV_SEVERITY_WARNING, text);
         }
         let peer = self.peer;
         let refusal = match &self.state(kind).upload {
@@ -360,7 +361,7 @@ impl Talk<'_> {
 
     /// Asks for the item after the one that came, or ends the upload.
     fn proceed(&mut self, kind: ListKind) {
-        let now = self.autopilot.uptime();
+        let now = self.autopilot.vehicle.uptime();
         let Some(upload) = &mut self.state(kind).upload else {
             return;
         };
@@ -392,10 +393,10 @@ impl Talk<'_> {
         let item = match kind {
             ListKind::Mission => items::mission_item(item)?,
             ListKind::Fence => {
-                let item = items::fence_item(item)?;
+                let stored = items::fence_item(item)?;
                 let upload = self.state(kind).upload.as_mut();
                 let slot = upload.and_then(|upload| upload.staged.get_mut(place));
-                *slot.ok_or(MAV_MISSION_INVALID_SEQUENCE)? = item;
+                *slot.ok_or(MAV_MISSION_INVALID_SEQUENCE)? = stored;
                 return Ok(());
             }
             ListKind::Rally => items::rally_item(item)?,
@@ -405,12 +406,12 @@ impl Talk<'_> {
             .upload
             .as_ref()
             .map_or(0, |upload| upload.last);
-        let length = self.autopilot.plans.list(kind).len();
+        let length = self.autopilot.vehicle.plans.list(kind).len();
         let in_sight = length.max(usize::from(last) + 1);
         if kind == ListKind::Mission && !leads_somewhere(&item, in_sight) {
             return Err(MAV_MISSION_ERROR);
         }
-        let items = self.autopilot.plans.list_mut(kind);
+        let items = self.autopilot.vehicle.plans.list_mut(kind);
         if let Some(slot) = items.get_mut(place) {
             *slot = item;
         } else if place == length && length < kind.most() {

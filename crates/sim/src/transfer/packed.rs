@@ -80,9 +80,10 @@ impl Wanted {
             let Some(parameter) = parameters.at(index as u16) else {
                 break;
             };
-            let default = Parameters::default_at(parameter.index);
-            let default = self.with_defaults.then_some(default);
-            append(&mut file, (&parameter, before), default, block);
+            let default = self
+                .with_defaults
+                .then(|| Parameters::default_at(parameter.index));
+            append(&mut file, &parameter, before, default, block);
             before = parameter.name;
         }
         Some(file)
@@ -92,7 +93,8 @@ impl Wanted {
 /// Appends a parameter that follows one of another name.
 fn append(
     file: &mut Vec<u8>,
-    (parameter, before): (&Parameter, &str),
+    parameter: &Parameter,
+    before: &str,
     default: Option<f32>,
     block: usize,
 ) {

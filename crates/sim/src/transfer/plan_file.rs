@@ -8,6 +8,7 @@ use super::lists::{self, item_at, laid_out, leads_somewhere, whole_place};
 use crate::autopilot::Autopilot;
 use crate::payload::{Payload, Writer};
 use crate::plan::{Item, ListKind};
+use crate::vehicle::Vehicle;
 
 const MAGIC: u16 = 0x763D;
 const HEADER: usize = 10;
@@ -28,15 +29,15 @@ pub(super) fn kind_of(name: &str) -> Option<ListKind> {
 }
 
 /// A list as a file.
-pub(super) fn pack(autopilot: &Autopilot, kind: ListKind) -> Vec<u8> {
-    let length = autopilot.plans.list(kind).len();
+pub(super) fn pack(vehicle: &Vehicle, kind: ListKind) -> Vec<u8> {
+    let length = vehicle.plans.list(kind).len();
     let mut writer = Writer::default();
     for number in [MAGIC, kind as u16, 0, 0, length as u16] {
         writer = writer.short(number);
     }
     let to = [u8::from(kind == ListKind::Mission); 2];
     for seq in 0..length {
-        if let Some(item) = lists::as_sent(autopilot, kind, seq) {
+        if let Some(item) = lists::as_sent(vehicle, kind, seq) {
             let place = whole_place(&item);
             writer = writer.bytes(&laid_out(&item, seq as u16, to, kind, place));
         }
@@ -80,7 +81,7 @@ pub(super) fn take(autopilot: &mut Autopilot, kind: ListKind, file: &[u8]) -> bo
 
 fn take_mission(autopilot: &mut Autopilot, items: &[Item], start: usize, keep: bool) -> bool {
     let mut mission = if keep {
-        autopilot.plans.mission.clone()
+        autopilot.vehicle.plans.mission.clone()
     } else {
         Vec::new()
     };

@@ -1,11 +1,11 @@
 use super::*;
 
-fn rules(set: &[(&str, f32)]) -> Rules {
+fn rules(set: &[(&str, f32)]) -> WindRules {
     let mut all = Parameters::new(1);
     for (name, value) in set {
         all.set(name, *value).expect("known");
     }
-    Rules::read(&all)
+    WindRules::read(&all)
 }
 
 #[test]

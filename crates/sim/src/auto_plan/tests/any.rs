@@ -67,10 +67,10 @@ proptest! {
             prop_assert!(truth.position_ned_m.iter().chain(&truth.velocity_ned_m_s).all(|v| v.is_finite()), "{truth:?}");
             prop_assert!(truth.position_ned_m[2] <= 1e-9, "under ground");
             match round {
-                4 => ground.vehicle().plans_changed(ListKind::Mission),
-                6 => { ground.vehicle().set_mission_item(set); }
-                8 => { ground.vehicle().pause_mission(true); }
-                9 => { ground.vehicle().pause_mission(false); }
+                4 => ground.autopilot().plans_changed(ListKind::Mission),
+                6 => { ground.with_plan(|plan, vehicle| plan.set_item(vehicle, set)); }
+                8 => { ground.with_plan(|plan, vehicle| plan.pause(vehicle, true)); }
+                9 => { ground.with_plan(|plan, vehicle| plan.pause(vehicle, false)); }
                 _ => {}
             }
             ground.heard.clear();

@@ -70,7 +70,7 @@ fn the_recorded_mission_is_flown_in_the_same_order_and_time() {
     assert_eq!(ground.current(), (3, 10, 3, 1));
     ground.run(0.07);
     ground.news();
-    ground.vehicle().plans_changed(ListKind::Mission);
+    ground.autopilot().plans_changed(ListKind::Mission);
     ground.step();
     assert_eq!(
         ground.news(),
@@ -339,8 +339,8 @@ fn speeds_change_on_the_way_and_what_cannot_be_flown_is_skipped() {
         ["Mission: 1 Takeoff", "R 1", "Mission: 2 WP"]
     );
     ground.run(4.0);
-    ground.vehicle().plans.mission.clear();
-    ground.vehicle().plans_changed(ListKind::Mission);
+    ground.autopilot().vehicle.plans.mission.clear();
+    ground.autopilot().plans_changed(ListKind::Mission);
     ground.step();
     assert_eq!(
         ground.news(),

@@ -324,8 +324,8 @@ fn the_message_that_sets_an_item_is_answered_with_the_item_that_was_asked() {
 #[test]
 fn an_emptied_mission_is_forgotten_and_a_shortened_one_cannot_be_restarted() {
     let mut ground = under_way(&short());
-    ground.vehicle().plans.mission.truncate(2);
-    ground.vehicle().plans_changed(ListKind::Mission);
+    ground.autopilot().vehicle.plans.mission.truncate(2);
+    ground.autopilot().plans_changed(ListKind::Mission);
     ground.step();
     assert_eq!(
         ground.news(),
@@ -333,8 +333,8 @@ fn an_emptied_mission_is_forgotten_and_a_shortened_one_cannot_be_restarted() {
     );
     let mut ground = ready_with(&short());
     ground.set_current(2);
-    ground.vehicle().plans.mission.clear();
-    ground.vehicle().plans_changed(ListKind::Mission);
+    ground.autopilot().vehicle.plans.mission.clear();
+    ground.autopilot().plans_changed(ListKind::Mission);
     assert_eq!(ground.current(), (0, 0, 1, 0));
 }
 
@@ -379,7 +379,7 @@ fn actions_set_home_and_servos_and_the_unknown_is_skipped_with_a_text() {
     list.push(at(16, 30.0, 0.0, 8.0));
     let mut ground = under_way_from(&list, 6);
     ground.run(1.0);
-    let vehicle = ground.vehicle();
+    let vehicle = &ground.autopilot().vehicle;
     assert_eq!(vehicle.servos_us[8], 1700);
     let home = vehicle.datum.home_point();
     assert!((home.x - 5.0).abs() < 0.1 && (home.y - 5.0).abs() < 0.1);

@@ -3,6 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::super::{Act, Cockpit};
+use crate::control::FlatMotion;
 use crate::kinematics::STEP_S;
 use crate::parameters::Parameters;
 use crate::yaw::YawDemand;
@@ -98,12 +99,12 @@ impl Orbit {
         self.turned_rad += self.rate_rad_s * STEP_S;
         let (sin, cos) = self.angle_rad.sin_cos();
         let outwards = DVec2::new(cos, sin) * self.radius_m;
-        let planned = (
-            self.centre_m.truncate() + outwards,
-            DVec2::new(-outwards.y, outwards.x) * self.rate_rad_s,
-            -outwards * (self.rate_rad_s * self.rate_rad_s),
-        );
-        cockpit.control.along(planned, self.centre_m.z, &limits);
+        let planned = FlatMotion {
+            place_m: self.centre_m.truncate() + outwards,
+            velocity_m_s: DVec2::new(-outwards.y, outwards.x) * self.rate_rad_s,
+            accel_m_s2: -outwards * (self.rate_rad_s * self.rate_rad_s),
+        };
+        cockpit.control.along(&planned, self.centre_m.z, &limits);
         Act::Fly
     }
 }

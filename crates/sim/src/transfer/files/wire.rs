@@ -97,8 +97,8 @@ impl Request {
 
     /// The path in the data, whose length must be the size.
     pub(super) fn path(&self) -> Result<String, Refusal> {
-        let len = self.data.iter().position(|byte| *byte == 0);
-        let len = len.unwrap_or(self.data.len());
+        let end = self.data.iter().position(|byte| *byte == 0);
+        let len = end.unwrap_or(self.data.len());
         if self.size == 0 || usize::from(self.size) != len {
             return Err(Refusal::InvalidSize);
         }

@@ -7,9 +7,9 @@ use mavlink::dialects::ardupilotmega::MavMissionResult::{
 
 use crate::autopilot::Autopilot;
 use crate::cmd;
+use crate::guided::{Setpoint, TargetPoint};
 use crate::mode;
 use crate::plan::Item;
-use crate::targets::{Point, Setpoint};
 use crate::transfer::items;
 use sortie_geo::LatLon;
 
@@ -33,20 +33,23 @@ pub(super) fn go(autopilot: &mut Autopilot, item: &Item, current: u8) -> MavMiss
     if current == CHANGE_HEIGHT {
         return MAV_MISSION_ACCEPTED;
     }
-    if autopilot.mode.number != mode::GUIDED || item.command != cmd::NAV_WAYPOINT {
+    if autopilot.vehicle.flight.mode.number != mode::GUIDED || item.command != cmd::NAV_WAYPOINT {
         return MAV_MISSION_ERROR;
     }
-    autopilot.take_setpoint(&Setpoint {
-        point: Point::Global {
-            at: LatLon::from_e7(item.x, item.y),
-            height_m: f64::from(item.z),
+    crate::guided::take_setpoint(
+        autopilot,
+        &Setpoint {
+            point: TargetPoint::Global {
+                at: LatLon::from_e7(item.x, item.y),
+                height_m: f64::from(item.z),
+            },
+            velocity_m_s: DVec3::ZERO,
+            accel_m_s2: DVec3::ZERO,
+            yaw_rad: 0.0,
+            yaw_rate_rad_s: 0.0,
+            mask: POSITION_ONLY,
+            frame: item.frame,
         },
-        velocity_m_s: DVec3::ZERO,
-        accel_m_s2: DVec3::ZERO,
-        yaw_rad: 0.0,
-        yaw_rate_rad_s: 0.0,
-        mask: POSITION_ONLY,
-        frame: item.frame,
-    });
+    );
     MAV_MISSION_ACCEPTED
 }

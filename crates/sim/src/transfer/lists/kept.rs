@@ -7,17 +7,14 @@ use crate::cmd;
 use crate::fence::Fence;
 use crate::plan::{Item, ListKind};
 use crate::transfer::fence;
+use crate::vehicle::Vehicle;
 
 /// The items of a list in a download's form, `MISSION_ITEM_INT` without its sender and receiver.
-pub(in crate::transfer) fn as_sent(
-    autopilot: &Autopilot,
-    kind: ListKind,
-    seq: usize,
-) -> Option<Item> {
+pub(in crate::transfer) fn as_sent(vehicle: &Vehicle, kind: ListKind, seq: usize) -> Option<Item> {
     if kind == ListKind::Mission && seq == 0 {
-        return Some(home(autopilot));
+        return Some(home(vehicle));
     }
-    autopilot.plans.list(kind).get(seq).copied()
+    vehicle.plans.list(kind).get(seq).copied()
 }
 
 /// Replaces a whole list by items that were looked over; `false` if there are too many.
@@ -29,7 +26,7 @@ pub(in crate::transfer) fn replace(
     if items.len() > kind.most() {
         return false;
     }
-    *autopilot.plans.list_mut(kind) = items;
+    *autopilot.vehicle.plans.list_mut(kind) = items;
     announce(autopilot, kind);
     autopilot.plans_changed(kind);
     true
@@ -38,15 +35,21 @@ pub(in crate::transfer) fn replace(
 /// Takes a complete fence, or says why not.
 pub(in crate::transfer) fn take_fence(autopilot: &mut Autopilot, items: Vec<Item>) -> bool {
     if let Err(error) = Fence::check(&items) {
-        autopilot.say(error.severity(), &error.to_string());
-        autopilot.say(MAV_SEVERITY_WARNING, "Fence validation failed");
+        autopilot.vehicle.say(error.severity(), &error.to_string());
+        autopilot
+            .vehicle
+            .say(MAV_SEVERITY_WARNING, "Fence validation failed");
         return false;
     }
     if !fence::fits(&items) {
-        autopilot.say(MAV_SEVERITY_WARNING, "Fence exceeds storage size");
+        autopilot
+            .vehicle
+            .say(MAV_SEVERITY_WARNING, "Fence exceeds storage size");
         return false;
     }
-    autopilot.say(MAV_SEVERITY_DEBUG, "Fence Indexed OK");
+    autopilot
+        .vehicle
+        .say(MAV_SEVERITY_DEBUG, "Fence Indexed OK");
     replace(autopilot, ListKind::Fence, items)
 }
 
@@ -58,23 +61,23 @@ pub(in crate::transfer) fn leads_somewhere(item: &Item, items: usize) -> bool {
 
 /// The lengths of the lists are parameters too.
 pub(in crate::transfer) fn announce(autopilot: &mut Autopilot, kind: ListKind) {
-    let length = autopilot.plans.list(kind).len() as f32;
+    let length = autopilot.vehicle.plans.list(kind).len() as f32;
     let (name, total) = match kind {
         ListKind::Mission => ("MIS_TOTAL", length),
-        ListKind::Fence => ("FENCE_TOTAL", fence::total(&autopilot.plans.fence)),
+        ListKind::Fence => ("FENCE_TOTAL", fence::total(&autopilot.vehicle.plans.fence)),
         ListKind::Rally => ("RALLY_TOTAL", length),
     };
-    autopilot.store_parameter(name, total);
+    autopilot.vehicle.store_parameter(name, total);
 }
 
 /// Item 0 of a mission is wherever home is now.
-fn home(autopilot: &Autopilot) -> Item {
+fn home(vehicle: &Vehicle) -> Item {
     let mut item = Item {
         command: cmd::NAV_WAYPOINT,
         auto_continue: true,
         ..Item::default()
     };
-    if let Some(home) = autopilot.datum.home {
+    if let Some(home) = vehicle.datum.home {
         (item.x, item.y) = home.at.to_e7();
         item.z = (home.altitude_amsl_m * 100.0).round() as f32 * 0.01;
     }

@@ -10,6 +10,7 @@ use mavlink::dialects::ardupilotmega::{
 
 use super::{boot_ms, boot_us};
 use crate::autopilot::Autopilot;
+use crate::flight_log::EPOCH_US;
 use crate::mode;
 use crate::task::Task;
 
@@ -31,27 +32,25 @@ const PREARM_CHECK: u32 = 0x1000_0000;
 /// Missions, fences and rally points, parameters, `COMMAND_INT`, FTP, setpoints of attitude and position, terrain,
 /// flight termination, compass calibration, `MAVLink` 2.
 const CAPABILITIES: u64 = 0xFBEF;
-/// When the world's clock starts: 2026-01-01, in microseconds of the Unix epoch.
-pub(crate) const EPOCH_US: u64 = 1_767_225_600_000_000;
 
 pub(super) fn heartbeat(autopilot: &Autopilot) -> MavMessage {
     let mut base_mode = MavModeFlag::MAV_MODE_FLAG_CUSTOM_MODE_ENABLED
         | MavModeFlag::MAV_MODE_FLAG_STABILIZE_ENABLED
         | MavModeFlag::MAV_MODE_FLAG_MANUAL_INPUT_ENABLED;
-    if autopilot.mode.autonomous {
+    if autopilot.vehicle.flight.mode.autonomous {
         base_mode |= MavModeFlag::MAV_MODE_FLAG_GUIDED_ENABLED;
     }
-    if autopilot.safety.armed {
+    if autopilot.vehicle.safety.armed {
         base_mode |= MavModeFlag::MAV_MODE_FLAG_SAFETY_ARMED;
     }
     MavMessage::HEARTBEAT(HEARTBEAT_DATA {
         custom_mode: u32::from(autopilot.reported_mode()),
-        mavtype: autopilot.airframe.vehicle_type(),
+        mavtype: autopilot.vehicle.plant.airframe.vehicle_type(),
         autopilot: MavAutopilot::MAV_AUTOPILOT_ARDUPILOTMEGA,
         base_mode,
         system_status: if autopilot.failsafe.is_active() {
             MavState::MAV_STATE_CRITICAL
-        } else if autopilot.safety.landed && !autopilot.boot.is_initialising() {
+        } else if autopilot.vehicle.safety.landed && !autopilot.vehicle.boot.is_initialising() {
             MavState::MAV_STATE_STANDBY
         } else {
             MavState::MAV_STATE_ACTIVE
@@ -65,6 +64,7 @@ fn sensors(autopilot: &Autopilot) -> [u32; 3] {
     let mut present = SENSORS | HEIGHT_CONTROL | POSITION_CONTROL;
     let mut enabled = SENSORS;
     if autopilot
+        .vehicle
         .boot
         .early_fix()
         .is_some_and(|(kind, _)| kind == 0)
@@ -72,16 +72,19 @@ fn sensors(autopilot: &Autopilot) -> [u32; 3] {
         present &= !GPS;
         enabled &= !GPS;
     }
-    if !autopilot.boot.has_reference() {
+    if !autopilot.vehicle.boot.has_reference() {
         enabled &= !AHRS;
     }
-    if autopilot.mode.controls_height {
+    if autopilot.vehicle.flight.mode.controls_height {
         enabled |= HEIGHT_CONTROL;
     }
-    if autopilot.mode.autonomous {
+    if autopilot.vehicle.flight.mode.autonomous {
         enabled |= POSITION_CONTROL;
     }
-    let fence = autopilot.fence_health();
+    let fence = autopilot
+        .vehicle
+        .fence
+        .health(&autopilot.vehicle.tuning.flight.fence);
     if fence.is_enabled {
         enabled |= FENCE;
     }
@@ -99,13 +102,13 @@ fn sensors(autopilot: &Autopilot) -> [u32; 3] {
 
 /// What has failed.
 fn failed(autopilot: &Autopilot) -> u32 {
-    let faults = &autopilot.tuning.faults;
+    let faults = &autopilot.vehicle.tuning.faults;
     let failures = [
         (!autopilot.is_armable(), PREARM_CHECK),
-        (!autopilot.boot.has_reference(), AHRS),
+        (!autopilot.vehicle.boot.has_reference(), AHRS),
         (faults.gyro_failed, GYRO),
         (faults.accelerometer_failed, ACCELEROMETER),
-        (!autopilot.estimator.compass_is_healthy(), COMPASS),
+        (!autopilot.vehicle.estimator.compass_is_healthy(), COMPASS),
         (faults.barometers[0].disabled, BAROMETER),
         (autopilot.failsafe.radio_is_lost(), RADIO),
         (autopilot.failsafe.battery_is_down(), BATTERY),
@@ -123,8 +126,8 @@ pub(super) fn sys_status(autopilot: &Autopilot) -> MavMessage {
         onboard_control_sensors_present: MavSysStatusSensor::from_bits_truncate(present),
         onboard_control_sensors_enabled: MavSysStatusSensor::from_bits_truncate(enabled),
         onboard_control_sensors_health: MavSysStatusSensor::from_bits_truncate(health),
-        voltage_battery: (autopilot.battery.voltage_v * 1000.0) as u16,
-        current_battery: (autopilot.battery.current_a * 100.0) as i16,
+        voltage_battery: (autopilot.vehicle.plant.battery.voltage_v * 1000.0) as u16,
+        current_battery: (autopilot.vehicle.plant.battery.current_a * 100.0) as i16,
         battery_remaining: remaining(autopilot),
         onboard_control_sensors_present_extended: none,
         onboard_control_sensors_enabled_extended: none,
@@ -142,13 +145,13 @@ pub(super) fn system_time(autopilot: &Autopilot) -> MavMessage {
 
 pub(super) fn battery_status(autopilot: &Autopilot) -> MavMessage {
     let mut voltages = [u16::MAX; 10];
-    voltages[0] = (autopilot.battery.voltage_v * 1000.0) as u16;
+    voltages[0] = (autopilot.vehicle.plant.battery.voltage_v * 1000.0) as u16;
     MavMessage::BATTERY_STATUS(BATTERY_STATUS_DATA {
-        current_consumed: autopilot.battery.consumed_mah as i32,
-        energy_consumed: (autopilot.battery.consumed_wh * 36.0) as i32,
+        current_consumed: autopilot.vehicle.plant.battery.consumed_mah as i32,
+        energy_consumed: (autopilot.vehicle.plant.battery.consumed_wh * 36.0) as i32,
         temperature: i16::MAX,
         voltages,
-        current_battery: (autopilot.battery.current_a * 100.0) as i16,
+        current_battery: (autopilot.vehicle.plant.battery.current_a * 100.0) as i16,
         id: 0,
         battery_function: MavBatteryFunction::MAV_BATTERY_FUNCTION_UNKNOWN,
         mavtype: MavBatteryType::MAV_BATTERY_TYPE_UNKNOWN,
@@ -160,8 +163,10 @@ pub(super) fn battery_status(autopilot: &Autopilot) -> MavMessage {
 
 pub(super) fn remaining(autopilot: &Autopilot) -> i8 {
     autopilot
+        .vehicle
+        .plant
         .battery
-        .remaining_percent(autopilot.tuning.battery_capacity_mah)
+        .remaining_percent(autopilot.vehicle.tuning.battery_capacity_mah)
 }
 
 pub(super) fn power_status(_autopilot: &Autopilot) -> MavMessage {
@@ -181,11 +186,11 @@ pub(super) fn meminfo(_autopilot: &Autopilot) -> MavMessage {
 }
 
 pub(super) fn ekf_status_report(autopilot: &Autopilot) -> MavMessage {
-    let ratios = autopilot.estimator.ratios();
-    let flags = if autopilot.boot.is_over() {
-        autopilot.estimator.flags()
+    let ratios = autopilot.vehicle.estimator.ratios();
+    let flags = if autopilot.vehicle.boot.is_over() {
+        autopilot.vehicle.estimator.flags()
     } else {
-        autopilot.boot.flags()
+        autopilot.vehicle.boot.flags()
     };
     MavMessage::EKF_STATUS_REPORT(EKF_STATUS_REPORT_DATA {
         velocity_variance: ratios.velocity as f32,
@@ -198,13 +203,13 @@ pub(super) fn ekf_status_report(autopilot: &Autopilot) -> MavMessage {
 }
 
 pub(super) fn extended_sys_state(autopilot: &Autopilot) -> MavMessage {
-    let descending = matches!(&autopilot.task, Task::Land(_))
-        || matches!(&autopilot.task, Task::Return(way) if way.landing().is_some());
-    let landed_state = if autopilot.safety.landed {
+    let descending = matches!(&autopilot.vehicle.flight.task, Task::Land(_))
+        || matches!(&autopilot.vehicle.flight.task, Task::Return(way) if way.landing().is_some());
+    let landed_state = if autopilot.vehicle.safety.landed {
         MavLandedState::MAV_LANDED_STATE_ON_GROUND
-    } else if matches!(autopilot.task, Task::Takeoff(_)) {
+    } else if matches!(autopilot.vehicle.flight.task, Task::Takeoff(_)) {
         MavLandedState::MAV_LANDED_STATE_TAKEOFF
-    } else if descending || autopilot.mode.number == mode::LAND {
+    } else if descending || autopilot.vehicle.flight.mode.number == mode::LAND {
         MavLandedState::MAV_LANDED_STATE_LANDING
     } else {
         MavLandedState::MAV_LANDED_STATE_IN_AIR
@@ -217,11 +222,11 @@ pub(super) fn extended_sys_state(autopilot: &Autopilot) -> MavMessage {
 
 pub(super) fn autopilot_version(autopilot: &Autopilot) -> MavMessage {
     let mut uid2 = [0; 18];
-    uid2[..8].copy_from_slice(&autopilot.board_id.to_le_bytes());
-    uid2[8] = autopilot.system;
+    uid2[..8].copy_from_slice(&autopilot.vehicle.board_id.to_le_bytes());
+    uid2[8] = autopilot.vehicle.system;
     MavMessage::AUTOPILOT_VERSION(AUTOPILOT_VERSION_DATA {
         capabilities: MavProtocolCapability::from_bits_truncate(CAPABILITIES),
-        uid: autopilot.board_id,
+        uid: autopilot.vehicle.board_id,
         flight_sw_version: 0x0406_0000,
         flight_custom_version: *b"sortie\0\0",
         uid2,

@@ -10,9 +10,8 @@ mod sensors;
 use mavlink::dialects::ardupilotmega::MavMessage;
 
 use self::Builder::{Always, Sometimes};
-pub(super) use self::health::EPOCH_US;
-use super::autopilot::Autopilot;
-use super::schedule::{TERRAIN_REPORT, TERRAIN_REQUEST};
+use super::Autopilot;
+use crate::schedule::{TERRAIN_REPORT, TERRAIN_REQUEST};
 
 /// The real vehicle accepts requests for these, but without the hardware behind them it sends nothing.
 const SILENT: &[u32] = &[
@@ -88,12 +87,12 @@ const TABLE: &[(u32, Builder)] = &[
 ];
 
 /// The message of an id as it reads now; `None` if the vehicle has nothing to say under that id.
-pub(super) fn message(id: u32, autopilot: &Autopilot) -> Option<MavMessage> {
+pub(crate) fn message(id: u32, autopilot: &Autopilot) -> Option<MavMessage> {
     builder(id)?.build(autopilot)
 }
 
 /// Whether the firmware knows the message, so that it can be asked for.
-pub(super) fn is_known(id: u32) -> bool {
+pub(crate) fn is_known(id: u32) -> bool {
     id != UNASKABLE && (builder(id).is_some() || SILENT.contains(&id))
 }
 
@@ -104,12 +103,12 @@ fn builder(id: u32) -> Option<Builder> {
 
 /// Milliseconds since boot.
 fn boot_ms(autopilot: &Autopilot) -> u32 {
-    autopilot.uptime().as_millis() as u32
+    autopilot.vehicle.uptime().as_millis() as u32
 }
 
 /// Microseconds since boot.
 fn boot_us(autopilot: &Autopilot) -> u64 {
-    autopilot.uptime().as_micros() as u64
+    autopilot.vehicle.uptime().as_micros() as u64
 }
 
 #[cfg(test)]

@@ -15,10 +15,11 @@ use sortie_geo::wrap_360;
 pub(super) fn gps_raw_int(autopilot: &Autopilot) -> MavMessage {
     let (kind, satellites, offset_m, velocity_m_s) = reception(autopilot);
     let here = autopilot
+        .vehicle
         .datum
-        .place_of(autopilot.body.position_m + offset_m);
+        .place_of(autopilot.vehicle.plant.body.position_m + offset_m);
     let (lat, lon) = here.at.to_e7();
-    let v = autopilot.body.velocity_m_s + velocity_m_s;
+    let v = autopilot.vehicle.plant.body.velocity_m_s + velocity_m_s;
     let seen = kind != GpsFixType::GPS_FIX_TYPE_NO_GPS;
     let course = wrap_360(v.y.atan2(v.x).to_degrees());
     MavMessage::GPS_RAW_INT(GPS_RAW_INT_DATA {
@@ -45,13 +46,13 @@ pub(super) fn gps_raw_int(autopilot: &Autopilot) -> MavMessage {
 
 /// Fix type, satellites, and how far position (metres) and velocity (metres per second) are from the truth.
 fn reception(autopilot: &Autopilot) -> (GpsFixType, u8, DVec3, DVec3) {
-    if let Some((kind, satellites)) = autopilot.boot.early_fix() {
+    if let Some((kind, satellites)) = autopilot.vehicle.boot.early_fix() {
         return (fix_type(kind), satellites, DVec3::ZERO, DVec3::ZERO);
     }
-    autopilot.estimator.fix().map_or(
+    autopilot.vehicle.estimator.fix().map_or(
         (
             GpsFixType::GPS_FIX_TYPE_RTK_FIXED,
-            autopilot.tuning.faults.gps.satellites,
+            autopilot.vehicle.tuning.faults.gps.satellites,
             DVec3::ZERO,
             DVec3::ZERO,
         ),
@@ -72,7 +73,7 @@ fn fix_type(kind: u8) -> GpsFixType {
 
 /// Specific force in milli-g and rotation in milli-radians per second, in the body's axes.
 fn inertial(autopilot: &Autopilot) -> ([i16; 3], [i16; 3]) {
-    let body = &autopilot.body;
+    let body = &autopilot.vehicle.plant.body;
     let (roll, pitch) = body.roll_pitch_rad();
     let force = body.accel_m_s2 - glam::DVec3::new(0.0, 0.0, GRAVITY_M_S2);
     let attitude =
@@ -119,8 +120,8 @@ pub(super) fn scaled_imu2(autopilot: &Autopilot) -> MavMessage {
 
 /// Pressure of the standard atmosphere (ISA), in hectopascals.
 pub(super) fn scaled_pressure(autopilot: &Autopilot) -> MavMessage {
-    let altitude_m =
-        autopilot.truly_here().altitude_amsl_m + autopilot.estimator.barometer_offset_m();
+    let altitude_m = autopilot.vehicle.truly_here().altitude_amsl_m
+        + autopilot.vehicle.estimator.barometer_offset_m();
     let pressure = 1013.25 * (1.0 - 2.255_77e-5 * altitude_m).max(0.0).powf(5.2559);
     MavMessage::SCALED_PRESSURE(SCALED_PRESSURE_DATA {
         time_boot_ms: boot_ms(autopilot),
@@ -133,6 +134,7 @@ pub(super) fn scaled_pressure(autopilot: &Autopilot) -> MavMessage {
 /// A copter without an airspeed sensor has no estimate of the wind.
 pub(super) fn wind(autopilot: &Autopilot) -> Option<MavMessage> {
     autopilot
+        .vehicle
         .boot
         .is_over()
         .then(|| MavMessage::WIND(WIND_DATA::default()))

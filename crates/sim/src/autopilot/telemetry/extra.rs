@@ -30,17 +30,17 @@ const FULL_RPM: f64 = 7000.0;
 const NO_AIRSPEED: u16 = 2;
 
 pub(super) fn servo_output_raw(autopilot: &Autopilot) -> MavMessage {
-    let mut servos = autopilot.servos_us;
-    let count = autopilot.airframe.motors();
+    let mut servos = autopilot.vehicle.servos_us;
+    let count = autopilot.vehicle.plant.airframe.motors();
     for (motor, servo) in servos.iter_mut().enumerate().take(count) {
-        *servo = autopilot.motor_pulse_us(motor);
+        *servo = autopilot.vehicle.plant.motor_pulse_us(motor);
     }
     if let Some(test) = &autopilot.workbench.motor_test {
         servos
             .iter_mut()
             .take(count)
             .for_each(|servo| *servo = 1000);
-        if let Some((motor, pulse_us)) = test.turning(autopilot.uptime())
+        if let Some((motor, pulse_us)) = test.turning(autopilot.vehicle.uptime())
             && let Some(place) = usize::try_from(motor).ok().and_then(|n| n.checked_sub(1))
             && let Some(output) = servos.get_mut(MOTOR_ORDER.get(place).copied().unwrap_or(place))
         {
@@ -73,8 +73,8 @@ pub(super) fn servo_output_raw(autopilot: &Autopilot) -> MavMessage {
 const MOTOR_ORDER: [usize; 4] = [2, 0, 3, 1];
 
 pub(super) fn rc_channels(autopilot: &Autopilot) -> MavMessage {
-    let mut channels = autopilot.sticks().channels_us;
-    channels[2] = autopilot.radio_throttle_us() as u16;
+    let mut channels = autopilot.vehicle.sticks().channels_us;
+    channels[2] = autopilot.vehicle.reception().throttle_us as u16;
     MavMessage::RC_CHANNELS(RC_CHANNELS_DATA {
         time_boot_ms: boot_ms(autopilot),
         chan1_raw: channels[0],
@@ -120,7 +120,7 @@ pub(super) fn scaled_imu(autopilot: &Autopilot) -> MavMessage {
 
 /// There is a third compass but no third inertial sensor.
 pub(super) fn scaled_imu3(autopilot: &Autopilot) -> MavMessage {
-    let (sin, cos) = autopilot.body.yaw_deg.to_radians().sin_cos();
+    let (sin, cos) = autopilot.vehicle.plant.body.yaw_deg.to_radians().sin_cos();
     let [north, east, down] = FIELD_MGAUSS.map(f64::from);
     MavMessage::SCALED_IMU3(SCALED_IMU3_DATA {
         time_boot_ms: boot_ms(autopilot),
@@ -149,30 +149,30 @@ pub(super) fn mission_item_reached(_autopilot: &Autopilot) -> MavMessage {
 }
 
 fn attitude(autopilot: &Autopilot) -> glam::DQuat {
-    let (roll, pitch) = autopilot.body.roll_pitch_rad();
-    let yaw = autopilot.body.yaw_deg.to_radians();
+    let (roll, pitch) = autopilot.vehicle.plant.body.roll_pitch_rad();
+    let yaw = autopilot.vehicle.plant.body.yaw_deg.to_radians();
     glam::DQuat::from_euler(glam::EulerRot::ZYX, yaw, pitch, roll)
 }
 
 pub(super) fn attitude_target(autopilot: &Autopilot) -> MavMessage {
     let q = attitude(autopilot);
-    let (roll_rate, pitch_rate) = autopilot.body.angle_rates_rad_s;
+    let (roll_rate, pitch_rate) = autopilot.vehicle.plant.body.angle_rates_rad_s;
     MavMessage::ATTITUDE_TARGET(ATTITUDE_TARGET_DATA {
         time_boot_ms: boot_ms(autopilot),
         q: [q.w as f32, q.x as f32, q.y as f32, q.z as f32],
         body_roll_rate: roll_rate as f32,
         body_pitch_rate: pitch_rate as f32,
-        body_yaw_rate: autopilot.body.yaw_rate_deg_s.to_radians() as f32,
-        thrust: autopilot.body.throttle as f32,
+        body_yaw_rate: autopilot.vehicle.plant.body.yaw_rate_deg_s.to_radians() as f32,
+        thrust: autopilot.vehicle.plant.body.throttle as f32,
         type_mask: AttitudeTargetTypemask::empty(),
     })
 }
 
 pub(super) fn sim_state(autopilot: &Autopilot) -> MavMessage {
-    let body = &autopilot.body;
+    let body = &autopilot.vehicle.plant.body;
     let (roll, pitch) = body.roll_pitch_rad();
     let q = attitude(autopilot);
-    let here = autopilot.here();
+    let here = autopilot.vehicle.here();
     let (lat_int, lon_int) = here.at.to_e7();
     let felt = q.inverse() * (body.accel_m_s2 - glam::DVec3::new(0.0, 0.0, GRAVITY_M_S2));
     MavMessage::SIM_STATE(SIM_STATE_DATA {
@@ -204,7 +204,7 @@ pub(super) fn sim_state(autopilot: &Autopilot) -> MavMessage {
 
 /// Without terrain data everything is still wanted and the height is that above the sea.
 pub(super) fn terrain_report(autopilot: &Autopilot) -> MavMessage {
-    let here = autopilot.here();
+    let here = autopilot.vehicle.here();
     let (lat, lon) = here.at.to_e7();
     MavMessage::TERRAIN_REPORT(TERRAIN_REPORT_DATA {
         lat,
@@ -217,7 +217,7 @@ pub(super) fn terrain_report(autopilot: &Autopilot) -> MavMessage {
 
 pub(super) fn terrain_request(autopilot: &Autopilot) -> MavMessage {
     let (south, west) = TERRAIN_CORNER_M;
-    let (lat, lon) = autopilot.here().at.moved(-south, -west).to_e7();
+    let (lat, lon) = autopilot.vehicle.here().at.moved(-south, -west).to_e7();
     MavMessage::TERRAIN_REQUEST(TERRAIN_REQUEST_DATA {
         mask: TERRAIN_MASK,
         lat,
@@ -235,8 +235,8 @@ pub(super) fn hwstatus(_autopilot: &Autopilot) -> MavMessage {
 }
 
 pub(super) fn high_latency2(autopilot: &Autopilot) -> MavMessage {
-    let body = &autopilot.body;
-    let here = autopilot.here();
+    let body = &autopilot.vehicle.plant.body;
+    let here = autopilot.vehicle.here();
     let (latitude, longitude) = here.at.to_e7();
     let heading = (wrap_360(body.yaw_deg) / 2.0) as u8;
     let speed = (body.velocity_m_s.truncate().length() * 5.0).min(255.0) as u8;
@@ -250,7 +250,7 @@ pub(super) fn high_latency2(autopilot: &Autopilot) -> MavMessage {
         timestamp: boot_ms(autopilot),
         latitude,
         longitude,
-        custom_mode: u16::from(autopilot.mode.number),
+        custom_mode: u16::from(autopilot.vehicle.flight.mode.number),
         altitude: here.altitude_amsl_m as i16,
         target_altitude: (here.altitude_amsl_m - way.z) as i16,
         target_distance: (way.truncate().length() / 10.0) as u16,
@@ -273,7 +273,7 @@ pub(super) fn high_latency2(autopilot: &Autopilot) -> MavMessage {
 
 pub(super) fn state_for_gimbal(autopilot: &Autopilot) -> MavMessage {
     let q = attitude(autopilot);
-    let v = autopilot.body.velocity_m_s;
+    let v = autopilot.vehicle.plant.body.velocity_m_s;
     MavMessage::AUTOPILOT_STATE_FOR_GIMBAL_DEVICE(AUTOPILOT_STATE_FOR_GIMBAL_DEVICE_DATA {
         time_boot_us: boot_us(autopilot),
         q: [q.w as f32, q.x as f32, q.y as f32, q.z as f32],
@@ -281,9 +281,9 @@ pub(super) fn state_for_gimbal(autopilot: &Autopilot) -> MavMessage {
         vy: v.y as f32,
         vz: v.z as f32,
         estimator_status: EstimatorStatusFlags::from_bits_truncate(0x033F),
-        target_system: autopilot.system,
+        target_system: autopilot.vehicle.system,
         landed_state: MavLandedState::MAV_LANDED_STATE_UNDEFINED,
-        angular_velocity_z: autopilot.body.yaw_rate_deg_s.to_radians() as f32,
+        angular_velocity_z: autopilot.vehicle.plant.body.yaw_rate_deg_s.to_radians() as f32,
         ..Default::default()
     })
 }
@@ -297,7 +297,13 @@ pub(super) fn relay_status(autopilot: &Autopilot) -> MavMessage {
 }
 
 pub(super) fn esc_telemetry(autopilot: &Autopilot) -> MavMessage {
-    let spin = f64::from(autopilot.motor_pulse_us(0).saturating_sub(1000)) / 1000.0;
+    let spin = f64::from(
+        autopilot
+            .vehicle
+            .plant
+            .motor_pulse_us(0)
+            .saturating_sub(1000),
+    ) / 1000.0;
     MavMessage::ESC_TELEMETRY_1_TO_4(ESC_TELEMETRY_1_TO_4_DATA {
         voltage: [1679; 4],
         current: [80; 4],

@@ -64,56 +64,56 @@ const LEAP_MS: u64 = 18_000;
 
 /// What is recorded at one moment, in the units of the log.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(super) struct Sample {
-    pub(super) boot_ms: u32,
-    pub(super) lat_e7: i32,
-    pub(super) lon_e7: i32,
-    pub(super) altitude_amsl_cm: i32,
+pub(crate) struct Sample {
+    pub(crate) boot_ms: u32,
+    pub(crate) lat_e7: i32,
+    pub(crate) lon_e7: i32,
+    pub(crate) altitude_amsl_cm: i32,
     /// Above home, and above where the estimator began.
-    pub(super) above_home_cm: i32,
-    pub(super) above_origin_cm: i32,
-    pub(super) speed_cm_s: u16,
-    pub(super) course_cd: u16,
-    pub(super) down_cm_s: i16,
-    pub(super) roll_cd: i16,
-    pub(super) pitch_cd: i16,
-    pub(super) yaw_cd: u16,
-    pub(super) voltage_cv: u16,
-    pub(super) current_ca: u16,
-    pub(super) consumed_mah: u16,
-    pub(super) remaining_percent: u8,
-    pub(super) satellites: u8,
+    pub(crate) above_home_cm: i32,
+    pub(crate) above_origin_cm: i32,
+    pub(crate) speed_cm_s: u16,
+    pub(crate) course_cd: u16,
+    pub(crate) down_cm_s: i16,
+    pub(crate) roll_cd: i16,
+    pub(crate) pitch_cd: i16,
+    pub(crate) yaw_cd: u16,
+    pub(crate) voltage_cv: u16,
+    pub(crate) current_ca: u16,
+    pub(crate) consumed_mah: u16,
+    pub(crate) remaining_percent: u8,
+    pub(crate) satellites: u8,
 }
 
 /// Which groups of records a log has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(super) struct Groups {
-    pub(super) attitude: bool,
-    pub(super) gps: bool,
-    pub(super) battery: bool,
+pub(crate) struct Groups {
+    pub(crate) attitude: bool,
+    pub(crate) gps: bool,
+    pub(crate) battery: bool,
 }
 
 /// What one flight left behind.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(super) struct Log {
-    pub(super) number: u16,
-    pub(super) groups: Groups,
+pub(crate) struct Log {
+    pub(crate) number: u16,
+    pub(crate) groups: Groups,
     /// Milliseconds of the Unix epoch at boot.
-    pub(super) boot_utc_ms: u64,
-    pub(super) samples: Vec<Sample>,
+    pub(crate) boot_utc_ms: u64,
+    pub(crate) samples: Vec<Sample>,
     /// Milliseconds since boot, and the mode's number.
-    pub(super) modes: Vec<(u32, u8)>,
-    pub(super) texts: Vec<(u32, String)>,
+    pub(crate) modes: Vec<(u32, u8)>,
+    pub(crate) texts: Vec<(u32, String)>,
 }
 
 impl Log {
     /// The name of its file.
-    pub(super) fn file_name(&self) -> String {
+    pub(crate) fn file_name(&self) -> String {
         format!("{:08}.BIN", self.number)
     }
 
     /// How long its file is, without making it.
-    pub(super) fn len(&self, parameters: &Parameters) -> usize {
+    pub(crate) fn len(&self, parameters: &Parameters) -> usize {
         let groups = [
             (self.groups.gps, GPS),
             (self.groups.gps, POSITION),
@@ -133,7 +133,7 @@ impl Log {
     }
 
     /// Its file: formats, parameters, then what happened, in order of time.
-    pub(super) fn file(&self, parameters: &Parameters) -> Vec<u8> {
+    pub(crate) fn file(&self, parameters: &Parameters) -> Vec<u8> {
         let mut file = File(Vec::with_capacity(self.len(parameters)));
         for (kind, length, name, format, columns) in FORMATS {
             let record = file.begin(FORMAT).bytes(&[*kind, *length]);
@@ -164,7 +164,7 @@ impl Log {
     }
 
     /// When it begins, in milliseconds since boot.
-    pub(super) fn begin_ms(&self) -> u32 {
+    pub(crate) fn begin_ms(&self) -> u32 {
         let first = [
             self.samples.first().map(|sample| sample.boot_ms),
             self.modes.first().map(|(at, _)| *at),

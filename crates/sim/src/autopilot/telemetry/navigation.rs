@@ -2,9 +2,8 @@
 
 use glam::DVec3;
 use mavlink::dialects::ardupilotmega::{
-    GPS_GLOBAL_ORIGIN_DATA, HOME_POSITION_DATA, MISSION_CURRENT_DATA, MavFrame, MavMessage,
-    NAV_CONTROLLER_OUTPUT_DATA, POSITION_TARGET_GLOBAL_INT_DATA, POSITION_TARGET_LOCAL_NED_DATA,
-    PositionTargetTypemask,
+    MISSION_CURRENT_DATA, MavFrame, MavMessage, NAV_CONTROLLER_OUTPUT_DATA,
+    POSITION_TARGET_GLOBAL_INT_DATA, POSITION_TARGET_LOCAL_NED_DATA, PositionTargetTypemask,
 };
 
 use super::{boot_ms, boot_us};
@@ -19,50 +18,30 @@ const POSITION_ONLY: u16 = 0x0DF8;
 const VELOCITY_ONLY: u16 = 0x0C07;
 
 pub(super) fn home_position(autopilot: &Autopilot) -> Option<MavMessage> {
-    let home = autopilot.datum.home?;
-    let (latitude, longitude) = home.at.to_e7();
-    let point = autopilot.datum.home_point();
-    Some(MavMessage::HOME_POSITION(HOME_POSITION_DATA {
-        latitude,
-        longitude,
-        altitude: (home.altitude_amsl_m * 1000.0) as i32,
-        x: point.x as f32,
-        y: point.y as f32,
-        z: point.z as f32,
-        q: [f32::NAN; 4],
-        time_usec: boot_us(autopilot),
-        ..Default::default()
-    }))
+    autopilot.vehicle.datum.home_position(boot_us(autopilot))
 }
 
 pub(super) fn gps_global_origin(autopilot: &Autopilot) -> Option<MavMessage> {
-    autopilot.datum.home?;
-    let (latitude, longitude) = autopilot.datum.start.at.to_e7();
-    Some(MavMessage::GPS_GLOBAL_ORIGIN(GPS_GLOBAL_ORIGIN_DATA {
-        latitude,
-        longitude,
-        altitude: (autopilot.datum.start.altitude_amsl_m * 1000.0) as i32,
-        time_usec: boot_us(autopilot),
-    }))
+    autopilot.vehicle.datum.global_origin(boot_us(autopilot))
 }
 
 pub(super) fn mission_current(autopilot: &Autopilot) -> MavMessage {
-    let items = autopilot.plans.mission.len();
+    let items = autopilot.vehicle.plans.mission.len();
     MavMessage::MISSION_CURRENT(MISSION_CURRENT_DATA {
-        seq: autopilot.mission.current(),
+        seq: autopilot.auto_plan.current(),
         total: items.saturating_sub(1) as u16,
-        mission_state: autopilot.mission.reported_state(items),
-        mission_mode: u8::from(autopilot.mode.number == mode::AUTO),
+        mission_state: autopilot.auto_plan.reported_state(items),
+        mission_mode: u8::from(autopilot.vehicle.flight.mode.number == mode::AUTO),
         ..Default::default()
     })
 }
 
 /// Where the vehicle is going, and how fast, if its task says.
 fn target(autopilot: &Autopilot) -> Option<(DVec3, DVec3, u16)> {
-    if autopilot.mode.number != mode::GUIDED || !autopilot.safety.armed {
+    if autopilot.vehicle.flight.mode.number != mode::GUIDED || !autopilot.vehicle.safety.armed {
         return None;
     }
-    match &autopilot.task {
+    match &autopilot.vehicle.flight.task {
         Task::Goto {
             goal_m, drift_m_s, ..
         } => Some((*goal_m, *drift_m_s, POSITION_ONLY)),
@@ -91,7 +70,7 @@ pub(super) fn position_target_local_ned(autopilot: &Autopilot) -> Option<MavMess
 
 pub(super) fn position_target_global_int(autopilot: &Autopilot) -> Option<MavMessage> {
     let goal = goal(autopilot)?;
-    let place = autopilot.datum.place_of(goal);
+    let place = autopilot.vehicle.datum.place_of(goal);
     let (lat_int, lon_int) = place.at.to_e7();
     Some(MavMessage::POSITION_TARGET_GLOBAL_INT(
         POSITION_TARGET_GLOBAL_INT_DATA {
@@ -108,17 +87,17 @@ pub(super) fn position_target_global_int(autopilot: &Autopilot) -> Option<MavMes
 
 /// The point the vehicle flies to, if there is one; where a takeoff has ended it flies to none.
 pub(super) fn goal(autopilot: &Autopilot) -> Option<DVec3> {
-    match &autopilot.task {
-        Task::Goto { .. } if autopilot.holds_takeoff() => None,
+    match &autopilot.vehicle.flight.task {
+        Task::Goto { .. } if autopilot.vehicle.flight.holds_takeoff() => None,
         Task::Goto { goal_m, .. } => Some(*goal_m),
-        Task::Return(_) => Some(autopilot.datum.home_point()),
+        Task::Return(_) => Some(autopilot.vehicle.datum.home_point()),
         Task::Route(route) => Some(route.goal_m()),
         _ => None,
     }
 }
 
 pub(super) fn nav_controller_output(autopilot: &Autopilot) -> MavMessage {
-    let body = autopilot.believed();
+    let body = autopilot.vehicle.believed();
     let (roll, pitch) = body.roll_pitch_rad();
     let way = goal(autopilot).map_or(DVec3::ZERO, |goal| goal - body.position_m);
     let bearing = if way.truncate() == glam::DVec2::ZERO {
@@ -126,10 +105,10 @@ pub(super) fn nav_controller_output(autopilot: &Autopilot) -> MavMessage {
     } else {
         wrap_180(way.y.atan2(way.x).to_degrees())
     };
-    let alt_error = if autopilot.body.on_ground {
+    let alt_error = if autopilot.vehicle.plant.body.on_ground {
         0.0
     } else {
-        body.position_m.z - autopilot.control.path_m.z
+        body.position_m.z - autopilot.vehicle.flight.control.path_m.z
     };
     MavMessage::NAV_CONTROLLER_OUTPUT(NAV_CONTROLLER_OUTPUT_DATA {
         nav_roll: roll.to_degrees() as f32,

@@ -12,7 +12,7 @@ use crate::place::Place;
 use sortie_geo::{wrap_180, wrap_360};
 
 pub(super) fn attitude(autopilot: &Autopilot) -> MavMessage {
-    let body = autopilot.believed();
+    let body = autopilot.vehicle.believed();
     let (roll, pitch) = body.roll_pitch_rad();
     MavMessage::ATTITUDE(ATTITUDE_DATA {
         time_boot_ms: boot_ms(autopilot),
@@ -26,7 +26,7 @@ pub(super) fn attitude(autopilot: &Autopilot) -> MavMessage {
 }
 
 pub(super) fn attitude_quaternion(autopilot: &Autopilot) -> MavMessage {
-    let body = autopilot.believed();
+    let body = autopilot.vehicle.believed();
     let (roll, pitch) = body.roll_pitch_rad();
     let yaw = body.yaw_deg.to_radians();
     let q = glam::DQuat::from_euler(glam::EulerRot::ZYX, yaw, pitch, roll);
@@ -45,12 +45,12 @@ pub(super) fn attitude_quaternion(autopilot: &Autopilot) -> MavMessage {
 
 /// Not sent before the estimator has a position.
 pub(super) fn local_position_ned(autopilot: &Autopilot) -> Option<MavMessage> {
-    if !autopilot.boot.is_over() || !autopilot.estimator.is_aiding() {
+    if !autopilot.vehicle.boot.is_over() || !autopilot.vehicle.estimator.is_aiding() {
         return None;
     }
     let (at, v) = (
-        autopilot.believed().position_m,
-        autopilot.believed().velocity_m_s,
+        autopilot.vehicle.believed().position_m,
+        autopilot.vehicle.believed().velocity_m_s,
     );
     Some(MavMessage::LOCAL_POSITION_NED(LOCAL_POSITION_NED_DATA {
         time_boot_ms: boot_ms(autopilot),
@@ -64,14 +64,14 @@ pub(super) fn local_position_ned(autopilot: &Autopilot) -> Option<MavMessage> {
 }
 
 pub(super) fn global_position_int(autopilot: &Autopilot) -> MavMessage {
-    let body = autopilot.believed();
-    if autopilot.boot.early_fix().is_some() {
+    let body = autopilot.vehicle.believed();
+    if autopilot.vehicle.boot.early_fix().is_some() {
         return nowhere_yet(autopilot);
     }
     let here = reported_place(autopilot);
     let (lat, lon) = here.at.to_e7();
     let v = body.velocity_m_s;
-    let over_home_m = autopilot.datum.home_point().z - body.position_m.z;
+    let over_home_m = autopilot.vehicle.datum.home_point().z - body.position_m.z;
     MavMessage::GLOBAL_POSITION_INT(GLOBAL_POSITION_INT_DATA {
         time_boot_ms: boot_ms(autopilot),
         lat,
@@ -89,21 +89,21 @@ pub(super) fn global_position_int(autopilot: &Autopilot) -> MavMessage {
 fn nowhere_yet(autopilot: &Autopilot) -> MavMessage {
     MavMessage::GLOBAL_POSITION_INT(GLOBAL_POSITION_INT_DATA {
         time_boot_ms: boot_ms(autopilot),
-        hdg: (wrap_360(autopilot.believed().yaw_deg) * 100.0) as u16,
+        hdg: (wrap_360(autopilot.vehicle.believed().yaw_deg) * 100.0) as u16,
         ..Default::default()
     })
 }
 
 /// Where the vehicle believes to be; while the estimator has given up, where it last knew itself.
 fn reported_place(autopilot: &Autopilot) -> Place {
-    autopilot.estimator.last_known_m().map_or_else(
-        || autopilot.here(),
-        |last_m| autopilot.datum.place_of(last_m),
+    autopilot.vehicle.estimator.last_known_m().map_or_else(
+        || autopilot.vehicle.here(),
+        |last_m| autopilot.vehicle.datum.place_of(last_m),
     )
 }
 
 pub(super) fn vfr_hud(autopilot: &Autopilot) -> MavMessage {
-    let body = autopilot.believed();
+    let body = autopilot.vehicle.believed();
     let groundspeed = body.velocity_m_s.truncate().length() as f32;
     MavMessage::VFR_HUD(VFR_HUD_DATA {
         airspeed: groundspeed,
@@ -120,13 +120,13 @@ pub(super) fn ahrs(_autopilot: &Autopilot) -> MavMessage {
 }
 
 pub(super) fn ahrs2(autopilot: &Autopilot) -> MavMessage {
-    let (roll, pitch) = autopilot.believed().roll_pitch_rad();
-    let here = autopilot.here();
+    let (roll, pitch) = autopilot.vehicle.believed().roll_pitch_rad();
+    let here = autopilot.vehicle.here();
     let (lat, lng) = here.at.to_e7();
     MavMessage::AHRS2(AHRS2_DATA {
         roll: roll as f32,
         pitch: pitch as f32,
-        yaw: wrap_180(autopilot.believed().yaw_deg).to_radians() as f32,
+        yaw: wrap_180(autopilot.vehicle.believed().yaw_deg).to_radians() as f32,
         altitude: here.altitude_amsl_m as f32,
         lat,
         lng,
@@ -134,9 +134,9 @@ pub(super) fn ahrs2(autopilot: &Autopilot) -> MavMessage {
 }
 
 pub(super) fn simstate(autopilot: &Autopilot) -> MavMessage {
-    let body = &autopilot.body;
+    let body = &autopilot.vehicle.plant.body;
     let (roll, pitch) = body.roll_pitch_rad();
-    let (lat, lng) = autopilot.truly_here().at.to_e7();
+    let (lat, lng) = autopilot.vehicle.truly_here().at.to_e7();
     MavMessage::SIMSTATE(SIMSTATE_DATA {
         roll: roll as f32,
         pitch: pitch as f32,

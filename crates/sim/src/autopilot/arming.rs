@@ -1,0 +1,123 @@
+//! Arming and disarming.
+
+use mavlink::dialects::ardupilotmega::MavSeverity;
+
+use super::Autopilot;
+use crate::arming::{ArmingChecks, LOOK_STEPS, Safety};
+use crate::mode;
+use crate::vehicle::Vehicle;
+
+impl Autopilot {
+    /// Arms, or says why not. Forced, only the checks that cannot be switched off count.
+    pub(crate) fn arm(&mut self, forced: bool) -> bool {
+        if self.vehicle.safety.armed {
+            return true;
+        }
+        let mandatory = if forced {
+            self.arming_checks().mandatory_obstacles()
+        } else {
+            Vec::new()
+        };
+        if !forced || !mandatory.is_empty() {
+            refuse(&mut self.vehicle, "Arm", &mandatory);
+            let checks = self.arming_checks();
+            let mut reasons = checks.obstacles();
+            if reasons.is_empty() {
+                reasons = checks.last_obstacles();
+            }
+            if !reasons.is_empty() {
+                refuse(&mut self.vehicle, "Arm", &reasons);
+                return false;
+            }
+            let mode = self.vehicle.flight.mode;
+            let may_arm = mode.number == mode::AUTO && self.vehicle.tuning.flight.auto.may_arm;
+            if !mode.armable && !may_arm {
+                let text = format!("Arm: {} mode not armable", mode.name);
+                self.vehicle.say(MavSeverity::MAV_SEVERITY_CRITICAL, &text);
+                return false;
+            }
+        }
+        start_motors(&mut self.vehicle, forced);
+        true
+    }
+
+    /// Disarms, in the air too.
+    pub(crate) fn disarm(&mut self) {
+        if self.vehicle.disarm() {
+            self.auto_plan.reset();
+        }
+    }
+
+    /// The checks before arming, of the vehicle as it is now.
+    pub(crate) fn arming_checks(&self) -> ArmingChecks<'_> {
+        let vehicle = &self.vehicle;
+        let tuning = &vehicle.tuning;
+        let voltage_v = vehicle.plant.battery.voltage_v;
+        let battery = &tuning.failsafes.battery;
+        let fence = &tuning.flight.fence;
+        ArmingChecks {
+            rules: &tuning.arming,
+            failsafe_rules: &tuning.failsafes,
+            faults: &tuning.faults,
+            boot: &vehicle.boot,
+            estimator: &vehicle.estimator,
+            failsafe: &self.failsafe,
+            mode: &vehicle.flight.mode,
+            has_home: vehicle.datum.home.is_some(),
+            received_throttle_us: vehicle.reception().throttle_us,
+            throttle_us: vehicle.sticks().channels_us[2],
+            battery: battery.obstacle(voltage_v, vehicle.charge_left_mah()),
+            workbench: self.workbench.obstacles().collect(),
+            fence: vehicle.fence.arming_obstacle(fence, vehicle.is_ready()),
+        }
+    }
+
+    /// Whether `SYS_STATUS` may say that all pre-arm checks pass.
+    pub(crate) fn is_armable(&self) -> bool {
+        let is_checked = self.vehicle.boot.is_checked();
+        self.vehicle.safety.armed || (is_checked && self.arming_checks().obstacles().is_empty())
+    }
+
+    /// Tells, now and then, what speaks against arming.
+    pub(super) fn report_obstacles(&mut self) {
+        let vehicle = &self.vehicle;
+        let looks = vehicle.steps.is_multiple_of(LOOK_STEPS);
+        if vehicle.safety.armed || !looks || vehicle.boot.is_initialising() {
+            return;
+        }
+        let now = vehicle.uptime();
+        let reasons = self.arming_checks().obstacles();
+        if self.vehicle.safety.tells_obstacles(reasons.is_empty(), now) {
+            refuse(&mut self.vehicle, "PreArm", &reasons);
+        }
+    }
+}
+
+/// One text per reason.
+fn refuse(vehicle: &mut Vehicle, what: &str, reasons: &[&'static str]) {
+    for reason in reasons {
+        let text = format!("{what}: {reason}");
+        vehicle.say(MavSeverity::MAV_SEVERITY_CRITICAL, &text);
+    }
+}
+
+fn start_motors(vehicle: &mut Vehicle, forced: bool) {
+    let on_ground = vehicle.plant.body.on_ground;
+    let height_m = vehicle.believed().height_m();
+    vehicle.safety = Safety::armed(on_ground, height_m, vehicle.uptime());
+    vehicle.begin_trail(vehicle.is_ready());
+    if vehicle.datum.home.is_some() {
+        vehicle.set_home(vehicle.here());
+    }
+    if !forced && vehicle.tuning.arming.is_off() {
+        let text = "Warning: Arming Checks Disabled";
+        vehicle.say(MavSeverity::MAV_SEVERITY_WARNING, text);
+    }
+    vehicle.say(MavSeverity::MAV_SEVERITY_INFO, "Arming motors");
+    let believed = vehicle.estimator.belief(&vehicle.plant.body);
+    vehicle.flight.control.take_over(believed);
+    vehicle.flight.yaw.settle(vehicle.plant.body.yaw_deg);
+    if on_ground {
+        vehicle.flight.wait_on_ground();
+    }
+}

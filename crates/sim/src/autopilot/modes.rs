@@ -1,0 +1,198 @@
+//! Changing the mode.
+
+use std::time::Duration;
+
+use glam::DVec2;
+use mavlink::dialects::ardupilotmega::{MavMessage, MavSeverity};
+
+use super::{Autopilot, telemetry};
+use crate::mode::{self, Entry, Mode};
+use crate::task::{Attitude, Landing, Lift, Pilot, Returning, Task};
+use crate::vehicle::AskedSpeeds;
+use crate::yaw::YawDemand;
+
+impl Autopilot {
+    /// Enters a mode, or says why not. Entering the present mode changes nothing.
+    pub(crate) fn set_mode(&mut self, number: u8) -> bool {
+        let Some(mode) = Mode::numbered(number) else {
+            self.vehicle.say(
+                MavSeverity::MAV_SEVERITY_WARNING,
+                &format!("No such mode {number}"),
+            );
+            return false;
+        };
+        if number == mode::AUTO_RTL && self.auto_plan.landing_start(&self.vehicle).is_some() {
+            return self.fly_landing_sequence();
+        }
+        if mode == self.vehicle.flight.mode {
+            return true;
+        }
+        let texts: &[&str] = match mode.entry {
+            Entry::Refused(texts) => texts,
+            Entry::Plan if self.auto_plan.refuses(&mut self.vehicle) => return false,
+            Entry::Position if self.vehicle.safety.armed && !self.vehicle.is_ready() => {
+                self.vehicle.say(
+                    MavSeverity::MAV_SEVERITY_WARNING,
+                    &format!("Mode change to {} failed: requires position", mode.name),
+                );
+                return false;
+            }
+            Entry::Position
+                if mode.number == mode::SMART_RTL && !self.vehicle.flight.trail.is_active() =>
+            {
+                &["Mode change to SMARTRTL failed: init failed"]
+            }
+            Entry::Free | Entry::Position | Entry::Plan => &[],
+        };
+        if !texts.is_empty() {
+            for text in texts {
+                self.vehicle.say(MavSeverity::MAV_SEVERITY_WARNING, text);
+            }
+            return false;
+        }
+        self.enter(mode);
+        true
+    }
+
+    /// Ends the BRAKE of the pause button.
+    pub(super) fn watch_brake(&mut self) {
+        let now = self.vehicle.uptime();
+        if self
+            .vehicle
+            .flight
+            .brake_until
+            .is_some_and(|until| now >= until)
+        {
+            self.vehicle.flight.brake_until = None;
+            if self.vehicle.flight.mode.number == mode::BRAKE && !self.set_mode(mode::LOITER) {
+                self.set_mode(mode::ALT_HOLD);
+            }
+        }
+    }
+
+    fn enter(&mut self, mode: Mode) {
+        if self.vehicle.flight.mode.number == mode::AUTO {
+            self.auto_plan.leave();
+        }
+        self.vehicle.flight.mode = mode;
+        self.vehicle.flight.speeds = AskedSpeeds::default();
+        self.vehicle.flight.paused = None;
+        self.vehicle
+            .flight
+            .control
+            .take_over(self.vehicle.estimator.belief(&self.vehicle.plant.body));
+        self.vehicle
+            .flight
+            .yaw
+            .settle(self.vehicle.plant.body.yaw_deg);
+        self.vehicle.flight.pilot = Pilot::begin(mode.number, self.vehicle.plant.body.lean_m_s2);
+        self.vehicle.flight.task = self.first_task();
+        match mode.number {
+            mode::AUTO => self.auto_plan.enter(),
+            mode::RTL => self.vehicle.flight.yaw.demand = self.vehicle.default_yaw_home(),
+            _ => {}
+        }
+        // The heartbeat overtakes the texts that wait to be sent.
+        let before_texts = self
+            .vehicle
+            .outbox
+            .iter()
+            .position(|message| matches!(message, MavMessage::STATUSTEXT(_)))
+            .unwrap_or(self.vehicle.outbox.len());
+        if let Some(heartbeat) = telemetry::message(0, self) {
+            self.vehicle.outbox.insert(before_texts, heartbeat);
+        }
+        self.vehicle.fence.mode_changed(self.vehicle.uptime());
+    }
+
+    /// At the end of the initialisation the first mode is entered, whatever was asked before.
+    pub(super) fn go_back_to_first_mode(&mut self) {
+        if self.vehicle.flight.mode != Mode::BOOT {
+            self.vehicle.flight.mode = Mode::BOOT;
+            self.vehicle.flight.task = self.first_task();
+        }
+    }
+
+    fn first_task(&mut self) -> Task {
+        let flying = self.vehicle.safety.armed && !self.vehicle.plant.body.on_ground;
+        match self.vehicle.flight.mode.number {
+            mode::STABILIZE | mode::ACRO | mode::DRIFT => Task::Manual,
+            mode::LAND => Task::Land(Landing::default()),
+            mode::RTL => Task::Return(
+                self.vehicle
+                    .with_cockpit(|_, cockpit| Returning::new(cockpit)),
+            ),
+            mode::SMART_RTL => Task::Return(
+                self.vehicle
+                    .with_cockpit(|_, cockpit| Returning::retracing(cockpit)),
+            ),
+            mode::GUIDED | mode::GUIDED_NOGPS | mode::BRAKE | mode::CIRCLE | mode::AUTO
+                if !flying =>
+            {
+                Task::Wait
+            }
+            mode::GUIDED | mode::AUTO => Task::STOP,
+            mode::GUIDED_NOGPS => Task::Attitude(Attitude {
+                lean_rad: DVec2::ZERO,
+                rates_rad_s: DVec2::ZERO,
+                lift: Lift::Climb(0.0),
+                until: Duration::ZERO,
+            }),
+            mode::BRAKE => Task::Brake,
+            mode::CIRCLE => {
+                let circle = Task::circle(self.vehicle.believed(), &self.vehicle.tuning.flight);
+                if let Task::Circle(circle) = &circle {
+                    self.vehicle.flight.yaw.demand = YawDemand::Towards(circle.centre_m);
+                }
+                circle
+            }
+            _ => Task::Piloted,
+        }
+    }
+
+    /// `MISSION_START`: enters AUTO and allows the takeoff. A vehicle without a mission lands.
+    pub(crate) fn start_mission(&mut self) -> bool {
+        if !self.set_mode(mode::AUTO) {
+            return false;
+        }
+        self.auto_plan.allow_lifting();
+        if self.vehicle.plans.mission.len() < 2 && self.vehicle.safety.landed {
+            return self.set_mode(mode::LAND);
+        }
+        self.auto_plan.start_unless_running(&mut self.vehicle);
+        true
+    }
+
+    /// Goes on from the nearest `DO_LAND_START`, in a mode that ground stations see as AUTO RTL.
+    pub(crate) fn fly_landing_sequence(&mut self) -> bool {
+        let worked = self
+            .auto_plan
+            .landing_start(&self.vehicle)
+            .is_some_and(|at| self.auto_plan.set_item(&mut self.vehicle, at));
+        if !worked {
+            return false;
+        }
+        self.vehicle
+            .say(MavSeverity::MAV_SEVERITY_INFO, "Landing sequence start");
+        self.auto_plan.go_on(&mut self.vehicle);
+        let returns = self.set_mode(mode::AUTO);
+        self.auto_plan.set_returning(returns);
+        returns
+    }
+
+    /// The mode that ground stations see: AUTO on the way to a landing has a number of its own.
+    pub(crate) fn reported_mode(&self) -> u8 {
+        if self.vehicle.flight.mode.number == mode::AUTO && self.auto_plan.is_returning() {
+            mode::AUTO_RTL
+        } else {
+            self.vehicle.flight.mode.number
+        }
+    }
+
+    /// Enters the mode of the switch's position (`FLTMODE1` to 6).
+    pub(crate) fn obey_mode_switch(&mut self) {
+        let name = self.vehicle.radio.mode_parameter();
+        let number = self.vehicle.parameters.value(&name) as i32;
+        self.set_mode(number as u8);
+    }
+}

@@ -1,0 +1,187 @@
+//! What comes of that which the watching parts see.
+
+use std::time::Duration;
+
+use mavlink::dialects::ardupilotmega::MavSeverity;
+
+use super::{Autopilot, telemetry};
+use crate::failsafe::{Failsafe, FailsafeInputs};
+use crate::mode;
+use crate::reaction::{FailsafeAction, Reaction};
+use crate::task::Task;
+
+/// A landing that a failsafe begins waits this long before it descends.
+const PAUSE: Duration = Duration::from_secs(4);
+/// The id of `FENCE_STATUS`.
+const FENCE_STATUS: u32 = 162;
+
+/// Looks at one thing.
+type Watch = fn(&mut Failsafe, &FailsafeInputs<'_>) -> Vec<Reaction>;
+
+impl Autopilot {
+    /// Does what parts ask for, in order.
+    pub(super) fn react(&mut self, reactions: impl IntoIterator<Item = Reaction>) {
+        for reaction in reactions {
+            match reaction {
+                Reaction::Say(severity, text) => self.vehicle.say(severity, &text),
+                Reaction::Disarm => self.disarm(),
+                Reaction::ReleaseSticks => self.vehicle.radio.until = Duration::ZERO,
+                Reaction::Act(action) => self.act(action),
+                Reaction::LeavePosition { holds_height } => self.leave_position(holds_height),
+                Reaction::BoostThrust => {
+                    if let Some(upset) = &mut self.vehicle.plant.body.upset {
+                        upset.mixer.boost = true;
+                    }
+                }
+                Reaction::EnterFirst(modes) => {
+                    modes.iter().any(|&number| self.set_mode(number));
+                }
+            }
+        }
+    }
+
+    /// Looks at the links, the estimate and the battery, and acts. Each sees what the one before has done.
+    pub(super) fn watch_failsafes(&mut self) {
+        const WATCHES: [Watch; 3] = [
+            Failsafe::watch_station,
+            Failsafe::watch_estimate,
+            Failsafe::watch_battery,
+        ];
+        for watch in WATCHES {
+            self.watch_failsafe(watch);
+        }
+    }
+
+    /// Looks at the remote control.
+    pub(super) fn watch_radio(&mut self) {
+        if self.failsafe.doubts_radio(self.vehicle.tuning.faults.radio) {
+            self.watch_failsafe(Failsafe::watch_radio);
+        }
+    }
+
+    fn watch_failsafe(&mut self, watch: Watch) {
+        let vehicle = &self.vehicle;
+        let inputs = FailsafeInputs {
+            now: vehicle.uptime(),
+            rules: &vehicle.tuning.failsafes,
+            armed: vehicle.safety.armed,
+            landed: vehicle.safety.landed,
+            mode: vehicle.flight.mode,
+            is_landing: vehicle.flight.is_landing(),
+            throttle_is_low: vehicle.sticks().throttle_is_low(),
+            is_booted: vehicle.boot.is_over(),
+            estimator: &vehicle.estimator,
+            battery: &vehicle.plant.battery,
+            battery_capacity_mah: vehicle.tuning.battery_capacity_mah,
+            radio: vehicle.reception(),
+        };
+        let reactions = watch(&mut self.failsafe, &inputs);
+        self.react(reactions);
+    }
+
+    fn act(&mut self, action: FailsafeAction) {
+        match action {
+            FailsafeAction::Nothing => {}
+            FailsafeAction::Land => self.land_after_pause(),
+            FailsafeAction::Return => self.return_or_land(),
+            FailsafeAction::PathBackOrReturn => {
+                if !self.set_mode(mode::SMART_RTL) {
+                    self.warn("SmartRTL Unavailable, Trying RTL Mode");
+                    self.return_or_land();
+                }
+            }
+            FailsafeAction::PathBackOrLand => {
+                if !self.set_mode(mode::SMART_RTL) {
+                    self.warn("SmartRTL Unavailable, Using Land Mode");
+                    self.land_after_pause();
+                }
+            }
+            FailsafeAction::Terminate => self.disarm(),
+            FailsafeAction::PlannedLanding => {
+                if !self.set_mode(mode::AUTO_RTL) {
+                    self.warn("Trying RTL Mode");
+                    self.return_or_land();
+                }
+            }
+            FailsafeAction::BrakeOrLand => {
+                if !self.set_mode(mode::BRAKE) {
+                    self.warn("Trying Land Mode");
+                    self.land_after_pause();
+                }
+            }
+        }
+    }
+
+    fn leave_position(&mut self, holds_height: bool) {
+        if !(holds_height && self.set_mode(mode::ALT_HOLD)) {
+            self.land_after_pause();
+        }
+        let name = self.vehicle.flight.mode.name;
+        let text = format!("EKF Failsafe: changed to {name} Mode");
+        self.vehicle.say(MavSeverity::MAV_SEVERITY_CRITICAL, &text);
+    }
+
+    /// LAND, which first waits a while.
+    fn land_after_pause(&mut self) {
+        let already = self.vehicle.flight.mode.number == mode::LAND;
+        if self.set_mode(mode::LAND) && !already {
+            let until = self.vehicle.uptime() + PAUSE;
+            if let Task::Land(landing) = &mut self.vehicle.flight.task {
+                landing.waits_until = Some(until);
+            }
+        }
+    }
+
+    fn return_or_land(&mut self) {
+        if !self.set_mode(mode::RTL) {
+            self.land_after_pause();
+        }
+    }
+
+    fn warn(&mut self, text: &str) {
+        self.vehicle.say(MavSeverity::MAV_SEVERITY_WARNING, text);
+    }
+
+    /// Looks at the fences and acts on a breach.
+    pub(super) fn watch_fence(&mut self) {
+        let vehicle = &mut self.vehicle;
+        let rules = &vehicle.tuning.flight.fence;
+        let believed = vehicle.estimator.belief(&vehicle.plant.body);
+        let points_m = [believed.position_m, vehicle.datum.home_point()];
+        let now = vehicle.uptime();
+        let Some(breach) = vehicle.fence.watch(rules, points_m, now) else {
+            return;
+        };
+        let (armed, landed) = (vehicle.safety.armed, vehicle.safety.landed);
+        if armed {
+            let throttle_is_low = vehicle.sticks().throttle_is_low();
+            let idles = !vehicle.flight.mode.controls_height && throttle_is_low;
+            let rules = &vehicle.tuning.flight.fence;
+            let reaction = vehicle.fence.reaction(breach, rules, landed, idles);
+            self.react(reaction);
+        }
+        if breach.is_told {
+            let status = telemetry::message(FENCE_STATUS, self);
+            self.vehicle.outbox.extend(status);
+        }
+        if armed && !landed {
+            self.vehicle
+                .say(MavSeverity::MAV_SEVERITY_NOTICE, "Fence Breached");
+        }
+    }
+
+    /// Does what the sticks and the mode switch ask for.
+    pub(super) fn watch_sticks(&mut self) {
+        let vehicle = &mut self.vehicle;
+        let (armed, now) = (vehicle.safety.armed, vehicle.uptime());
+        let asked = vehicle
+            .radio
+            .watch(&vehicle.tuning.flight.radio, armed, now);
+        if asked.moved_switch {
+            self.obey_mode_switch();
+        }
+        if asked.arms {
+            self.arm(false);
+        }
+    }
+}

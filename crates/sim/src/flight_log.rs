@@ -1,0 +1,159 @@
+//! Recording flights: what the vehicle keeps of them.
+
+mod flash;
+
+use std::time::Duration;
+
+use super::parameters::Parameters;
+use flash::Groups;
+pub(super) use flash::{Log, Sample};
+
+/// When the world's clock starts: 2026-01-01, in microseconds of the Unix epoch.
+pub(super) const EPOCH_US: u64 = 1_767_225_600_000_000;
+/// Steps from one sample to the next: two samples per second.
+pub(super) const EVERY_STEPS: u64 = 50;
+/// How much one log holds (20 minutes), and how many logs are kept.
+const MOST_SAMPLES: usize = 2400;
+const MOST_NOTES: usize = 200;
+const MOST_LOGS: usize = 3;
+/// Room for samples is made in such pieces.
+const PIECE: usize = 120;
+/// After disarming a log goes on for this long.
+const PERSISTS_FOR: Duration = Duration::from_secs(15);
+
+/// What is recorded and when, read from the parameters.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct LogRules {
+    groups: Groups,
+    enabled: bool,
+    while_disarmed: bool,
+}
+
+impl LogRules {
+    pub(super) fn read(all: &Parameters) -> Self {
+        let mask = all.value("LOG_BITMASK") as i64;
+        Self {
+            groups: Groups {
+                attitude: mask & 0x3 != 0,
+                gps: mask & 0x4 != 0,
+                battery: mask & 0x200 != 0,
+            },
+            enabled: all.value("LOG_BACKEND_TYPE") as i64 & 1 == 1,
+            while_disarmed: all.value("LOG_DISARMED") > 0.0,
+        }
+    }
+}
+
+/// The logs of a vehicle.
+#[derive(Debug, Clone, Default)]
+pub(super) struct FlightLog {
+    kept: Vec<Log>,
+    /// Whether the last one kept is being written, and when the vehicle was last armed.
+    recording: bool,
+    armed_at: Duration,
+    /// How many logs there ever were.
+    written: u16,
+    /// The file that was last asked for.
+    open: Option<(u16, Vec<u8>)>,
+}
+
+impl FlightLog {
+    /// The logs after a reboot: those that there are stay, and the next flight begins another.
+    pub(super) fn rebooted(self) -> Self {
+        Self {
+            kept: self.kept,
+            written: self.written,
+            ..Self::default()
+        }
+    }
+
+    /// Forgets all logs; the next one has the next number all the same.
+    pub(super) fn erase(&mut self) {
+        *self = Self {
+            written: self.written,
+            ..Self::default()
+        };
+    }
+
+    /// The logs that are kept, the oldest first.
+    pub(super) fn kept(&self) -> &[Log] {
+        &self.kept
+    }
+
+    /// Whether a sample is due; the first one begins a log. To be asked every [`EVERY_STEPS`].
+    pub(super) fn wants_sample(&mut self, rules: LogRules, armed: bool, now: Duration) -> bool {
+        if armed {
+            self.armed_at = now;
+            self.open = None;
+        }
+        let persists = self.recording && now.saturating_sub(self.armed_at) < PERSISTS_FOR;
+        let wants = rules.enabled && (armed || rules.while_disarmed || persists);
+        if wants && !self.recording {
+            self.begin(rules, now);
+        }
+        wants
+    }
+
+    /// Adds a sample, taken in a mode.
+    pub(super) fn add(&mut self, sample: Sample, mode: u8) {
+        let Some(log) = self.current() else {
+            return;
+        };
+        if log.modes.last().is_none_or(|(_, last)| *last != mode) && log.modes.len() < MOST_NOTES {
+            log.modes.push((sample.boot_ms, mode));
+        }
+        if log.samples.len() < MOST_SAMPLES {
+            if log.samples.len() == log.samples.capacity() {
+                log.samples.reserve_exact(PIECE);
+            }
+            log.samples.push(sample);
+        }
+    }
+
+    /// Adds a text that was said.
+    pub(super) fn note(&mut self, text: &str, now: Duration) {
+        if let Some(log) = self.current()
+            && log.texts.len() < MOST_NOTES
+        {
+            log.texts.push((now.as_millis() as u32, text.to_owned()));
+        }
+    }
+
+    /// Opens the file of a log by its number, and keeps it at hand; how long it is.
+    pub(super) fn open(&mut self, number: u16, parameters: &Parameters) -> usize {
+        if self.open.as_ref().is_none_or(|(open, _)| *open != number) {
+            let log = self.kept.iter().find(|log| log.number == number);
+            self.open = log.map(|log| (number, log.file(parameters)));
+        }
+        self.opened().map_or(0, <[u8]>::len)
+    }
+
+    /// The file that was last opened.
+    pub(super) fn opened(&self) -> Option<&[u8]> {
+        self.open.as_ref().map(|(_, file)| file.as_slice())
+    }
+
+    /// Lets go of the file that was last opened.
+    pub(super) fn close(&mut self) {
+        self.open = None;
+    }
+
+    fn begin(&mut self, rules: LogRules, now: Duration) {
+        self.written = self.written.wrapping_add(1).max(1);
+        self.recording = true;
+        if self.kept.len() == MOST_LOGS {
+            self.kept.remove(0);
+        }
+        self.kept.push(Log {
+            number: self.written,
+            groups: rules.groups,
+            boot_utc_ms: EPOCH_US / 1000,
+            ..Log::default()
+        });
+        self.note("ArduCopter V4.6.0-dev (sortie)", now);
+    }
+
+    fn current(&mut self) -> Option<&mut Log> {
+        self.kept.last_mut().filter(|_| self.recording)
+    }
+}

@@ -1,0 +1,304 @@
+//! `SET_POSITION_TARGET_LOCAL_NED` and _`GLOBAL_INT`, and `SET_ATTITUDE_TARGET`, in GUIDED.
+
+use glam::{DQuat, DVec2, DVec3, EulerRot};
+
+use super::autopilot::Autopilot;
+use super::mode;
+use super::place::Place;
+use super::task::{Attitude, Lift, Task};
+use super::vehicle::{AskedSpeeds, Vehicle};
+use super::yaw::YawDemand;
+use sortie_geo::LatLon;
+
+/// Bits of the type mask; a set bit means "ignore". A group of three counts as a whole.
+const POSITION: u16 = 0x007;
+const VELOCITY: u16 = 0x038;
+const ACCELERATION: u16 = 0x1C0;
+/// Forces instead of accelerations: not supported.
+const FORCE: u16 = 0x200;
+const YAW: u16 = 0x400;
+const YAW_RATE: u16 = 0x800;
+/// Bits of an attitude's type mask.
+const NO_ROLL_RATE: u8 = 0x01;
+const NO_PITCH_RATE: u8 = 0x02;
+const NO_YAW_RATE: u8 = 0x04;
+const NO_THRUST: u8 = 0x40;
+const NO_ATTITUDE: u8 = 0x80;
+/// A quaternion may be off the unit length by this much.
+const UNIT_WITHIN: f64 = 1e-3;
+/// The bit of `GUID_OPTIONS` that makes the thrust of an attitude a thrust instead of a climb.
+const THRUST_AS_THRUST: i32 = 1 << 3;
+/// Velocities and accelerations beyond this stop the vehicle.
+const SANE_MAX: f64 = 1000.0;
+/// Altitudes, speeds and offsets beyond this are mistakes (10 times round the earth).
+const SENSIBLE_MAX: f64 = 1e8;
+
+/// Where a position is meant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum TargetPoint {
+    /// Metres along the axes of the frame.
+    Local(DVec3),
+    /// A place on the earth and a height whose meaning the frame tells.
+    Global { at: LatLon, height_m: f64 },
+}
+
+/// A setpoint as it arrived.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Setpoint {
+    pub(super) point: TargetPoint,
+    pub(super) velocity_m_s: DVec3,
+    pub(super) accel_m_s2: DVec3,
+    pub(super) yaw_rad: f64,
+    pub(super) yaw_rate_rad_s: f64,
+    pub(super) mask: u16,
+    pub(super) frame: u8,
+}
+
+/// An attitude as it arrived: a quaternion, body rates, thrust.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct AttitudeTarget {
+    pub(super) q: [f32; 4],
+    pub(super) rates_rad_s: [f32; 3],
+    pub(super) thrust: f32,
+    pub(super) mask: u8,
+}
+
+/// Takes a setpoint. Outside GUIDED, disarmed or before a takeoff it is ignored without a word, and so is a point
+/// outside the fence; one that makes no sense (an unknown frame, nothing asked, not a number) stops the vehicle where it is.
+pub(super) fn take_setpoint(autopilot: &mut Autopilot, setpoint: &Setpoint) {
+    let plan_is_guided = autopilot.auto_plan.is_guided();
+    let vehicle = &mut autopilot.vehicle;
+    let flying = vehicle.safety.armed && !vehicle.safety.landed;
+    let lifting = matches!(vehicle.flight.task, Task::Takeoff(_)) && vehicle.plant.body.on_ground;
+    let guided = vehicle.flight.mode.number == mode::GUIDED || plan_is_guided;
+    if !guided || !flying || lifting {
+        return;
+    }
+    let forced = setpoint.mask & FORCE != 0 && setpoint.mask & ACCELERATION == 0;
+    if forced {
+        return;
+    }
+    let task = task_for(vehicle, setpoint);
+    if let Some(Task::Goto { goal_m, .. }) = &task
+        && !vehicle.may_fly_to(*goal_m)
+    {
+        return;
+    }
+    vehicle.flight.paused = None;
+    if let Some(task) = task {
+        change_task(vehicle, task);
+        aim_nose(vehicle, setpoint);
+    } else {
+        // As if the mode were entered anew.
+        restart_control(vehicle);
+        vehicle.flight.task = Task::STOP;
+    }
+}
+
+/// Takes an attitude. Without a thrust, or with a quaternion that is none, it is ignored; on the ground a climb
+/// takes off.
+pub(super) fn take_attitude(vehicle: &mut Vehicle, asked: &AttitudeTarget) {
+    let rates = asked.rates_rad_s.map(f64::from);
+    let finite = asked.thrust.is_finite() && rates.iter().all(|rate| rate.is_finite());
+    if !mode::is_guided(vehicle.flight.mode.number) || !vehicle.safety.armed || !finite {
+        return;
+    }
+    let q = quaternion(asked.q);
+    let attitude = asked.mask & NO_ATTITUDE == 0;
+    let unit = (q.length() - 1.0).abs() < UNIT_WITHIN;
+    if asked.mask & NO_THRUST != 0 || (attitude && !unit) {
+        return;
+    }
+    vehicle.flight.paused = None;
+    let of = |bit: u8, rate: f64| if asked.mask & bit == 0 { rate } else { 0.0 };
+    let (yaw, pitch, roll) = q.normalize().to_euler(EulerRot::ZYX);
+    let lean_rad = if attitude {
+        DVec2::new(-pitch, roll)
+    } else {
+        leaning_rad(vehicle)
+    };
+    if !matches!(vehicle.flight.task, Task::Attitude(_)) {
+        // Only the vertical control is started again (`angle_control_start`).
+        vehicle.flight.speeds = AskedSpeeds {
+            ground_m_s: vehicle.flight.speeds.ground_m_s,
+            ..AskedSpeeds::default()
+        };
+    }
+    let yaw_rate = of(NO_YAW_RATE, rates[2]);
+    if attitude {
+        vehicle.flight.yaw.turn_to(yaw.to_degrees(), 0.0, 0.0);
+    } else {
+        vehicle.flight.yaw.demand = YawDemand::Rate(yaw_rate.to_degrees());
+    }
+    vehicle.flight.task = Task::Attitude(Attitude {
+        lean_rad,
+        rates_rad_s: if attitude {
+            DVec2::ZERO
+        } else {
+            DVec2::new(-of(NO_PITCH_RATE, rates[1]), of(NO_ROLL_RATE, rates[0]))
+        },
+        lift: lift_of(vehicle, f64::from(asked.thrust)),
+        until: vehicle.uptime() + vehicle.tuning.setpoint_timeout,
+    });
+}
+
+/// The present lean forward and to the right, in radians: rates start from it.
+fn leaning_rad(vehicle: &Vehicle) -> DVec2 {
+    let (roll, pitch) = vehicle.plant.body.roll_pitch_rad();
+    DVec2::new(-pitch, roll)
+}
+
+/// What a thrust means: half holds the height, more climbs, less sinks; or a thrust, if so set.
+fn lift_of(vehicle: &Vehicle, thrust: f64) -> Lift {
+    if vehicle.tuning.guided_options & THRUST_AS_THRUST != 0 {
+        return Lift::Thrust(thrust.clamp(-1.0, 1.0));
+    }
+    let off = (thrust.clamp(0.0, 1.0) - 0.5) * 2.0;
+    Lift::Climb(if off > 0.0 {
+        off * vehicle.tuning.flight.speed_up_m_s
+    } else {
+        off * vehicle.tuning.flight.speed_down_m_s
+    })
+}
+
+/// Flies to a point that itself moves for a while.
+pub(super) fn go_to(vehicle: &mut Vehicle, goal_m: DVec3, drift_m_s: DVec3) {
+    vehicle.flight.paused = None;
+    change_task(
+        vehicle,
+        Task::Goto {
+            goal_m,
+            drift_m_s,
+            drift_until: vehicle.uptime() + vehicle.tuning.setpoint_timeout,
+        },
+    );
+}
+
+/// A target of another kind than the last starts the position control again, and so does the first one after a
+/// takeoff; speeds that were asked are forgotten then (`ModeGuided::pva_control_start`).
+fn change_task(vehicle: &mut Vehicle, task: Task) {
+    if vehicle.flight.task.kind() != task.kind() || vehicle.flight.holds_takeoff() {
+        restart_control(vehicle);
+    }
+    vehicle.flight.takeoff_m = None;
+    vehicle.flight.task = task;
+}
+
+fn restart_control(vehicle: &mut Vehicle) {
+    vehicle
+        .flight
+        .control
+        .take_over(vehicle.estimator.belief(&vehicle.plant.body));
+    vehicle.flight.speeds = AskedSpeeds::default();
+}
+
+fn task_for(vehicle: &Vehicle, setpoint: &Setpoint) -> Option<Task> {
+    let asked = |bits: u16| setpoint.mask & bits == 0;
+    let until = vehicle.uptime() + vehicle.tuning.setpoint_timeout;
+    let velocity = in_north_east(vehicle, setpoint, setpoint.velocity_m_s);
+    let usable = |v: DVec3| v.is_finite() && v.length() < SENSIBLE_MAX;
+    if !is_frame_known(setpoint) {
+        return None;
+    }
+    if asked(POSITION) && !asked(VELOCITY) && asked(ACCELERATION) {
+        return None;
+    }
+    if asked(VELOCITY) && (velocity.is_nan() || velocity.abs().max_element() > SANE_MAX) {
+        return None;
+    }
+    if asked(POSITION) {
+        let goal_m = goal_of(vehicle, setpoint).filter(|goal| usable(*goal))?;
+        let drift_m_s = if asked(VELOCITY) {
+            velocity
+        } else {
+            DVec3::ZERO
+        };
+        return usable(drift_m_s).then_some(Task::Goto {
+            goal_m,
+            drift_m_s,
+            drift_until: until,
+        });
+    }
+    if asked(VELOCITY) {
+        return usable(velocity).then_some(Task::Velocity {
+            wanted_m_s: velocity,
+            until,
+        });
+    }
+    let accel = in_north_east(vehicle, setpoint, setpoint.accel_m_s2);
+    (asked(ACCELERATION) && usable(accel)).then_some(Task::Accelerate {
+        wanted_m_s2: accel,
+        until,
+    })
+}
+
+fn goal_of(vehicle: &Vehicle, setpoint: &Setpoint) -> Option<DVec3> {
+    match setpoint.point {
+        TargetPoint::Local(offset) => Some(match setpoint.frame {
+            // Offsets start where the vehicle is.
+            7..=9 => vehicle.believed().position_m + in_north_east(vehicle, setpoint, offset),
+            _ => offset,
+        }),
+        TargetPoint::Global { at, height_m } => {
+            // Without terrain data the ground counts as level with the sea, as in ArduCopter.
+            let frame = if matches!(setpoint.frame, 10 | 11) {
+                0
+            } else {
+                setpoint.frame
+            };
+            let altitude_amsl_m = vehicle.datum.altitude_amsl_m(frame, height_m)?;
+            at.is_valid().then(|| {
+                vehicle.datum.point_of(Place {
+                    at,
+                    altitude_amsl_m,
+                })
+            })
+        }
+    }
+}
+
+/// Turns a vector of the body's frames to north and east.
+fn in_north_east(vehicle: &Vehicle, setpoint: &Setpoint, v: DVec3) -> DVec3 {
+    if !is_body_frame(setpoint) {
+        return v;
+    }
+    let (sin, cos) = vehicle.plant.body.yaw_deg.to_radians().sin_cos();
+    DVec3::new(v.x * cos - v.y * sin, v.x * sin + v.y * cos, v.z)
+}
+
+fn aim_nose(vehicle: &mut Vehicle, setpoint: &Setpoint) {
+    let asked = |bit: u16| setpoint.mask & bit == 0;
+    if asked(YAW) && setpoint.yaw_rad.is_finite() {
+        let heading = setpoint.yaw_rad.to_degrees();
+        if is_body_frame(setpoint) {
+            vehicle
+                .flight
+                .yaw
+                .turn_by(sortie_geo::wrap_180(heading), 0.0);
+        } else {
+            vehicle.flight.yaw.turn_to(heading, 0.0, 0.0);
+        }
+    } else if asked(YAW_RATE) && setpoint.yaw_rate_rad_s.is_finite() {
+        vehicle.flight.yaw.demand = YawDemand::Rate(setpoint.yaw_rate_rad_s.to_degrees());
+    } else if !matches!(vehicle.flight.yaw.demand, YawDemand::Towards(_)) {
+        vehicle.flight.yaw.demand = vehicle.default_yaw();
+    }
+}
+
+/// `MAV_FRAME_BODY_NED` and `MAV_FRAME_BODY_OFFSET_NED`.
+fn is_body_frame(setpoint: &Setpoint) -> bool {
+    matches!(setpoint.point, TargetPoint::Local(_)) && matches!(setpoint.frame, 8 | 9)
+}
+
+fn is_frame_known(setpoint: &Setpoint) -> bool {
+    match setpoint.point {
+        TargetPoint::Local(_) => matches!(setpoint.frame, 1 | 7 | 8 | 9),
+        TargetPoint::Global { .. } => matches!(setpoint.frame, 0 | 3 | 5 | 6 | 10 | 11),
+    }
+}
+
+/// A quaternion in the order of `MAVLink`: the scalar first.
+fn quaternion(q: [f32; 4]) -> DQuat {
+    let [scalar, vector @ ..] = q.map(f64::from);
+    DQuat::from_vec4(DVec3::from_array(vector).extend(scalar))
+}

@@ -1,0 +1,464 @@
+//! A vehicle that can be flown: what it is, where it believes to be, and what it is doing now. What decides what it
+//! does next (commands, plans, failsafes) is above it, in the autopilot.
+
+mod fly;
+mod plant;
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use glam::DVec3;
+use mavlink::dialects::ardupilotmega::{MavMessage, MavSeverity, PARAM_VALUE_DATA};
+
+pub(super) use self::plant::Plant;
+use super::airframe::Airframe;
+use super::arming::Safety;
+use super::body::Body;
+use super::boot::Boot;
+use super::control::{Limits, PositionControl};
+use super::estimator::Estimator;
+use super::failsafe::RadioInputs;
+use super::fence::Geofence;
+use super::flight_log::{self, FlightLog, Sample};
+use super::mode::{self, Mode};
+use super::parameters::{BY_NAME, Parameters};
+use super::place::{Datum, Place};
+use super::plan::Plans;
+use super::radio::{Radio, Sticks};
+use super::rally::Rally;
+use super::task::{Cockpit, FlightTuning, Pilot, Task};
+use super::trail::Trail;
+use super::tuning::Tuning;
+use super::wind::Wind;
+use super::yaw::{YawControl, YawDemand};
+use super::{STEP, Start, texts};
+
+/// Speeds asked by commands; they last until the mode changes, in GUIDED also only as long as one kind of target.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[expect(clippy::struct_field_names, reason = "the unit belongs to each name")]
+pub(super) struct AskedSpeeds {
+    pub(super) ground_m_s: Option<f64>,
+    pub(super) up_m_s: Option<f64>,
+    pub(super) down_m_s: Option<f64>,
+}
+
+/// What the vehicle is doing.
+#[derive(Debug, Clone)]
+pub(super) struct Flight {
+    pub(super) mode: Mode,
+    pub(super) task: Task,
+    /// The task that `DO_PAUSE_CONTINUE` interrupted.
+    pub(super) paused: Option<Task>,
+    pub(super) speeds: AskedSpeeds,
+    pub(super) control: PositionControl,
+    pub(super) yaw: YawControl,
+    /// What the modes with a pilot remember.
+    pub(super) pilot: Pilot,
+    /// The way back of `SMART_RTL`.
+    pub(super) trail: Trail,
+    /// Where the last takeoff ended, until the vehicle is told where to fly.
+    pub(super) takeoff_m: Option<DVec3>,
+    /// When BRAKE, entered by the pause button, turns into LOITER.
+    pub(super) brake_until: Option<Duration>,
+}
+
+impl Flight {
+    fn resting(body: &Body) -> Self {
+        Self {
+            mode: Mode::BOOT,
+            task: Task::Manual,
+            paused: None,
+            speeds: AskedSpeeds::default(),
+            control: PositionControl::at(body),
+            yaw: YawControl::holding(body.yaw_deg),
+            pilot: Pilot::default(),
+            trail: Trail::default(),
+            takeoff_m: None,
+            brake_until: None,
+        }
+    }
+
+    /// Whether the vehicle is landing.
+    pub(super) fn is_landing(&self) -> bool {
+        self.mode.number == mode::LAND
+            || matches!(&self.task, Task::Return(way) if way.landing().is_some())
+    }
+
+    /// Whether it still stands where a takeoff has ended, and nothing else was asked since.
+    pub(super) fn holds_takeoff(&self) -> bool {
+        matches!(&self.task, Task::Goto { goal_m, .. } if self.takeoff_m == Some(*goal_m))
+    }
+
+    /// The task of the mode for a vehicle that stands on the ground.
+    pub(super) fn wait_on_ground(&mut self) {
+        self.task = match self.mode.number {
+            mode::STABILIZE | mode::ACRO | mode::DRIFT => Task::Manual,
+            mode::GUIDED | mode::GUIDED_NOGPS | mode::AUTO | mode::BRAKE | mode::CIRCLE => {
+                Task::Wait
+            }
+            mode::RTL | mode::SMART_RTL | mode::LAND => self.task.clone(),
+            _ => Task::Piloted,
+        };
+    }
+}
+
+/// What a reboot does not change.
+#[derive(Debug)]
+pub(super) struct Build {
+    pub(super) system: u8,
+    pub(super) board_id: u64,
+    pub(super) airframe: Arc<Airframe>,
+    pub(super) start: Start,
+}
+
+/// One vehicle.
+#[derive(Debug, Clone)]
+pub(super) struct Vehicle {
+    pub(super) system: u8,
+    pub(super) board_id: u64,
+    pub(super) parameters: Parameters,
+    pub(super) tuning: Tuning,
+    /// What really flies.
+    pub(super) plant: Plant,
+    /// What the vehicle believes of it.
+    pub(super) estimator: Estimator,
+    pub(super) datum: Datum,
+    pub(super) flight: Flight,
+    pub(super) safety: Safety,
+    pub(super) fence: Geofence,
+    pub(super) plans: Plans,
+    pub(super) radio: Radio,
+    pub(super) servos_us: [u16; 16],
+    pub(super) boot: Boot,
+    pub(super) log: FlightLog,
+    /// Messages for every link, in order.
+    pub(super) outbox: Vec<MavMessage>,
+    pub(super) steps: u64,
+}
+
+impl Vehicle {
+    /// A vehicle that has just been switched on.
+    pub(super) fn booted(build: Build, parameters: Parameters, wind: Wind) -> Self {
+        let tuning = Tuning::read(&parameters);
+        let plant = Plant::resting(build.airframe, wind, &build.start, tuning.battery_set_v);
+        Self {
+            system: build.system,
+            board_id: build.board_id,
+            parameters,
+            estimator: Estimator::new(build.board_id),
+            datum: Datum {
+                start: build.start,
+                home: None,
+            },
+            flight: Flight::resting(&plant.body),
+            tuning,
+            plant,
+            safety: Safety::default(),
+            fence: Geofence::default(),
+            plans: Plans::default(),
+            radio: Radio::default(),
+            servos_us: [0; 16],
+            boot: Boot::new(false),
+            log: FlightLog::default(),
+            outbox: Vec::new(),
+            steps: 0,
+        }
+    }
+
+    /// Time since boot.
+    pub(super) fn uptime(&self) -> Duration {
+        // Multiplying keeps this exact; a vehicle would have to fly for a year to overflow.
+        STEP * u32::try_from(self.steps).unwrap_or(u32::MAX)
+    }
+
+    /// Whether the position estimate is good.
+    pub(super) fn is_ready(&self) -> bool {
+        self.boot.is_over() && self.estimator.has_position()
+    }
+
+    /// What the autopilot believes of the vehicle's motion.
+    pub(super) fn believed(&self) -> &Body {
+        self.estimator.belief(&self.plant.body)
+    }
+
+    /// Where the vehicle believes to be.
+    pub(super) fn here(&self) -> Place {
+        self.datum.place_of(self.believed().position_m)
+    }
+
+    /// Where the vehicle really is.
+    pub(super) fn truly_here(&self) -> Place {
+        self.datum.place_of(self.plant.body.position_m)
+    }
+
+    /// Says something to every ground station.
+    pub(super) fn say(&mut self, severity: MavSeverity, text: &str) {
+        texts::say(&mut self.outbox, severity, text);
+        let now = self.uptime();
+        self.log.note(text, now);
+    }
+
+    /// Version, board and frame, as three texts.
+    pub(super) fn say_banner(&mut self) {
+        let board = format!("{:016x}{:016x}", self.board_id, u64::from(self.system));
+        for text in [
+            "ArduCopter V4.6.0-dev (sortie)",
+            board.as_str(),
+            "Frame: QUAD/PLUS",
+        ] {
+            self.say(MavSeverity::MAV_SEVERITY_INFO, text);
+        }
+    }
+
+    /// The sticks as they are now: released when nobody has moved them lately.
+    pub(super) fn sticks(&self) -> Sticks {
+        self.radio.sticks(self.uptime())
+    }
+
+    /// What the receiver passes on.
+    pub(super) fn reception(&self) -> RadioInputs {
+        let is_overridden = self.uptime() < self.radio.until;
+        RadioInputs::new(self.tuning.faults.radio, is_overridden, &self.sticks())
+    }
+
+    /// Sets a parameter, and tells every link that it has changed; `false` if there is no such parameter.
+    pub(super) fn store_parameter(&mut self, name: &str, value: f32) -> bool {
+        let Some(parameter) = self.parameters.set(name, value) else {
+            return false;
+        };
+        // Without its place in the list, as it was not asked for by that.
+        let told = PARAM_VALUE_DATA {
+            param_index: BY_NAME,
+            ..self.parameters.fields_of(&parameter)
+        };
+        self.outbox.push(MavMessage::PARAM_VALUE(told));
+        true
+    }
+
+    /// Reads the parameters again after a change.
+    pub(super) fn retune(&mut self) {
+        let entered_with = self.tuning.flight.speed_m_s;
+        self.tuning = Tuning::read(&self.parameters);
+        // The cruise speed is taken over when the mode is entered, not in the middle of a flight.
+        if self.safety.armed && self.flight.speeds.ground_m_s.is_none() {
+            self.flight.speeds.ground_m_s = Some(entered_with);
+        }
+    }
+
+    /// Works with the task and all that it flies by.
+    pub(super) fn with_cockpit<T>(
+        &mut self,
+        work: impl FnOnce(&mut Task, &mut Cockpit<'_>) -> T,
+    ) -> T {
+        let mut cockpit = Cockpit {
+            limits: limits(&self.tuning.flight, self.flight.speeds),
+            sticks: self.sticks(),
+            piloted: self.uptime() < self.radio.until,
+            home_m: self.datum.home_point(),
+            now: self.uptime(),
+            control: &mut self.flight.control,
+            body: self.estimator.belief(&self.plant.body),
+            has_position: self.estimator.has_position(),
+            pilot: &mut self.flight.pilot,
+            tuning: &self.tuning.flight,
+            fence: &mut self.fence,
+            trail: &mut self.flight.trail,
+            rally: Rally {
+                items: &self.plans.rally,
+                start: &self.datum.start,
+            },
+        };
+        work(&mut self.flight.task, &mut cockpit)
+    }
+
+    /// How the nose behaves when a mode or a target leaves it to the autopilot.
+    pub(super) fn default_yaw(&self) -> YawDemand {
+        if self.tuning.yaw_behaviour == 0 {
+            YawDemand::Hold
+        } else {
+            YawDemand::Course
+        }
+    }
+
+    /// The same on the way home, where `WP_YAW_BEHAVIOR` 2 keeps the heading.
+    pub(super) fn default_yaw_home(&self) -> YawDemand {
+        if self.tuning.yaw_behaviour == 2 {
+            YawDemand::Hold
+        } else {
+            self.default_yaw()
+        }
+    }
+
+    /// Whether the task lets a vehicle on the ground rest.
+    pub(super) fn has_nothing_to_do(&self) -> bool {
+        let throttle_is_low = self.sticks().throttle_is_low();
+        self.flight.task.is_resting(throttle_is_low)
+    }
+
+    /// Stops the motors, in the air too; `false` if they were stopped.
+    pub(super) fn disarm(&mut self) -> bool {
+        if !self.safety.armed {
+            return false;
+        }
+        self.safety.disarm();
+        self.say(MavSeverity::MAV_SEVERITY_INFO, "Disarming motors");
+        if self.plant.body.on_ground {
+            self.safety.landed = true;
+            self.plant.body.throttle = 0.0;
+            self.flight.wait_on_ground();
+        }
+        true
+    }
+
+    /// Whether a landing has come to the point where the motors are disarmed.
+    pub(super) fn landing_is_over(&self) -> bool {
+        let touched = self.flight.task.touched_in_landing();
+        touched.is_some_and(|touched| Safety::ends_landing(touched, self.uptime()))
+    }
+
+    /// Makes a place home and tells everybody.
+    pub(super) fn set_home(&mut self, home: Place) {
+        self.datum.home = Some(home);
+        let boot_us = self.uptime().as_micros() as u64;
+        self.outbox.extend(self.datum.global_origin(boot_us));
+        self.outbox.extend(self.datum.home_position(boot_us));
+    }
+
+    /// Makes the present place home: what `SMART_RTL` goes back to as well.
+    pub(super) fn set_home_here(&mut self) {
+        self.set_home(self.here());
+        self.begin_trail(true);
+    }
+
+    /// Begins the way back here, if it is known where that is.
+    pub(super) fn begin_trail(&mut self, known: bool) {
+        let here_m = known.then(|| self.believed().position_m);
+        let now = self.uptime();
+        let rules = &self.tuning.flight.trail;
+        self.flight.trail.begin(here_m, rules, now);
+    }
+
+    /// Drops a breadcrumb where one is due.
+    pub(super) fn watch_trail(&mut self) {
+        if !self.safety.armed || self.flight.mode.number == mode::SMART_RTL {
+            return;
+        }
+        let here_m = self.is_ready().then(|| self.believed().position_m);
+        let now = self.uptime();
+        let rules = &self.tuning.flight.trail;
+        if let Some(reason) = self.flight.trail.note(here_m, rules, now) {
+            let text = format!("SmartRTL deactivated: {reason}");
+            self.say(MavSeverity::MAV_SEVERITY_WARNING, &text);
+        }
+    }
+
+    /// Takes over the uploaded fence.
+    pub(super) fn fence_changed(&mut self) {
+        let from = self.datum.start.at;
+        if let Err(error) = self.fence.take(&self.plans.fence, from) {
+            self.say(error.severity(), &error.to_string());
+        }
+    }
+
+    /// Switches the fence on or off; `false` if there is no fence to switch on.
+    pub(super) fn enable_fence(&mut self, on: bool) -> bool {
+        if on && !self.fence.can_be_enabled(&self.tuning.flight.fence) {
+            return false;
+        }
+        self.parameters.set("FENCE_ENABLE", f32::from(u8::from(on)));
+        self.retune();
+        self.fence.enabled(on);
+        true
+    }
+
+    /// Whether the fence lets the vehicle fly to a point.
+    pub(super) fn may_fly_to(&self, point_m: DVec3) -> bool {
+        let rules = &self.tuning.flight.fence;
+        self.fence.allows(rules, point_m, self.datum.home_point())
+    }
+
+    /// Milliampere hours that are left in the battery.
+    pub(super) fn charge_left_mah(&self) -> f64 {
+        self.tuning.battery_capacity_mah - self.plant.battery.consumed_mah
+    }
+
+    /// Tells of the alignment of the yaw in the air.
+    pub(super) fn watch_alignment(&mut self) {
+        let height_m = self.believed().height_m();
+        let due = self
+            .safety
+            .aligns_above_m
+            .is_some_and(|above_m| height_m > above_m);
+        let Some(compass) = self.estimator.compass_in_use().filter(|_| due) else {
+            return;
+        };
+        self.safety.aligns_above_m = None;
+        for core in 0..2 {
+            let text = format!("EKF3 IMU{core} MAG{compass} in-flight yaw alignment complete");
+            self.say(MavSeverity::MAV_SEVERITY_INFO, &text);
+        }
+    }
+
+    /// Records what is due after a step.
+    pub(super) fn record(&mut self) {
+        if !self.steps.is_multiple_of(flight_log::EVERY_STEPS) {
+            return;
+        }
+        let (rules, now) = (self.tuning.recorder, self.uptime());
+        if self.log.wants_sample(rules, self.safety.armed, now) {
+            let sample = self.sample();
+            self.log.add(sample, self.flight.mode.number);
+        }
+    }
+
+    fn sample(&self) -> Sample {
+        // A log tells what the autopilot believed.
+        let body = self.believed();
+        let here = self.here();
+        let (lat_e7, lon_e7) = here.at.to_e7();
+        let home_m = self
+            .datum
+            .home
+            .map_or(here.altitude_amsl_m, |home| home.altitude_amsl_m);
+        let (roll, pitch) = body.roll_pitch_rad();
+        let velocity = body.velocity_m_s;
+        let centi = |value: f64| value * 100.0;
+        let degrees = |rad: f64| centi(rad.to_degrees());
+        Sample {
+            boot_ms: self.uptime().as_millis() as u32,
+            lat_e7,
+            lon_e7,
+            altitude_amsl_cm: centi(here.altitude_amsl_m) as i32,
+            above_home_cm: centi(here.altitude_amsl_m - home_m) as i32,
+            above_origin_cm: centi(-body.position_m.z) as i32,
+            speed_cm_s: centi(velocity.truncate().length()) as u16,
+            course_cd: degrees(velocity.y.atan2(velocity.x)).rem_euclid(36_000.0) as u16,
+            down_cm_s: centi(velocity.z) as i16,
+            roll_cd: degrees(roll) as i16,
+            pitch_cd: degrees(pitch) as i16,
+            yaw_cd: centi(sortie_geo::wrap_360(body.yaw_deg)) as u16,
+            voltage_cv: centi(self.plant.battery.voltage_v) as u16,
+            current_ca: centi(self.plant.battery.current_a) as u16,
+            consumed_mah: self.plant.battery.consumed_mah as u16,
+            remaining_percent: self
+                .plant
+                .battery
+                .remaining_percent(self.tuning.battery_capacity_mah)
+                as u8,
+            satellites: self.tuning.faults.gps.satellites,
+        }
+    }
+}
+
+/// The limits of the flight: parameters, with what commands changed.
+fn limits(tuning: &FlightTuning, speeds: AskedSpeeds) -> Limits {
+    Limits {
+        speed_m_s: speeds.ground_m_s.unwrap_or(tuning.speed_m_s),
+        speed_up_m_s: speeds.up_m_s.unwrap_or(tuning.speed_up_m_s),
+        speed_down_m_s: speeds.down_m_s.unwrap_or(tuning.speed_down_m_s),
+        accel_m_s2: tuning.accel_m_s2,
+        accel_z_m_s2: tuning.accel_z_m_s2,
+        jerk_m_s3: tuning.jerk_m_s3,
+        jerk_z_m_s3: tuning.jerk_z_m_s3,
+    }
+}
