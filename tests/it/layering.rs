@@ -51,7 +51,6 @@ const IMPURE: &[&str] = &[
 const STILL_IN_CYCLES: &[&str] = &[
     "sortie::app",
     "sortie::commands",
-    "sortie_sim",
     "sortie::swarm",
     "sortie::ui",
 ];

@@ -75,7 +75,6 @@ pub(super) struct PositionControl {
 
 /// A horizontal motion, north and east.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[expect(clippy::struct_field_names, reason = "the unit belongs to each name")]
 pub(super) struct FlatMotion {
     pub(super) place_m: DVec2,
     pub(super) velocity_m_s: DVec2,

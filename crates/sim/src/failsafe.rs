@@ -76,6 +76,10 @@ impl FailsafeRules {
 }
 
 /// What the failsafes look at.
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a fact of its own, and any may hold beside any other"
+)]
 pub(super) struct FailsafeInputs<'a> {
     /// Since boot.
     pub(super) now: Duration,
