@@ -191,13 +191,13 @@ fn done_by_mission(
     };
     let mut refused = rows.iter().filter(|row| row.state == RowState::Refused);
     let reason = refused.next().and_then(|row| row.explanation.clone());
-    let reason = reason.map(|reason| {
+    let refusal = reason.map(|reason| {
         let parts = vec![order.line.as_str().into(), reason];
         Dispatch::Refused(Text::joined(": ", parts))
     });
     rows.into_iter()
         .map(|row| Dispatch::Row(RowUpdate { at: now, ..row }))
-        .chain(reason)
+        .chain(refusal)
         .collect()
 }
 

@@ -5,6 +5,7 @@ use super::{
     exam_seed,
 };
 use crate::mission::Mission;
+use crate::scoring::TryReport;
 use crate::workshop::{Design, Part};
 
 /// The seed of the first try where nobody chooses one and no flights are kept.
@@ -90,6 +91,12 @@ pub fn mission_for(mission: Mission, wanted: Stake) -> Mission {
         Stake::Exam => mission.for_exam(),
         Stake::Graded | Stake::Practice | Stake::Daily => mission,
     }
+}
+
+/// The number of the try that follows these, from 1. A flight that was never finished does not count.
+pub fn next_try(earlier: &[TryReport]) -> u32 {
+    let finished = earlier.iter().filter(|one| one.score.is_some());
+    u32::try_from(finished.count() + 1).unwrap_or(u32::MAX)
 }
 
 /// The day that a finished flight belongs to, and how it counts. A flight with the seed of a day belongs to that day, also

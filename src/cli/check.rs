@@ -87,9 +87,12 @@ pub(super) fn check(options: &CheckArguments) -> Result<ExitCode, Failure> {
     for path in files {
         match store::read(path, "file-any") {
             Ok(source) => {
-                let others = (&known, options.files.as_slice());
+                let others = OtherFiles {
+                    missions: &known,
+                    named: &options.files,
+                };
                 let kind = kind(path, &source.text);
-                let (faults, notes) = examined(kind, path, &source, others);
+                let (faults, notes) = examined(kind, path, &source, &others);
                 for fault in &faults {
                     say!("{}", fault.one_line(&source.name, &source.text))?;
                 }
@@ -199,12 +202,20 @@ fn kind(path: &Path, text: &str) -> Kind {
     best.map_or(Kind::Mission, |&(kind, ..)| kind)
 }
 
-/// Faults, and what is only worth a word. The others are the missions that there are, and all files that were named.
+/// What a file may refer to.
+struct OtherFiles<'a> {
+    /// Ids of missions.
+    missions: &'a BTreeSet<String>,
+    /// All files that were named on the command line.
+    named: &'a [PathBuf],
+}
+
+/// The faults of a file, and remarks that are no faults.
 fn examined(
     kind: Kind,
     path: &Path,
     source: &Source,
-    (missions, named): (&BTreeSet<String>, &[PathBuf]),
+    others: &OtherFiles<'_>,
 ) -> (Vec<Diagnostic>, Vec<Diagnostic>) {
     let text = &source.text;
     let faults = match kind {
@@ -228,14 +239,14 @@ fn examined(
         Kind::Mission => match Mission::parse(text) {
             Ok(mission) => {
                 let mut faults = mission.check();
-                faults.extend(mission.unknown_missions(missions));
+                faults.extend(mission.unknown_missions(others.missions));
                 faults.sort_by_key(|fault| fault.span.start);
                 return (faults, mission.untranslated);
             }
             Err(faults) => Some(faults),
         },
         Kind::Design => Design::from_toml(text).err(),
-        Kind::Script => script::faults(path, text, named),
+        Kind::Script => script::faults(path, text, others.named),
     };
     (faults.unwrap_or_default(), Vec::new())
 }

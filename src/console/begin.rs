@@ -25,15 +25,15 @@ const LAST_PROCESS_PATIENCE: Duration = Duration::from_secs(2);
 impl Console {
     /// Starts a mission that the trainee has chosen.
     pub(super) async fn start_mission(&mut self, launch: &Launch) -> Result<(), Text> {
-        let mission = store::mission(&launch.mission).map_err(|error| Text::from(&error))?;
-        let mission = mission
+        let stored = store::mission(&launch.mission).map_err(|error| Text::from(&error))?;
+        let equipped = stored
             .with_fleet(launch.fleet.clone())
             .map_err(|reasons| Text::joined("; ", reasons))?;
-        let mission = Arc::new(mission_for(mission, launch.stake));
+        let mission = Arc::new(mission_for(equipped, launch.stake));
         self.launch(mission, launch.stake, launch.seed).await
     }
 
-    /// Starts a mission, which knows already whether it is an exam. What cannot count is flown for practice, and told.
+    /// Starts a mission under the rules of its stake. Says so if it can only be flown for practice.
     pub(super) async fn launch(
         &mut self,
         mission: Arc<Mission>,
@@ -156,7 +156,9 @@ impl Console {
 
 /// Addresses as they were written.
 pub(super) fn parse(addresses: &[String]) -> Result<Vec<Address>, Text> {
-    let parsed = addresses.iter().map(|address| address.parse());
-    let parsed: Result<_, AddressError> = parsed.collect();
-    parsed.map_err(|error| Text::from(&error))
+    addresses
+        .iter()
+        .map(|address| address.parse())
+        .collect::<Result<_, AddressError>>()
+        .map_err(|error| Text::from(&error))
 }

@@ -26,8 +26,8 @@ pub fn current(mut tries: Tries, missions: &[MissionListing]) -> Tries {
 
 /// The designs that everybody has.
 pub fn stock() -> Vec<Design> {
-    let designs = store::designs();
-    let designs = designs.iter().map(|source| Design::from_toml(&source.text));
+    let sources = store::designs();
+    let designs = sources.iter().map(|source| Design::from_toml(&source.text));
     designs.filter_map(Result::ok).collect()
 }
 

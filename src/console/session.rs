@@ -15,20 +15,20 @@ use crate::session::Report;
 use crate::swarm::Path;
 use crate::vehicle::{Vehicle, VehicleId};
 
-mod course;
 mod hangar;
 mod inspection;
 mod links;
 mod logbook;
+mod mission_run;
 mod orders;
 mod start;
 
-use course::Course;
-pub(super) use course::Finished;
 pub(super) use hangar::Ending;
 use hangar::Processes;
 use inspection::Inspection;
 use links::Links;
+pub(super) use mission_run::Finished;
+use mission_run::MissionRun;
 pub(super) use start::{Backend, Plan};
 
 /// Fleet events taken over per tick, so that a flood of notices cannot hold up the screen.
@@ -45,7 +45,7 @@ pub(super) struct Running {
     inspection: Inspection,
     /// Reports that the fleet dropped so far.
     dropped: u64,
-    course: Option<Course>,
+    mission_run: Option<MissionRun>,
     /// While this is true, the embedded simulator stands still.
     held: watch::Sender<bool>,
     operator: Operator,

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::campaign::{
     AttemptTrainee, CareerEntry, CareerStanding, LockReason, MissionCourse, PartState,
-    PracticeReason, Reward,
+    PracticeReason, Reward, next_try,
 };
 use crate::cli::settings::CliSettings;
 use crate::cli::{Failure, trainee};
@@ -181,8 +181,7 @@ impl<'a> RunTrainee<'a> {
     /// # Errors
     /// The database cannot be read.
     pub fn attempt(&self, mission: &Mission) -> Result<u32, Failure> {
-        let tries = self.tries(mission)?.len();
-        Ok(u32::try_from(tries + 1).unwrap_or(u32::MAX))
+        Ok(next_try(&self.tries(mission)?))
     }
 
     fn tries(&self, mission: &Mission) -> Result<Vec<TryReport>, Failure> {

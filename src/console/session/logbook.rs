@@ -2,6 +2,7 @@
 
 use std::time::{Duration, SystemTime};
 
+use crate::campaign::next_try;
 use crate::mission::Flight;
 use crate::mission::record::Occasion;
 use crate::scoring::{Report, TryReport};
@@ -31,8 +32,7 @@ impl Logbook {
         occasion: Occasion,
         earlier: Vec<TryReport>,
     ) -> Self {
-        let finished = earlier.iter().filter(|one| one.score.is_some()).count();
-        flight.set_attempt(u32::try_from(finished + 1).unwrap_or(u32::MAX));
+        flight.set_attempt(next_try(&earlier));
         let when = utc(SystemTime::now());
         let mission = flight.mission().id.clone();
         let file = runs.begin(&mission, &when);

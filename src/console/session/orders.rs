@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use super::Running;
-use super::course::Course;
+use super::mission_run::MissionRun;
 use crate::app::event::{Event, VehicleEvent};
 use crate::commands::Order;
 use crate::console::orders::not_sent;
@@ -25,7 +25,7 @@ impl Running {
         let scene = OperatorScene {
             now: self.vehicle_time(now),
             vehicles,
-            flight: self.course.as_mut().map(Course::flight_mut),
+            flight: self.mission_run.as_mut().map(MissionRun::flight_mut),
         };
         let work = self.operator.carry_out(entry, order, scene);
         self.dispatch(work, now)

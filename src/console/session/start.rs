@@ -7,10 +7,10 @@ use tokio::sync::watch;
 use tokio_util::sync::CancellationToken;
 
 use super::Running;
-use super::course::Course;
 use super::hangar::{Ending, Processes};
 use super::inspection::Inspection;
 use super::links::Links;
+use super::mission_run::MissionRun;
 use crate::app::event::Started;
 use crate::app::state::Activity;
 use crate::fleet::{Fleet, FleetClock};
@@ -92,7 +92,7 @@ impl Running {
             links: Links::default(),
             inspection: Inspection::default(),
             dropped: 0,
-            course: None,
+            mission_run: None,
             held: watch::Sender::new(false),
             operator: Operator::new(plan.swarm_rules()),
             paths: Vec::new(),
@@ -134,14 +134,14 @@ impl Running {
         let flight = Flight::new(Arc::clone(&mission), backend.seed);
         let config = mission.world(backend.seed);
         self.simulate(config, backend, before).await?;
-        let mut course = match self.processes {
-            Some(_) => Course::of_processes(flight, backend.speedup),
-            None => Course::embedded(flight, backend.speedup),
+        let mut mission_run = match self.processes {
+            Some(_) => MissionRun::of_processes(flight, backend.speedup),
+            None => MissionRun::embedded(flight, backend.speedup),
         };
         if let Some(runs) = &backend.runs {
-            course.record(runs, backend.occasion.clone(), backend.earlier.clone());
+            mission_run.record(runs, backend.occasion.clone(), backend.earlier.clone());
         }
-        self.course = Some(course);
+        self.mission_run = Some(mission_run);
         Ok(Started {
             mission: Some(Box::new(mission.listing())),
             places: mission.places(),

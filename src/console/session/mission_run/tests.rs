@@ -54,32 +54,32 @@ fn lost(events: &[Event]) -> Vec<VehicleId> {
 
 #[test]
 fn a_mission_begins_when_its_vehicles_are_heard_so_that_each_has_its_own_seat() {
-    let mut course = Course::embedded(flight(), 2.0);
-    course.fly(s(5), &shown(&[2]));
-    course.fly(s(7), &shown(&[2, 3]));
-    assert_eq!(course.driver.flight().progress().elapsed, Duration::ZERO);
-    course.fly(s(8), &shown(&[1, 2, 3]));
-    course.fly(s(9), &shown(&[1, 2, 3]));
-    assert_eq!(course.driver.flight().progress().elapsed, s(2));
-    let progress = course.driver.flight().progress();
+    let mut run = MissionRun::embedded(flight(), 2.0);
+    run.fly(s(5), &shown(&[2]));
+    run.fly(s(7), &shown(&[2, 3]));
+    assert_eq!(run.driver.flight().progress().elapsed, Duration::ZERO);
+    run.fly(s(8), &shown(&[1, 2, 3]));
+    run.fly(s(9), &shown(&[1, 2, 3]));
+    assert_eq!(run.driver.flight().progress().elapsed, s(2));
+    let progress = run.driver.flight().progress();
     let seats: Vec<VehicleId> = progress.readings.iter().map(|it| it.vehicle).collect();
     assert!(seats.is_sorted(), "{seats:?}");
 }
 
 #[test]
 fn a_vehicle_that_is_never_heard_does_not_hold_a_mission_up_for_ever() {
-    let mut course = Course::embedded(flight(), 1.0);
-    course.fly(s(5), &shown(&[1, 2]));
-    course.fly(s(14), &shown(&[1, 2]));
-    assert_eq!(course.driver.flight().progress().elapsed, Duration::ZERO);
-    course.fly(s(15), &shown(&[1, 2]));
-    course.fly(s(16), &shown(&[1, 2]));
-    assert_eq!(course.driver.flight().progress().elapsed, s(1));
+    let mut run = MissionRun::embedded(flight(), 1.0);
+    run.fly(s(5), &shown(&[1, 2]));
+    run.fly(s(14), &shown(&[1, 2]));
+    assert_eq!(run.driver.flight().progress().elapsed, Duration::ZERO);
+    run.fly(s(15), &shown(&[1, 2]));
+    run.fly(s(16), &shown(&[1, 2]));
+    assert_eq!(run.driver.flight().progress().elapsed, s(1));
 }
 
 #[test]
 fn a_vehicle_whose_process_has_ended_is_lost_to_the_mission_once() {
-    let mut course = Course::of_processes(flight(), 1.0);
+    let mut run = MissionRun::of_processes(flight(), 1.0);
     let mut shown = shown(&[1, 2, 3]);
     shown.hangar = Some(Hangar {
         instances: (1..=3).map(|id| instance(id, SitlStage::Ready)).collect(),
@@ -87,12 +87,12 @@ fn a_vehicle_whose_process_has_ended_is_lost_to_the_mission_once() {
         begun: true,
         ..Hangar::default()
     });
-    assert!(lost(&course.fly(s(1), &shown)).is_empty());
+    assert!(lost(&run.fly(s(1), &shown)).is_empty());
     if let Some(hangar) = &mut shown.hangar {
         hangar.instances[1] = instance(2, SitlStage::Ended);
     }
-    assert_eq!(lost(&course.fly(s(2), &shown)), [2]);
-    assert!(lost(&course.fly(s(3), &shown)).is_empty());
+    assert_eq!(lost(&run.fly(s(2), &shown)), [2]);
+    assert!(lost(&run.fly(s(3), &shown)).is_empty());
 }
 
 fn demand(vehicle: VehicleId, value: f64) -> Demand {

@@ -1,4 +1,4 @@
-//! The course of a mission: how far it has been stepped, and by whose clock.
+//! A mission that is flown: how far it has been stepped, and by whose clock.
 
 use std::collections::{BTreeSet, VecDeque};
 use std::sync::Arc;
@@ -18,7 +18,7 @@ use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 
 /// A mission that is flown.
-pub(super) struct Course {
+pub(super) struct MissionRun {
     driver: FlightDriver,
     logbook: Option<Logbook>,
     /// What its vehicles are.
@@ -46,7 +46,7 @@ pub(in crate::console) struct Finished {
     pub is_recorded: bool,
 }
 
-impl Course {
+impl MissionRun {
     /// The try at the mission.
     pub fn flight_mut(&mut self) -> &mut Flight {
         self.driver.flight_mut()
@@ -203,16 +203,16 @@ fn tell_demands(
 impl Running {
     /// Steps the mission up to now and returns what came of it.
     pub fn fly(&mut self, now: Duration, shown: &Shown) -> Vec<Event> {
-        let Some(course) = &mut self.course else {
+        let Some(mission_run) = &mut self.mission_run else {
             return Vec::new();
         };
-        let events = course.fly(now, shown);
-        course
+        let events = mission_run.fly(now, shown);
+        mission_run
             .wanted
-            .extend(course.driver.flight_mut().take_demands());
+            .extend(mission_run.driver.flight_mut().take_demands());
         // What a vehicle cannot be told before it is heard waits until it is.
         tell_demands(
-            &mut course.wanted,
+            &mut mission_run.wanted,
             |vehicle| shown.vehicles.contains_key(&vehicle),
             |demand| self.fleet.carry_out(demand.vehicle, demand.want).is_ok(),
         );
@@ -221,31 +221,31 @@ impl Running {
 
     /// The result of a mission that has just ended, once.
     pub fn take_finished(&mut self) -> Option<Finished> {
-        self.course.as_mut()?.finished.take()
+        self.mission_run.as_mut()?.finished.take()
     }
 
     /// What the trainee has said before launch, as long as nothing has flown.
     pub fn open_pledge(&self) -> Option<Pledge> {
-        self.course.as_ref()?.driver.flight().open_pledge()
+        self.mission_run.as_ref()?.driver.flight().open_pledge()
     }
 
     /// Takes over what the trainee has said before the try before this one, in which nothing has flown.
     pub fn renew(&mut self, pledge: Pledge) {
-        if let Some(course) = &mut self.course {
-            course.driver.flight_mut().renew(pledge);
+        if let Some(mission_run) = &mut self.mission_run {
+            mission_run.driver.flight_mut().renew(pledge);
         }
     }
 
     /// Has something happen in the mission; `None` without one.
     pub fn inject(&mut self, name: &str) -> Option<Result<Text, Text>> {
-        Some(self.course.as_mut()?.driver.flight_mut().inject(name))
+        Some(self.mission_run.as_mut()?.driver.flight_mut().inject(name))
     }
 
     /// Takes down in the mission's record that all stood still for so long.
     pub fn note_pause(&mut self, lasted: Duration, now: Duration) -> Option<Notice> {
         self.inspection.rest(now);
         let notice = self
-            .course
+            .mission_run
             .as_mut()?
             .driver
             .flight_mut()
@@ -255,8 +255,8 @@ impl Running {
 
     /// Ends the mission; its report comes with the next tick.
     pub fn abandon(&mut self) {
-        if let Some(course) = &mut self.course {
-            course.driver.flight_mut().abandon();
+        if let Some(mission_run) = &mut self.mission_run {
+            mission_run.driver.flight_mut().abandon();
         }
     }
 }
