@@ -72,7 +72,7 @@ impl FlightDriver {
     }
 
     /// Begins the mission once all its vehicles are heard: what each has on board depends on their order. A vehicle
-    /// that stays silent delays it by [`HEARD_WITHIN`] at most. To be called from when the vehicles are there to be
+    /// that stays silent delays it by 10 s at most. To be called from when the vehicles are there to be
     /// heard; true if the mission begins now.
     pub fn begin_when_heard(&mut self, now: Duration, are_all_heard: bool) -> bool {
         if self.has_begun() {
