@@ -52,7 +52,7 @@ impl Running {
     fn dispatch(&mut self, work: Vec<Dispatch>, now: Duration) -> Vec<Event> {
         let events = work.into_iter().filter_map(|work| match work.at(now) {
             Dispatch::Row(row) => Some(VehicleEvent::Row(row).into()),
-            Dispatch::Command(vehicle, command) => self.command(vehicle, command, now),
+            Dispatch::Command(vehicle, command) => self.command(vehicle, &command, now),
             Dispatch::Steer(vehicle, steering) => {
                 let is_delivered = self.fleet.steer(vehicle, steering).is_ok();
                 self.operator.note_delivery(vehicle, steering, is_delivered);
@@ -72,7 +72,12 @@ impl Running {
     }
 
     /// Gives a command to one vehicle. One that cannot be given ends its row and holds up no other.
-    fn command(&self, vehicle: VehicleId, command: VehicleCommand, now: Duration) -> Option<Event> {
+    fn command(
+        &self,
+        vehicle: VehicleId,
+        command: &VehicleCommand,
+        now: Duration,
+    ) -> Option<Event> {
         let error = self.fleet.order(vehicle, command.clone()).err()?;
         let row = command.unsent(vehicle, RowState::Refused, not_sent(error), now);
         Some(VehicleEvent::Row(row).into())
