@@ -90,7 +90,7 @@ impl Running {
                     self.links.add(link);
                 }
                 Ok(FleetEvent::Report(Report::Row(row))) => {
-                    collected.push(VehicleEvent::Row(row).into())
+                    collected.push(VehicleEvent::Row(row).into());
                 }
                 Ok(FleetEvent::Report(Report::Notice(notice))) => {
                     collected.push(Event::Notice(notice));
