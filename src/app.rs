@@ -3,7 +3,7 @@
 //! into the first and fourth.
 //!
 //! Nothing in here waits, reads a clock or touches a terminal: the shell feeds events to [`App::update`], carries
-//! the effects out and draws when [`state::State::revision`] has moved. It can read the state and not change it.
+//! the effects out and draws when [`State::revision`] has moved. It can read the state and not change it.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -15,7 +15,7 @@ use crate::workshop::Design;
 use effect::Effect;
 use event::Event;
 use keymap::Keymap;
-use state::{MissionListing, State};
+use state::MissionListing;
 
 pub mod action;
 pub mod console;
@@ -24,9 +24,12 @@ pub mod event;
 pub mod keymap;
 pub mod lines;
 pub mod room;
+pub mod room_list;
 pub mod setting;
 pub mod state;
 mod update;
+
+pub use room::State;
 
 /// What the console begins with.
 #[derive(Debug, Clone)]

@@ -2,7 +2,8 @@
 
 use ratatui::Frame;
 
-use crate::app::state::{Overlay, Room, SMALLEST, State};
+use crate::app::State;
+use crate::app::state::{Overlay, Room, SMALLEST};
 use crate::config::Symbols;
 
 pub mod ascii;
@@ -26,7 +27,7 @@ fn draw_all(state: &State, look: &Look, frame: &mut Frame<'_>) {
     let area = frame.area();
     frame.buffer_mut().set_style(area, look.style(Role::Text));
     if area.width < SMALLEST.0 || area.height < SMALLEST.1 {
-        screen::small::draw(look, area, frame.buffer_mut());
+        screen::small::draw(state, look, area, frame.buffer_mut());
         return;
     }
     let body = widget::header::draw(state, look, area, frame.buffer_mut());
@@ -49,8 +50,12 @@ fn draw_all(state: &State, look: &Look, frame: &mut Frame<'_>) {
     widget::footer::draw(state, look, area, buffer);
     let cursor = match &state.overlay {
         None => None,
-        Some(Overlay::Palette(line)) => Some(widget::palette::draw(line, look, area, buffer)),
-        Some(Overlay::Prompt(prompt)) => Some(widget::prompt::draw(prompt, look, area, buffer)),
+        Some(Overlay::Palette(line)) => {
+            Some(widget::palette::draw(state, line, look, area, buffer))
+        }
+        Some(Overlay::Prompt(prompt)) => {
+            Some(widget::prompt::draw(state, prompt, look, area, buffer))
+        }
         Some(other) => {
             widget::overlay::draw(state, other, look, area, buffer);
             None

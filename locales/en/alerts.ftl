@@ -35,7 +35,7 @@ alert-of-many = { $count ->
 }
 alert-with-vehicles = { $what }: { $vehicles }
 alert-and-more = { $first } (+{ $count })
-alert-acknowledge-hint = x acknowledges
+alert-acknowledge-hint = { $key } acknowledges
 alert-header = { $count ->
     [one] { $count } alert
    *[other] { $count } alerts

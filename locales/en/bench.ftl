@@ -52,14 +52,14 @@ bench-add-payload = add ...
 bench-locked = locked
 bench-part = { $name }: { $mass } g, { $price } cr a piece
 bench-misfit = does not fit: { $reason }
-bench-for-sale = not yours yet: b buys the right to use it for { $price } cr
+bench-for-sale = not yours yet: { $key } buys the right to use it for { $price } cr
 bench-locked-by = on sale once "{ $mission }" is passed
 bench-on-board = { $count ->
     [one] on board
    *[other] { $count } on board
 }
 bench-radio = reach by link budget: 20 dB of fade margin, at 50 m of height
-bench-part-for-sale = { $part }: not yours yet, b buys it for { $price } cr
+bench-part-for-sale = { $part }: not yours yet, { $key } buys it for { $price } cr
 bench-part-locked = { $part }: on sale once "{ $mission }" is passed
 bench-figures-change = with this part (▲ better, ▼ worse)
 bench-payload = hover time by payload
@@ -94,20 +94,20 @@ bench-not-own = it is one of sortie's: copy it to change it
 bench-comparison = from another design to the one on the bench (▲ better, ▼ worse)
 bench-compared = design
 bench-differs = differs
-bench-choose-compared = choose a design and press d to compare
+bench-choose-compared = choose a design and press { $key } to compare
 
 bench-no-more = nothing to add: it is there already, or the slot is full
 bench-not-on-board = it is not on board
 bench-nothing-to-undo = nothing to take back
 bench-nothing-to-redo = nothing to do again
 bench-nobody-buys = without a profile every part is free to try
-bench-nobody-saves = designs are kept in a profile, and there is none: e writes the design to a file
+bench-nobody-saves = designs are kept in a profile, and there is none: { $key } writes the design to a file
 bench-saved = kept: { $name }
 bench-name-taken = there is a design { $name } already
 bench-ask-buy = buy the right to use { $part } for { $price } cr
 bench-ask-buy-reason = you have { $credits } cr, { $left } cr are left then
 bench-ask-replace = replace { $name } on the bench
-bench-ask-replace-reason = its changes are not saved (u brings it back)
+bench-ask-replace-reason = its changes are not saved ({ $key } brings it back)
 bench-ask-overwrite = replace your design { $name }
 bench-ask-overwrite-reason = there is another one of this name
 bench-ask-delete = delete your design { $name }

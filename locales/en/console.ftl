@@ -19,12 +19,12 @@ select-missing = there is no vehicle { $vehicles }
 select-missing-all = there is no vehicle { $vehicles }: the selection stays as it was
 
 palette-title = command
-palette-grammar = [targets] verb [arguments]: Tab completes, Up brings back older lines
+palette-grammar = [targets] verb [arguments]: { $complete } completes, { $older } brings back older lines
 palette-to = to { $vehicles }
 palette-to-cursor = to { $vehicles } (under the cursor)
 palette-to-selected = to { $vehicles } (selected)
-palette-sends = Enter sends to { $vehicles }
-palette-asks = Enter asks before it sends to { $vehicles }
+palette-sends = { $key } sends to { $vehicles }
+palette-asks = { $key } asks before it sends to { $vehicles }
 
 prompt-connect = connect to
 
@@ -39,18 +39,18 @@ ask-sure = are you sure
 ask-taken-back = cancelled, nothing was done   Enter or Esc goes on
 ask-else = anything else: no
 
-help-title = help   j k scroll   Esc closes
+help-title = help   { $scroll } scroll   { $key } closes
 help-targets = targets: 3  1-4,7  @group  all; none means the selection
 
 small-needs = sortie needs { $columns }x{ $rows }, this terminal is { $now_columns }x{ $now_rows }
-small-keys = Until it is larger only Ctrl-C works: it leaves the program.
+small-keys = Until it is larger only { $key } works: it leaves the program.
 
 prompt-connect-tcp = ArduPilot SITL, one vehicle per port
 prompt-connect-udpin = listen; vehicles send here
 prompt-connect-udp = send to a vehicle or a router
 prompt-connect-serial = an autopilot or a radio on a cable
 prompt-connect-file = a recording
-prompt-connect-several = several addresses: blanks between them.  Enter connects, Esc closes
+prompt-connect-several = several addresses: blanks between them.  { $submit } connects, { $escape } closes
 
 session-free = free flight
 class-copter = copter

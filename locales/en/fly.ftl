@@ -7,18 +7,18 @@ fly-notices = notices
 fly-waiting = waiting for the first vehicle ...
 fly-rows = { $first }-{ $last } of { $count }
 fly-filtered = { $shown } of { $all } fit "{ $filter }"
-fly-none-fit = no vehicle fits "{ $filter }": Esc shows all again
+fly-none-fit = no vehicle fits "{ $filter }": { $key } shows all again
 fly-by = by { $column }
 fly-selected = selected { $count }: { $vehicles }
 fly-selected-hidden = selected { $count } ({ $hidden } hidden): { $vehicles }
-fly-sorted = ordered by { $column }; S turns it round
+fly-sorted = ordered by { $column }; { $key } turns it round
 fly-sorted-reversed = ordered by { $column }, the largest first
 fly-no-column = there is no column `{ $word }`
 fly-columns-are = there are: { $columns }
 fly-no-group = no group is named `{ $name }`
 fly-ungrouped = @{ $name } is no group any more
 fly-place = { $at } of { $count }
-fly-log-keys = j k scroll   Esc closes
+fly-log-keys = { $scroll } scroll   { $key } closes
 fly-nothing-yet = nothing yet
 
 fly-armed = ARMED
@@ -135,9 +135,9 @@ header-links = { $up }/{ $all } links up
 header-links-short = links { $up }/{ $all }
 
 footer-vehicles = vehicles
-footer-list = Enter selects   a t g m h l r commands them   Esc drops
+footer-list = { $submit } selects   { $commands } commands them   { $escape } drops
 footer-deaf = keys work in a moment
-footer-paste-dropped = nothing was pasted: open the command line with : first
+footer-paste-dropped = nothing was pasted: open the command line with { $key } first
 
 hint-move = move
 hint-take = take
@@ -162,8 +162,8 @@ hint-again = fly again
 hint-home = home
 
 commands-pane = commands
-commands-none = no command yet: press : and write one
-commands-none-fit = no command fits: Esc shows all again
+commands-none = no command yet: press { $key } and write one
+commands-none-fit = no command fits: { $key } shows all again
 commands-follows = follows the newest
 commands-only-vehicles = { $count ->
     [1] only vehicle { $vehicles }: { $shown } of { $all }
@@ -178,7 +178,7 @@ commands-to = to
 commands-answer = answer
 commands-outcome = outcome
 commands-tries = tries
-commands-more = ... { $count } more: Enter shows all
+commands-more = ... { $count } more: { $key } shows all
 commands-sent-times = { $count ->
     [0] not sent
     [one] sent once

@@ -2,7 +2,7 @@
 
 
 messages-fields = fields
-messages-hint = Choose a message in the tree. Enter opens a branch, Tab goes to the fields, g draws a field as a graph, x shows bytes, / filters, s sorts, p pauses, z closes or opens all systems.
+messages-hint = Choose a message in the tree. { $open } opens a branch, { $fields } goes to the fields, { $graph } draws a field as a graph, { $bytes } shows bytes, { $filter } filters, { $sort } sorts, { $pause } pauses, { $fold } closes or opens all systems.
 messages-none = nothing has come by any link yet
 messages-none-found = no message matches
 messages-paused = PAUSED
@@ -28,7 +28,7 @@ messages-other-layout = The checksum is wrong for this message as it is known he
 messages-extent = now { $now }  { $seconds } s: { $low } to { $high }
 messages-not-drawn = { $count } not drawn
 messages-uncounted = frames of further kinds, for which there was no room (noise looks so): { $count }
-messages-choose-field = choose a field first: Tab goes to the fields
+messages-choose-field = choose a field first: { $key } goes to the fields
 messages-no-number = { $field } is text and has no graph
 
 messages-key-help = help

@@ -76,9 +76,9 @@ mission-more-cells = more cells on a larger screen
 mission-cell-done = done
 
 # The room of the mission.
-mission-begin = Enter flies it   Esc goes back
+mission-begin = { $fly } flies it   { $back } goes back
 mission-under-way = time { $elapsed } of { $limit }   score { $score }
-mission-ended = over after { $elapsed }   score { $score }   D shows the debrief
+mission-ended = over after { $elapsed }   score { $score }   { $key } shows the debrief
 mission-objectives = objectives
 mission-required = required
 mission-hints = hints so far
@@ -106,7 +106,7 @@ mission-reward-credits = { $credits } credits
 mission-reward-mission = mission "{ $title }"
 mission-reward-part = part { $part }
 mission-reward-threat = threat { $threat }
-mission-lines = lines { $first } to { $last } of { $count }   j k scroll
+mission-lines = lines { $first } to { $last } of { $count }   { $key } scroll
 mission-vehicle-gone = its simulator has ended: the vehicle is lost
 
 # What a mission answers to deeds.
@@ -143,7 +143,7 @@ mission-goal-score = { $points } points or more
 mission-goal-score-result = { $points } points
 # A pause.
 mission-paused = paused { $seconds } s
-pause-begins = PAUSED: `continue` or p goes on
+pause-begins = PAUSED: `continue` or { $key } goes on
 pause-ends = goes on
 pause-is-one = it is paused already
 pause-is-none = nothing is paused
@@ -151,21 +151,21 @@ pause-not-processes = no pause with ArduPilot: each of its processes has a time 
 pause-not-real = no pause: real drones cannot be stopped in the air
 pause-not-allowed = the rules of this mission allow no pause
 pause-refuses = commands wait for nobody: it is paused
-pause-refuses-help = `continue` or p goes on; then give the command
+pause-refuses-help = `continue` or { $key } goes on; then give the command
 
 # Before launch, in the room of the mission. Names at most 14 columns.
 mission-launch = before launch
 mission-pledge = your word
 mission-prediction = your score
-mission-prediction-none = s predicts it, such as `predict 800`: the debrief compares
+mission-prediction-none = { $key } predicts it, such as `predict 800`: the debrief compares
 mission-prediction-is = { $points } predicted
 mission-goal = your goal
-mission-goal-none = g sets one, such as `goal time 200s`: score, time, battery, safety, commands, attention
+mission-goal-none = { $key } sets one, such as `goal time 200s`: score, time, battery, safety, commands, attention
 mission-reading = the clock
-mission-reading-is = it runs; p stops it while you read
-mission-reading-paused = it stands still; p lets it go on
+mission-reading-is = it runs; { $key } stops it while you read
+mission-reading-paused = it stands still; { $key } lets it go on
 mission-then = to begin
-mission-then-is = Enter shows the drones, `:` takes commands, ? explains both
+mission-then-is = { $drones } shows the drones, `{ $command }` takes commands, { $help } explains both
 mission-contacts-count = contacts { $count }, confirmed { $confirmed }, reported { $reported }
 mission-marks-count = reports { $count }
 mission-pledge-line = you said: { $words }
@@ -185,8 +185,8 @@ mission-try-best = { $score } points, { $medal }, the best
 mission-try-unfinished = not finished
 mission-next-hint = hint
 mission-hint-price = { $percent ->
-    [0] w asks for the next one, level { $level }: it is free
-   *[other] w asks for the next one, level { $level }: it takes { $percent } % of the score
+    [0] { $key } asks for the next one, level { $level }: it is free
+   *[other] { $key } asks for the next one, level { $level }: it takes { $percent } % of the score
 }
 mission-hint-of = hint { $level }: { $hint }
 mission-rule-carries = drone { $vehicles }

@@ -32,7 +32,7 @@ parameters-asking = asking the vehicle for its parameters ...
 parameters-coming = { $received } of { $count }
 parameters-repeating = { $received } of { $count }; no answer, asked again ({ $tries })
 parameters-link-lost = { $received } of { $count }; link lost: goes on when it is back
-parameters-stalled = { $received } of { $count } came, then no answer: r asks again
+parameters-stalled = { $received } of { $count } came, then no answer: { $key } asks again
 parameters-complete = { $count ->
     [one] { $count } parameter
    *[other] { $count } parameters
@@ -44,10 +44,10 @@ parameters-only-changed = only changed
 parameters-setting = setting: { $count } left
 parameters-sets-on = sets on { $vehicles }
 parameters-none-yet = nothing has come yet
-parameters-none-fit = no name has these letters: Esc shows all
+parameters-none-fit = no name has these letters: { $key } shows all
 parameters-none-differ-yet = nothing differs in what has come so far
-parameters-none-differ = nothing differs: Esc shows all
-parameters-none-changed = nothing has changed: o shows all
+parameters-none-differ = nothing differs: { $key } shows all
+parameters-none-changed = nothing has changed: { $key } shows all
 
 parameters-column-name = NAME
 parameters-column-value = VALUE
@@ -92,9 +92,9 @@ parameters-saved = saved to { $path }
 parameters-ask-replace = REPLACE { $path }
 parameters-ask-replace-reason = there is a file of that name already
 
-prompt-filter-advice = several words must all occur; Enter or Esc goes back to the list
+prompt-filter-advice = several words must all occur; { $submit } or { $escape } goes back to the list
 prompt-parameter = { $name } on { $vehicles }
-prompt-parameter-advice = Enter sets it, Esc leaves it as it is
+prompt-parameter-advice = { $submit } sets it, { $escape } leaves it as it is
 prompt-save-parameters = save parameters to
 prompt-save-advice = a path; ~/ is your home folder. A file that is there is not replaced unasked
 prompt-load-parameters = load parameters from

@@ -12,13 +12,14 @@ room-parameters = parameters
 room-mission = mission
 room-debrief = debrief
 
+key-none = (no key)
 keys-anywhere = everywhere
 keys-room = in the room "{ $room }"
 keys-prompt = command line
 keys-reader = help and lists
-keys-writes = write `{ $line }`; Enter sends
+keys-writes = write `{ $line }`; { $key } sends
 keys-gives = give `{ $line }`
-keys-types = list of vehicles, Enter selects them
+keys-types = list of vehicles, { $key } selects them
 
 action-home = home screen
 action-fly = the swarm in flight

@@ -67,17 +67,17 @@ profiles-title = who trains here
 profiles-now = (now)
 profiles-new = somebody new ...
 profiles-nobody = nobody: flights are not kept
-profiles-keys = j k move   Enter takes   Esc back
+profiles-keys = { $scroll } move   { $submit } takes   { $escape } back
 profiles-in-flight = a mission is under way: end it first, its result is yours
 profiles-nameless = write a name
 prompt-profile = your name
 prompt-profile-advice = flights, credits and designs are kept under it on this machine only
 prompt-seed = seed for practice
-prompt-seed-advice = a number; the same seed is the same flight. Enter alone takes that of --seed, or 1. Practice earns nothing
+prompt-seed-advice = a number; the same seed is the same flight. { $submit } alone takes that of --seed, or 1. Practice earns nothing
 
 # Own progress.
-standing-nobody = Nobody trains here whose flights are kept. Press u to choose a profile or to make one; then this room shows skills, scores, credits and experience over time.
-standing-nobody-yet = choose who trains here first: u
+standing-nobody = Nobody trains here whose flights are kept. Press { $key } to choose a profile or to make one; then this room shows skills, scores, credits and experience over time.
+standing-nobody-yet = choose who trains here first: { $key }
 standing-level = level { $level }
 standing-experience = { $experience }/{ $needed } xp
 standing-credits = { $credits } cr

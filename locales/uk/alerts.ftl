@@ -36,7 +36,7 @@ alert-of-many = { $count ->
 }
 alert-with-vehicles = { $what }: { $vehicles }
 alert-and-more = { $first } (+{ $count })
-alert-acknowledge-hint = x бере до відома
+alert-acknowledge-hint = { $key } бере до відома
 alert-header = { $count ->
     [one] { $count } тривога
     [few] { $count } тривоги

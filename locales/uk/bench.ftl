@@ -52,14 +52,14 @@ bench-add-payload = додати ...
 bench-locked = закрито
 bench-part = { $name }: { $mass } g, { $price } cr за штуку
 bench-misfit = не підходить: { $reason }
-bench-for-sale = ще не ваше: b купує право на деталь за { $price } cr
+bench-for-sale = ще не ваше: { $key } купує право на деталь за { $price } cr
 bench-locked-by = продається після завдання «{ $mission }»
 bench-on-board = { $count ->
     [one] на борту
    *[other] на борту { $count }
 }
 bench-radio = дальність за енергетичним бюджетом: запас на завмирання 20 dB, висота 50 m
-bench-part-for-sale = { $part }: ще не ваше, b купує за { $price } cr
+bench-part-for-sale = { $part }: ще не ваше, { $key } купує за { $price } cr
 bench-part-locked = { $part }: продається після завдання «{ $mission }»
 bench-figures-change = із цією деталлю (▲ краще, ▼ гірше)
 bench-payload = час зависання за вантажем
@@ -95,20 +95,20 @@ bench-not-own = це проєкт від sortie: скопіюйте, щоб зм
 bench-comparison = від іншого проєкту до того, що на верстаку (▲ краще, ▼ гірше)
 bench-compared = проєкт
 bench-differs = інакше
-bench-choose-compared = оберіть проєкт і натисніть d, щоб порівняти
+bench-choose-compared = оберіть проєкт і натисніть { $key }, щоб порівняти
 
 bench-no-more = нема чого додати: вже на борту, або місце повне
 bench-not-on-board = цього немає на борту
 bench-nothing-to-undo = нема чого скасувати
 bench-nothing-to-redo = нема чого повторити
 bench-nobody-buys = без профілю можна пробувати кожну деталь
-bench-nobody-saves = проєкти зберігає профіль, а його немає: e записує проєкт у файл
+bench-nobody-saves = проєкти зберігає профіль, а його немає: { $key } записує проєкт у файл
 bench-saved = збережено: { $name }
 bench-name-taken = проєкт { $name } уже є
 bench-ask-buy = купити право на { $part } за { $price } cr
 bench-ask-buy-reason = у вас { $credits } cr, лишиться { $left } cr
 bench-ask-replace = замінити { $name } на верстаку
-bench-ask-replace-reason = зміни не збережено (u повертає його)
+bench-ask-replace-reason = зміни не збережено ({ $key } повертає його)
 bench-ask-overwrite = замінити ваш проєкт { $name }
 bench-ask-overwrite-reason = є інший із такою назвою
 bench-ask-delete = видалити ваш проєкт { $name }

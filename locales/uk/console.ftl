@@ -20,12 +20,12 @@ select-missing = немає апарата { $vehicles }
 select-missing-all = немає апарата { $vehicles }: вибір не змінено
 
 palette-title = команда
-palette-grammar = [цілі] дієслово [аргументи]: Tab доповнює, стрілка вгору повертає давніші рядки
+palette-grammar = [цілі] дієслово [аргументи]: { $complete } доповнює, { $older } повертає давніші рядки
 palette-to = для { $vehicles }
 palette-to-cursor = для { $vehicles } (під курсором)
 palette-to-selected = для { $vehicles } (вибрані)
-palette-sends = Enter надсилає для { $vehicles }
-palette-asks = Enter перепитує, перш ніж надіслати для { $vehicles }
+palette-sends = { $key } надсилає для { $vehicles }
+palette-asks = { $key } перепитує, перш ніж надіслати для { $vehicles }
 
 prompt-connect = під'єднатися до
 
@@ -40,18 +40,18 @@ ask-sure = ви певні?
 ask-taken-back = скасовано, нічого не зроблено   Enter або Esc - далі
 ask-else = будь-що інше: ні
 
-help-title = довідка   j k гортають   Esc закриває
+help-title = довідка   { $scroll } гортають   { $key } закриває
 help-targets = цілі: 3  1-4,7  @group  all; без цілей - вибрані апарати
 
 small-needs = sortie потребує { $columns }x{ $rows }, а термінал має { $now_columns }x{ $now_rows }
-small-keys = Поки він не стане більшим, діє лише Ctrl-C: вихід із програми.
+small-keys = Поки він не стане більшим, діє лише { $key }: вихід із програми.
 
 prompt-connect-tcp = ArduPilot SITL, порт на кожен апарат
 prompt-connect-udpin = слухати; апарати надсилають сюди
 prompt-connect-udp = надсилати апарату або маршрутизатору
 prompt-connect-serial = автопілот або радіомодем на кабелі
 prompt-connect-file = запис польоту
-prompt-connect-several = кілька адрес: через пробіл.  Enter під'єднує, Esc закриває
+prompt-connect-several = кілька адрес: через пробіл.  { $submit } під'єднує, { $escape } закриває
 
 session-free = вільний політ
 class-copter = коптер

@@ -7,18 +7,18 @@ fly-notices = сповіщення
 fly-waiting = очікування першого апарата ...
 fly-rows = { $first }-{ $last } з { $count }
 fly-filtered = { $shown } з { $all } за «{ $filter }»
-fly-none-fit = жоден апарат не підходить під «{ $filter }»: Esc покаже всі
+fly-none-fit = жоден апарат не підходить під «{ $filter }»: { $key } покаже всі
 fly-by = за «{ $column }»
 fly-selected = вибрано { $count }: { $vehicles }
 fly-selected-hidden = вибрано { $count } (приховано { $hidden }): { $vehicles }
-fly-sorted = порядок за «{ $column }»; S обертає його
+fly-sorted = порядок за «{ $column }»; { $key } обертає його
 fly-sorted-reversed = порядок за «{ $column }», найбільші спочатку
 fly-no-column = немає стовпця `{ $word }`
 fly-columns-are = є такі: { $columns }
 fly-no-group = немає групи `{ $name }`
 fly-ungrouped = групу @{ $name } розпущено
 fly-place = { $at } з { $count }
-fly-log-keys = j k гортати   Esc закрити
+fly-log-keys = { $scroll } гортати   { $key } закрити
 fly-nothing-yet = поки що нічого
 
 fly-armed = АКТИВ.
@@ -136,9 +136,9 @@ header-links = каналів зв'язку { $up }/{ $all }
 header-links-short = зв'язок { $up }/{ $all }
 
 footer-vehicles = апарати
-footer-list = Enter вибирає   a t g m h l r командують   Esc скасовує
+footer-list = { $submit } вибирає   { $commands } командують   { $escape } скасовує
 footer-deaf = клавіші запрацюють за мить
-footer-paste-dropped = нічого не вставлено: спершу відкрийте командний рядок клавішею :
+footer-paste-dropped = нічого не вставлено: спершу відкрийте командний рядок клавішею { $key }
 
 hint-move = рух
 hint-take = взяти
@@ -163,8 +163,8 @@ hint-again = ще раз
 hint-home = початок
 
 commands-pane = команди
-commands-none = ще немає команд: натисніть :
-commands-none-fit = жодна команда не підходить: Esc покаже всі
+commands-none = ще немає команд: натисніть { $key }
+commands-none-fit = жодна команда не підходить: { $key } покаже всі
 commands-follows = стежить за найновішою
 commands-only-vehicles = { $count ->
     [1] лише апарат { $vehicles }: { $shown } з { $all }
@@ -179,7 +179,7 @@ commands-to = кому
 commands-answer = відгук
 commands-outcome = наслідок
 commands-tries = спроб
-commands-more = ... ще { $count }: Enter покаже всі
+commands-more = ... ще { $count }: { $key } покаже всі
 commands-sent-times = { $count ->
     [0] не надіслано
     [one] { $count } раз

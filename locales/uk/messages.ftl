@@ -2,7 +2,7 @@
 
 
 messages-fields = поля
-messages-hint = Виберіть повідомлення в дереві. Enter розгортає гілку, Tab переходить до полів, g малює графік поля, x показує байти, / фільтрує, s упорядковує, p зупиняє картину, z згортає чи розгортає всі системи.
+messages-hint = Виберіть повідомлення в дереві. { $open } розгортає гілку, { $fields } переходить до полів, { $graph } малює графік поля, { $bytes } показує байти, { $filter } фільтрує, { $sort } упорядковує, { $pause } зупиняє картину, { $fold } згортає чи розгортає всі системи.
 messages-none = жодним каналом ще нічого не надійшло
 messages-none-found = жодне повідомлення не підходить
 messages-paused = ПАУЗА
@@ -28,7 +28,7 @@ messages-other-layout = Контрольна сума не збігається 
 messages-extent = зараз { $now }  { $seconds } s: { $low } – { $high }
 messages-not-drawn = не намальовано: { $count }
 messages-uncounted = кадри інших видів, на які забракло місця (такий вигляд має шум): { $count }
-messages-choose-field = спершу виберіть поле: Tab переходить до полів
+messages-choose-field = спершу виберіть поле: { $key } переходить до полів
 messages-no-number = { $field } є текстом, графіка не буде
 
 messages-key-help = довідка

@@ -83,9 +83,9 @@ mission-more-cells = решта клітинок на більшому екра�
 mission-cell-done = є
 
 # Екран завдання.
-mission-begin = Enter - почати   Esc - назад
+mission-begin = { $fly } - почати   { $back } - назад
 mission-under-way = час { $elapsed } з { $limit }   бали { $score }
-mission-ended = завершено за { $elapsed }   бали { $score }   D показує розбір
+mission-ended = завершено за { $elapsed }   бали { $score }   { $key } показує розбір
 mission-objectives = цілі
 mission-required = обов'язкова
 mission-hints = поради досі
@@ -113,7 +113,7 @@ mission-reward-credits = кредитів { $credits }
 mission-reward-mission = завдання «{ $title }»
 mission-reward-part = деталь { $part }
 mission-reward-threat = загроза { $threat }
-mission-lines = рядки { $first }-{ $last } з { $count }   j k гортають
+mission-lines = рядки { $first }-{ $last } з { $count }   { $key } гортають
 mission-vehicle-gone = його симулятор завершився: апарат втрачено
 
 # Що завдання відповідає на дії.
@@ -151,7 +151,7 @@ mission-goal-score = щонайменше { $points } балів
 mission-goal-score-result = { $points } балів
 # Пауза.
 mission-paused = пауза { $seconds } s
-pause-begins = ПАУЗА: `continue` або p - далі
+pause-begins = ПАУЗА: `continue` або { $key } - далі
 pause-ends = далі
 pause-is-one = пауза вже триває
 pause-is-none = паузи немає
@@ -159,21 +159,21 @@ pause-not-processes = з ArduPilot паузи немає: у кожного йо
 pause-not-real = паузи немає: справжні дрони в повітрі не зупинити
 pause-not-allowed = правила цього завдання не дозволяють пауз
 pause-refuses = на паузі команд не віддають
-pause-refuses-help = `continue` або p - далі; тоді віддайте команду
+pause-refuses-help = `continue` або { $key } - далі; тоді віддайте команду
 
 # Перед зльотом, на екрані завдання. Назви щонайбільше 14 колонок.
 mission-launch = перед зльотом
 mission-pledge = ваше слово
 mission-prediction = ваші бали
-mission-prediction-none = s - передбачити їх, як-от `predict 800`: розбір порівняє
+mission-prediction-none = { $key } - передбачити їх, як-от `predict 800`: розбір порівняє
 mission-prediction-is = передбачено { $points }
 mission-goal = ваша мета
-mission-goal-none = g - поставити її, як-от `goal time 200s`: score, time, battery, safety, commands, attention
+mission-goal-none = { $key } - поставити її, як-от `goal time 200s`: score, time, battery, safety, commands, attention
 mission-reading = годинник
-mission-reading-is = іде; p зупиняє його, поки ви читаєте
-mission-reading-paused = стоїть; p пускає його далі
+mission-reading-is = іде; { $key } зупиняє його, поки ви читаєте
+mission-reading-paused = стоїть; { $key } пускає його далі
 mission-then = початок
-mission-then-is = Enter показує дрони, `:` приймає команди, ? пояснює і те, і те
+mission-then-is = { $drones } показує дрони, `{ $command }` приймає команди, { $help } пояснює і те, і те
 mission-contacts-count = контакти { $count }, підтв. { $confirmed }, пов. { $reported }
 mission-marks-count = повідомлено { $count }
 mission-pledge-line = ви сказали: { $words }
@@ -193,8 +193,8 @@ mission-try-best = { $score } балів, { $medal }, найкраща
 mission-try-unfinished = не завершено
 mission-next-hint = підказка
 mission-hint-price = { $percent ->
-    [0] w просить наступну, рівень { $level }: безкоштовно
-   *[other] w просить наступну, рівень { $level }: забирає { $percent } % балів
+    [0] { $key } просить наступну, рівень { $level }: безкоштовно
+   *[other] { $key } просить наступну, рівень { $level }: забирає { $percent } % балів
 }
 mission-hint-of = підказка { $level }: { $hint }
 mission-rule-carries = дрон { $vehicles }

@@ -33,7 +33,7 @@ parameters-asking = запитуємо в апарата параметри ...
 parameters-coming = { $received } з { $count }
 parameters-repeating = { $received } з { $count }; відповіді немає, запит повторено ({ $tries })
 parameters-link-lost = { $received } з { $count }; зв'язок втрачено: продовжимо, коли відновиться
-parameters-stalled = надійшло { $received } з { $count }, далі відповіді немає: r запитує ще раз
+parameters-stalled = надійшло { $received } з { $count }, далі відповіді немає: { $key } запитує ще раз
 parameters-complete = { $count ->
     [one] { $count } параметр
     [few] { $count } параметри
@@ -46,10 +46,10 @@ parameters-only-changed = лише змінені
 parameters-setting = встановлюємо: лишилося { $count }
 parameters-sets-on = встановлює на { $vehicles }
 parameters-none-yet = ще нічого не надійшло
-parameters-none-fit = немає назв із такими літерами: Esc показує всі
+parameters-none-fit = немає назв із такими літерами: { $key } показує всі
 parameters-none-differ-yet = у тому, що вже надійшло, відмінностей немає
-parameters-none-differ = відмінностей немає: Esc показує всі
-parameters-none-changed = нічого не змінено: o показує всі
+parameters-none-differ = відмінностей немає: { $key } показує всі
+parameters-none-changed = нічого не змінено: { $key } показує всі
 
 parameters-column-name = НАЗВА
 parameters-column-value = ЗНАЧЕННЯ
@@ -95,9 +95,9 @@ parameters-saved = збережено у { $path }
 parameters-ask-replace = ЗАМІНИТИ { $path }
 parameters-ask-replace-reason = файл із такою назвою вже є
 
-prompt-filter-advice = якщо слів кілька, мають траплятися всі; Enter або Esc — назад до списку
+prompt-filter-advice = якщо слів кілька, мають траплятися всі; { $submit } або { $escape } — назад до списку
 prompt-parameter = { $name } на { $vehicles }
-prompt-parameter-advice = Enter встановлює, Esc лишає як є
+prompt-parameter-advice = { $submit } встановлює, { $escape } лишає як є
 prompt-save-parameters = зберегти параметри у файл
 prompt-save-advice = шлях; ~/ — домашня тека. Наявний файл без запитання не замінюється
 prompt-load-parameters = завантажити параметри з файлу

@@ -12,13 +12,14 @@ room-parameters = параметри
 room-mission = завдання
 room-debrief = розбір
 
+key-none = (жодна клавіша)
 keys-anywhere = усюди
 keys-room = на екрані «{ $room }»
 keys-prompt = командний рядок
 keys-reader = довідка та списки
-keys-writes = вписати `{ $line }`; Enter надсилає
+keys-writes = вписати `{ $line }`; { $key } надсилає
 keys-gives = виконати `{ $line }`
-keys-types = перелік апаратів, Enter вибирає їх
+keys-types = перелік апаратів, { $key } вибирає їх
 
 action-home = початковий екран
 action-fly = рій у польоті

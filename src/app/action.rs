@@ -1,23 +1,31 @@
 //! What the user wants, whichever key said it.
 
-use super::room::Room;
+use strum::{EnumIter, IntoEnumIterator as _, IntoStaticStr};
 
-/// An intent. The keymap makes actions from keys.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+use super::room_list::Room;
+
+/// An intent. The keymap makes actions from keys. Its name in keymap files is that of the variant; the message
+/// `action-NAME` says what it does.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub enum Action {
-    /// Go to a room.
+    /// Go to a room; its name is that of the room.
+    #[strum(disabled)]
     Show(Room),
+    /// Move the cursor or scroll; its name is that of the step.
+    #[strum(disabled)]
+    Move(Step),
     /// Open the command line.
     CommandLine,
     /// Open or close the help.
     Help,
     /// Look back through the notices.
+    #[strum(serialize = "look-back-notices")]
     Notices,
     /// Show the mission's brief again.
     Brief,
-    /// Move the cursor or scroll.
-    Move(Step),
     /// Select the vehicle under the cursor, or take it out of the selection.
+    #[strum(serialize = "select")]
     Toggle,
     /// Select all vehicles.
     SelectAll,
@@ -179,8 +187,35 @@ pub enum Action {
     Quit,
 }
 
+impl Action {
+    /// What moves a cursor or scrolls, in the order of hints.
+    pub const UP_AND_DOWN: &[Self] = &[Self::Move(Step::Down), Self::Move(Step::Up)];
+
+    /// Every action: the rooms, the steps of a cursor, and the others.
+    pub fn all() -> impl Iterator<Item = Self> {
+        let rooms = Room::ALL.into_iter().map(Self::Show);
+        let steps = Step::iter().map(Self::Move);
+        rooms.chain(steps).chain(Self::iter())
+    }
+
+    /// Its name in keymap files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Show(room) => room.name(),
+            Self::Move(step) => step.into(),
+            other => other.into(),
+        }
+    }
+
+    /// The action of a name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::all().find(|action| action.name() == name)
+    }
+}
+
 /// How far a cursor moves.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub enum Step {
     /// One line up.
     Up,
@@ -198,131 +233,6 @@ pub enum Step {
     First,
     /// To the last line.
     Last,
-}
-
-impl Action {
-    /// Every action with its name in keymap files. The message `action-NAME` says what it does.
-    pub const ALL: &[(&'static str, Self)] = &[
-        ("home", Self::Show(Room::Home)),
-        ("fly", Self::Show(Room::Fly)),
-        ("vehicle", Self::Show(Room::Vehicle)),
-        ("map", Self::Show(Room::Map)),
-        ("commands", Self::Show(Room::Ledger)),
-        ("messages", Self::Show(Room::Messages)),
-        ("links", Self::Show(Room::Links)),
-        ("hangar", Self::Show(Room::Hangar)),
-        ("parameters", Self::Show(Room::Parameters)),
-        ("mission", Self::Show(Room::Mission)),
-        ("debrief", Self::Show(Room::Debrief)),
-        ("standing", Self::Show(Room::Standing)),
-        ("workshop", Self::Show(Room::Workshop)),
-        ("command-line", Self::CommandLine),
-        ("help", Self::Help),
-        ("look-back-notices", Self::Notices),
-        ("brief", Self::Brief),
-        ("up", Self::Move(Step::Up)),
-        ("down", Self::Move(Step::Down)),
-        ("left", Self::Move(Step::Left)),
-        ("right", Self::Move(Step::Right)),
-        ("page-up", Self::Move(Step::PageUp)),
-        ("page-down", Self::Move(Step::PageDown)),
-        ("first", Self::Move(Step::First)),
-        ("last", Self::Move(Step::Last)),
-        ("select", Self::Toggle),
-        ("select-all", Self::SelectAll),
-        ("invert", Self::Invert),
-        ("erase", Self::Erase),
-        ("submit", Self::Submit),
-        ("escape", Self::Escape),
-        ("again", Self::Again),
-        ("again-alike", Self::AgainAlike),
-        ("next-mission", Self::NextMission),
-        ("drill", Self::Drill),
-        ("daily", Self::Daily),
-        ("exam", Self::Exam),
-        ("practise", Self::Practise),
-        ("profiles", Self::Profiles),
-        ("aids", Self::Aids),
-        ("pause-mission", Self::PauseMission),
-        ("abandon", Self::Abandon),
-        ("truth-map", Self::TruthMap),
-        ("next-section", Self::NextSection),
-        ("previous-section", Self::PreviousSection),
-        ("leave", Self::Leave),
-        ("complete", Self::Complete),
-        ("complete-back", Self::CompleteBack),
-        ("older", Self::Older),
-        ("newer", Self::Newer),
-        ("filter", Self::Filter),
-        ("zoom-in", Self::ZoomIn),
-        ("zoom-out", Self::ZoomOut),
-        ("fit", Self::Fit),
-        ("follow", Self::Follow),
-        ("centre", Self::Centre),
-        ("ruler", Self::Ruler),
-        ("goto-here", Self::GotoHere),
-        ("next-vehicle", Self::NextVehicle),
-        ("previous-vehicle", Self::PreviousVehicle),
-        ("trails", Self::Trails),
-        ("legend", Self::Legend),
-        ("next-sensor", Self::NextSensor),
-        ("window", Self::Window),
-        ("next-page", Self::NextPage),
-        ("changed-parameters", Self::ChangedParameters),
-        ("save-parameters", Self::SaveParameters),
-        ("load-parameters", Self::LoadParameters),
-        ("compare-parameters", Self::CompareParameters),
-        ("apply-parameters", Self::ApplyParameters),
-        ("fetch-parameters", Self::FetchParameters),
-        ("expand", Self::Expand),
-        ("collapse", Self::Collapse),
-        ("fold-all", Self::FoldAll),
-        ("other-side", Self::OtherSide),
-        ("pause", Self::Pause),
-        ("pin", Self::Pin),
-        ("hex", Self::Hex),
-        ("sort", Self::Sort),
-        ("sort-reverse", Self::SortReverse),
-        ("acknowledge", Self::Acknowledge),
-        ("next-outcome", Self::NextOutcome),
-        ("own-vehicles", Self::OwnVehicles),
-        ("restart-process", Self::RestartProcess),
-        ("stop-process", Self::StopProcess),
-        ("other-pane", Self::OtherPane),
-        ("take-out", Self::TakeOut),
-        ("buy-part", Self::BuyPart),
-        ("undo", Self::Undo),
-        ("redo", Self::Redo),
-        ("new-design", Self::NewDesign),
-        ("save-design", Self::SaveDesign),
-        ("designs", Self::Designs),
-        ("compare-design", Self::CompareDesign),
-        ("copy-design", Self::CopyDesign),
-        ("rename-design", Self::RenameDesign),
-        ("export-design", Self::ExportDesign),
-        ("import-design", Self::ImportDesign),
-        ("next-view", Self::NextView),
-        ("mission-before", Self::MissionBefore),
-        ("mission-after", Self::MissionAfter),
-        ("seats", Self::Seats),
-        ("all-seats", Self::AllSeats),
-        ("fly-fleet", Self::FlyFleet),
-        ("quit", Self::Quit),
-    ];
-
-    /// Its name in keymap files.
-    pub fn name(self) -> &'static str {
-        let mut all = Self::ALL.iter();
-        all.find(|(_, action)| *action == self)
-            .map_or("", |(name, _)| name)
-    }
-
-    /// The action of a name.
-    pub fn named(name: &str) -> Option<Self> {
-        let mut all = Self::ALL.iter();
-        all.find(|(known, _)| *known == name)
-            .map(|(_, action)| *action)
-    }
 }
 
 impl Step {

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::effect::HangarDeed;
-use super::room::Room;
+use super::room_list::Room;
 use super::setting::Setting;
 use crate::diagnostic::Diagnostic;
 use crate::mission;

@@ -4,8 +4,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
+use super::State;
 use super::console::{self, CONSOLE_VERBS, ConsoleLine, Names};
-use super::state::{Groups, SCRIPT_VERBS, State};
+use super::state::{Groups, SCRIPT_VERBS};
 use crate::diagnostic::Diagnostic;
 use crate::language::{self, Context, Meaning, Targets};
 use crate::text;

@@ -4,11 +4,12 @@ use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::sync::Arc;
 use std::time::Duration;
 
+use super::action::Action;
 use super::console::Names;
 use super::effect::Launch;
+use super::keymap::Place;
 use crate::campaign::Reward;
 use crate::config::{Config, Symbols};
-use crate::language::Context;
 use crate::scoring::TryReport;
 use crate::text::{Language, Locale, Text};
 use crate::vehicle::VehicleId;
@@ -34,7 +35,7 @@ mod time;
 
 use super::Setup;
 pub use super::keymap::Keymap;
-pub use super::room::{Room, Rooms};
+pub use super::room_list::Room;
 pub use crate::mission::Listing as MissionListing;
 pub use alarms::{Alarms, Pressing, Standing};
 pub use alert::{Alert, alert, alerts};
@@ -48,7 +49,7 @@ pub use history::{Channel, Histories, History, Window};
 pub use ids::{parse_ranges, ranges};
 pub use links::LinkSummary;
 pub use notices::{NoticeLine, NoticeLog};
-pub use overlay::{Confirm, Consequence, Log, Overlay, Palette, Prompt, Purpose};
+pub use overlay::{Confirm, Consequence, Log, Overlay, Palette, ParameterSetting, Prompt, Purpose};
 pub use profiles::Trainee;
 pub use session::{Activity, Session};
 pub use time::MissionTime;
@@ -61,15 +62,15 @@ const HISTORY_KEPT: usize = 200;
 const MESSAGE_LIFE: Duration = Duration::from_secs(8);
 const ACKNOWLEDGEMENT_LIFE: Duration = Duration::from_secs(4);
 
-/// The whole console.
+/// The whole console; `R` is what its rooms remember.
 #[derive(Debug, Clone)]
-pub struct State {
+pub struct State<R> {
     /// The program's clock.
     pub now: Duration,
     /// The room that is shown.
     pub room: Room,
     /// What every room remembers.
-    pub rooms: Rooms,
+    pub rooms: R,
     /// What lies over it.
     pub overlay: Option<Overlay>,
     /// What is being flown.
@@ -140,13 +141,13 @@ impl Message {
     }
 }
 
-impl State {
+impl<R: Default> State<R> {
     /// The home screen of a console that has just started.
     pub(in crate::app) fn new(setup: Setup) -> Self {
         let mut state = Self {
             now: Duration::ZERO,
             room: Room::Home,
-            rooms: Rooms::default(),
+            rooms: R::default(),
             typed: String::new(),
             config: setup.config,
             locale: setup.locale,
@@ -177,7 +178,9 @@ impl State {
         }
         state
     }
+}
 
+impl<R> State<R> {
     /// A number that moves whenever something visible may have changed.
     pub fn revision(&self) -> u64 {
         self.revision
@@ -191,12 +194,6 @@ impl State {
     /// Whether the terminal is too small to show anything, so that keys would be pressed blindly.
     pub fn is_too_small(&self) -> bool {
         self.size.0 < SMALLEST.0 || self.size.1 < SMALLEST.1
-    }
-
-    /// Whether the debrief has opened so recently that keys were meant for the flight.
-    pub fn is_deaf(&self) -> bool {
-        let debrief = self.rooms.debrief.as_ref();
-        self.room == Room::Debrief && debrief.is_some_and(|debrief| debrief.is_deaf(self.now))
     }
 
     /// How many entries a log has.
@@ -233,6 +230,31 @@ impl State {
         });
     }
 
+    /// The key of an action in the room that is shown, for messages.
+    pub fn key(&self, action: Action) -> Text {
+        self.keymap.key(action, Place::In(self.room))
+    }
+
+    /// Asks a question that `y` answers with yes.
+    pub fn ask(&mut self, question: Text, reason: Text, then: Consequence) {
+        self.overlay = Some(Overlay::Confirm(Confirm {
+            question,
+            reason,
+            answer: "y".to_owned(),
+            typed: String::new(),
+            cancelled: false,
+            then,
+        }));
+    }
+
+    /// Asks for a line; what is entered already may be changed.
+    pub fn prompt(&mut self, purpose: Purpose, entered: impl Into<String>) {
+        self.overlay = Some(Overlay::Prompt(Prompt {
+            input: entered.into().into(),
+            ..Prompt::new(purpose)
+        }));
+    }
+
     /// Takes the message back.
     pub fn hush(&mut self) {
         self.message = None;
@@ -245,25 +267,6 @@ impl State {
         } else {
             self.session.selection.iter().copied().collect()
         }
-    }
-
-    /// Runs `work` with what the grammar has to know: groups, places, vehicles.
-    pub fn with_context<T>(&self, work: impl FnOnce(&Context<'_>) -> T) -> T {
-        let vehicles: Vec<VehicleId> = self.session.vehicles.keys().copied().collect();
-        let areas = self.session.areas.iter();
-        let areas = areas
-            .map(|area| (area.name.clone(), area.outline.clone()))
-            .collect();
-        let first = self.addressed().first().copied();
-        let parameters = first.and_then(|id| self.rooms.parameters.lists.get(&id));
-        work(&Context {
-            groups: &self.session.groups,
-            places: Some(&self.session.places),
-            areas: Some(&areas),
-            vehicles: &vehicles,
-            class: self.class(),
-            parameters: parameters.map(|known| known.list.as_ref()),
-        })
     }
 
     /// The names that words of the console's own lines may be.
@@ -322,7 +325,7 @@ impl State {
     }
 
     /// The class whose modes a command line may name: that of the first vehicle it would go to.
-    fn class(&self) -> VehicleClass {
+    pub fn class(&self) -> VehicleClass {
         let first = self.addressed().first().copied();
         let vehicle = first.and_then(|id| self.session.vehicles.get(&id));
         let heartbeat = vehicle.and_then(|vehicle| vehicle.heartbeat);

@@ -1,24 +1,27 @@
 //! The one function that changes the state.
 
+use super::State;
 use super::effect::{Effect, FileKind};
 use super::event::{
     CareerEvent, Event, FileEvent, LinkEvent, ProcessEvent, SessionEvent, TerminalEvent,
     VehicleEvent,
 };
 use super::room::{parameters, workshop};
-use super::state::{Overlay, Room, State};
+use super::state::{Overlay, Room};
 
-pub(super) mod act;
+mod act;
+mod batch;
 mod console_line;
 mod files;
 mod hangar;
 mod keys;
 mod links;
-pub(super) mod mission;
+mod mission;
 mod offer;
-pub(super) mod order;
+mod order;
 mod palette;
-pub(super) mod profiles;
+mod profiles;
+mod prompt;
 mod swarm;
 mod telemetry;
 
@@ -164,7 +167,7 @@ fn file(state: &mut State, event: FileEvent) -> Vec<Effect> {
     match event {
         FileEvent::Read { kind, path, text } => match kind {
             FileKind::Parameters => parameters::read(state, path, &text),
-            FileKind::Design => return workshop::read(state, &path, &text),
+            FileKind::Design => workshop::read(state, &path, &text),
         },
         FileEvent::Written { path } => files::written(state, &path),
         FileEvent::Exists { kind, path, text } => return files::exists(state, kind, path, text),

@@ -93,12 +93,13 @@ pub struct ClueProgress {
 }
 
 impl ClueProgress {
-    /// How to get the next hint and what it costs, in words; `None` where there is none.
-    pub fn price(&self) -> Option<Text> {
+    /// How to get the next hint, by a key, and what it costs; `None` where there is none.
+    pub fn price(&self, key: Text) -> Option<Text> {
         let (level, price) = self.next?;
         let percent = (price * 100.0).round() as u32;
         Some(text!(
             "mission-hint-price",
+            key = key,
             level = level,
             percent = percent
         ))

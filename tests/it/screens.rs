@@ -17,6 +17,7 @@ mod debrief;
 mod fly;
 mod hangar;
 mod inspector;
+mod keys;
 mod link_room;
 mod map;
 mod mission;

@@ -147,7 +147,7 @@ fn name(part: &str) -> Option<String> {
 
 /// Ids that are put together from the names in tables.
 fn from_tables() -> BTreeSet<String> {
-    let actions = Action::ALL.iter().map(|(name, _)| format!("action-{name}"));
+    let actions = Action::all().map(|action| format!("action-{}", action.name()));
     let rooms = Room::ALL.iter().map(|room| format!("room-{}", room.name()));
     let console = CONSOLE_VERBS
         .iter()
@@ -228,4 +228,48 @@ fn no_word_of_a_message_breaks_a_line_of_the_screen() {
             );
         }
     }
+}
+
+/// Messages that name a key no keymap changes: the answer to a question, and the plain console, which has no keymap.
+const FIXED_KEYS: &[&str] = &["ask-taken-back", "plain-asks"];
+/// Words and signs that are no keys: articles, and the signs of legends and of the grammar.
+const SIGN_LEGENDS: &[&str] = &["debrief-timeline", "standing-chart", "verb-int", "grammar-"];
+
+/// The keys that a message names without asking the keymap.
+fn literal_keys(text: &str) -> Vec<&str> {
+    let is_named = |word: &str| {
+        let names = ["Enter", "Esc", "Tab", "Space", "Backspace", "PgUp", "PgDn"];
+        names.contains(&word) || word.starts_with("Ctrl-")
+    };
+    // A letter at the beginning of a clause, before a verb: `x acknowledges`, `no name fits: o shows all`.
+    let clauses = text.split([':', ';', '(', '.']);
+    let letters = clauses.filter_map(|clause| {
+        let (word, rest) = clause.trim_start().split_once(' ')?;
+        let is_letter = word.len() == 1 && word.chars().all(|c| c.is_ascii_alphabetic());
+        let is_verb = rest.starts_with(char::is_lowercase);
+        (is_letter && is_verb && !["a", "A", "I"].contains(&word)).then_some(word)
+    });
+    let words = text.split(|c: char| c.is_whitespace() || ",.:;()".contains(c));
+    words.filter(|word| is_named(word)).chain(letters).collect()
+}
+
+#[test]
+fn no_message_names_a_key_that_a_keymap_could_change() {
+    for language in Language::ALL {
+        for (_, source) in messages(language) {
+            for line in source.lines().filter(|line| !line.starts_with('#')) {
+                let (id, text) = line.split_once('=').unwrap_or(("", line));
+                let id = id.trim();
+                let is_legend = SIGN_LEGENDS.iter().any(|known| id.starts_with(known));
+                if FIXED_KEYS.contains(&id) || is_legend {
+                    continue;
+                }
+                let keys = literal_keys(text);
+                assert!(keys.is_empty(), "{keys:?} in {language:?}: {line}");
+            }
+        }
+    }
+    assert_eq!(literal_keys("x acknowledges"), ["x"]);
+    assert_eq!(literal_keys("none fits: Esc shows all"), ["Esc"]);
+    assert_eq!(literal_keys("{ $key } shows a list"), [""; 0]);
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::swarm;
 use super::{CONSOLE_VERBS, HANGAR_DEEDS, Kind, find};
-use crate::app::room::Room;
+use crate::app::room_list::Room;
 use crate::app::setting::Setting;
 use crate::app::state::{Groups, MissionListing, ranges};
 use crate::language::Completion;

@@ -237,7 +237,7 @@ fn meaning(value: &Spanned<DeValue<'_>>, themes: &[String]) -> Result<Option<Mea
             return in_file(fault);
         }
         // A single word may have been meant as either.
-        let actions = Action::ALL.iter().map(|(name, _)| *name);
+        let actions = Action::all().map(Action::name);
         let commands = rows().iter().map(VerbRow::name);
         let own = CONSOLE_VERBS.iter().map(|verb| verb.name);
         let text = text!("keymap-no-action", name = line);

@@ -86,6 +86,27 @@ impl Press {
         }
     }
 
+    /// Whether all keys that another one stands for are among those of this one.
+    pub fn covers(self, other: Self) -> bool {
+        match (self, other) {
+            (Self::Number, Self::Plain(code)) => self.is(KeyEvent::from(code)),
+            _ => self == other,
+        }
+    }
+
+    /// What is printed on the key, in as few characters as hints have room for.
+    pub fn symbol(self) -> String {
+        let arrow = match self {
+            Self::Plain(KeyCode::Left) => "←",
+            Self::Plain(KeyCode::Right) => "→",
+            Self::Plain(KeyCode::Up) => "↑",
+            Self::Plain(KeyCode::Down) => "↓",
+            Self::Number => "3-9",
+            _ => return self.label(),
+        };
+        arrow.to_owned()
+    }
+
     /// What is printed on the key.
     pub fn label(self) -> String {
         match self {

@@ -25,7 +25,7 @@ impl Keymap {
                     ""
                 };
                 let (key, meaning) = (quoted(&binding.press.label()), quoted(&meaning));
-                let about = locale.text(&binding.meaning.description());
+                let about = locale.text(&self.description(&binding.meaning));
                 let _ = writeln!(text, "{mark}{key} = {meaning} # {about}");
             }
             for (press, _) in self.silent.iter().filter(|(_, it)| *it == place) {
@@ -37,8 +37,8 @@ impl Keymap {
             let mut bindings = self.bindings.iter();
             bindings.any(|binding| binding.meaning == Meaning::Do(action))
         };
-        let free = Action::ALL.iter().filter(|(_, action)| !is_bound(*action));
-        let free: Vec<&str> = free.map(|(name, _)| *name).collect();
+        let free = Action::all().filter(|action| !is_bound(*action));
+        let free: Vec<&str> = free.map(Action::name).collect();
         if !free.is_empty() {
             let _ = writeln!(text, "# without a key: {}", free.join(", "));
         }

@@ -4,13 +4,12 @@ use std::time::Duration;
 
 use crossterm::event::KeyCode;
 
+use crate::app::State;
 use crate::app::action::Action;
-use crate::app::effect::Effect;
-use crate::app::keymap::{ESCAPE, Press, Row, does, key};
+use crate::app::keymap::{ESCAPE, KeyHint, KeyRow, Press, does, hint, key};
 use crate::app::room::home::fly_drill;
-use crate::app::state::{Career, State};
-use crate::app::update::act::leave;
-use crate::app::update::mission;
+use crate::app::room::{Room, RoomModel, RoomRequest, hints};
+use crate::app::state::Career;
 use crate::campaign::Reward;
 use crate::debrief;
 use crate::mission::Listing;
@@ -65,51 +64,85 @@ impl Debrief {
     }
 }
 
-/// Its keys.
-pub const KEYS: &[Row] = &[
-    does(key('r'), Action::Again),
-    does(key('s'), Action::AgainAlike),
-    does(key('n'), Action::NextMission),
-    does(key('t'), Action::Drill),
-    does(key('m'), Action::TruthMap),
-    does(key('h'), Action::Leave),
-    does(ESCAPE, Action::Escape),
-    does(Press::Plain(KeyCode::Tab), Action::NextSection),
-    does(Press::Plain(KeyCode::BackTab), Action::PreviousSection),
+impl State {
+    /// Whether the debrief has opened so recently that keys were meant for the flight.
+    pub fn is_deaf(&self) -> bool {
+        let debrief = self.rooms.debrief.as_ref();
+        self.room == Room::Debrief && debrief.is_some_and(|debrief| debrief.is_deaf(self.now))
+    }
+}
+
+const HINTS: &[KeyHint] = &[
+    hints::SCROLL,
+    hint(&[Action::NextSection], "hint-section"),
+    hint(&[Action::TruthMap], "hint-truth"),
+    hint(&[Action::Again], "hint-again"),
+    hint(&[Action::AgainAlike], "hint-alike"),
+    hint(&[Action::NextMission], "hint-next"),
+    hint(&[Action::Leave], "hint-home"),
+    hint(&[Action::Drill], "hint-drill"),
+    hints::COMMAND,
+    hints::HELP,
 ];
 
-/// What its actions do.
-pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
-    match action {
-        Action::Move(step) => turn(state, |scroll, _, positions| step.apply(scroll, positions)),
-        Action::NextSection => turn(state, |scroll, sections, _| {
-            let next = sections.iter().find(|&&line| line > scroll);
-            next.copied().unwrap_or(0)
-        }),
-        Action::PreviousSection => turn(state, |scroll, sections, last| {
-            let before = sections.iter().rfind(|&&line| line < scroll);
-            before.or(sections.last()).copied().unwrap_or(last)
-        }),
-        Action::TruthMap => {
-            let debrief = state.rooms.debrief.as_mut()?;
-            debrief.map = !debrief.map;
+const EMPTY_HINTS: &[KeyHint] = &[
+    hint(&[Action::Leave], "hint-home"),
+    hints::COMMAND,
+    hints::HELP,
+];
+
+impl RoomModel for Option<Debrief> {
+    const KEYS: &'static [KeyRow] = &[
+        does(key('r'), Action::Again),
+        does(key('s'), Action::AgainAlike),
+        does(key('n'), Action::NextMission),
+        does(key('t'), Action::Drill),
+        does(key('m'), Action::TruthMap),
+        does(key('h'), Action::Leave),
+        does(ESCAPE, Action::Escape),
+        does(Press::Plain(KeyCode::Tab), Action::NextSection),
+        does(Press::Plain(KeyCode::BackTab), Action::PreviousSection),
+    ];
+
+    fn hints(state: &State) -> &'static [KeyHint] {
+        match state.rooms.debrief {
+            Some(_) => HINTS,
+            None => EMPTY_HINTS,
         }
-        Action::Escape => {
-            let width = state.size.0;
-            let debrief = state.rooms.debrief.as_mut();
-            match debrief.filter(|debrief| debrief.is_map(width)) {
-                Some(debrief) => debrief.map = false,
-                None => return Some(leave(state)),
-            }
-        }
-        Action::NextMission => return Some(next_mission(state)),
-        Action::Drill => {
-            let flown = state.rooms.debrief.as_ref()?.report.mission.clone();
-            return Some(fly_drill(state, &flown));
-        }
-        _ => return None,
     }
-    Some(Vec::new())
+
+    fn act(state: &mut State, action: Action) -> Option<Vec<RoomRequest>> {
+        match action {
+            Action::Move(step) => turn(state, |scroll, _, positions| step.apply(scroll, positions)),
+            Action::NextSection => turn(state, |scroll, sections, _| {
+                let next = sections.iter().find(|&&line| line > scroll);
+                next.copied().unwrap_or(0)
+            }),
+            Action::PreviousSection => turn(state, |scroll, sections, last| {
+                let before = sections.iter().rfind(|&&line| line < scroll);
+                before.or(sections.last()).copied().unwrap_or(last)
+            }),
+            Action::TruthMap => {
+                let debrief = state.rooms.debrief.as_mut()?;
+                debrief.map = !debrief.map;
+            }
+            Action::Escape => {
+                let width = state.size.0;
+                let debrief = state.rooms.debrief.as_mut();
+                match debrief.filter(|debrief| debrief.is_map(width)) {
+                    Some(debrief) => debrief.map = false,
+                    None => return Some(vec![RoomRequest::Leave]),
+                }
+            }
+            Action::NextMission => return Some(next_mission(state)),
+            Action::Drill => {
+                let flown = state.rooms.debrief.as_ref()?.report.mission.clone();
+                return Some(fly_drill(state, &flown));
+            }
+            _ => return None,
+        }
+        Some(Vec::new())
+    }
 }
 
 /// Shows another line first, made from the present one, the first lines of the sections, and how many lines can be
@@ -136,10 +169,9 @@ pub fn is_section(line: &str) -> bool {
 
 /// Flies what the trainee does best to fly next; where nobody's flights are kept, the mission after the one that was
 /// flown.
-fn next_mission(state: &mut State) -> Vec<Effect> {
+fn next_mission(state: &mut State) -> Vec<RoomRequest> {
     if let Some(next) = state.career.as_ref().and_then(Career::next_mission) {
-        let launch = state.launch(next);
-        return mission::start(state, launch);
+        return vec![RoomRequest::Fly(state.launch(next))];
     }
     let flown = state.rooms.debrief.as_ref();
     let flown = flown.map(|debrief| debrief.report.mission.as_str());
@@ -153,5 +185,5 @@ fn next_mission(state: &mut State) -> Vec<Effect> {
         state.say(Severity::Notice, text!("debrief-last-mission"));
         return Vec::new();
     };
-    mission::start(state, state.launch(&id))
+    vec![RoomRequest::Fly(state.launch(&id))]
 }

@@ -4,11 +4,11 @@ use std::collections::BTreeMap;
 use std::time::Duration;
 
 use crate::alert::AlertKind;
+use crate::app::State;
 use crate::app::action::{Action, Step};
-use crate::app::effect::Effect;
-use crate::app::keymap::{Row, does, key, writes};
-use crate::app::room::Room;
-use crate::app::state::{Filter, Overlay, Prompt, Purpose, SortKey, State};
+use crate::app::keymap::{HintKeys, KeyHint, KeyRow, Place, does, hint, key, writes};
+use crate::app::room::{Room, RoomModel, RoomRequest, hints};
+use crate::app::state::{Filter, Purpose, SortKey};
 use crate::config::{Column, TableSort};
 use crate::text;
 use crate::vehicle::{Severity, VehicleId};
@@ -41,18 +41,6 @@ pub struct Fly {
     ordered: Option<(TableSort, Duration)>,
 }
 
-/// Its keys.
-pub const KEYS: &[Row] = &[
-    writes('h', "hold"),
-    does(key('/'), Action::Filter),
-    does(key('s'), Action::Sort),
-    does(key('S'), Action::SortReverse),
-    does(key('x'), Action::Acknowledge),
-    writes('@', "select @"),
-    writes('w', "hint"),
-    writes('e', "inject "),
-];
-
 impl Fly {
     /// The vehicles in the table, in the order of their rows.
     pub fn rows(&self) -> &[VehicleId] {
@@ -75,40 +63,120 @@ pub fn move_cursor(state: &mut State, step: Step) {
     }
 }
 
-/// What its actions do.
-pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
-    match action {
-        Action::Filter => {
-            let prompt = Prompt::new(Purpose::Filter(Room::Fly));
-            state.overlay = Some(Overlay::Prompt(Prompt {
-                input: state.rooms.fly.filter.clone().into(),
-                ..prompt
-            }));
+const HINTS: &[KeyHint] = &[
+    hints::COMMAND,
+    hints::HELP,
+    hint(&[Action::Toggle], "hint-select"),
+    KeyHint {
+        keys: HintKeys::VehicleList,
+        about: "hint-list",
+    },
+    hint(&[Action::SelectAll], "hint-all"),
+    hint(&[Action::Filter], "hint-filter"),
+    hint(&[Action::Sort], "hint-sort"),
+    hint(&[Action::Acknowledge], "hint-acknowledge"),
+    hint(&[Action::Escape], "hint-none"),
+    hints::MOVE,
+    hint(
+        &[Action::Show(Room::Ledger), Action::Notices],
+        "hint-look-back",
+    ),
+    hint(
+        &[
+            Action::Show(Room::Map),
+            Action::Show(Room::Vehicle),
+            Action::Show(Room::Parameters),
+            Action::Show(Room::Messages),
+            Action::Show(Room::Links),
+        ],
+        "hint-rooms",
+    ),
+];
+
+const MISSION_HINTS: &[KeyHint] = &[
+    hints::COMMAND,
+    hints::HELP,
+    hints::PAUSE,
+    hints::MISSION_HINT,
+    hint(&[Action::Show(Room::Mission)], "room-mission"),
+    hint(&[Action::Toggle], "hint-select"),
+    KeyHint {
+        keys: HintKeys::VehicleList,
+        about: "hint-list",
+    },
+    hint(&[Action::SelectAll], "hint-all"),
+    hint(&[Action::Acknowledge], "hint-acknowledge"),
+    hints::MOVE,
+    hint(
+        &[Action::Show(Room::Ledger), Action::Notices],
+        "hint-look-back",
+    ),
+    hint(
+        &[
+            Action::Show(Room::Map),
+            Action::Show(Room::Vehicle),
+            Action::Show(Room::Parameters),
+            Action::Show(Room::Messages),
+            Action::Show(Room::Links),
+        ],
+        "hint-rooms",
+    ),
+];
+
+impl RoomModel for Fly {
+    const KEYS: &'static [KeyRow] = &[
+        writes('h', "hold"),
+        does(key('/'), Action::Filter),
+        does(key('s'), Action::Sort),
+        does(key('S'), Action::SortReverse),
+        does(key('x'), Action::Acknowledge),
+        writes('@', "select @"),
+        writes('w', "hint"),
+        writes('e', "inject "),
+    ];
+
+    fn hints(state: &State) -> &'static [KeyHint] {
+        match state.flown_mission() {
+            Some(_) => MISSION_HINTS,
+            None => HINTS,
         }
-        Action::Sort => next_sort(state),
-        Action::SortReverse => {
-            let sort = sorted_by(state);
-            set_sort(
-                state,
-                TableSort {
-                    reversed: !sort.reversed,
-                    ..sort
-                },
-            );
-        }
-        Action::Acknowledge => acknowledge_pressing(state),
-        // The filter goes last of what Esc takes back.
-        Action::Escape
-            if state.typed.is_empty()
-                && state.session.selection.is_empty()
-                && !state.rooms.fly.filter.is_empty() =>
-        {
-            state.hush();
-            filter(state, "");
-        }
-        _ => return None,
     }
-    Some(Vec::new())
+
+    fn act(state: &mut State, action: Action) -> Option<Vec<RoomRequest>> {
+        match action {
+            Action::Filter => {
+                let filter = state.rooms.fly.filter.clone();
+                state.prompt(Purpose::Filter(Room::Fly), filter);
+            }
+            Action::Sort => next_sort(state),
+            Action::SortReverse => {
+                let sort = sorted_by(state);
+                set_sort(
+                    state,
+                    TableSort {
+                        reversed: !sort.reversed,
+                        ..sort
+                    },
+                );
+            }
+            Action::Acknowledge => acknowledge_pressing(state),
+            // The filter goes last of what Esc takes back.
+            Action::Escape
+                if state.typed.is_empty()
+                    && state.session.selection.is_empty()
+                    && !state.rooms.fly.filter.is_empty() =>
+            {
+                state.hush();
+                filter(state, "");
+            }
+            _ => return None,
+        }
+        Some(Vec::new())
+    }
+
+    fn filter(state: &mut State, text: &str) {
+        filter(state, text);
+    }
 }
 
 /// What the table is ordered by.
@@ -124,7 +192,11 @@ pub fn set_sort(state: &mut State, sort: TableSort) {
     let text = if sort.reversed {
         text!("fly-sorted-reversed", column = column)
     } else {
-        text!("fly-sorted", column = column)
+        text!(
+            "fly-sorted",
+            column = column,
+            key = state.keymap.key(Action::SortReverse, Place::In(Room::Fly))
+        )
     };
     state.say(Severity::Info, text);
 }

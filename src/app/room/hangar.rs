@@ -1,11 +1,11 @@
 //! The hangar: the processes that simulate the vehicles, how far they are and what they say.
 
+use crate::app::State;
 use crate::app::action::Action;
 use crate::app::effect::{Effect, HangarDeed, SessionEffect};
-use crate::app::keymap::{ENTER, ESCAPE, Row, does, key};
-use crate::app::room::Room;
-use crate::app::state::{Instance, SitlStage, State};
-use crate::app::update::act;
+use crate::app::keymap::{ENTER, ESCAPE, KeyHint, KeyRow, does, hint, key};
+use crate::app::room::{Room, RoomModel, RoomRequest, hints};
+use crate::app::state::{Consequence, Instance, SitlStage};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
@@ -21,15 +21,6 @@ pub struct Hangar {
     pub back: usize,
 }
 
-/// Its keys.
-pub const KEYS: &[Row] = &[
-    does(ENTER, Action::Submit),
-    does(ESCAPE, Action::Escape),
-    does(key('r'), Action::RestartProcess),
-    does(key('x'), Action::StopProcess),
-    does(key('q'), Action::Leave),
-];
-
 /// The process under the cursor.
 pub fn under_cursor(state: &State) -> Option<&Instance> {
     let instances = &state.session.hangar.as_ref()?.instances;
@@ -42,38 +33,79 @@ pub fn wanted(state: &State) -> Option<VehicleId> {
     shown.map(|instance| instance.vehicle)
 }
 
-/// What its actions do.
-pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
-    let vehicle = under_cursor(state).map(|instance| instance.vehicle);
-    let hangar = state.session.hangar.as_ref();
-    let shown = under_cursor(state).zip(hangar);
-    let lines = shown.map_or(0, |(instance, hangar)| hangar.output(instance).len());
-    let count = hangar.map_or(0, |hangar| hangar.instances.len());
-    let room = &mut state.rooms.hangar;
-    match (action, vehicle) {
-        (Action::Move(step), _) if room.opened => {
-            let last = lines.saturating_sub(1);
-            room.back = last - step.apply(last - room.back.min(last), lines);
-        }
-        (Action::Move(step), _) => {
-            room.cursor = step.apply(room.cursor, count);
-            room.back = 0;
-        }
-        (Action::Submit, Some(_)) => {
-            room.opened = !room.opened;
-            room.back = 0;
-        }
-        (Action::RestartProcess, Some(vehicle)) => {
-            return Some(order(state, HangarDeed::Restart, vehicle));
-        }
-        (Action::StopProcess, Some(vehicle)) => {
-            return Some(order(state, HangarDeed::Stop, vehicle));
-        }
-        (Action::Escape, _) => return Some(escape(state)),
-        (Action::Submit | Action::RestartProcess | Action::StopProcess, None) => {}
-        _ => return None,
+const HINTS: &[KeyHint] = &[
+    hints::COMMAND,
+    hints::HELP,
+    hints::MOVE,
+    hint(&[Action::Submit], "hangar-key-output"),
+    hint(&[Action::RestartProcess], "hangar-key-restart"),
+    hint(&[Action::StopProcess], "hangar-key-stop"),
+    hint(&[Action::Show(Room::Fly)], "links-key-fly"),
+    hint(&[Action::Leave], "hangar-key-leave"),
+];
+
+impl RoomModel for Hangar {
+    const KEYS: &'static [KeyRow] = &[
+        does(ENTER, Action::Submit),
+        does(ESCAPE, Action::Escape),
+        does(key('r'), Action::RestartProcess),
+        does(key('x'), Action::StopProcess),
+        does(key('q'), Action::Leave),
+    ];
+
+    fn hints(_state: &State) -> &'static [KeyHint] {
+        HINTS
     }
-    Some(Vec::new())
+
+    fn act(state: &mut State, action: Action) -> Option<Vec<RoomRequest>> {
+        let vehicle = under_cursor(state).map(|instance| instance.vehicle);
+        let hangar = state.session.hangar.as_ref();
+        let shown = under_cursor(state).zip(hangar);
+        let lines = shown.map_or(0, |(instance, hangar)| hangar.output(instance).len());
+        let count = hangar.map_or(0, |hangar| hangar.instances.len());
+        let room = &mut state.rooms.hangar;
+        match (action, vehicle) {
+            (Action::Move(step), _) if room.opened => {
+                let last = lines.saturating_sub(1);
+                room.back = last - step.apply(last - room.back.min(last), lines);
+            }
+            (Action::Move(step), _) => {
+                room.cursor = step.apply(room.cursor, count);
+                room.back = 0;
+            }
+            (Action::Submit, Some(_)) => {
+                room.opened = !room.opened;
+                room.back = 0;
+            }
+            (Action::RestartProcess, Some(vehicle)) => {
+                return Some(requested(state, HangarDeed::Restart, vehicle));
+            }
+            (Action::StopProcess, Some(vehicle)) => {
+                return Some(requested(state, HangarDeed::Stop, vehicle));
+            }
+            (Action::Escape, _) => return Some(escape(state)),
+            (Action::Submit | Action::RestartProcess | Action::StopProcess, None) => {}
+            _ => return None,
+        }
+        Some(Vec::new())
+    }
+
+    fn entered(state: &mut State) {
+        let crashed = state.session.hangar.as_ref().and_then(|hangar| {
+            let mut all = hangar.instances.iter();
+            all.position(Instance::has_crashed)
+        });
+        if let Some(at) = crashed
+            && !under_cursor(state).is_some_and(Instance::has_crashed)
+        {
+            state.rooms.hangar.cursor = at;
+        }
+    }
+}
+
+fn requested(state: &mut State, deed: HangarDeed, vehicle: VehicleId) -> Vec<RoomRequest> {
+    let effects = order(state, deed, vehicle).into_iter();
+    effects.map(RoomRequest::Effect).collect()
 }
 
 /// Has a vehicle's process started again or ended; asks while the vehicle is armed.
@@ -102,7 +134,12 @@ pub fn order(state: &mut State, deed: HangarDeed, vehicle: VehicleId) -> Vec<Eff
         hangar.expected = hangar.expected.saturating_sub(1);
     }
     if is_armed {
-        return act::ask(state, question, text!("hangar-ask-armed"), effect);
+        state.ask(
+            question,
+            text!("hangar-ask-armed"),
+            Consequence::Effect(effect),
+        );
+        return Vec::new();
     }
     state.say(Severity::Notice, done);
     vec![effect]
@@ -123,29 +160,16 @@ fn words(deed: HangarDeed, vehicle: VehicleId) -> (Text, Text) {
 }
 
 /// Closes the output; else leaves the room, and while the vehicles are still being started, the session.
-fn escape(state: &mut State) -> Vec<Effect> {
+fn escape(state: &mut State) -> Vec<RoomRequest> {
     state.hush();
     if state.rooms.hangar.opened {
         state.rooms.hangar.opened = false;
     } else if state.session.is_starting() {
-        return act::leave(state);
+        return vec![RoomRequest::Leave];
     } else if state.session.activity.is_some() {
         state.room = Room::Fly;
     }
     Vec::new()
-}
-
-/// The room is entered: who comes because a process has crashed finds the cursor on it.
-pub fn entered(state: &mut State) {
-    let crashed = state.session.hangar.as_ref().and_then(|hangar| {
-        let mut all = hangar.instances.iter();
-        all.position(Instance::has_crashed)
-    });
-    if let Some(at) = crashed
-        && !under_cursor(state).is_some_and(Instance::has_crashed)
-    {
-        state.rooms.hangar.cursor = at;
-    }
 }
 
 /// Keeps the cursor on a process when there are fewer.

@@ -1,11 +1,11 @@
 //! Where to begin: missions, free flight, vehicles elsewhere.
 
+use crate::app::State;
 use crate::app::action::Action;
 use crate::app::effect::{Effect, Launch, SessionEffect};
-use crate::app::keymap::{ENTER, Row, does, key};
-use crate::app::state::{Overlay, Prompt, Purpose, State};
-use crate::app::update::act::{guarded, quit};
-use crate::app::update::mission;
+use crate::app::keymap::{ENTER, KeyHint, KeyRow, does, hint, key};
+use crate::app::room::{Room, RoomModel, RoomRequest, hints};
+use crate::app::state::Purpose;
 use crate::campaign::Stake;
 use crate::mission::Listing;
 use crate::text;
@@ -38,17 +38,6 @@ pub enum HomeItem {
     Quit,
 }
 
-/// Its keys.
-pub const KEYS: &[Row] = &[
-    does(ENTER, Action::Submit),
-    does(key('t'), Action::Drill),
-    does(key('d'), Action::Daily),
-    does(key('e'), Action::Exam),
-    does(key('p'), Action::Practise),
-    does(key('u'), Action::Profiles),
-    does(key('q'), Action::Quit),
-];
-
 /// What the home screen offers, from the top.
 pub fn items(state: &State) -> Vec<HomeItem> {
     let mut missions: Vec<usize> = (0..state.missions.len())
@@ -78,34 +67,62 @@ pub fn drill<'a>(state: &'a State, mission: &str) -> Option<&'a Listing> {
 }
 
 /// Flies the drill for a mission.
-pub fn fly_drill(state: &mut State, mission: &str) -> Vec<Effect> {
+pub fn fly_drill(state: &mut State, mission: &str) -> Vec<RoomRequest> {
     let Some(id) = drill(state, mission).map(|drill| drill.id.clone()) else {
         state.say(Severity::Notice, text!("home-no-drill"));
         return Vec::new();
     };
-    mission::start(state, state.launch(&id))
+    vec![RoomRequest::Fly(state.launch(&id))]
 }
 
-/// What its actions do.
-pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
-    match action {
-        Action::Move(step) => {
-            let cursor = state.rooms.home.cursor;
-            state.rooms.home.cursor = step.apply(cursor, items(state).len());
-            // The room of the mission shows another one now.
-            state.rooms.mission.scroll = 0;
-            Some(Vec::new())
-        }
-        Action::Drill | Action::Daily | Action::Exam | Action::Practise => {
-            let id = under_cursor(state).map(|mission| mission.id.clone());
-            Some(id.map_or_else(Vec::new, |id| fly_otherwise(state, action, &id)))
-        }
-        Action::Submit => {
-            let item = items(state).get(state.rooms.home.cursor).copied();
-            Some(item.map_or_else(Vec::new, |item| enter(state, item)))
-        }
-        _ => None,
+const HINTS: &[KeyHint] = &[
+    hints::MOVE,
+    hint(&[Action::Submit], "hint-take"),
+    hints::COMMAND,
+    hints::HELP,
+    hint(&[Action::Profiles], "hint-trainee"),
+    hint(&[Action::Show(Room::Standing)], "room-standing"),
+    hint(&[Action::Show(Room::Workshop)], "room-workshop"),
+    hint(&[Action::Quit], "hint-quit"),
+];
+
+impl RoomModel for Home {
+    const KEYS: &'static [KeyRow] = &[
+        does(ENTER, Action::Submit),
+        does(key('t'), Action::Drill),
+        does(key('d'), Action::Daily),
+        does(key('e'), Action::Exam),
+        does(key('p'), Action::Practise),
+        does(key('u'), Action::Profiles),
+        does(key('q'), Action::Quit),
+    ];
+
+    fn hints(_state: &State) -> &'static [KeyHint] {
+        HINTS
     }
+
+    fn act(state: &mut State, action: Action) -> Option<Vec<RoomRequest>> {
+        match action {
+            Action::Move(step) => {
+                let cursor = state.rooms.home.cursor;
+                state.rooms.home.cursor = step.apply(cursor, items(state).len());
+                // The room of the mission shows another one now.
+                state.rooms.mission.scroll = 0;
+                Some(Vec::new())
+            }
+            Action::Drill | Action::Daily | Action::Exam | Action::Practise => {
+                let id = under_cursor(state).map(|mission| mission.id.clone());
+                Some(id.map_or_else(Vec::new, |id| fly_otherwise(state, action, id)))
+            }
+            Action::Submit => {
+                let item = items(state).get(state.rooms.home.cursor).copied();
+                Some(item.map_or_else(Vec::new, |item| enter(state, item)))
+            }
+            _ => None,
+        }
+    }
+
+    fn forget_session(&mut self) {}
 }
 
 /// The mission under the cursor.
@@ -127,44 +144,39 @@ pub fn point_at(state: &mut State, mission: Option<&str>) {
 }
 
 /// Flies the mission's drill, with the seed of the day, its exam, or for practice.
-fn fly_otherwise(state: &mut State, how: Action, mission: &str) -> Vec<Effect> {
+fn fly_otherwise(state: &mut State, how: Action, mission: String) -> Vec<RoomRequest> {
     match how {
-        Action::Drill => fly_drill(state, mission),
-        Action::Daily => {
-            let launch = Launch {
-                stake: Stake::Daily,
-                ..state.launch(mission)
-            };
-            mission::start(state, launch)
-        }
-        Action::Exam => mission::start_exam(state, mission),
+        Action::Drill => fly_drill(state, &mission),
+        Action::Daily => vec![RoomRequest::Fly(Launch {
+            stake: Stake::Daily,
+            ..state.launch(&mission)
+        })],
+        Action::Exam => vec![RoomRequest::Exam(mission)],
         _ => {
-            if let Some(reason) = state.lock(mission) {
+            if let Some(reason) = state.lock(&mission) {
                 state.say(Severity::Warning, reason);
             } else {
-                let purpose = Purpose::Seed(mission.to_owned());
-                state.overlay = Some(Overlay::Prompt(Prompt::new(purpose)));
+                state.prompt(Purpose::Seed(mission), "");
             }
             Vec::new()
         }
     }
 }
 
-/// Flies a mission for practice with the seed that was entered; without one, the shell chooses it.
+/// A practice flight with the seed that was entered; without one, the shell chooses it.
 ///
 /// # Errors
 /// It is no seed.
-pub fn practise(state: &mut State, mission: &str, entered: &str) -> Result<Vec<Effect>, Text> {
+pub fn practice(state: &State, mission: &str, entered: &str) -> Result<Launch, Text> {
     let seed = match entered.trim() {
         "" => None,
         written => Some(written.parse().map_err(|_| text!("home-seed-none"))?),
     };
-    let launch = Launch {
+    Ok(Launch {
         stake: Stake::Practice,
         seed,
         ..state.launch(mission)
-    };
-    Ok(mission::start(state, launch))
+    })
 }
 
 /// Takes the addresses that were entered. The prompt stays until the session has started, or says there why
@@ -177,37 +189,29 @@ pub fn connect(state: &mut State, entered: &str) -> Result<Vec<Effect>, Text> {
     if addresses.is_empty() {
         return Err(text!("home-connect-empty"));
     }
-    state.overlay = Some(Overlay::Prompt(Prompt {
-        input: entered.into(),
-        ..Prompt::new(Purpose::Connect)
-    }));
+    state.prompt(Purpose::Connect, entered);
     Ok(vec![Effect::Session(SessionEffect::Connect(addresses))])
 }
 
-fn enter(state: &mut State, item: HomeItem) -> Vec<Effect> {
-    match item {
+fn enter(state: &mut State, item: HomeItem) -> Vec<RoomRequest> {
+    let start = |effect| RoomRequest::EndSession {
+        question: text!("ask-start"),
+        effect: Effect::Session(effect),
+    };
+    vec![match item {
         HomeItem::Mission(at) => {
-            let id = state.missions[at].id.clone();
             state.say(Severity::Info, text!("home-starting-mission"));
-            mission::start(state, state.launch(&id))
+            RoomRequest::Fly(state.launch(&state.missions[at].id))
         }
         HomeItem::Free => {
             state.say(Severity::Info, text!("home-starting-simulator"));
-            guarded(
-                state,
-                text!("ask-start"),
-                Effect::Session(SessionEffect::StartFree),
-            )
+            start(SessionEffect::StartFree)
         }
-        HomeItem::ArduPilot => guarded(
-            state,
-            text!("ask-start"),
-            Effect::Session(SessionEffect::StartArduPilot),
-        ),
+        HomeItem::ArduPilot => start(SessionEffect::StartArduPilot),
         HomeItem::Connect => {
-            state.overlay = Some(Overlay::Prompt(Prompt::new(Purpose::Connect)));
-            Vec::new()
+            state.prompt(Purpose::Connect, "");
+            return Vec::new();
         }
-        HomeItem::Quit => quit(state),
-    }
+        HomeItem::Quit => RoomRequest::Quit,
+    }]
 }

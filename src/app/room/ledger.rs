@@ -1,10 +1,10 @@
 //! Every command so far: which of them are shown, and which one is looked at.
 
+use crate::app::State;
 use crate::app::action::Action;
-use crate::app::effect::Effect;
-use crate::app::keymap::{ENTER, Row, does, key};
-use crate::app::room::Room;
-use crate::app::state::{Overlay, Prompt, Purpose, State, parse_ranges, ranges};
+use crate::app::keymap::{ENTER, ESCAPE, KeyHint, KeyRow, does, hint, key};
+use crate::app::room::{Room, RoomModel, RoomRequest, hints};
+use crate::app::state::{Purpose, parse_ranges, ranges};
 use crate::ledger::{Entry, EntryId, RowState};
 use crate::text;
 use crate::text::Text;
@@ -73,15 +73,6 @@ impl Outcome {
     }
 }
 
-/// Its keys.
-pub const KEYS: &[Row] = &[
-    does(key('/'), Action::Filter),
-    does(key('o'), Action::NextOutcome),
-    does(key('v'), Action::OwnVehicles),
-    does(ENTER, Action::Submit),
-    does(crate::app::keymap::ESCAPE, Action::Escape),
-];
-
 impl Ledger {
     /// The commands that fit, oldest first.
     pub fn shown(&self) -> &[EntryId] {
@@ -110,46 +101,75 @@ impl Ledger {
     }
 }
 
-/// What its actions do.
-pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
-    let room = &mut state.rooms.ledger;
-    match action {
-        Action::Filter => {
-            let prompt = Prompt::new(Purpose::Filter(Room::Ledger));
-            state.overlay = Some(Overlay::Prompt(Prompt {
-                input: room.filter.clone().into(),
-                ..prompt
-            }));
-        }
-        Action::NextOutcome => {
-            room.outcome = room.outcome.next();
-            find(state);
-        }
-        Action::OwnVehicles => {
-            let mine = ranges(state.addressed());
-            let is_on = state.rooms.ledger.filter == mine;
-            filter(state, if is_on { "" } else { &mine });
-        }
-        Action::Submit => {
-            room.opened = !room.opened && room.under_cursor().is_some();
-            room.scroll = 0;
-        }
-        Action::Move(step) if room.opened => {
-            let id = room.under_cursor();
-            let entry = id.and_then(|id| state.session.ledger.entry(id));
-            let rows = entry.map_or(0, |entry| entry.rows.len());
-            room.scroll = step.apply(room.scroll, rows);
-        }
-        Action::Move(step) => {
-            let count = room.shown.len();
-            let place = step.apply(room.place(), count);
-            let moved = room.shown.get(place).filter(|_| place + 1 < count);
-            room.cursor = moved.copied();
-        }
-        Action::Escape => escape(state),
-        _ => return None,
+const HINTS: &[KeyHint] = &[
+    hints::COMMAND,
+    hints::HELP,
+    hints::MOVE,
+    hint(&[Action::Submit], "hint-open"),
+    hint(&[Action::Filter], "hint-filter"),
+    hint(&[Action::NextOutcome], "hint-outcome"),
+    hint(&[Action::OwnVehicles], "hint-own"),
+    hints::BACK,
+];
+
+impl RoomModel for Ledger {
+    const KEYS: &'static [KeyRow] = &[
+        does(key('/'), Action::Filter),
+        does(key('o'), Action::NextOutcome),
+        does(key('v'), Action::OwnVehicles),
+        does(ENTER, Action::Submit),
+        does(ESCAPE, Action::Escape),
+    ];
+
+    fn hints(_state: &State) -> &'static [KeyHint] {
+        HINTS
     }
-    Some(Vec::new())
+
+    fn act(state: &mut State, action: Action) -> Option<Vec<RoomRequest>> {
+        let room = &mut state.rooms.ledger;
+        match action {
+            Action::Filter => {
+                let filter = room.filter.clone();
+                state.prompt(Purpose::Filter(Room::Ledger), filter);
+            }
+            Action::NextOutcome => {
+                room.outcome = room.outcome.next();
+                find(state);
+            }
+            Action::OwnVehicles => {
+                let mine = ranges(state.addressed());
+                let is_on = state.rooms.ledger.filter == mine;
+                filter(state, if is_on { "" } else { &mine });
+            }
+            Action::Submit => {
+                room.opened = !room.opened && room.under_cursor().is_some();
+                room.scroll = 0;
+            }
+            Action::Move(step) if room.opened => {
+                let id = room.under_cursor();
+                let entry = id.and_then(|id| state.session.ledger.entry(id));
+                let rows = entry.map_or(0, |entry| entry.rows.len());
+                room.scroll = step.apply(room.scroll, rows);
+            }
+            Action::Move(step) => {
+                let count = room.shown.len();
+                let place = step.apply(room.place(), count);
+                let moved = room.shown.get(place).filter(|_| place + 1 < count);
+                room.cursor = moved.copied();
+            }
+            Action::Escape => escape(state),
+            _ => return None,
+        }
+        Some(Vec::new())
+    }
+
+    fn entered(state: &mut State) {
+        find(state);
+    }
+
+    fn filter(state: &mut State, text: &str) {
+        filter(state, text);
+    }
 }
 
 /// Shows only the commands that fit.
@@ -165,11 +185,6 @@ pub fn tick(state: &mut State) -> bool {
         find(state);
     }
     is_due
-}
-
-/// The room is entered.
-pub fn entered(state: &mut State) {
-    find(state);
 }
 
 fn find(state: &mut State) {

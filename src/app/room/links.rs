@@ -2,10 +2,11 @@
 
 use std::collections::VecDeque;
 
+use crate::app::State;
 use crate::app::action::Action;
-use crate::app::effect::Effect;
-use crate::app::keymap::Row;
-use crate::app::state::{LinkSummary, State};
+use crate::app::keymap::{KeyHint, KeyRow, hint};
+use crate::app::room::{Room, RoomModel, RoomRequest};
+use crate::app::state::LinkSummary;
 
 /// Seconds that the history looks back.
 pub const HISTORY_S: usize = 60;
@@ -28,17 +29,29 @@ pub struct History {
     pub bytes_out: VecDeque<f64>,
 }
 
-/// Its keys: those that move a cursor are enough.
-pub const KEYS: &[Row] = &[];
+const HINTS: &[KeyHint] = &[
+    hint(&[Action::CommandLine], "links-key-command"),
+    hint(&[Action::Help], "links-key-help"),
+    hint(Action::UP_AND_DOWN, "links-key-choose"),
+    hint(&[Action::Show(Room::Messages)], "links-key-messages"),
+    hint(&[Action::Show(Room::Fly)], "links-key-fly"),
+];
 
-/// What its actions do.
-pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
-    let Action::Move(step) = action else {
-        return None;
-    };
-    let cursor = &mut state.rooms.links.cursor;
-    *cursor = step.apply(*cursor, state.session.links.len());
-    Some(Vec::new())
+impl RoomModel for Links {
+    const KEYS: &'static [KeyRow] = &[];
+
+    fn hints(_state: &State) -> &'static [KeyHint] {
+        HINTS
+    }
+
+    fn act(state: &mut State, action: Action) -> Option<Vec<RoomRequest>> {
+        let Action::Move(step) = action else {
+            return None;
+        };
+        let cursor = &mut state.rooms.links.cursor;
+        *cursor = step.apply(*cursor, state.session.links.len());
+        Some(Vec::new())
+    }
 }
 
 impl Links {

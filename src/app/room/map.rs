@@ -12,7 +12,6 @@ mod scene;
 mod trail;
 mod watch;
 
-pub use act::{KEYS, act};
 pub use overview::Overview;
 pub use samples::{SampleField, Samples};
 pub use scene::{Sketch, SketchKind, planned, sketches};

@@ -3,10 +3,13 @@
 use std::collections::BTreeSet;
 use std::time::Duration;
 
+use crossterm::event::KeyCode;
+
+use crate::app::State;
 use crate::app::action::{Action, Step};
-use crate::app::effect::Effect;
-use crate::app::keymap::{ENTER, ESCAPE, Row, does, key};
-use crate::app::state::{Overlay, Prompt, Purpose, Room, State};
+use crate::app::keymap::{ENTER, ESCAPE, KeyHint, KeyRow, Press, does, hint, key};
+use crate::app::room::{Room, RoomModel, RoomRequest};
+use crate::app::state::Purpose;
 use crate::inspector::{
     Census, MessageReading, MessageTally, TallyKey, WatchedMessage, name_of, read,
 };
@@ -14,9 +17,6 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
 use crate::wire::Anatomy;
-use crossterm::event::KeyCode;
-
-use crate::app::keymap::Press;
 
 mod pin;
 mod tree;
@@ -99,49 +99,62 @@ pub enum Sort {
     Age,
 }
 
-/// Its keys.
-pub const KEYS: &[Row] = &[
-    does(key('/'), Action::Filter),
-    does(ENTER, Action::Submit),
-    does(Press::Plain(KeyCode::Right), Action::Expand),
-    does(Press::Plain(KeyCode::Left), Action::Collapse),
-    does(Press::Plain(KeyCode::Tab), Action::OtherSide),
-    does(key('z'), Action::FoldAll),
-    does(key('p'), Action::Pause),
-    does(key('g'), Action::Pin),
-    does(key('x'), Action::Hex),
-    does(key('s'), Action::Sort),
-    does(ESCAPE, Action::Escape),
+const HINTS: &[KeyHint] = &[
+    hint(&[Action::Help], "messages-key-help"),
+    hint(&[Action::Submit], "messages-key-open"),
+    hint(&[Action::OtherSide], "messages-key-fields"),
+    hint(&[Action::Pin], "messages-key-graph"),
+    hint(&[Action::Hex], "messages-key-bytes"),
+    hint(&[Action::Filter], "messages-key-filter"),
+    hint(&[Action::Sort], "messages-key-sort"),
+    hint(&[Action::Pause], "messages-key-pause"),
+    hint(&[Action::FoldAll], "messages-key-fold"),
 ];
 
-/// What its actions do.
-pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
-    let room = &mut state.rooms.messages;
-    match action {
-        Action::Filter => {
-            let filter = room.filter.clone();
-            state.overlay = Some(Overlay::Prompt(Prompt {
-                input: filter.into(),
-                ..Prompt::new(Purpose::Filter(Room::Messages))
-            }));
-        }
-        Action::Pin => {
-            if let Err(reason) = room.pin() {
-                state.say(Severity::Notice, reason);
-            }
-        }
-        Action::Escape if room.field.is_none() => {
-            room.filter.clear();
-            state.hush();
-        }
-        _ => return room.act(action).then(Vec::new),
-    }
-    Some(Vec::new())
-}
+impl RoomModel for Messages {
+    const KEYS: &'static [KeyRow] = &[
+        does(key('/'), Action::Filter),
+        does(ENTER, Action::Submit),
+        does(Press::Plain(KeyCode::Right), Action::Expand),
+        does(Press::Plain(KeyCode::Left), Action::Collapse),
+        does(Press::Plain(KeyCode::Tab), Action::OtherSide),
+        does(key('z'), Action::FoldAll),
+        does(key('p'), Action::Pause),
+        does(key('g'), Action::Pin),
+        does(key('x'), Action::Hex),
+        does(key('s'), Action::Sort),
+        does(ESCAPE, Action::Escape),
+    ];
 
-/// Takes the filter that is being written.
-pub fn filter(state: &mut State, entered: &str) {
-    entered.trim().clone_into(&mut state.rooms.messages.filter);
+    fn hints(_state: &State) -> &'static [KeyHint] {
+        HINTS
+    }
+
+    fn act(state: &mut State, action: Action) -> Option<Vec<RoomRequest>> {
+        let choose = text!("messages-choose-field", key = state.key(Action::OtherSide));
+        let room = &mut state.rooms.messages;
+        match action {
+            Action::Filter => {
+                let filter = room.filter.clone();
+                state.prompt(Purpose::Filter(Room::Messages), filter);
+            }
+            Action::Pin => {
+                if let Err(reason) = room.pin(&choose) {
+                    state.say(Severity::Notice, reason);
+                }
+            }
+            Action::Escape if room.field.is_none() => {
+                room.filter.clear();
+                state.hush();
+            }
+            _ => return room.act(action).then(Vec::new),
+        }
+        Some(Vec::new())
+    }
+
+    fn filter(state: &mut State, text: &str) {
+        text.trim().clone_into(&mut state.rooms.messages.filter);
+    }
 }
 
 /// What the room wants to see now; `None` is nothing.
@@ -325,10 +338,9 @@ impl Messages {
     }
 
     /// Draws the field under the cursor as a graph from now on, or no longer.
-    fn pin(&mut self) -> Result<(), Text> {
-        let choose = || text!("messages-choose-field");
+    fn pin(&mut self, choose: &Text) -> Result<(), Text> {
         let (Some(field), Some(selected)) = (self.field, self.selected()) else {
-            return Err(choose());
+            return Err(choose.clone());
         };
         let Selected { link, key, now, .. } = selected;
         let is_it = |pin: &Pin| (pin.link, pin.key, pin.field) == (link, key, field);
@@ -340,7 +352,7 @@ impl Messages {
         let value = reading
             .as_ref()
             .and_then(|reading| reading.values.get(field));
-        let value = value.ok_or_else(choose)?;
+        let value = value.ok_or_else(|| choose.clone())?;
         if value.text.is_some() {
             return Err(text!("messages-no-number", field = value.name));
         }

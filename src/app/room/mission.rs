@@ -1,13 +1,11 @@
 //! The mission's brief, objectives and rules: of the one that is flown, else of the one that the home screen
 //! has under its cursor.
 
+use crate::app::State;
 use crate::app::action::Action;
-use crate::app::effect::Effect;
-use crate::app::keymap::{ENTER, ESCAPE, Row, does, key, writes};
-use crate::app::room::Room;
+use crate::app::keymap::{ENTER, ESCAPE, KeyHint, KeyRow, does, hint, key, writes};
 use crate::app::room::home;
-use crate::app::state::State;
-use crate::app::update::act::show;
+use crate::app::room::{Room, RoomModel, RoomRequest, hints};
 use crate::mission::{Listing, Progress};
 use crate::text::Text;
 
@@ -35,18 +33,6 @@ impl Mission {
     }
 }
 
-/// Its keys.
-pub const KEYS: &[Row] = &[
-    does(ENTER, Action::Submit),
-    does(ESCAPE, Action::Escape),
-    writes('s', "predict "),
-    writes('g', "goal "),
-    writes('w', "hint"),
-    writes('e', "inject "),
-    does(key('r'), Action::Again),
-    does(key('a'), Action::Abandon),
-];
-
 /// The mission that is shown.
 pub fn shown(state: &State) -> Option<&Listing> {
     if state.session.activity.is_some() {
@@ -55,28 +41,70 @@ pub fn shown(state: &State) -> Option<&Listing> {
     home::under_cursor(state)
 }
 
-/// What its actions do.
-pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
-    match action {
-        Action::Move(step) => {
-            let (width, height) = state.size;
-            let pages = columns(state, &state.locale, width);
-            let lines = pages.iter().map(Vec::len).max().unwrap_or(0);
-            let positions = positions(lines, height.saturating_sub(2));
-            let scroll = &mut state.rooms.mission.scroll;
-            *scroll = step.apply((*scroll).min(positions - 1), positions);
-            Some(Vec::new())
+const BRIEF_HINTS: &[KeyHint] = &[
+    hints::COMMAND,
+    hints::HELP,
+    hints::SCROLL,
+    hint(&[Action::Submit], "hint-fly"),
+    hint(&[Action::Show(Room::Workshop)], "room-workshop"),
+    hints::BACK,
+];
+
+const FLIGHT_HINTS: &[KeyHint] = &[
+    hints::COMMAND,
+    hints::HELP,
+    hints::SCROLL,
+    hints::PREDICT,
+    hints::GOAL,
+    hints::MISSION_HINT,
+    hints::PAUSE,
+    hint(&[Action::Again], "hint-again"),
+    hint(&[Action::Abandon], "hint-abandon"),
+    hint(&[Action::Show(Room::Fly)], "room-fly"),
+    hint(&[Action::Show(Room::Map)], "room-map"),
+];
+
+impl RoomModel for Mission {
+    const KEYS: &'static [KeyRow] = &[
+        does(ENTER, Action::Submit),
+        does(ESCAPE, Action::Escape),
+        writes('s', "predict "),
+        writes('g', "goal "),
+        writes('w', "hint"),
+        writes('e', "inject "),
+        does(key('r'), Action::Again),
+        does(key('a'), Action::Abandon),
+    ];
+
+    fn hints(state: &State) -> &'static [KeyHint] {
+        match state.session.activity {
+            Some(_) => FLIGHT_HINTS,
+            None => BRIEF_HINTS,
         }
-        Action::Submit if state.session.activity.is_none() => {
-            shown(state)?;
-            home::act(state, action)
+    }
+
+    fn act(state: &mut State, action: Action) -> Option<Vec<RoomRequest>> {
+        match action {
+            Action::Move(step) => {
+                let (width, height) = state.size;
+                let pages = columns(state, &state.locale, width);
+                let lines = pages.iter().map(Vec::len).max().unwrap_or(0);
+                let positions = positions(lines, height.saturating_sub(2));
+                let scroll = &mut state.rooms.mission.scroll;
+                *scroll = step.apply((*scroll).min(positions - 1), positions);
+                Some(Vec::new())
+            }
+            Action::Submit if state.session.activity.is_none() => {
+                shown(state)?;
+                home::Home::act(state, action)
+            }
+            Action::Escape | Action::Submit => {
+                let flying = state.session.activity.is_some();
+                let room = if flying { Room::Fly } else { Room::Home };
+                Some(vec![RoomRequest::Show(room)])
+            }
+            _ => None,
         }
-        Action::Escape | Action::Submit => {
-            let flying = state.session.activity.is_some();
-            show(state, if flying { Room::Fly } else { Room::Home });
-            Some(Vec::new())
-        }
-        _ => None,
     }
 }
 

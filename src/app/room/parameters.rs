@@ -8,17 +8,15 @@ use std::time::Duration;
 
 use crossterm::event::KeyCode;
 
+use crate::app::State;
 use crate::app::action::{Action, Step};
-use crate::app::console::ParamsDeed;
-use crate::app::effect::Effect;
-use crate::app::keymap::{ENTER, ESCAPE, Press, Row as Key, does, key};
-use crate::app::room::{Room, fly};
-use crate::app::state::{Overlay, Prompt, Purpose, State};
-use crate::app::update::act::show;
+use crate::app::keymap::{ENTER, ESCAPE, KeyHint, KeyRow, Press, does, hint, key};
+use crate::app::room::fly;
+use crate::app::room::{Room, RoomModel, RoomRequest};
+use crate::app::state::Purpose;
 use crate::ledger::EntryId;
 use crate::parameters::{ListedParameter, ParameterSnapshot, shown};
 use crate::text;
-use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 
 mod batch;
@@ -28,10 +26,10 @@ mod edit;
 mod files;
 mod rows;
 
-pub use batch::{Batch, Setting, advance, begin};
+pub use batch::Batch;
 pub use compare::{Comparison, Other};
 pub use demand::wanted;
-pub use edit::{Edit, entered, note_order, tell};
+pub use edit::{Edit, entered, note_order, setting_line, tell};
 pub use files::{load, read, save};
 pub use rows::{Row, coming, extra, rows};
 
@@ -58,26 +56,6 @@ pub struct Parameters {
     asked: BTreeMap<VehicleId, Duration>,
 }
 
-/// Its keys.
-pub const KEYS: &[Key] = &[
-    does(ENTER, Action::Submit),
-    does(key('/'), Action::Filter),
-    does(key('o'), Action::ChangedParameters),
-    does(key('s'), Action::SaveParameters),
-    does(key('l'), Action::LoadParameters),
-    does(key('d'), Action::CompareParameters),
-    does(key(' '), Action::Toggle),
-    does(key('*'), Action::SelectAll),
-    does(key('!'), Action::Invert),
-    does(key('a'), Action::ApplyParameters),
-    does(key('r'), Action::FetchParameters),
-    does(Press::Plain(KeyCode::Left), Action::PreviousVehicle),
-    does(key('['), Action::PreviousVehicle),
-    does(Press::Plain(KeyCode::Right), Action::NextVehicle),
-    does(key(']'), Action::NextVehicle),
-    does(ESCAPE, Action::Escape),
-];
-
 impl Parameters {
     /// A parameter of a vehicle, if it is known.
     pub fn get(&self, vehicle: VehicleId, name: &str) -> Option<&ListedParameter> {
@@ -90,57 +68,100 @@ impl Parameters {
     }
 }
 
-/// What its actions do.
-pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
-    match action {
-        Action::Move(step) => {
-            let rows = rows(state);
-            let at = step.apply(cursor_row(state, &rows), rows.len());
-            if let Some(name) = rows.get(at).map(|row| row.name.to_owned()) {
-                state.rooms.parameters.cursor = name;
-            }
-        }
-        Action::Submit => edit_under_cursor(state),
-        Action::Filter => {
-            let filter = state.rooms.parameters.filter.clone();
-            ask(state, Purpose::Filter(Room::Parameters), filter);
-        }
-        Action::ChangedParameters => {
-            let room = &mut state.rooms.parameters;
-            match &mut room.comparison {
-                Some(comparison) => comparison.lists_extra = !comparison.lists_extra,
-                None => room.changed_only = !room.changed_only,
-            }
-        }
-        Action::SaveParameters => {
-            let name = state.session.cursor.map(|id| format!("vehicle-{id}.parm"));
-            ask(state, Purpose::SaveParameters, name.unwrap_or_default());
-        }
-        Action::LoadParameters => ask(state, Purpose::LoadParameters, String::new()),
-        Action::CompareParameters => ask(state, Purpose::CompareParameters, String::new()),
-        Action::Toggle | Action::SelectAll | Action::Invert => compare::mark(state, action),
-        Action::ApplyParameters => compare::apply(state),
-        Action::FetchParameters => fetch(state),
-        Action::NextVehicle | Action::PreviousVehicle => change_vehicle(state, action),
-        Action::Escape => return close(state).then(Vec::new),
-        _ => return None,
-    }
-    Some(Vec::new())
-}
+const HINTS: &[KeyHint] = &[
+    hint(&[Action::Submit], "parameters-hint-set"),
+    hint(&[Action::Filter], "parameters-hint-search"),
+    hint(&[Action::ChangedParameters], "parameters-hint-changed"),
+    hint(&[Action::SaveParameters], "parameters-hint-save"),
+    hint(&[Action::LoadParameters], "parameters-hint-load"),
+    hint(&[Action::CompareParameters], "parameters-hint-compare"),
+    hint(
+        &[Action::PreviousVehicle, Action::NextVehicle],
+        "parameters-hint-vehicle",
+    ),
+    hint(&[Action::Help], "parameters-hint-help"),
+];
 
-/// What a line of the console's own does with parameters.
-///
-/// # Errors
-/// Why it cannot.
-pub fn line(state: &mut State, deed: ParamsDeed) -> Result<Vec<Effect>, Text> {
-    match deed {
-        ParamsDeed::Save(path) => return save(state, &path),
-        ParamsDeed::Compare(other) => return load(state, &other),
-        ParamsDeed::Fetch => fetch(state),
-        ParamsDeed::Show => {}
+const COMPARISON_HINTS: &[KeyHint] = &[
+    hint(&[Action::Toggle], "parameters-hint-mark"),
+    hint(
+        &[Action::SelectAll, Action::Invert],
+        "parameters-hint-mark-all",
+    ),
+    hint(&[Action::ApplyParameters], "parameters-hint-apply"),
+    hint(&[Action::ChangedParameters], "parameters-hint-extra"),
+    hint(&[Action::Filter], "parameters-hint-search"),
+    hint(&[Action::Escape], "parameters-hint-close"),
+    hint(&[Action::Help], "parameters-hint-help"),
+];
+
+impl RoomModel for Parameters {
+    const KEYS: &'static [KeyRow] = &[
+        does(ENTER, Action::Submit),
+        does(key('/'), Action::Filter),
+        does(key('o'), Action::ChangedParameters),
+        does(key('s'), Action::SaveParameters),
+        does(key('l'), Action::LoadParameters),
+        does(key('d'), Action::CompareParameters),
+        does(key(' '), Action::Toggle),
+        does(key('*'), Action::SelectAll),
+        does(key('!'), Action::Invert),
+        does(key('a'), Action::ApplyParameters),
+        does(key('r'), Action::FetchParameters),
+        does(Press::Plain(KeyCode::Left), Action::PreviousVehicle),
+        does(key('['), Action::PreviousVehicle),
+        does(Press::Plain(KeyCode::Right), Action::NextVehicle),
+        does(key(']'), Action::NextVehicle),
+        does(ESCAPE, Action::Escape),
+    ];
+
+    fn hints(state: &State) -> &'static [KeyHint] {
+        match state.rooms.parameters.comparison {
+            Some(_) => COMPARISON_HINTS,
+            None => HINTS,
+        }
     }
-    show(state, Room::Parameters);
-    Ok(Vec::new())
+
+    fn act(state: &mut State, action: Action) -> Option<Vec<RoomRequest>> {
+        match action {
+            Action::Move(step) => {
+                let rows = rows(state);
+                let at = step.apply(cursor_row(state, &rows), rows.len());
+                if let Some(name) = rows.get(at).map(|row| row.name.to_owned()) {
+                    state.rooms.parameters.cursor = name;
+                }
+            }
+            Action::Submit => edit_under_cursor(state),
+            Action::Filter => {
+                let filter = state.rooms.parameters.filter.clone();
+                state.prompt(Purpose::Filter(Room::Parameters), filter);
+            }
+            Action::ChangedParameters => {
+                let room = &mut state.rooms.parameters;
+                match &mut room.comparison {
+                    Some(comparison) => comparison.lists_extra = !comparison.lists_extra,
+                    None => room.changed_only = !room.changed_only,
+                }
+            }
+            Action::SaveParameters => {
+                let name = state.session.cursor.map(|id| format!("vehicle-{id}.parm"));
+                state.prompt(Purpose::SaveParameters, name.unwrap_or_default());
+            }
+            Action::LoadParameters => state.prompt(Purpose::LoadParameters, ""),
+            Action::CompareParameters => state.prompt(Purpose::CompareParameters, ""),
+            Action::Toggle | Action::SelectAll | Action::Invert => compare::mark(state, action),
+            Action::ApplyParameters => compare::apply(state),
+            Action::FetchParameters => fetch(state),
+            Action::NextVehicle | Action::PreviousVehicle => change_vehicle(state, action),
+            Action::Escape => return close(state).then(Vec::new),
+            _ => return None,
+        }
+        Some(Vec::new())
+    }
+
+    fn filter(state: &mut State, text: &str) {
+        text.clone_into(&mut state.rooms.parameters.filter);
+    }
 }
 
 /// The row under the cursor.
@@ -177,13 +198,6 @@ pub fn outcome(state: &State, entry: EntryId, vehicle: VehicleId) -> Option<&cra
     entry.rows.iter().find(|row| row.vehicle == vehicle)
 }
 
-pub(super) fn ask(state: &mut State, purpose: Purpose, entered: String) {
-    state.overlay = Some(Overlay::Prompt(Prompt {
-        input: entered.into(),
-        ..Prompt::new(purpose)
-    }));
-}
-
 fn edit_under_cursor(state: &mut State) {
     let rows = rows(state);
     let Some(row) = rows.get(cursor_row(state, &rows)) else {
@@ -193,7 +207,7 @@ fn edit_under_cursor(state: &mut State) {
     let value = row.other().or(row.now.map(|now| now.value));
     let (name, value) = (row.name.to_owned(), value.map_or_else(String::new, shown));
     let vehicles = state.addressed();
-    ask(state, Purpose::Parameter { name, vehicles }, value);
+    state.prompt(Purpose::Parameter { name, vehicles }, value);
 }
 
 fn change_vehicle(state: &mut State, action: Action) {

@@ -2,12 +2,13 @@
 
 use crossterm::event::KeyCode;
 
+use crate::app::State;
 use crate::app::action::{Action, Step};
 use crate::app::effect::{CareerEffect, Effect};
-use crate::app::keymap::{ENTER, ESCAPE, Press, Row, does, key};
-use crate::app::room::{Room, home};
-use crate::app::state::{Career, State};
-use crate::app::update::act::show;
+use crate::app::keymap::{ENTER, ESCAPE, KeyHint, KeyRow, Press, does, hint, key};
+use crate::app::room::home;
+use crate::app::room::{Room, RoomModel, RoomRequest, hints};
+use crate::app::state::Career;
 use crate::campaign::{Offer, Skill};
 use crate::text;
 use crate::vehicle::Severity;
@@ -48,15 +49,6 @@ impl Pane {
     }
 }
 
-/// Its keys.
-pub const KEYS: &[Row] = &[
-    does(ENTER, Action::Submit),
-    does(ESCAPE, Action::Escape),
-    does(Press::Plain(KeyCode::Tab), Action::NextPage),
-    does(key('a'), Action::Aids),
-    does(key('u'), Action::Profiles),
-];
-
 /// Whether a screen of this size shows all panes.
 pub fn shows_all((width, height): (u16, u16)) -> bool {
     width >= WIDE.0 && height >= WIDE.1
@@ -70,20 +62,46 @@ pub fn flown(career: &Career) -> Vec<&Offer> {
         .collect()
 }
 
-/// What its actions do.
-pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
-    match action {
-        Action::Move(step) => walk(state, step),
-        Action::NextPage => {
-            let pane = &mut state.rooms.standing.pane;
-            *pane = pane.next();
-        }
-        Action::Aids => return Some(change_aids(state)),
-        Action::Submit => to_mission(state),
-        Action::Escape => show(state, Room::Home),
-        _ => return None,
+const HINTS: &[KeyHint] = &[
+    hints::MOVE,
+    hint(&[Action::NextPage], "hint-page"),
+    hint(&[Action::Submit], "hint-mission"),
+    hint(&[Action::Aids], "hint-aids"),
+    hint(&[Action::Profiles], "hint-trainee"),
+    hints::BACK,
+    hints::COMMAND,
+    hints::HELP,
+];
+
+impl RoomModel for Standing {
+    const KEYS: &'static [KeyRow] = &[
+        does(ENTER, Action::Submit),
+        does(ESCAPE, Action::Escape),
+        does(Press::Plain(KeyCode::Tab), Action::NextPage),
+        does(key('a'), Action::Aids),
+        does(key('u'), Action::Profiles),
+    ];
+
+    fn hints(_state: &State) -> &'static [KeyHint] {
+        HINTS
     }
-    Some(Vec::new())
+
+    fn act(state: &mut State, action: Action) -> Option<Vec<RoomRequest>> {
+        match action {
+            Action::Move(step) => walk(state, step),
+            Action::NextPage => {
+                let pane = &mut state.rooms.standing.pane;
+                *pane = pane.next();
+            }
+            Action::Aids => return Some(change_aids(state)),
+            Action::Submit => return Some(to_mission(state)),
+            Action::Escape => return Some(vec![RoomRequest::Show(Room::Home)]),
+            _ => return None,
+        }
+        Some(Vec::new())
+    }
+
+    fn forget_session(&mut self) {}
 }
 
 fn walk(state: &mut State, step: Step) {
@@ -97,26 +115,27 @@ fn walk(state: &mut State, step: Step) {
 }
 
 /// The next level of advice; it holds from now on, also for the flight under way.
-fn change_aids(state: &mut State) -> Vec<Effect> {
+fn change_aids(state: &mut State) -> Vec<RoomRequest> {
     let Some(career) = &state.career else {
-        state.say(Severity::Notice, text!("standing-nobody-yet"));
+        let key = state.key(Action::Profiles);
+        state.say(Severity::Notice, text!("standing-nobody-yet", key = key));
         return Vec::new();
     };
     let aids = career.aids.next();
     state.say(Severity::Notice, aids.explained());
-    vec![Effect::Career(CareerEffect::SetAids(aids))]
+    vec![Effect::Career(CareerEffect::SetAids(aids)).into()]
 }
 
 /// Shows the mission under the cursor on the home screen, from where it can be flown.
-fn to_mission(state: &mut State) {
+fn to_mission(state: &mut State) -> Vec<RoomRequest> {
     let room = &state.rooms.standing;
     let Some(career) = state.career.as_ref().filter(|_| room.pane == Pane::Scores) else {
-        return;
+        return Vec::new();
     };
     let Some(offer) = flown(career).get(room.mission).copied() else {
-        return;
+        return Vec::new();
     };
     let mission = offer.drill_of.clone().unwrap_or_else(|| offer.id.clone());
     home::point_at(state, Some(&mission));
-    show(state, Room::Home);
+    vec![RoomRequest::Show(Room::Home)]
 }

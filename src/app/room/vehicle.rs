@@ -2,11 +2,12 @@
 
 use crossterm::event::KeyCode;
 
+use crate::app::State;
 use crate::app::action::{Action, Step};
-use crate::app::effect::Effect;
-use crate::app::keymap::{Press, Row, does, key};
+use crate::app::keymap::{KeyHint, KeyRow, Press, does, hint, key};
 use crate::app::room::fly;
-use crate::app::state::{State, Window};
+use crate::app::room::{Room, RoomModel, RoomRequest, hints};
+use crate::app::state::Window;
 
 /// What the room remembers.
 #[derive(Debug, Clone, Default)]
@@ -17,23 +18,42 @@ pub struct Vehicle {
     pub page: usize,
 }
 
-/// Its keys.
-pub const KEYS: &[Row] = &[
-    does(key('['), Action::PreviousVehicle),
-    does(key(']'), Action::NextVehicle),
-    does(key('w'), Action::Window),
-    does(Press::Plain(KeyCode::Tab), Action::NextPage),
+const HINTS: &[KeyHint] = &[
+    hints::COMMAND,
+    hints::HELP,
+    hint(
+        &[Action::PreviousVehicle, Action::NextVehicle],
+        "hint-vehicle",
+    ),
+    hint(&[Action::Window], "hint-window"),
+    hint(&[Action::NextPage], "hint-page"),
+    hint(&[Action::Toggle], "hint-select"),
+    hint(&[Action::Show(Room::Parameters)], "room-parameters"),
+    hint(&[Action::Show(Room::Map)], "room-map"),
+    hint(&[Action::Show(Room::Fly)], "room-fly"),
 ];
 
-/// What its actions do.
-pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
-    let room = &mut state.rooms.vehicle;
-    match action {
-        Action::NextVehicle => fly::move_cursor(state, Step::Down),
-        Action::PreviousVehicle => fly::move_cursor(state, Step::Up),
-        Action::Window => room.window = room.window.next(),
-        Action::NextPage => room.page = room.page.wrapping_add(1),
-        _ => return None,
+impl RoomModel for Vehicle {
+    const KEYS: &'static [KeyRow] = &[
+        does(key('['), Action::PreviousVehicle),
+        does(key(']'), Action::NextVehicle),
+        does(key('w'), Action::Window),
+        does(Press::Plain(KeyCode::Tab), Action::NextPage),
+    ];
+
+    fn hints(_state: &State) -> &'static [KeyHint] {
+        HINTS
     }
-    Some(Vec::new())
+
+    fn act(state: &mut State, action: Action) -> Option<Vec<RoomRequest>> {
+        let room = &mut state.rooms.vehicle;
+        match action {
+            Action::NextVehicle => fly::move_cursor(state, Step::Down),
+            Action::PreviousVehicle => fly::move_cursor(state, Step::Up),
+            Action::Window => room.window = room.window.next(),
+            Action::NextPage => room.page = room.page.wrapping_add(1),
+            _ => return None,
+        }
+        Some(Vec::new())
+    }
 }

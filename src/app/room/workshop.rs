@@ -7,13 +7,11 @@
 
 use crossterm::event::KeyCode;
 
+use crate::app::State;
 use crate::app::action::{Action, Step};
-use crate::app::effect::Effect;
-use crate::app::keymap::{ENTER, ESCAPE, Press, Row, does, key};
-use crate::app::room::Room;
+use crate::app::keymap::{ENTER, ESCAPE, KeyHint, KeyRow, Press, does, hint, key};
 use crate::app::room::home::{self, HomeItem};
-use crate::app::state::State;
-use crate::app::update::act::show;
+use crate::app::room::{Room, RoomModel, RoomRequest, hints};
 use crate::campaign::STARTER_PARTS;
 use crate::mission::Listing;
 use crate::text;
@@ -108,34 +106,6 @@ impl View {
     }
 }
 
-/// Its keys.
-pub const KEYS: &[Row] = &[
-    does(ENTER, Action::Submit),
-    does(ESCAPE, Action::Escape),
-    does(Press::Plain(KeyCode::Tab), Action::OtherPane),
-    does(Press::Plain(KeyCode::Right), Action::OtherPane),
-    does(Press::Plain(KeyCode::Left), Action::OtherPane),
-    does(key('x'), Action::TakeOut),
-    does(Press::Plain(KeyCode::Delete), Action::TakeOut),
-    does(key('b'), Action::BuyPart),
-    does(key('u'), Action::Undo),
-    does(Press::Control('r'), Action::Redo),
-    does(key('n'), Action::NewDesign),
-    does(key('s'), Action::SaveDesign),
-    does(key('o'), Action::Designs),
-    does(key('d'), Action::CompareDesign),
-    does(key('y'), Action::CopyDesign),
-    does(key('r'), Action::RenameDesign),
-    does(key('e'), Action::ExportDesign),
-    does(key('i'), Action::ImportDesign),
-    does(key('v'), Action::NextView),
-    does(key('['), Action::MissionBefore),
-    does(key(']'), Action::MissionAfter),
-    does(key('f'), Action::Seats),
-    does(key('*'), Action::AllSeats),
-    does(key('g'), Action::FlyFleet),
-];
-
 /// The air that figures are stated for.
 pub fn air() -> Air {
     Air::default()
@@ -146,42 +116,133 @@ pub fn mission(state: &State) -> Option<&Listing> {
     super::mission::shown(state)
 }
 
-/// The room is entered: there is always something to work on.
-pub fn entered(state: &mut State) {
-    if state.rooms.workshop.bench.is_untouched() {
-        let own = state.career.as_ref().and_then(|it| it.designs.first());
-        let is_simple = |design: &&Design| {
-            let mut parts = design.pieces();
-            parts.all(|(part, _)| STARTER_PARTS.contains(&part.id))
-        };
-        let first = own.or_else(|| state.stock.iter().find(is_simple));
-        if let Some(design) = first.cloned() {
-            let origin = own.map(|own| own.name.clone());
-            state.rooms.workshop.bench.open(design, origin, air());
-            return;
+const BENCH_HINTS: &[KeyHint] = &[
+    hint(&[Action::OtherPane], "bench-hint-lists"),
+    hint(&[Action::Submit], "bench-hint-put-in"),
+    hint(&[Action::TakeOut], "bench-hint-take-out"),
+    hint(&[Action::Undo], "bench-hint-undo"),
+    hint(&[Action::SaveDesign], "bench-hint-save"),
+    hint(&[Action::Designs], "bench-hint-designs"),
+    hint(&[Action::NextView], "bench-hint-view"),
+    hint(&[Action::Seats], "bench-hint-fleet"),
+    hints::HELP,
+    hint(&[Action::BuyPart], "bench-hint-buy"),
+    hint(&[Action::CompareDesign], "bench-hint-compare"),
+    hint(&[Action::NewDesign], "bench-hint-new"),
+    hint(
+        &[Action::MissionBefore, Action::MissionAfter],
+        "bench-hint-mission",
+    ),
+    hint(
+        &[Action::ExportDesign, Action::ImportDesign],
+        "bench-hint-files",
+    ),
+];
+
+const SHELF_HINTS: &[KeyHint] = &[
+    hint(&[Action::Submit], "bench-hint-open"),
+    hint(&[Action::CompareDesign], "bench-hint-compare"),
+    hint(&[Action::CopyDesign], "bench-hint-copy"),
+    hint(&[Action::RenameDesign], "bench-hint-rename"),
+    hint(&[Action::TakeOut], "bench-hint-delete"),
+    hints::BACK,
+    hints::HELP,
+];
+
+const COMPARISON_HINTS: &[KeyHint] = &[
+    hints::SCROLL,
+    hint(&[Action::Designs], "bench-hint-other"),
+    hints::BACK,
+    hints::HELP,
+];
+
+const FLEET_HINTS: &[KeyHint] = &[
+    hint(&[Action::Submit], "bench-hint-assign"),
+    hint(&[Action::AllSeats], "bench-hint-all"),
+    hint(&[Action::TakeOut], "bench-hint-lend"),
+    hint(&[Action::FlyFleet], "bench-hint-fly"),
+    hint(
+        &[Action::MissionBefore, Action::MissionAfter],
+        "bench-hint-mission",
+    ),
+    hints::BACK,
+    hints::HELP,
+];
+
+impl RoomModel for Workshop {
+    const KEYS: &'static [KeyRow] = &[
+        does(ENTER, Action::Submit),
+        does(ESCAPE, Action::Escape),
+        does(Press::Plain(KeyCode::Tab), Action::OtherPane),
+        does(Press::Plain(KeyCode::Right), Action::OtherPane),
+        does(Press::Plain(KeyCode::Left), Action::OtherPane),
+        does(key('x'), Action::TakeOut),
+        does(Press::Plain(KeyCode::Delete), Action::TakeOut),
+        does(key('b'), Action::BuyPart),
+        does(key('u'), Action::Undo),
+        does(Press::Control('r'), Action::Redo),
+        does(key('n'), Action::NewDesign),
+        does(key('s'), Action::SaveDesign),
+        does(key('o'), Action::Designs),
+        does(key('d'), Action::CompareDesign),
+        does(key('y'), Action::CopyDesign),
+        does(key('r'), Action::RenameDesign),
+        does(key('e'), Action::ExportDesign),
+        does(key('i'), Action::ImportDesign),
+        does(key('v'), Action::NextView),
+        does(key('['), Action::MissionBefore),
+        does(key(']'), Action::MissionAfter),
+        does(key('f'), Action::Seats),
+        does(key('*'), Action::AllSeats),
+        does(key('g'), Action::FlyFleet),
+    ];
+
+    fn hints(state: &State) -> &'static [KeyHint] {
+        match state.rooms.workshop.page {
+            Page::Bench => BENCH_HINTS,
+            Page::Designs => SHELF_HINTS,
+            Page::Compare => COMPARISON_HINTS,
+            Page::Fleet => FLEET_HINTS,
         }
     }
-    state.rooms.workshop.bench.renew(air());
-}
 
-/// What its actions do.
-pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
-    let page = state.rooms.workshop.page;
-    let own = match page {
-        Page::Bench => on_bench(state, action),
-        Page::Designs => shelf::act(state, action),
-        Page::Compare => on_comparison(state, action),
-        Page::Fleet => fleet::act(state, action),
-    };
-    own.or_else(|| anywhere(state, action))
+    fn act(state: &mut State, action: Action) -> Option<Vec<RoomRequest>> {
+        let page = state.rooms.workshop.page;
+        let own = match page {
+            Page::Bench => on_bench(state, action),
+            Page::Designs => shelf::act(state, action),
+            Page::Compare => on_comparison(state, action),
+            Page::Fleet => fleet::act(state, action),
+        };
+        own.or_else(|| anywhere(state, action))
+    }
+
+    fn entered(state: &mut State) {
+        if state.rooms.workshop.bench.is_untouched() {
+            let own = state.career.as_ref().and_then(|it| it.designs.first());
+            let is_simple = |design: &&Design| {
+                let mut parts = design.pieces();
+                parts.all(|(part, _)| STARTER_PARTS.contains(&part.id))
+            };
+            let first = own.or_else(|| state.stock.iter().find(is_simple));
+            if let Some(design) = first.cloned() {
+                let origin = own.map(|own| own.name.clone());
+                state.rooms.workshop.bench.open(design, origin, air());
+                return;
+            }
+        }
+        state.rooms.workshop.bench.renew(air());
+    }
+
+    fn forget_session(&mut self) {}
 }
 
 /// What actions do on every page that gives them no meaning of its own.
-fn anywhere(state: &mut State, action: Action) -> Option<Vec<Effect>> {
+fn anywhere(state: &mut State, action: Action) -> Option<Vec<RoomRequest>> {
     match action {
         Action::Designs => turn(state, Page::Designs),
         Action::Seats => turn(state, Page::Fleet),
-        Action::NewDesign => return Some(shelf::begin(state)),
+        Action::NewDesign => shelf::begin(state),
         Action::SaveDesign => files::ask_save(state),
         Action::ExportDesign => files::ask_export(state),
         Action::ImportDesign => files::ask_import(state),
@@ -189,7 +250,7 @@ fn anywhere(state: &mut State, action: Action) -> Option<Vec<Effect>> {
         Action::MissionBefore => other_mission(state, Step::Up),
         Action::MissionAfter => other_mission(state, Step::Down),
         Action::FlyFleet => return Some(fleet::fly(state)),
-        Action::Escape => escape(state),
+        Action::Escape => return Some(escape(state)),
         // What another page knows.
         Action::OtherPane
         | Action::TakeOut
@@ -211,7 +272,7 @@ fn turn(state: &mut State, page: Page) {
     room.page = if room.page == page { Page::Bench } else { page };
 }
 
-fn on_bench(state: &mut State, action: Action) -> Option<Vec<Effect>> {
+fn on_bench(state: &mut State, action: Action) -> Option<Vec<RoomRequest>> {
     let room = &mut state.rooms.workshop;
     match (action, room.pane) {
         (Action::Move(step), Pane::Slots) => room.bench.move_row(step, air()),
@@ -220,7 +281,7 @@ fn on_bench(state: &mut State, action: Action) -> Option<Vec<Effect>> {
         (Action::OtherPane | Action::Escape, Pane::Parts) => room.pane = Pane::Slots,
         (Action::Submit, Pane::Parts) => put_in(state),
         (Action::TakeOut, _) => take_out(state),
-        (Action::BuyPart, _) => return Some(licence::buy(state)),
+        (Action::BuyPart, _) => licence::buy(state),
         (Action::Undo, _) if room.bench.undo(air()) => {}
         (Action::Redo, _) if room.bench.redo(air()) => {}
         (Action::Undo, _) => state.say(Severity::Notice, text!("bench-nothing-to-undo")),
@@ -233,7 +294,7 @@ fn on_bench(state: &mut State, action: Action) -> Option<Vec<Effect>> {
     Some(Vec::new())
 }
 
-fn on_comparison(state: &mut State, action: Action) -> Option<Vec<Effect>> {
+fn on_comparison(state: &mut State, action: Action) -> Option<Vec<RoomRequest>> {
     let Action::Move(step) = action else {
         return None;
     };
@@ -309,13 +370,13 @@ fn other_mission(state: &mut State, step: Step) {
 }
 
 /// Back to the bench; from there to where the room was entered from.
-fn escape(state: &mut State) {
+fn escape(state: &mut State) -> Vec<RoomRequest> {
     state.hush();
     if state.rooms.workshop.page != Page::Bench {
         state.rooms.workshop.page = Page::Bench;
-    } else if state.session.activity.is_some() {
-        show(state, Room::Fly);
-    } else {
-        show(state, Room::Home);
+        return Vec::new();
     }
+    let is_flying = state.session.activity.is_some();
+    let room = if is_flying { Room::Fly } else { Room::Home };
+    vec![RoomRequest::Show(room)]
 }

@@ -4,7 +4,7 @@ use unicode_width::UnicodeWidthStr as _;
 
 use crate::app::console::CONSOLE_VERBS;
 use crate::app::keymap::{Keymap, Meaning, Place};
-use crate::app::room::Room;
+use crate::app::room_list::Room;
 use crate::language::rows;
 use crate::text;
 use crate::text::{Locale, Text};
@@ -113,7 +113,7 @@ fn keys(keymap: &Keymap, place: Place, locale: &Locale) -> Vec<HelpLine> {
     }
     let lines = rows.into_iter();
     lines
-        .map(|(labels, meaning)| HelpLine::Entry(labels, locale.text(&meaning.description())))
+        .map(|(labels, meaning)| HelpLine::Entry(labels, locale.text(&keymap.description(meaning))))
         .collect()
 }
 

@@ -3,8 +3,7 @@
 use tui_input::Input;
 
 use crate::app::effect::Effect;
-use crate::app::room::Room;
-use crate::app::room::parameters::Setting;
+use crate::app::room_list::Room;
 use crate::commands::Order;
 use crate::diagnostic::Diagnostic;
 use crate::language::Completion;
@@ -109,10 +108,38 @@ pub enum Consequence {
     /// The shell does something.
     Effect(Effect),
     /// Parameters are set one after the other.
-    Parameters(Vec<Setting>),
+    Parameters(Vec<ParameterSetting>),
     /// A design takes the place of the one on the workshop's bench.
     Design(Design),
 }
+
+/// One value for some vehicles.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ParameterSetting {
+    /// The parameter's name.
+    pub name: String,
+    /// The value to take.
+    pub value: f32,
+    /// The vehicles, sorted.
+    pub vehicles: Vec<VehicleId>,
+    /// How often it is given again where no answer comes: taking the same value twice does no harm.
+    pub again: u8,
+}
+
+impl ParameterSetting {
+    /// A value for some vehicles.
+    pub fn new(name: &str, value: f32, vehicles: Vec<VehicleId>) -> Self {
+        Self {
+            name: name.to_owned(),
+            value,
+            vehicles,
+            again: AGAIN,
+        }
+    }
+}
+
+/// A setting is given again so often.
+const AGAIN: u8 = 2;
 
 /// A line that is asked for.
 #[derive(Debug, Clone)]

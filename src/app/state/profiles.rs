@@ -13,7 +13,7 @@ pub enum Trainee {
     Nobody,
 }
 
-impl State {
+impl<R> State<R> {
     /// Everybody who could train here, in the order of the list.
     pub fn trainees(&self) -> Vec<Trainee> {
         let known = self.profiles.iter().cloned().map(Trainee::Known);

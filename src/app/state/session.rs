@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use super::alert::alert;
 use super::{Alarms, Alert, Groups, Hangar, Histories, LinkSummary, MissionTime, Selection};
-use crate::app::room::Room;
+use crate::app::room_list::Room;
 use crate::doctor::{Cause, LinkFinding, Weight};
 use crate::geo::LatLon;
 use crate::ledger::{Entry, EntryId, Given, Ledger, Row};
@@ -14,8 +14,7 @@ use crate::mission::{Area, Listing, Progress};
 use crate::swarm::Path;
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{Vehicle, VehicleClass};
-use crate::vehicle::{VehicleId, Vehicles};
+use crate::vehicle::{Vehicle, VehicleClass, VehicleId, Vehicles};
 
 /// A session.
 #[derive(Debug, Clone, Default)]

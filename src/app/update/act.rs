@@ -1,10 +1,11 @@
 //! What actions mean where a room has no meaning of its own for them.
 
 use super::{mission, order, palette, profiles};
+use crate::app::State;
 use crate::app::action::Action;
 use crate::app::effect::{Effect, SessionEffect};
-use crate::app::room::{self, Room, fly};
-use crate::app::state::{Confirm, Consequence, Log, Overlay, Session, State, parse_ranges, ranges};
+use crate::app::room::{self, Room, RoomRequest, fly};
+use crate::app::state::{Consequence, Log, Overlay, Session, parse_ranges, ranges};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
@@ -13,8 +14,8 @@ use crate::vehicle::{Severity, VehicleId};
 const LONGEST_LIST: usize = 60;
 
 pub fn act(state: &mut State, action: Action) -> Vec<Effect> {
-    if let Some(effects) = room::act(state, action) {
-        return effects;
+    if let Some(requests) = room::act(state, action) {
+        return requested(state, requests);
     }
     match action {
         Action::Show(room) => show(state, room),
@@ -40,16 +41,35 @@ pub fn act(state: &mut State, action: Action) -> Vec<Effect> {
     Vec::new()
 }
 
+/// Does what a room asks for.
+fn requested(state: &mut State, requests: Vec<RoomRequest>) -> Vec<Effect> {
+    let mut effects = Vec::new();
+    for request in requests {
+        effects.extend(match request {
+            RoomRequest::Effect(effect) => vec![effect],
+            RoomRequest::EndSession { question, effect } => guarded(state, question, effect),
+            RoomRequest::Fly(launch) => mission::start(state, launch),
+            RoomRequest::Exam(mission) => mission::start_exam(state, &mission),
+            RoomRequest::Write(line) => {
+                open_palette(state, &line);
+                Vec::new()
+            }
+            RoomRequest::Show(room) => {
+                show(state, room);
+                Vec::new()
+            }
+            RoomRequest::Leave => leave(state),
+            RoomRequest::Quit => quit(state),
+        });
+    }
+    effects
+}
+
 /// Shows a room.
 pub fn show(state: &mut State, room: Room) {
     state.hush();
     state.room = room;
-    match room {
-        Room::Ledger => room::ledger::entered(state),
-        Room::Hangar => room::hangar::entered(state),
-        Room::Workshop => room::workshop::entered(state),
-        _ => {}
-    }
+    room::entered(state, room);
 }
 
 /// Shows a log, its newest entry first of all.
@@ -138,14 +158,7 @@ pub fn loss(state: &State) -> Option<Text> {
 
 /// Asks before an effect.
 pub fn ask(state: &mut State, question: Text, reason: Text, effect: Effect) -> Vec<Effect> {
-    state.overlay = Some(Overlay::Confirm(Confirm {
-        question,
-        reason,
-        answer: "y".to_owned(),
-        typed: String::new(),
-        cancelled: false,
-        then: Consequence::Effect(effect),
-    }));
+    state.ask(question, reason, Consequence::Effect(effect));
     Vec::new()
 }
 

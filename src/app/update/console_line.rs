@@ -3,12 +3,13 @@
 use std::sync::Arc;
 
 use super::{act, mission, swarm};
-use crate::app::console::{self, ConsoleLine, Deed};
+use crate::app::State;
+use crate::app::console::{self, ConsoleLine, Deed, ParamsDeed};
 use crate::app::effect::{CareerEffect, Effect, SessionEffect, TerminalEffect};
 use crate::app::lines;
 use crate::app::room::{Room, hangar, parameters};
 use crate::app::setting::Setting;
-use crate::app::state::{Log, Overlay, State, parse_ranges, ranges};
+use crate::app::state::{Log, Overlay, parse_ranges, ranges};
 use crate::config::Symbols;
 use crate::diagnostic::Diagnostic;
 use crate::text;
@@ -56,7 +57,7 @@ pub fn carry_out(
         ConsoleLine::Params(deed) => {
             let end = line.trim_end().len();
             let last = console::last_word(&line[..end])..end;
-            return parameters::line(state, deed).map_err(|text| Diagnostic::new(last, text));
+            return params(state, deed).map_err(|text| Diagnostic::new(last, text));
         }
         ConsoleLine::Swarm(own) => swarm::carry_out(state, own).map_err(at_last_word)?,
         ConsoleLine::Connect(addresses) => {
@@ -127,6 +128,17 @@ fn set(state: &mut State, setting: &Setting) -> Vec<Effect> {
         }
         Setting::Symbols(_) | Setting::Bell(_) | Setting::Notify(_) => Vec::new(),
     }
+}
+
+fn params(state: &mut State, deed: ParamsDeed) -> Result<Vec<Effect>, Text> {
+    match deed {
+        ParamsDeed::Save(path) => return parameters::save(state, &path),
+        ParamsDeed::Compare(other) => return parameters::load(state, &other),
+        ParamsDeed::Fetch => parameters::fetch(state),
+        ParamsDeed::Show => {}
+    }
+    act::show(state, Room::Parameters);
+    Ok(Vec::new())
 }
 
 fn plain(state: &mut State, deed: Deed) -> Vec<Effect> {

@@ -1,8 +1,8 @@
 //! Files of the user that were written, or exist already.
 
 use super::act;
+use crate::app::State;
 use crate::app::effect::{Effect, FileEffect, FileKind};
-use crate::app::state::State;
 use crate::text;
 use crate::vehicle::Severity;
 

@@ -1,11 +1,12 @@
 //! What the hangar says of the vehicles' processes.
 
-use std::time::Duration;
-
 use super::telemetry;
 use crate::alert::AlertKind;
+use crate::app::State;
+use crate::app::action::Action;
+use crate::app::keymap::{Keymap, Place};
 use crate::app::room::{Room, hangar};
-use crate::app::state::{Instance, SitlStage, State};
+use crate::app::state::{Instance, SitlStage};
 use crate::notice::Notice;
 use crate::text;
 use crate::text::Text;
@@ -24,7 +25,7 @@ pub fn changed(state: &mut State, instances: &[Instance]) {
     known.begun |= begins;
     let was = |vehicle| before.iter().find(|one: &&Instance| one.vehicle == vehicle);
     for instance in instances {
-        if let Some(notice) = news(was(instance.vehicle), instance, state.now) {
+        if let Some(notice) = news(was(instance.vehicle), instance, state) {
             telemetry::notice(state, &notice);
         }
     }
@@ -81,9 +82,9 @@ fn begin(state: &mut State, count: usize) {
 }
 
 /// What has become of an instance since it was looked at last.
-fn news(before: Option<&Instance>, instance: &Instance, at: Duration) -> Option<Notice> {
+fn news(before: Option<&Instance>, instance: &Instance, state: &State) -> Option<Notice> {
     let notice = |severity, kind, text| Notice {
-        at,
+        at: state.now,
         vehicle: Some(instance.vehicle),
         severity,
         kind,
@@ -92,7 +93,11 @@ fn news(before: Option<&Instance>, instance: &Instance, at: Duration) -> Option<
     let crashed_before = before.is_some_and(Instance::has_crashed);
     if instance.has_crashed() && !crashed_before {
         let kind = Some(AlertKind::Process);
-        return Some(notice(Severity::Critical, kind, crash(instance)));
+        return Some(notice(
+            Severity::Critical,
+            kind,
+            crash(instance, &state.keymap),
+        ));
     }
     let restarts = before.map_or(0, |before| before.restarts);
     if instance.restarts > restarts {
@@ -108,7 +113,7 @@ fn news(before: Option<&Instance>, instance: &Instance, at: Duration) -> Option<
 }
 
 /// Why a process has ended, what it said last, and what to do.
-fn crash(instance: &Instance) -> Text {
+fn crash(instance: &Instance, keymap: &Keymap) -> Text {
     let reason = instance.fault.clone().unwrap_or_default();
     let last = instance
         .output
@@ -122,7 +127,8 @@ fn crash(instance: &Instance) -> Text {
     let next = instance.hint.iter().map(|hint| hint.as_str().into());
     let again = text!(
         "hangar-crash-again",
-        key = Room::Hangar.key().to_string(),
+        key = keymap.key(Action::Show(Room::Hangar), Place::Anywhere),
+        again = keymap.key(Action::RestartProcess, Place::In(Room::Hangar)),
         vehicle = instance.vehicle
     );
     let parts = std::iter::once(what).chain(next).chain([again]);

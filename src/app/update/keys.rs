@@ -3,13 +3,13 @@
 use crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 use tui_input::{Input, InputRequest};
 
-use super::{act, order, palette, profiles};
+use super::{act, order, palette, profiles, prompt};
+use crate::app::State;
 use crate::app::action::Action;
 use crate::app::console;
 use crate::app::effect::Effect;
 use crate::app::keymap::{Meaning, Place};
-use crate::app::room;
-use crate::app::state::{Confirm, Overlay, Prompt, State, help_lines};
+use crate::app::state::{Confirm, Overlay, help_lines};
 use crate::notice::sanitised;
 use crate::text;
 use crate::text::Text;
@@ -25,7 +25,7 @@ pub fn press(state: &mut State, key: KeyEvent) -> Vec<Effect> {
     match state.overlay.take() {
         Some(Overlay::Palette(line)) => palette::key(state, line, key),
         Some(Overlay::Confirm(question)) => confirm(state, question, key),
-        Some(Overlay::Prompt(prompt)) => prompt_key(state, prompt, key),
+        Some(Overlay::Prompt(prompt)) => prompt::key(state, prompt, key),
         Some(Overlay::Profiles { cursor }) => profiles::key(state, cursor, key),
         Some(reader) => read(state, reader, key),
         None => on_screen(state, key),
@@ -69,7 +69,8 @@ pub fn paste(state: &mut State, text: &str) {
         }
         other => {
             state.overlay = other;
-            state.say(Severity::Notice, text!("footer-paste-dropped"));
+            let key = state.keymap.key(Action::CommandLine, Place::Anywhere);
+            state.say(Severity::Notice, text!("footer-paste-dropped", key = key));
         }
     }
 }
@@ -190,35 +191,6 @@ fn refuse(state: &mut State, question: &Confirm) {
 
 fn cancelled(question: &Confirm) -> Text {
     text!("ask-cancelled", question = &question.question)
-}
-
-/// A key for a line that is asked for.
-fn prompt_key(state: &mut State, mut prompt: Prompt, key: KeyEvent) -> Vec<Effect> {
-    let submitted = match state.keymap.action(key, Place::Prompt) {
-        Some(Action::Escape) => return Vec::new(),
-        Some(Action::Submit) => true,
-        _ if edit(&mut prompt.input, key) => false,
-        _ => {
-            state.overlay = Some(Overlay::Prompt(prompt));
-            return Vec::new();
-        }
-    };
-    prompt.fault = None;
-    let outcome = if submitted || prompt.purpose.is_live() {
-        let entered = prompt.input.value().to_owned();
-        room::prompted(state, &prompt.purpose, &entered)
-    } else {
-        Ok(Vec::new())
-    };
-    let is_wrong = outcome.is_err();
-    let effects = outcome.unwrap_or_else(|fault| {
-        prompt.fault = Some(fault);
-        Vec::new()
-    });
-    if !submitted || is_wrong {
-        state.overlay = Some(Overlay::Prompt(prompt));
-    }
-    effects
 }
 
 fn read(state: &mut State, mut reader: Overlay, key: KeyEvent) -> Vec<Effect> {

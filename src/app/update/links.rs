@@ -2,8 +2,9 @@
 
 use std::time::Duration;
 
+use crate::app::State;
 use crate::app::room::messages::LinkTraffic;
-use crate::app::state::{Room, State};
+use crate::app::state::Room;
 use crate::doctor::{Cause, LinkFinding, Weight};
 use crate::notice::Notice;
 use crate::text;

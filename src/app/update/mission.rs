@@ -1,8 +1,10 @@
 //! The course of a session: pause, end, once more.
 
 use super::act::{ask, guarded, loss};
+use crate::app::State;
+use crate::app::action::Action;
 use crate::app::effect::{Effect, Launch, SessionEffect};
-use crate::app::state::{Activity, State};
+use crate::app::state::Activity;
 use crate::campaign::Stake;
 use crate::text;
 use crate::text::Text;
@@ -41,7 +43,7 @@ pub fn go_on(state: &mut State) -> Vec<Effect> {
 pub fn paused(state: &mut State, paused: bool) {
     state.session.paused = paused;
     let text = if paused {
-        text!("pause-begins")
+        text!("pause-begins", key = state.key(Action::PauseMission))
     } else {
         text!("pause-ends")
     };

@@ -5,8 +5,8 @@ use std::cmp::Reverse;
 use nucleo_matcher::pattern::{CaseMatching, Normalization, Pattern};
 use nucleo_matcher::{Config, Matcher, Utf32Str};
 
+use crate::app::State;
 use crate::app::console;
-use crate::app::state::State;
 use crate::language::Completion;
 use crate::text;
 use crate::text::Text;

@@ -1,10 +1,13 @@
 //! From a line to the vehicles: targets, the question before something dangerous, the ledger.
 
-use super::act;
+use super::{act, batch};
+use crate::app::State;
+use crate::app::action::Action;
 use crate::app::effect::{Effect, SessionEffect};
+use crate::app::keymap::Place;
 use crate::app::lines;
-use crate::app::room::{parameters, workshop};
-use crate::app::state::{Confirm, Consequence, Overlay, State, ranges};
+use crate::app::room::{Room, parameters, workshop};
+use crate::app::state::{Confirm, Consequence, Overlay, ranges};
 use crate::commands::{Act, Deed, Order};
 use crate::diagnostic::Diagnostic;
 use crate::language::{Meaning, Statement};
@@ -29,11 +32,21 @@ pub fn prepare(state: &State, line: &str) -> Result<Order, Diagnostic> {
 /// Refuses what cannot be said now.
 fn permit(state: &State, line: &str, statement: &Statement) -> Result<(), Diagnostic> {
     if state.session.is_starting() && state.flown_mission().is_some() {
-        return Err(Diagnostic::new(first_word(line), text!("hangar-not-begun")));
+        return Err(Diagnostic::new(
+            first_word(line),
+            text!(
+                "hangar-not-begun",
+                key = state.key(Action::Show(Room::Hangar))
+            ),
+        ));
     }
     if state.session.paused && !is_word(state, statement) {
-        return Err(Diagnostic::new(first_word(line), text!("pause-refuses"))
-            .with_help(text!("pause-refuses-help")));
+        return Err(
+            Diagnostic::new(first_word(line), text!("pause-refuses")).with_help(text!(
+                "pause-refuses-help",
+                key = state.key(Action::PauseMission)
+            )),
+        );
     }
     match statement.meaning {
         Meaning::Wait(_) => Err(lines::only_in_scripts(line)),
@@ -53,11 +66,12 @@ fn is_word(state: &State, statement: &Statement) -> bool {
 }
 
 /// What Enter does with an order.
-pub fn announced(order: &Order) -> Text {
+pub fn announced(state: &State, order: &Order) -> Text {
     let targets = ranges(order.targets.iter().copied());
+    let key = state.keymap.key(Action::Submit, Place::Prompt);
     match order.verb.danger {
-        Danger::None => text!("palette-sends", vehicles = targets),
-        Danger::Confirm => text!("palette-asks", vehicles = targets),
+        Danger::None => text!("palette-sends", key = key, vehicles = targets),
+        Danger::Confirm => text!("palette-asks", key = key, vehicles = targets),
     }
 }
 
@@ -99,7 +113,7 @@ pub fn carry_out(state: &mut State, consequence: Consequence) -> Vec<Effect> {
             }
             return vec![effect];
         }
-        Consequence::Parameters(settings) => return parameters::begin(state, settings),
+        Consequence::Parameters(settings) => return batch::begin(state, settings),
         Consequence::Design(design) => {
             workshop::lay(state, design);
             return Vec::new();
@@ -121,5 +135,5 @@ pub fn advanced(state: &mut State, row: &RowUpdate) -> Vec<Effect> {
     if !was_over {
         parameters::tell(state, row.entry);
     }
-    parameters::advance(state)
+    batch::advance(state)
 }

@@ -5,11 +5,12 @@ use tui_input::Input;
 
 use super::console_line::{self, targeted};
 use super::{keys, offer, order};
+use crate::app::State;
 use crate::app::action::Action;
 use crate::app::console;
 use crate::app::effect::Effect;
 use crate::app::keymap::Place;
-use crate::app::state::{Overlay, Palette, SCRIPT_VERBS, State, ranges};
+use crate::app::state::{Overlay, Palette, SCRIPT_VERBS, ranges};
 use crate::diagnostic::Diagnostic;
 use crate::language::{self, Completion};
 use crate::text;
@@ -88,7 +89,7 @@ fn judge(state: &State, palette: &mut Palette) {
         .or_else(|| usage(line).map(Text::from));
     let checked = match console::parse(line, &state.names()) {
         Some(own) => own.map(|_| None),
-        None => order::prepare(state, line).map(|order| Some(order::announced(&order))),
+        None => order::prepare(state, line).map(|order| Some(order::announced(state, &order))),
     };
     palette.fault = None;
     palette.outcome = None;

@@ -2,11 +2,12 @@
 
 use crossterm::event::KeyEvent;
 
+use crate::app::State;
 use crate::app::action::Action;
 use crate::app::effect::{CareerEffect, Effect};
 use crate::app::keymap::Place;
 use crate::app::room::home;
-use crate::app::state::{Activity, Career, Overlay, Prompt, Purpose, State, Trainee};
+use crate::app::state::{Activity, Career, Overlay, Prompt, Purpose, Trainee};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;

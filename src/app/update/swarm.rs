@@ -1,9 +1,9 @@
 //! The console's own lines about the table and its alerts, carried out.
 
 use crate::alert::AlertKind;
+use crate::app::State;
 use crate::app::console::swarm::SwarmLine;
 use crate::app::room::fly;
-use crate::app::state::State;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};

@@ -4,13 +4,14 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use crate::alert::AlertKind;
+use crate::app::State;
 use crate::app::effect::{Effect, TerminalEffect};
 use crate::app::event::Started;
 use crate::app::room::Room;
 use crate::app::room::debrief::Debrief;
 use crate::app::room::map;
 use crate::app::room::{fly, ledger};
-use crate::app::state::{Call, Hangar, NoticeLog, Overlay, Session, State};
+use crate::app::state::{Call, Hangar, NoticeLog, Overlay, Session};
 use crate::mission::Progress;
 use crate::notice::Notice;
 use crate::scoring::Report;

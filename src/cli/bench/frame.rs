@@ -8,8 +8,9 @@ use clap::Args;
 use serde::Serialize;
 
 use super::super::Failure;
+use crate::app::State;
 use crate::app::event::{Event, SessionEvent, Started, TerminalEvent, VehicleEvent};
-use crate::app::state::{Activity, State};
+use crate::app::state::Activity;
 use crate::app::{App, Setup};
 use crate::geo::LatLon;
 use crate::terminal::Screen;

@@ -1,6 +1,6 @@
 //! What a mission is about, in lines.
 
-use crate::app::state::State;
+use crate::app::State;
 use crate::mission::{Listing, ObjectiveListing};
 use crate::text::{Text, text};
 

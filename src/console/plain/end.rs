@@ -2,7 +2,8 @@
 
 use std::time::Duration;
 
-use crate::app::state::{Instance, Session, State};
+use crate::app::State;
+use crate::app::state::{Instance, Session};
 use crate::ledger::Ledger;
 use crate::mission::ObjectiveState;
 

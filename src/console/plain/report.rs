@@ -2,9 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::app::state::{
-    Hangar, HelpLine, NoticeLine, Session, State, help_lines, parse_ranges, ranges,
-};
+use crate::app::State;
+use crate::app::state::{Hangar, HelpLine, NoticeLine, Session, help_lines, parse_ranges, ranges};
 use crate::ledger::{Entry, EntryId};
 use crate::mission::{ObjectiveProgress, ObjectiveState, ShownContact, Trust};
 use crate::notice::Notice;

@@ -4,8 +4,8 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::Line;
 
+use crate::app::State;
 use crate::app::room::debrief::{TEXT_WIDTH, is_section};
-use crate::app::state::State;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::map::draw_truth;

@@ -3,7 +3,7 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use crate::app::state::State;
+use crate::app::State;
 use crate::ui::look::Look;
 use crate::ui::widget::{
     alerts, below, columns, ledger, map, mission, notices, swarm, telemetry, upper, urgent,

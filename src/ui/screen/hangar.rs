@@ -5,24 +5,15 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 use ratatui::text::{Line, Span};
 
+use crate::app::State;
+use crate::app::action::Action;
 use crate::app::room::hangar::under_cursor;
-use crate::app::state::{Hangar, Instance, SitlStage, State};
+use crate::app::state::{Hangar, Instance, SitlStage};
 use crate::text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, below, clip, put, row_of, titled, upper, wrap};
 
-/// Keys that the last line of the screen names.
-pub const HINTS: &[(&str, &str)] = &[
-    (":", "hint-command"),
-    ("?", "hint-help"),
-    ("j k", "hint-move"),
-    ("Enter", "hangar-key-output"),
-    ("r", "hangar-key-restart"),
-    ("x", "hangar-key-stop"),
-    ("F", "links-key-fly"),
-    ("q", "hangar-key-leave"),
-];
 /// Columns of the bar, of the one beside a name that needs the room, and of the words.
 const BAR: usize = 12;
 const SHORT_BAR: usize = 5;
@@ -45,7 +36,7 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     }
     let list = draw_list(state, hangar, look, area, buffer);
     if let Some(instance) = under_cursor(state) {
-        draw_detail(instance, hangar.output(instance), look, list, buffer);
+        draw_detail(state, instance, look, list, buffer);
     }
 }
 
@@ -201,13 +192,9 @@ fn role(stage: SitlStage, has_crashed: bool) -> Role {
 }
 
 /// What ails a process, and the end of what it has printed.
-fn draw_detail(
-    instance: &Instance,
-    output: &[String],
-    look: &Look,
-    area: Rect,
-    buffer: &mut Buffer,
-) {
+fn draw_detail(state: &State, instance: &Instance, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let hangar = state.session.hangar.as_ref();
+    let output = hangar.map_or(&[][..], |hangar| hangar.output(instance));
     let title = look.text(&text!("hangar-vehicle", vehicle = instance.vehicle));
     let inner = titled(&title, look, area, buffer);
     let width = usize::from(inner.width);
@@ -224,7 +211,12 @@ fn draw_detail(
         lines.extend(wrapped(hint, Role::Warning));
     }
     if instance.has_crashed() {
-        lines.extend(wrapped(&look.say("hangar-fault-what"), Role::Text));
+        let what = text!(
+            "hangar-fault-what",
+            restart = state.key(Action::RestartProcess),
+            stop = state.key(Action::StopProcess)
+        );
+        lines.extend(wrapped(&look.text(&what), Role::Text));
     }
     let place = look.text(&where_kept(instance, output));
     lines.extend(wrapped(&place, Role::Muted));

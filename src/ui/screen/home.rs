@@ -4,8 +4,10 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
+use crate::app::State;
+use crate::app::action::Action;
 use crate::app::room::home::HomeItem;
-use crate::app::state::{Career, Room, State};
+use crate::app::state::{Career, Room};
 use crate::notice::sanitised;
 use crate::text;
 use crate::text::Text;
@@ -50,7 +52,7 @@ fn draw_heads(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) -> Re
     let running = text!(
         "home-running",
         session = activity.title(),
-        key = Room::Fly.key()
+        key = state.key(Action::Show(Room::Fly))
     );
     let line = format!(" {}", look.text(&running));
     let line = Line::styled(line, look.style(Role::Accent));
@@ -62,7 +64,10 @@ fn draw_heads(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) -> Re
 fn draw_trainee(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let Some(career) = &state.career else {
         let line = Line::from(vec![
-            Span::styled(" u", look.style(Role::Key)),
+            Span::styled(
+                format!(" {}", look.text(&state.key(Action::Profiles))),
+                look.style(Role::Key),
+            ),
             Span::styled(
                 format!(" {}", look.say("home-nobody")),
                 look.style(Role::Muted),

@@ -4,7 +4,9 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use crate::app::state::{State, parse_ranges, ranges};
+use crate::app::State;
+use crate::app::action::Action;
+use crate::app::state::{parse_ranges, ranges};
 use crate::ledger::{Entry, Row};
 use crate::text;
 use crate::text::Text;
@@ -66,9 +68,12 @@ fn draw_list(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let list = below(inner, 1);
     if room.shown().is_empty() {
         let nothing = if state.session.ledger.entries().len() == 0 {
-            look.say("commands-none")
+            look.text(&text!(
+                "commands-none",
+                key = state.key(Action::CommandLine)
+            ))
         } else {
-            look.say("commands-none-fit")
+            look.text(&text!("commands-none-fit", key = state.key(Action::Escape)))
         };
         let line = Line::styled(format!("  {nothing}"), look.style(Role::Muted));
         put(buffer, list, 0, &line);
@@ -211,7 +216,11 @@ fn draw_rows(state: &State, entry: &Entry, look: &Look, area: Rect, buffer: &mut
     }
     if hidden > 0 && rows > 0 {
         let last = row_of(inner, rows as u16 - 1);
-        let text = look.text(&text!("commands-more", count = hidden + 1));
+        let text = look.text(&text!(
+            "commands-more",
+            count = hidden + 1,
+            key = state.key(Action::Submit)
+        ));
         let text = aligned(&text, usize::from(last.width), false);
         put(
             buffer,

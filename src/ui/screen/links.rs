@@ -6,8 +6,9 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
+use crate::app::State;
 use crate::app::room::links::{HISTORY_S, History};
-use crate::app::state::{LinkSummary, State};
+use crate::app::state::LinkSummary;
 use crate::doctor::{LinkFinding, Weight};
 use crate::text;
 use crate::text::Text;
@@ -16,14 +17,6 @@ use crate::ui::theme::Role;
 use crate::ui::widget::curve::{self, Curve};
 use crate::ui::widget::{below, clip, columns, put, row_of, titled, upper, wrap};
 
-/// Keys that the last line of the screen names.
-pub const HINTS: &[(&str, &str)] = &[
-    (":", "links-key-command"),
-    ("?", "links-key-help"),
-    ("j k", "links-key-choose"),
-    ("I", "links-key-messages"),
-    ("F", "links-key-fly"),
-];
 /// Columns of a label.
 const LABEL: usize = 16;
 /// Senders whose losses are named.

@@ -4,8 +4,8 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
+use crate::app::State;
 use crate::app::room::map::LEGEND_WIDTH;
-use crate::app::state::State;
 use crate::geo::{LatLon, Viewport};
 use crate::text::figure;
 use crate::ui::look::Look;

@@ -6,8 +6,8 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
+use crate::app::State;
 use crate::app::room::messages::{Branch, Messages, Node};
-use crate::app::state::State;
 use crate::inspector::{Direction, FrameSource, MessageTally, Rate, name_of, read};
 use crate::text;
 use crate::ui::look::Look;
@@ -18,18 +18,6 @@ use crate::wire::Anatomy;
 mod fields;
 mod graph;
 
-/// Keys that the last line of the screen names.
-pub const HINTS: &[(&str, &str)] = &[
-    ("?", "messages-key-help"),
-    ("Enter", "messages-key-open"),
-    ("Tab", "messages-key-fields"),
-    ("g", "messages-key-graph"),
-    ("x", "messages-key-bytes"),
-    ("/", "messages-key-filter"),
-    ("s", "messages-key-sort"),
-    ("p", "messages-key-pause"),
-    ("z", "messages-key-fold"),
-];
 /// Columns of the tree with rate and age, and with bytes and count besides.
 const NARROW_TREE: u16 = 43;
 const WIDE_TREE: u16 = 62;
@@ -49,7 +37,7 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let right = columns(area, tree_width + 1, area.width);
     let graphs = graph::height(room, right.height);
     let top = upper(right, right.height - graphs);
-    fields::draw(room, room.selected_in(&branches), look, top, buffer);
+    fields::draw(state, room.selected_in(&branches), look, top, buffer);
     graph::draw(room, look, below(right, top.height), buffer);
 }
 

@@ -4,8 +4,11 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::Line;
 
+use crate::app::State;
+use crate::app::action::Action;
+use crate::app::keymap::Place;
 use crate::app::room::mission::{self, PageLine, Tone, visible};
-use crate::app::state::State;
+use crate::app::state::Room;
 use crate::notice::sanitised;
 use crate::text;
 use crate::ui::look::Look;
@@ -40,7 +43,10 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
             "mission-lines",
             first = first + 1,
             last = (first + rows).min(longest),
-            count = longest
+            count = longest,
+            key = state
+                .keymap
+                .keys(Action::UP_AND_DOWN, Place::In(Room::Mission))
         );
         let line = Line::styled(format!(" {}", look.text(&shown)), look.style(Role::Muted));
         put(buffer, area, rows as u16, &line);

@@ -5,8 +5,10 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
+use crate::app::State;
+use crate::app::action::Action;
 use crate::app::room::parameters::{Edit, Row, coming, cursor_row, outcome, rows};
-use crate::app::state::State;
+
 use crate::commands::is_written_so;
 use crate::ledger::RowState;
 use crate::text;
@@ -19,28 +21,6 @@ use crate::vehicle::VehicleId;
 mod detail;
 mod list;
 mod status;
-
-/// Keys for the last line of the screen, and the messages that say what they do.
-pub const HINTS: &[(&str, &str)] = &[
-    ("Enter", "parameters-hint-set"),
-    ("/", "parameters-hint-search"),
-    ("o", "parameters-hint-changed"),
-    ("s", "parameters-hint-save"),
-    ("l", "parameters-hint-load"),
-    ("d", "parameters-hint-compare"),
-    ("← →", "parameters-hint-vehicle"),
-    ("?", "parameters-hint-help"),
-];
-/// The same while lists are compared.
-pub const COMPARISON_HINTS: &[(&str, &str)] = &[
-    ("Space", "parameters-hint-mark"),
-    ("* !", "parameters-hint-mark-all"),
-    ("a", "parameters-hint-apply"),
-    ("o", "parameters-hint-extra"),
-    ("/", "parameters-hint-search"),
-    ("Esc", "parameters-hint-close"),
-    ("?", "parameters-hint-help"),
-];
 
 /// Rows of the status above the list.
 const STATUS_ROWS: u16 = 2;
@@ -73,19 +53,22 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
 fn draw_nothing(state: &State, vehicle: VehicleId, look: &Look, area: Rect, buffer: &mut Buffer) {
     let room = &state.rooms.parameters;
     let known = room.lists.get(&vehicle);
-    let id = if known.is_none_or(|known| known.list.is_empty()) {
-        "parameters-none-yet"
+    let text = if known.is_none_or(|known| known.list.is_empty()) {
+        text!("parameters-none-yet")
     } else if !room.filter.is_empty() {
-        "parameters-none-fit"
+        text!("parameters-none-fit", key = state.key(Action::Escape))
     } else if let Some(comparison) = &room.comparison {
         match coming(state, vehicle, &comparison.with) {
-            Some(_) => "parameters-none-differ-yet",
-            None => "parameters-none-differ",
+            Some(_) => text!("parameters-none-differ-yet"),
+            None => text!("parameters-none-differ", key = state.key(Action::Escape)),
         }
     } else {
-        "parameters-none-changed"
+        text!(
+            "parameters-none-changed",
+            key = state.key(Action::ChangedParameters)
+        )
     };
-    let line = Line::styled(format!(" {}", look.say(id)), look.style(Role::Muted));
+    let line = Line::styled(format!(" {}", look.text(&text)), look.style(Role::Muted));
     put(buffer, row_of(area, 1), 0, &line);
 }
 

@@ -4,6 +4,9 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::Line;
 
+use crate::app::State;
+use crate::app::action::Action;
+use crate::app::keymap::Place;
 use crate::app::state::SMALLEST;
 use crate::text;
 use crate::ui::look::Look;
@@ -11,7 +14,7 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{centred, put, wrap};
 
 /// Says which size is needed and what it is now.
-pub fn draw(look: &Look, area: Rect, buffer: &mut Buffer) {
+pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let text = look.text(&text!(
         "small-needs",
         columns = SMALLEST.0,
@@ -19,7 +22,10 @@ pub fn draw(look: &Look, area: Rect, buffer: &mut Buffer) {
         now_columns = area.width,
         now_rows = area.height,
     ));
-    let keys = look.say("small-keys");
+    let keys = look.text(&text!(
+        "small-keys",
+        key = state.keymap.key(Action::Quit, Place::Anywhere)
+    ));
     let lines = wrap(&format!("{text}\n{keys}"), usize::from(area.width));
     let middle = centred(area.width, lines.len() as u16, area);
     for (row, line) in lines.into_iter().enumerate() {

@@ -4,8 +4,10 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
+use crate::app::State;
+use crate::app::action::Action;
 use crate::app::room::standing::{Pane, shows_all};
-use crate::app::state::{Career, State};
+use crate::app::state::Career;
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
@@ -29,7 +31,7 @@ struct Subject<'a> {
 /// Draws who it is about, and the pane that was chosen, or all where there is room.
 pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let Some(career) = &state.career else {
-        return draw_nobody(look, area, buffer);
+        return draw_nobody(state, look, area, buffer);
     };
     let subject = Subject {
         state,
@@ -54,8 +56,8 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     wealth::draw(&subject, below(area, top.height + 1), buffer);
 }
 
-fn draw_nobody(look: &Look, area: Rect, buffer: &mut Buffer) {
-    let text = look.say("standing-nobody");
+fn draw_nobody(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let text = look.text(&text!("standing-nobody", key = state.key(Action::Profiles)));
     let lines = wrap(&text, usize::from(area.width.saturating_sub(2)).min(80));
     for (row, line) in lines.into_iter().enumerate() {
         let line = Line::styled(format!(" {line}"), look.style(Role::Muted));
@@ -88,9 +90,10 @@ fn draw_summary(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
         )),
     ]);
     put(buffer, area, 0, &line);
+    let key = look.text(&subject.state.key(Action::Aids));
     let aids = Line::from(vec![
         Span::raw(format!(" {}", look.text(&subject.career.aids.explained()))),
-        Span::styled("   a", look.style(Role::Key)),
+        Span::styled(format!("   {key}"), look.style(Role::Key)),
         Span::styled(
             format!(" {}", look.say("standing-aids-key")),
             look.style(Role::Muted),

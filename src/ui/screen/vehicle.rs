@@ -4,7 +4,11 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use crate::app::state::{Session, State};
+use crate::app::State;
+use crate::app::action::Action;
+use crate::app::keymap::Place;
+use crate::app::state::Room;
+use crate::app::state::Session;
 use crate::text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
@@ -92,15 +96,20 @@ fn draw_name(subject: &Subject<'_>, page: Option<usize>, area: Rect, buffer: &mu
         ),
         Span::styled(format!("  {place}"), look.style(Role::Muted)),
     ]);
-    let mut keys = vec![("[ ]", look.say("vehicle-key-next"))];
+    let keymap = &subject.state.keymap;
+    let key = |actions| look.text(&keymap.keys(actions, Place::In(Room::Vehicle)));
+    let mut keys = vec![(
+        key(&[Action::PreviousVehicle, Action::NextVehicle]),
+        look.say("vehicle-key-next"),
+    )];
     let window = text!(
         "vehicle-key-window",
         seconds = subject.state.rooms.vehicle.window.seconds()
     );
-    keys.push(("w", look.text(&window)));
+    keys.push((key(&[Action::Window]), look.text(&window)));
     if let Some(page) = page {
         let page = text!("vehicle-key-page", page = page + 1, count = PAGES);
-        keys.push(("Tab", look.text(&page)));
+        keys.push((key(&[Action::NextPage]), look.text(&page)));
     }
     for (key, meaning) in keys {
         line.push_span(Span::styled(format!("   {key} "), look.style(Role::Key)));

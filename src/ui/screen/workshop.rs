@@ -5,8 +5,8 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 use ratatui::text::Line;
 
+use crate::app::State;
 use crate::app::room::workshop::{Page, Pane, View, WIDE};
-use crate::app::state::State;
 use crate::text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
@@ -22,51 +22,6 @@ mod mission;
 mod parts;
 mod shelf;
 mod slots;
-
-/// Keys for the last line of the screen, and the messages that say what they do.
-pub const HINTS: &[(&str, &str)] = &[
-    ("Tab", "bench-hint-lists"),
-    ("Enter", "bench-hint-put-in"),
-    ("x", "bench-hint-take-out"),
-    ("u", "bench-hint-undo"),
-    ("s", "bench-hint-save"),
-    ("o", "bench-hint-designs"),
-    ("v", "bench-hint-view"),
-    ("f", "bench-hint-fleet"),
-    ("?", "hint-help"),
-    ("b", "bench-hint-buy"),
-    ("d", "bench-hint-compare"),
-    ("n", "bench-hint-new"),
-    ("[ ]", "bench-hint-mission"),
-    ("e i", "bench-hint-files"),
-];
-/// The same for the list of designs.
-pub const SHELF_HINTS: &[(&str, &str)] = &[
-    ("Enter", "bench-hint-open"),
-    ("d", "bench-hint-compare"),
-    ("y", "bench-hint-copy"),
-    ("r", "bench-hint-rename"),
-    ("x", "bench-hint-delete"),
-    ("Esc", "hint-back"),
-    ("?", "hint-help"),
-];
-/// For two designs side by side.
-pub const COMPARISON_HINTS: &[(&str, &str)] = &[
-    ("j k", "hint-scroll"),
-    ("o", "bench-hint-other"),
-    ("Esc", "hint-back"),
-    ("?", "hint-help"),
-];
-/// For the seats of a fleet.
-pub const FLEET_HINTS: &[(&str, &str)] = &[
-    ("Enter", "bench-hint-assign"),
-    ("*", "bench-hint-all"),
-    ("x", "bench-hint-lend"),
-    ("g", "bench-hint-fly"),
-    ("[ ]", "bench-hint-mission"),
-    ("Esc", "hint-back"),
-    ("?", "hint-help"),
-];
 
 /// Rows from which on both lists are shown below each other.
 const TALL: u16 = 34;

@@ -5,7 +5,9 @@ use ratatui::layout::Rect;
 use ratatui::style::Modifier;
 use ratatui::text::{Line, Span};
 
-use crate::app::state::{Pressing, State, ranges};
+use crate::app::State;
+use crate::app::action::Action;
+use crate::app::state::{Pressing, ranges};
 use crate::text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
@@ -22,7 +24,10 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
         return;
     };
     let clock = short_clock(state.session.time(pressing.first.since));
-    let hint = look.say("alert-acknowledge-hint");
+    let hint = look.text(&text!(
+        "alert-acknowledge-hint",
+        key = state.key(Action::Acknowledge)
+    ));
     let room = usize::from(area.width).saturating_sub(width(&hint) + 4);
     let text = clip(&words(&pressing, &clock, look), room);
     let style = look

@@ -5,7 +5,8 @@ use ratatui::layout::Rect;
 use ratatui::style::Modifier;
 use ratatui::text::{Line, Span};
 
-use crate::app::state::{Room, State};
+use crate::app::State;
+use crate::app::state::Room;
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;

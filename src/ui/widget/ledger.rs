@@ -7,7 +7,9 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 use ratatui::text::{Line, Span};
 
-use crate::app::state::{Session, State, ranges};
+use crate::app::State;
+use crate::app::action::Action;
+use crate::app::state::{Session, ranges};
 use crate::ledger::{Entry, Row, RowState};
 use crate::text;
 use crate::text::Text;
@@ -36,7 +38,10 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
         blocks.push(block);
     }
     if blocks.is_empty() {
-        let text = look.say("commands-none");
+        let text = look.text(&text!(
+            "commands-none",
+            key = state.key(Action::CommandLine)
+        ));
         put(
             buffer,
             inner,

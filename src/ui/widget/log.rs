@@ -7,7 +7,10 @@ use ratatui::layout::Rect;
 use ratatui::text::Line;
 
 use super::notices;
-use crate::app::state::{Log, State};
+use crate::app::State;
+use crate::app::action::Action;
+use crate::app::keymap::Place;
+use crate::app::state::Log;
 use crate::text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
@@ -32,7 +35,12 @@ pub fn draw(
         let text = text!("fly-place", at = cursor + 1, count = count);
         format!("{}   ", look.text(&text))
     };
-    let title = format!("{name}   {place}{}", look.say("fly-log-keys"));
+    let keys = text!(
+        "fly-log-keys",
+        scroll = state.keymap.keys(Action::UP_AND_DOWN, Place::Reader),
+        key = state.keymap.key(Action::Escape, Place::Reader)
+    );
+    let title = format!("{name}   {place}{}", look.text(&keys));
     let inner = boxed(&title, Role::Accent, look, area, buffer);
     let rows = usize::from(inner.height);
     // Every entry has a line at least: more of them than rows on either side cannot be seen.

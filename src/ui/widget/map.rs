@@ -4,8 +4,8 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::Line;
 
+use crate::app::State;
 use crate::app::room::map::Aim;
-use crate::app::state::State;
 use crate::geo::Viewport;
 use crate::text;
 use crate::ui::look::Look;

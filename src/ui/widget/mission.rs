@@ -8,7 +8,7 @@ use ratatui::style::Style;
 use ratatui::text::{Line, Span};
 use unicode_width::UnicodeWidthStr as _;
 
-use crate::app::state::State;
+use crate::app::State;
 use crate::commands::Goal;
 use crate::mission::{Cell, ObjectiveProgress, ObjectiveState, Progress, Trust};
 use crate::text;

@@ -4,7 +4,8 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use crate::app::state::{NoticeLine, Session, State, ranges};
+use crate::app::State;
+use crate::app::state::{NoticeLine, Session, ranges};
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;

@@ -4,7 +4,11 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use crate::app::state::{Confirm, HelpLine, Overlay, SHORT_USAGE, State, help_lines};
+use crate::app::State;
+use crate::app::action::Action;
+use crate::app::keymap::Place;
+use crate::app::state::{Confirm, HelpLine, Overlay, SHORT_USAGE, help_lines};
+use crate::text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::{boxed, centred, clip, put, wrap};
@@ -66,13 +70,18 @@ fn draw_confirm(question: &Confirm, look: &Look, area: Rect, buffer: &mut Buffer
 }
 
 fn draw_help(state: &State, scroll: usize, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let title = text!(
+        "help-title",
+        scroll = state.keymap.keys(Action::UP_AND_DOWN, Place::Reader),
+        key = state.keymap.key(Action::Escape, Place::Reader)
+    );
     let lines = help_lines(&state.keymap, state.room, &look.locale);
     let place = centred(
         (area.width / HELP_COLUMN).max(1) * HELP_COLUMN + 6,
         area.height - 2,
         area,
     );
-    let inner = boxed(&look.say("help-title"), Role::Accent, look, place, buffer);
+    let inner = boxed(&look.text(&title), Role::Accent, look, place, buffer);
     let columns = usize::from((inner.width / HELP_COLUMN).max(1));
     let rows = usize::from(inner.height);
     let first = scroll.min(lines.len().saturating_sub(rows * columns));

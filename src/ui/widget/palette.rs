@@ -6,9 +6,14 @@ use ratatui::text::{Line, Span};
 use ratatui::widgets::{Paragraph, Widget};
 use tui_input::Input;
 
+use crate::app::State;
+use crate::app::action::Action;
+use crate::app::keymap::Place;
 use crate::app::state::Palette;
 use crate::diagnostic::Diagnostic;
 use crate::language::Completion;
+use crate::text;
+use crate::text::Text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::{below, boxed, clip, put, row_of, wrap};
@@ -24,7 +29,13 @@ const LONGEST_WORD: usize = 24;
 const PROMPT: u16 = 2;
 
 /// Draws the box above the footer and returns where the terminal's cursor belongs.
-pub fn draw(palette: &Palette, look: &Look, area: Rect, buffer: &mut Buffer) -> Position {
+pub fn draw(
+    state: &State,
+    palette: &Palette,
+    look: &Look,
+    area: Rect,
+    buffer: &mut Buffer,
+) -> Position {
     let place = Rect {
         y: area.bottom().saturating_sub(HEIGHT + 1),
         height: HEIGHT,
@@ -43,7 +54,12 @@ pub fn draw(palette: &Palette, look: &Look, area: Rect, buffer: &mut Buffer) -> 
         draw_carets(palette.input.value(), fault, scroll, (look, rest), buffer);
         rest = below(rest, 1);
     }
-    for line in explanation(palette, usize::from(indented(rest).width), look) {
+    let grammar = text!(
+        "palette-grammar",
+        complete = state.keymap.key(Action::Complete, Place::Prompt),
+        older = state.keymap.key(Action::Older, Place::Prompt)
+    );
+    for line in explanation(palette, &grammar, usize::from(indented(rest).width), look) {
         put(buffer, indented(rest), 0, &line);
         rest = below(rest, 1);
     }
@@ -52,7 +68,7 @@ pub fn draw(palette: &Palette, look: &Look, area: Rect, buffer: &mut Buffer) -> 
 }
 
 /// What is wrong, how the verb is written, and what Enter would do.
-fn explanation(palette: &Palette, width: usize, look: &Look) -> Vec<Line<'static>> {
+fn explanation(palette: &Palette, grammar: &Text, width: usize, look: &Look) -> Vec<Line<'static>> {
     let fault = palette.fault.as_ref().map(|fault| {
         let said = match &fault.help {
             Some(help) => format!("{} - {}", look.text(&fault.message), look.text(help)),
@@ -67,7 +83,7 @@ fn explanation(palette: &Palette, width: usize, look: &Look) -> Vec<Line<'static
     });
     let hint = palette.hint.as_ref().map(|hint| look.text(hint));
     // A wrong line without a verb is not helped by the grammar.
-    let hint = hint.or_else(|| fault.is_none().then(|| look.say("palette-grammar")));
+    let hint = hint.or_else(|| fault.is_none().then(|| look.text(grammar)));
     let outcome = palette.outcome.as_ref().map(|text| look.text(text));
     let parts = [
         (fault.as_deref(), FAULT_ROWS, Role::Danger),

@@ -4,8 +4,12 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::Line;
 
-use crate::app::state::{State, Trainee};
+use crate::app::State;
+use crate::app::action::Action;
+use crate::app::keymap::Place;
+use crate::app::state::Trainee;
 use crate::notice::sanitised;
+use crate::text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::{boxed, centred, clip, put, row_of};
@@ -45,7 +49,13 @@ pub fn draw(state: &State, cursor: usize, look: &Look, area: Rect, buffer: &mut 
             buffer.set_style(row_of(inner, row), look.style(Role::Cursor));
         }
     }
-    let keys = Line::styled(look.say("profiles-keys"), look.style(Role::Muted));
+    let keys = text!(
+        "profiles-keys",
+        scroll = state.keymap.keys(Action::UP_AND_DOWN, Place::List),
+        submit = state.keymap.key(Action::Submit, Place::List),
+        escape = state.keymap.key(Action::Escape, Place::List)
+    );
+    let keys = Line::styled(look.text(&keys), look.style(Role::Muted));
     put(buffer, inner, inner.height.saturating_sub(1), &keys);
 }
 

@@ -5,8 +5,12 @@ use ratatui::layout::{Position, Rect};
 use ratatui::text::{Line, Span};
 
 use super::palette::draw_line;
+use crate::app::State;
+use crate::app::action::Action;
+use crate::app::keymap::Place;
 use crate::app::state::{Prompt, Purpose, ranges};
 use crate::text;
+use crate::text::Text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::{below, boxed, centred, put, wrap};
@@ -26,7 +30,13 @@ const FAULT_ROWS: usize = 3;
 const BOTTOM_HEIGHT: u16 = 5;
 
 /// Draws the prompt and returns where the terminal's cursor belongs.
-pub fn draw(prompt: &Prompt, look: &Look, area: Rect, buffer: &mut Buffer) -> Position {
+pub fn draw(
+    state: &State,
+    prompt: &Prompt,
+    look: &Look,
+    area: Rect,
+    buffer: &mut Buffer,
+) -> Position {
     let place = match prompt.purpose {
         Purpose::Connect => centred(WIDTH, HEIGHT + long_fault(prompt, look), area),
         // What the line is about stays in sight.
@@ -53,9 +63,9 @@ pub fn draw(prompt: &Prompt, look: &Look, area: Rect, buffer: &mut Buffer) -> Po
         row += 1;
     }
     match prompt.purpose {
-        Purpose::Connect => draw_examples(look, below(inner, row + 1), buffer),
+        Purpose::Connect => draw_examples(state, look, below(inner, row + 1), buffer),
         _ if prompt.fault.is_none() => {
-            let text = look.say(advice(&prompt.purpose));
+            let text = look.text(&advice(state, &prompt.purpose));
             let text = Line::styled(text, look.style(Role::Muted));
             put(buffer, inner, 1, &text);
         }
@@ -94,21 +104,37 @@ fn title(purpose: &Purpose, look: &Look) -> String {
 }
 
 /// What else there is to know, below the line.
-fn advice(purpose: &Purpose) -> &'static str {
+fn advice(state: &State, purpose: &Purpose) -> Text {
     match purpose {
-        Purpose::Connect => "",
-        Purpose::NewProfile => "prompt-profile-advice",
-        Purpose::Seed(_) => "prompt-seed-advice",
-        Purpose::Filter(_) => "prompt-filter-advice",
-        Purpose::Parameter { .. } => "prompt-parameter-advice",
-        Purpose::SaveParameters | Purpose::ExportDesign => "prompt-save-advice",
-        Purpose::LoadParameters => "prompt-load-advice",
-        Purpose::CompareParameters => "prompt-compare-advice",
+        Purpose::Connect => Text::default(),
+        Purpose::NewProfile => text!("prompt-profile-advice"),
+        Purpose::Seed(_) => text!("prompt-seed-advice", submit = submit(state)),
+        Purpose::Filter(_) => text!(
+            "prompt-filter-advice",
+            submit = submit(state),
+            escape = escape(state)
+        ),
+        Purpose::Parameter { .. } => text!(
+            "prompt-parameter-advice",
+            submit = submit(state),
+            escape = escape(state)
+        ),
+        Purpose::SaveParameters | Purpose::ExportDesign => text!("prompt-save-advice"),
+        Purpose::LoadParameters => text!("prompt-load-advice"),
+        Purpose::CompareParameters => text!("prompt-compare-advice"),
         Purpose::SaveDesign | Purpose::CopyDesign(_) | Purpose::RenameDesign(_) => {
-            "prompt-design-advice"
+            text!("prompt-design-advice")
         }
-        Purpose::ImportDesign => "prompt-import-advice",
+        Purpose::ImportDesign => text!("prompt-import-advice"),
     }
+}
+
+fn submit(state: &State) -> Text {
+    state.keymap.key(Action::Submit, Place::Prompt)
+}
+
+fn escape(state: &State) -> Text {
+    state.keymap.key(Action::Escape, Place::Prompt)
 }
 
 /// A box over the last lines of the room.
@@ -121,7 +147,7 @@ fn at_the_bottom(area: Rect) -> Rect {
     }
 }
 
-fn draw_examples(look: &Look, area: Rect, buffer: &mut Buffer) {
+fn draw_examples(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     for (row, (address, meaning)) in EXAMPLES.iter().enumerate() {
         let line = Line::from(vec![
             Span::raw(format!("{address:28}")),
@@ -129,7 +155,11 @@ fn draw_examples(look: &Look, area: Rect, buffer: &mut Buffer) {
         ]);
         put(buffer, area, row as u16, &line);
     }
-    let text = look.say("prompt-connect-several");
+    let text = look.text(&text!(
+        "prompt-connect-several",
+        submit = submit(state),
+        escape = escape(state)
+    ));
     let row = EXAMPLES.len() as u16 + 1;
     put(
         buffer,

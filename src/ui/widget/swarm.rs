@@ -4,8 +4,11 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
+use crate::app::State;
+use crate::app::action::Action;
 use crate::app::room::fly::sorted_by;
-use crate::app::state::{Selection, Session, State, ranges};
+use crate::app::state::Room;
+use crate::app::state::{Selection, ranges};
 use crate::config::TableSort;
 use crate::text;
 use crate::text::Text;
@@ -28,16 +31,17 @@ const MARKS: u16 = 2;
 /// while there is none. A filter leaves the table as large as it was.
 pub fn height(state: &State, look: &Look, width: u16) -> usize {
     let rows = match state.session.vehicles.len() {
-        0 => waiting_lines(&state.session, look, width).len(),
+        0 => waiting_lines(state, look, width).len(),
         count => count,
     };
     rows + 2
 }
 
 /// What there is to know while nobody has been heard: how the links are doing.
-fn waiting_lines(session: &Session, look: &Look, width: u16) -> Vec<(String, Role)> {
+fn waiting_lines(state: &State, look: &Look, width: u16) -> Vec<(String, Role)> {
     let waiting = format!("  {}", look.say("fly-waiting"));
     let mut lines = vec![(waiting, Role::Muted)];
+    let session = &state.session;
     for link in &session.links {
         let reason = look.text(link.error.as_ref().unwrap_or(&link.state));
         let role = if link.error.is_some() {
@@ -50,7 +54,11 @@ fn waiting_lines(session: &Session, look: &Look, width: u16) -> Vec<(String, Rol
         lines.extend(wrapped.into_iter().map(|line| (format!("  {line}"), role)));
     }
     lines.extend(session.worst_finding().map(|finding| {
-        let says = text!("links-ailing", finding = finding.cause.says());
+        let says = text!(
+            "links-ailing",
+            finding = finding.cause.says(),
+            key = state.key(Action::Show(Room::Links))
+        );
         let text = format!("  {}", look.text(&says));
         (clip(&text, width.into()), Role::Warning)
     }));
@@ -81,10 +89,14 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     draw_titles(&columns, look, inner, buffer);
     let list = below(inner, 1);
     if session.vehicles.is_empty() {
-        let lines = waiting_lines(session, look, area.width);
+        let lines = waiting_lines(state, look, area.width);
         draw_lines(lines, look, list, buffer);
     } else if fly.rows().is_empty() {
-        let text = text!("fly-none-fit", filter = &fly.filter);
+        let text = text!(
+            "fly-none-fit",
+            filter = &fly.filter,
+            key = state.key(Action::Escape)
+        );
         let line = (format!("  {}", look.text(&text)), Role::Muted);
         draw_lines(vec![line], look, list, buffer);
     }

@@ -5,7 +5,8 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use super::swarm::since;
-use crate::app::state::{Session, Standing, State};
+use crate::app::State;
+use crate::app::state::{Session, Standing};
 use crate::text;
 use crate::text::{Text, figure};
 use crate::ui::look::Look;

@@ -5,7 +5,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::Line;
 
-use crate::app::state::State;
+use crate::app::State;
 use crate::mission::Progress;
 use crate::scoring::AlertLevel;
 use crate::text;

@@ -1,7 +1,8 @@
 //! What a mission means to the trainee's career: where they stand with it, what it trains, pays and opens.
 
+use crate::app::State;
 use crate::app::room::mission::Tone;
-use crate::app::state::{Career, State};
+use crate::app::state::Career;
 use crate::campaign::{LockReason, Mastery, MissionStage, Offer, Skill};
 use crate::mission::{Listing, Unlock};
 use crate::scoring::Medal;

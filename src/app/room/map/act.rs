@@ -2,12 +2,11 @@
 
 use crossterm::event::KeyCode;
 
-use super::{Aim, Size, refit};
+use super::{Aim, Map, Size, refit};
+use crate::app::State;
 use crate::app::action::{Action, Step};
-use crate::app::effect::Effect;
-use crate::app::keymap::{Press, Row, does, key};
-use crate::app::state::State;
-use crate::app::update::act::open_palette;
+use crate::app::keymap::{KeyHint, KeyRow, Press, does, hint, key};
+use crate::app::room::{RoomModel, RoomRequest, hints};
 use crate::geo::LatLon;
 use crate::text;
 use crate::vehicle::{Severity, VehicleId};
@@ -15,60 +14,90 @@ use crate::vehicle::{Severity, VehicleId};
 /// Cells that the cursor goes with Page Up and Page Down.
 const PAGE: i32 = 10;
 
-/// Its keys.
-pub const KEYS: &[Row] = &[
-    does(key('h'), Action::Move(Step::Left)),
-    does(Press::Plain(KeyCode::Left), Action::Move(Step::Left)),
-    does(key('l'), Action::Move(Step::Right)),
-    does(Press::Plain(KeyCode::Right), Action::Move(Step::Right)),
-    does(key('+'), Action::ZoomIn),
-    does(key('='), Action::ZoomIn),
-    does(key('-'), Action::ZoomOut),
-    does(key('z'), Action::Fit),
-    does(key('f'), Action::Follow),
-    does(key('.'), Action::Centre),
-    does(key('u'), Action::Ruler),
-    does(key('g'), Action::GotoHere),
-    does(Press::Plain(KeyCode::Tab), Action::NextVehicle),
-    does(Press::Plain(KeyCode::BackTab), Action::PreviousVehicle),
-    does(key('w'), Action::Trails),
-    does(key('s'), Action::NextSensor),
-    does(key('i'), Action::Legend),
+const HINTS: &[KeyHint] = &[
+    hints::COMMAND,
+    hints::HELP,
+    hint(
+        &[
+            Action::Move(Step::Left),
+            Action::Move(Step::Down),
+            Action::Move(Step::Up),
+            Action::Move(Step::Right),
+        ],
+        "hint-cursor",
+    ),
+    hint(&[Action::ZoomIn, Action::ZoomOut], "hint-zoom"),
+    hint(&[Action::Fit], "hint-fit"),
+    hint(&[Action::Follow], "hint-follow"),
+    hint(&[Action::GotoHere], "hint-goto"),
+    hint(&[Action::Ruler], "hint-ruler"),
+    hint(&[Action::NextVehicle], "hint-vehicle"),
+    hint(&[Action::Legend], "hint-signs"),
+    hint(&[Action::Trails], "hint-trails"),
 ];
 
-/// What its actions do.
-pub fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
-    let map = &mut state.rooms.map;
-    let size = map.canvas(state.size);
-    match action {
-        Action::Move(step) => go(state, size, step),
-        // The key of the vehicle list `3-9`, while such a list is being typed.
-        Action::ZoomOut if !state.typed.is_empty() => state.typed.push('-'),
-        Action::ZoomIn | Action::ZoomOut => map.zoom(size, action == Action::ZoomIn),
-        Action::Fit => {
-            refit(state);
-            state.rooms.map.cursor = None;
-        }
-        Action::Follow => follow(state, size),
-        Action::Centre => {
-            let pointed = map.view(size).map(|view| map.pointed(&view))?;
-            map.centre_on(size, pointed);
-        }
-        Action::Ruler => measure(state, size),
-        Action::Escape if map.mark.is_some() && state.typed.is_empty() => map.mark = None,
-        Action::GotoHere => goto_here(state, size),
-        Action::NextVehicle => turn_to(state, size, 1),
-        Action::PreviousVehicle => turn_to(state, size, -1),
-        Action::Submit if state.typed.is_empty() => pick_nearest(state, size),
-        Action::Trails => map.trails_hidden = !map.trails_hidden,
-        Action::NextSensor => next_sensor(state),
-        Action::Legend => {
-            let shown = map.shows_legend(state.size);
-            map.legend = Some(!shown);
-        }
-        _ => return None,
+impl RoomModel for Map {
+    const KEYS: &'static [KeyRow] = &[
+        does(key('h'), Action::Move(Step::Left)),
+        does(Press::Plain(KeyCode::Left), Action::Move(Step::Left)),
+        does(key('l'), Action::Move(Step::Right)),
+        does(Press::Plain(KeyCode::Right), Action::Move(Step::Right)),
+        does(key('+'), Action::ZoomIn),
+        does(key('='), Action::ZoomIn),
+        does(key('-'), Action::ZoomOut),
+        does(key('z'), Action::Fit),
+        does(key('f'), Action::Follow),
+        does(key('.'), Action::Centre),
+        does(key('u'), Action::Ruler),
+        does(key('g'), Action::GotoHere),
+        does(Press::Plain(KeyCode::Tab), Action::NextVehicle),
+        does(Press::Plain(KeyCode::BackTab), Action::PreviousVehicle),
+        does(key('w'), Action::Trails),
+        does(key('s'), Action::NextSensor),
+        does(key('i'), Action::Legend),
+    ];
+
+    fn hints(_state: &State) -> &'static [KeyHint] {
+        HINTS
     }
-    Some(Vec::new())
+
+    fn act(state: &mut State, action: Action) -> Option<Vec<RoomRequest>> {
+        let map = &mut state.rooms.map;
+        let size = map.canvas(state.size);
+        match action {
+            Action::Move(step) => go(state, size, step),
+            // The key of the vehicle list `3-9`, while such a list is being typed.
+            Action::ZoomOut if !state.typed.is_empty() => state.typed.push('-'),
+            Action::ZoomIn | Action::ZoomOut => map.zoom(size, action == Action::ZoomIn),
+            Action::Fit => {
+                refit(state);
+                state.rooms.map.cursor = None;
+            }
+            Action::Follow => follow(state, size),
+            Action::Centre => {
+                let pointed = map.view(size).map(|view| map.pointed(&view))?;
+                map.centre_on(size, pointed);
+            }
+            Action::Ruler => measure(state, size),
+            Action::Escape if map.mark.is_some() && state.typed.is_empty() => map.mark = None,
+            Action::GotoHere => return Some(goto_here(state, size)),
+            Action::NextVehicle => turn_to(state, size, 1),
+            Action::PreviousVehicle => turn_to(state, size, -1),
+            Action::Submit if state.typed.is_empty() => pick_nearest(state, size),
+            Action::Trails => map.trails_hidden = !map.trails_hidden,
+            Action::NextSensor => next_sensor(state),
+            Action::Legend => {
+                let shown = map.shows_legend(state.size);
+                map.legend = Some(!shown);
+            }
+            _ => return None,
+        }
+        Some(Vec::new())
+    }
+
+    fn forget_session(&mut self) {
+        *self = self.for_next_session();
+    }
 }
 
 fn go(state: &mut State, size: Size, step: Step) {
@@ -130,13 +159,14 @@ fn measure(state: &mut State, size: Size) {
 }
 
 /// Writes the command that sends the vehicles here: nothing flies before the user has seen it and pressed Enter.
-fn goto_here(state: &mut State, size: Size) {
+fn goto_here(state: &State, size: Size) -> Vec<RoomRequest> {
     let map = &state.rooms.map;
-    if let Some(view) = map.view(size) {
-        let place = map.pointed(&view);
-        let line = format!("goto {:.7} {:.7} ", place.lat_deg, place.lon_deg);
-        open_palette(state, &line);
-    }
+    let Some(view) = map.view(size) else {
+        return Vec::new();
+    };
+    let place = map.pointed(&view);
+    let line = format!("goto {:.7} {:.7} ", place.lat_deg, place.lon_deg);
+    vec![RoomRequest::Write(line)]
 }
 
 /// Makes the next vehicle by number that of the cursor, and points at it.

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::app::state::State;
+use crate::app::State;
 use crate::geo::{LatLon, Outline};
 use crate::mission::AreaKind;
 use crate::swarm::Path;

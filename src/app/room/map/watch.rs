@@ -1,7 +1,7 @@
 //! What the map takes in while things happen, also when nobody looks at it.
 
 use super::{Aim, planned};
-use crate::app::state::State;
+use crate::app::State;
 use crate::geo::{LatLon, Outline};
 use crate::mission::Progress;
 use crate::vehicle::{Vehicle, VehicleId};

@@ -5,8 +5,11 @@ use std::time::Duration;
 use unicode_width::UnicodeWidthStr as _;
 
 use super::shown;
-use crate::app::state::State;
-use crate::mission::{ClueProgress, Listing, ObjectiveState};
+use crate::app::State;
+use crate::app::action::Action;
+use crate::app::keymap::{Meaning, Place};
+use crate::app::room::Room;
+use crate::mission::{Listing, ObjectiveState};
 use crate::text;
 use crate::text::{Locale, Text, reflow, wrap};
 
@@ -133,13 +136,22 @@ impl Page<'_> {
     /// How far the flight has come.
     fn course(&self) -> Text {
         let Some(progress) = &self.state.session.mission else {
-            return text!("mission-begin");
+            return text!(
+                "mission-begin",
+                fly = self.state.key(Action::Submit),
+                back = self.state.key(Action::Escape)
+            );
         };
         let score = progress.score_so_far;
         let score = score.map_or("-".to_owned(), |score| score.to_string());
         let elapsed = clock(progress.elapsed);
         if self.state.session.over {
-            return text!("mission-ended", elapsed = elapsed, score = score);
+            return text!(
+                "mission-ended",
+                elapsed = elapsed,
+                score = score,
+                key = self.state.key(Action::Show(Room::Debrief))
+            );
         }
         let limit = clock(progress.limit);
         text!(
@@ -203,12 +215,18 @@ impl Page<'_> {
         }
     }
 
+    /// The key that opens the command line with some words in it.
+    fn words_key(&self, words: &'static str) -> Text {
+        let place = Place::In(Room::Mission);
+        self.state.keymap.key(Meaning::words(words), place)
+    }
+
     fn hints(&mut self) {
         let hints = &self.state.rooms.mission.hints;
         let clues = self.state.session.mission.as_ref().map(|it| &it.clues);
         let given = clues.map_or(&[][..], |clues| &clues.given);
         let next = clues
-            .and_then(ClueProgress::price)
+            .and_then(|clues| clues.price(self.words_key("hint")))
             .filter(|_| !self.state.session.over);
         if self.awaits_launch() || hints.is_empty() && given.is_empty() && next.is_none() {
             return;

@@ -2,52 +2,22 @@
 
 use std::collections::VecDeque;
 
-use super::{Parameters, edit};
-use crate::app::effect::Effect;
-use crate::app::state::State;
+use super::Parameters;
+use crate::app::state::ParameterSetting;
 use crate::ledger::{Entry, EntryId, Ledger, Row, RowState};
-use crate::text;
-use crate::vehicle::{Severity, VehicleId};
+use crate::vehicle::VehicleId;
 
 /// Commands that may be under way at most. A command that waits behind others may be over its deadline before it is
 /// sent, so that fewer are given where answers are slow.
 const MOST_UNDER_WAY: usize = 8;
 
-/// One value for some vehicles.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Setting {
-    /// The parameter's name.
-    pub name: String,
-    /// The value to take.
-    pub value: f32,
-    /// The vehicles, sorted.
-    pub vehicles: Vec<VehicleId>,
-    /// How often it is given again where no answer comes: taking the same value twice does no harm.
-    pub again: u8,
-}
-
-impl Setting {
-    /// A value for some vehicles.
-    pub fn new(name: &str, value: f32, vehicles: Vec<VehicleId>) -> Self {
-        Self {
-            name: name.to_owned(),
-            value,
-            vehicles,
-            again: AGAIN,
-        }
-    }
-}
-
-/// A setting is given again so often.
-const AGAIN: u8 = 2;
-
 /// Values that are being set.
 #[derive(Debug, Clone)]
 pub struct Batch {
     /// What has not been given yet.
-    waiting: VecDeque<Setting>,
+    waiting: VecDeque<ParameterSetting>,
     /// What is under way.
-    under_way: Vec<(EntryId, Setting)>,
+    under_way: Vec<(EntryId, ParameterSetting)>,
     /// How many commands may be under way now.
     window: usize,
     /// Vehicles' values that were confirmed.
@@ -57,7 +27,8 @@ pub struct Batch {
 }
 
 impl Batch {
-    fn new() -> Self {
+    /// Nothing to set yet.
+    pub fn new() -> Self {
         Self {
             waiting: VecDeque::new(),
             under_way: Vec::new(),
@@ -65,6 +36,36 @@ impl Batch {
             confirmed: 0,
             failed: 0,
         }
+    }
+
+    /// Sets these values as well.
+    pub fn add(&mut self, settings: Vec<ParameterSetting>) {
+        self.waiting.extend(settings);
+    }
+
+    /// The next value to be sent, if one may go out now.
+    pub fn next(&mut self) -> Option<ParameterSetting> {
+        if self.under_way.len() < self.window {
+            self.waiting.pop_front()
+        } else {
+            None
+        }
+    }
+
+    /// A value has been sent with this entry of the ledger.
+    pub fn sent(&mut self, entry: EntryId, setting: ParameterSetting) {
+        self.under_way.push((entry, setting));
+    }
+
+    /// A value could not be sent: the vehicles are not there any more.
+    pub fn not_sent(&mut self, setting: &ParameterSetting) {
+        self.failed += setting.vehicles.len();
+    }
+
+    /// How many vehicles' values were confirmed and how many were not, once nothing is under way.
+    pub fn result(&self) -> Option<(usize, usize)> {
+        let is_over = self.under_way.is_empty();
+        is_over.then_some((self.confirmed, self.failed))
     }
 
     /// Gives nothing more, and says how many were not given.
@@ -85,59 +86,10 @@ impl Batch {
     }
 }
 
-/// Begins to set values; what another batch has not sent yet is added to.
-pub fn begin(state: &mut State, settings: Vec<Setting>) -> Vec<Effect> {
-    if let Some(comparison) = &mut state.rooms.parameters.comparison {
-        let names = settings.iter().map(|setting| setting.name.clone());
-        comparison.set.extend(names);
-    }
-    let room = &mut state.rooms.parameters;
-    let batch = room.batch.get_or_insert_with(Batch::new);
-    batch.waiting.extend(settings);
-    advance(state)
-}
-
-/// Counts what has ended and gives what may go out now. Call it when a row of the ledger has changed.
-pub fn advance(state: &mut State) -> Vec<Effect> {
-    let Some(mut batch) = state.rooms.parameters.batch.take() else {
-        return Vec::new();
-    };
-    batch.count(&state.session.ledger, &state.rooms.parameters);
-    let mut effects = Vec::new();
-    while batch.under_way.len() < batch.window
-        && let Some(setting) = batch.waiting.pop_front()
-    {
-        match edit::send(state, &setting).as_deref() {
-            Ok([effect @ Effect::Order { entry, .. }]) => {
-                batch.under_way.push((*entry, setting));
-                effects.push(effect.clone());
-            }
-            // The vehicle is not there any more.
-            _ => batch.failed += setting.vehicles.len(),
-        }
-    }
-    if batch.under_way.is_empty() {
-        let severity = match batch.failed {
-            0 => Severity::Info,
-            _ => Severity::Warning,
-        };
-        let (confirmed, failed) = (batch.confirmed, batch.failed);
-        let text = text!(
-            "parameters-set-done",
-            confirmed = confirmed,
-            failed = failed
-        );
-        state.say(severity, text);
-    } else {
-        state.rooms.parameters.batch = Some(batch);
-    }
-    effects
-}
-
 impl Batch {
     /// Takes note of commands that have ended.
-    fn count(&mut self, ledger: &Ledger, known: &Parameters) {
-        let is_over = |(id, _): &mut (EntryId, Setting)| {
+    pub fn count(&mut self, ledger: &Ledger, known: &Parameters) {
+        let is_over = |(id, _): &mut (EntryId, ParameterSetting)| {
             // What has fallen out of the ledger is long over.
             ledger.entry(*id).is_none_or(Entry::is_final)
         };
@@ -157,8 +109,9 @@ impl Batch {
             let again = setting.again;
             for (vehicles, again) in [(unsent, again), (unanswered, again.saturating_sub(1))] {
                 if !vehicles.is_empty() {
-                    let setting = Setting::new(&setting.name, setting.value, vehicles);
-                    self.waiting.push_back(Setting { again, ..setting });
+                    let setting = ParameterSetting::new(&setting.name, setting.value, vehicles);
+                    self.waiting
+                        .push_back(ParameterSetting { again, ..setting });
                 }
             }
         }
@@ -169,7 +122,7 @@ impl Batch {
 /// parameter.
 fn to_give_again(
     rows: &[Row],
-    setting: &Setting,
+    setting: &ParameterSetting,
     known: &Parameters,
 ) -> (Vec<VehicleId>, Vec<VehicleId>) {
     let timed_out = rows.iter().filter(|row| row.state == RowState::TimedOut);

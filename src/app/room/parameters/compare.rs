@@ -4,9 +4,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use super::files::incomplete;
-use super::{Setting, coming, rows};
+use super::{coming, rows};
+use crate::app::State;
 use crate::app::action::Action;
-use crate::app::state::{Confirm, Consequence, Overlay, State, ranges};
+use crate::app::state::{Consequence, ParameterSetting, ranges};
 use crate::parameters::{ParameterFinding, is_the_vehicles_own};
 use crate::text;
 use crate::vehicle::{Severity, VehicleId};
@@ -107,29 +108,24 @@ pub fn apply(state: &mut State) {
         targets.retain(|id| *id != other);
     }
     // The filter narrows what is looked at; what is set is all that is marked and shown.
-    let settings: Vec<Setting> = rows(state)
+    let settings: Vec<ParameterSetting> = rows(state)
         .iter()
         .filter_map(|row| {
             let finding = row.finding?;
             let value = row.other()?;
             let is_marked = comparison.is_marked(row.name, finding);
-            is_marked.then(|| Setting::new(row.name, value, targets.clone()))
+            is_marked.then(|| ParameterSetting::new(row.name, value, targets.clone()))
         })
         .collect();
     if settings.is_empty() || targets.is_empty() {
         return state.say(Severity::Notice, text!("parameters-nothing-marked"));
     }
     let count = settings.len();
-    state.overlay = Some(Overlay::Confirm(Confirm {
-        question: text!(
-            "parameters-ask-apply",
-            count = count,
-            vehicles = ranges(targets)
-        ),
-        reason: text!("parameters-ask-apply-reason"),
-        answer: "y".to_owned(),
-        typed: String::new(),
-        cancelled: false,
-        then: Consequence::Parameters(settings),
-    }));
+    let question = text!(
+        "parameters-ask-apply",
+        count = count,
+        vehicles = ranges(targets)
+    );
+    let reason = text!("parameters-ask-apply-reason");
+    state.ask(question, reason, Consequence::Parameters(settings));
 }

@@ -3,9 +3,10 @@
 use std::time::Duration;
 
 use super::Other;
+use crate::app::State;
 use crate::app::effect::Effect;
 use crate::app::room::Room;
-use crate::app::state::{Overlay, State};
+use crate::app::state::Overlay;
 use crate::parameters::Fetching;
 use crate::vehicle::VehicleId;
 

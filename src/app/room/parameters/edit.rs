@@ -2,11 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use super::Setting;
-use crate::app::effect::Effect;
+use crate::app::State;
 use crate::app::room::Room;
-use crate::app::state::{Consequence, State, ranges};
-use crate::app::update::order;
+use crate::app::state::{ParameterSetting, ranges};
 use crate::commands::{Act, Command, Order};
 use crate::ledger::{EntryId, Row, RowState};
 use crate::parameters::ParameterType;
@@ -26,15 +24,16 @@ pub struct Edit {
     pub value: f64,
 }
 
-/// Takes a new value for a parameter of some vehicles.
+/// The line that sets a new value for a parameter of some vehicles.
 ///
 /// # Errors
 /// It is no number, or none that the parameter's type could hold.
 pub fn entered(
-    state: &mut State,
+    state: &State,
     name: &str,
-    (vehicles, entered): (&[VehicleId], &str),
-) -> Result<Vec<Effect>, Text> {
+    vehicles: &[VehicleId],
+    entered: &str,
+) -> Result<String, Text> {
     let written = entered.trim();
     let value: f64 = written
         .parse()
@@ -46,33 +45,24 @@ pub fn entered(
             fits(known.kind)?;
         }
     }
-    give(state, vehicles, (name, &value.to_string()))
+    Ok(line(name, &value.to_string(), vehicles))
 }
 
-/// Gives a `param set` as the command line would.
-///
-/// # Errors
-/// There is nobody to give it to.
-pub fn send(state: &mut State, setting: &Setting) -> Result<Vec<Effect>, Text> {
-    let Setting { name, value, .. } = setting;
+/// The line that gives some vehicles a value.
+pub fn setting_line(setting: &ParameterSetting) -> String {
+    let value = setting.value;
     // The shortest number that means a large whole one is another whole number.
-    let value = if value.fract() == 0.0 {
-        f64::from(*value).to_string()
+    let written = if value.fract() == 0.0 {
+        f64::from(value).to_string()
     } else {
         value.to_string()
     };
-    give(state, &setting.vehicles, (name, &value))
+    line(&setting.name, &written, &setting.vehicles)
 }
 
-fn give(
-    state: &mut State,
-    vehicles: &[VehicleId],
-    (name, value): (&str, &str),
-) -> Result<Vec<Effect>, Text> {
+fn line(name: &str, value: &str, vehicles: &[VehicleId]) -> String {
     let targets = ranges(vehicles.iter().copied());
-    let line = format!("{targets} param set {name} {value}");
-    let order = order::prepare(state, &line).map_err(|fault| fault.message)?;
-    Ok(order::carry_out(state, Consequence::Order(order)))
+    format!("{targets} param set {name} {value}")
 }
 
 /// Remembers what an order sets, so that the list can show what becomes of it.

@@ -1,9 +1,9 @@
 //! Parameter files: saved, and read to be compared with.
 
 use super::{Comparison, Other};
+use crate::app::State;
 use crate::app::effect::{Effect, FileEffect, FileKind};
 use crate::app::room::Room;
-use crate::app::state::State;
 use crate::parameters::{self, ParameterList};
 use crate::text;
 use crate::text::Text;

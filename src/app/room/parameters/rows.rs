@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::{Comparison, Other};
-use crate::app::state::State;
+use crate::app::State;
 use crate::parameters::{
     Fetching, ListedParameter, ParameterDifference, ParameterFinding, differences,
 };

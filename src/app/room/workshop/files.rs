@@ -1,9 +1,10 @@
 //! Designs by name, and designs in files.
 
 use super::shelf;
+use crate::app::State;
+use crate::app::action::Action;
 use crate::app::effect::{CareerEffect, Effect, FileEffect, FileKind};
-use crate::app::state::{Overlay, Prompt, Purpose, State};
-use crate::app::update::act;
+use crate::app::state::{Consequence, Purpose};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
@@ -12,28 +13,30 @@ use crate::workshop::Design;
 /// Asks under which name the bench is kept.
 pub(super) fn ask_save(state: &mut State) {
     if state.career.is_none() {
-        return state.say(Severity::Warning, text!("bench-nobody-saves"));
+        let key = state.key(Action::ExportDesign);
+        return state.say(Severity::Warning, text!("bench-nobody-saves", key = key));
     }
     let name = state.rooms.workshop.bench.design().name.clone();
-    ask(state, Purpose::SaveDesign, name);
+    state.prompt(Purpose::SaveDesign, name);
 }
 
 /// Asks what a copy is called: of a design of the list, else of the bench.
 pub(super) fn ask_copy(state: &mut State, design: Option<Design>) {
     if state.career.is_none() {
-        return state.say(Severity::Warning, text!("bench-nobody-saves"));
+        let key = state.key(Action::ExportDesign);
+        return state.say(Severity::Warning, text!("bench-nobody-saves", key = key));
     }
     let bench = &state.rooms.workshop.bench;
     let name = design.unwrap_or_else(|| bench.design().clone()).name;
     let entered = format!("{name} 2");
-    ask(state, Purpose::CopyDesign(name), entered);
+    state.prompt(Purpose::CopyDesign(name), entered);
 }
 
 /// Asks for another name: of a design of the list, else of the bench.
 pub(super) fn ask_rename(state: &mut State, design: Option<Design>) {
     let bench = &state.rooms.workshop.bench;
     let name = design.unwrap_or_else(|| bench.design().clone()).name;
-    ask(state, Purpose::RenameDesign(name.clone()), name);
+    state.prompt(Purpose::RenameDesign(name.clone()), name);
 }
 
 /// Asks for the file that the bench is written to.
@@ -47,19 +50,12 @@ pub(super) fn ask_export(state: &mut State) {
         }
     };
     let path = format!("{}.toml", name.chars().map(letter).collect::<String>());
-    ask(state, Purpose::ExportDesign, path);
+    state.prompt(Purpose::ExportDesign, path);
 }
 
 /// Asks for a file to read a design from.
 pub(super) fn ask_import(state: &mut State) {
-    ask(state, Purpose::ImportDesign, String::new());
-}
-
-fn ask(state: &mut State, purpose: Purpose, entered: String) {
-    state.overlay = Some(Overlay::Prompt(Prompt {
-        input: entered.into(),
-        ..Prompt::new(purpose)
-    }));
+    state.prompt(Purpose::ImportDesign, "");
 }
 
 /// Keeps the bench under a name. Another design of that name is only replaced after a question.
@@ -161,7 +157,7 @@ pub fn imported(path: &str) -> Result<Vec<Effect>, Text> {
 }
 
 /// A file has been read: its design goes onto the bench, or the first fault is told.
-pub fn read(state: &mut State, path: &str, content: &str) -> Vec<Effect> {
+pub fn read(state: &mut State, path: &str, content: &str) {
     match Design::from_toml(content) {
         Ok(design) => shelf::open(state, design),
         Err(faults) => {
@@ -169,7 +165,6 @@ pub fn read(state: &mut State, path: &str, content: &str) -> Vec<Effect> {
             if let Some(first) = lines.into_iter().next() {
                 state.say(Severity::Error, first);
             }
-            Vec::new()
         }
     }
 }
@@ -197,12 +192,8 @@ fn same(one: &str, other: &str) -> bool {
 fn ask_overwrite(state: &mut State, design: Design) {
     let question = text!("bench-ask-overwrite", name = design.name.as_str());
     let reason = text!("bench-ask-overwrite-reason");
-    drop(act::ask(
-        state,
-        question,
-        reason,
-        Effect::Career(CareerEffect::KeepDesign(design)),
-    ));
+    let effect = Effect::Career(CareerEffect::KeepDesign(design));
+    state.ask(question, reason, Consequence::Effect(effect));
 }
 
 fn path_of(entered: &str) -> Result<String, Text> {

@@ -1,8 +1,8 @@
 //! How the design on the bench stands to what the mission needs, computed when either changes.
 
 use super::{Pane, mission};
+use crate::app::State;
 use crate::app::room::Room;
-use crate::app::state::State;
 use crate::mission::FitLine;
 use crate::text::Text;
 use crate::vehicle::VehicleId;

@@ -1,10 +1,9 @@
 //! The seats of a mission's fleet. The mission lends drones for all of them, or all are built: one design for each.
 
 use super::{lacking, mission};
+use crate::app::State;
 use crate::app::action::Action;
-use crate::app::effect::Effect;
-use crate::app::state::State;
-use crate::app::update::mission as flight;
+use crate::app::room::RoomRequest;
 use crate::mission::Listing;
 use crate::text;
 use crate::text::Text;
@@ -46,7 +45,7 @@ pub fn bill(state: &State, mission: &Listing) -> u32 {
 }
 
 /// What actions do.
-pub(super) fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
+pub(super) fn act(state: &mut State, action: Action) -> Option<Vec<RoomRequest>> {
     let count = mission(state).map_or(0, |mission| mission.vehicles);
     match action {
         Action::Move(step) => {
@@ -118,7 +117,7 @@ fn give_back(state: &mut State) {
 }
 
 /// Flies the mission with the fleet, if it is within the budget.
-pub(super) fn fly(state: &mut State) -> Vec<Effect> {
+pub(super) fn fly(state: &mut State) -> Vec<RoomRequest> {
     let Some(mission) = mission(state) else {
         state.say(Weight::Notice, text!("bench-no-mission"));
         return Vec::new();
@@ -129,5 +128,5 @@ pub(super) fn fly(state: &mut State) -> Vec<Effect> {
         state.say(Weight::Warning, text);
         return Vec::new();
     }
-    flight::start(state, state.launch(&id))
+    vec![RoomRequest::Fly(state.launch(&id))]
 }

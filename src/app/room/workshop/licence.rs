@@ -1,9 +1,9 @@
 //! What of the parts a trainee may fly, and buying the right to fly more.
 
 use super::part_under_cursor;
+use crate::app::State;
 use crate::app::effect::{CareerEffect, Effect};
-use crate::app::state::State;
-use crate::app::update::act;
+use crate::app::state::Consequence;
 use crate::campaign::{PartState, PurchaseRefusal};
 use crate::text;
 use crate::text::Text;
@@ -43,13 +43,12 @@ pub fn lacking(state: &State, design: &Design) -> Vec<&'static Part> {
 }
 
 /// Asks before the right to use the part under the cursor is bought.
-pub(super) fn buy(state: &mut State) -> Vec<Effect> {
+pub(super) fn buy(state: &mut State) {
     let Some(part) = part_under_cursor(state) else {
-        return Vec::new();
+        return;
     };
     let Some(career) = &state.career else {
-        state.say(Severity::Notice, text!("bench-nobody-buys"));
-        return Vec::new();
+        return state.say(Severity::Notice, text!("bench-nobody-buys"));
     };
     match career.standing.buy(part.id, &career.course) {
         Ok(purchase) => {
@@ -61,12 +60,8 @@ pub(super) fn buy(state: &mut State) -> Vec<Effect> {
                 price = purchase.credits
             );
             let reason = text!("bench-ask-buy-reason", credits = credits, left = left);
-            act::ask(
-                state,
-                question,
-                reason,
-                Effect::Career(CareerEffect::BuyPart(part.id.to_owned())),
-            )
+            let effect = Effect::Career(CareerEffect::BuyPart(part.id.to_owned()));
+            state.ask(question, reason, Consequence::Effect(effect));
         }
         Err(refusal) => {
             let text = match refusal {
@@ -76,7 +71,6 @@ pub(super) fn buy(state: &mut State) -> Vec<Effect> {
                 other => other.text(),
             };
             state.say(Severity::Warning, text);
-            Vec::new()
         }
     }
 }

@@ -1,10 +1,12 @@
 //! All designs: the trainee's own, and those that everybody has.
 
 use super::{Page, air};
+use crate::app::State;
 use crate::app::action::Action;
 use crate::app::effect::{CareerEffect, Effect};
-use crate::app::state::{Confirm, Consequence, Overlay, State};
-use crate::app::update::act;
+use crate::app::keymap::Place;
+use crate::app::room::{Room, RoomRequest};
+use crate::app::state::Consequence;
 use crate::text;
 use crate::vehicle::Severity;
 use crate::workshop::{Design, Sheet};
@@ -50,21 +52,17 @@ pub fn heard(state: &mut State) {
 }
 
 /// Lays a design onto the bench. Asks first where something would be replaced that is kept nowhere.
-pub fn open(state: &mut State, design: Design) -> Vec<Effect> {
+pub fn open(state: &mut State, design: Design) {
     if is_saved(state) {
-        lay(state, design);
-        return Vec::new();
+        return lay(state, design);
     }
     let name = state.rooms.workshop.bench.design().name.clone();
-    state.overlay = Some(Overlay::Confirm(Confirm {
-        question: text!("bench-ask-replace", name = name),
-        reason: text!("bench-ask-replace-reason"),
-        answer: "y".to_owned(),
-        typed: String::new(),
-        cancelled: false,
-        then: Consequence::Design(design),
-    }));
-    Vec::new()
+    let question = text!("bench-ask-replace", name = name);
+    let reason = text!(
+        "bench-ask-replace-reason",
+        key = state.keymap.key(Action::Undo, Place::In(Room::Workshop))
+    );
+    state.ask(question, reason, Consequence::Design(design));
 }
 
 /// Lays a design onto the bench.
@@ -79,9 +77,9 @@ pub fn lay(state: &mut State, design: Design) {
 }
 
 /// A new design.
-pub(super) fn begin(state: &mut State) -> Vec<Effect> {
+pub(super) fn begin(state: &mut State) {
     let name = state.locale.say("bench-new-name");
-    open(state, Design::new(name))
+    open(state, Design::new(name));
 }
 
 /// Compares with the design under the cursor of the list; from elsewhere, shows the list to choose from, or the bench
@@ -92,26 +90,27 @@ pub(super) fn compare_or_choose(state: &mut State) {
         Page::Compare => room.page = Page::Bench,
         Page::Bench | Page::Fleet => {
             room.page = Page::Designs;
-            state.say(Severity::Notice, text!("bench-choose-compared"));
+            let key = state.key(Action::CompareDesign);
+            state.say(Severity::Notice, text!("bench-choose-compared", key = key));
         }
         Page::Designs => compare(state),
     }
 }
 
 /// What actions do in the list.
-pub(super) fn act(state: &mut State, action: Action) -> Option<Vec<Effect>> {
+pub(super) fn act(state: &mut State, action: Action) -> Option<Vec<RoomRequest>> {
     let count = stored(state).len();
     let at = state.rooms.workshop.shelf.min(count.saturating_sub(1));
     let listed = stored(state).get(at).copied();
     let listed = listed.map(|it| (it.design.clone(), it.is_own));
     match (action, listed) {
         (Action::Move(step), _) => state.rooms.workshop.shelf = step.apply(at, count),
-        (Action::Submit, Some((design, _))) => return Some(open(state, design)),
+        (Action::Submit, Some((design, _))) => open(state, design),
         (Action::CopyDesign, Some((design, _))) => super::files::ask_copy(state, Some(design)),
         (Action::RenameDesign, Some((design, true))) => {
             super::files::ask_rename(state, Some(design));
         }
-        (Action::TakeOut, Some((design, true))) => return Some(ask_drop(state, &design)),
+        (Action::TakeOut, Some((design, true))) => ask_drop(state, &design),
         (Action::TakeOut | Action::RenameDesign, Some((_, false))) => {
             state.say(Severity::Notice, text!("bench-not-own"));
         }
@@ -133,12 +132,10 @@ fn compare(state: &mut State) {
     room.scroll = 0;
 }
 
-fn ask_drop(state: &mut State, design: &Design) -> Vec<Effect> {
+fn ask_drop(state: &mut State, design: &Design) {
     let name = design.name.as_str();
-    act::ask(
-        state,
-        text!("bench-ask-delete", name = name),
-        text!("bench-ask-delete-reason"),
-        Effect::Career(CareerEffect::DropDesign(name.to_owned())),
-    )
+    let question = text!("bench-ask-delete", name = name);
+    let reason = text!("bench-ask-delete-reason");
+    let effect = Effect::Career(CareerEffect::DropDesign(name.to_owned()));
+    state.ask(question, reason, Consequence::Effect(effect));
 }

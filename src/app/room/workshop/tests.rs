@@ -4,10 +4,10 @@ mod properties;
 
 use super::*;
 use crate::app::Setup;
-use crate::app::effect::{CareerEffect, FileEffect, FileKind, SessionEffect};
+use crate::app::effect::{CareerEffect, Effect, FileEffect, FileKind, SessionEffect};
 use crate::app::event::{CareerEvent, Event, FileEvent, TerminalEvent};
 use crate::app::state::{Career, Overlay, Purpose};
-use crate::app::update::{act, update};
+use crate::app::update::update;
 use crate::campaign::{MissionCourse, Offer};
 use crate::mission::Mission;
 use crate::workshop::Slot;
@@ -193,7 +193,8 @@ fn what_lies_on_the_bench_survives_leaving_the_room_and_a_session() {
     let changed = design(&state).clone();
     press(&mut state, "esc");
     assert_eq!(state.room, Room::Home);
-    act::go_home(&mut state);
+    let left = update(&mut state, TerminalEvent::Line("leave".to_owned()).into());
+    assert_eq!(left, [Effect::Session(SessionEffect::Leave)]);
     press(&mut state, "W");
     assert_eq!(design(&state), &changed);
     let effects = press(&mut state, "esc q");

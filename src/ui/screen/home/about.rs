@@ -5,8 +5,10 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use super::name;
+use crate::app::State;
+use crate::app::action::Action;
 use crate::app::room::home::{HomeItem, drill, facts, items};
-use crate::app::state::{Room, State};
+use crate::app::state::Room;
 use crate::scoring::Medal;
 use crate::text;
 use crate::text::Text;
@@ -123,7 +125,8 @@ fn fact_lines(state: &State, item: HomeItem, look: &Look, columns: usize) -> Vec
 }
 
 fn keys(state: &State, item: HomeItem, look: &Look) -> Vec<KeyHint> {
-    let mut keys = vec![("Enter".to_owned(), look.say(deed(item)))];
+    let key = |action: Action| look.text(&state.key(action));
+    let mut keys = vec![(key(Action::Submit), look.say(deed(item)))];
     let HomeItem::Mission(at) = item else {
         return keys;
     };
@@ -133,7 +136,7 @@ fn keys(state: &State, item: HomeItem, look: &Look) -> Vec<KeyHint> {
     }
     if state.session.activity.is_none() {
         let rules = look.say("home-mission-rules");
-        keys.push((Room::Mission.key().to_string(), rules));
+        keys.push((key(Action::Show(Room::Mission)), rules));
     }
     if state.lock(&mission.id).is_some() {
         return keys;
@@ -144,15 +147,15 @@ fn keys(state: &State, item: HomeItem, look: &Look) -> Vec<KeyHint> {
             title = &drill.title,
             seconds = drill.time_limit.as_secs()
         );
-        keys.push(("t".to_owned(), look.text(&about)));
+        keys.push((key(Action::Drill), look.text(&about)));
     }
     if state.career.is_some() {
-        for (key, what) in [
-            ("d", "home-daily"),
-            ("e", "home-exam"),
-            ("p", "home-practise"),
+        for (action, what) in [
+            (Action::Daily, "home-daily"),
+            (Action::Exam, "home-exam"),
+            (Action::Practise, "home-practise"),
         ] {
-            keys.push((key.to_owned(), look.say(what)));
+            keys.push((key(action), look.say(what)));
         }
     }
     keys
@@ -196,7 +199,13 @@ fn about(state: &State, item: HomeItem, look: &Look) -> String {
     match item {
         HomeItem::Mission(at) => look.locale.text(&state.missions[at].brief),
         HomeItem::Free => {
-            let (about, first) = (look.say("home-free-about"), look.say("home-free-first"));
+            let (about, first) = (
+                look.say("home-free-about"),
+                look.text(&text!(
+                    "home-free-first",
+                    key = state.key(Action::CommandLine)
+                )),
+            );
             let wait = look.say("home-free-wait");
             let indented = |line: &str| format!("  {line}");
             let climb = FIRST_CLIMB.map(indented).join("\n");

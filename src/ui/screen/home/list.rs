@@ -5,8 +5,9 @@ use ratatui::layout::Rect;
 use ratatui::text::Line;
 
 use super::name;
+use crate::app::State;
 use crate::app::room::home::{HomeItem, items};
-use crate::app::state::{Career, State};
+use crate::app::state::Career;
 use crate::campaign::MissionStage;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;

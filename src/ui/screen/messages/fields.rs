@@ -5,6 +5,8 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use super::{age, hertz};
+use crate::app::State;
+use crate::app::action::Action;
 use crate::app::room::messages::{Messages, Selected};
 use crate::inspector::{
     Census, Direction, FieldReading, MessageReading, MessageTally, TallyKey, name_of, read,
@@ -25,14 +27,15 @@ type Row = (Option<usize>, Line<'static>);
 
 /// Draws the pane.
 pub(super) fn draw(
-    room: &Messages,
+    state: &State,
     selected: Option<Selected<'_>>,
     look: &Look,
     area: Rect,
     buffer: &mut Buffer,
 ) {
+    let room = &state.rooms.messages;
     let Some(selected) = selected else {
-        draw_hint(room, look, area, buffer);
+        draw_hint(state, look, area, buffer);
         return;
     };
     let Selected {
@@ -78,10 +81,22 @@ pub(super) fn draw(
 }
 
 /// What there is to know while no message is under the cursor.
-fn draw_hint(room: &Messages, look: &Look, area: Rect, buffer: &mut Buffer) {
+fn draw_hint(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let inner = titled(&look.say("messages-fields"), look, area, buffer);
-    let mut lines = wrap(&look.say("messages-hint"), usize::from(inner.width));
-    let censuses = room.traffic.iter().filter_map(|link| link.census.as_ref());
+    let hint = text!(
+        "messages-hint",
+        open = state.key(Action::Submit),
+        fields = state.key(Action::OtherSide),
+        graph = state.key(Action::Pin),
+        bytes = state.key(Action::Hex),
+        filter = state.key(Action::Filter),
+        sort = state.key(Action::Sort),
+        pause = state.key(Action::Pause),
+        fold = state.key(Action::FoldAll)
+    );
+    let mut lines = wrap(&look.text(&hint), usize::from(inner.width));
+    let traffic = state.rooms.messages.traffic.iter();
+    let censuses = traffic.filter_map(|link| link.census.as_ref());
     let uncounted: u64 = censuses.map(Census::uncounted).sum();
     if uncounted > 0 {
         let text = text!("messages-uncounted", count = uncounted);

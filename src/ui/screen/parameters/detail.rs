@@ -7,7 +7,8 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use super::{Row, edited};
-use crate::app::state::{State, ranges};
+use crate::app::State;
+use crate::app::state::ranges;
 use crate::parameters::shown;
 use crate::text;
 use crate::text::Text;

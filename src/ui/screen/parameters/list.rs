@@ -5,8 +5,8 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use super::{Row, cell, edited};
+use crate::app::State;
 use crate::app::room::parameters::Comparison;
-use crate::app::state::State;
 use crate::parameters::{ListedParameter, ParameterFinding, is_same, is_the_vehicles_own, shown};
 use crate::text;
 use crate::ui::look::Look;

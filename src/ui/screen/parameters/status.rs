@@ -4,8 +4,10 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
+use crate::app::State;
+use crate::app::action::Action;
 use crate::app::room::parameters::{Other, Row, extra};
-use crate::app::state::{State, ranges};
+use crate::app::state::ranges;
 use crate::parameters::{Fetching, ParameterSnapshot};
 use crate::text;
 use crate::text::Text;
@@ -40,7 +42,7 @@ pub fn draw(
         .get(&vehicle)
         .is_some_and(|it| it.link.lost);
     let known = state.rooms.parameters.lists.get(&vehicle);
-    let mut spans = progress(known, is_lost, look);
+    let mut spans = progress(state, known, is_lost, look);
     for (text, role) in remarks(state, rows) {
         spans.push(Span::styled("   ", look.style(Role::Text)));
         spans.push(Span::styled(look.text(&text), look.style(role)));
@@ -56,7 +58,12 @@ pub fn named(other: &Other) -> Text {
     }
 }
 
-fn progress(known: Option<&ParameterSnapshot>, is_lost: bool, look: &Look) -> Vec<Span<'static>> {
+fn progress(
+    state: &State,
+    known: Option<&ParameterSnapshot>,
+    is_lost: bool,
+    look: &Look,
+) -> Vec<Span<'static>> {
     let (received, count) = known.map_or((0, 0), |known| {
         (known.list.received(), known.list.count().unwrap_or(0))
     });
@@ -64,7 +71,12 @@ fn progress(known: Option<&ParameterSnapshot>, is_lost: bool, look: &Look) -> Ve
     let (text, role) = match fetching {
         Fetching::Complete => (text!("parameters-complete", count = count), Role::Ok),
         Fetching::Stalled => {
-            let text = text!("parameters-stalled", received = received, count = count);
+            let text = text!(
+                "parameters-stalled",
+                received = received,
+                count = count,
+                key = state.key(Action::FetchParameters)
+            );
             (text, Role::Warning)
         }
         Fetching::UnderWay { .. } if is_lost => {

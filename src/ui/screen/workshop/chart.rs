@@ -4,8 +4,8 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::Line;
 
+use crate::app::State;
 use crate::app::room::workshop::View;
-use crate::app::state::State;
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;

@@ -5,8 +5,8 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use super::change;
+use crate::app::State;
 use crate::app::room::workshop::Pane;
-use crate::app::state::State;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, put, titled};

@@ -5,8 +5,9 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use super::put_wrapped;
+use crate::app::State;
+use crate::app::action::Action;
 use crate::app::room::workshop::{Licence, lacking, licence};
-use crate::app::state::State;
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
@@ -45,7 +46,12 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     for part in lacking(state, bench.design()) {
         let text = match licence(state, part) {
             Licence::ForSale(price) => {
-                text!("bench-part-for-sale", part = part.name(), price = price)
+                text!(
+                    "bench-part-for-sale",
+                    part = part.name(),
+                    price = price,
+                    key = state.key(Action::BuyPart)
+                )
             }
             Licence::Locked(mission) => {
                 text!("bench-part-locked", part = part.name(), mission = mission)

@@ -5,8 +5,8 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use super::{first_shown, mission, mission_title, show_cursor};
+use crate::app::State;
 use crate::app::room::workshop::{Seat, WIDE, seats};
-use crate::app::state::State;
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;

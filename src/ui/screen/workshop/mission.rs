@@ -6,8 +6,9 @@ use ratatui::style::Style;
 use ratatui::text::Line;
 
 use super::{mission_title, put_wrapped};
+use crate::app::State;
 use crate::app::room::workshop::{Stand, bill, mission};
-use crate::app::state::{State, ranges};
+use crate::app::state::ranges;
 use crate::text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;

@@ -6,8 +6,9 @@ use ratatui::style::Style;
 use ratatui::text::{Line, Span};
 
 use super::{change, first_shown, put_wrapped, show_cursor};
+use crate::app::State;
+use crate::app::action::Action;
 use crate::app::room::workshop::{Candidate, Licence, Pane, licence};
-use crate::app::state::State;
 use crate::text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
@@ -210,7 +211,11 @@ fn draw_detail(state: &State, candidate: &Candidate, look: &Look, area: Rect, bu
     }
     let held = match licence(state, part) {
         Licence::Held => None,
-        Licence::ForSale(price) => Some(text!("bench-for-sale", price = price)),
+        Licence::ForSale(price) => Some(text!(
+            "bench-for-sale",
+            price = price,
+            key = state.key(Action::BuyPart)
+        )),
         Licence::Locked(mission) => Some(text!("bench-locked-by", mission = mission)),
     };
     texts.extend(held.map(|held| (look.text(&held), look.style(Role::Accent))));

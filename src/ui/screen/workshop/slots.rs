@@ -5,8 +5,8 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use super::{first_shown, show_cursor};
+use crate::app::State;
 use crate::app::room::workshop::{Pane, SlotRow, is_saved};
-use crate::app::state::State;
 use crate::text::Text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;

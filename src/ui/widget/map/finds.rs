@@ -2,7 +2,7 @@
 //! without colours too.
 
 use super::ground::Label;
-use crate::app::state::State;
+use crate::app::State;
 use crate::commands::Deed;
 use crate::geo::Viewport;
 use crate::mission::Trust;

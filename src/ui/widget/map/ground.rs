@@ -8,8 +8,8 @@ use unicode_width::UnicodeWidthStr as _;
 
 use super::canvas::{Canvas, Stroke};
 use super::finds;
+use crate::app::State;
 use crate::app::room::map::{Sketch, SketchKind, leg, sketches};
-use crate::app::state::State;
 use crate::geo::{DOTS_ACROSS, LatLon, Outline, Viewport};
 use crate::mission::{Ground, MoverKind};
 use crate::ui::look::Look;

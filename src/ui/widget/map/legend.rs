@@ -8,11 +8,11 @@ use super::canvas::Stroke;
 use super::finds;
 use super::ground::{BURNT, RULER, TARGET, TRAIL, stroke};
 use super::markers::arrow;
+use crate::app::State;
 use crate::app::room::map::SketchKind::{
     Course, Fence, Jamming, KeepOut, NoFly, People, Plan, Radio, Rally, Task,
 };
 use crate::app::room::map::{leg, sketches};
-use crate::app::state::State;
 use crate::geo::{Viewport, scale_bar};
 use crate::ui::look::Look;
 use crate::ui::theme::Role;

@@ -6,7 +6,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 
-use crate::app::state::State;
+use crate::app::State;
 use crate::config::Symbols;
 use crate::geo::Viewport;
 use crate::ui::look::Look;

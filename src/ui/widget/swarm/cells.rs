@@ -3,7 +3,8 @@
 use std::time::Duration;
 
 use crate::alert::AlertKind;
-use crate::app::state::{Session, Standing, State};
+use crate::app::State;
+use crate::app::state::{Session, Standing};
 use crate::config::Column;
 use crate::ledger::RowState;
 use crate::text;

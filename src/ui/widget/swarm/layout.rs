@@ -1,7 +1,7 @@
 //! Which columns the swarm table has, and how wide they are.
 
 use super::cells::Words;
-use crate::app::state::State;
+use crate::app::State;
 use crate::config::Column;
 use crate::ui::look::Look;
 use crate::ui::widget::width;

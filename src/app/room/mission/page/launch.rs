@@ -1,6 +1,7 @@
 //! What a trainee is asked before launch, and what was answered.
 
 use super::{Page, Tone};
+use crate::app::action::Action;
 use crate::mission::Pledge;
 use crate::text;
 use crate::text::Text;
@@ -25,36 +26,47 @@ impl Page<'_> {
         if self.state.session.activity.is_none() {
             return;
         }
-        let progress = self.state.session.mission.as_ref();
+        let state = self.state;
+        let words = |line| self.words_key(line);
+        let pause = state.key(Action::PauseMission);
+        let progress = state.session.mission.as_ref();
         let pledge = progress.map_or_else(Pledge::default, |progress| progress.pledge);
         let waits = self.awaits_launch();
         let open = |text: Text| waits.then_some(text);
         let prediction = match pledge.prediction {
             Some(points) => Some(text!("mission-prediction-is", points = points)),
-            None => open(text!("mission-prediction-none")),
+            None => open(text!("mission-prediction-none", key = words("predict "))),
         };
         let goal = match pledge.goal {
             Some(goal) => Some(goal.title()),
-            None => open(text!("mission-goal-none")),
+            None => open(text!("mission-goal-none", key = words("goal "))),
         };
+        let then = text!(
+            "mission-then-is",
+            drones = state.key(Action::Submit),
+            command = state.key(Action::CommandLine),
+            help = state.key(Action::Help)
+        );
         let named = [
             (text!("mission-prediction"), prediction),
             (text!("mission-goal"), goal),
             (
                 text!("mission-next-hint"),
-                progress.and_then(|it| it.clues.price()).filter(|_| waits),
+                progress
+                    .and_then(|it| it.clues.price(words("hint")))
+                    .filter(|_| waits),
             ),
             (
                 text!("mission-reading"),
                 self.can_pause().then(|| {
                     if self.state.session.paused {
-                        text!("mission-reading-paused")
+                        text!("mission-reading-paused", key = pause)
                     } else {
-                        text!("mission-reading-is")
+                        text!("mission-reading-is", key = pause)
                     }
                 }),
             ),
-            (text!("mission-then"), open(text!("mission-then-is"))),
+            (text!("mission-then"), open(then)),
         ];
         let rows = named
             .into_iter()

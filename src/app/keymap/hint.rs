@@ -1,0 +1,187 @@
+//! Which keys lead to something at a place, as hints and messages show them.
+
+use std::borrow::Cow;
+
+use super::{Keymap, Meaning, Place, Press};
+use crate::app::action::Action;
+use crate::app::room_list::Room;
+use crate::text;
+use crate::text::Text;
+
+/// What some keys do, for the last line of the screen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct KeyHint {
+    /// The keys.
+    pub keys: HintKeys,
+    /// The message that says what they do.
+    pub about: &'static str,
+}
+
+/// The keys of a hint, by what they lead to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum HintKeys {
+    /// The first key of each action.
+    Actions(&'static [Action]),
+    /// The key that opens the command line with these words in it.
+    Words(&'static str),
+    /// The keys of a list of vehicles, and the one that takes it.
+    VehicleList,
+}
+
+/// A hint for actions.
+pub const fn hint(actions: &'static [Action], about: &'static str) -> KeyHint {
+    let keys = HintKeys::Actions(actions);
+    KeyHint { keys, about }
+}
+
+/// A hint for the key that opens the command line with some words in it.
+pub const fn hint_words(words: &'static str, about: &'static str) -> KeyHint {
+    let keys = HintKeys::Words(words);
+    KeyHint { keys, about }
+}
+
+impl From<Action> for Meaning {
+    fn from(action: Action) -> Self {
+        Self::Do(action)
+    }
+}
+
+impl Meaning {
+    /// The command line opens with these words in it.
+    pub const fn words(words: &'static str) -> Self {
+        Self::Write(Cow::Borrowed(words))
+    }
+
+    /// Whether both lead to the same, but for blanks at the end of a line.
+    fn leads_where(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Write(one), Self::Write(other)) => one.trim_end() == other.trim_end(),
+            _ => self == other,
+        }
+    }
+}
+
+impl Keymap {
+    /// How the first key with a meaning at a place is printed; `None` where no key has it.
+    pub fn label(&self, meaning: &Meaning, place: Place) -> Option<String> {
+        self.first(meaning, place).map(Press::symbol)
+    }
+
+    /// The same in a message, also where no key has it.
+    pub fn key(&self, meaning: impl Into<Meaning>, place: Place) -> Text {
+        let label = self.label(&meaning.into(), place);
+        label.map_or_else(|| text!("key-none"), Text::verbatim)
+    }
+
+    /// The first key of each action, in a message.
+    pub fn keys(&self, actions: &'static [Action], place: Place) -> Text {
+        let label = self.hint_label(HintKeys::Actions(actions), place);
+        label.map_or_else(|| text!("key-none"), Text::verbatim)
+    }
+
+    /// What a key with a meaning does, in words for the help.
+    pub fn description(&self, meaning: &Meaning) -> Text {
+        match meaning {
+            Meaning::Do(action) => Text::new(format!("action-{}", action.name()), Vec::new()),
+            Meaning::Write(line) => text!(
+                "keys-writes",
+                line = line.trim_end(),
+                key = self.key(Action::Submit, Place::Prompt)
+            ),
+            Meaning::Give(line) => text!("keys-gives", line = line.as_ref()),
+            Meaning::Type => {
+                // The rooms that show vehicles are alike.
+                let key = self.key(Action::Submit, Place::In(Room::Fly));
+                text!("keys-types", key = key)
+            }
+        }
+    }
+
+    /// How the keys of a hint are printed; `None` where there are none.
+    pub fn hint_label(&self, keys: HintKeys, place: Place) -> Option<String> {
+        let label = |meaning: &Meaning| self.label(meaning, place);
+        match keys {
+            HintKeys::Actions(actions) => {
+                let labels = actions.iter().filter_map(|it| label(&Meaning::Do(*it)));
+                let labels: Vec<String> = labels.collect();
+                // The four directions of a cursor are read as one.
+                let is_cursor = |action: &Action| matches!(action, Action::Move(_));
+                let is_short = labels.iter().all(|label| label.len() == 1);
+                let is_one = labels.len() == 4 && is_short && actions.iter().all(is_cursor);
+                let gap = if is_one { "" } else { " " };
+                (!labels.is_empty()).then(|| labels.join(gap))
+            }
+            HintKeys::Words(words) => label(&Meaning::words(words)),
+            HintKeys::VehicleList => {
+                let list = label(&Meaning::Type)?;
+                let submit = label(&Meaning::Do(Action::Submit))?;
+                Some(format!("{list} {submit}"))
+            }
+        }
+    }
+
+    fn first(&self, meaning: &Meaning, place: Place) -> Option<Press> {
+        let at = |place: Place| {
+            let here = self.bindings.iter();
+            here.filter(move |it| it.place == place)
+        };
+        let own = at(place).find(|it| it.meaning.leads_where(meaning));
+        let Place::In(_) = place else {
+            return own.map(|binding| binding.press);
+        };
+        // A key that means something else in the room, or nothing, does not lead there.
+        let is_free = |press: Press| {
+            let is_silent = self.silent.contains(&(press, place));
+            !is_silent && at(place).all(|it| !it.press.covers(press))
+        };
+        own.or_else(|| {
+            let mut general = at(Place::Anywhere);
+            general.find(|it| it.meaning.leads_where(meaning) && is_free(it.press))
+        })
+        .map(|binding| binding.press)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::keymap::{Binding, key};
+
+    fn keymap(rows: &[(char, Place, Action)]) -> Keymap {
+        let bindings = rows.iter().map(|&(c, place, action)| Binding {
+            press: key(c),
+            place,
+            meaning: Meaning::Do(action),
+        });
+        Keymap::new(bindings.collect())
+    }
+
+    #[test]
+    fn a_key_that_means_something_else_in_the_room_is_not_shown() {
+        let room = Place::In(Room::Workshop);
+        let keymap = keymap(&[
+            ('b', Place::Anywhere, Action::Brief),
+            ('e', Place::Anywhere, Action::Brief),
+            ('b', room, Action::BuyPart),
+            ('q', Place::Anywhere, Action::Quit),
+            ('q', room, Action::Leave),
+        ]);
+        let label = |action: Action, place| keymap.label(&action.into(), place);
+        assert_eq!(label(Action::Brief, room), Some("e".to_owned()));
+        assert_eq!(label(Action::Brief, Place::Anywhere), Some("b".to_owned()));
+        assert_eq!(label(Action::Quit, room), None);
+        assert_eq!(keymap.key(Action::Quit, room), text!("key-none"));
+    }
+
+    #[test]
+    fn keys_of_a_family_hide_those_that_hold_anywhere() {
+        let room = Place::In(Room::Fly);
+        let mut keymap = keymap(&[('3', Place::Anywhere, Action::Help)]);
+        keymap.bindings.push(Binding {
+            press: Press::Number,
+            place: room,
+            meaning: Meaning::Type,
+        });
+        assert_eq!(keymap.label(&Action::Help.into(), room), None);
+    }
+}

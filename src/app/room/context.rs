@@ -1,0 +1,26 @@
+//! What depends on the state and on what some room remembers.
+
+use super::State;
+use crate::language::Context;
+use crate::vehicle::VehicleId;
+
+impl State {
+    /// Runs `work` with what the grammar has to know: groups, places, vehicles.
+    pub fn with_context<T>(&self, work: impl FnOnce(&Context<'_>) -> T) -> T {
+        let vehicles: Vec<VehicleId> = self.session.vehicles.keys().copied().collect();
+        let areas = self.session.areas.iter();
+        let areas = areas
+            .map(|area| (area.name.clone(), area.outline.clone()))
+            .collect();
+        let first = self.addressed().first().copied();
+        let parameters = first.and_then(|id| self.rooms.parameters.lists.get(&id));
+        work(&Context {
+            groups: &self.session.groups,
+            places: Some(&self.session.places),
+            areas: Some(&areas),
+            vehicles: &vehicles,
+            class: self.class(),
+            parameters: parameters.map(|known| known.list.as_ref()),
+        })
+    }
+}

@@ -1,0 +1,29 @@
+//! Hints that several rooms give on the last line of the screen.
+
+use super::State;
+use crate::app::action::Action;
+use crate::app::keymap::{HintKeys, KeyHint, hint, hint_words};
+
+pub const COMMAND: KeyHint = hint(&[Action::CommandLine], "hint-command");
+pub const HELP: KeyHint = hint(&[Action::Help], "hint-help");
+pub const MOVE: KeyHint = hint(Action::UP_AND_DOWN, "hint-move");
+pub const SCROLL: KeyHint = hint(Action::UP_AND_DOWN, "hint-scroll");
+pub const BACK: KeyHint = hint(&[Action::Escape], "hint-back");
+pub const PAUSE: KeyHint = hint(&[Action::PauseMission], "hint-pause");
+pub const MISSION_HINT: KeyHint = hint_words("hint", "hint-hint");
+pub const PREDICT: KeyHint = hint_words("predict ", "hint-predict");
+pub const GOAL: KeyHint = hint_words("goal ", "hint-goal");
+
+/// Whether the keys could do something now: a pause, where the mission allows one; a further hint of the mission,
+/// where it has one; the trainee's word, before launch.
+pub fn is_of_use(state: &State, hint: KeyHint) -> bool {
+    let mission = state.session.mission.as_ref();
+    match hint.keys {
+        HintKeys::Actions([Action::PauseMission]) => {
+            state.flown_mission().is_none_or(|it| it.pausable)
+        }
+        HintKeys::Words("hint") => mission.is_some_and(|mission| mission.clues.next.is_some()),
+        HintKeys::Words("predict " | "goal ") => state.can_pledge(),
+        HintKeys::Actions(_) | HintKeys::Words(_) | HintKeys::VehicleList => true,
+    }
+}

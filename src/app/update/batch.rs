@@ -1,0 +1,65 @@
+//! Parameters that are set one after the other.
+
+use super::order;
+use crate::app::State;
+use crate::app::effect::Effect;
+use crate::app::room::parameters::{Batch, setting_line};
+use crate::app::state::{Consequence, ParameterSetting};
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::Severity;
+
+/// Begins to set values; what another batch has not sent yet is added to.
+pub fn begin(state: &mut State, settings: Vec<ParameterSetting>) -> Vec<Effect> {
+    let room = &mut state.rooms.parameters;
+    if let Some(comparison) = &mut room.comparison {
+        let names = settings.iter().map(|setting| setting.name.clone());
+        comparison.set.extend(names);
+    }
+    let batch = room.batch.get_or_insert_with(Batch::new);
+    batch.add(settings);
+    advance(state)
+}
+
+/// Counts what has ended and gives what may go out now. Call it when a row of the ledger has changed.
+pub fn advance(state: &mut State) -> Vec<Effect> {
+    let Some(mut batch) = state.rooms.parameters.batch.take() else {
+        return Vec::new();
+    };
+    batch.count(&state.session.ledger, &state.rooms.parameters);
+    let mut effects = Vec::new();
+    while let Some(setting) = batch.next() {
+        match give(state, &setting_line(&setting)).as_deref() {
+            Ok([effect @ Effect::Order { entry, .. }]) => {
+                batch.sent(*entry, setting);
+                effects.push(effect.clone());
+            }
+            _ => batch.not_sent(&setting),
+        }
+    }
+    match batch.result() {
+        Some((confirmed, failed)) => {
+            let severity = match failed {
+                0 => Severity::Info,
+                _ => Severity::Warning,
+            };
+            let text = text!(
+                "parameters-set-done",
+                confirmed = confirmed,
+                failed = failed
+            );
+            state.say(severity, text);
+        }
+        None => state.rooms.parameters.batch = Some(batch),
+    }
+    effects
+}
+
+/// Gives a `param set` without a question.
+///
+/// # Errors
+/// There is nobody to give it to.
+pub fn give(state: &mut State, line: &str) -> Result<Vec<Effect>, Text> {
+    let order = order::prepare(state, line).map_err(|fault| fault.message)?;
+    Ok(order::carry_out(state, Consequence::Order(order)))
+}

@@ -1,0 +1,71 @@
+//! Lines that are asked for.
+
+use crossterm::event::KeyEvent;
+
+use super::{batch, keys, mission, profiles};
+use crate::app::State;
+use crate::app::action::Action;
+use crate::app::effect::Effect;
+use crate::app::keymap::Place;
+use crate::app::room::{self, home, parameters, workshop};
+use crate::app::state::{Overlay, Prompt, Purpose};
+use crate::text::Text;
+
+/// A key for a line that is asked for.
+pub fn key(state: &mut State, mut prompt: Prompt, key: KeyEvent) -> Vec<Effect> {
+    let submitted = match state.keymap.action(key, Place::Prompt) {
+        Some(Action::Escape) => return Vec::new(),
+        Some(Action::Submit) => true,
+        _ if keys::edit(&mut prompt.input, key) => false,
+        _ => {
+            state.overlay = Some(Overlay::Prompt(prompt));
+            return Vec::new();
+        }
+    };
+    prompt.fault = None;
+    let outcome = if submitted || prompt.purpose.is_live() {
+        let entered = prompt.input.value().to_owned();
+        take(state, &prompt.purpose, &entered)
+    } else {
+        Ok(Vec::new())
+    };
+    let is_wrong = outcome.is_err();
+    let effects = outcome.unwrap_or_else(|fault| {
+        prompt.fault = Some(fault);
+        Vec::new()
+    });
+    if !submitted || is_wrong {
+        state.overlay = Some(Overlay::Prompt(prompt));
+    }
+    effects
+}
+
+/// Takes what was entered.
+///
+/// # Errors
+/// What is wrong with it; the prompt stays open and says so.
+fn take(state: &mut State, purpose: &Purpose, entered: &str) -> Result<Vec<Effect>, Text> {
+    match purpose {
+        Purpose::Connect => home::connect(state, entered),
+        Purpose::NewProfile => profiles::created(state, entered),
+        Purpose::Seed(mission) => {
+            let launch = home::practice(state, mission, entered)?;
+            Ok(mission::start(state, launch))
+        }
+        Purpose::Filter(room) => {
+            room::filter(state, *room, entered);
+            Ok(Vec::new())
+        }
+        Purpose::Parameter { name, vehicles } => {
+            let line = parameters::entered(state, name, vehicles, entered)?;
+            batch::give(state, &line)
+        }
+        Purpose::SaveParameters => parameters::save(state, entered),
+        Purpose::LoadParameters | Purpose::CompareParameters => parameters::load(state, entered),
+        Purpose::SaveDesign => workshop::saved_as(state, entered),
+        Purpose::CopyDesign(of) => workshop::copied(state, of, entered),
+        Purpose::RenameDesign(old) => workshop::renamed(state, old, entered),
+        Purpose::ExportDesign => workshop::exported(state, entered),
+        Purpose::ImportDesign => workshop::imported(entered),
+    }
+}
