@@ -31,7 +31,7 @@ const FIRST: u16 = 1;
 
 /// Whether a mission runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-enum State {
+enum PlanState {
     #[default]
     Stopped,
     Running,
@@ -40,7 +40,7 @@ enum State {
 
 /// The action beside the navigation command.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-struct Action {
+struct PlanAction {
     at: Option<u16>,
     /// Whether it is still under way.
     loaded: bool,
@@ -51,7 +51,7 @@ struct Action {
 
 /// What the current navigation command waits for.
 #[derive(Debug, Clone, PartialEq, Default)]
-enum Wait {
+enum PlanWait {
     #[default]
     Nothing,
     /// A takeoff to a height (metres above the start) that waits for the motors and the throttle.
@@ -77,14 +77,14 @@ enum Wait {
     reason = "each is a fact of its own, and any may hold beside any other"
 )]
 pub(super) struct AutoPlan {
-    state: State,
+    state: PlanState,
     /// The navigation command, and whether it is under way.
     nav: Option<u16>,
     nav_loaded: bool,
     /// The command as it was when it began, whatever the list says since.
     nav_item: Item,
-    wait: Wait,
-    action: Action,
+    wait: PlanWait,
+    action: PlanAction,
     jumps: Jumps,
     /// AUTO has been entered, but the mission has not been started since.
     starting: bool,
@@ -112,15 +112,15 @@ impl AutoPlan {
         match self.state {
             _ if self.paused => MissionState::MISSION_STATE_PAUSED,
             _ if items < 2 => MissionState::MISSION_STATE_NO_MISSION,
-            State::Stopped => MissionState::MISSION_STATE_NOT_STARTED,
-            State::Running => MissionState::MISSION_STATE_ACTIVE,
-            State::Complete => MissionState::MISSION_STATE_COMPLETE,
+            PlanState::Stopped => MissionState::MISSION_STATE_NOT_STARTED,
+            PlanState::Running => MissionState::MISSION_STATE_ACTIVE,
+            PlanState::Complete => MissionState::MISSION_STATE_COMPLETE,
         }
     }
 
     /// Whether the mission hands the vehicle to setpoints from outside.
     pub(super) fn is_guided(&self) -> bool {
-        self.wait == Wait::Guided
+        self.wait == PlanWait::Guided
     }
 
     /// A takeoff was commanded: one of the mission waits for no throttle any more.
@@ -137,7 +137,7 @@ impl AutoPlan {
 
     /// Starts, or goes on where the plan stands.
     pub(super) fn start_unless_running(&mut self, vehicle: &mut Vehicle) {
-        if self.state != State::Running {
+        if self.state != PlanState::Running {
             self.start_or_resume(vehicle);
         }
     }
@@ -146,7 +146,7 @@ impl AutoPlan {
     pub(super) fn go_on(&mut self, vehicle: &mut Vehicle) {
         if vehicle.flight.mode.number != mode::AUTO {
             self.resumes = true;
-        } else if self.state == State::Stopped {
+        } else if self.state == PlanState::Stopped {
             self.resume(vehicle);
         }
     }
@@ -165,8 +165,8 @@ impl AutoPlan {
     pub(super) fn reset(&mut self) {
         self.nav = None;
         self.nav_loaded = false;
-        self.wait = Wait::Nothing;
-        self.action = Action::default();
+        self.wait = PlanWait::Nothing;
+        self.action = PlanAction::default();
         self.jumps.clear();
         self.may_lift = false;
     }
@@ -208,12 +208,12 @@ impl AutoPlan {
 
     /// AUTO has been left.
     pub(super) fn leave(&mut self) {
-        if self.state == State::Running {
-            self.state = State::Stopped;
+        if self.state == PlanState::Running {
+            self.state = PlanState::Stopped;
         }
         self.starting = false;
         self.returns = false;
-        self.wait = Wait::Nothing;
+        self.wait = PlanWait::Nothing;
     }
 
     /// One step in AUTO, before the step of the task.
@@ -224,7 +224,7 @@ impl AutoPlan {
                 self.start_or_resume(vehicle);
                 self.starting = false;
             }
-        } else if self.state == State::Running && vehicle.plans.mission.len() > 1 {
+        } else if self.state == PlanState::Running && vehicle.plans.mission.len() > 1 {
             self.update(vehicle);
         }
         if vehicle.safety.armed {
@@ -242,12 +242,12 @@ impl AutoPlan {
     /// The mission was written to: called for every item that was stored, and whenever its length changes. On the way to a
     /// place the command begins again with what the list says now; an emptied mission is forgotten.
     pub(super) fn list_changed(&mut self, vehicle: &mut Vehicle) {
-        let runs = self.state == State::Running;
+        let runs = self.state == PlanState::Running;
         if vehicle.plans.mission.is_empty() && !(runs && vehicle.safety.armed) {
             self.nav = None;
             self.nav_loaded = false;
-            self.action = Action::default();
-            self.state = State::Stopped;
+            self.action = PlanAction::default();
+            self.state = PlanState::Stopped;
         }
         if !runs
             || vehicle.flight.mode.number != mode::AUTO
@@ -273,14 +273,14 @@ impl AutoPlan {
         if usize::from(at) >= vehicle.plans.mission.len() || vehicle.plans.mission.len() == 1 {
             return false;
         }
-        self.action = Action::default();
+        self.action = PlanAction::default();
         self.nav_loaded = false;
         self.returns = false;
-        if at == 0 || self.state == State::Complete {
+        if at == 0 || self.state == PlanState::Complete {
             self.jumps.clear();
         }
         let at = at.max(FIRST);
-        if self.state != State::Running {
+        if self.state != PlanState::Running {
             return self.prepare(vehicle, at);
         }
         let worked = self.advance_to(vehicle, at);

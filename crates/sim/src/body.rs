@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 
 use super::airframe::{Airframe, axes};
 use super::kinematics::{GRAVITY_M_S2, STEP_S};
-use super::upset::{Drive, Upset, Wanted};
+use super::upset::{Drive, Upset, WantedTurn};
 
 /// Lag of the lean behind its demand (`ArduPilot`'s `ATC_INPUT_TC`).
 const LEAN_LAG_S: f64 = 0.15;
@@ -299,7 +299,7 @@ impl Body {
             }
             Demand::Acceleration(wanted) => Some(self.lagged_lift(wanted.z)),
         };
-        let wanted = Wanted {
+        let wanted = WantedTurn {
             up: self.up(),
             yaw_rate_rad_s: self.yaw_rate_deg_s.to_radians(),
             lift_m_s2,

@@ -13,7 +13,7 @@ use std::time::Duration;
 
 use glam::DVec3;
 
-use self::grid::Grid;
+use self::grid::CollisionGrid;
 use self::obstacle::{Contact, Obstacles};
 pub use self::obstacle::{Obstacle, Placement, Shape};
 use super::Start;
@@ -84,7 +84,7 @@ pub(super) struct Collisions {
     /// Each vehicle's start, and where it lies in the frame of the world. A reboot changes them.
     frames: Vec<(Start, DVec3)>,
     balls: Vec<Ball>,
-    grid: Grid,
+    grid: CollisionGrid,
     pairs: Vec<(u32, u32)>,
     hits: Vec<Hit>,
     events: Vec<Collision>,

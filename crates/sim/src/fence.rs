@@ -12,7 +12,7 @@ use std::time::Duration;
 use glam::{DVec2, DVec3};
 use mavlink::dialects::ardupilotmega::FenceBreach;
 
-use self::area::Area;
+use self::area::FenceArea;
 pub(super) use self::area::{Fence, FenceError};
 use self::avoidance::Limiter;
 use super::parameters::Parameters;
@@ -80,7 +80,7 @@ struct Limit {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Geofence {
     /// In metres north and east of the start.
-    areas: Vec<Area<DVec2>>,
+    areas: Vec<FenceArea<DVec2>>,
     broken: u8,
     breaches: u16,
     broken_since: Duration,
@@ -229,9 +229,9 @@ impl Geofence {
         if !self.is_present(rules) {
             return Some("Fences enabled, but none selected");
         }
-        let narrow = |area: &Area<DVec2>| match area.shape {
-            area::Shape::Circle { radius_m, .. } => area.keeps_in && radius_m < rules.margin_m,
-            area::Shape::Polygon(_) => false,
+        let narrow = |area: &FenceArea<DVec2>| match area.shape {
+            area::AreaShape::Circle { radius_m, .. } => area.keeps_in && radius_m < rules.margin_m,
+            area::AreaShape::Polygon(_) => false,
         };
         let reasons = [
             (

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use super::parameters::Parameters;
 use flash::Groups;
-pub(super) use flash::{Log, Sample};
+pub(super) use flash::{LogSample, RecordedLog};
 
 /// When the world's clock starts: 2026-01-01, in microseconds of the Unix epoch.
 pub(super) const EPOCH_US: u64 = 1_767_225_600_000_000;
@@ -47,7 +47,7 @@ impl LogRules {
 /// The logs of a vehicle.
 #[derive(Debug, Clone, Default)]
 pub(super) struct FlightLog {
-    kept: Vec<Log>,
+    kept: Vec<RecordedLog>,
     /// Whether the last one kept is being written, and when the vehicle was last armed.
     recording: bool,
     armed_at: Duration,
@@ -76,7 +76,7 @@ impl FlightLog {
     }
 
     /// The logs that are kept, the oldest first.
-    pub(super) fn kept(&self) -> &[Log] {
+    pub(super) fn kept(&self) -> &[RecordedLog] {
         &self.kept
     }
 
@@ -95,7 +95,7 @@ impl FlightLog {
     }
 
     /// Adds a sample, taken in a mode.
-    pub(super) fn add(&mut self, sample: Sample, mode: u8) {
+    pub(super) fn add(&mut self, sample: LogSample, mode: u8) {
         let Some(log) = self.current() else {
             return;
         };
@@ -144,16 +144,16 @@ impl FlightLog {
         if self.kept.len() == MOST_LOGS {
             self.kept.remove(0);
         }
-        self.kept.push(Log {
+        self.kept.push(RecordedLog {
             number: self.written,
             groups: rules.groups,
             boot_utc_ms: EPOCH_US / 1000,
-            ..Log::default()
+            ..RecordedLog::default()
         });
         self.note("ArduCopter V4.6.0-dev (sortie)", now);
     }
 
-    fn current(&mut self) -> Option<&mut Log> {
+    fn current(&mut self) -> Option<&mut RecordedLog> {
         self.kept.last_mut().filter(|_| self.recording)
     }
 }

@@ -7,7 +7,7 @@ use mavlink::dialects::ardupilotmega::{
     PARAM_VALUE_DATA, RC_CHANNELS_OVERRIDE_DATA, SETUP_SIGNING_DATA, TIMESYNC_DATA,
 };
 
-use self::fields::{Addressed, Request};
+use self::fields::{Addressed, StationRequest};
 use super::autopilot::Autopilot;
 use super::autopilot::telemetry;
 use super::commands::{self, Command};
@@ -34,7 +34,7 @@ pub(super) fn handle(
     if enforced && frame.system != autopilot.vehicle.tuning.ground_station {
         return;
     }
-    if let Some(Addressed { to, request }) = Request::read(&frame.content) {
+    if let Some(Addressed { to, request }) = StationRequest::read(&frame.content) {
         if to == 0 || to == autopilot.vehicle.system {
             carry_out(autopilot, link, frame, &request);
         }
@@ -48,9 +48,9 @@ pub(super) fn handle(
     }
 }
 
-fn carry_out(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, request: &Request) {
+fn carry_out(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, request: &StationRequest) {
     match request {
-        Request::Command(command) => {
+        StationRequest::Command(command) => {
             let result = commands::execute(autopilot, link, command);
             let place = if commands::answers_first(command.number) {
                 link.replies.len()
@@ -60,14 +60,14 @@ fn carry_out(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, request:
             link.replies
                 .insert(place, acknowledgement(command, result, frame));
         }
-        Request::Setpoint(setpoint) => guided::take_setpoint(autopilot, setpoint),
-        Request::SetMode { base, custom } if base & 1 == 1 => {
+        StationRequest::Setpoint(setpoint) => guided::take_setpoint(autopilot, setpoint),
+        StationRequest::SetMode { base, custom } if base & 1 == 1 => {
             // Only the lowest byte counts, as in the real vehicle.
             autopilot.set_mode(*custom as u8);
         }
-        Request::SetMode { .. } => {}
-        Request::Attitude(asked) => guided::take_attitude(&mut autopilot.vehicle, asked),
-        Request::SetParameter { name, value } => {
+        StationRequest::SetMode { .. } => {}
+        StationRequest::Attitude(asked) => guided::take_attitude(&mut autopilot.vehicle, asked),
+        StationRequest::SetParameter { name, value } => {
             if autopilot.vehicle.store_parameter(name, *value) {
                 autopilot.vehicle.retune();
             }

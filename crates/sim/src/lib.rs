@@ -113,7 +113,7 @@ use self::autopilot::Autopilot;
 use self::collision::Collisions;
 pub use self::collision::{Collision, Met, Obstacle, Placement, Shape};
 pub use self::parameters::{AliasSense, other_name};
-use self::slot::Slot;
+use self::slot::VehicleSlot;
 use self::wind::Wind;
 use sortie_geo::{LatLon, wrap_360};
 
@@ -241,7 +241,7 @@ pub struct Truth {
 /// Vehicles and the ground stations on them.
 #[derive(Debug)]
 pub struct World {
-    slots: Vec<Slot>,
+    slots: Vec<VehicleSlot>,
     next_port: u64,
     connections: usize,
     steps: u64,
@@ -264,7 +264,7 @@ impl World {
                 if config.realistic_boot {
                     autopilot = autopilot.booting_realistically();
                 }
-                Slot::new(autopilot)
+                VehicleSlot::new(autopilot)
             })
             .collect();
         Self {
@@ -401,7 +401,7 @@ impl World {
 
 /// Some of the vehicles of a world: see [`World::step_in_parts`].
 #[derive(Debug)]
-pub struct Part<'a>(&'a mut [Slot]);
+pub struct Part<'a>(&'a mut [VehicleSlot]);
 
 impl Part<'_> {
     /// Advances these vehicles by [`STEP`] and sends what is due.

@@ -2,7 +2,7 @@
 
 /// What it takes to enter a mode.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Entry {
+pub(super) enum ModeEntry {
     /// Always possible.
     Free,
     /// Refused in the air without a position.
@@ -20,14 +20,14 @@ pub(super) struct Mode {
     pub(super) number: u8,
     /// `ArduCopter`'s name.
     pub(super) name: &'static str,
-    pub(super) entry: Entry,
+    pub(super) entry: ModeEntry,
     /// The autopilot holds or flies to positions: sets the GUIDED bit of `base_mode`.
     pub(super) autonomous: bool,
     pub(super) controls_height: bool,
     pub(super) armable: bool,
 }
 
-const fn mode(number: u8, name: &'static str, entry: Entry, facts: [bool; 3]) -> Mode {
+const fn mode(number: u8, name: &'static str, entry: ModeEntry, facts: [bool; 3]) -> Mode {
     Mode {
         number,
         name,
@@ -39,7 +39,7 @@ const fn mode(number: u8, name: &'static str, entry: Entry, facts: [bool; 3]) ->
 }
 
 const fn refused(number: u8, name: &'static str, texts: &'static [&'static str]) -> Mode {
-    mode(number, name, Entry::Refused(texts), [false; 3])
+    mode(number, name, ModeEntry::Refused(texts), [false; 3])
 }
 
 pub(super) const STABILIZE: u8 = 0;
@@ -61,32 +61,42 @@ pub(super) const AUTO_RTL: u8 = 27;
 
 /// Facts in the order: autonomous, controls the height, armable.
 const MODES: &[Mode] = &[
-    mode(STABILIZE, "STABILIZE", Entry::Free, [false, false, true]),
-    mode(ACRO, "ACRO", Entry::Free, [false, false, true]),
-    mode(ALT_HOLD, "ALT_HOLD", Entry::Free, [false, true, true]),
-    mode(AUTO, "AUTO", Entry::Plan, [true, true, false]),
-    mode(GUIDED, "GUIDED", Entry::Position, [true, true, true]),
-    mode(LOITER, "LOITER", Entry::Position, [true, true, true]),
-    mode(RTL, "RTL", Entry::Position, [true, true, false]),
-    mode(CIRCLE, "CIRCLE", Entry::Position, [true, true, false]),
-    mode(LAND, "LAND", Entry::Free, [false, true, false]),
-    mode(DRIFT, "DRIFT", Entry::Position, [false, false, true]),
+    mode(
+        STABILIZE,
+        "STABILIZE",
+        ModeEntry::Free,
+        [false, false, true],
+    ),
+    mode(ACRO, "ACRO", ModeEntry::Free, [false, false, true]),
+    mode(ALT_HOLD, "ALT_HOLD", ModeEntry::Free, [false, true, true]),
+    mode(AUTO, "AUTO", ModeEntry::Plan, [true, true, false]),
+    mode(GUIDED, "GUIDED", ModeEntry::Position, [true, true, true]),
+    mode(LOITER, "LOITER", ModeEntry::Position, [true, true, true]),
+    mode(RTL, "RTL", ModeEntry::Position, [true, true, false]),
+    mode(CIRCLE, "CIRCLE", ModeEntry::Position, [true, true, false]),
+    mode(LAND, "LAND", ModeEntry::Free, [false, true, false]),
+    mode(DRIFT, "DRIFT", ModeEntry::Position, [false, false, true]),
     refused(14, "FLIP", &["Mode change to FLIP failed: init failed"]),
     refused(
         15,
         "AUTOTUNE",
         &["Mode change to AUTOTUNE failed: init failed"],
     ),
-    mode(POSHOLD, "POSHOLD", Entry::Position, [true, true, true]),
-    mode(BRAKE, "BRAKE", Entry::Position, [true, true, false]),
+    mode(POSHOLD, "POSHOLD", ModeEntry::Position, [true, true, true]),
+    mode(BRAKE, "BRAKE", ModeEntry::Position, [true, true, false]),
     refused(18, "THROW", &["Mode change to THROW failed: init failed"]),
     mode(
         GUIDED_NOGPS,
         "GUIDED_NOGPS",
-        Entry::Free,
+        ModeEntry::Free,
         [false, true, true],
     ),
-    mode(SMART_RTL, "SMARTRTL", Entry::Position, [true, true, false]),
+    mode(
+        SMART_RTL,
+        "SMARTRTL",
+        ModeEntry::Position,
+        [true, true, false],
+    ),
     refused(
         22,
         "FLOWHOLD",
@@ -100,7 +110,7 @@ const MODES: &[Mode] = &[
             "Mode change to FOLLOW failed: init failed",
         ],
     ),
-    mode(ZIGZAG, "ZIGZAG", Entry::Position, [false, true, true]),
+    mode(ZIGZAG, "ZIGZAG", ModeEntry::Position, [false, true, true]),
     refused(
         AUTO_RTL,
         "AUTO_RTL",
@@ -133,7 +143,7 @@ impl Mode {
 
     /// Whether the mode flies by the horizontal position.
     pub(super) fn needs_position(&self) -> bool {
-        matches!(self.entry, Entry::Position | Entry::Plan)
+        matches!(self.entry, ModeEntry::Position | ModeEntry::Plan)
     }
 
     /// The mode of a number, if the firmware has it.

@@ -34,12 +34,12 @@ pub(super) fn altitude_amsl_m(
 
 /// Where a vehicle's north, east and down begin, and its home.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Datum {
+pub(super) struct LocalDatum {
     pub(super) start: Start,
     pub(super) home: Option<Place>,
 }
 
-impl Datum {
+impl LocalDatum {
     /// The place of a point in metres north, east and down from the start.
     pub(super) fn place_of(&self, point_m: DVec3) -> Place {
         Place {

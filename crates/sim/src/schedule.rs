@@ -35,7 +35,7 @@ const STREAMS: &[(u8, &str, &[u32])] = &[
 const ALL_STREAMS: u8 = 0;
 
 #[derive(Debug, Clone, Copy)]
-struct Entry {
+struct ScheduleEntry {
     id: u32,
     interval_us: u64,
     next_us: u64,
@@ -44,7 +44,7 @@ struct Entry {
 /// The intervals of one serial port.
 #[derive(Debug, Clone)]
 pub(super) struct Schedule {
-    entries: Vec<Entry>,
+    entries: Vec<ScheduleEntry>,
     /// Nothing is due before this.
     earliest_us: u64,
 }
@@ -98,7 +98,7 @@ impl Schedule {
         self.entries.retain(|entry| entry.id != id);
         if interval_us != 0 && interval_us != -1 {
             let now_us = now.as_micros() as u64;
-            self.entries.push(Entry {
+            self.entries.push(ScheduleEntry {
                 id,
                 interval_us: interval_us.max(SHORTEST_US) as u64,
                 next_us: now_us,

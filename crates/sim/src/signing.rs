@@ -19,7 +19,7 @@ const ALWAYS_ACCEPTED: [u32; 2] = [109, 166];
 
 /// A sender on a link, and the timestamp that it last used.
 #[derive(Debug, Clone)]
-struct Stream {
+struct SignedStream {
     system: u8,
     component: u8,
     link: u8,
@@ -31,7 +31,7 @@ struct Stream {
 pub(super) struct Signing {
     key: Option<SigningKey>,
     clocks: [u64; Serial::ALL.len()],
-    streams: Vec<Stream>,
+    streams: Vec<SignedStream>,
     /// Serial 0 does not accept everything either.
     strict: bool,
 }
@@ -99,7 +99,7 @@ impl Signing {
             if is_full || stamp.timestamp + MARGIN < *clock {
                 return false;
             }
-            self.streams.push(Stream {
+            self.streams.push(SignedStream {
                 system: frame.system,
                 component: frame.component,
                 link: stamp.link,

@@ -12,14 +12,14 @@ use super::transfer::Transfers;
 
 /// A vehicle and its connections.
 #[derive(Debug)]
-pub(super) struct Slot {
+pub(super) struct VehicleSlot {
     pub(super) autopilot: Autopilot,
     serials: Serials,
     /// Under the numbers that the world gave them.
     ports: Vec<(u64, Port)>,
 }
 
-impl Slot {
+impl VehicleSlot {
     pub(super) fn new(autopilot: Autopilot) -> Self {
         Self {
             serials: Serials::booted(&autopilot.vehicle, Signing::default(), Transfers::default()),

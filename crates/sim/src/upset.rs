@@ -73,7 +73,7 @@ pub(super) struct Upset {
 
 /// What the attitude control is to reach.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Wanted {
+pub(super) struct WantedTurn {
     /// The direction of the thrust in the world, of length 1.
     pub(super) up: DVec3,
     pub(super) yaw_rate_rad_s: f64,
@@ -153,7 +153,7 @@ impl Upset {
     /// through the air, `lifting` how fast the vehicle really accelerates upwards.
     pub(super) fn step(
         &mut self,
-        wanted: &Wanted,
+        wanted: &WantedTurn,
         velocity_m_s: DVec3,
         lifting_m_s2: f64,
         drive: &Drive<'_>,
@@ -179,7 +179,7 @@ impl Upset {
     }
 
     /// The share of the thrust range that the climb asks for; it is raised as long as too little comes of it.
-    fn throttle(&mut self, wanted: &Wanted, lifting_m_s2: f64, drive: &Drive<'_>) -> f64 {
+    fn throttle(&mut self, wanted: &WantedTurn, lifting_m_s2: f64, drive: &Drive<'_>) -> f64 {
         let Some(lift) = wanted.lift_m_s2 else {
             self.climb_integral_m_s2 = 0.0;
             self.asked_m_s2 = 0.0;
@@ -200,7 +200,7 @@ impl Upset {
     }
 
     /// Roll, pitch and yaw for the mixer. `following` is how the wanted direction itself turns.
-    fn control(&mut self, wanted: &Wanted, following: DVec3, drive: &Drive<'_>) -> DVec3 {
+    fn control(&mut self, wanted: &WantedTurn, following: DVec3, drive: &Drive<'_>) -> DVec3 {
         let up = self.attitude * DVec3::NEG_Z;
         let across = up.cross(wanted.up);
         self.error_rad = across.length().atan2(up.dot(wanted.up));

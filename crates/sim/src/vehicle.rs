@@ -19,10 +19,10 @@ use super::control::{Limits, PositionControl};
 use super::estimator::Estimator;
 use super::failsafe::RadioInputs;
 use super::fence::Geofence;
-use super::flight_log::{self, FlightLog, Sample};
+use super::flight_log::{self, FlightLog, LogSample};
 use super::mode::{self, Mode};
 use super::parameters::{BY_NAME, Parameters};
-use super::place::{Datum, Place};
+use super::place::{LocalDatum, Place};
 use super::plan::Plans;
 use super::radio::{Radio, Sticks};
 use super::rally::Rally;
@@ -44,7 +44,7 @@ pub(super) struct AskedSpeeds {
 
 /// What the vehicle is doing.
 #[derive(Debug, Clone)]
-pub(super) struct Flight {
+pub(super) struct FlightState {
     pub(super) mode: Mode,
     pub(super) task: Task,
     /// The task that `DO_PAUSE_CONTINUE` interrupted.
@@ -62,7 +62,7 @@ pub(super) struct Flight {
     pub(super) brake_until: Option<Duration>,
 }
 
-impl Flight {
+impl FlightState {
     fn resting(body: &Body) -> Self {
         Self {
             mode: Mode::BOOT,
@@ -122,8 +122,8 @@ pub(super) struct Vehicle {
     pub(super) plant: Plant,
     /// What the vehicle believes of it.
     pub(super) estimator: Estimator,
-    pub(super) datum: Datum,
-    pub(super) flight: Flight,
+    pub(super) datum: LocalDatum,
+    pub(super) flight: FlightState,
     pub(super) safety: Safety,
     pub(super) fence: Geofence,
     pub(super) plans: Plans,
@@ -146,11 +146,11 @@ impl Vehicle {
             board_id: build.board_id,
             parameters,
             estimator: Estimator::new(build.board_id),
-            datum: Datum {
+            datum: LocalDatum {
                 start: build.start,
                 home: None,
             },
-            flight: Flight::resting(&plant.body),
+            flight: FlightState::resting(&plant.body),
             tuning,
             plant,
             safety: Safety::default(),
@@ -411,7 +411,7 @@ impl Vehicle {
         }
     }
 
-    fn sample(&self) -> Sample {
+    fn sample(&self) -> LogSample {
         // A log tells what the autopilot believed.
         let body = self.believed();
         let here = self.here();
@@ -424,7 +424,7 @@ impl Vehicle {
         let velocity = body.velocity_m_s;
         let centi = |value: f64| value * 100.0;
         let degrees = |rad: f64| centi(rad.to_degrees());
-        Sample {
+        LogSample {
             boot_ms: self.uptime().as_millis() as u32,
             lat_e7,
             lon_e7,

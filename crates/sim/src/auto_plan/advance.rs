@@ -2,7 +2,7 @@
 
 use mavlink::dialects::ardupilotmega::MavSeverity;
 
-use super::{Action, AutoPlan, FIRST, State, Wait, sequence};
+use super::{AutoPlan, FIRST, PlanAction, PlanState, PlanWait, sequence};
 use crate::task::{Route, Task};
 use crate::vehicle::Vehicle;
 
@@ -24,7 +24,7 @@ impl AutoPlan {
         let may_lift = self.may_lift;
         self.reset();
         self.may_lift = may_lift;
-        self.state = State::Running;
+        self.state = PlanState::Running;
         if !self.advance_to(vehicle, FIRST) {
             self.complete(vehicle);
         }
@@ -34,11 +34,11 @@ impl AutoPlan {
     /// complete or stands nowhere starts from the first item.
     pub(super) fn resume(&mut self, vehicle: &mut Vehicle) {
         let at = self.nav.filter(|&at| vehicle.plans.item(at).is_some());
-        let Some(at) = at.filter(|_| self.state != State::Complete) else {
+        let Some(at) = at.filter(|_| self.state != PlanState::Complete) else {
             self.start_from_first(vehicle);
             return;
         };
-        self.state = State::Running;
+        self.state = PlanState::Running;
         let action = self.action;
         match action.at {
             Some(action) if self.action.loaded => self.set_item(vehicle, action),
@@ -61,7 +61,7 @@ impl AutoPlan {
                 self.nav = Some(found);
                 self.nav_loaded = true;
                 self.action.all_done = !self.action.loaded;
-                self.state = State::Stopped;
+                self.state = PlanState::Stopped;
                 return true;
             }
             if !self.action.loaded {
@@ -105,7 +105,7 @@ impl AutoPlan {
 
     /// Starts the first navigation command at or after an item, and the first action on the way there.
     pub(super) fn advance_to(&mut self, vehicle: &mut Vehicle, from: u16) -> bool {
-        self.action = Action::default();
+        self.action = PlanAction::default();
         let mut at = from;
         for _ in 0..ITEMS_PER_STEP {
             let Some(found) = self.next_counted(vehicle, at) else {
@@ -166,8 +166,8 @@ impl AutoPlan {
 
     /// The end of the mission: hover in the air, disarm on the ground.
     pub(super) fn complete(&mut self, vehicle: &mut Vehicle) {
-        self.state = State::Complete;
-        self.wait = Wait::Nothing;
+        self.state = PlanState::Complete;
+        self.wait = PlanWait::Nothing;
         if vehicle.safety.landed || vehicle.landing_is_over() {
             self.disarm(vehicle);
         } else {

@@ -6,7 +6,7 @@ use glam::DVec3;
 use mavlink::dialects::ardupilotmega::MavSeverity;
 
 use super::place::{item_down_m, item_place, item_point, reference_point};
-use super::{AutoPlan, Wait, command, sequence};
+use super::{AutoPlan, PlanWait, command, sequence};
 use crate::cmd;
 use crate::place::Place;
 use crate::plan::Item;
@@ -32,11 +32,11 @@ impl AutoPlan {
             cmd::NAV_TAKEOFF | cmd::NAV_VTOL_TAKEOFF => self.begin_takeoff(vehicle, &item),
             cmd::NAV_WAYPOINT | cmd::NAV_SPLINE_WAYPOINT => self.begin_waypoint(vehicle, at, &item),
             cmd::NAV_LAND | cmd::NAV_VTOL_LAND => self.begin_landing(vehicle, &item),
-            cmd::NAV_LOITER_UNLIM => self.begin_loiter(vehicle, &item, Wait::Nothing),
-            cmd::NAV_LOITER_TIME => self.begin_loiter(vehicle, &item, Wait::Stay(None)),
+            cmd::NAV_LOITER_UNLIM => self.begin_loiter(vehicle, &item, PlanWait::Nothing),
+            cmd::NAV_LOITER_TIME => self.begin_loiter(vehicle, &item, PlanWait::Stay(None)),
             cmd::NAV_LOITER_TURNS => self.begin_circle(vehicle, &item),
             cmd::NAV_LOITER_TO_ALT => {
-                let wait = Wait::Height {
+                let wait = PlanWait::Height {
                     down_m: item_down_m(vehicle, &item),
                     left_m: None,
                 };
@@ -44,12 +44,12 @@ impl AutoPlan {
             }
             cmd::NAV_RETURN_TO_LAUNCH => {
                 let returning = vehicle.with_cockpit(|_, cockpit| Returning::new(cockpit));
-                self.fly_task(vehicle, Task::Return(returning), Wait::Nothing);
+                self.fly_task(vehicle, Task::Return(returning), PlanWait::Nothing);
                 vehicle.flight.yaw.demand = vehicle.default_yaw_home();
             }
             cmd::NAV_GUIDED_ENABLE => {
                 if item.p[0] as u16 > 0 {
-                    self.fly_task(vehicle, Task::STOP, Wait::Guided);
+                    self.fly_task(vehicle, Task::STOP, PlanWait::Guided);
                 }
             }
             cmd::NAV_DELAY => self.begin_delay(vehicle, &item),
@@ -96,17 +96,17 @@ impl AutoPlan {
     pub(super) fn lift_if_allowed(&mut self, vehicle: &mut Vehicle) {
         let throttle_up = !vehicle.sticks().throttle_is_low();
         self.may_lift |= throttle_up || vehicle.tuning.flight.auto.lifts_unasked;
-        if let Wait::Throttle(height_m) = self.wait
+        if let PlanWait::Throttle(height_m) = self.wait
             && self.may_lift
         {
             let begins = vehicle.safety.takeoff_begins(vehicle.uptime());
             let takeoff = Takeoff::new(vehicle.believed().position_m, height_m, begins);
-            self.fly_task(vehicle, Task::Takeoff(takeoff), Wait::Nothing);
+            self.fly_task(vehicle, Task::Takeoff(takeoff), PlanWait::Nothing);
         }
     }
 
     /// Flies a route on from where the vehicle is, or from the end of the one it flies.
-    pub(super) fn fly_to(&mut self, vehicle: &mut Vehicle, goal_m: DVec3, wait: Wait) {
+    pub(super) fn fly_to(&mut self, vehicle: &mut Vehicle, goal_m: DVec3, wait: PlanWait) {
         vehicle.with_cockpit(|task, cockpit| {
             if !matches!(task, Task::Route(_)) {
                 *task = Task::Route(Box::new(Route::standing(cockpit)));
@@ -122,7 +122,7 @@ impl AutoPlan {
         }
     }
 
-    fn fly_task(&mut self, vehicle: &mut Vehicle, task: Task, wait: Wait) {
+    fn fly_task(&mut self, vehicle: &mut Vehicle, task: Task, wait: PlanWait) {
         vehicle.flight.task = task;
         self.wait = wait;
         self.looks_at_place = false;
@@ -136,17 +136,17 @@ impl AutoPlan {
         let least_m = here_m + if landed { LEAST_CLIMB_M } else { 0.0 };
         let height_m = (-item_down_m(vehicle, item)).max(least_m);
         if landed {
-            self.fly_task(vehicle, Task::Wait, Wait::Throttle(height_m));
+            self.fly_task(vehicle, Task::Wait, PlanWait::Throttle(height_m));
         } else {
             let takeoff =
                 Takeoff::in_flight(vehicle.believed().position_m, height_m, vehicle.uptime());
-            self.fly_task(vehicle, Task::Takeoff(takeoff), Wait::Nothing);
+            self.fly_task(vehicle, Task::Takeoff(takeoff), PlanWait::Nothing);
         }
     }
 
     fn begin_waypoint(&mut self, vehicle: &mut Vehicle, at: u16, item: &Item) {
         let goal_m = item_point(vehicle, item, reference_point(vehicle));
-        self.fly_to(vehicle, goal_m, Wait::Stay(None));
+        self.fly_to(vehicle, goal_m, PlanWait::Stay(None));
         let stays = item.p[0] as u16 > 0;
         let items = &vehicle.plans.mission;
         let next = sequence::next_navigation(items, at.saturating_add(1), &self.jumps)
@@ -175,13 +175,13 @@ impl AutoPlan {
         match item_place(vehicle, item) {
             Some(flat) => {
                 let goal_m = flat.extend(vehicle.believed().position_m.z);
-                self.fly_to(vehicle, goal_m, Wait::LandingPlace);
+                self.fly_to(vehicle, goal_m, PlanWait::LandingPlace);
             }
-            None => self.fly_task(vehicle, Task::Land(Landing::default()), Wait::Nothing),
+            None => self.fly_task(vehicle, Task::Land(Landing::default()), PlanWait::Nothing),
         }
     }
 
-    fn begin_loiter(&mut self, vehicle: &mut Vehicle, item: &Item, wait: Wait) {
+    fn begin_loiter(&mut self, vehicle: &mut Vehicle, item: &Item, wait: PlanWait) {
         let mut otherwise = vehicle.believed().position_m;
         if item_place(vehicle, item).is_none() {
             let stop_m = vehicle.with_cockpit(|_, cockpit| crate::task::stopping_point(cockpit));
@@ -206,7 +206,7 @@ impl AutoPlan {
             return;
         }
         let outside = orbit.is_outside(here_m);
-        self.fly_to(vehicle, edge_m, Wait::Edge(orbit));
+        self.fly_to(vehicle, edge_m, PlanWait::Edge(orbit));
         if !outside && !self.looks_at_place {
             vehicle.flight.yaw.settle(vehicle.plant.body.yaw_deg);
         }
@@ -219,12 +219,12 @@ impl AutoPlan {
             vehicle.flight.yaw.demand = orbit.yaw();
         }
         vehicle.flight.task = Task::Orbit(orbit);
-        self.wait = Wait::Nothing;
+        self.wait = PlanWait::Nothing;
     }
 
     fn begin_delay(&mut self, vehicle: &mut Vehicle, item: &Item) {
         let seconds = f64::from(item.p[0]).clamp(0.0, 1e6);
-        self.wait = Wait::Until(vehicle.uptime() + Duration::from_secs_f64(seconds));
+        self.wait = PlanWait::Until(vehicle.uptime() + Duration::from_secs_f64(seconds));
         let text = format!("Delaying {} sec", seconds as u32);
         vehicle.say(MavSeverity::MAV_SEVERITY_INFO, &text);
     }

@@ -5,7 +5,7 @@ use std::time::Duration;
 use glam::DVec3;
 use mavlink::dialects::ardupilotmega::MavSeverity;
 
-use super::{AutoPlan, Wait, command, sequence};
+use super::{AutoPlan, PlanWait, command, sequence};
 use crate::cmd;
 use crate::kinematics::square_root;
 use crate::plan::Item;
@@ -34,7 +34,7 @@ impl AutoPlan {
             cmd::NAV_RETURN_TO_LAUNCH => vehicle.landing_is_over(),
             cmd::NAV_GUIDED_ENABLE => item.p[0] as u16 == 0,
             cmd::NAV_DELAY => {
-                matches!(self.wait, Wait::Until(until) if vehicle.uptime() >= until)
+                matches!(self.wait, PlanWait::Until(until) if vehicle.uptime() >= until)
             }
             _ => false,
         };
@@ -79,7 +79,7 @@ impl AutoPlan {
             return false;
         }
         let now = vehicle.uptime();
-        let Wait::Stay(since) = &mut self.wait else {
+        let PlanWait::Stay(since) = &mut self.wait else {
             return false;
         };
         let since = *since.get_or_insert(now);
@@ -93,7 +93,7 @@ impl AutoPlan {
 
     fn has_turned(&mut self, vehicle: &mut Vehicle, item: &Item) -> bool {
         if matches!(&vehicle.flight.task, Task::Route(route) if route.reached)
-            && let Wait::Edge(orbit) = std::mem::take(&mut self.wait)
+            && let PlanWait::Edge(orbit) = std::mem::take(&mut self.wait)
         {
             self.begin_turning(vehicle, orbit);
             return false;
@@ -103,7 +103,7 @@ impl AutoPlan {
 
     /// First over the place, then at the height, which may be passed as well as met.
     fn has_height(&mut self, vehicle: &mut Vehicle) -> bool {
-        let Wait::Height { down_m, left_m } = self.wait.clone() else {
+        let PlanWait::Height { down_m, left_m } = self.wait.clone() else {
             return false;
         };
         let here_m = vehicle.believed().position_m;
@@ -125,7 +125,7 @@ impl AutoPlan {
         }
         let left = here_m.z - down_m;
         let passed = left_m.is_some_and(|before| before * left < 0.0);
-        self.wait = Wait::Height {
+        self.wait = PlanWait::Height {
             down_m,
             left_m: Some(left),
         };
@@ -134,10 +134,10 @@ impl AutoPlan {
 
     /// After a landing the vehicle disarms and the mission begins anew, unless it is to go on with a takeoff.
     fn has_landed(&mut self, vehicle: &mut Vehicle, at: u16) -> bool {
-        if self.wait == Wait::LandingPlace {
+        if self.wait == PlanWait::LandingPlace {
             if matches!(&vehicle.flight.task, Task::Route(route) if route.reached) {
                 vehicle.flight.task = Task::Land(Landing::default());
-                self.wait = Wait::Nothing;
+                self.wait = PlanWait::Nothing;
                 vehicle.flight.yaw.settle(vehicle.plant.body.yaw_deg);
             }
             return false;

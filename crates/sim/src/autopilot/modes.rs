@@ -6,7 +6,7 @@ use glam::DVec2;
 use mavlink::dialects::ardupilotmega::{MavMessage, MavSeverity};
 
 use super::{Autopilot, telemetry};
-use crate::mode::{self, Entry, Mode};
+use crate::mode::{self, Mode, ModeEntry};
 use crate::task::{Attitude, Landing, Lift, Pilot, Returning, Task};
 use crate::vehicle::AskedSpeeds;
 use crate::yaw::YawDemand;
@@ -28,21 +28,21 @@ impl Autopilot {
             return true;
         }
         let texts: &[&str] = match mode.entry {
-            Entry::Refused(texts) => texts,
-            Entry::Plan if self.auto_plan.refuses(&mut self.vehicle) => return false,
-            Entry::Position if self.vehicle.safety.armed && !self.vehicle.is_ready() => {
+            ModeEntry::Refused(texts) => texts,
+            ModeEntry::Plan if self.auto_plan.refuses(&mut self.vehicle) => return false,
+            ModeEntry::Position if self.vehicle.safety.armed && !self.vehicle.is_ready() => {
                 self.vehicle.say(
                     MavSeverity::MAV_SEVERITY_WARNING,
                     &format!("Mode change to {} failed: requires position", mode.name),
                 );
                 return false;
             }
-            Entry::Position
+            ModeEntry::Position
                 if mode.number == mode::SMART_RTL && !self.vehicle.flight.trail.is_active() =>
             {
                 &["Mode change to SMARTRTL failed: init failed"]
             }
-            Entry::Free | Entry::Position | Entry::Plan => &[],
+            ModeEntry::Free | ModeEntry::Position | ModeEntry::Plan => &[],
         };
         if !texts.is_empty() {
             for text in texts {

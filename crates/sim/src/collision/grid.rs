@@ -10,13 +10,13 @@ const NONE: u32 = u32::MAX;
 /// Cells are chains in a table of twice as many slots as bodies. Different cells may share a slot; a body knows its
 /// own cell.
 #[derive(Debug, Default)]
-pub(super) struct Grid {
+pub(super) struct CollisionGrid {
     heads: Vec<u32>,
     /// Per body: its cell and the next body of the chain.
     links: Vec<((i32, i32), u32)>,
 }
 
-impl Grid {
+impl CollisionGrid {
     /// Begins anew with these bodies, numbered in order.
     pub(super) fn fill(&mut self, centres: impl ExactSizeIterator<Item = DVec3>) {
         let slots = (2 * centres.len()).next_power_of_two();

@@ -9,15 +9,15 @@ use sortie_geo::LatLon;
 
 /// One area, with points on the earth or in metres.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Area<P> {
+pub(crate) struct FenceArea<P> {
     /// Whether the vehicle must stay inside it instead of outside.
     pub(crate) keeps_in: bool,
-    pub(crate) shape: Shape<P>,
+    pub(crate) shape: AreaShape<P>,
 }
 
 /// The outline of an area.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) enum Shape<P> {
+pub(crate) enum AreaShape<P> {
     /// At least three corners, in order.
     Polygon(Vec<P>),
     Circle {
@@ -29,7 +29,7 @@ pub(crate) enum Shape<P> {
 /// A fence that makes sense.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Fence {
-    areas: Vec<Area<LatLon>>,
+    areas: Vec<FenceArea<LatLon>>,
 }
 
 /// Why a list is no fence. The text is what the vehicle says.
@@ -148,16 +148,16 @@ impl Fence {
         if polygon.corners.len() < usize::from(count) {
             return Ok(Some(polygon));
         }
-        self.areas.push(Area {
+        self.areas.push(FenceArea {
             keeps_in: item.command == cmd::NAV_FENCE_POLYGON_VERTEX_INCLUSION,
-            shape: Shape::Polygon(polygon.corners),
+            shape: AreaShape::Polygon(polygon.corners),
         });
         Ok(None)
     }
 
     /// The areas in metres north and east of a place, polygons first and inclusions before exclusions: the order in
     /// which the vehicle looks at them.
-    pub(crate) fn in_metres(&self, from: LatLon) -> Vec<Area<DVec2>> {
+    pub(crate) fn in_metres(&self, from: LatLon) -> Vec<FenceArea<DVec2>> {
         let metres = |point: &LatLon| {
             let (north, east) = from.offset_to(*point);
             DVec2::new(north, east)
@@ -165,28 +165,35 @@ impl Fence {
         let mut areas: Vec<_> = self
             .areas
             .iter()
-            .map(|area| Area {
+            .map(|area| FenceArea {
                 keeps_in: area.keeps_in,
                 shape: match &area.shape {
-                    Shape::Polygon(corners) => Shape::Polygon(corners.iter().map(metres).collect()),
-                    Shape::Circle { centre, radius_m } => Shape::Circle {
+                    AreaShape::Polygon(corners) => {
+                        AreaShape::Polygon(corners.iter().map(metres).collect())
+                    }
+                    AreaShape::Circle { centre, radius_m } => AreaShape::Circle {
                         centre: metres(centre),
                         radius_m: *radius_m,
                     },
                 },
             })
             .collect();
-        areas.sort_by_key(|area| (matches!(area.shape, Shape::Circle { .. }), !area.keeps_in));
+        areas.sort_by_key(|area| {
+            (
+                matches!(area.shape, AreaShape::Circle { .. }),
+                !area.keeps_in,
+            )
+        });
         areas
     }
 }
 
-impl Area<DVec2> {
+impl FenceArea<DVec2> {
     /// Whether a vehicle there breaks the rule of this area.
     pub(crate) fn is_broken_at(&self, point: DVec2) -> bool {
         match &self.shape {
-            Shape::Polygon(corners) => is_inside(point, corners) != self.keeps_in,
-            Shape::Circle { centre, radius_m } => {
+            AreaShape::Polygon(corners) => is_inside(point, corners) != self.keeps_in,
+            AreaShape::Circle { centre, radius_m } => {
                 let distance_m = point.distance(*centre);
                 if self.keeps_in {
                     distance_m > *radius_m
@@ -231,14 +238,14 @@ fn place(item: &Item) -> Result<LatLon, FenceError> {
     at.is_valid().then_some(at).ok_or(FenceError::Place)
 }
 
-fn circle(item: &Item) -> Result<Area<LatLon>, FenceError> {
+fn circle(item: &Item) -> Result<FenceArea<LatLon>, FenceError> {
     let radius_m = f64::from(item.p[0]);
     if !(radius_m > 0.0 && radius_m.is_finite()) {
         return Err(FenceError::Radius);
     }
-    Ok(Area {
+    Ok(FenceArea {
         keeps_in: item.command == cmd::NAV_FENCE_CIRCLE_INCLUSION,
-        shape: Shape::Circle {
+        shape: AreaShape::Circle {
             centre: place(item)?,
             radius_m,
         },

@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use glam::{DVec2, DVec3};
 
-use super::area::{Area, Shape, is_inside};
+use super::area::{FenceArea, AreaShape, is_inside};
 use crate::kinematics::STEP_S;
 use crate::kinematics::square_root;
 use crate::parameters::Parameters;
@@ -55,7 +55,7 @@ pub(super) struct Edges<'a> {
     pub(super) margin_m: f64,
     /// Around home, if that fence is on and not broken: the radius and the vehicle's place from home.
     pub(super) around_home: Option<(f64, DVec2)>,
-    pub(super) areas: &'a [Area<DVec2>],
+    pub(super) areas: &'a [FenceArea<DVec2>],
     /// How much higher the vehicle may go, if there is a ceiling.
     pub(super) headroom_m: Option<f64>,
     /// North and east from the start.
@@ -185,12 +185,12 @@ impl Edges<'_> {
             let mut backing = Backing::default();
             for area in kind {
                 match &area.shape {
-                    Shape::Polygon(corners) => {
+                    AreaShape::Polygon(corners) => {
                         if is_inside(self.here_m, corners) == area.keeps_in {
                             self.polygon(&mut wanted, corners, &mut backing);
                         }
                     }
-                    Shape::Circle { centre, radius_m } => {
+                    AreaShape::Circle { centre, radius_m } => {
                         let from_centre = self.here_m - *centre;
                         if area.keeps_in {
                             self.inside_circle(&mut wanted, from_centre, *radius_m, &mut backing);
@@ -347,8 +347,8 @@ impl Edges<'_> {
     }
 }
 
-fn group(area: &Area<DVec2>) -> (bool, bool) {
-    let circle = matches!(area.shape, Shape::Circle { .. });
+fn group(area: &FenceArea<DVec2>) -> (bool, bool) {
+    let circle = matches!(area.shape, AreaShape::Circle { .. });
     (circle, circle && area.keeps_in)
 }
 

@@ -64,7 +64,7 @@ const LEAP_MS: u64 = 18_000;
 
 /// What is recorded at one moment, in the units of the log.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct Sample {
+pub(crate) struct LogSample {
     pub(crate) boot_ms: u32,
     pub(crate) lat_e7: i32,
     pub(crate) lon_e7: i32,
@@ -95,18 +95,18 @@ pub(crate) struct Groups {
 
 /// What one flight left behind.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct Log {
+pub(crate) struct RecordedLog {
     pub(crate) number: u16,
     pub(crate) groups: Groups,
     /// Milliseconds of the Unix epoch at boot.
     pub(crate) boot_utc_ms: u64,
-    pub(crate) samples: Vec<Sample>,
+    pub(crate) samples: Vec<LogSample>,
     /// Milliseconds since boot, and the mode's number.
     pub(crate) modes: Vec<(u32, u8)>,
     pub(crate) texts: Vec<(u32, String)>,
 }
 
-impl Log {
+impl RecordedLog {
     /// The name of its file.
     pub(crate) fn file_name(&self) -> String {
         format!("{:08}.BIN", self.number)
@@ -134,7 +134,7 @@ impl Log {
 
     /// Its file: formats, parameters, then what happened, in order of time.
     pub(crate) fn file(&self, parameters: &Parameters) -> Vec<u8> {
-        let mut file = File(Vec::with_capacity(self.len(parameters)));
+        let mut file = LogFile(Vec::with_capacity(self.len(parameters)));
         for (kind, length, name, format, columns) in FORMATS {
             let record = file.begin(FORMAT).bytes(&[*kind, *length]);
             record.text(name, 4).text(format, 16).text(columns, 64);
@@ -180,9 +180,9 @@ fn record_len(kind: u8) -> usize {
 }
 
 /// A file in the making.
-struct File(Vec<u8>);
+struct LogFile(Vec<u8>);
 
-impl File {
+impl LogFile {
     fn begin(&mut self, kind: u8) -> &mut Self {
         self.bytes(&HEAD).bytes(&[kind])
     }
@@ -218,7 +218,7 @@ impl File {
         self.record(TEXT, *at_ms).text(text, TEXT_BYTES);
     }
 
-    fn sample(&mut self, log: &Log, sample: &Sample) {
+    fn sample(&mut self, log: &RecordedLog, sample: &LogSample) {
         if log.groups.gps {
             self.position(log, sample);
         }
@@ -249,7 +249,7 @@ impl File {
         }
     }
 
-    fn position(&mut self, log: &Log, sample: &Sample) {
+    fn position(&mut self, log: &RecordedLog, sample: &LogSample) {
         let utc_ms = log.boot_utc_ms + u64::from(sample.boot_ms);
         let gps_ms = utc_ms.saturating_sub(GPS_EPOCH_MS) + LEAP_MS;
         let metres = |cm: i32| cm as f32 * 0.01;
@@ -284,8 +284,8 @@ impl File {
 mod tests {
     use super::*;
 
-    fn log() -> Log {
-        Log {
+    fn log() -> RecordedLog {
+        RecordedLog {
             number: 1,
             groups: Groups {
                 attitude: true,
@@ -293,7 +293,7 @@ mod tests {
                 battery: true,
             },
             boot_utc_ms: 1_767_225_600_000,
-            samples: vec![Sample::default(); 3],
+            samples: vec![LogSample::default(); 3],
             modes: vec![(0, 4)],
             texts: vec![(5, "ArduCopter".to_owned())],
         }

@@ -17,12 +17,12 @@ use sortie_wire::Content;
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Addressed {
     pub(super) to: u8,
-    pub(super) request: Request,
+    pub(super) request: StationRequest,
 }
 
 /// What a vehicle is asked to do.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Request {
+pub(super) enum StationRequest {
     Command(Command),
     Setpoint(Setpoint),
     Attitude(AttitudeTarget),
@@ -37,7 +37,7 @@ pub(super) enum Request {
     },
 }
 
-impl Request {
+impl StationRequest {
     /// The request of a frame, if it carries one.
     #[expect(
         deprecated,
@@ -55,7 +55,7 @@ impl Request {
             Content::Message(MavMessage::PARAM_SET(data)) => Some(parameter(data)),
             Content::Message(MavMessage::SET_MODE(data)) => Some(Addressed {
                 to: data.target_system,
-                request: Request::SetMode {
+                request: StationRequest::SetMode {
                     base: data.base_mode.bits(),
                     custom: data.custom_mode,
                 },
@@ -94,14 +94,14 @@ fn int(data: &COMMAND_INT_DATA) -> Addressed {
 fn command(to: u8, command: Command) -> Addressed {
     Addressed {
         to,
-        request: Request::Command(command),
+        request: StationRequest::Command(command),
     }
 }
 
 fn local(data: &SET_POSITION_TARGET_LOCAL_NED_DATA) -> Addressed {
     Addressed {
         to: data.target_system,
-        request: Request::Setpoint(Setpoint {
+        request: StationRequest::Setpoint(Setpoint {
             point: TargetPoint::Local(vector(data.x, data.y, data.z)),
             velocity_m_s: vector(data.vx, data.vy, data.vz),
             accel_m_s2: vector(data.afx, data.afy, data.afz),
@@ -116,7 +116,7 @@ fn local(data: &SET_POSITION_TARGET_LOCAL_NED_DATA) -> Addressed {
 fn global(data: &SET_POSITION_TARGET_GLOBAL_INT_DATA) -> Addressed {
     Addressed {
         to: data.target_system,
-        request: Request::Setpoint(Setpoint {
+        request: StationRequest::Setpoint(Setpoint {
             point: TargetPoint::Global {
                 at: LatLon::from_e7(data.lat_int, data.lon_int),
                 height_m: f64::from(data.alt),
@@ -134,7 +134,7 @@ fn global(data: &SET_POSITION_TARGET_GLOBAL_INT_DATA) -> Addressed {
 fn attitude(data: &SET_ATTITUDE_TARGET_DATA) -> Addressed {
     Addressed {
         to: data.target_system,
-        request: Request::Attitude(AttitudeTarget {
+        request: StationRequest::Attitude(AttitudeTarget {
             q: data.q,
             rates_rad_s: [
                 data.body_roll_rate,
@@ -150,7 +150,7 @@ fn attitude(data: &SET_ATTITUDE_TARGET_DATA) -> Addressed {
 fn parameter(data: &PARAM_SET_DATA) -> Addressed {
     Addressed {
         to: data.target_system,
-        request: Request::SetParameter {
+        request: StationRequest::SetParameter {
             name: data.param_id.to_str().unwrap_or_default().to_owned(),
             value: data.param_value,
         },
@@ -174,9 +174,9 @@ fn vector_at(payload: &Payload, at: usize) -> DVec3 {
 fn by_hand(id: u32, payload: &Payload) -> Option<Addressed> {
     let (target_at, request) = match id {
         23 => (4, parameter_by_hand(payload)),
-        75 | 76 => (30, Request::Command(command_by_hand(id, payload))),
-        82 => (36, Request::Attitude(attitude_by_hand(payload))),
-        84 | 86 => (50, Request::Setpoint(setpoint_by_hand(id, payload))),
+        75 | 76 => (30, StationRequest::Command(command_by_hand(id, payload))),
+        82 => (36, StationRequest::Attitude(attitude_by_hand(payload))),
+        84 | 86 => (50, StationRequest::Setpoint(setpoint_by_hand(id, payload))),
         _ => return None,
     };
     Some(Addressed {
@@ -231,12 +231,12 @@ fn command_by_hand(id: u32, payload: &Payload) -> Command {
     }
 }
 
-fn parameter_by_hand(payload: &Payload) -> Request {
+fn parameter_by_hand(payload: &Payload) -> StationRequest {
     let name: Vec<u8> = (6..22)
         .map(|at| payload.byte(at))
         .take_while(|byte| *byte != 0)
         .collect();
-    Request::SetParameter {
+    StationRequest::SetParameter {
         name: String::from_utf8_lossy(&name).into_owned(),
         value: payload.float(0),
     }

@@ -13,25 +13,25 @@ const LINES: &str = include_str!("arducopter.txt");
 
 /// What is fixed about a parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Row {
+pub(super) struct ParameterRow {
     pub(super) name: &'static str,
     pub(super) kind: Kind,
     pub(super) default: f32,
 }
 
 /// Every parameter, in the order of the list and by name.
-pub(super) struct Table {
-    pub(super) rows: Vec<Row>,
+pub(super) struct ParameterTable {
+    pub(super) rows: Vec<ParameterRow>,
     /// Places in `rows`, sorted by name.
     by_name: Vec<u16>,
 }
 
 /// The table is the same for every vehicle; it is read once.
-pub(super) static TABLE: LazyLock<Table> = LazyLock::new(Table::read);
+pub(super) static TABLE: LazyLock<ParameterTable> = LazyLock::new(ParameterTable::read);
 
-impl Table {
+impl ParameterTable {
     fn read() -> Self {
-        let rows: Vec<Row> = LINES.lines().filter_map(row).collect();
+        let rows: Vec<ParameterRow> = LINES.lines().filter_map(row).collect();
         let mut by_name: Vec<u16> = (0..rows.len() as u16).collect();
         by_name.sort_by_key(|&place| rows[usize::from(place)].name);
         Self { rows, by_name }
@@ -50,7 +50,7 @@ impl Table {
     }
 }
 
-fn row(line: &'static str) -> Option<Row> {
+fn row(line: &'static str) -> Option<ParameterRow> {
     let mut words = line.split(' ');
     let name = words.next()?;
     let kind = match words.next()? {
@@ -60,7 +60,7 @@ fn row(line: &'static str) -> Option<Row> {
         _ => Kind::Real32,
     };
     let default = words.next()?.parse().ok()?;
-    Some(Row {
+    Some(ParameterRow {
         name,
         kind,
         default,

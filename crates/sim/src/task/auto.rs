@@ -6,7 +6,7 @@ mod orbit;
 
 use glam::DVec3;
 
-use self::curve::{Bounds, Curve};
+use self::curve::{CurveBounds, SpeedCurve};
 pub(crate) use self::orbit::Orbit;
 use super::{Act, Cockpit};
 use crate::control::Limits;
@@ -70,7 +70,7 @@ struct Track {
     direction: DVec3,
     length_m: f64,
     fastest_m_s: f64,
-    curve: Curve,
+    curve: SpeedCurve,
     time_s: f64,
 }
 
@@ -84,7 +84,7 @@ impl Track {
             direction,
             length_m: way.length(),
             fastest_m_s: bounds.speed_m_s,
-            curve: Curve::plan(way.length(), &bounds),
+            curve: SpeedCurve::plan(way.length(), &bounds),
             time_s: 0.0,
         }
     }
@@ -115,7 +115,7 @@ impl Track {
 }
 
 /// The limits along a direction: neither the horizontal nor the vertical one is broken.
-fn bounds(direction: DVec3, limits: &Limits, rules: &AutoRules) -> Bounds {
+fn bounds(direction: DVec3, limits: &Limits, rules: &AutoRules) -> CurveBounds {
     let (flat, steep) = (direction.truncate().length(), direction.z.abs());
     let along = |horizontal: f64, vertical: f64| {
         let by = |limit: f64, share: f64| {
@@ -133,7 +133,7 @@ fn bounds(direction: DVec3, limits: &Limits, rules: &AutoRules) -> Bounds {
     } else {
         limits.speed_down_m_s
     };
-    Bounds {
+    CurveBounds {
         speed_m_s: along(limits.speed_m_s, vertical_m_s).max(0.01),
         accel_m_s2: along(limits.accel_m_s2, limits.accel_z_m_s2),
         jerk_m_s3: rules.jerk_m_s3,

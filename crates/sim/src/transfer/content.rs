@@ -1,7 +1,7 @@
 //! What the vehicle's folders and files hold, also those that are made when they are read.
 
-use super::packed::{self, Wanted};
-use super::tree::{Disk, Entry, INVALID, NO_SUCH_FILE, READ_ONLY, clean};
+use super::packed::{self, PackRequest};
+use super::tree::{Disk, FolderEntry, INVALID, NO_SUCH_FILE, READ_ONLY, clean};
 use super::{logs, plan_file};
 use crate::parameters::Parameters;
 use crate::vehicle::Vehicle;
@@ -25,7 +25,7 @@ const STORAGE_BYTES: usize = 16_384;
 
 /// Where a path leads.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) enum Place {
+pub(super) enum FilePlace {
     System(String),
     Parameters(String),
     Plans(String),
@@ -35,7 +35,7 @@ pub(super) enum Place {
     Disk(String),
 }
 
-impl Place {
+impl FilePlace {
     pub(super) fn of(path: &str) -> Self {
         let path = clean(path);
         let (root, rest) = path.split_once('/').unwrap_or((&path, ""));
@@ -52,23 +52,23 @@ impl Place {
 
 /// A file that is open for reading.
 #[derive(Debug, Clone)]
-pub(super) enum Content {
+pub(super) enum FileContent {
     Bytes(Vec<u8>),
     /// Packed at the first read, which tells the size of the blocks.
     Parameters {
-        wanted: Wanted,
+        wanted: PackRequest,
         block: usize,
         packed: Vec<u8>,
     },
 }
 
-impl Content {
+impl FileContent {
     /// Opens a file; also how long it is said to be. An error is an error number.
     pub(super) fn open(vehicle: &Vehicle, disk: &Disk, path: &str) -> Result<(Self, usize), u8> {
-        let bytes = match Place::of(path) {
-            Place::System(name) => return system(vehicle, &name),
-            Place::Parameters(name) if packed::is_name(&name) => {
-                let wanted = Wanted::read(&name).ok_or(INVALID)?;
+        let bytes = match FilePlace::of(path) {
+            FilePlace::System(name) => return system(vehicle, &name),
+            FilePlace::Parameters(name) if packed::is_name(&name) => {
+                let wanted = PackRequest::read(&name).ok_or(INVALID)?;
                 let content = Self::Parameters {
                     wanted,
                     block: 0,
@@ -76,14 +76,14 @@ impl Content {
                 };
                 return Ok((content, packed::estimated_len(&vehicle.parameters)));
             }
-            Place::Plans(name) => {
+            FilePlace::Plans(name) => {
                 let kind = plan_file::kind_of(&name).ok_or(NO_SUCH_FILE)?;
                 let content = Self::Bytes(plan_file::pack(vehicle, kind));
                 return Ok((content, plan_file::ESTIMATED_LEN));
             }
-            Place::Parameters(_) | Place::Firmware(_) => return Err(NO_SUCH_FILE),
-            Place::Logs(name) => logs::file(vehicle, &name).ok_or(NO_SUCH_FILE)?,
-            Place::Disk(path) => disk.read(&path)?.to_vec(),
+            FilePlace::Parameters(_) | FilePlace::Firmware(_) => return Err(NO_SUCH_FILE),
+            FilePlace::Logs(name) => logs::file(vehicle, &name).ok_or(NO_SUCH_FILE)?,
+            FilePlace::Disk(path) => disk.read(&path)?.to_vec(),
         };
         let len = bytes.len();
         Ok((Self::Bytes(bytes), len))
@@ -119,19 +119,19 @@ impl Content {
 }
 
 /// What a folder holds.
-pub(super) fn list(vehicle: &Vehicle, disk: &Disk, path: &str) -> Result<Vec<Entry>, u8> {
-    match Place::of(path) {
-        Place::System(rest) if rest.is_empty() => {
-            Ok(SYSTEM.map(|(name, len)| Entry::file(name, len)).to_vec())
-        }
-        Place::Firmware(rest) if rest.is_empty() => Ok(Vec::new()),
-        Place::Logs(rest) if rest.is_empty() => Ok(dotted(logs::entries(vehicle))),
-        Place::Disk(path) => {
+pub(super) fn list(vehicle: &Vehicle, disk: &Disk, path: &str) -> Result<Vec<FolderEntry>, u8> {
+    match FilePlace::of(path) {
+        FilePlace::System(rest) if rest.is_empty() => Ok(SYSTEM
+            .map(|(name, len)| FolderEntry::file(name, len))
+            .to_vec()),
+        FilePlace::Firmware(rest) if rest.is_empty() => Ok(Vec::new()),
+        FilePlace::Logs(rest) if rest.is_empty() => Ok(dotted(logs::entries(vehicle))),
+        FilePlace::Disk(path) => {
             let mut entries = dotted(disk.entries(&path).ok_or(NO_SUCH_FILE)?);
             if path.is_empty() {
                 let logs = logs::entries(vehicle);
-                entries.extend((!logs.is_empty()).then(|| Entry::folder(logs::FOLDER)));
-                entries.extend(["@ROMFS", "@SYS"].map(Entry::folder));
+                entries.extend((!logs.is_empty()).then(|| FolderEntry::folder(logs::FOLDER)));
+                entries.extend(["@ROMFS", "@SYS"].map(FolderEntry::folder));
             }
             Ok(entries)
         }
@@ -141,8 +141,8 @@ pub(super) fn list(vehicle: &Vehicle, disk: &Disk, path: &str) -> Result<Vec<Ent
 
 /// The path on the disk, if something may be written there.
 pub(super) fn writable(path: &str) -> Result<String, u8> {
-    match Place::of(path) {
-        Place::Disk(path) => Ok(path),
+    match FilePlace::of(path) {
+        FilePlace::Disk(path) => Ok(path),
         _ => Err(READ_ONLY),
     }
 }
@@ -156,14 +156,14 @@ pub(super) fn crc32(bytes: &[u8]) -> u32 {
     })
 }
 
-fn dotted(entries: Vec<Entry>) -> Vec<Entry> {
-    let mut all = vec![Entry::folder("."), Entry::folder("..")];
+fn dotted(entries: Vec<FolderEntry>) -> Vec<FolderEntry> {
+    let mut all = vec![FolderEntry::folder("."), FolderEntry::folder("..")];
     all.extend(entries);
     all
 }
 
 /// Of the system's files those that a simulated board has something to write into.
-fn system(vehicle: &Vehicle, name: &str) -> Result<(Content, usize), u8> {
+fn system(vehicle: &Vehicle, name: &str) -> Result<(FileContent, usize), u8> {
     let (_, said) = SYSTEM
         .iter()
         .find(|(known, _)| *known == name)
@@ -175,10 +175,10 @@ fn system(vehicle: &Vehicle, name: &str) -> Result<(Content, usize), u8> {
             seconds * 1000
         ),
         "uarts.txt" => "UARTV1\nSERIAL0 TX=0 RX=0\nSERIAL1 TX=0 RX=0\nSERIAL2 TX=0 RX=0\n".into(),
-        STORAGE_FILE => return Ok((Content::Bytes(vec![0; STORAGE_BYTES]), *said)),
+        STORAGE_FILE => return Ok((FileContent::Bytes(vec![0; STORAGE_BYTES]), *said)),
         _ => return Err(NO_SUCH_FILE),
     };
-    Ok((Content::Bytes(bytes.into_bytes()), *said))
+    Ok((FileContent::Bytes(bytes.into_bytes()), *said))
 }
 
 #[cfg(test)]
@@ -187,10 +187,10 @@ mod tests {
 
     #[test]
     fn paths_lead_to_their_places() {
-        assert_eq!(Place::of("/@SYS/"), Place::System(String::new()));
-        let parameters = Place::Parameters("param.pck?start=1".into());
-        assert_eq!(Place::of("@PARAM/param.pck?start=1"), parameters);
-        assert_eq!(Place::of("/a/b"), Place::Disk("a/b".into()));
+        assert_eq!(FilePlace::of("/@SYS/"), FilePlace::System(String::new()));
+        let parameters = FilePlace::Parameters("param.pck?start=1".into());
+        assert_eq!(FilePlace::of("@PARAM/param.pck?start=1"), parameters);
+        assert_eq!(FilePlace::of("/a/b"), FilePlace::Disk("a/b".into()));
         assert_eq!(writable("@SYS/tasks.txt"), Err(READ_ONLY));
     }
 

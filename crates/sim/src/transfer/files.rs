@@ -8,10 +8,11 @@ use std::time::Duration;
 use mavlink::dialects::ardupilotmega::MavSeverity::MAV_SEVERITY_DEBUG;
 
 use self::wire::{
-    ACCEPTED, BURST_READ, CRC32, CREATE, DATA, LIST, MAKE_FOLDER, OPEN_RO, OPEN_WO, READ, REFUSED,
-    REMOVE_FILE, REMOVE_FOLDER, RENAME, RESET, Refusal, Reply, Request, TERMINATE, WRITE, listing,
+    ACCEPTED, BURST_READ, CRC32, CREATE, DATA, FtpRequest, LIST, MAKE_FOLDER, OPEN_RO, OPEN_WO,
+    READ, REFUSED, REMOVE_FILE, REMOVE_FOLDER, RENAME, RESET, Refusal, Reply, TERMINATE, WRITE,
+    listing,
 };
-use super::content::{self, Content, Place};
+use super::content::{self, FileContent, FilePlace};
 use super::packed;
 use super::tree::{self, Disk, NO_SPACE, NO_SUCH_FILE};
 use super::{Talk, plan_file};
@@ -32,7 +33,7 @@ const MOST_WRITTEN: usize = 64 * 1024;
 
 #[derive(Debug, Clone)]
 enum Open {
-    Reading(Content),
+    Reading(FileContent),
     /// A file on the disk, by its path.
     Writing(String),
     WritingParameters(Vec<u8>),
@@ -42,7 +43,7 @@ enum Open {
 /// A burst of messages that is being sent.
 #[derive(Debug, Clone)]
 struct Burst {
-    request: Request,
+    request: FtpRequest,
     sent: usize,
     reply: Reply,
 }
@@ -54,7 +55,7 @@ pub(super) struct Files {
     open: Option<(u8, Open)>,
     /// The last answer, to be repeated when its request comes again.
     last: Option<Reply>,
-    waiting: VecDeque<Request>,
+    waiting: VecDeque<FtpRequest>,
     burst: Option<Box<Burst>>,
     sent_at: Duration,
 }
@@ -84,7 +85,7 @@ pub(super) fn handle(talk: &mut Talk<'_>, id: u32, payload: &Payload) -> bool {
         return false;
     }
     if talk.is_for_us(payload.byte(1)) {
-        let request = Request::read(payload, talk.peer);
+        let request = FtpRequest::read(payload, talk.peer);
         let files = &mut talk.transfers.files;
         if files.burst.is_none() {
             talk.serve(request);
@@ -132,7 +133,7 @@ impl Talk<'_> {
         files.last = Some(reply);
     }
 
-    fn serve(&mut self, request: Request) {
+    fn serve(&mut self, request: FtpRequest) {
         if matches!(request.opcode, ACCEPTED | REFUSED) {
             return;
         }
@@ -167,7 +168,7 @@ impl Talk<'_> {
     }
 
     /// Keeps a second session out while the first is alive.
-    fn check_session(&mut self, request: &Request) -> Result<(), Refusal> {
+    fn check_session(&mut self, request: &FtpRequest) -> Result<(), Refusal> {
         let now = self.autopilot.vehicle.uptime();
         let files = &self.transfers.files;
         let idle = now.saturating_sub(files.sent_at) >= SESSION_TIMEOUT;
@@ -183,7 +184,7 @@ impl Talk<'_> {
         }
     }
 
-    fn carry_out(&mut self, request: &Request, reply: &mut Reply) -> Result<(), Refusal> {
+    fn carry_out(&mut self, request: &FtpRequest, reply: &mut Reply) -> Result<(), Refusal> {
         if usize::from(request.size) > DATA {
             return Err(Refusal::InvalidSize);
         }
@@ -223,7 +224,7 @@ impl Talk<'_> {
     }
 
     /// Makes, moves and removes names.
-    fn rearrange(&mut self, request: &Request) -> Result<(), Refusal> {
+    fn rearrange(&mut self, request: &FtpRequest) -> Result<(), Refusal> {
         match request.opcode {
             REMOVE_FILE | REMOVE_FOLDER => {
                 let path = content::writable(&request.path()?)?;
@@ -248,7 +249,7 @@ impl Talk<'_> {
     }
 
     /// Opens a file for reading and tells its length.
-    fn open(&mut self, request: &Request) -> Result<u32, Refusal> {
+    fn open(&mut self, request: &FtpRequest) -> Result<u32, Refusal> {
         let idle = self
             .autopilot
             .vehicle
@@ -260,7 +261,7 @@ impl Talk<'_> {
         if self.files().open.is_some() {
             return Err(Refusal::Fail);
         }
-        let (content, len) = Content::open(
+        let (content, len) = FileContent::open(
             &self.autopilot.vehicle,
             self.transfers.files.disk(),
             &request.path()?,
@@ -269,16 +270,16 @@ impl Talk<'_> {
         Ok(len as u32)
     }
 
-    fn open_to_write(&mut self, request: &Request) -> Result<(), Refusal> {
+    fn open_to_write(&mut self, request: &FtpRequest) -> Result<(), Refusal> {
         if self.files().open.is_some() {
             return Err(Refusal::Fail);
         }
         let path = request.path()?;
-        let open = match Place::of(&path) {
-            Place::Parameters(name) if packed::is_name(&name) => {
+        let open = match FilePlace::of(&path) {
+            FilePlace::Parameters(name) if packed::is_name(&name) => {
                 Open::WritingParameters(Vec::new())
             }
-            Place::Plans(name) => {
+            FilePlace::Plans(name) => {
                 let kind = plan_file::kind_of(&name).ok_or(NO_SUCH_FILE)?;
                 Open::WritingPlan(kind, Vec::new())
             }
@@ -310,7 +311,7 @@ impl Talk<'_> {
         }
     }
 
-    fn write(&mut self, request: &Request) -> Result<(), Refusal> {
+    fn write(&mut self, request: &FtpRequest) -> Result<(), Refusal> {
         let offset = request.offset as usize;
         let bytes = &request.data[..usize::from(request.size).min(request.data.len())];
         let files = self.files();
@@ -328,16 +329,16 @@ impl Talk<'_> {
         Ok(())
     }
 
-    fn crc32(&mut self, request: &Request) -> Result<u32, Refusal> {
-        let (mut content, _) = Content::open(
+    fn crc32(&mut self, request: &FtpRequest) -> Result<u32, Refusal> {
+        let (mut content, _) = FileContent::open(
             &self.autopilot.vehicle,
             self.transfers.files.disk(),
             &request.path()?,
         )?;
         // Files that are packed while they are read are read in blocks of this size.
         let block = match &content {
-            Content::Bytes(bytes) => bytes.len(),
-            Content::Parameters { .. } => 64,
+            FileContent::Bytes(bytes) => bytes.len(),
+            FileContent::Parameters { .. } => 64,
         };
         let mut all = Vec::new();
         loop {
@@ -365,7 +366,7 @@ impl Talk<'_> {
         }
     }
 
-    fn begin_burst(&mut self, request: Request, reply: Reply) {
+    fn begin_burst(&mut self, request: FtpRequest, reply: Reply) {
         let burst = Burst {
             request,
             sent: 0,

@@ -38,10 +38,10 @@ const REQUEST_INT: u32 = 51;
 const ITEM_INT: u32 = 73;
 /// What is under way with the three lists.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Lists([State; 3]);
+pub(super) struct Lists([ListState; 3]);
 
 #[derive(Debug, Clone, Default)]
-struct State {
+struct ListState {
     upload: Option<Upload>,
     /// Whether the sender was told that it speaks an old dialect.
     warned_item: bool,
@@ -88,7 +88,7 @@ impl Lists {
         self.0.iter().all(|state| state.upload.is_none())
     }
 
-    fn of(&mut self, kind: ListKind) -> &mut State {
+    fn of(&mut self, kind: ListKind) -> &mut ListState {
         &mut self.0[usize::from(kind.number())]
     }
 }
@@ -159,7 +159,7 @@ pub(super) fn step(talk: &mut Talk<'_>) {
 }
 
 impl Talk<'_> {
-    fn state(&mut self, kind: ListKind) -> &mut State {
+    fn state(&mut self, kind: ListKind) -> &mut ListState {
         self.transfers.lists.of(kind)
     }
 
@@ -188,7 +188,7 @@ impl Talk<'_> {
 
     fn begin(&mut self, kind: ListKind, range: (u16, u16), staged: Vec<Item>) {
         let now = self.autopilot.vehicle.uptime();
-        *self.state(kind) = State {
+        *self.state(kind) = ListState {
             upload: Some(Upload {
                 peer: self.peer,
                 next: range.0,
@@ -197,7 +197,7 @@ impl Talk<'_> {
                 asked_at: now,
                 staged,
             }),
-            ..State::default()
+            ..ListState::default()
         };
         self.ask(kind);
     }

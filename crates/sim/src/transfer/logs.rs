@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::MavSeverity::{MAV_SEVERITY_ERROR, MAV_SEVERITY_INFO};
 
-use super::tree::Entry;
+use super::tree::FolderEntry;
 use super::{Peer, Talk};
 use crate::payload::{Payload, Writer};
 use crate::vehicle::Vehicle;
@@ -47,13 +47,13 @@ impl LogDownload {
 }
 
 /// The log files, for a listing.
-pub(super) fn entries(vehicle: &Vehicle) -> Vec<Entry> {
+pub(super) fn entries(vehicle: &Vehicle) -> Vec<FolderEntry> {
     let kept = vehicle.log.kept();
     let mut entries: Vec<_> = kept
         .iter()
-        .map(|log| Entry::file(&log.file_name(), log.len(&vehicle.parameters)))
+        .map(|log| FolderEntry::file(&log.file_name(), log.len(&vehicle.parameters)))
         .collect();
-    entries.extend(file(vehicle, LAST_LOG).map(|text| Entry::file(LAST_LOG, text.len())));
+    entries.extend(file(vehicle, LAST_LOG).map(|text| FolderEntry::file(LAST_LOG, text.len())));
     entries
 }
 

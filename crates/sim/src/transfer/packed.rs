@@ -18,7 +18,7 @@ const FILE: &str = "param.pck";
 
 /// Which parameters a ground station wants.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(super) struct Wanted {
+pub(super) struct PackRequest {
     start: usize,
     /// 0 for all that follow.
     count: usize,
@@ -36,7 +36,7 @@ pub(super) fn estimated_len(parameters: &Parameters) -> usize {
     usize::from(parameters.count()) * ESTIMATE
 }
 
-impl Wanted {
+impl PackRequest {
     /// Reads `start`, `count` and `withdefaults` out of a name; `None` if one makes no sense.
     pub(super) fn read(name: &str) -> Option<Self> {
         let mut wanted = Self::default();
@@ -215,7 +215,9 @@ mod tests {
     fn what_is_packed_reads_back_in_blocks_of_any_size() {
         let parameters = Parameters::new(14);
         for block in [110, 239, 80] {
-            let file = Wanted::default().pack(&parameters, block).expect("some");
+            let file = PackRequest::default()
+                .pack(&parameters, block)
+                .expect("some");
             assert_eq!(&file[..6], &[0x1B, 0x67, 0x66, 0x05, 0x66, 0x05]);
             let values = read(&file, block);
             assert_eq!(values.len(), usize::from(parameters.count()));
@@ -231,7 +233,7 @@ mod tests {
         // The first bytes of a file read from an ArduCopter SITL with the system id 14.
         let real = b"\x1bgf\x05f\x05\x02\xd0FORMAT_VERSIONx\x00\x02\xc0SYSID_THISMAV\x0e\x00\x02FMYGCS\xff\x00\
             \x04\xd0PILOT_THR_FILT\x00\x00\x00\x00\x04wKOFF_ALT\x00\x00\x00\x00\x02WHR_BHV\x00\x00\x01\xa0TELEM_DELAY\x00";
-        let file = Wanted::default()
+        let file = PackRequest::default()
             .pack(&Parameters::new(14), 239)
             .expect("some");
         assert_eq!(&file[..real.len()], real);
@@ -242,15 +244,15 @@ mod tests {
     #[test]
     fn a_query_chooses_what_is_packed() {
         let mut parameters = Parameters::new(1);
-        let wanted = Wanted::read("param.pck?start=2&count=3").expect("sense");
+        let wanted = PackRequest::read("param.pck?start=2&count=3").expect("sense");
         let file = wanted.pack(&parameters, 239).expect("some");
         assert_eq!(read(&file, 239).len(), 3);
-        assert_eq!(Wanted::read("param.pck?start=70000"), None);
-        assert_eq!(Wanted::read("param.pck?withdefaults=2"), None);
-        let far = Wanted::read("param.pck?start=2000").expect("sense");
+        assert_eq!(PackRequest::read("param.pck?start=70000"), None);
+        assert_eq!(PackRequest::read("param.pck?withdefaults=2"), None);
+        let far = PackRequest::read("param.pck?start=2000").expect("sense");
         assert_eq!(far.pack(&parameters, 239), None);
         parameters.set("SYSID_MYGCS", 250.0);
-        let wanted = Wanted::read("param.pck?start=2&count=1&withdefaults=1").expect("sense");
+        let wanted = PackRequest::read("param.pck?start=2&count=1&withdefaults=1").expect("sense");
         let file = wanted.pack(&parameters, 239).expect("some");
         assert_eq!(&file[6..], b"\x12\xA0SYSID_MYGCS\xfa\x00\xff\x00");
     }

@@ -17,12 +17,12 @@ const NOT_EMPTY: u8 = 39;
 
 /// One line of a folder's listing; a folder has no length.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Entry {
+pub(super) struct FolderEntry {
     pub(super) name: String,
     pub(super) len: Option<usize>,
 }
 
-impl Entry {
+impl FolderEntry {
     pub(super) fn folder(name: &str) -> Self {
         Self {
             name: name.to_owned(),
@@ -50,13 +50,13 @@ impl Default for Disk {
 
 impl Disk {
     /// What a folder holds; `None` if there is no such folder.
-    pub(super) fn entries(&self, folder: &str) -> Option<Vec<Entry>> {
+    pub(super) fn entries(&self, folder: &str) -> Option<Vec<FolderEntry>> {
         if !self.is_folder(folder) {
             return None;
         }
         let here = self.0.iter().filter_map(|(path, node)| {
             let (parent, name) = split(path);
-            (parent == folder).then(|| Entry {
+            (parent == folder).then(|| FolderEntry {
                 name: name.to_owned(),
                 len: node.as_ref().map(Vec::len),
             })
@@ -186,12 +186,12 @@ mod tests {
         assert_eq!(disk.create("a/b.txt"), Ok(()));
         assert_eq!(disk.write("a/b.txt", 2, b"xy"), Ok(()));
         assert_eq!(disk.read("a/b.txt"), Ok(&b"\0\0xy"[..]));
-        assert_eq!(disk.entries("a"), Some(vec![Entry::file("b.txt", 4)]));
+        assert_eq!(disk.entries("a"), Some(vec![FolderEntry::file("b.txt", 4)]));
         assert_eq!(disk.remove("a"), Err(NOT_EMPTY));
         assert_eq!(disk.rename("a/b.txt", "c"), Ok(()));
         assert_eq!(disk.remove("a"), Ok(()));
         assert_eq!(disk.read("a/b.txt"), Err(NO_SUCH_FILE));
-        let names = [Entry::file("c", 4), Entry::folder("terrain")];
+        let names = [FolderEntry::file("c", 4), FolderEntry::folder("terrain")];
         assert_eq!(disk.entries(""), Some(names.to_vec()));
     }
 

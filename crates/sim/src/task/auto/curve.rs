@@ -12,7 +12,7 @@ const SAME_SPEED_M_S: f64 = 1e-6;
 
 /// What a curve keeps to, along its line.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Bounds {
+pub(super) struct CurveBounds {
     pub(super) speed_m_s: f64,
     pub(super) accel_m_s2: f64,
     pub(super) jerk_m_s3: f64,
@@ -21,7 +21,7 @@ pub(super) struct Bounds {
 
 /// One change of the jerk, smoothed over a rise time.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Step {
+struct CurveStep {
     at_s: f64,
     jerk_m_s3: f64,
     rise_s: f64,
@@ -37,9 +37,9 @@ pub(super) struct Motion {
 
 /// From rest to rest over a length.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Curve {
+pub(super) struct SpeedCurve {
     length_m: f64,
-    steps: Vec<Step>,
+    steps: Vec<CurveStep>,
     top_m_s: f64,
     /// When the constant acceleration, all acceleration, and the cruise are over.
     pub(super) turn_in_s: f64,
@@ -61,7 +61,7 @@ struct Ramp {
 }
 
 impl Ramp {
-    fn between(from_m_s: f64, to_m_s: f64, bounds: &Bounds) -> Self {
+    fn between(from_m_s: f64, to_m_s: f64, bounds: &CurveBounds) -> Self {
         let change = (to_m_s - from_m_s).abs();
         let sign = (to_m_s - from_m_s).signum();
         let nothing = Self {
@@ -108,7 +108,7 @@ impl Ramp {
         f64::midpoint(self.from_m_s, self.to_m_s) * self.duration_s()
     }
 
-    fn steps(&self, at_s: f64) -> impl Iterator<Item = Step> {
+    fn steps(&self, at_s: f64) -> impl Iterator<Item = CurveStep> {
         let (jerk, rise_s) = (self.jerk_m_s3, self.rise_s);
         [
             (0.0, jerk),
@@ -118,7 +118,7 @@ impl Ramp {
         ]
         .into_iter()
         .filter(|(_, jerk)| *jerk != 0.0)
-        .map(move |(after_s, jerk_m_s3)| Step {
+        .map(move |(after_s, jerk_m_s3)| CurveStep {
             at_s: at_s + after_s,
             jerk_m_s3,
             rise_s,
@@ -126,7 +126,7 @@ impl Ramp {
     }
 }
 
-impl Step {
+impl CurveStep {
     /// What this step adds once its time has come.
     fn add(&self, now_s: f64, sum: &mut Motion) {
         let t = now_s - self.at_s;
@@ -157,9 +157,9 @@ impl Step {
     }
 }
 
-impl Curve {
+impl SpeedCurve {
     /// Plans from rest to rest; a line too short for the speed has a lower top speed.
-    pub(super) fn plan(length_m: f64, bounds: &Bounds) -> Self {
+    pub(super) fn plan(length_m: f64, bounds: &CurveBounds) -> Self {
         let half = |top: f64| Ramp::between(0.0, top, bounds).length_m() <= length_m / 2.0;
         let top_m_s = largest(0.0, bounds.speed_m_s, half);
         let ramp = Ramp::between(0.0, top_m_s, bounds);
@@ -194,7 +194,7 @@ impl Curve {
     }
 
     /// Takes a new top speed at a time on the way. One that no longer fits into the way left changes nothing.
-    pub(super) fn change_speed(&mut self, now_s: f64, bounds: &Bounds) {
+    pub(super) fn change_speed(&mut self, now_s: f64, bounds: &CurveBounds) {
         let wanted_m_s = bounds.speed_m_s;
         if now_s >= self.brake_s || (wanted_m_s - self.top_m_s).abs() < SAME_SPEED_M_S {
             return;
@@ -238,7 +238,7 @@ impl Curve {
         let Some(first) = self.steps.first().copied() else {
             return;
         };
-        let step = |at_s: f64, jerk_m_s3: f64| Step {
+        let step = |at_s: f64, jerk_m_s3: f64| CurveStep {
             at_s,
             jerk_m_s3,
             ..first
@@ -259,7 +259,7 @@ impl Curve {
     }
 
     /// Appends the cruise that is left and the braking to rest.
-    fn cruise_and_brake(&mut self, top_m_s: f64, bounds: &Bounds) {
+    fn cruise_and_brake(&mut self, top_m_s: f64, bounds: &CurveBounds) {
         let brake = Ramp::between(top_m_s, 0.0, bounds);
         let left_m = self.length_m - self.sum(self.ramp_end_s).way_m - brake.length_m();
         let cruise_s = if top_m_s > SAME_SPEED_M_S {
@@ -305,8 +305,8 @@ mod tests {
     use proptest::prelude::*;
 
     /// `WPNAV_ACCEL` 2.5, `WPNAV_JERK` 1, `ATC_INPUT_TC` 0.15.
-    fn usual(speed_m_s: f64) -> Bounds {
-        Bounds {
+    fn usual(speed_m_s: f64) -> CurveBounds {
+        CurveBounds {
             speed_m_s,
             accel_m_s2: 2.5,
             jerk_m_s3: 1.0,
@@ -314,7 +314,7 @@ mod tests {
         }
     }
 
-    fn check(curve: &Curve, fastest: f64) -> Result<(), TestCaseError> {
+    fn check(curve: &SpeedCurve, fastest: f64) -> Result<(), TestCaseError> {
         let mut last = curve.at(0.0);
         for i in 1..=2000 {
             let now = curve.end_s * f64::from(i) / 2000.0;
@@ -332,7 +332,7 @@ mod tests {
     proptest! {
         #[test]
         fn a_curve_runs_from_rest_to_rest_within_its_bounds(length in 0.01..3000.0f64, speed in 0.2..20.0f64) {
-            let curve = Curve::plan(length, &usual(speed));
+            let curve = SpeedCurve::plan(length, &usual(speed));
             prop_assert!(curve.end_s.is_finite());
             prop_assert!((curve.at(curve.end_s - 1e-9).way_m - length).abs() < 1e-3);
             check(&curve, speed)?;
@@ -340,7 +340,7 @@ mod tests {
 
         #[test]
         fn a_change_of_speed_on_the_way_still_ends_at_rest_at_the_goal(length in 20.0..1000.0f64, first in 1.0..15.0f64, then in 1.0..15.0f64, share in 0.0..1.0f64) {
-            let mut curve = Curve::plan(length, &usual(first));
+            let mut curve = SpeedCurve::plan(length, &usual(first));
             let now = curve.end_s * share;
             let before = curve.at(now);
             curve.change_speed(now, &usual(then));
@@ -352,7 +352,7 @@ mod tests {
 
     #[test]
     fn a_later_higher_speed_shortens_the_time_and_a_lower_one_lengthens_it() {
-        let plain = Curve::plan(200.0, &usual(5.0));
+        let plain = SpeedCurve::plan(200.0, &usual(5.0));
         let mut faster = plain.clone();
         faster.change_speed(10.0, &usual(10.0));
         let mut slower = plain.clone();

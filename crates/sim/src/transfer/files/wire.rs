@@ -2,7 +2,7 @@
 
 use crate::payload::{Payload, Writer};
 use crate::transfer::Peer;
-use crate::transfer::tree::{self, Entry, NO_SUCH_FILE};
+use crate::transfer::tree::{self, FolderEntry, NO_SUCH_FILE};
 
 /// Where the protocol's own header begins in `FILE_TRANSFER_PROTOCOL`.
 const BEGIN: usize = 3;
@@ -59,7 +59,7 @@ impl Refusal {
 }
 
 #[derive(Debug, Clone)]
-pub(super) struct Request {
+pub(super) struct FtpRequest {
     pub(super) from: Peer,
     pub(super) seq: u16,
     pub(super) session: u8,
@@ -81,7 +81,7 @@ pub(super) struct Reply {
     pub(super) data: Vec<u8>,
 }
 
-impl Request {
+impl FtpRequest {
     pub(super) fn read(payload: &Payload, from: Peer) -> Self {
         let data = payload.from(BEGIN + 12);
         Self {
@@ -151,7 +151,7 @@ impl Reply {
 }
 
 /// As many entries of a folder as fit into one message, from one of them on.
-pub(super) fn listing(entries: &[Entry], first: u32) -> Result<Vec<u8>, Refusal> {
+pub(super) fn listing(entries: &[FolderEntry], first: u32) -> Result<Vec<u8>, Refusal> {
     let mut data = Vec::new();
     for entry in entries.iter().skip(first as usize) {
         let line = match entry.len {
