@@ -40,8 +40,8 @@ mod signals;
 use career::Careers;
 pub use drive::drive;
 use missions::{Tries, listings};
-pub use options::{Opening, Options, Preferences};
-use session::{Ending, Plan, Running};
+pub use options::{ConsoleOptions, Opening, Preferences};
+use session::{RunningSession, SessionEnding, SessionPlan};
 use signals::{Happened, Signals};
 
 /// The simulated time between two ticks, at which telemetry is collected and missions are stepped: a mission sees
@@ -62,7 +62,7 @@ const LAST_ANSWER_PATIENCE: Duration = Duration::from_millis(500);
 ///
 /// # Errors
 /// There is no terminal, or it has gone away.
-pub async fn run(options: Options) -> anyhow::Result<()> {
+pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
     let mut signals = Signals::new()?;
     let mut screen = Screen::open(
         options.preferences.config.fps,
@@ -160,11 +160,11 @@ fn key(code: KeyCode) -> TerminalEvent {
 }
 
 struct Console {
-    options: Options,
+    options: ConsoleOptions,
     clock: FleetClock,
     app: App,
     look: Look,
-    running: Option<Running>,
+    running: Option<RunningSession>,
     /// The try at what runs.
     attempt: Attempt,
     /// Who trains here; `None` where profiles are not kept or cannot be had.
@@ -174,7 +174,7 @@ struct Console {
     /// Events that are to be taken in, oldest first.
     inbox: VecDeque<Event>,
     /// What is left of the session before.
-    ending: Ending,
+    ending: SessionEnding,
     /// What has to be said at the start.
     warnings: Vec<Text>,
     /// The last line of the history that its file has.
@@ -190,7 +190,7 @@ struct Console {
 }
 
 impl Console {
-    fn new(options: Options, has_rooms: bool) -> Self {
+    fn new(options: ConsoleOptions, has_rooms: bool) -> Self {
         let preferences = &options.preferences;
         let (missions, course, doubles) = listings();
         let mut warnings = preferences.warnings.clone();
@@ -228,7 +228,7 @@ impl Console {
             attempt: Attempt::practice(None),
             careers: None,
             next_look: LOOK_EVERY,
-            ending: Ending::default(),
+            ending: SessionEnding::default(),
             drawn: None,
             fps: None,
             bell: false,
@@ -253,8 +253,8 @@ impl Console {
         let outcome = match self.options.opening.clone() {
             Opening::Home => return,
             Opening::Mission(mission) => self.launch(mission, Stake::Graded, None).await,
-            Opening::Free => self.start_afresh(Plan::Free(None)).await,
-            Opening::Connect(addresses) => self.start_afresh(Plan::Connect(addresses)).await,
+            Opening::Free => self.start_afresh(SessionPlan::Free(None)).await,
+            Opening::Connect(addresses) => self.start_afresh(SessionPlan::Connect(addresses)).await,
         };
         self.tell_failure(outcome);
     }
@@ -346,7 +346,11 @@ impl Console {
         for event in flown {
             self.feed(event).await;
         }
-        if let Some(finished) = self.running.as_mut().and_then(Running::take_finished) {
+        if let Some(finished) = self
+            .running
+            .as_mut()
+            .and_then(RunningSession::take_finished)
+        {
             self.settle(&finished);
         }
         self.take_in().await;

@@ -10,7 +10,7 @@ use super::backend::{self, BackendArguments};
 use super::designs::DesignArguments;
 use super::settings::CliSettings;
 use super::{Failure, parse_speedup, runtime};
-use crate::console::{self, Opening, Options, Preferences};
+use crate::console::{self, ConsoleOptions, Opening, Preferences};
 use crate::hangar::VehicleBackend;
 use crate::link::Address;
 use crate::store::{History, Runs};
@@ -74,7 +74,7 @@ impl HomeArguments {
 
 /// The home screen. What is set holds for every mission that is chosen there.
 pub(super) fn home(arguments: &HomeArguments, settings: CliSettings) -> Result<ExitCode, Failure> {
-    let options = Options {
+    let options = ConsoleOptions {
         seed: arguments.seed,
         speedup: arguments.speedup.unwrap_or(1.0),
         ..options(Opening::Home, settings)?
@@ -93,7 +93,7 @@ pub(super) fn fly(arguments: &FlyArguments, settings: CliSettings) -> Result<Exi
         }
         None => Opening::Free,
     };
-    let options = Options {
+    let options = ConsoleOptions {
         // What is wrong with it is told before the screen opens.
         backend: arguments.backend.choose(&settings)?,
         vehicles: arguments.vehicles,
@@ -138,7 +138,7 @@ fn look(settings: &CliSettings) -> Look {
 
 /// How the console is set up. What is wrong with the user's files is told under it, so that it is there when the
 /// console is left.
-fn options(opening: Opening, settings: CliSettings) -> Result<Options, Failure> {
+fn options(opening: Opening, settings: CliSettings) -> Result<ConsoleOptions, Failure> {
     if let Opening::Connect(addresses) = &opening {
         for address in addresses {
             check_recording(address)?;
@@ -147,7 +147,7 @@ fn options(opening: Opening, settings: CliSettings) -> Result<Options, Failure> 
     settings.complain();
     let ardupilot = backend::found(&settings);
     let folders = settings.folders.as_ref();
-    Ok(Options {
+    Ok(ConsoleOptions {
         opening,
         backend: VehicleBackend::default(),
         ardupilot,
@@ -169,7 +169,7 @@ fn options(opening: Opening, settings: CliSettings) -> Result<Options, Failure> 
     })
 }
 
-fn open(options: Options, plain: bool) -> Result<ExitCode, Failure> {
+fn open(options: ConsoleOptions, plain: bool) -> Result<ExitCode, Failure> {
     if !plain && let Some(fault) = no_screen() {
         let fault = options.look.text(&fault);
         return Err(Failure::Failed(anyhow::anyhow!(fault)));

@@ -8,7 +8,7 @@ use rand::rngs::SysRng;
 
 use super::Console;
 use super::career::today;
-use super::session::{Backend, Plan, Running};
+use super::session::{RunningSession, SessionBackend, SessionPlan};
 use crate::app::effect::Launch;
 use crate::app::event::{Event, SessionEvent};
 use crate::campaign::{Attempt, AttemptMeans, AttemptTerms, AttemptTrainee, Stake, mission_for};
@@ -42,7 +42,7 @@ impl Console {
     ) -> Result<(), Text> {
         let chosen = seed.or(self.options.seed);
         self.attempt = self.terms(&mission, wanted, chosen).decide();
-        self.start(Plan::Mission(mission)).await?;
+        self.start(SessionPlan::Mission(mission)).await?;
         self.tell_practice();
         Ok(())
     }
@@ -81,7 +81,7 @@ impl Console {
     }
 
     /// Starts something else than a mission.
-    pub(super) async fn start_afresh(&mut self, plan: Plan) -> Result<(), Text> {
+    pub(super) async fn start_afresh(&mut self, plan: SessionPlan) -> Result<(), Text> {
         self.attempt = Attempt::practice(self.options.seed);
         self.start(plan).await
     }
@@ -89,18 +89,18 @@ impl Console {
     /// Starts what runs once more: with another seed, unless the user has chosen one or wants the same. What was said
     /// before a launch that did not come holds for the next one.
     pub(super) async fn start_again(&mut self, alike: bool) -> Result<(), Text> {
-        let Some(plan) = self.running.as_ref().map(Running::plan) else {
+        let Some(plan) = self.running.as_ref().map(RunningSession::plan) else {
             return Ok(());
         };
         self.attempt = match &plan {
             _ if alike => self.attempt.repeated(),
-            Plan::Mission(mission) => {
+            SessionPlan::Mission(mission) => {
                 let terms = self.terms(mission, self.attempt.wanted, self.options.seed);
                 terms.decide_after(&self.attempt)
             }
-            Plan::Free(_) | Plan::Connect(_) => self.attempt,
+            SessionPlan::Free(_) | SessionPlan::Connect(_) => self.attempt,
         };
-        let pledge = self.running.as_ref().and_then(Running::open_pledge);
+        let pledge = self.running.as_ref().and_then(RunningSession::open_pledge);
         let outcome = self.start(plan).await;
         if let (Some(running), Some(pledge)) = (&mut self.running, pledge) {
             running.renew(pledge);
@@ -108,7 +108,7 @@ impl Console {
         outcome
     }
 
-    /// Ends the session. What takes a while to end is waited for by who has to.
+    /// Ends the session. Its processes may take a while: `ending` is waited for before the next session or the end.
     pub(super) fn end_session(&mut self) {
         self.go_on();
         if let Some(running) = self.running.take() {
@@ -128,11 +128,11 @@ impl Console {
         ending.over(LAST_PROCESS_PATIENCE).await;
     }
 
-    async fn start(&mut self, plan: Plan) -> Result<(), Text> {
+    async fn start(&mut self, plan: SessionPlan) -> Result<(), Text> {
         // The old session ends first: the new one may need its ports.
         self.end_session();
         self.store_flights();
-        let backend = Backend {
+        let backend = SessionBackend {
             clock: self.clock.clone(),
             vehicles: self.options.vehicles,
             seed: self.attempt.seed,
@@ -147,14 +147,13 @@ impl Console {
             earlier: self.tries_before(&plan),
         };
         let before = std::mem::take(&mut self.ending);
-        let (running, started) = Running::start(plan, &backend, before).await?;
+        let (running, started) = RunningSession::start(plan, &backend, before).await?;
         self.running = Some(running);
         self.post(SessionEvent::Started(Box::new(started)));
         Ok(())
     }
 }
 
-/// Addresses as they were written.
 pub(super) fn parse(addresses: &[String]) -> Result<Vec<Address>, Text> {
     addresses
         .iter()

@@ -1,4 +1,4 @@
-//! The trainee who sits at the console: who it is, what is flown for their career, and what they buy and design.
+//! The trainee at the console: profile, flights that count for the career, purchases and designs.
 
 use std::collections::VecDeque;
 use std::path::Path;
@@ -6,7 +6,7 @@ use std::time::SystemTime;
 
 use super::Console;
 use super::missions::{self, Tries};
-use super::session::{Finished, Plan};
+use super::session::{Finished, SessionPlan};
 use crate::app::effect::CareerEffect;
 use crate::app::event::{CareerEvent, Event};
 use crate::app::state::Career;
@@ -32,7 +32,7 @@ pub(super) struct Careers {
 }
 
 impl Careers {
-    /// Opens the profiles of a data folder, with nobody chosen. What was damaged or made up for is told.
+    /// Opens the profiles of a data folder, with none chosen. Returns warnings about repaired files and recovered flights.
     ///
     /// # Errors
     /// They cannot be had; the console works without them.
@@ -205,7 +205,7 @@ fn enter(
 }
 
 impl Console {
-    /// Opens the profiles and goes on with the one that was asked for, or the only one there is.
+    /// Opens the profiles and chooses the requested one, or the only one.
     pub(super) fn open_careers(&mut self, course: MissionCourse) {
         let preferences = &self.options.preferences;
         let Some(data) = &preferences.data else {
@@ -261,8 +261,8 @@ impl Console {
     }
 
     /// The trainee's tries at what is to be flown, oldest first.
-    pub(super) fn tries_before(&self, plan: &Plan) -> Vec<TryReport> {
-        let Plan::Mission(mission) = plan else {
+    pub(super) fn tries_before(&self, plan: &SessionPlan) -> Vec<TryReport> {
+        let SessionPlan::Mission(mission) = plan else {
             return Vec::new();
         };
         let (id, revision) = (mission.id.as_str(), mission.rev);
@@ -293,7 +293,7 @@ impl Console {
         self.store_flights();
     }
 
-    /// Stores what waits for it. What cannot be stored is told, and tried again at the next occasion.
+    /// Stores the flights that are waiting. A flight that cannot be stored is reported, and tried again with the next one.
     pub(super) fn store_flights(&mut self) {
         let waits = |careers: &&mut Careers| !careers.waiting.is_empty();
         let Some(careers) = self.careers.as_mut().filter(waits) else {
@@ -336,9 +336,9 @@ impl Console {
             Ok((names, career, careers.tries()?))
         });
         match shown {
-            Ok((names, career, tries)) => {
-                let tries = tries.unwrap_or_else(|| self.tries_of_nobody());
-                let tries = missions::current(tries, &self.app.state().missions);
+            Ok((names, career, own)) => {
+                let all = own.unwrap_or_else(|| self.tries_of_nobody());
+                let tries = missions::current(all, &self.app.state().missions);
                 self.post(CareerEvent::Profiles(names));
                 self.post(CareerEvent::Career(career));
                 self.post(CareerEvent::Tries(tries));

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use crossterm::event::KeyCode;
 
-use super::{Console, Options, TICK, key};
+use super::{Console, ConsoleOptions, TICK, key};
 use crate::app::event::TerminalEvent;
 use crate::terminal::Screen;
 
@@ -15,7 +15,7 @@ use crate::terminal::Screen;
 /// # Errors
 /// Drawing failed.
 pub async fn drive(
-    options: Options,
+    options: ConsoleOptions,
     size: (u16, u16),
     lines: &[(Duration, &str)],
     mut look: impl FnMut(Duration, u64) -> ControlFlow<()>,

@@ -2,7 +2,7 @@
 
 use super::Console;
 use super::begin::parse;
-use super::session::Plan;
+use super::session::SessionPlan;
 use crate::app::effect::{Effect, SessionEffect, TerminalEffect};
 use crate::app::event::Event;
 use crate::notice::sanitised;
@@ -51,13 +51,13 @@ impl Console {
     async fn steer(&mut self, effect: SessionEffect) {
         let outcome = match effect {
             SessionEffect::StartMission(launch) => self.start_mission(&launch).await,
-            SessionEffect::StartFree => self.start_afresh(Plan::Free(None)).await,
+            SessionEffect::StartFree => self.start_afresh(SessionPlan::Free(None)).await,
             SessionEffect::StartArduPilot => {
-                let plan = Plan::Free(self.options.ardupilot.clone());
+                let plan = SessionPlan::Free(self.options.ardupilot.clone());
                 self.start_afresh(plan).await
             }
             SessionEffect::Connect(addresses) => match parse(&addresses) {
-                Ok(addresses) => self.start_afresh(Plan::Connect(addresses)).await,
+                Ok(addresses) => self.start_afresh(SessionPlan::Connect(addresses)).await,
                 Err(error) => Err(error),
             },
             SessionEffect::Restart { alike } => self.start_again(alike).await,
@@ -124,14 +124,14 @@ mod tests {
     use std::time::Duration;
 
     use super::*;
-    use crate::console::{Opening, Options, Preferences};
+    use crate::console::{ConsoleOptions, Opening, Preferences};
     use crate::hangar::VehicleBackend;
     use crate::notice::Notice;
     use crate::ui::Look;
     use crate::vehicle::Severity;
 
     fn console() -> Console {
-        let options = Options {
+        let options = ConsoleOptions {
             opening: Opening::Home,
             backend: VehicleBackend::default(),
             ardupilot: None,

@@ -27,7 +27,7 @@ pub enum Opening {
 
 /// How the console is set up.
 #[derive(Debug, Clone)]
-pub struct Options {
+pub struct ConsoleOptions {
     /// What it begins with.
     pub opening: Opening,
     /// What flies.

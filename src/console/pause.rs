@@ -1,6 +1,6 @@
-//! Lets a session stand still and go on.
+//! Pauses and resumes a session.
 
-use super::{Console, Running};
+use super::{Console, RunningSession};
 use crate::app::event::{Event, SessionEvent};
 use crate::notice::Notice;
 use crate::text;
@@ -17,7 +17,7 @@ impl Console {
         self.post(SessionEvent::Paused(true));
     }
 
-    /// Lets everything go on; nothing happens where nothing stands still.
+    /// Resumes; does nothing unless the session is paused.
     pub(super) fn go_on(&mut self) {
         let Some(lasted) = self.clock.go_on() else {
             return;
@@ -54,6 +54,6 @@ impl Console {
     /// Ends the mission; its report comes with the next tick.
     pub(super) fn abandon(&mut self) {
         self.go_on();
-        self.running.iter_mut().for_each(Running::abandon);
+        self.running.iter_mut().for_each(RunningSession::abandon);
     }
 }

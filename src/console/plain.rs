@@ -10,7 +10,7 @@
 
 use std::time::Duration;
 
-use super::{Console, Happened, Opening, Options, Signals, key, ticks};
+use super::{Console, ConsoleOptions, Happened, Opening, Signals, key, ticks};
 use crate::app::event::TerminalEvent;
 use crate::app::state::{Overlay, Room};
 use crate::diagnostic::Diagnostic;
@@ -26,9 +26,9 @@ mod output;
 mod report;
 
 use end::Patience;
-use input::Line;
-use output::Output;
-use report::Report;
+use input::PlainLine;
+use output::PlainOutput;
+use report::PlainReport;
 
 /// How often news is said: what many vehicles say at once becomes one line.
 const NEWS_EVERY: Duration = Duration::from_millis(500);
@@ -45,13 +45,13 @@ const LANDING_PATIENCE: Duration = Duration::from_secs(10);
 ///
 /// # Errors
 /// The session could not be started, or nobody reads what is written.
-pub async fn run(options: Options, is_person: bool) -> anyhow::Result<bool> {
+pub async fn run(options: ConsoleOptions, is_person: bool) -> anyhow::Result<bool> {
     let mut signals = Signals::new()?;
     let mut plain = Plain {
         expected: expected(&options),
         console: Console::new(options, false),
-        report: Report::default(),
-        output: Output::start(is_person),
+        report: PlainReport::default(),
+        output: PlainOutput::start(is_person),
         pilot: None,
         is_person,
         ended: false,
@@ -96,7 +96,7 @@ pub async fn run(options: Options, is_person: bool) -> anyhow::Result<bool> {
 }
 
 /// How many vehicles there will be, if that is known.
-fn expected(options: &Options) -> usize {
+fn expected(options: &ConsoleOptions) -> usize {
     match &options.opening {
         Opening::Mission(mission) => mission.vehicles,
         Opening::Free => usize::from(options.vehicles),
@@ -106,8 +106,8 @@ fn expected(options: &Options) -> usize {
 
 struct Plain {
     console: Console,
-    report: Report,
-    output: Output,
+    report: PlainReport,
+    output: PlainOutput,
     /// The wait that holds the next line.
     pilot: Option<Pilot>,
     /// Vehicles that will be heard, if that is known.
@@ -157,13 +157,11 @@ impl Plain {
         let Some(patience) = &mut self.ready else {
             return;
         };
-        let (session, now) = (
-            &self.console.app.state().session,
-            self.console.app.state().now,
-        );
-        let heard = session.vehicles.len() >= self.expected;
-        let heard = heard || now.saturating_sub(session.began_at) >= HEARD_PATIENCE;
-        let is_there = heard && !session.is_starting();
+        let state = self.console.app.state();
+        let (session, now) = (&state.session, state.now);
+        let all_heard = session.vehicles.len() >= self.expected;
+        let waited_for_all = now.saturating_sub(session.began_at) >= HEARD_PATIENCE;
+        let is_there = (all_heard || waited_for_all) && !session.is_starting();
         let waited = patience.is_over(is_there, now);
         if is_there && (waited || end::is_ready(session)) {
             self.ready = None;
@@ -233,11 +231,11 @@ impl Plain {
         }
     }
 
-    async fn take(&mut self, line: &Line) -> anyhow::Result<()> {
+    async fn take(&mut self, line: &PlainLine) -> anyhow::Result<()> {
         self.output.line_ended();
         match line {
-            Line::Read(line) => self.take_text(line.trim()).await,
-            Line::Garbled(line) => {
+            PlainLine::Read(line) => self.take_text(line.trim()).await,
+            PlainLine::Garbled(line) => {
                 self.tell_news();
                 self.say(&text!("plain-garbled", line = line.trim()));
                 self.failed = true;
@@ -385,7 +383,7 @@ impl Plain {
         }
     }
 
-    /// Nobody is there who could start the vehicles again.
+    /// Ends the flight: without a person, nobody restarts the vehicles.
     fn give_up(&mut self) {
         self.tell_news();
         self.say(&text!("hangar-plain-given-up"));

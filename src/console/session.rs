@@ -23,30 +23,30 @@ mod mission_run;
 mod orders;
 mod start;
 
-pub(super) use hangar::Ending;
 use hangar::Processes;
+pub(super) use hangar::SessionEnding;
 use inspection::Inspection;
-use links::Links;
+use links::SessionLinks;
 pub(super) use mission_run::Finished;
 use mission_run::MissionRun;
-pub(super) use start::{Backend, Plan};
+pub(super) use start::{SessionBackend, SessionPlan};
 
 /// Fleet events taken over per tick, so that a flood of notices cannot hold up the screen.
 const EVENTS_PER_TICK: usize = 2000;
 
 /// A running session. Dropping it ends its tasks.
-pub(super) struct Running {
-    plan: Plan,
+pub(super) struct RunningSession {
+    plan: SessionPlan,
     fleet: Fleet,
     events: mpsc::Receiver<FleetEvent>,
     vehicles: Vec<watch::Receiver<Arc<Vehicle>>>,
     parameters: Vec<(VehicleId, watch::Receiver<ParameterSnapshot>)>,
-    links: Links,
+    links: SessionLinks,
     inspection: Inspection,
     /// Reports that the fleet dropped so far.
     dropped: u64,
     mission_run: Option<MissionRun>,
-    /// While this is true, the embedded simulator stands still.
+    /// While this is true, the embedded simulator is paused.
     held: watch::Sender<bool>,
     operator: Operator,
     /// What was shown last of what vehicles do together.
@@ -58,13 +58,13 @@ pub(super) struct Running {
     cancel: CancellationToken,
 }
 
-impl Running {
+impl RunningSession {
     /// What the session was to be, for starting it again.
-    pub fn plan(&self) -> Plan {
+    pub fn plan(&self) -> SessionPlan {
         self.plan.clone()
     }
 
-    /// Asks vehicles for all their parameters. Those that cannot be asked now are asked again by who wants them.
+    /// Asks vehicles for all their parameters. Those that cannot be asked now are asked again at a later tick.
     pub fn fetch_parameters(&self, vehicles: &[VehicleId]) {
         for &vehicle in vehicles {
             if self.fleet.fetch_parameters(vehicle).is_err() {
@@ -73,7 +73,7 @@ impl Running {
         }
     }
 
-    /// Lets the embedded simulator stand still, or go on.
+    /// Pauses or resumes the embedded simulator.
     pub fn hold(&self, held: bool) {
         self.held.send_replace(held);
     }
@@ -133,7 +133,7 @@ impl Running {
     }
 }
 
-impl Drop for Running {
+impl Drop for RunningSession {
     fn drop(&mut self) {
         self.cancel.cancel();
     }

@@ -12,7 +12,7 @@ pub enum Happened {
     Resized,
     /// The program is to stop until it is continued.
     Stopped,
-    /// It goes on.
+    /// The program was continued after a stop.
     Continued,
 }
 
@@ -45,7 +45,6 @@ impl Signals {
         })
     }
 
-    /// The next one.
     pub async fn next(&mut self) -> Happened {
         let [terminated, hung_up, interrupted, quit] = &mut self.ends;
         tokio::select! {

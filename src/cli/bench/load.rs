@@ -9,7 +9,7 @@ use clap::Args;
 use serde::Serialize;
 
 use super::super::{Failure, runtime};
-use crate::console::{self, Opening, Options, Preferences};
+use crate::console::{self, ConsoleOptions, Opening, Preferences};
 use crate::ui::Look;
 
 /// The vehicles are on their way by now.
@@ -51,7 +51,7 @@ struct LoadMark {
 
 /// Measures and prints.
 pub(in crate::cli) fn load(options: &LoadArguments) -> Result<ExitCode, Failure> {
-    let console = Options {
+    let console = ConsoleOptions {
         backend: crate::hangar::VehicleBackend::default(),
         ardupilot: None,
         opening: Opening::Free,

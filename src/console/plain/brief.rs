@@ -10,10 +10,9 @@ pub(super) fn lines(state: &State) -> Vec<Text> {
         return Vec::new();
     };
     let brief = state.locale.text(&mission.brief);
-    let brief: Vec<Text> = brief.lines().map(Text::from).collect();
     let objectives = mission.objectives.iter().map(objective);
-    brief
-        .into_iter()
+    let paragraphs = brief.lines().map(Text::from);
+    paragraphs
         .chain(objectives)
         .chain([limits(mission), text!("plain-before-launch")])
         .collect()

@@ -9,7 +9,7 @@ const LINES_AHEAD: usize = 16;
 
 /// A line as it was read.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) enum Line {
+pub(super) enum PlainLine {
     /// A line of text.
     Read(String),
     /// A line that is not UTF-8, with marks where it is not: nobody knows what was meant.
@@ -17,7 +17,7 @@ pub(super) enum Line {
 }
 
 /// Begins to read standard input.
-pub(super) fn read() -> mpsc::Receiver<Line> {
+pub(super) fn read() -> mpsc::Receiver<PlainLine> {
     let (sender, lines) = mpsc::channel(LINES_AHEAD);
     std::thread::spawn(move || {
         for line in lines_of(std::io::stdin().lock()) {
@@ -30,7 +30,7 @@ pub(super) fn read() -> mpsc::Receiver<Line> {
 }
 
 /// The lines of an input until it ends or fails.
-fn lines_of(mut input: impl BufRead) -> impl Iterator<Item = Line> {
+fn lines_of(mut input: impl BufRead) -> impl Iterator<Item = PlainLine> {
     std::iter::from_fn(move || {
         let mut bytes = Vec::new();
         loop {
@@ -44,10 +44,10 @@ fn lines_of(mut input: impl BufRead) -> impl Iterator<Item = Line> {
     })
 }
 
-fn line(bytes: Vec<u8>) -> Line {
+fn line(bytes: Vec<u8>) -> PlainLine {
     match String::from_utf8(bytes) {
-        Ok(text) => Line::Read(text),
-        Err(error) => Line::Garbled(String::from_utf8_lossy(error.as_bytes()).into_owned()),
+        Ok(text) => PlainLine::Read(text),
+        Err(error) => PlainLine::Garbled(String::from_utf8_lossy(error.as_bytes()).into_owned()),
     }
 }
 
@@ -58,12 +58,12 @@ mod tests {
     #[test]
     fn a_line_that_is_not_utf_8_does_not_hide_those_after_it() {
         let input: &[u8] = b"status\n1 l\xffand\n\nall land";
-        let lines: Vec<Line> = lines_of(input).collect();
+        let lines: Vec<PlainLine> = lines_of(input).collect();
         let expected = [
-            Line::Read("status\n".to_owned()),
-            Line::Garbled("1 l\u{fffd}and\n".to_owned()),
-            Line::Read("\n".to_owned()),
-            Line::Read("all land".to_owned()),
+            PlainLine::Read("status\n".to_owned()),
+            PlainLine::Garbled("1 l\u{fffd}and\n".to_owned()),
+            PlainLine::Read("\n".to_owned()),
+            PlainLine::Read("all land".to_owned()),
         ];
         assert_eq!(lines, expected);
     }

@@ -14,17 +14,17 @@ const LINES_WAITING: usize = 2000;
 /// How long a program that has been told to end waits for its reader.
 const LAST_PATIENCE: Duration = Duration::from_millis(500);
 
-pub struct Output {
+pub struct PlainOutput {
     pieces: SyncSender<String>,
     outcome: Receiver<io::Result<()>>,
-    /// Whether a person is there, who sees a prompt.
+    /// Whether lines come from a person, who sees a prompt.
     is_person: bool,
-    /// Whether the prompt stands at the beginning of the present line.
+    /// Whether the present line begins with the prompt.
     prompted: bool,
     left_out: u64,
 }
 
-impl Output {
+impl PlainOutput {
     /// Begins to write.
     pub fn start(is_person: bool) -> Self {
         let (pieces, to_write) = sync_channel::<String>(LINES_WAITING);
@@ -51,10 +51,10 @@ impl Output {
 
     /// Says a text on a line of its own.
     pub fn say(&mut self, look: &Look, text: &Text) {
-        let words = sanitised(&look.locale.text(text));
+        let translated = sanitised(&look.locale.text(text));
         let words = match look.symbols {
-            Symbols::Ascii => ascii::line(&words),
-            _ => words,
+            Symbols::Ascii => ascii::line(&translated),
+            _ => translated,
         };
         let gap = if std::mem::take(&mut self.prompted) {
             "\n"
@@ -72,7 +72,7 @@ impl Output {
         }
     }
 
-    /// Asks a person for a line, unless the question stands there already.
+    /// Shows a person the prompt, unless it is there already.
     pub fn prompt(&mut self) {
         if self.is_person && !self.prompted {
             self.prompted = self.pieces.try_send("> ".to_owned()).is_ok();

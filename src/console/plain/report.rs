@@ -17,7 +17,7 @@ const LISTED: usize = 20;
 
 /// What has been said.
 #[derive(Debug, Default)]
-pub struct Report {
+pub struct PlainReport {
     /// The newest notice that has been said, and how many it stood for.
     notice: Option<(Notice, u32)>,
     /// The first command whose end has not been looked for.
@@ -33,7 +33,7 @@ pub struct Report {
     stages: Option<Text>,
 }
 
-impl Report {
+impl PlainReport {
     /// What has happened since it was asked last.
     pub fn news(&mut self, state: &State) -> Vec<Text> {
         let mut texts: Vec<Text> = self.new_stages(state).into_iter().collect();
@@ -219,7 +219,7 @@ fn objective_text(objective: &ObjectiveProgress) -> Text {
     }
 }
 
-/// How the mission stands.
+/// The mission's progress.
 pub fn objectives(state: &State) -> Vec<Text> {
     let Some(mission) = &state.session.mission else {
         return vec![text!("mission-none")];

@@ -1,4 +1,4 @@
-//! The processes of a session's vehicles. They are launched by a task, so that the screen goes on meanwhile.
+//! The processes of a session's vehicles. A task launches them, so that the screen does not wait.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -7,7 +7,7 @@ use std::time::Duration;
 use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
-use super::Running;
+use super::RunningSession;
 use crate::app::effect::HangarDeed;
 use crate::app::event::{Event, ProcessEvent};
 use crate::app::state::Instance;
@@ -22,7 +22,7 @@ use crate::vehicle::VehicleId;
 
 mod usage;
 
-use usage::{Usage, shown};
+use usage::{ProcessUsage, shown};
 
 /// How long the processes of an earlier session may take to end before new ones are started.
 const ENDING_PATIENCE: Duration = Duration::from_secs(5);
@@ -32,7 +32,7 @@ const LOOK_EVERY: Duration = Duration::from_millis(500);
 const NEWS_KEPT: usize = 64;
 
 /// What comes of launching, and of what is asked of processes.
-enum News {
+enum ProcessNews {
     /// The hangars are open.
     Opened(Arc<Hangars>),
     /// All vehicles are launched; these are their links.
@@ -49,11 +49,11 @@ enum News {
 pub(super) struct Processes {
     /// How many there are to be.
     pub count: usize,
-    news: mpsc::Receiver<News>,
-    sender: mpsc::Sender<News>,
+    news: mpsc::Receiver<ProcessNews>,
+    sender: mpsc::Sender<ProcessNews>,
     hangars: Option<Arc<Hangars>>,
     seen: Option<watch::Receiver<Seen>>,
-    usage: BTreeMap<InstancePlace, Usage>,
+    usage: BTreeMap<InstancePlace, ProcessUsage>,
     /// How often each was started again.
     restarts: BTreeMap<VehicleId, u32>,
     looking: Option<Looking>,
@@ -72,9 +72,9 @@ struct Looking {
 
 /// Processes that are being ended.
 #[derive(Debug, Default)]
-pub(in crate::console) struct Ending(Option<watch::Receiver<Seen>>);
+pub(in crate::console) struct SessionEnding(Option<watch::Receiver<Seen>>);
 
-impl Ending {
+impl SessionEnding {
     /// Waits until they are gone, for a while.
     pub async fn over(self, patience: Duration) {
         if let Some(mut seen) = self.0 {
@@ -90,7 +90,7 @@ impl Processes {
     pub fn launch(
         source: SitlSource,
         launches: Vec<Launch>,
-        before: Ending,
+        before: SessionEnding,
         cancel: CancellationToken,
     ) -> Self {
         let count = launches.len();
@@ -101,8 +101,11 @@ impl Processes {
                 before.over(ENDING_PATIENCE).await;
                 if let Err(reason) = open_and_launch(&source, launches, &told).await {
                     drop(
-                        told.send(News::NotLaunched(text!("hangar-failed", reason = reason)))
-                            .await,
+                        told.send(ProcessNews::NotLaunched(text!(
+                            "hangar-failed",
+                            reason = reason
+                        )))
+                        .await,
                     );
                 }
             };
@@ -124,9 +127,9 @@ impl Processes {
     }
 
     /// What there is to tell.
-    fn hear(&mut self) -> Option<News> {
+    fn hear(&mut self) -> Option<ProcessNews> {
         let news = self.news.try_recv().ok()?;
-        if let News::Opened(hangars) = &news {
+        if let ProcessNews::Opened(hangars) = &news {
             self.seen = Some(hangars.instances());
             self.hangars = Some(Arc::clone(hangars));
         }
@@ -151,7 +154,7 @@ impl Processes {
             .map(|(place, instance)| {
                 let used = usage
                     .entry(*place)
-                    .or_insert(Usage::of(instance.cpu_ms, now));
+                    .or_insert(ProcessUsage::of(instance.cpu_ms, now));
                 let host = names
                     .get(place.hangar)
                     .map(String::as_str)
@@ -163,7 +166,7 @@ impl Processes {
         Some(shown)
     }
 
-    /// Has the process of a vehicle ended or started again; what fails is told.
+    /// Stops or restarts the process of a vehicle; a failure is reported.
     fn order(&self, deed: HangarDeed, vehicle: VehicleId) {
         let Some((hangars, place)) = self.place(vehicle) else {
             return;
@@ -175,7 +178,7 @@ impl Processes {
                 HangarDeed::Stop => hangars.stop(place).await,
             };
             if let Err(refusal) = outcome {
-                drop(sender.send(News::Failed(Text::from(&refusal))).await);
+                drop(sender.send(ProcessNews::Failed(Text::from(&refusal))).await);
             }
         });
     }
@@ -196,7 +199,7 @@ impl Processes {
         again
     }
 
-    /// Looks at what the process of a vehicle prints; it is told as [`News::Printed`].
+    /// Looks at what the process of a vehicle prints; it is told as [`ProcessNews::Printed`].
     fn look(&mut self, wanted: Option<VehicleId>, now: Duration) {
         let Some(vehicle) = wanted else {
             self.looking = None;
@@ -221,7 +224,11 @@ impl Processes {
         tokio::spawn(async move {
             // Of one that does not tell nothing more is shown.
             let lines = hangars.output(place, next).await.unwrap_or_default();
-            drop(sender.send(News::Printed(vehicle, next, lines)).await);
+            drop(
+                sender
+                    .send(ProcessNews::Printed(vehicle, next, lines))
+                    .await,
+            );
         });
     }
 
@@ -250,16 +257,16 @@ impl Processes {
     }
 
     /// Tells when the processes are gone, once this is dropped.
-    pub fn ending(&self) -> Ending {
-        Ending(self.seen.clone())
+    pub fn ending(&self) -> SessionEnding {
+        SessionEnding(self.seen.clone())
     }
 }
 
-impl Running {
+impl RunningSession {
     /// What of the session takes a while to end, once this is dropped.
-    pub fn ending(&self) -> Ending {
+    pub fn ending(&self) -> SessionEnding {
         let processes = self.processes.as_ref();
-        processes.map_or_else(Ending::default, Processes::ending)
+        processes.map_or_else(SessionEnding::default, Processes::ending)
     }
 
     /// Has the process of a vehicle ended or started again.
@@ -284,17 +291,19 @@ impl Running {
         let mut events = Vec::new();
         while let Some(news) = processes.hear() {
             let event = match news {
-                News::Opened(_) => None,
-                News::Launched(launched) => {
+                ProcessNews::Opened(_) => None,
+                ProcessNews::Launched(launched) => {
                     let mut pipes = launched
                         .into_iter()
                         .map(|vehicle| Transport::Pipe(vehicle.pipe));
                     let refused = pipes.find_map(|pipe| self.fleet.connect(pipe).err());
                     refused.map(|reason| Event::Failed(reason.into()))
                 }
-                News::NotLaunched(text) => Some(ProcessEvent::NotLaunched(text).into()),
-                News::Failed(text) => Some(Event::Failed(text)),
-                News::Printed(vehicle, from, lines) => processes.printed(vehicle, from, &lines),
+                ProcessNews::NotLaunched(text) => Some(ProcessEvent::NotLaunched(text).into()),
+                ProcessNews::Failed(text) => Some(Event::Failed(text)),
+                ProcessNews::Printed(vehicle, from, lines) => {
+                    processes.printed(vehicle, from, &lines)
+                }
             };
             events.extend(event);
         }
@@ -312,15 +321,15 @@ impl Running {
 async fn open_and_launch(
     source: &SitlSource,
     launches: Vec<Launch>,
-    told: &mpsc::Sender<News>,
+    told: &mpsc::Sender<ProcessNews>,
 ) -> Result<(), Text> {
     let hangars = Arc::new(source.open()?);
     // Whoever does not want to hear it any more has cancelled this too.
-    drop(told.send(News::Opened(Arc::clone(&hangars))).await);
+    drop(told.send(ProcessNews::Opened(Arc::clone(&hangars))).await);
     let launched = hangars
         .launch(launches)
         .await
         .map_err(|refusal| Text::from(&refusal))?;
-    drop(told.send(News::Launched(launched)).await);
+    drop(told.send(ProcessNews::Launched(launched)).await);
     Ok(())
 }

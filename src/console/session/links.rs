@@ -15,7 +15,7 @@ use crate::vehicle::{Severity, Vehicle};
 
 /// The links of a session.
 #[derive(Default)]
-pub(super) struct Links {
+pub(super) struct SessionLinks {
     all: Vec<watch::Receiver<LinkStatus>>,
     /// What was said of each last.
     said: Vec<LinkNews>,
@@ -23,7 +23,7 @@ pub(super) struct Links {
     ended: usize,
 }
 
-impl Links {
+impl SessionLinks {
     /// Adds a link that was opened.
     pub fn add(&mut self, link: watch::Receiver<LinkStatus>) {
         self.all.push(link);
@@ -72,7 +72,7 @@ impl Links {
 /// What is worth saying of a link.
 #[derive(Debug, Clone, PartialEq, Eq)]
 enum LinkNews {
-    /// No news yet.
+    /// Nothing has been heard yet.
     Silent,
     /// The link carries data.
     Up,

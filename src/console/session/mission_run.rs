@@ -4,7 +4,7 @@ use std::collections::{BTreeSet, VecDeque};
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::Running;
+use super::RunningSession;
 use super::logbook::Logbook;
 use crate::app::event::{Event, SessionEvent};
 use crate::app::state::{Session as Shown, SitlStage};
@@ -200,7 +200,7 @@ fn tell_demands(
     });
 }
 
-impl Running {
+impl RunningSession {
     /// Steps the mission up to now and returns what came of it.
     pub fn fly(&mut self, now: Duration, shown: &Shown) -> Vec<Event> {
         let Some(mission_run) = &mut self.mission_run else {

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::Running;
+use super::RunningSession;
 use super::mission_run::MissionRun;
 use crate::app::event::{Event, VehicleEvent};
 use crate::commands::Order;
@@ -13,7 +13,7 @@ use crate::operator::{Dispatch, OperatorScene};
 use crate::session::VehicleCommand;
 use crate::vehicle::{Severity, VehicleId, Vehicles};
 
-impl Running {
+impl RunningSession {
     /// Carries out an order whose entry is open already; returns what comes of it at once.
     pub fn carry_out(
         &mut self,

@@ -6,10 +6,10 @@ use std::sync::Arc;
 use tokio::sync::watch;
 use tokio_util::sync::CancellationToken;
 
-use super::Running;
-use super::hangar::{Ending, Processes};
+use super::RunningSession;
+use super::hangar::{Processes, SessionEnding};
 use super::inspection::Inspection;
-use super::links::Links;
+use super::links::SessionLinks;
 use super::mission_run::MissionRun;
 use crate::app::event::Started;
 use crate::app::state::Activity;
@@ -36,7 +36,7 @@ const FREE_FLIGHT_START: Start = Start {
 
 /// What a session is to be.
 #[derive(Debug, Clone)]
-pub(in crate::console) enum Plan {
+pub(in crate::console) enum SessionPlan {
     /// A mission of the catalogue or of a file.
     Mission(Arc<Mission>),
     /// Simulated vehicles without a task; by these processes, if any are named.
@@ -47,7 +47,7 @@ pub(in crate::console) enum Plan {
 
 /// What sessions are started with.
 #[derive(Debug, Clone)]
-pub(in crate::console) struct Backend {
+pub(in crate::console) struct SessionBackend {
     pub simulation: Simulation,
     pub clock: FleetClock,
     pub vehicles: u8,
@@ -61,7 +61,7 @@ pub(in crate::console) struct Backend {
     pub earlier: Vec<TryReport>,
 }
 
-impl Plan {
+impl SessionPlan {
     /// What holds for vehicles that do something together.
     fn swarm_rules(&self) -> Rules {
         match self {
@@ -71,15 +71,15 @@ impl Plan {
     }
 }
 
-impl Running {
+impl RunningSession {
     /// Starts a session, once the processes of the one before it are gone.
     ///
     /// # Errors
     /// The fleet has ended.
     pub async fn start(
-        plan: Plan,
-        backend: &Backend,
-        before: Ending,
+        plan: SessionPlan,
+        backend: &SessionBackend,
+        before: SessionEnding,
     ) -> Result<(Self, Started), Text> {
         let cancel = CancellationToken::new();
         let (fleet, events) = Fleet::start(backend.clock.clone(), cancel.clone());
@@ -89,7 +89,7 @@ impl Running {
             events,
             vehicles: Vec::new(),
             parameters: Vec::new(),
-            links: Links::default(),
+            links: SessionLinks::default(),
             inspection: Inspection::default(),
             dropped: 0,
             mission_run: None,
@@ -105,15 +105,17 @@ impl Running {
             ..WorldConfig::row(usize::from(backend.vehicles), FREE_FLIGHT_START)
         };
         let mut started = match plan {
-            Plan::Mission(mission) => running.start_mission(mission, backend, before).await?,
-            Plan::Free(_) => {
+            SessionPlan::Mission(mission) => {
+                running.start_mission(mission, backend, before).await?
+            }
+            SessionPlan::Free(_) => {
                 running.simulate(row(), backend, before).await?;
                 Started {
                     places: free_flight_places(),
                     ..started(Activity::Free)
                 }
             }
-            Plan::Connect(addresses) => {
+            SessionPlan::Connect(addresses) => {
                 let names = addresses.iter().map(ToString::to_string).collect();
                 for address in addresses {
                     running.fleet.connect(Transport::Address(address))?;
@@ -128,8 +130,8 @@ impl Running {
     async fn start_mission(
         &mut self,
         mission: Arc<Mission>,
-        backend: &Backend,
-        before: Ending,
+        backend: &SessionBackend,
+        before: SessionEnding,
     ) -> Result<Started, Text> {
         let flight = Flight::new(Arc::clone(&mission), backend.seed);
         let config = mission.world(backend.seed);
@@ -157,12 +159,12 @@ impl Running {
     async fn simulate(
         &mut self,
         world: WorldConfig,
-        backend: &Backend,
-        before: Ending,
+        backend: &SessionBackend,
+        before: SessionEnding,
     ) -> Result<(), Text> {
         let simulation = &backend.simulation;
         let source = match &self.plan {
-            Plan::Free(Some(source)) => Some(source),
+            SessionPlan::Free(Some(source)) => Some(source),
             _ => simulation.ardupilot.as_ref(),
         };
         if let Some(source) = source {

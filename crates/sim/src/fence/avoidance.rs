@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use glam::{DVec2, DVec3};
 
-use super::area::{FenceArea, AreaShape, is_inside};
+use super::area::{AreaShape, FenceArea, is_inside};
 use crate::kinematics::STEP_S;
 use crate::kinematics::square_root;
 use crate::parameters::Parameters;

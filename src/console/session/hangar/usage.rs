@@ -13,13 +13,13 @@ const OWN: &str = "here";
 
 /// Processor time that a process has taken.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Usage {
+pub(super) struct ProcessUsage {
     at: Duration,
     cpu_ms: u64,
     percent: Option<f32>,
 }
 
-impl Usage {
+impl ProcessUsage {
     /// That of a process of which nothing was known before.
     pub fn of(cpu_ms: u64, now: Duration) -> Self {
         Self {
