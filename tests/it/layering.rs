@@ -232,6 +232,17 @@ fn screens_see_only_the_state_of_the_app() {
     }
 }
 
+/// [`sortie::app::App`] owns the state; what its update returns must not get lost.
+#[test]
+fn only_the_queue_of_the_console_updates_the_state() {
+    // The benchmark of drawing has nothing to carry out.
+    let known = ["src/cli/bench/frame.rs", "src/console/effects.rs"];
+    let of_program = modules().into_iter().filter(|it| it.package == "sortie");
+    let callers = of_program.filter(|it| it.code.contains("app.update("));
+    let files: BTreeSet<String> = callers.map(|it| it.file).collect();
+    assert_eq!(files, known.map(str::to_owned).into());
+}
+
 #[test]
 fn the_reader_of_paths_sees_nested_groups() {
     let code = "use crate::{geo::LatLon, wire};\nuse crate::a::{b::{c, d::E}, self as f};\n\
