@@ -147,7 +147,7 @@ fn speedup_or_max(text: &str) -> Result<Speedup, String> {
 
 /// What is printed as JSON.
 #[derive(Debug, Serialize)]
-struct RunDocument<'a> {
+struct RunResultDocument<'a> {
     #[serde(flatten)]
     report: &'a Report,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -188,7 +188,7 @@ pub(super) fn run(options: &RunArguments, settings: &CliSettings) -> Result<Exit
     if options.json {
         // Whole seconds: anything finer would differ between equal runs.
         let wall_time_s = (!options.no_timing).then(|| started.elapsed().as_secs_f64().floor());
-        let document = RunDocument {
+        let document = RunResultDocument {
             report: &report,
             career: outcome.map(CareerOutcome::document),
             wall_time_s,

@@ -1,0 +1,195 @@
+//! What a try counts for.
+
+use proptest::prelude::*;
+use proptest::sample::select;
+
+use super::*;
+use crate::campaign::Offer;
+
+const FIRST_FLIGHT: &str = include_str!("../../../missions/00-first-flight.toml");
+const FORMATION: &str = include_str!("../../../missions/02-formation.toml");
+
+const STAKES: [Stake; 4] = [Stake::Graded, Stake::Practice, Stake::Exam, Stake::Daily];
+const USUAL: AttemptMeans = AttemptMeans {
+    is_of_course: true,
+    has_own_airframes: false,
+    speedup: 1.0,
+};
+
+fn mission(text: &str) -> Mission {
+    Mission::parse(text).expect("no faults")
+}
+
+/// A trainee who has flown nothing yet may fly the first of these missions.
+struct Newcomer {
+    open: Mission,
+    locked: Mission,
+    course: MissionCourse,
+    standing: CareerStanding,
+}
+
+impl Newcomer {
+    fn new() -> Self {
+        let (open, locked) = (mission(FIRST_FLIGHT), mission(FORMATION));
+        Self {
+            course: MissionCourse::new([&open, &locked].map(Offer::of)),
+            open,
+            locked,
+            standing: CareerStanding::default(),
+        }
+    }
+
+    fn terms(&self, wanted: Stake) -> AttemptTerms<'_> {
+        AttemptTerms {
+            mission: &self.open,
+            wanted,
+            seed: None,
+            trainee: Some(AttemptTrainee {
+                standing: &self.standing,
+                course: &self.course,
+            }),
+            means: USUAL,
+            day: 20_000,
+            random: Some(77),
+        }
+    }
+}
+
+#[test]
+fn a_try_counts_as_wanted_on_the_layout_of_its_stake() {
+    let trainee = Newcomer::new();
+    let open = &trainee.open;
+    for (wanted, seed) in [
+        (Stake::Graded, 77),
+        (Stake::Practice, FIRST_SEED),
+        (Stake::Exam, exam_seed(&open.id, open.rev)),
+        (Stake::Daily, daily_seed(20_000)),
+    ] {
+        let attempt = trainee.terms(wanted).decide();
+        assert_eq!((attempt.stake, attempt.seed), (wanted, seed));
+        assert!(!attempt.is_reduced());
+    }
+}
+
+#[test]
+fn what_others_cannot_fly_is_practice_for_a_reason() {
+    let trainee = Newcomer::new();
+    let usual = trainee.terms(Stake::Graded);
+    let flown_with = |means| AttemptTerms { means, ..usual };
+    let frame = AttemptMeans {
+        has_own_airframes: true,
+        ..USUAL
+    };
+    let slow = AttemptMeans {
+        speedup: 0.5,
+        ..USUAL
+    };
+    let file = AttemptMeans {
+        is_of_course: false,
+        ..USUAL
+    };
+    let chosen = AttemptTerms {
+        seed: Some(5),
+        ..usual
+    };
+    for (terms, reason) in [
+        (flown_with(frame), PracticeReason::OwnAirframes),
+        (flown_with(slow), PracticeReason::SlowMotion),
+        (flown_with(file), PracticeReason::OtherMission),
+        (chosen, PracticeReason::ChosenSeed),
+    ] {
+        assert_eq!(terms.decide().stake, Stake::Practice, "{reason:?}");
+        assert_eq!(terms.practice_reasons(), [reason]);
+    }
+}
+
+#[test]
+fn a_locked_mission_and_one_of_nobodys_course_are_practice() {
+    let trainee = Newcomer::new();
+    let locked = AttemptTerms {
+        mission: &trainee.locked,
+        ..trainee.terms(Stake::Exam)
+    };
+    let reasons = locked.practice_reasons();
+    assert!(matches!(reasons[..], [PracticeReason::Locked(_)]));
+    let none = MissionCourse::default();
+    let strange = AttemptTerms {
+        trainee: Some(AttemptTrainee {
+            standing: &trainee.standing,
+            course: &none,
+        }),
+        ..trainee.terms(Stake::Exam)
+    };
+    assert_eq!(strange.practice_reasons(), [PracticeReason::OtherMission]);
+    assert!(locked.decide().is_reduced() && strange.decide().is_reduced());
+}
+
+#[test]
+fn a_flight_with_the_seed_of_a_day_belongs_to_that_day() {
+    let yesterday = daily_seed(19_999);
+    for (stake, seed, expected) in [
+        (Stake::Daily, daily_seed(20_000), (20_000, Stake::Daily)),
+        (Stake::Daily, yesterday, (19_999, Stake::Daily)),
+        (Stake::Daily, 5, (20_000, Stake::Practice)),
+        (Stake::Exam, yesterday, (20_000, Stake::Exam)),
+    ] {
+        assert_eq!(day_and_stake(stake, seed, 20_000), expected);
+    }
+}
+
+#[test]
+fn without_a_trainee_tries_go_through_the_seeds_one_by_one() {
+    let newcomer = Newcomer::new();
+    let nobody = AttemptTerms {
+        trainee: None,
+        ..newcomer.terms(Stake::Graded)
+    };
+    let first = nobody.decide();
+    let second = nobody.decide_after(&first);
+    assert_eq!((first.seed, second.seed), (1, 2));
+    assert_eq!(second.stake, Stake::Graded);
+}
+
+proptest! {
+    #[test]
+    fn a_try_counts_as_wanted_or_for_practice(
+        wanted in select(&STAKES[..]),
+        seed in prop::option::of(any::<u64>()),
+        random in prop::option::of(any::<u64>()),
+        (is_known, is_locked) in any::<(bool, bool)>(),
+        (is_of_course, has_own_airframes) in any::<(bool, bool)>(),
+        speedup in 0.1_f64..4.0,
+        day in 0_i64..40_000,
+    ) {
+        let newcomer = Newcomer::new();
+        let usual = newcomer.terms(wanted);
+        let terms = AttemptTerms {
+            mission: if is_locked { &newcomer.locked } else { &newcomer.open },
+            seed,
+            trainee: usual.trainee.filter(|_| is_known),
+            means: AttemptMeans { is_of_course, has_own_airframes, speedup },
+            day,
+            random,
+            ..usual
+        };
+        let first = terms.decide();
+        let is_fair = !is_known
+            || !is_locked && is_of_course && !has_own_airframes && speedup >= 1.0;
+        let is_free = wanted != Stake::Graded || seed.is_none();
+        let expected = if is_fair && is_free { wanted } else { Stake::Practice };
+        prop_assert_eq!((first.stake, first.wanted), (expected, wanted));
+        // How a try counts does not change its layout.
+        match wanted {
+            Stake::Exam | Stake::Daily => prop_assert!(first.seed < FRESH_SEEDS),
+            Stake::Graded | Stake::Practice => match seed {
+                Some(chosen) => prop_assert_eq!(first.seed, chosen),
+                None => prop_assert!(first.seed < FRESH_SEEDS),
+            },
+        }
+        let next = terms.decide_after(&first);
+        prop_assert_eq!((next.stake, next.wanted), (first.stake, first.wanted));
+        let again = first.repeated();
+        prop_assert_eq!(again.seed, first.seed);
+        prop_assert_ne!(again.stake, Stake::Graded);
+    }
+}
