@@ -21,7 +21,6 @@ pub use diagnosis::{Cause, LinkFinding, Weight, diagnose};
 pub const WINDOW: Duration = Duration::from_secs(10);
 /// A sender that has been silent for so long is gone.
 const GONE_AFTER: Duration = Duration::from_secs(5);
-/// HEARTBEAT.
 const HEARTBEAT: u32 = 0;
 
 /// What kind of way a link is: the advice depends on it.

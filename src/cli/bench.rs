@@ -37,7 +37,6 @@ pub(super) enum BenchCommand {
     Sim(sim::BenchSimArguments),
 }
 
-/// Measures and prints.
 pub(super) fn bench(bench: &BenchCommand, settings: &CliSettings) -> Result<ExitCode, Failure> {
     match bench {
         BenchCommand::Campaign(options) => campaign::campaign(options),

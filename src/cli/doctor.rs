@@ -30,7 +30,6 @@ pub(super) struct DoctorArguments {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 enum Verdict {
-    /// It works.
     Ok,
     /// It works, and there is something to know.
     Note,

@@ -53,7 +53,6 @@ enum Which {
     Runs,
 }
 
-/// The document.
 #[derive(Debug, Serialize)]
 struct ReportDocument<'a> {
     profile: &'a str,

@@ -58,7 +58,6 @@ pub(super) struct CliSettings {
 /// What is wrong with a file.
 #[derive(Debug)]
 pub(super) enum SettingsFault {
-    /// Something in it.
     Inside(Source, Diagnostic),
     /// The whole of it.
     Whole(Text),

@@ -15,9 +15,7 @@ pub(super) struct TextTable {
 /// Where the words of a column stand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Side {
-    /// Words.
     Left,
-    /// Figures.
     Right,
 }
 

@@ -23,7 +23,6 @@ const PARAMETERS_EVERY: Duration = Duration::from_millis(200);
 pub(super) enum ToVehicle {
     /// Frames of this vehicle.
     Frames(Vec<Frame>),
-    /// A command.
     Order(VehicleCommand),
     /// Where it is to be, as a part of a manoeuvre.
     Steer(Steering),

@@ -19,7 +19,6 @@ pub(super) struct Endurance {
 }
 
 impl Endurance {
-    /// None so far.
     pub fn new(policy: Restart) -> Self {
         Self {
             policy,

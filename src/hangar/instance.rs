@@ -46,7 +46,6 @@ struct InstanceTask {
     shared: Arc<Shared>,
 }
 
-/// What has happened.
 enum InstanceEvent {
     /// It is to be ended for good; whoever asked for it waits.
     Over(Option<oneshot::Sender<()>>),
@@ -54,7 +53,6 @@ enum InstanceEvent {
     Restart,
     /// Bytes were passed on.
     Passed(Passed),
-    /// Somebody has connected.
     Connected(TcpStream),
     /// Nothing else, for as long as was waited, or nothing that needs more doing.
     Nothing,

@@ -55,13 +55,11 @@ const PASSED_ON: [&str; 9] = [
 ];
 const PASSED_ON_PREFIX: &str = "LC_";
 
-/// What to start.
 #[derive(Debug, Clone)]
 pub(super) struct LaunchOrder {
     /// A path; a relative one is taken from where this program runs.
     pub program: PathBuf,
     pub arguments: Vec<String>,
-    /// Where it runs.
     pub folder: PathBuf,
 }
 

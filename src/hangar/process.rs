@@ -27,7 +27,6 @@ pub(super) fn address(text: &str) -> Option<SocketAddr> {
 /// A process, told apart from any that has had or will have the same number.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) struct ProcessIdentity {
-    /// Its number.
     pub pid: u32,
     /// When it was started, in ticks since the system was.
     pub started: u64,
@@ -56,9 +55,7 @@ pub(super) struct ProcessUsage {
 /// An answer that may not be had.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Belongs {
-    /// It does.
     Yes,
-    /// It does not.
     No,
     /// The system does not tell, or the connection is gone.
     Unknown,

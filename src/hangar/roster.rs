@@ -27,7 +27,6 @@ pub(super) struct Taken {
     pub system: u8,
 }
 
-/// The instances.
 pub(super) struct Roster {
     limit: u16,
     entries: Mutex<BTreeMap<InstanceId, RosterEntry>>,

@@ -374,7 +374,6 @@ impl Census {
 /// Whether a message is the answer to one of ours: `COMMAND_ACK`, or a TIMESYNC that is not a question itself.
 /// Parameters and the like are sent to everybody when anybody asks.
 fn answers(frame: &Anatomy<'_>) -> bool {
-    /// `COMMAND_ACK`.
     const COMMAND_ACK: u32 = 77;
     /// TIMESYNC; its first field, eight bytes of `tc1`, is zero in a question.
     const TIMESYNC: u32 = 111;

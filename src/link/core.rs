@@ -52,7 +52,6 @@ pub(super) enum LinkWork {
     Send(Vec<(To, Outgoing)>),
     /// Nothing, but look again whether reading is allowed.
     Nothing,
-    /// Close.
     End,
 }
 

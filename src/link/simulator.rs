@@ -35,7 +35,6 @@ const PIPE_LEN: usize = 64 * 1024;
 /// Time that the machine did not give to the simulation is made up for up to this much at once; beyond it the
 /// simulation falls behind real time instead of never catching up.
 const CATCH_UP: Duration = Duration::from_millis(50);
-/// The fastest pace.
 const SPEEDUP_MAX: f64 = 1000.0;
 /// At high speed, ground stations are served again after this many steps.
 const STEPS_PER_ROUND: usize = 10;

@@ -22,6 +22,7 @@ use crate::verb::Verb;
 
 mod fate;
 mod member;
+pub(super) mod places;
 mod work;
 
 pub(super) use member::{Member, Phase};

@@ -15,10 +15,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{VehicleId, Vehicles};
 
-mod places;
 mod plans;
-
-pub(super) use places::{share_lanes, take_places};
 
 /// What is added to the separation on the ground, and in height: nobody flies exactly where it is told to.
 const MARGIN_M: f64 = 1.0;

@@ -50,7 +50,6 @@ struct DecodeCost {
     floor_ns_per_message: f64,
 }
 
-/// Measures and prints.
 pub(in crate::cli) fn decode(options: &DecodeArguments) -> Result<ExitCode, Failure> {
     let bytes = match &options.file {
         Some(path) => frames_of(path)?,

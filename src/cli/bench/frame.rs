@@ -58,7 +58,6 @@ struct FrameCost {
     bytes_idle: u64,
 }
 
-/// Measures and prints.
 pub(in crate::cli) fn frame(options: &FrameArguments) -> Result<ExitCode, Failure> {
     let measured: Vec<FrameCost> = SWARMS
         .iter()

@@ -49,7 +49,6 @@ struct LoadMark {
     bytes: u64,
 }
 
-/// Measures and prints.
 pub(in crate::cli) fn load(options: &LoadArguments) -> Result<ExitCode, Failure> {
     let console = ConsoleOptions {
         backend: crate::hangar::VehicleBackend::default(),

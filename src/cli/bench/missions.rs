@@ -44,7 +44,6 @@ struct MissionCost {
     score: u16,
 }
 
-/// Measures and prints.
 pub(in crate::cli) fn missions(options: &MissionsArguments) -> Result<ExitCode, Failure> {
     let all = store::missions();
     let names = match &options.missions[..] {

@@ -86,7 +86,6 @@ fn parse_seconds(text: &str) -> Result<f64, String> {
         .ok_or_else(|| "expected a number of seconds from 0.2 to 3600".to_owned())
 }
 
-/// Measures and prints.
 pub(in crate::cli) fn scale(
     options: &ScaleArguments,
     settings: &CliSettings,

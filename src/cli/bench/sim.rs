@@ -52,7 +52,6 @@ struct SimCost {
     realtime_factor: f64,
 }
 
-/// Measures and prints.
 pub(in crate::cli) fn sim(options: &BenchSimArguments) -> Result<ExitCode, Failure> {
     let measured = options
         .vehicles

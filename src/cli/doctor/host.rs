@@ -43,7 +43,6 @@ pub(super) fn folders(settings: &CliSettings) -> Vec<HostFinding> {
         .collect()
 }
 
-/// Where instances run.
 pub(super) fn hangar_folder(settings: &CliSettings) -> Option<PathBuf> {
     let set = settings.config.hangar.folder.as_ref().map(PathBuf::from);
     set.or_else(|| Some(settings.folders.as_ref()?.state.join("hangar")))

@@ -155,7 +155,6 @@ struct WrittenStart {
     folder: String,
     program: String,
     arguments: Vec<String>,
-    /// Names and contents.
     files: BTreeMap<&'static str, String>,
     /// What a ground station is told.
     connect: String,
@@ -167,7 +166,6 @@ struct WrittenStart {
     preparation: String,
 }
 
-/// Prints.
 pub(super) fn command(
     options: &CommandArguments,
     settings: &CliSettings,

@@ -28,7 +28,6 @@ pub(super) struct Record {
     process: ProcessIdentity,
     /// The file that it runs: of a script, its interpreter.
     executable: PathBuf,
-    /// What was started.
     program: PathBuf,
 }
 

@@ -16,7 +16,6 @@ pub(super) struct InstanceMeter {
 }
 
 impl InstanceMeter {
-    /// Of a process.
     pub fn new(pid: u32) -> Self {
         Self {
             pid,
@@ -43,7 +42,6 @@ impl InstanceMeter {
         true
     }
 
-    /// Resident memory.
     pub fn memory_bytes(&self) -> u64 {
         self.last.map_or(0, |(_, usage)| usage.memory_bytes)
     }

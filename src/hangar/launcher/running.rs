@@ -41,7 +41,6 @@ impl RunningProcess {
         })
     }
 
-    /// Its number.
     pub fn pid(&self) -> u32 {
         self.pid.as_raw() as u32
     }

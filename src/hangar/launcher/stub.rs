@@ -46,7 +46,6 @@ pub fn launch_stub(words: &[OsString]) -> ExitCode {
     ExitCode::from(run(words))
 }
 
-/// As [`launch_stub`].
 pub(super) fn run(words: &[OsString]) -> u8 {
     // A copy that closes when this becomes the program.
     let report = std::io::stdin().as_fd().try_clone_to_owned();

@@ -118,7 +118,6 @@ pub async fn identify(program: &Path, patience: Duration) -> Result<ProgramIdent
     identify_by(&launcher, program, patience).await
 }
 
-/// As [`identify`].
 pub(super) async fn identify_by(
     launcher: &Launcher,
     program: &Path,

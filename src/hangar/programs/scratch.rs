@@ -12,7 +12,6 @@ const TRIES: u32 = 1000;
 pub(super) struct ScratchFolder(PathBuf);
 
 impl ScratchFolder {
-    /// Makes one.
     pub fn new(name: &str) -> io::Result<Self> {
         let mut last = io::Error::from(io::ErrorKind::AlreadyExists);
         for number in 0..TRIES {

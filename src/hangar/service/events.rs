@@ -63,7 +63,6 @@ pub(super) async fn follow(
     Ok(Sse::new(events).keep_alive(keep_alive).into_response())
 }
 
-/// One who follows.
 struct Follower {
     state: Arc<ServiceState>,
     seen: watch::Receiver<Instances>,

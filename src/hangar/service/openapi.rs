@@ -40,7 +40,6 @@ const SCHEME: &str = "token";
 )]
 struct Description;
 
-/// The document.
 pub(super) fn document() -> OpenApi {
     let mut document = Description::openapi();
     env!("SORTIE_VERSION").clone_into(&mut document.info.version);

@@ -14,7 +14,6 @@ const PLAUSIBLE_US: std::ops::Range<u64> = 946_684_800_000_000..4_102_444_800_00
 /// What comes next in a recording.
 #[derive(Debug, PartialEq, Eq)]
 pub(in crate::link) enum Piece {
-    /// A record.
     Record(TlogRecord),
     /// Bytes that belong to no record.
     Damage {

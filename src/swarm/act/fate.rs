@@ -3,9 +3,9 @@
 use std::sync::Arc;
 use std::time::Duration;
 
+use super::places::{share_lanes, take_places};
 use super::{ActiveManoeuvre, Phase, Scene, Turn, Work, notice};
 use crate::ledger::{RowState, RowUpdate};
-use crate::swarm::cast;
 use crate::swarm::lanes::Lane;
 use crate::text;
 use crate::text::Text;
@@ -92,9 +92,7 @@ impl ActiveManoeuvre {
         turn: &mut Turn,
     ) -> bool {
         match &mut self.work {
-            Work::Courses { lanes: true } if !lanes.is_empty() => {
-                cast::share_lanes(self, lanes, scene)
-            }
+            Work::Courses { lanes: true } if !lanes.is_empty() => share_lanes(self, lanes, scene),
             Work::Courses { .. } => true,
             Work::Formation(march) => {
                 if leader != self.members.first().map(|member| member.id) {
@@ -109,7 +107,7 @@ impl ActiveManoeuvre {
                     // Without its leader nobody knows where it was to go.
                     self.end_move(RowState::Superseded, None, scene.now, &mut turn.rows);
                 }
-                cast::take_places(self, scene)
+                take_places(self, scene)
             }
             Work::Follow(tail) => {
                 tail.places.clear();

@@ -2,11 +2,11 @@
 
 use glam::{DVec2, DVec3};
 
-use super::places::{is_staggered, members, route, share_lanes, take_places};
 use super::{Cast, FORMATION_SPACING_M, MARGIN_M, Made, SECTOR_RADIUS_M, SQUARE_TURNS};
 use crate::commands::{Datum, FarEnd, Ground, Pattern, Shape};
 use crate::geo::Outline;
 use crate::ledger::RowState;
+use crate::swarm::act::places::{is_staggered, members, route, share_lanes, take_places};
 use crate::swarm::act::{ActiveManoeuvre, Chain, Tail, Work};
 use crate::swarm::geometry::{assign, spread};
 use crate::swarm::lanes::{self, Lane, NoLanes};

@@ -10,7 +10,6 @@ pub(super) const PAPER_MODEL: [f64; 2] = [0.045, 0.063];
 /// The paper's model update per message, in microseconds.
 pub(super) const PAPER_US_PER_MESSAGE: f64 = 24.5;
 
-/// One figure.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Figure {
     pub title: &'static str,

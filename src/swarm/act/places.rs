@@ -2,21 +2,21 @@
 
 use glam::{DVec2, DVec3};
 
+use super::{ActiveManoeuvre, Member, Phase, Scene, Work};
 use crate::swarm::Rules;
-use crate::swarm::act::{ActiveManoeuvre, Member, Phase, Scene, Work};
 use crate::swarm::geometry::{assign, length_m};
 use crate::swarm::lanes::{Lane, Start, shares};
 use crate::swarm::transit::{Leg, are_apart, heights};
 use crate::vehicle::VehicleId;
 
 /// Everybody where it is, to stay on the spot at a height.
-pub(super) fn members(team: &[(VehicleId, DVec3)], up_m: f64) -> Vec<Member> {
+pub(in crate::swarm) fn members(team: &[(VehicleId, DVec3)], up_m: f64) -> Vec<Member> {
     let member = |&(id, at): &(VehicleId, DVec3)| Member::new(id, at, at.truncate().extend(up_m));
     team.iter().map(member).collect()
 }
 
 /// Whether neighbouring lines are so near that neighbours have to fly at different heights.
-pub(super) fn is_staggered(lanes: &[Lane], rules: Rules) -> bool {
+pub(in crate::swarm) fn is_staggered(lanes: &[Lane], rules: Rules) -> bool {
     let apart = |pair: &[Lane]| {
         let along = (pair[0].to - pair[0].from).try_normalize();
         let along = along.or((pair[1].to - pair[1].from).try_normalize());
@@ -106,7 +106,7 @@ fn see(act: &mut ActiveManoeuvre, scene: &Scene<'_>) {
 }
 
 /// Finds heights at which everybody can go from where it is to where its work begins. False if there are none.
-pub(super) fn route(act: &mut ActiveManoeuvre, scene: &Scene<'_>) -> bool {
+pub(in crate::swarm) fn route(act: &mut ActiveManoeuvre, scene: &Scene<'_>) -> bool {
     let leg = |member: &Member| Leg {
         from: member.from,
         to: member.to,
