@@ -6,7 +6,7 @@ use glam::{DVec2, DVec3};
 
 use super::act::{ActiveManoeuvre, Scene, Work};
 use super::site::Site;
-use super::transit::Clearance;
+use super::transit::MARGIN_M;
 use super::{Call, Rules};
 use crate::commands::{Datum, FarEnd, Manoeuvre, ready_for};
 use crate::geo::LatLon;
@@ -17,9 +17,6 @@ use crate::vehicle::{VehicleId, Vehicles};
 
 mod plans;
 
-/// What is added to the separation on the ground, and in height: nobody flies exactly where it is told to.
-const MARGIN_M: f64 = 1.0;
-const MARGIN_ABOVE_M: f64 = 1.5;
 /// Between two lines where neither the line nor the mission says how wide.
 const USUAL_SPACING_M: f64 = 20.0;
 /// A sensor that sees less than this tells nothing about lines.
@@ -29,15 +26,6 @@ const FORMATION_SPACING_M: f64 = 10.0;
 const SECTOR_RADIUS_M: f64 = 100.0;
 /// An expanding square reaches so many spacings out.
 const SQUARE_TURNS: f64 = 5.0;
-
-impl Rules {
-    fn clearance(self) -> Clearance {
-        Clearance {
-            aside_m: self.separation_m + MARGIN_M,
-            above_m: self.separation_m + MARGIN_ABOVE_M,
-        }
-    }
-}
 
 /// Those who are asked to do something together.
 pub(super) struct Cast<'a> {

@@ -7,7 +7,12 @@
 
 use glam::DVec3;
 
+use super::Rules;
 use super::geometry::distance_between;
+
+/// What is added to the separation on the ground, and in height: nobody flies exactly where it is told to.
+pub(super) const MARGIN_M: f64 = 1.0;
+const MARGIN_ABOVE_M: f64 = 1.5;
 
 /// Heights that are tried for one way.
 const MOST_LAYERS: usize = 40;
@@ -28,6 +33,15 @@ pub(super) struct Clearance {
     pub aside_m: f64,
     /// In height.
     pub above_m: f64,
+}
+
+impl Rules {
+    pub(super) fn clearance(self) -> Clearance {
+        Clearance {
+            aside_m: self.separation_m + MARGIN_M,
+            above_m: self.separation_m + MARGIN_ABOVE_M,
+        }
+    }
 }
 
 impl Clearance {

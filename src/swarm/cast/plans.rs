@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Cast, FORMATION_SPACING_M, MARGIN_M, Made, SECTOR_RADIUS_M, SQUARE_TURNS};
+use super::{Cast, FORMATION_SPACING_M, Made, SECTOR_RADIUS_M, SQUARE_TURNS};
 use crate::commands::{Datum, FarEnd, Ground, Pattern, Shape};
 use crate::geo::Outline;
 use crate::ledger::RowState;
@@ -12,6 +12,7 @@ use crate::swarm::geometry::{assign, spread};
 use crate::swarm::lanes::{self, Lane, NoLanes};
 use crate::swarm::march::March;
 use crate::swarm::pattern;
+use crate::swarm::transit::MARGIN_M;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
