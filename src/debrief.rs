@@ -125,8 +125,8 @@ impl Page<'_> {
             energy = energy,
             count = report.vehicles
         );
-        let spent = format!(" {}", self.locale.text(&spent));
-        self.line(&spent);
+        let line = format!(" {}", self.locale.text(&spent));
+        self.line(&line);
         self.said_before(report);
         self.gap();
     }

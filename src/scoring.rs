@@ -176,8 +176,8 @@ pub fn score(rules: &Rules, facts: &Facts) -> Score {
     let harm = facts.safety.iter().any(|event| event.kind.is_harm());
     let most = if harm { HARM_POINTS } else { 1000 };
     let hint_factor = facts.hints.factor();
-    let points = (f64::from(tenths) * hint_factor / 10.0).round();
-    let points = (points as u16).min(most);
+    let earned = (f64::from(tenths) * hint_factor / 10.0).round();
+    let points = (earned as u16).min(most);
     let mandatory_met = facts.objectives.iter().all(|o| o.met || !o.mandatory);
     let gold_missing: Vec<Text> = rules
         .gold_requires

@@ -338,8 +338,8 @@ pub fn files(folder: &Path, kind: &'static str, ending: &str) -> Vec<Source> {
 
 /// The paths in a folder and below it whose names end so, by name. Links to folders are not followed.
 pub fn paths_below(folder: &Path, endings: &[&str]) -> Vec<PathBuf> {
-    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
-    let mut entries: Vec<fs::DirEntry> = entries.collect();
+    let found = fs::read_dir(folder).into_iter().flatten().flatten();
+    let mut entries: Vec<fs::DirEntry> = found.collect();
     entries.sort_by_key(fs::DirEntry::path);
     let mut paths = Vec::new();
     for entry in entries {

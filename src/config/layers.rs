@@ -234,8 +234,8 @@ impl Reading<'_> {
                 "" => key.get_ref().to_string(),
                 section => format!("{section}.{}", key.get_ref()),
             };
-            let is_section = SETTINGS.iter().any(|setting| setting.section() == name);
-            let is_section = is_section && !name.is_empty();
+            let is_known = SETTINGS.iter().any(|setting| setting.section() == name);
+            let is_section = is_known && !name.is_empty();
             // A name with a dot in quotes is none of ours.
             let setting = match section {
                 "macros" => Setting::named(section),

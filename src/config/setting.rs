@@ -301,8 +301,8 @@ impl Kind {
                 _ => return None,
             }),
             Self::Words | Self::Columns | Self::AlertKinds => {
-                let words = word.split(',').map(str::trim);
-                let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
+                let parts = word.split(',').map(str::trim);
+                let words: Vec<&str> = parts.filter(|part| !part.is_empty()).collect();
                 for word in &words {
                     self.check_word(word).ok()?;
                 }

@@ -41,8 +41,7 @@ impl Layers {
     fn show_lines(&self, setting: &Setting, text: &mut String) {
         for name in self.names_in(setting.name) {
             if let Some(value) = self.value(name) {
-                let key = &name[setting.name.len() + 1..];
-                let key = quoted(key);
+                let key = quoted(&name[setting.name.len() + 1..]);
                 let _ = writeln!(text, "{key} = {value} # {}", self.origin(name));
             }
         }

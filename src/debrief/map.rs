@@ -109,13 +109,15 @@ impl Canvas {
             .tracks
             .iter()
             .flat_map(|track| track.points.iter().copied());
+        let pads = truth.pads.iter().copied();
         let all = squares.chain(objects).chain(marks).chain(tracks);
-        let all = all.chain(truth.pads.iter().copied());
-        let bounds = all.fold(None, |bounds: Option<([f64; 2], [f64; 2])>, at| {
-            let (low, high) = bounds.unwrap_or((at, at));
-            let low = [low[0].min(at[0]), low[1].min(at[1])];
-            Some((low, [high[0].max(at[0]), high[1].max(at[1])]))
-        });
+        let bounds = all
+            .chain(pads)
+            .fold(None, |bounds: Option<([f64; 2], [f64; 2])>, at| {
+                let (low, high) = bounds.unwrap_or((at, at));
+                let low = [low[0].min(at[0]), low[1].min(at[1])];
+                Some((low, [high[0].max(at[0]), high[1].max(at[1])]))
+            });
         let (low, high) = bounds?;
         let (width_m, height_m) = (high[0] - low[0], high[1] - low[1]);
         let scale_m = (width_m / (COLUMNS - 1) as f64)

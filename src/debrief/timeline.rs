@@ -85,8 +85,8 @@ impl Page<'_> {
 }
 
 fn rows(report: &Report) -> Vec<TimelineRow> {
-    let events = report.events.iter();
-    let events = events.filter(|event| !report.alerts.iter().any(|alert| is_of(event, alert)));
+    let is_told = |event: &&EventReport| !report.alerts.iter().any(|alert| is_of(event, alert));
+    let events = report.events.iter().filter(is_told);
     let mut rows: Vec<TimelineRow> = events.map(event_row).collect();
     rows.extend(report.alerts.iter().map(alert_row));
     if rows.len() + report.ledger.len() <= ROWS {
@@ -182,4 +182,12 @@ fn command_row(entry: &LedgerReport) -> Option<TimelineRow> {
         mark: TimelineMark::Command,
         text: Text::joined(": ", words),
     })
+}
+
+/// When what is marked, for tests.
+#[cfg(test)]
+pub(super) fn marks(report: &Report) -> Vec<(String, char)> {
+    let rows = rows(report).into_iter();
+    rows.map(|row| (clock(row.at_s), row.mark.letter()))
+        .collect()
 }

@@ -12,11 +12,9 @@ const SHOWN: usize = 8;
 impl Page<'_> {
     pub(super) fn tries(&mut self, report: &Report) {
         // A try without a score was left before it came to anything.
-        let scored = report
-            .tries
-            .iter()
-            .filter_map(|one| Some((one, one.score?)));
-        let scored: Vec<(&TryReport, u16)> = scored.collect();
+        let tries = report.tries.iter();
+        let scored: Vec<(&TryReport, u16)> =
+            tries.filter_map(|one| Some((one, one.score?))).collect();
         if scored.len() < 2 {
             return;
         }

@@ -118,8 +118,9 @@ impl<'a> Remedies<'a> {
     fn reach_objectives(&mut self) {
         for (index, objective) in self.facts.objectives.iter().enumerate() {
             // Where the product is what is asked for, one advice is about both.
-            let text = better(objective).filter(|_| objective.advice == objective.quality_advice);
-            let text = text.unwrap_or_else(|| objective.advice.clone());
+            let of_both =
+                better(objective).filter(|_| objective.advice == objective.quality_advice);
+            let text = of_both.unwrap_or_else(|| objective.advice.clone());
             self.mend(text, move |facts| reach(&mut facts.objectives[index]));
         }
     }

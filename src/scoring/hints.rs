@@ -22,8 +22,8 @@ impl HintsUsed {
         if self.free {
             return 1.0;
         }
-        let taken = self.levels.iter().zip(PRICES);
-        let taken: f64 = taken.map(|(&count, price)| f64::from(count) * price).sum();
+        let levels = self.levels.iter().zip(PRICES);
+        let taken: f64 = levels.map(|(&count, price)| f64::from(count) * price).sum();
         (1.0 - taken).max(FLOOR)
     }
 

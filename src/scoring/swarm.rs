@@ -49,8 +49,8 @@ pub struct SwarmFigures {
 impl SwarmTimes {
     /// The figures of a flight of this length with so many vehicles in the air.
     pub fn figures(&self, flown: usize, elapsed: Duration) -> SwarmFigures {
-        let between = self.commands.windows(2);
-        let between = between.map(|pair| pair[1].0.saturating_sub(pair[0].0));
+        let pairs = self.commands.windows(2);
+        let between = pairs.map(|pair| pair[1].0.saturating_sub(pair[0].0));
         let at_it: Vec<Duration> = between.filter(|gap| *gap <= AT_IT).collect();
         let seconds = |time: Duration| time.as_secs_f64();
         let neglect = median(&self.neglected).map(seconds);

@@ -46,8 +46,8 @@ pub fn utilisation_value(uses: &[VehicleUse]) -> f64 {
         if one.airborne.is_zero() {
             return NEVER_FLOWN;
         }
-        let share = one.airborne.as_secs_f64() / (FULL_SHARE * longest.as_secs_f64());
-        let share = share.min(1.0);
+        let full_s = FULL_SHARE * longest.as_secs_f64();
+        let share = (one.airborne.as_secs_f64() / full_s).min(1.0);
         share * one.own_value() + (1.0 - share) * NEVER_FLOWN
     };
     uses.iter().map(of).sum::<f64>() / uses.len() as f64

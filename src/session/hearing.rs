@@ -64,3 +64,17 @@ fn notice(vehicle: &Vehicle, severity: Severity, text: Text, now: Duration) -> N
         text,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn silence_is_told_as_a_lost_link() {
+        let mut vehicle = Vehicle::new(1, 1);
+        vehicle.link.last_heard = Some(Duration::ZERO);
+        let notice = watch_silence(&mut vehicle, LOST_AFTER).expect("a notice");
+        assert_eq!(notice.kind, Some(AlertKind::LinkLost));
+        assert_eq!(watch_silence(&mut vehicle, LOST_AFTER), None);
+    }
+}

@@ -10,12 +10,16 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufRead as _, BufReader, Read as _, Seek as _, SeekFrom, Write as _};
 use std::os::unix::fs::{DirBuilderExt as _, OpenOptionsExt as _};
 use std::path::{Path, PathBuf};
-use std::time::{Duration, SystemTime, UNIX_EPOCH};
+use std::time::{SystemTime, UNIX_EPOCH};
+
+use chrono::{DateTime, NaiveDateTime};
 
 use super::StoreError;
 use crate::mission::record::{End, Head};
 use crate::scoring::TryReport;
 
+/// How a time of day is written, in UTC: `2026-11-20T14:03:22Z`.
+const MOMENT: &str = "%Y-%m-%dT%H:%M:%SZ";
 /// How a run's file ends.
 pub(super) const ENDING: &str = ".run.jsonl";
 /// How its name begins, with any digits.
@@ -241,24 +245,16 @@ pub fn read_run(path: &Path) -> io::Result<String> {
 
 /// A time of day in UTC: `2026-11-20T14:03:22Z`. Times before 1970 become its first second.
 pub fn utc(time: SystemTime) -> String {
-    let since = time.duration_since(UNIX_EPOCH).unwrap_or(Duration::ZERO);
-    let (days, seconds) = (since.as_secs() / 86_400, since.as_secs() % 86_400);
-    let (year, month, day) = date(days);
-    let (hour, minute, second) = (seconds / 3600, seconds / 60 % 60, seconds % 60);
-    format!("{year:04}-{month:02}-{day:02}T{hour:02}:{minute:02}:{second:02}Z")
+    let since = time.duration_since(UNIX_EPOCH).unwrap_or_default();
+    let seconds = i64::try_from(since.as_secs()).ok();
+    let moment = seconds.and_then(|seconds| DateTime::from_timestamp(seconds, 0));
+    moment.unwrap_or_default().format(MOMENT).to_string()
 }
 
-/// The date of a day since 1970 in the Gregorian calendar, counted in years that begin in March, so that the leap
-/// day is the last one (Hinnant's `civil_from_days`).
-fn date(days: u64) -> (u64, u64, u64) {
-    let day = days + 719_468;
-    let (era, of_era) = (day / 146_097, day % 146_097);
-    let year = (of_era - of_era / 1460 + of_era / 36_524 - of_era / 146_096) / 365;
-    let of_year = of_era - (365 * year + year / 4 - year / 100);
-    let month = (5 * of_year + 2) / 153;
-    let day = of_year - (153 * month + 2) / 5 + 1;
-    let month = if month < 10 { month + 3 } else { month - 9 };
-    (year + era * 400 + u64::from(month <= 2), month, day)
+/// Whether a text is a time of day as [`utc`] writes it.
+pub(super) fn is_moment(text: &str) -> bool {
+    let time = NaiveDateTime::parse_from_str(text, MOMENT);
+    time.is_ok_and(|time| time.format(MOMENT).to_string() == text)
 }
 
 /// The first line of a run, and the last one if it is its end.

@@ -273,10 +273,10 @@ pub struct RallyPoint {
 impl RallyPlan {
     /// The rally points among these items.
     pub fn from_items(items: &[PlanItem]) -> Self {
-        let points = items
+        let rally = items
             .iter()
             .filter(|item| item.command == command::RALLY_POINT);
-        let points = points.filter_map(|item| {
+        let points = rally.filter_map(|item| {
             Some(RallyPoint {
                 at_point: item.at_point?,
                 altitude_m: item.altitude_m,

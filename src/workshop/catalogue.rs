@@ -1,9 +1,40 @@
 //! The parts that there are.
 
+use super::part::{Part, Slot};
+
+/// A table of parts: the names of the columns, and a row for each part. The columns between the semicolons are what
+/// only this kind of part has; the last ones are fields of [`Part`].
+macro_rules! parts {
+    ($(#[$doc:meta])* $vis:vis static $name:ident: [$kind:ident; $count:literal] $columns:tt; $($row:tt;)+) => {
+        $(#[$doc])*
+        $vis static $name: [Part; $count] = [$(part!($kind $columns $row)),+];
+    };
+}
+
+/// A row of such a table.
+macro_rules! part {
+    (Spec [id; spec; power_w, mass_g, credits]
+     [$id:literal; $spec:expr; $power_w:literal, $mass_g:literal, $credits:literal]) => {
+        Part { id: $id, mass_g: $mass_g, credits: $credits, power_w: $power_w, spec: $spec }
+    };
+    ($kind:ident [id; $($column:ident),+; mass_g, credits]
+     [$id:literal; $($figure:expr),+; $mass_g:literal, $credits:literal]) => {
+        part!($kind [id; $($column),+; power_w, mass_g, credits] [$id; $($figure),+; 0.0, $mass_g, $credits])
+    };
+    ($kind:ident [id; $($column:ident),+; power_w, mass_g, credits]
+     [$id:literal; $($figure:expr),+; $power_w:literal, $mass_g:literal, $credits:literal]) => {
+        Part {
+            id: $id,
+            mass_g: $mass_g,
+            credits: $credits,
+            power_w: $power_w,
+            spec: Spec::$kind($kind { $($column: $figure),+ }),
+        }
+    };
+}
+
 mod drive;
 mod equipment;
-
-use super::part::{Part, Slot};
 
 /// All parts, slot by slot in the order of building; within a slot by kind and size.
 pub fn parts() -> impl Iterator<Item = &'static Part> {
@@ -16,6 +47,7 @@ pub fn parts() -> impl Iterator<Item = &'static Part> {
     ];
     let carried = [
         &equipment::AVIONICS[..],
+        &equipment::POWER_MODULES,
         &equipment::RADIOS,
         &equipment::PAYLOADS,
     ];

@@ -169,13 +169,13 @@ impl Found {
             _ => None,
         };
         if let (Some(motor), Some(cells)) = (motor, design.cells())
-            && !(motor.cells.0..=motor.cells.1).contains(&cells)
+            && !(motor.fewest_cells..=motor.most_cells).contains(&cells)
         {
             let text = text!(
                 "finding-motor-cells",
                 cells = u32::from(cells),
-                fewest = u32::from(motor.cells.0),
-                most = u32::from(motor.cells.1)
+                fewest = u32::from(motor.fewest_cells),
+                most = u32::from(motor.most_cells)
             );
             self.add(FindingKind::MotorCells, Slot::Battery, text);
         }
@@ -200,7 +200,8 @@ impl Found {
             );
             self.add(FindingKind::EscCurrent, Slot::Esc, text);
         }
-        if let (Some(Spec::Power(module)), Some(cells)) = (design.spec(Slot::Power), design.cells())
+        if let (Some(Spec::PowerModule(module)), Some(cells)) =
+            (design.spec(Slot::Power), design.cells())
             && cells > module.max_cells
         {
             let text = text!(
@@ -265,7 +266,7 @@ impl Found {
 
     /// Whether the power module bears the hover.
     fn feeds(&mut self, design: &Design, figures: &Figures) {
-        let Some(Spec::Power(module)) = design.spec(Slot::Power) else {
+        let Some(Spec::PowerModule(module)) = design.spec(Slot::Power) else {
             return;
         };
         if figures.hover_current_a > module.max_current_a {

@@ -79,7 +79,7 @@ impl Pack {
             chemistry: battery.chemistry,
             cells,
             capacity_ah: battery.capacity_ah * packs * interpolated(&CAPACITY, temperature_c),
-            resistance_ohm: cells * battery.cell_resistance_ohm * cold / packs,
+            resistance_ohm: cells * (battery.cell_resistance_mohm * 1e-3) * cold / packs,
             max_current_a: battery.c_rate * battery.capacity_ah * packs,
             usable: match battery.chemistry {
                 Chemistry::Polymer => 0.80,

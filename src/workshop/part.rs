@@ -121,7 +121,7 @@ pub(super) enum Spec {
     Battery(Battery),
     Autopilot,
     Navigation,
-    Power(PowerModule),
+    PowerModule(PowerModule),
     Radio(Radio),
     /// A sensor, a dropper or a light.
     Payload,
@@ -148,8 +148,9 @@ pub(super) struct Motor {
     pub idle_current_a: f64,
     pub max_current_a: f64,
     pub max_power_w: f64,
-    /// Fewest and most cells of its battery.
-    pub cells: (u8, u8),
+    /// Of its battery.
+    pub fewest_cells: u8,
+    pub most_cells: u8,
 }
 
 #[derive(Debug, PartialEq)]
@@ -184,7 +185,7 @@ pub(super) struct Battery {
     /// The largest current that it can give for long, as a multiple of its capacity.
     pub c_rate: f64,
     /// Of one of the cells in series.
-    pub cell_resistance_ohm: f64,
+    pub cell_resistance_mohm: f64,
 }
 
 #[derive(Debug, PartialEq)]
@@ -213,16 +214,6 @@ pub struct Radio {
 }
 
 impl Part {
-    pub(super) const fn new(id: &'static str, (mass_g, credits): (f64, u32), spec: Spec) -> Self {
-        Self {
-            id,
-            mass_g,
-            credits,
-            power_w: 0.0,
-            spec,
-        }
-    }
-
     /// The slot that it goes into.
     pub fn slot(&self) -> Slot {
         match self.spec {
@@ -233,7 +224,7 @@ impl Part {
             Spec::Battery(_) => Slot::Battery,
             Spec::Autopilot => Slot::Autopilot,
             Spec::Navigation => Slot::Navigation,
-            Spec::Power(_) => Slot::Power,
+            Spec::PowerModule(_) => Slot::Power,
             Spec::Radio(_) => Slot::Radio,
             Spec::Payload | Spec::Load => Slot::Payload,
         }

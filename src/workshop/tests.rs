@@ -246,7 +246,8 @@ fn hover_minutes(known: &Known) -> f64 {
         idle_current_a,
         max_current_a: 50.0,
         max_power_w: 2000.0,
-        cells: (1, 14),
+        fewest_cells: 1,
+        most_cells: 14,
     };
     let propeller = Propeller {
         diameter_in,
@@ -260,13 +261,13 @@ fn hover_minutes(known: &Known) -> f64 {
         max_cells: 14,
         efficiency: 0.9,
     };
-    let cell_resistance_ohm = 0.110 / (capacity_ah * c_rate.sqrt());
+    let cell_resistance_mohm = 110.0 / (capacity_ah * c_rate.sqrt());
     let battery = Battery {
         chemistry: Chemistry::Polymer,
         cells,
         capacity_ah,
         c_rate,
-        cell_resistance_ohm,
+        cell_resistance_mohm,
     };
     let drive = Drive {
         frame: &frame,

@@ -148,9 +148,9 @@ impl Alarms {
     }
 
     fn open(&self) -> impl Iterator<Item = (VehicleId, &Standing)> {
-        let all = self.standing.keys();
-        let all = all.flat_map(|&id| self.of(id).map(move |one| (id, one)));
-        all.filter(|(_, one)| {
+        let vehicles = self.standing.keys();
+        let standing = vehicles.flat_map(|&id| self.of(id).map(move |one| (id, one)));
+        standing.filter(|(_, one)| {
             let minor = one.alert.severity > Severity::Warning;
             !minor && one.alert.kind != AlertKind::Prearm && !self.is_calm(one)
         })

@@ -73,8 +73,8 @@ impl Profiles {
             .query_map([profile.key], |row| {
                 Ok((row.get::<_, String>(0)?, row.get::<_, String>(1)?))
             })
-            .and_then(Iterator::collect::<Result<Vec<_>, _>>);
-        let rows = rows.map_err(|error| self.fault(error))?;
+            .and_then(Iterator::collect::<Result<Vec<_>, _>>)
+            .map_err(|error| self.fault(error))?;
         let entries = rows.iter().map(|(id, json)| self.entry(id, json));
         entries.filter_map(Result::transpose).collect()
     }

@@ -40,8 +40,8 @@ impl Profiles {
         let mut query = self.ask("SELECT design FROM designs WHERE profile = ?1 ORDER BY name")?;
         let rows = query
             .query_map([profile.key], |row| row.get::<_, String>(0))
-            .and_then(Iterator::collect::<Result<Vec<_>, _>>);
-        let rows = rows.map_err(|error| self.fault(error))?;
+            .and_then(Iterator::collect::<Result<Vec<_>, _>>)
+            .map_err(|error| self.fault(error))?;
         // A design with a part that this version does not know is left out here, and stays in the file.
         Ok(rows
             .iter()

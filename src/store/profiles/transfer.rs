@@ -12,13 +12,12 @@ use super::{Profile, ProfileError, ProfileSettings, Profiles, checked_name, json
 use crate::campaign::CareerEntry;
 use crate::notice::sanitised;
 use crate::scoring::Report;
+use crate::store::runs::is_moment;
 
 /// The version of the format.
 const SCHEMA: u32 = 1;
 /// A file longer than this is no profile.
 const LARGEST: u64 = 256 * 1024 * 1024;
-/// The form of a time: a digit for each zero.
-const MOMENT: &str = "0000-00-00T00:00:00Z";
 /// Bytes of an id or a name.
 const LONGEST_LINE: usize = 200;
 
@@ -262,9 +261,7 @@ fn import(
 }
 
 fn faulty_moment(name: &str, text: &str) -> Option<String> {
-    let fits = |(found, form): (u8, u8)| found == form || (form == b'0' && found.is_ascii_digit());
-    let is_moment = text.len() == MOMENT.len() && text.bytes().zip(MOMENT.bytes()).all(fits);
-    (!is_moment).then(|| format!("`{name}` is no time like 2026-11-20T14:03:22Z"))
+    (!is_moment(text)).then(|| format!("`{name}` is no time like 2026-11-20T14:03:22Z"))
 }
 
 fn faulty_line(name: &str, text: &str) -> Option<String> {

@@ -1,4 +1,5 @@
 use super::*;
+use crate::text::said::without_words;
 use crate::vehicle::{Battery, Fence, Health, Heartbeat, StatusText, VehicleClass};
 
 fn vehicle() -> Vehicle {
@@ -149,4 +150,54 @@ fn a_failsafe_that_is_declared_over_is_no_reason_for_the_alert() {
         });
         assert_eq!(text_of(&vehicle).as_deref(), Some(alert));
     }
+}
+
+/// Vehicles with everything that can be wrong, as their STATUSTEXTs and figures tell it.
+fn troubled() -> Vec<Vehicle> {
+    let said = [
+        "Crash: Disarming: AngErr=57>30",
+        "SIM Hit ground at 9.1 m/s",
+        "Battery Failsafe",
+        "PreArm: GPS 1 not healthy",
+    ];
+    let mut all: Vec<Vehicle> = said
+        .iter()
+        .map(|text| {
+            let mut vehicle = vehicle();
+            vehicle.heartbeat = Some(heartbeat(SystemStatus::Critical));
+            vehicle.texts.push(StatusText {
+                severity: Severity::Critical,
+                text: (*text).to_owned(),
+                at: Duration::ZERO,
+            });
+            vehicle
+        })
+        .collect();
+    let mut silent = vehicle();
+    silent.link.lost = true;
+    let mut unready = vehicle();
+    unready.health = unready.health.map(|health| Health {
+        enabled: Health::PREARM,
+        present: Health::PREARM,
+        healthy: 0,
+        ..health
+    });
+    let mut falling = vehicle();
+    falling.heartbeat = Some(heartbeat(SystemStatus::Active));
+    falling.landed = LandedState::InAir;
+    all.extend([silent, unready, falling]);
+    all
+}
+
+#[test]
+fn the_kind_of_an_alert_does_not_depend_on_the_words() {
+    let kinds = || -> Vec<Vec<(AlertKind, Severity)>> {
+        let all = troubled();
+        let kinds = all.iter().map(|vehicle| {
+            alerts(vehicle, Duration::from_secs(10)).map(|it| (it.kind, it.severity))
+        });
+        kinds.map(Iterator::collect).collect()
+    };
+    assert!(kinds().iter().all(|kinds| !kinds.is_empty()));
+    assert_eq!(without_words(kinds), kinds());
 }

@@ -168,3 +168,28 @@ impl Form {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::{App, Setup};
+    use crate::text::said::without_words;
+
+    #[test]
+    fn which_columns_are_shown_does_not_depend_on_the_words() {
+        let chosen: [&[Column]; 2] = [&[], &[Column::Id, Column::Alert, Column::Mode, Column::Sea]];
+        for columns_chosen in chosen {
+            let mut setup = Setup::default();
+            setup.config.table.columns = columns_chosen.to_vec();
+            let app = App::new(setup);
+            for room in 20..200 {
+                let shown = || -> Vec<Column> {
+                    let look = Look::default();
+                    let shown = columns(app.state(), &Words::new(&look), &look, room);
+                    shown.iter().map(|shown| shown.column).collect()
+                };
+                assert_eq!(without_words(shown), shown(), "{room} columns");
+            }
+        }
+    }
+}
