@@ -20,7 +20,7 @@ mod table;
 mod tests;
 
 pub use layers::{Layers, Origin, WordCheck};
-pub use setting::{Kind, SETTINGS, Setting};
+pub use setting::{SETTINGS, Setting, SettingKind};
 pub use table::{Column, TableConfig, TableSort};
 
 /// The settings; each has a default.
@@ -42,15 +42,15 @@ pub struct Config {
     /// The swarm table.
     pub table: TableConfig,
     /// How alerts make themselves noticed.
-    pub alerts: Alerts,
+    pub alerts: AlertsConfig,
     /// Named sequences of lines of the command language.
     pub macros: BTreeMap<String, Vec<String>>,
     /// The keymap file, if not the one in the folder of the configuration.
     pub keymap: Option<String>,
     /// What the program writes down about itself.
-    pub log: Log,
+    pub log: LogConfig,
     /// SITL processes.
-    pub hangar: Hangar,
+    pub hangar: HangarConfig,
 }
 
 /// What a terminal can show besides letters.
@@ -69,7 +69,7 @@ pub enum Symbols {
 /// How alerts make themselves noticed.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
-pub struct Alerts {
+pub struct AlertsConfig {
     /// Whether serious ones ring the bell.
     pub bell: bool,
     /// Whether serious ones ask the terminal for a desktop notification (OSC 9).
@@ -81,7 +81,7 @@ pub struct Alerts {
 /// SITL processes: what the hangar starts, and how much of it.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
-pub struct Hangar {
+pub struct HangarConfig {
     /// The program of multirotors; without it, the one that is found.
     pub arducopter: Option<String>,
     /// The program of planes.
@@ -116,7 +116,7 @@ pub enum Restart {
     Always,
 }
 
-impl Default for Hangar {
+impl Default for HangarConfig {
     fn default() -> Self {
         Self {
             arducopter: None,
@@ -136,14 +136,14 @@ impl Default for Hangar {
 /// What the program writes down about itself.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
-pub struct Log {
+pub struct LogConfig {
     /// The file; without one nothing is written.
     pub file: Option<String>,
     /// What goes into it, as directives of `tracing`: `info`, `warn,sortie::link=debug`.
     pub level: String,
 }
 
-impl Default for Log {
+impl Default for LogConfig {
     fn default() -> Self {
         Self {
             file: None,
@@ -162,16 +162,16 @@ impl Default for Config {
             symbols: None,
             mouse: false,
             table: TableConfig::default(),
-            alerts: Alerts::default(),
+            alerts: AlertsConfig::default(),
             macros: BTreeMap::new(),
             keymap: None,
-            log: Log::default(),
-            hangar: Hangar::default(),
+            log: LogConfig::default(),
+            hangar: HangarConfig::default(),
         }
     }
 }
 
-impl Default for Alerts {
+impl Default for AlertsConfig {
     fn default() -> Self {
         Self {
             bell: true,

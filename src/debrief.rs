@@ -28,7 +28,7 @@ pub fn text(report: &Report, locale: &Locale) -> String {
 
 /// The same with what the flight brought to a career, if anything, before what moved the score.
 pub fn text_with(report: &Report, career: &[Text], locale: &Locale) -> String {
-    let mut page = Page {
+    let mut page = DebriefPage {
         words: String::new(),
         locale,
     };
@@ -49,12 +49,12 @@ pub fn text_with(report: &Report, career: &[Text], locale: &Locale) -> String {
 }
 
 /// A page while it is written.
-struct Page<'a> {
+struct DebriefPage<'a> {
     words: String,
     locale: &'a Locale,
 }
 
-impl Page<'_> {
+impl DebriefPage<'_> {
     fn line(&mut self, line: &str) {
         self.words.push_str(line);
         self.words.push('\n');

@@ -108,7 +108,7 @@ pub struct RowUpdate {
 
 /// One vehicle's part in a command.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Row {
+pub struct LedgerRow {
     /// Which vehicle.
     pub vehicle: VehicleId,
     /// How far it has come.
@@ -149,7 +149,7 @@ pub struct Given<'a> {
 
 /// One command as it was given.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Entry {
+pub struct LedgerEntry {
     /// Its name.
     pub id: EntryId,
     /// When it was given.
@@ -161,10 +161,10 @@ pub struct Entry {
     /// What it sets at risk.
     pub risk: Risk,
     /// A row per target, in the order of the targets.
-    pub rows: Vec<Row>,
+    pub rows: Vec<LedgerRow>,
 }
 
-impl Entry {
+impl LedgerEntry {
     /// Whether every row has come to an end.
     pub fn is_final(&self) -> bool {
         self.rows.iter().all(|row| row.state.is_final())
@@ -174,7 +174,7 @@ impl Entry {
 /// All commands so far, oldest first.
 #[derive(Debug, Clone, Default)]
 pub struct Ledger {
-    entries: VecDeque<Entry>,
+    entries: VecDeque<LedgerEntry>,
     next: u32,
     revision: u64,
 }
@@ -192,7 +192,7 @@ impl Ledger {
         self.revision += 1;
         let rows = targets
             .iter()
-            .map(|&vehicle| Row {
+            .map(|&vehicle| LedgerRow {
                 vehicle,
                 state: RowState::Queued,
                 tries: 0,
@@ -201,7 +201,7 @@ impl Ledger {
                 explanation: None,
             })
             .collect();
-        self.entries.push_back(Entry {
+        self.entries.push_back(LedgerEntry {
             id,
             at,
             line: given.line.to_owned(),
@@ -250,12 +250,12 @@ impl Ledger {
     }
 
     /// One entry.
-    pub fn entry(&self, id: EntryId) -> Option<&Entry> {
+    pub fn entry(&self, id: EntryId) -> Option<&LedgerEntry> {
         self.position(id).map(|at| &self.entries[at])
     }
 
     /// All entries, oldest first.
-    pub fn entries(&self) -> impl DoubleEndedIterator<Item = &Entry> + ExactSizeIterator {
+    pub fn entries(&self) -> impl DoubleEndedIterator<Item = &LedgerEntry> + ExactSizeIterator {
         self.entries.iter()
     }
 

@@ -131,7 +131,7 @@ pub struct Mission {
     /// Advice that can be asked for, at a price.
     pub clues: Vec<Clue>,
     /// How it is scored.
-    pub scoring: scoring::Rules,
+    pub scoring: scoring::ScoreRules,
     pub(crate) origin: Origin,
     pub(crate) weather: weather::Weather,
     pub(crate) pads: Vec<Point>,

@@ -40,7 +40,7 @@ use serde::{Deserialize, Serialize};
 
 /// How a mission wants to be scored.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Rules {
+pub struct ScoreRules {
     /// The components' weights; they sum to 1.
     pub weights: Weights,
     /// A flight this short gets all points for time.
@@ -170,7 +170,7 @@ impl Score {
 pub const HARM_POINTS: u16 = 300;
 
 /// Scores a flight.
-pub fn score(rules: &Rules, facts: &Facts) -> Score {
+pub fn score(rules: &ScoreRules, facts: &Facts) -> Score {
     let components = component::all(rules, facts);
     let tenths: u32 = components.iter().map(|c| c.points_tenths).sum();
     let harm = facts.safety.iter().any(|event| event.kind.is_harm());

@@ -56,14 +56,14 @@ impl Language {
 
 /// Something said to a person. `Display` gives its English words, for logs and for programs.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Text(Content);
+pub struct Text(TextContent);
 
 #[derive(Debug, Clone, PartialEq, Eq)]
-enum Content {
+enum TextContent {
     Verbatim(String),
     Message {
         id: Cow<'static, str>,
-        arguments: Vec<(&'static str, Argument)>,
+        arguments: Vec<(&'static str, TextArgument)>,
     },
     Joined {
         separator: &'static str,
@@ -75,7 +75,7 @@ enum Content {
 
 /// What goes into a message.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Argument {
+pub enum TextArgument {
     /// A whole number, which may decide on the form of a noun.
     Number(i64),
     /// A word as it is: a name, or a figure with its decimals.
@@ -89,7 +89,7 @@ pub enum Argument {
 macro_rules! text {
     ($id:literal $(, $name:ident = $value:expr)* $(,)?) => {
         $crate::text::Text::new($id, vec![
-            $((stringify!($name), $crate::text::Argument::from($value))),*
+            $((stringify!($name), $crate::text::TextArgument::from($value))),*
         ])
     };
 }
@@ -97,8 +97,11 @@ pub use crate::text;
 
 impl Text {
     /// A message by its id; [`text!`] is the shorter way.
-    pub fn new(id: impl Into<Cow<'static, str>>, arguments: Vec<(&'static str, Argument)>) -> Self {
-        Self(Content::Message {
+    pub fn new(
+        id: impl Into<Cow<'static, str>>,
+        arguments: Vec<(&'static str, TextArgument)>,
+    ) -> Self {
+        Self(TextContent::Message {
             id: id.into(),
             arguments,
         })
@@ -106,7 +109,7 @@ impl Text {
 
     /// Foreign text, or a name: the same in every language.
     pub fn verbatim(text: impl Into<String>) -> Self {
-        Self(Content::Verbatim(text.into()))
+        Self(TextContent::Verbatim(text.into()))
     }
 
     /// What somebody wrote in English, and in other languages as far as they did.
@@ -115,7 +118,7 @@ impl Text {
         others: impl IntoIterator<Item = (Language, String)>,
     ) -> Self {
         let english = (Language::English, english.into());
-        Self(Content::Written(
+        Self(TextContent::Written(
             std::iter::once(english).chain(others).collect(),
         ))
     }
@@ -124,11 +127,11 @@ impl Text {
     #[must_use]
     pub fn filled(&self, mark: &str, word: &str) -> Self {
         let content = match &self.0 {
-            Content::Verbatim(words) => Content::Verbatim(words.replace(mark, word)),
-            Content::Written(all) => {
+            TextContent::Verbatim(words) => TextContent::Verbatim(words.replace(mark, word)),
+            TextContent::Written(all) => {
                 let fill =
                     |(language, words): &(Language, String)| (*language, words.replace(mark, word));
-                Content::Written(all.iter().map(fill).collect())
+                TextContent::Written(all.iter().map(fill).collect())
             }
             other => other.clone(),
         };
@@ -137,16 +140,16 @@ impl Text {
 
     /// Several texts in a row.
     pub fn joined(separator: &'static str, parts: Vec<Self>) -> Self {
-        Self(Content::Joined { separator, parts })
+        Self(TextContent::Joined { separator, parts })
     }
 
     /// Whether it says nothing.
     pub fn is_empty(&self) -> bool {
         match &self.0 {
-            Content::Verbatim(text) => text.is_empty(),
-            Content::Message { .. } => false,
-            Content::Joined { parts, .. } => parts.iter().all(Self::is_empty),
-            Content::Written(all) => all.iter().all(|(_, words)| words.is_empty()),
+            TextContent::Verbatim(text) => text.is_empty(),
+            TextContent::Message { .. } => false,
+            TextContent::Joined { parts, .. } => parts.iter().all(Self::is_empty),
+            TextContent::Written(all) => all.iter().all(|(_, words)| words.is_empty()),
         }
     }
 
@@ -154,15 +157,15 @@ impl Text {
     #[must_use]
     pub fn regarding(&self, vehicles: &str) -> Self {
         Self(match &self.0 {
-            Content::Verbatim(_) | Content::Written(_) => self.0.clone(),
-            Content::Message { id, arguments } => Content::Message {
+            TextContent::Verbatim(_) | TextContent::Written(_) => self.0.clone(),
+            TextContent::Message { id, arguments } => TextContent::Message {
                 id: id.clone(),
                 arguments: arguments
                     .iter()
                     .map(|(name, argument)| (*name, argument.regarding(name, vehicles)))
                     .collect(),
             },
-            Content::Joined { separator, parts } => Content::Joined {
+            TextContent::Joined { separator, parts } => TextContent::Joined {
                 separator,
                 parts: parts.iter().map(|part| part.regarding(vehicles)).collect(),
             },
@@ -184,7 +187,7 @@ impl<'de> serde::Deserialize<'de> for Text {
     }
 }
 
-impl Argument {
+impl TextArgument {
     fn regarding(&self, name: &str, vehicles: &str) -> Self {
         match self {
             Self::Text(text) => Self::Text(text.regarding(vehicles)),
@@ -220,37 +223,37 @@ impl From<&str> for Text {
     }
 }
 
-impl From<Text> for Argument {
+impl From<Text> for TextArgument {
     fn from(text: Text) -> Self {
         Self::Text(text)
     }
 }
 
-impl From<&Text> for Argument {
+impl From<&Text> for TextArgument {
     fn from(text: &Text) -> Self {
         Self::Text(text.clone())
     }
 }
 
-impl From<String> for Argument {
+impl From<String> for TextArgument {
     fn from(word: String) -> Self {
         Self::Word(word)
     }
 }
 
-impl From<&String> for Argument {
+impl From<&String> for TextArgument {
     fn from(word: &String) -> Self {
         Self::Word(word.clone())
     }
 }
 
-impl From<&str> for Argument {
+impl From<&str> for TextArgument {
     fn from(word: &str) -> Self {
         Self::Word(word.to_owned())
     }
 }
 
-impl From<char> for Argument {
+impl From<char> for TextArgument {
     fn from(letter: char) -> Self {
         Self::Word(letter.to_string())
     }
@@ -258,7 +261,7 @@ impl From<char> for Argument {
 
 macro_rules! numbers {
     ($($kind:ty),*) => {$(
-        impl From<$kind> for Argument {
+        impl From<$kind> for TextArgument {
             fn from(number: $kind) -> Self {
                 Self::Number(i64::try_from(number).unwrap_or(i64::MAX))
             }

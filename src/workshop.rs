@@ -28,4 +28,4 @@ pub use check::{DesignFinding, FindingKind, FindingSeverity};
 pub use design::{Design, DesignError};
 pub use figures::{Air, Figures, Link};
 pub use measure::{Better, Measure, Sheet};
-pub use part::{Part, Radio, Slot};
+pub use part::{Part, PartSlot, Radio};

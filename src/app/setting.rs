@@ -1,6 +1,6 @@
 //! Settings that the command line changes for as long as the console runs.
 
-use crate::config::{Config, Kind, SETTINGS, Symbols};
+use crate::config::{Config, SETTINGS, SettingKind, Symbols};
 use crate::text;
 use crate::text::{Language, Text};
 
@@ -33,8 +33,8 @@ impl Setting {
     /// The values that a setting may have, where they can be listed.
     pub fn values(name: &str) -> &'static [&'static str] {
         match kind(name) {
-            Some(Kind::OneOf(values)) => values,
-            Some(Kind::Flag) => &["on", "off"],
+            Some(SettingKind::OneOf(values)) => values,
+            Some(SettingKind::Flag) => &["on", "off"],
             _ => &[],
         }
     }
@@ -54,7 +54,7 @@ impl Setting {
                 _ => None,
             },
             "fps" => {
-                let Some(Kind::Whole(least, most)) = kind(name) else {
+                let Some(SettingKind::Whole(least, most)) = kind(name) else {
                     return Err(text!("console-unknown", word = value));
                 };
                 let is_within = |fps: &u8| (least..=most).contains(&i64::from(*fps));
@@ -83,7 +83,7 @@ impl Setting {
 }
 
 /// What a setting may be, by the configuration; the command line leaves its section out.
-fn kind(name: &str) -> Option<Kind> {
+fn kind(name: &str) -> Option<SettingKind> {
     let mut all = SETTINGS.iter();
     all.find(|setting| setting.key() == name)
         .map(|setting| setting.kind)

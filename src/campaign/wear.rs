@@ -1,6 +1,6 @@
 //! What flying costs its owner.
 
-use crate::workshop::{Design, Slot};
+use crate::workshop::{Design, PartSlot};
 
 /// A flight takes this much of a battery's life.
 const BATTERY_SHARE: f64 = 0.01;
@@ -40,8 +40,8 @@ impl FlownDesign<'_> {
                 .sum()
         };
         let hours = self.airborne_s / 3600.0;
-        let used = price(Slot::Battery) * BATTERY_SHARE
-            + price(Slot::Motor) * MOTOR_SHARE_PER_HOUR * hours;
+        let used = price(PartSlot::Battery) * BATTERY_SHARE
+            + price(PartSlot::Motor) * MOTOR_SHARE_PER_HOUR * hours;
         let fallen = if self.has_crashed {
             f64::from(self.design.credits()) * CRASH_SHARE
         } else {

@@ -14,7 +14,7 @@ use crate::config::SETTINGS;
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::mission::Mission;
 use crate::store::{self, Source};
-use crate::workshop::{Design, Slot};
+use crate::workshop::{Design, PartSlot};
 
 mod fly;
 mod script;
@@ -178,7 +178,7 @@ fn kind(path: &Path, text: &str) -> Kind {
         .map(|it| it.name.split('.').next().unwrap_or_default())
         .collect();
     let contexts: Vec<&str> = Place::all().map(Place::name).collect();
-    let slots = Slot::ALL.map(Slot::key);
+    let slots = PartSlot::ALL.map(PartSlot::key);
     let kinds: [(Kind, &str, &[&str]); 5] = [
         (Kind::Mission, "missions", MISSION_KEYS),
         (Kind::Design, "designs", &slots),

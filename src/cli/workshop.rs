@@ -14,7 +14,7 @@ use crate::mission::Mission;
 use crate::store;
 use crate::text;
 use crate::text::{Locale, Text};
-use crate::workshop::{Air, Design, FindingSeverity, Measure, Sheet, Slot, parts_for};
+use crate::workshop::{Air, Design, FindingSeverity, Measure, PartSlot, Sheet, parts_for};
 
 /// Options of `sortie workshop`.
 #[derive(Debug, Args)]
@@ -142,10 +142,10 @@ pub(super) fn workshop(
 }
 
 fn list_parts(slot: Option<&str>, locale: &Locale) -> Result<ExitCode, Failure> {
-    let known = || Slot::ALL.map(Slot::key).join(", ");
-    let slots: Vec<Slot> = match slot {
-        None => Slot::ALL.to_vec(),
-        Some(key) => Slot::ALL
+    let known = || PartSlot::ALL.map(PartSlot::key).join(", ");
+    let slots: Vec<PartSlot> = match slot {
+        None => PartSlot::ALL.to_vec(),
+        Some(key) => PartSlot::ALL
             .into_iter()
             .filter(|slot| slot.key() == key)
             .collect(),

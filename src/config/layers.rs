@@ -8,7 +8,7 @@ use serde::Deserialize as _;
 use toml::de::{DeTable, DeValue, ValueDeserializer};
 use toml::{Spanned, Table, Value};
 
-use super::{Config, Kind, SETTINGS, Setting};
+use super::{Config, SETTINGS, Setting, SettingKind};
 use crate::diagnostic::Diagnostic;
 use crate::text;
 use crate::text::Text;
@@ -62,7 +62,7 @@ impl Default for Layers {
         let mut layers = Self {
             values: BTreeMap::new(),
         };
-        for setting in SETTINGS.iter().filter(|it| it.kind != Kind::Lines) {
+        for setting in SETTINGS.iter().filter(|it| it.kind != SettingKind::Lines) {
             if let Some(value) = found(&defaults, setting) {
                 layers.set(setting.name, value.clone(), Origin::Default);
             }
@@ -86,7 +86,7 @@ impl Layers {
         let (table, errors) = DeTable::parse_recoverable(source);
         // Of several errors of the syntax, the later ones tend to follow from the first.
         faults.extend(errors.first().map(Diagnostic::from_toml));
-        let mut reading = Reading {
+        let mut reading = FileReading {
             name,
             source,
             check,
@@ -219,7 +219,7 @@ fn found<'a>(table: &'a Table, setting: &Setting) -> Option<&'a Value> {
 }
 
 /// A file while it is being read.
-struct Reading<'a> {
+struct FileReading<'a> {
     name: &'a str,
     source: &'a str,
     check: WordCheck<'a>,
@@ -227,7 +227,7 @@ struct Reading<'a> {
     faults: Vec<Diagnostic>,
 }
 
-impl Reading<'_> {
+impl FileReading<'_> {
     fn table(&mut self, section: &str, table: DeTable<'_>) {
         for (key, value) in table {
             let name = match section {
@@ -288,7 +288,7 @@ impl Reading<'_> {
                 return self.faults.push(fault);
             }
         }
-        if setting.kind == Kind::Lines {
+        if setting.kind == SettingKind::Lines {
             // One line is as good as a list of one.
             let lines = words.into_iter().map(Spanned::into_inner);
             value = Value::Array(lines.map(Value::String).collect());

@@ -14,7 +14,7 @@ pub struct Setting {
     /// Its name with its section, `alerts.bell`.
     pub name: &'static str,
     /// What it may be.
-    pub kind: Kind,
+    pub kind: SettingKind,
     /// The variable that sets it.
     pub variable: Option<&'static str>,
     /// What it is for, as a comment of a configuration file.
@@ -23,7 +23,7 @@ pub struct Setting {
 
 /// What a setting may be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum SettingKind {
     /// One of these words.
     OneOf(&'static [&'static str]),
     /// Any text.
@@ -48,152 +48,152 @@ pub enum Kind {
 pub const SETTINGS: &[Setting] = &[
     setting(
         "lang",
-        Kind::OneOf(&["en", "uk"]),
+        SettingKind::OneOf(&["en", "uk"]),
         Some("SORTIE_LANG"),
         "The language; unless it is set, that of the shell (LC_ALL, LC_MESSAGES, LANG). What a profile has chosen with \
          `:set lang` goes before both in the console, and --lang before that.",
     ),
     setting(
         "profile",
-        Kind::Text,
+        SettingKind::Text,
         Some("SORTIE_PROFILE"),
         "Whose career it is, by the name of a profile (`sortie profile list`).",
     ),
     setting(
         "theme",
-        Kind::Text,
+        SettingKind::Text,
         Some("SORTIE_THEME"),
         "The theme: dark, light, high-contrast, monochrome, or a file of the folder themes.",
     ),
     setting(
         "fps",
-        Kind::Whole(1, 60),
+        SettingKind::Whole(1, 60),
         Some("SORTIE_FPS"),
         "Frames per second at most.",
     ),
     setting(
         "symbols",
-        Kind::OneOf(&["braille", "block", "ascii"]),
+        SettingKind::OneOf(&["braille", "block", "ascii"]),
         Some("SORTIE_SYMBOLS"),
         "What curves and maps are drawn with; unless it is set, what the terminal can show.",
     ),
     setting(
         "mouse",
-        Kind::Flag,
+        SettingKind::Flag,
         Some("SORTIE_MOUSE"),
         "Whether the mouse is listened to.",
     ),
     setting(
         "keymap",
-        Kind::Text,
+        SettingKind::Text,
         Some("SORTIE_KEYMAP"),
         "The keymap file, if not keymap.toml beside this file.",
     ),
     setting(
         "table.columns",
-        Kind::Columns,
+        SettingKind::Columns,
         None,
         "The columns of the swarm table from the left; none means as many as fit.",
     ),
     setting(
         "table.sort",
-        Kind::Sort,
+        SettingKind::Sort,
         None,
         "The column to sort by, with - before it for the largest first.",
     ),
     setting(
         "alerts.bell",
-        Kind::Flag,
+        SettingKind::Flag,
         Some("SORTIE_BELL"),
         "Whether serious alerts ring the bell.",
     ),
     setting(
         "alerts.notify",
-        Kind::Flag,
+        SettingKind::Flag,
         Some("SORTIE_NOTIFY"),
         "Whether serious alerts ask the terminal for a desktop notification.",
     ),
     setting(
         "alerts.mute",
-        Kind::AlertKinds,
+        SettingKind::AlertKinds,
         None,
         "The kinds of alerts that stay silent.",
     ),
     setting(
         "log.file",
-        Kind::Text,
+        SettingKind::Text,
         Some("SORTIE_LOG_FILE"),
         "The log; in this file, a relative path lies in the folder of the state.",
     ),
     setting(
         "log.level",
-        Kind::Text,
+        SettingKind::Text,
         Some("SORTIE_LOG"),
         "What goes into the log: error, warn, info, debug, trace, or \"warn,sortie::link=debug\".",
     ),
     setting(
         "hangar.arducopter",
-        Kind::Text,
+        SettingKind::Text,
         Some("SORTIE_ARDUCOPTER"),
         "SITL's program of multirotors; unless it is set, the one on the PATH or in a usual build folder.",
     ),
     setting(
         "hangar.arduplane",
-        Kind::Text,
+        SettingKind::Text,
         Some("SORTIE_ARDUPLANE"),
         "The one of planes.",
     ),
     setting(
         "hangar.ardurover",
-        Kind::Text,
+        SettingKind::Text,
         Some("SORTIE_ARDUROVER"),
         "The one of rovers and boats.",
     ),
     setting(
         "hangar.ardusub",
-        Kind::Text,
+        SettingKind::Text,
         Some("SORTIE_ARDUSUB"),
         "The one of submarines.",
     ),
     setting(
         "hangar.instances",
-        Kind::Whole(1, 1000),
+        SettingKind::Whole(1, 1000),
         None,
         "SITL processes at once at most.",
     ),
     setting(
         "hangar.memory",
-        Kind::Whole(64, 65_536),
+        SettingKind::Whole(64, 65_536),
         None,
         "Address space of one of them, in mebibytes.",
     ),
     setting(
         "hangar.restart",
-        Kind::OneOf(&["never", "always"]),
+        SettingKind::OneOf(&["never", "always"]),
         None,
         "Whether one that ends by itself is started again.",
     ),
     setting(
         "hangar.folder",
-        Kind::Text,
+        SettingKind::Text,
         None,
         "Where they run; unless it is set, in the folder hangar of the state.",
     ),
     setting(
         "hangar.urls",
-        Kind::Words,
+        SettingKind::Words,
         Some("SORTIE_HANGAR"),
         "Services (`sortie hangar`) that start them instead of this program: [\"http://127.0.0.1:5700\"].",
     ),
     setting(
         "hangar.token_file",
-        Kind::Text,
+        SettingKind::Text,
         Some("SORTIE_HANGAR_TOKEN_FILE"),
         "The file with the token of the services; unless it is set, hangar-token in the folder of the state.",
     ),
     setting(
         "macros",
-        Kind::Lines,
+        SettingKind::Lines,
         None,
         "Lines of the command language by name: name = [\"all guided\", \"all arm\"].",
     ),
@@ -201,7 +201,7 @@ pub const SETTINGS: &[Setting] = &[
 
 const fn setting(
     name: &'static str,
-    kind: Kind,
+    kind: SettingKind,
     variable: Option<&'static str>,
     about: &'static str,
 ) -> Setting {
@@ -223,7 +223,7 @@ impl Setting {
     pub fn section(&self) -> &'static str {
         match (self.name.split_once('.'), self.kind) {
             (Some((section, _)), _) => section,
-            (None, Kind::Lines) => self.name,
+            (None, SettingKind::Lines) => self.name,
             (None, _) => "",
         }
     }
@@ -234,7 +234,7 @@ impl Setting {
     }
 }
 
-impl Kind {
+impl SettingKind {
     /// Checks what a value of a file is; [`Self::check_word`] checks what its words name.
     ///
     /// # Errors

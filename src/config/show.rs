@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use toml::Value;
 
-use super::{Kind, Layers, SETTINGS, Setting};
+use super::{Layers, SETTINGS, Setting, SettingKind};
 
 impl Layers {
     /// A configuration file that sets every value as it is, with a comment that says where it came from. What is not
@@ -22,7 +22,7 @@ impl Layers {
             }
             let _ = writeln!(text, "# {}", setting.about);
             match setting.kind {
-                Kind::Lines => self.show_lines(setting, &mut text),
+                SettingKind::Lines => self.show_lines(setting, &mut text),
                 _ => self.show_value(setting, &mut text),
             }
         }

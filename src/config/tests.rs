@@ -38,15 +38,15 @@ fn nothing_set_is_the_default() {
 fn every_setting_of_the_table_is_one_of_the_configuration() {
     for setting in SETTINGS {
         let (value, tail) = match setting.kind {
-            Kind::OneOf(choices) => (format!("{:?}", choices[choices.len() - 1]), ""),
-            Kind::Text => ("\"something\"".to_owned(), ""),
-            Kind::Whole(_, most) => (most.to_string(), ""),
-            Kind::Flag => ("true".to_owned(), ""),
-            Kind::Words => ("[\"a\", \"b\"]".to_owned(), ""),
-            Kind::Columns => ("[\"id\", \"alt\"]".to_owned(), ""),
-            Kind::Sort => ("\"-bat\"".to_owned(), ""),
-            Kind::AlertKinds => ("[\"gps\"]".to_owned(), ""),
-            Kind::Lines => ("\"all arm\"".to_owned(), ".m"),
+            SettingKind::OneOf(choices) => (format!("{:?}", choices[choices.len() - 1]), ""),
+            SettingKind::Text => ("\"something\"".to_owned(), ""),
+            SettingKind::Whole(_, most) => (most.to_string(), ""),
+            SettingKind::Flag => ("true".to_owned(), ""),
+            SettingKind::Words => ("[\"a\", \"b\"]".to_owned(), ""),
+            SettingKind::Columns => ("[\"id\", \"alt\"]".to_owned(), ""),
+            SettingKind::Sort => ("\"-bat\"".to_owned(), ""),
+            SettingKind::AlertKinds => ("[\"gps\"]".to_owned(), ""),
+            SettingKind::Lines => ("\"all arm\"".to_owned(), ".m"),
         };
         // Booleans have different defaults: one of the two values differs.
         let configs = [value.clone(), "false".to_owned()].map(|value| {

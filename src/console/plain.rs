@@ -170,7 +170,7 @@ impl Plain {
 
     fn is_idle(&self) -> bool {
         let mut entries = self.console.app.state().session.ledger.entries();
-        self.pilot.is_none() && entries.all(crate::ledger::Entry::is_final)
+        self.pilot.is_none() && entries.all(crate::ledger::LedgerEntry::is_final)
     }
 
     async fn tick(&mut self) -> anyhow::Result<()> {

@@ -1,6 +1,6 @@
 //! The truth on a map of letters: what was there, what was found of it, and what was never looked at.
 
-use super::Page;
+use super::DebriefPage;
 use crate::commands::Deed;
 use crate::scoring::{ObjectReport, SquareReport, TruthReport};
 use crate::text;
@@ -29,14 +29,14 @@ const SIGNS: [(char, &str); 9] = [
     ('X', "debrief-sign-missed"),
 ];
 
-impl Page<'_> {
+impl DebriefPage<'_> {
     /// Nothing where there was nothing to be known.
     pub(super) fn map(&mut self, truth: &TruthReport) {
         let is_known = !truth.squares.is_empty()
             || !truth.objects.is_empty()
             || !truth.marks.is_empty()
             || !truth.gaps.is_empty();
-        let Some(mut canvas) = Canvas::around(truth).filter(|_| is_known) else {
+        let Some(mut canvas) = TextMap::around(truth).filter(|_| is_known) else {
             return;
         };
         self.heading("debrief-truth");
@@ -82,7 +82,7 @@ fn is_asked(object: &ObjectReport) -> bool {
     object.sought && object.kind != "decoy"
 }
 
-struct Canvas {
+struct TextMap {
     rows: Vec<Vec<char>>,
     /// The north-west corner, in metres.
     corner: [f64; 2],
@@ -90,7 +90,7 @@ struct Canvas {
     scale_m: f64,
 }
 
-impl Canvas {
+impl TextMap {
     /// A canvas that all of it fits on; `None` where there is nothing.
     fn around(truth: &TruthReport) -> Option<Self> {
         let strong = truth
@@ -279,11 +279,11 @@ mod tests {
         for extent in [0.0, 1.0, 500.0, 20_000.0] {
             let mut truth = truth();
             truth.pads.push([extent, -extent]);
-            let mut canvas = Canvas::around(&truth).expect("there is something");
+            let mut canvas = TextMap::around(&truth).expect("there is something");
             canvas.draw(&truth);
             assert!(canvas.rows.len() <= ROWS && canvas.rows[0].len() <= COLUMNS);
             assert!(canvas.rows.iter().any(|row| row.contains(&'P')));
         }
-        assert!(Canvas::around(&TruthReport::default()).is_none());
+        assert!(TextMap::around(&TruthReport::default()).is_none());
     }
 }

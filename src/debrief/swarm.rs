@@ -1,11 +1,11 @@
 //! How the operator handled several vehicles. It is shown, not scored: utilisation and attention are.
 
-use super::Page;
+use super::DebriefPage;
 use super::layout::fit;
 use crate::scoring::{Report, UseReport};
 use crate::text;
 
-impl Page<'_> {
+impl DebriefPage<'_> {
     /// Only where there was more than one vehicle to handle.
     pub(super) fn swarm(&mut self, report: &Report) {
         let figures = &report.swarm;

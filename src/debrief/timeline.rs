@@ -1,6 +1,6 @@
 //! What happened, in its order: commands, events, mistakes, and how alerts were answered.
 
-use super::Page;
+use super::DebriefPage;
 use super::layout::clock;
 use crate::ledger::RowState;
 use crate::scoring::{AlertReport, EventKind, EventReport, LedgerReport, Report};
@@ -69,7 +69,7 @@ struct TimelineRow {
     text: Text,
 }
 
-impl Page<'_> {
+impl DebriefPage<'_> {
     pub(super) fn timeline(&mut self, report: &Report) {
         self.heading("debrief-timeline");
         let rows = rows(report);

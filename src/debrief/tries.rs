@@ -1,6 +1,6 @@
 //! The trainee's own tries, as bars: the comparison that tells most.
 
-use super::Page;
+use super::DebriefPage;
 use super::layout::right;
 use crate::scoring::{Report, ScoreGrade, TryReport};
 
@@ -9,7 +9,7 @@ const PER_COLUMN: u16 = 20;
 /// Tries that are shown: the newest, and the best if it is not among them.
 const SHOWN: usize = 8;
 
-impl Page<'_> {
+impl DebriefPage<'_> {
     pub(super) fn tries(&mut self, report: &Report) {
         // A try without a score was left before it came to anything.
         let tries = report.tries.iter();

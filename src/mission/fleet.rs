@@ -11,7 +11,7 @@ use super::sensor::Sensor;
 use crate::sim::Airframe;
 use crate::text;
 use crate::text::Text;
-use crate::workshop::{Air, Design, FindingSeverity, Slot};
+use crate::workshop::{Air, Design, FindingSeverity, PartSlot};
 
 /// Seconds of spray in a sprayer's tank.
 pub(super) const TANK_S: u32 = 15;
@@ -103,7 +103,7 @@ impl Fit {
             radio: radio(design, own),
             ..Self::default()
         };
-        let mounted = design.in_slot(Slot::Payload).iter();
+        let mounted = design.in_slot(PartSlot::Payload).iter();
         let mounted = mounted.filter_map(|part| Sensor::by_id(part.id));
         let wanted = asked.sensors.iter().copied();
         wanted
@@ -116,7 +116,7 @@ impl Fit {
 
 /// What a design lets go of. Pieces need a dropper.
 fn loads(design: &Design) -> BTreeMap<Load, u32> {
-    let mounted = design.in_slot(Slot::Payload);
+    let mounted = design.in_slot(PartSlot::Payload);
     let pieces = |load: Load| {
         let count = mounted.iter().filter(|part| part.id == load.part()).count();
         match load {
@@ -134,7 +134,7 @@ fn loads(design: &Design) -> BTreeMap<Load, u32> {
 
 /// The radio of a design. A model that relays in the mission by its own word does so on every drone.
 fn radio(design: &Design, own: Option<Set>) -> Option<Set> {
-    let part = design.in_slot(Slot::Radio).first()?;
+    let part = design.in_slot(PartSlot::Radio).first()?;
     let set = Set::of(Model::of(part)?);
     let relays = own.is_some_and(|own| own.model.id == part.id && own.relays);
     Some(Set {

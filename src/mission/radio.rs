@@ -13,7 +13,7 @@ use super::craft::Craft;
 use super::zone::{Shadow, Shape, Zone, ZoneKind};
 use crate::session::RadioFault;
 use crate::vehicle::VehicleId;
-use crate::workshop::{self, Part, Slot};
+use crate::workshop::{self, Part, PartSlot};
 
 /// A kind of radio: a part of the workshop's catalogue.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,7 +26,7 @@ pub(crate) struct Model {
 impl Model {
     /// All of them.
     pub fn all() -> impl Iterator<Item = Self> {
-        workshop::parts_for(Slot::Radio).filter_map(Self::of)
+        workshop::parts_for(PartSlot::Radio).filter_map(Self::of)
     }
 
     /// That of a part, if it is a radio.

@@ -19,7 +19,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use super::{Mission, Stake, TICK};
 use crate::commands::Deed;
 use crate::language;
-use crate::ledger::{Entry, EntryId, Ledger, Risk, Row, RowState};
+use crate::ledger::{EntryId, Ledger, LedgerEntry, LedgerRow, Risk, RowState};
 use crate::scoring::{FlightBackend, Medal, Report};
 use crate::vehicle::{VehicleId, Vehicles};
 use crate::verb::Verb;
@@ -337,11 +337,11 @@ impl Recorder {
         }
         let newest = self.newest;
         let new = ledger.entries().rev();
-        let mut new: Vec<&Entry> = new.take_while(|entry| Some(entry.id) > newest).collect();
+        let mut new: Vec<&LedgerEntry> = new.take_while(|entry| Some(entry.id) > newest).collect();
         new.reverse();
         for entry in new {
             self.newest = Some(entry.id);
-            let queued = |_: &Row| (RowState::Queued, 0);
+            let queued = |_: &LedgerRow| (RowState::Queued, 0);
             self.open
                 .insert(entry.id, entry.rows.iter().map(queued).collect());
             change.e.push(EntryLine {
@@ -377,7 +377,7 @@ fn known_verb<'de, D: Deserializer<'de>>(deserializer: D) -> Result<&'static Ver
 }
 
 impl RowLine {
-    fn of(id: EntryId, row: &Row) -> Self {
+    fn of(id: EntryId, row: &LedgerRow) -> Self {
         Self {
             id: id.0,
             vehicle: row.vehicle,

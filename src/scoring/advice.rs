@@ -9,7 +9,9 @@ use std::time::Duration;
 
 use serde::{Deserialize, Serialize};
 
-use super::{CommandTally, Facts, HintsUsed, ObjectiveFact, Rules, attention, score, utilisation};
+use super::{
+    CommandTally, Facts, HintsUsed, ObjectiveFact, ScoreRules, attention, score, utilisation,
+};
 use crate::text;
 use crate::text::Text;
 
@@ -28,7 +30,7 @@ pub struct Improvement {
 }
 
 /// The improvements of a flight, biggest gain first.
-pub fn improvements(rules: &Rules, facts: &Facts) -> Vec<Improvement> {
+pub fn improvements(rules: &ScoreRules, facts: &Facts) -> Vec<Improvement> {
     let remedies = remedies(rules, facts).into_iter();
     let mut alone: Vec<(u16, Remedy)> = remedies
         .map(|remedy| (remedy.gain(rules, facts), remedy))
@@ -74,14 +76,14 @@ impl Remedy<'_> {
     }
 
     /// The points that it brings to a flight.
-    fn gain(&self, rules: &Rules, facts: &Facts) -> u16 {
+    fn gain(&self, rules: &ScoreRules, facts: &Facts) -> u16 {
         let after = score(rules, &self.mended(facts)).points;
         after.saturating_sub(score(rules, facts).points)
     }
 }
 
 /// Everything that could be mended, each advice once.
-fn remedies<'a>(rules: &'a Rules, facts: &'a Facts) -> Vec<Remedy<'a>> {
+fn remedies<'a>(rules: &'a ScoreRules, facts: &'a Facts) -> Vec<Remedy<'a>> {
     let mut remedies = Remedies {
         facts,
         list: Vec::new(),
@@ -126,7 +128,7 @@ impl<'a> Remedies<'a> {
     }
 
     /// While one that must be reached is missed, another one may bring nothing alone.
-    fn reach_what_must_be(&mut self, rules: &Rules) {
+    fn reach_what_must_be(&mut self, rules: &ScoreRules) {
         let objectives = self.facts.objectives.iter().enumerate();
         let missed = objectives.filter(|(_, objective)| objective.mandatory && !objective.met);
         let (missed, ids): (Vec<usize>, Vec<&str>) =
@@ -153,7 +155,7 @@ impl<'a> Remedies<'a> {
         }
     }
 
-    fn reach_par(&mut self, rules: &'a Rules) {
+    fn reach_par(&mut self, rules: &'a ScoreRules) {
         let late = self.facts.elapsed.saturating_sub(rules.par_time);
         let text = text!(
             "scoring-be-faster",

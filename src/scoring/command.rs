@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, btree_map};
 use std::time::Duration;
 
-use crate::ledger::{Entry, EntryId, Ledger, Risk, Row, RowState};
+use crate::ledger::{EntryId, Ledger, LedgerEntry, LedgerRow, Risk, RowState};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
@@ -119,7 +119,7 @@ impl CommandLog {
             if let btree_map::Entry::Vacant(unseen) = self.given_at.entry(entry.id) {
                 unseen.insert(now);
                 if entry.risk == Risk::SkipsChecks {
-                    let forced = |row: &Row| CommandEvent::Forced {
+                    let forced = |row: &LedgerRow| CommandEvent::Forced {
                         vehicle: row.vehicle,
                     };
                     events.extend(entry.rows.iter().map(forced));
@@ -138,8 +138,8 @@ impl CommandLog {
 
     fn look_at_row(
         &mut self,
-        entry: &Entry,
-        row: &Row,
+        entry: &LedgerEntry,
+        row: &LedgerRow,
         vehicles: &Vehicles,
     ) -> Option<CommandEvent> {
         let key = (entry.id, row.vehicle);
@@ -162,7 +162,7 @@ impl CommandLog {
     pub fn entries<'a>(
         &'a self,
         ledger: &'a Ledger,
-    ) -> impl Iterator<Item = (Duration, &'a Entry)> {
+    ) -> impl Iterator<Item = (Duration, &'a LedgerEntry)> {
         ledger
             .entries()
             .filter_map(|entry| Some((*self.given_at.get(&entry.id)?, entry)))
@@ -223,10 +223,10 @@ fn slot(verb: &'static Verb) -> Option<Slot> {
     }
 }
 
-fn is_word(entry: &Entry) -> bool {
+fn is_word(entry: &LedgerEntry) -> bool {
     entry.verb.counts_as == CountsAs::Word
 }
 
-fn is_rejected(row: &Row) -> bool {
+fn is_rejected(row: &LedgerRow) -> bool {
     matches!(row.state, RowState::Refused | RowState::TimedOut)
 }

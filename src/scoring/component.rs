@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::{Facts, Rules, attention, safety_value, utilisation};
+use super::{Facts, ScoreRules, attention, safety_value, utilisation};
 use crate::text;
 use crate::text::Text;
 
@@ -129,7 +129,7 @@ pub struct ComponentScore {
 }
 
 /// All components that apply and have a weight.
-pub(super) fn all(rules: &Rules, facts: &Facts) -> Vec<ComponentScore> {
+pub(super) fn all(rules: &ScoreRules, facts: &Facts) -> Vec<ComponentScore> {
     let objective = objective_value(facts);
     let values: [Option<(f64, Text)>; 8] = [
         Some((objective, objective_words(facts))),
@@ -221,7 +221,7 @@ fn quality(facts: &Facts) -> Option<(f64, Text)> {
     (!values.is_empty()).then(|| (sum / values.len() as f64, Text::joined(", ", words)))
 }
 
-fn time(rules: &Rules, elapsed: Duration, objective: f64) -> (f64, Text) {
+fn time(rules: &ScoreRules, elapsed: Duration, objective: f64) -> (f64, Text) {
     let (used, par, limit) = (
         elapsed.as_secs_f64(),
         rules.par_time.as_secs_f64(),
@@ -238,7 +238,7 @@ fn time(rules: &Rules, elapsed: Duration, objective: f64) -> (f64, Text) {
     (value, against_par(used, par, text!("scoring-seconds")))
 }
 
-fn energy(rules: &Rules, used_wh: f64, objective: f64) -> (f64, Text) {
+fn energy(rules: &ScoreRules, used_wh: f64, objective: f64) -> (f64, Text) {
     if objective < ENERGY_NEEDS_OBJECTIVES {
         return (0.0, text!("scoring-needs-objectives", share = ".80"));
     }

@@ -8,21 +8,21 @@ use crate::text::Text;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Gate {
     name: String,
-    comparison: Comparison,
+    comparison: GateComparison,
     number: f64,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Comparison {
+enum GateComparison {
     AtLeast,
     AtMost,
     Equal,
 }
 
-const COMPARISONS: [(&str, Comparison); 3] = [
-    (">=", Comparison::AtLeast),
-    ("<=", Comparison::AtMost),
-    ("==", Comparison::Equal),
+const COMPARISONS: [(&str, GateComparison); 3] = [
+    (">=", GateComparison::AtLeast),
+    ("<=", GateComparison::AtMost),
+    ("==", GateComparison::Equal),
 ];
 
 impl Gate {
@@ -62,9 +62,9 @@ impl Gate {
             return true;
         };
         match self.comparison {
-            Comparison::AtLeast => value >= self.number,
-            Comparison::AtMost => value <= self.number,
-            Comparison::Equal => (value - self.number).abs() < 1e-9,
+            GateComparison::AtLeast => value >= self.number,
+            GateComparison::AtMost => value <= self.number,
+            GateComparison::Equal => (value - self.number).abs() < 1e-9,
         }
     }
 
@@ -77,9 +77,9 @@ impl Gate {
             _ => return true,
         };
         match self.comparison {
-            Comparison::AtLeast => self.number <= high,
-            Comparison::AtMost => self.number >= low,
-            Comparison::Equal => (low..=high).contains(&self.number),
+            GateComparison::AtLeast => self.number <= high,
+            GateComparison::AtMost => self.number >= low,
+            GateComparison::Equal => (low..=high).contains(&self.number),
         }
     }
 

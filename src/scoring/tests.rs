@@ -7,8 +7,8 @@ mod commands;
 mod facts;
 mod properties;
 
-fn rules() -> Rules {
-    Rules {
+fn rules() -> ScoreRules {
+    ScoreRules {
         weights: Weights::default(),
         par_time: Duration::from_secs(210),
         par_energy_wh: 20.0,

@@ -7,7 +7,7 @@ use fluent_bundle::concurrent::FluentBundle;
 use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
 use unic_langid::LanguageIdentifier;
 
-use super::{Argument, Content, Language, Text, messages};
+use super::{Language, Text, TextArgument, TextContent, messages};
 
 /// The words of one language.
 #[derive(Clone, Copy)]
@@ -54,13 +54,13 @@ impl Locale {
     /// A text in words.
     pub fn text(&self, text: &Text) -> String {
         match &text.0 {
-            Content::Verbatim(words) => words.clone(),
-            Content::Message { id, arguments } => self.format(id, arguments),
-            Content::Joined { separator, parts } => {
+            TextContent::Verbatim(words) => words.clone(),
+            TextContent::Message { id, arguments } => self.format(id, arguments),
+            TextContent::Joined { separator, parts } => {
                 let parts: Vec<String> = parts.iter().map(|part| self.text(part)).collect();
                 parts.join(separator)
             }
-            Content::Written(all) => {
+            TextContent::Written(all) => {
                 let ours = all.iter().find(|(language, _)| *language == self.language);
                 let found = ours.or(all.first());
                 found.map_or_else(String::new, |(_, words)| words.clone())
@@ -73,7 +73,7 @@ impl Locale {
         self.format(id, &[])
     }
 
-    fn format(&self, id: &str, arguments: &[(&'static str, Argument)]) -> String {
+    fn format(&self, id: &str, arguments: &[(&'static str, TextArgument)]) -> String {
         #[cfg(test)]
         if super::said::is_wordless() {
             return "x".to_owned();
@@ -93,11 +93,11 @@ impl Locale {
         words.into_owned()
     }
 
-    fn value<'a>(&self, argument: &'a Argument) -> FluentValue<'a> {
+    fn value<'a>(&self, argument: &'a TextArgument) -> FluentValue<'a> {
         match argument {
-            Argument::Number(number) => FluentValue::from(*number),
-            Argument::Word(word) => FluentValue::from(word.as_str()),
-            Argument::Text(text) => FluentValue::from(self.text(text)),
+            TextArgument::Number(number) => FluentValue::from(*number),
+            TextArgument::Word(word) => FluentValue::from(word.as_str()),
+            TextArgument::Text(text) => FluentValue::from(self.text(text)),
         }
     }
 }

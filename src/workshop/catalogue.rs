@@ -1,6 +1,6 @@
 //! The parts that there are.
 
-use super::part::{Part, Slot};
+use super::part::{Part, PartSlot};
 
 /// A table of parts: the names of the columns, and a row for each part. The columns between the semicolons are what
 /// only this kind of part has; the last ones are fields of [`Part`].
@@ -55,7 +55,7 @@ pub fn parts() -> impl Iterator<Item = &'static Part> {
 }
 
 /// The parts that go into a slot.
-pub fn parts_for(slot: Slot) -> impl Iterator<Item = &'static Part> {
+pub fn parts_for(slot: PartSlot) -> impl Iterator<Item = &'static Part> {
     parts().filter(move |part| part.slot() == slot)
 }
 

@@ -2,7 +2,7 @@
 
 use super::design::Design;
 use super::figures::{Air, Figures};
-use super::part::{Slot, Spec};
+use super::part::{PartSlot, Spec};
 use crate::text;
 use crate::text::Text;
 
@@ -81,7 +81,7 @@ pub struct DesignFinding {
     /// What it is about.
     pub kind: FindingKind,
     /// The slot in which it can be mended.
-    pub slot: Slot,
+    pub slot: PartSlot,
     /// What and why.
     pub text: Text,
 }
@@ -102,7 +102,7 @@ impl Design {
     /// The same where its figures are known already.
     pub fn findings_with(&self, figures: Option<&Figures>) -> Vec<DesignFinding> {
         let mut found = Found::default();
-        for slot in Slot::ALL {
+        for slot in PartSlot::ALL {
             if slot.is_required() && self.in_slot(slot).is_empty() {
                 found.add(
                     FindingKind::Missing,
@@ -135,15 +135,16 @@ impl Design {
 struct Found(Vec<DesignFinding>);
 
 impl Found {
-    fn add(&mut self, kind: FindingKind, slot: Slot, text: Text) {
+    fn add(&mut self, kind: FindingKind, slot: PartSlot, text: Text) {
         self.0.push(DesignFinding { kind, slot, text });
     }
 
     /// Whether the propellers have the room to turn.
     fn turns(&mut self, design: &Design) {
-        let (Some(Spec::Frame(frame)), Some(Spec::Propeller(propeller))) =
-            (design.spec(Slot::Frame), design.spec(Slot::Propeller))
-        else {
+        let (Some(Spec::Frame(frame)), Some(Spec::Propeller(propeller))) = (
+            design.spec(PartSlot::Frame),
+            design.spec(PartSlot::Propeller),
+        ) else {
             return;
         };
         let clearance = frame.clearance_in();
@@ -154,17 +155,17 @@ impl Found {
                 diameter = tenths(propeller.diameter_in),
                 most = tenths(clearance)
             );
-            self.add(FindingKind::Propeller, Slot::Propeller, text);
+            self.add(FindingKind::Propeller, PartSlot::Propeller, text);
         }
     }
 
     /// Whether motors, speed controllers and battery go together; two of them are enough to tell.
     fn bears(&mut self, design: &Design) {
-        let motor = match design.spec(Slot::Motor) {
+        let motor = match design.spec(PartSlot::Motor) {
             Some(Spec::Motor(motor)) => Some(motor),
             _ => None,
         };
-        let esc = match design.spec(Slot::Esc) {
+        let esc = match design.spec(PartSlot::Esc) {
             Some(Spec::Esc(esc)) => Some(esc),
             _ => None,
         };
@@ -177,7 +178,7 @@ impl Found {
                 fewest = u32::from(motor.fewest_cells),
                 most = u32::from(motor.most_cells)
             );
-            self.add(FindingKind::MotorCells, Slot::Battery, text);
+            self.add(FindingKind::MotorCells, PartSlot::Battery, text);
         }
         if let (Some(esc), Some(cells)) = (esc, design.cells())
             && cells > esc.max_cells
@@ -187,7 +188,7 @@ impl Found {
                 cells = u32::from(cells),
                 most = u32::from(esc.max_cells)
             );
-            self.add(FindingKind::EscCells, Slot::Esc, text);
+            self.add(FindingKind::EscCells, PartSlot::Esc, text);
         }
         if let (Some(motor), Some(esc)) = (motor, esc)
             && esc.max_current_a < motor.max_current_a
@@ -198,10 +199,10 @@ impl Found {
                 peak = tenths(motor.max_current_a),
                 wanted = tenths(ESC_ROOM * motor.max_current_a)
             );
-            self.add(FindingKind::EscCurrent, Slot::Esc, text);
+            self.add(FindingKind::EscCurrent, PartSlot::Esc, text);
         }
         if let (Some(Spec::PowerModule(module)), Some(cells)) =
-            (design.spec(Slot::Power), design.cells())
+            (design.spec(PartSlot::Power), design.cells())
             && cells > module.max_cells
         {
             let text = text!(
@@ -209,7 +210,7 @@ impl Found {
                 cells = u32::from(cells),
                 most = u32::from(module.max_cells)
             );
-            self.add(FindingKind::PowerCells, Slot::Power, text);
+            self.add(FindingKind::PowerCells, PartSlot::Power, text);
         }
     }
 
@@ -220,13 +221,13 @@ impl Found {
         if ratio < LEAST_THRUST {
             self.add(
                 FindingKind::Thrust,
-                Slot::Motor,
+                PartSlot::Motor,
                 text!("finding-thrust", ratio = hundredths(ratio), mass = mass),
             );
         } else if ratio < GOOD_THRUST {
             self.add(
                 FindingKind::Weak,
-                Slot::Motor,
+                PartSlot::Motor,
                 text!("finding-weak", ratio = hundredths(ratio)),
             );
         }
@@ -234,7 +235,7 @@ impl Found {
         if !figures.hover_current_a.is_finite() {
             self.add(
                 FindingKind::Collapse,
-                Slot::Battery,
+                PartSlot::Battery,
                 text!("finding-collapse"),
             );
         } else if figures.hover_current_a > most_a {
@@ -243,14 +244,14 @@ impl Found {
                 current = tenths(figures.hover_current_a),
                 most = tenths(most_a)
             );
-            self.add(FindingKind::HoverCurrent, Slot::Battery, text);
+            self.add(FindingKind::HoverCurrent, PartSlot::Battery, text);
         } else if figures.hover_current_a > HOVER_SHARE * most_a {
             let text = text!(
                 "finding-hover-current",
                 current = tenths(figures.hover_current_a),
                 most = tenths(most_a)
             );
-            self.add(FindingKind::HoverShare, Slot::Battery, text);
+            self.add(FindingKind::HoverShare, PartSlot::Battery, text);
         }
         if let Some(charge) = figures.sags_at
             && ratio >= LEAST_THRUST
@@ -260,13 +261,13 @@ impl Found {
                 charge = charge.round() as i64,
                 land = charge.round() as i64 + 5
             );
-            self.add(FindingKind::Sag, Slot::Battery, text);
+            self.add(FindingKind::Sag, PartSlot::Battery, text);
         }
     }
 
     /// Whether the power module bears the hover.
     fn feeds(&mut self, design: &Design, figures: &Figures) {
-        let Some(Spec::PowerModule(module)) = design.spec(Slot::Power) else {
+        let Some(Spec::PowerModule(module)) = design.spec(PartSlot::Power) else {
             return;
         };
         if figures.hover_current_a > module.max_current_a {
@@ -275,7 +276,7 @@ impl Found {
                 current = tenths(figures.hover_current_a),
                 most = tenths(module.max_current_a)
             );
-            self.add(FindingKind::PowerCurrent, Slot::Power, text);
+            self.add(FindingKind::PowerCurrent, PartSlot::Power, text);
         }
     }
 }

@@ -4,7 +4,7 @@ mod file;
 
 use std::collections::BTreeMap;
 
-use super::part::{Battery, Esc, Frame, Motor, Part, Propeller, Radio, Slot, Spec};
+use super::part::{Battery, Esc, Frame, Motor, Part, PartSlot, Propeller, Radio, Spec};
 use crate::text::Text;
 
 pub use file::DesignError;
@@ -24,7 +24,7 @@ const OTHER_POWER_W: f64 = 1.0;
 pub struct Design {
     /// What its owner calls it.
     pub name: String,
-    slots: BTreeMap<Slot, Vec<&'static Part>>,
+    slots: BTreeMap<PartSlot, Vec<&'static Part>>,
 }
 
 /// The parts that turn a battery's charge into thrust, once they are all there.
@@ -67,7 +67,7 @@ impl Design {
     }
 
     /// The parts in a slot.
-    pub fn in_slot(&self, slot: Slot) -> &[&'static Part] {
+    pub fn in_slot(&self, slot: PartSlot) -> &[&'static Part] {
         self.slots.get(&slot).map_or(&[], Vec::as_slice)
     }
 
@@ -93,15 +93,15 @@ impl Design {
         let mut changed = self.clone();
         let there = changed.slots.entry(slot).or_default();
         let replaces = match slot {
-            Slot::Battery => there.iter().any(|other| other.id != part.id),
-            Slot::Payload => false,
+            PartSlot::Battery => there.iter().any(|other| other.id != part.id),
+            PartSlot::Payload => false,
             _ => true,
         };
         if replaces {
             there.clear();
         }
         let is_twice = there.iter().any(|other| other.id == part.id);
-        let may_repeat = slot == Slot::Battery || part.is_load();
+        let may_repeat = slot == PartSlot::Battery || part.is_load();
         if there.len() < slot.room() && (may_repeat || !is_twice) {
             there.push(part);
         }
@@ -125,7 +125,7 @@ impl Design {
 
     /// How many motors its frame has room for; none without a frame.
     pub fn motors(&self) -> u8 {
-        self.in_slot(Slot::Frame)
+        self.in_slot(PartSlot::Frame)
             .first()
             .map_or(0, |part| match &part.spec {
                 Spec::Frame(frame) => frame.motors,
@@ -158,13 +158,13 @@ impl Design {
     }
 
     /// What the first part of a slot is.
-    pub(super) fn spec(&self, slot: Slot) -> Option<&'static Spec> {
+    pub(super) fn spec(&self, slot: PartSlot) -> Option<&'static Spec> {
         self.in_slot(slot).first().map(|part| &part.spec)
     }
 
     /// Cells of its battery in series.
     pub(super) fn cells(&self) -> Option<u8> {
-        match self.spec(Slot::Battery)? {
+        match self.spec(PartSlot::Battery)? {
             Spec::Battery(battery) => Some(battery.cells),
             _ => None,
         }
@@ -178,11 +178,11 @@ impl Design {
     /// Its drive, once it has a part in each of those slots.
     pub(super) fn drive(&self) -> Option<Drive<'static>> {
         match (
-            self.spec(Slot::Frame)?,
-            self.spec(Slot::Motor)?,
-            self.spec(Slot::Propeller)?,
-            self.spec(Slot::Esc)?,
-            self.spec(Slot::Battery)?,
+            self.spec(PartSlot::Frame)?,
+            self.spec(PartSlot::Motor)?,
+            self.spec(PartSlot::Propeller)?,
+            self.spec(PartSlot::Esc)?,
+            self.spec(PartSlot::Battery)?,
         ) {
             (
                 Spec::Frame(frame),
@@ -196,7 +196,7 @@ impl Design {
                 propeller,
                 esc,
                 battery,
-                packs: self.in_slot(Slot::Battery).len() as u8,
+                packs: self.in_slot(PartSlot::Battery).len() as u8,
             }),
             _ => None,
         }
@@ -204,7 +204,7 @@ impl Design {
 
     /// Its radio.
     pub(super) fn radio(&self) -> Option<&'static Radio> {
-        match self.spec(Slot::Radio)? {
+        match self.spec(PartSlot::Radio)? {
             Spec::Radio(radio) => Some(radio),
             _ => None,
         }

@@ -1,4 +1,4 @@
-//! What can be built in: one [`Part`] of the catalogue, and the [`Slot`]s of a drone.
+//! What can be built in: one [`Part`] of the catalogue, and the [`PartSlot`]s of a drone.
 
 use crate::text;
 use crate::text::Text;
@@ -7,7 +7,7 @@ const INCH_M: f64 = 0.0254;
 
 /// A place of a drone that parts go into. The order is that of building.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Slot {
+pub enum PartSlot {
     /// Arms, hubs, legs.
     Frame,
     /// One per arm.
@@ -30,7 +30,7 @@ pub enum Slot {
     Payload,
 }
 
-impl Slot {
+impl PartSlot {
     /// All of them.
     pub const ALL: [Self; 10] = [
         Self::Frame,
@@ -215,18 +215,18 @@ pub struct Radio {
 
 impl Part {
     /// The slot that it goes into.
-    pub fn slot(&self) -> Slot {
+    pub fn slot(&self) -> PartSlot {
         match self.spec {
-            Spec::Frame(_) => Slot::Frame,
-            Spec::Motor(_) => Slot::Motor,
-            Spec::Propeller(_) => Slot::Propeller,
-            Spec::Esc(_) => Slot::Esc,
-            Spec::Battery(_) => Slot::Battery,
-            Spec::Autopilot => Slot::Autopilot,
-            Spec::Navigation => Slot::Navigation,
-            Spec::PowerModule(_) => Slot::Power,
-            Spec::Radio(_) => Slot::Radio,
-            Spec::Payload | Spec::Load => Slot::Payload,
+            Spec::Frame(_) => PartSlot::Frame,
+            Spec::Motor(_) => PartSlot::Motor,
+            Spec::Propeller(_) => PartSlot::Propeller,
+            Spec::Esc(_) => PartSlot::Esc,
+            Spec::Battery(_) => PartSlot::Battery,
+            Spec::Autopilot => PartSlot::Autopilot,
+            Spec::Navigation => PartSlot::Navigation,
+            Spec::PowerModule(_) => PartSlot::Power,
+            Spec::Radio(_) => PartSlot::Radio,
+            Spec::Payload | Spec::Load => PartSlot::Payload,
         }
     }
 

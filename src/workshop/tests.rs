@@ -9,7 +9,7 @@ use super::design::Drive;
 use super::drive::VOLTAGE_SHARE;
 use super::pack::Pack;
 use super::part::{Battery, Chemistry, Esc, Frame, Motor, Propeller};
-use super::{Air, Design, FindingSeverity, Part, Slot, part, parts};
+use super::{Air, Design, FindingSeverity, Part, PartSlot, part, parts};
 use crate::text::{Language, Locale};
 
 fn design(name: &str, ids: &str) -> Design {
@@ -285,7 +285,7 @@ fn hover_minutes(known: &Known) -> f64 {
         / 60.0
 }
 
-fn any_part(slot: Slot) -> impl Strategy<Value = &'static Part> {
+fn any_part(slot: PartSlot) -> impl Strategy<Value = &'static Part> {
     select(
         parts()
             .filter(|part| part.slot() == slot)
@@ -295,11 +295,11 @@ fn any_part(slot: Slot) -> impl Strategy<Value = &'static Part> {
 
 fn any_design() -> impl Strategy<Value = Design> {
     let drive = (
-        any_part(Slot::Frame),
-        any_part(Slot::Motor),
-        any_part(Slot::Propeller),
-        any_part(Slot::Esc),
-        any_part(Slot::Battery),
+        any_part(PartSlot::Frame),
+        any_part(PartSlot::Motor),
+        any_part(PartSlot::Propeller),
+        any_part(PartSlot::Esc),
+        any_part(PartSlot::Battery),
     );
     let rest = proptest::collection::vec(select(parts().collect::<Vec<_>>()), 0..12);
     (drive, rest).prop_map(|((frame, motor, propeller, esc, battery), rest)| {
@@ -331,7 +331,7 @@ proptest! {
 
     #[test]
     fn another_battery_of_the_kind_makes_it_heavier_dearer_and_never_weaker_at_the_current(design in any_design()) {
-        let Some(battery) = design.in_slot(Slot::Battery).first() else {
+        let Some(battery) = design.in_slot(PartSlot::Battery).first() else {
             return Ok(());
         };
         let more = design.with(battery);

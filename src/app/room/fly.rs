@@ -8,7 +8,7 @@ use crate::app::State;
 use crate::app::action::{Action, Step};
 use crate::app::keymap::{HintKeys, KeyHint, KeyRow, Place, does, hint, key, writes};
 use crate::app::room::{Room, RoomModel, RoomRequest, hints};
-use crate::app::state::{Filter, Purpose, SortKey};
+use crate::app::state::{Purpose, SortKey, VehicleFilter};
 use crate::config::{Column, TableSort};
 use crate::text;
 use crate::vehicle::{Severity, VehicleId};
@@ -220,7 +220,7 @@ pub fn filter(state: &mut State, text: &str) {
 
 /// A vehicle is heard for the first time: it has a row at once, and its place a little later.
 pub fn heard(state: &mut State, id: VehicleId) {
-    let filter = Filter::new(&state.rooms.fly.filter);
+    let filter = VehicleFilter::new(&state.rooms.fly.filter);
     let fits = |state: &State| {
         let vehicle = state.session.vehicles.get(&id);
         vehicle.is_some_and(|vehicle| filter.fits(vehicle, &state.session))
@@ -294,7 +294,7 @@ fn arrange(state: &mut State) {
         fly.keys.clear();
     }
     fly.ordered = Some((sort, state.now));
-    let filter = Filter::new(&fly.filter);
+    let filter = VehicleFilter::new(&fly.filter);
     let held = session.cursor.filter(|id| fly.rows.contains(id));
     let shown = session.vehicles.values().filter(|vehicle| {
         held == Some(vehicle.id) || filter.is_empty() || filter.fits(vehicle, session)

@@ -5,7 +5,7 @@ use crate::app::action::Action;
 use crate::app::keymap::{ENTER, ESCAPE, KeyHint, KeyRow, does, hint, key};
 use crate::app::room::{Room, RoomModel, RoomRequest, hints};
 use crate::app::state::{Purpose, parse_ranges, ranges};
-use crate::ledger::{Entry, EntryId, RowState};
+use crate::ledger::{EntryId, LedgerEntry, RowState};
 use crate::text;
 use crate::text::Text;
 
@@ -62,7 +62,7 @@ impl Outcome {
         }
     }
 
-    fn fits(self, entry: &Entry) -> bool {
+    fn fits(self, entry: &LedgerEntry) -> bool {
         let mut states = entry.rows.iter().map(|row| row.state);
         match self {
             Self::Any => true,
@@ -229,7 +229,7 @@ fn terms(filter: &str) -> Vec<Term> {
 }
 
 impl Term {
-    fn fits(&self, entry: &Entry) -> bool {
+    fn fits(&self, entry: &LedgerEntry) -> bool {
         match self {
             Self::Vehicles(ids) => {
                 let mut rows = entry.rows.iter();

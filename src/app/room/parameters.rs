@@ -193,7 +193,11 @@ pub fn arrived(state: &mut State, vehicle: VehicleId, snapshot: ParameterSnapsho
 }
 
 /// How a command of the ledger stands with a vehicle.
-pub fn outcome(state: &State, entry: EntryId, vehicle: VehicleId) -> Option<&crate::ledger::Row> {
+pub fn outcome(
+    state: &State,
+    entry: EntryId,
+    vehicle: VehicleId,
+) -> Option<&crate::ledger::LedgerRow> {
     let entry = state.session.ledger.entry(entry)?;
     entry.rows.iter().find(|row| row.vehicle == vehicle)
 }

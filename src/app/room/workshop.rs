@@ -299,7 +299,7 @@ fn on_comparison(state: &mut State, action: Action) -> Option<Vec<RoomRequest>> 
         return None;
     };
     let room = &mut state.rooms.workshop;
-    let most = crate::workshop::Measure::ALL.len() + 2 * crate::workshop::Slot::ALL.len();
+    let most = crate::workshop::Measure::ALL.len() + 2 * crate::workshop::PartSlot::ALL.len();
     room.scroll = step.apply(room.scroll, most);
     Some(Vec::new())
 }

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
 
 use super::alert::{Alert, alerts, process_ended};
-use super::bell::{Bell, Call, Due};
+use super::bell::{Bell, BellCall, Due};
 use crate::alert::AlertKind;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
 
@@ -84,7 +84,7 @@ impl Alarms {
     }
 
     /// A serious text rings too, unless the alert that it is about has done so.
-    pub fn hear(&mut self, now: Duration, call: Call) {
+    pub fn hear(&mut self, now: Duration, call: BellCall) {
         let stands = |id| self.of(id).any(|one| one.alert.kind == call.kind);
         if self.is_muted(call.kind) || call.vehicle.is_some_and(stands) {
             return;
@@ -161,7 +161,7 @@ impl Alarms {
         if (old.is_some() && !worse) || self.is_muted(alert.kind) {
             return;
         }
-        let call = Call {
+        let call = BellCall {
             kind: alert.kind,
             severity: alert.severity,
             vehicle: Some(id),

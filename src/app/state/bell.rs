@@ -25,7 +25,7 @@ const OLD_NEWS: Duration = Duration::from_secs(10);
 
 /// Something that may deserve a ring.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Call {
+pub struct BellCall {
     /// What it is about.
     pub kind: AlertKind,
     /// How serious it is.
@@ -61,7 +61,7 @@ struct Told {
 pub struct Bell {
     news: Vec<Told>,
     owes_ring: bool,
-    owed: Vec<Call>,
+    owed: Vec<BellCall>,
     owed_since: Duration,
     rang_at: Option<Duration>,
     noted_at: Option<Duration>,
@@ -69,7 +69,7 @@ pub struct Bell {
 
 impl Bell {
     /// Takes a call; what is not serious, or known already, is passed over.
-    pub fn call(&mut self, now: Duration, call: Call) {
+    pub fn call(&mut self, now: Duration, call: BellCall) {
         let is_minor = call.severity > LEAST || call.kind == AlertKind::Prearm;
         if is_minor {
             return;
@@ -88,7 +88,7 @@ impl Bell {
     }
 
     /// Whether the same was told just now; it counts as told from now on.
-    fn is_old_news(&mut self, now: Duration, call: &Call) -> bool {
+    fn is_old_news(&mut self, now: Duration, call: &BellCall) -> bool {
         self.news
             .retain(|told| now.saturating_sub(told.at) < OLD_NEWS);
         let is_message = call.kind == AlertKind::Message;
@@ -129,11 +129,11 @@ impl Bell {
 }
 
 /// The calls in one line: the most serious kind with its vehicles, and how many others there are.
-fn folded(calls: &[Call]) -> Text {
+fn folded(calls: &[BellCall]) -> Text {
     let Some(worst) = calls.iter().min_by_key(|call| call.severity) else {
         return Text::default();
     };
-    let (same, others): (Vec<&Call>, Vec<&Call>) =
+    let (same, others): (Vec<&BellCall>, Vec<&BellCall>) =
         calls.iter().partition(|call| call.kind == worst.kind);
     let equal = same.iter().all(|call| call.text == worst.text);
     let what = if equal {
@@ -160,8 +160,8 @@ fn folded(calls: &[Call]) -> Text {
 mod tests {
     use super::*;
 
-    fn call(vehicle: VehicleId, kind: AlertKind) -> Call {
-        Call {
+    fn call(vehicle: VehicleId, kind: AlertKind) -> BellCall {
+        BellCall {
             kind,
             severity: Severity::Alert,
             vehicle: Some(vehicle),
@@ -206,7 +206,7 @@ mod tests {
         assert!(bell.due(at(2)).ring);
         bell.call(at(8), call(1, AlertKind::Battery));
         assert!(!bell.due(at(20)).ring);
-        let worse = Call {
+        let worse = BellCall {
             worse: true,
             ..call(1, AlertKind::Battery)
         };
@@ -218,7 +218,7 @@ mod tests {
     fn what_is_not_serious_and_reasons_not_to_arm_are_silent() {
         let mut bell = Bell::default();
         bell.call(at(1), call(1, AlertKind::Prearm));
-        let minor = Call {
+        let minor = BellCall {
             severity: Severity::Error,
             ..call(1, AlertKind::Fence)
         };

@@ -10,10 +10,10 @@ use crate::vehicle::{LandedState, Vehicle, VehicleId};
 
 /// What a filter asks for.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Filter(Vec<Term>);
+pub struct VehicleFilter(Vec<FilterTerm>);
 
 #[derive(Debug, Clone, PartialEq)]
-struct Term {
+struct FilterTerm {
     negated: bool,
     test: Test,
 }
@@ -27,10 +27,14 @@ enum Test {
     Word(String),
 }
 
-impl Filter {
+impl VehicleFilter {
     /// Reads what was written; every text is a filter.
     pub fn new(text: &str) -> Self {
-        Self(text.split_whitespace().filter_map(Term::new).collect())
+        Self(
+            text.split_whitespace()
+                .filter_map(FilterTerm::new)
+                .collect(),
+        )
     }
 
     /// Whether everything fits.
@@ -44,7 +48,7 @@ impl Filter {
     }
 }
 
-impl Term {
+impl FilterTerm {
     /// A word that is still being written (`!`, `@`) asks for nothing yet.
     fn new(word: &str) -> Option<Self> {
         let (negated, word) = match word.strip_prefix('!') {
@@ -181,7 +185,7 @@ mod tests {
             ("nonsense", &[]),
         ];
         for (text, expected) in cases {
-            let filter = Filter::new(text);
+            let filter = VehicleFilter::new(text);
             let found = session.vehicles.values();
             let found = found.filter(|vehicle| filter.fits(vehicle, &session));
             let found: Vec<_> = found.map(|vehicle| vehicle.id).collect();

@@ -9,7 +9,7 @@ use super::{Alarms, Alert, Groups, Hangar, Histories, LinkSummary, MissionTime, 
 use crate::app::room_list::Room;
 use crate::doctor::{Cause, LinkFinding, Weight};
 use crate::geo::LatLon;
-use crate::ledger::{Entry, EntryId, Given, Ledger, Row};
+use crate::ledger::{EntryId, Given, Ledger, LedgerEntry, LedgerRow};
 use crate::mission::{Area, Listing, Progress};
 use crate::swarm::Path;
 use crate::text;
@@ -129,7 +129,7 @@ impl Session {
     }
 
     /// The command that a vehicle is at, with how it goes there: the newest one under way, else the newest.
-    pub fn latest(&self, vehicle: VehicleId) -> Option<(&Entry, &Row)> {
+    pub fn latest(&self, vehicle: VehicleId) -> Option<(&LedgerEntry, &LedgerRow)> {
         let recent = self.recent.get(&vehicle)?;
         let found = |&id: &EntryId| row(&self.ledger, id, vehicle);
         let mut newest_first = recent.iter().rev().filter_map(found);
@@ -216,12 +216,12 @@ impl Session {
     }
 }
 
-fn row(ledger: &Ledger, entry: EntryId, vehicle: VehicleId) -> Option<(&Entry, &Row)> {
+fn row(ledger: &Ledger, entry: EntryId, vehicle: VehicleId) -> Option<(&LedgerEntry, &LedgerRow)> {
     let entry = ledger.entry(entry)?;
     let row = entry.rows.iter().find(|row| row.vehicle == vehicle)?;
     Some((entry, row))
 }
 
-fn is_over((_, row): (&Entry, &Row)) -> bool {
+fn is_over((_, row): (&LedgerEntry, &LedgerRow)) -> bool {
     row.state.is_final()
 }

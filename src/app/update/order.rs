@@ -11,7 +11,7 @@ use crate::app::state::{Confirm, Consequence, Overlay, ranges};
 use crate::commands::{Act, Deed, Order};
 use crate::diagnostic::Diagnostic;
 use crate::language::{Meaning, Statement};
-use crate::ledger::{Entry, RowUpdate};
+use crate::ledger::{LedgerEntry, RowUpdate};
 use crate::operator::{first_word, read_order};
 use crate::text;
 use crate::text::Text;
@@ -129,7 +129,7 @@ pub fn carry_out(state: &mut State, consequence: Consequence) -> Vec<Effect> {
 /// An order advanced with one vehicle: the ledger takes it over, and what waited for it may follow.
 pub fn advanced(state: &mut State, row: &RowUpdate) -> Vec<Effect> {
     let ledger = &mut state.session.ledger;
-    let was_over = ledger.entry(row.entry).is_none_or(Entry::is_final);
+    let was_over = ledger.entry(row.entry).is_none_or(LedgerEntry::is_final);
     ledger.apply(row);
     state.rooms.ledger.spoil();
     if !was_over {

@@ -11,7 +11,7 @@ use crate::app::room::Room;
 use crate::app::room::debrief::Debrief;
 use crate::app::room::map;
 use crate::app::room::{fly, ledger};
-use crate::app::state::{Call, Hangar, NoticeLog, Overlay, Session};
+use crate::app::state::{BellCall, Hangar, NoticeLog, Overlay, Session};
 use crate::mission::Progress;
 use crate::notice::Notice;
 use crate::scoring::Report;
@@ -122,7 +122,7 @@ pub fn notice(state: &mut State, notice: &Notice) {
         state.say(notice.severity, notice.text.clone());
     }
     if notice.severity <= Severity::Critical {
-        let call = Call {
+        let call = BellCall {
             kind: notice.kind.unwrap_or(AlertKind::Message),
             severity: notice.severity,
             vehicle: notice.vehicle,

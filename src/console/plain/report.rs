@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::app::State;
 use crate::app::state::{Hangar, HelpLine, NoticeLine, Session, help_lines, parse_ranges, ranges};
-use crate::ledger::{Entry, EntryId};
+use crate::ledger::{EntryId, LedgerEntry};
 use crate::mission::{ObjectiveProgress, ObjectiveState, ShownContact, Trust};
 use crate::notice::Notice;
 use crate::text::{Text, text};
@@ -189,7 +189,7 @@ fn notice_text(line: &NoticeLine, session: &Session) -> Text {
 type Fate = (Text, Option<Text>);
 
 /// A command and what became of it, vehicles that fared the same together.
-fn outcome(entry: &Entry) -> Text {
+fn outcome(entry: &LedgerEntry) -> Text {
     let mut groups: Vec<(Fate, Vec<VehicleId>)> = Vec::new();
     for row in &entry.rows {
         let explanation = row.explanation.as_ref().map(|text| text.regarding(""));

@@ -3,7 +3,7 @@
 use super::Examined;
 use crate::mission::fit::Fit;
 use crate::mission::needs;
-use crate::workshop::{self, Design, Part, Slot};
+use crate::workshop::{self, Design, Part, PartSlot};
 
 /// A budget below the cheapest fleet that carries what the file says. The dearest vehicles are those that are lent.
 pub(super) fn check(examined: &mut Examined<'_>) {
@@ -33,8 +33,8 @@ pub(super) fn check(examined: &mut Examined<'_>) {
 /// The least that a vehicle with a part in each slot costs, in credits, whether those parts go together or not.
 fn cheapest_vehicle() -> u32 {
     let with_frame = |frame: &'static Part| {
-        let others = Slot::ALL.into_iter();
-        let others = others.filter(|slot| slot.is_required() && *slot != Slot::Frame);
+        let others = PartSlot::ALL.into_iter();
+        let others = others.filter(|slot| slot.is_required() && *slot != PartSlot::Frame);
         let cheapest = others.filter_map(|slot| {
             let parts = workshop::parts_for(slot);
             parts.min_by_key(|part| part.credits)
@@ -44,7 +44,7 @@ fn cheapest_vehicle() -> u32 {
             .fold(bare, |design, part| design.with(part))
             .credits()
     };
-    workshop::parts_for(Slot::Frame)
+    workshop::parts_for(PartSlot::Frame)
         .map(with_frame)
         .min()
         .unwrap_or_default()

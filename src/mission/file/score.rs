@@ -8,7 +8,7 @@ use crate::diagnostic::Diagnostic;
 use crate::mission::format::{
     FileTable, LONGEST_S, list, number, seconds, table as table_of, text, whole,
 };
-use crate::scoring::{Component, Gate, Medals, Rules, Weights};
+use crate::scoring::{Component, Gate, Medals, ScoreRules, Weights};
 
 const USUAL_MEDALS: Medals = Medals {
     gold: 850,
@@ -23,7 +23,7 @@ struct Par {
 }
 
 /// The section; gates may name the objectives.
-pub(super) fn rules(table: &mut FileTable<'_>) -> Option<Rules> {
+pub(super) fn rules(table: &mut FileTable<'_>) -> Option<ScoreRules> {
     let weights = table.may(
         "weights",
         table_of(weights),
@@ -55,7 +55,7 @@ pub(super) fn rules(table: &mut FileTable<'_>) -> Option<Rules> {
     let gold_requires = gates.iter().filter_map(|written| gate(table, written));
     let gold_requires = gold_requires.collect();
     let par = par?;
-    Some(Rules {
+    Some(ScoreRules {
         weights: weights.unwrap_or_default(),
         par_time: par.time,
         par_energy_wh: par.energy_wh,

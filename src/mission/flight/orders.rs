@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use super::journal::FlightJournal;
-use crate::ledger::{Entry, Ledger};
+use crate::ledger::{Ledger, LedgerEntry};
 use crate::scoring::{CommandEvent, CommandLog, CommandTally, EventKind, SafetyKind};
 use crate::text;
 use crate::vehicle::Vehicles;
@@ -53,7 +53,7 @@ impl OrderCount {
     pub fn entries<'a>(
         &'a self,
         ledger: &'a Ledger,
-    ) -> impl Iterator<Item = (Duration, &'a Entry)> {
+    ) -> impl Iterator<Item = (Duration, &'a LedgerEntry)> {
         self.log.entries(ledger)
     }
 

@@ -1,7 +1,7 @@
 //! From a flight to its facts, and from these to its report.
 
 use super::{Flight, Standing};
-use crate::ledger::{Entry, Ledger};
+use crate::ledger::{Ledger, LedgerEntry};
 use crate::mission::Clue;
 use crate::scoring::{
     AlertReport, ComponentReport, Facts, FlightBackend, HintReport, LedgerReport, ObjectiveFact,
@@ -149,8 +149,8 @@ fn components(score: &Score) -> Vec<ComponentReport> {
     score.components.iter().map(report).collect()
 }
 
-fn command(at_s: f64, entry: &Entry) -> LedgerReport {
-    let row = |row: &crate::ledger::Row| RowReport {
+fn command(at_s: f64, entry: &LedgerEntry) -> LedgerReport {
+    let row = |row: &crate::ledger::LedgerRow| RowReport {
         vehicle: row.vehicle,
         state: row.state,
         failed: row.state.is_failure(),

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use crate::ledger::{Entry, EntryId, Ledger};
+use crate::ledger::{EntryId, Ledger, LedgerEntry};
 use crate::mission::craft::Craft;
 use crate::mission::survey::Surveys;
 use crate::mission::usage::{Look, Usage};
@@ -74,7 +74,7 @@ impl SwarmAccount {
     fn note_orders(&mut self, ledger: &Ledger, now: Duration) -> Vec<VehicleId> {
         let newest = self.newest.as_ref().map(|order| order.id);
         let entries = ledger.entries().rev();
-        let mut new: Vec<&Entry> = entries
+        let mut new: Vec<&LedgerEntry> = entries
             .take_while(|entry| Some(entry.id) > newest)
             .collect();
         new.reverse();
@@ -92,10 +92,10 @@ impl SwarmAccount {
     }
 }
 
-fn is_for_vehicles(entry: &Entry) -> bool {
+fn is_for_vehicles(entry: &LedgerEntry) -> bool {
     entry.verb.counts_as.is_for_vehicles()
 }
 
-fn is_order_to(entry: &Entry, vehicle: VehicleId) -> bool {
+fn is_order_to(entry: &LedgerEntry, vehicle: VehicleId) -> bool {
     is_for_vehicles(entry) && entry.rows.iter().any(|row| row.vehicle == vehicle)
 }

@@ -156,7 +156,7 @@ proptest! {
         let facts = if good { nearly_perfect(facts) } else { facts };
         let gates = ["safety >= 0.85", "crashes == 0", "cells >= 0.95"];
         let gates = gates.map(|gate| Gate::parse(gate).expect("well formed"));
-        let rules = Rules { gold_requires: gates.to_vec(), ..rules() };
+        let rules = ScoreRules { gold_requires: gates.to_vec(), ..rules() };
         let score = score(&rules, &facts);
         let safety = score.value(Component::Safety).unwrap_or(1.0);
         if score.medal == Some(Medal::Gold) {
@@ -175,7 +175,7 @@ proptest! {
     fn weights_shared_out_sum_to_one(parts in proptest::array::uniform8(0.0..1.0f64), facts in any_facts()) {
         let sum: f64 = parts.iter().sum();
         prop_assume!(sum > 0.1 && parts[0] > 0.0);
-        let rules = Rules { weights: Weights(parts.map(|part| part / sum)), ..rules() };
+        let rules = ScoreRules { weights: Weights(parts.map(|part| part / sum)), ..rules() };
         let weights: f64 = score(&rules, &facts).components.iter().map(|c| c.weight).sum();
         prop_assert!((weights - 1.0).abs() < 1e-9);
     }

@@ -7,7 +7,7 @@ use ratatui::text::{Line, Span};
 use crate::app::State;
 use crate::app::action::Action;
 use crate::app::state::{parse_ranges, ranges};
-use crate::ledger::{Entry, Row};
+use crate::ledger::{LedgerEntry, LedgerRow};
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
@@ -158,7 +158,7 @@ fn headings(look: &Look, width: usize) -> Line<'static> {
 }
 
 fn entry_line(
-    entry: &Entry,
+    entry: &LedgerEntry,
     state: &State,
     (under_cursor, width): (bool, usize),
     look: &Look,
@@ -198,7 +198,7 @@ fn seconds(time_s: f64) -> String {
 }
 
 /// Draws what became of one command with each vehicle, what went wrong first.
-fn draw_rows(state: &State, entry: &Entry, look: &Look, area: Rect, buffer: &mut Buffer) {
+fn draw_rows(state: &State, entry: &LedgerEntry, look: &Look, area: Rect, buffer: &mut Buffer) {
     let time = clock(state.session.time(entry.at));
     let title = format!("{time} {}", entry.line);
     let inner = titled(&title, look, area, buffer);
@@ -231,8 +231,8 @@ fn draw_rows(state: &State, entry: &Entry, look: &Look, area: Rect, buffer: &mut
     }
 }
 
-fn lines(entry: &Entry, look: &Look, width: usize) -> Vec<Line<'static>> {
-    let mut rows: Vec<&Row> = entry.rows.iter().collect();
+fn lines(entry: &LedgerEntry, look: &Look, width: usize) -> Vec<Line<'static>> {
+    let mut rows: Vec<&LedgerRow> = entry.rows.iter().collect();
     rows.sort_by_key(|row| {
         let state = row.state;
         (!state.is_failure(), state.is_final(), row.vehicle)
@@ -242,7 +242,7 @@ fn lines(entry: &Entry, look: &Look, width: usize) -> Vec<Line<'static>> {
 }
 
 /// One vehicle: its state, its answer, its tries, and the reason in full.
-fn row_lines(row: &Row, look: &Look, width: usize) -> Vec<Line<'static>> {
+fn row_lines(row: &LedgerRow, look: &Look, width: usize) -> Vec<Line<'static>> {
     let muted = look.style(Role::Muted);
     let answer = row.answered_after;
     let answer = answer.map_or("-".to_owned(), |time| seconds(time.as_secs_f64()));

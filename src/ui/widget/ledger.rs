@@ -10,7 +10,7 @@ use ratatui::text::{Line, Span};
 use crate::app::State;
 use crate::app::action::Action;
 use crate::app::state::{Session, ranges};
-use crate::ledger::{Entry, Row, RowState};
+use crate::ledger::{LedgerEntry, LedgerRow, RowState};
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
@@ -71,7 +71,7 @@ fn cut(lines: &mut Vec<Line<'_>>, rows: usize, width: usize) {
 
 /// A command, what became of it, and why.
 pub fn entry_lines<'a>(
-    entry: &Entry,
+    entry: &LedgerEntry,
     session: &Session,
     width: usize,
     look: &Look,
@@ -95,7 +95,12 @@ pub fn entry_lines<'a>(
 }
 
 /// The command and what became of it: on one line where it fits, else below each other.
-fn head_lines<'a>(entry: &Entry, session: &Session, width: usize, look: &Look) -> Vec<Line<'a>> {
+fn head_lines<'a>(
+    entry: &LedgerEntry,
+    session: &Session,
+    width: usize,
+    look: &Look,
+) -> Vec<Line<'a>> {
     let style = look.style(entry_role(entry));
     let time = format!("{} ", clock(session.time(entry.at)));
     let time = Span::styled(time, look.style(Role::Muted));
@@ -121,7 +126,7 @@ fn indented<'a>(text: &str, style: Style) -> Line<'a> {
 }
 
 /// How many vehicles are in which state, in words.
-pub fn summary(entry: &Entry, look: &Look, with_count: bool) -> String {
+pub fn summary(entry: &LedgerEntry, look: &Look, with_count: bool) -> String {
     if let [row] = entry.rows.as_slice() {
         return look.text(&match row.state {
             RowState::Sent if row.tries > 1 => text!("state-sent-again", tries = row.tries),
@@ -166,7 +171,7 @@ fn order(state: RowState) -> u8 {
 }
 
 /// A command looks like the worst that became of it.
-pub fn entry_role(entry: &Entry) -> Role {
+pub fn entry_role(entry: &LedgerEntry) -> Role {
     let worst = entry
         .rows
         .iter()
@@ -181,8 +186,8 @@ pub fn entry_role(entry: &Entry) -> Role {
 }
 
 /// What was asked for, once every vehicle has answered: `= 500`, or `1,3-4: 500   2: 700` where they differ.
-fn outcome(entry: &Entry, look: &Look) -> Option<String> {
-    let told = |row: &Row| row.state == RowState::Done && row.explanation.is_some();
+fn outcome(entry: &LedgerEntry, look: &Look) -> Option<String> {
+    let told = |row: &LedgerRow| row.state == RowState::Done && row.explanation.is_some();
     if !entry.rows.iter().all(told) {
         return None;
     }
@@ -207,9 +212,9 @@ fn outcome(entry: &Entry, look: &Look) -> Option<String> {
 }
 
 /// The explanations of rows, those that differ only in their vehicle together, in the order of their first one.
-fn explanations(entry: &Entry) -> Vec<(Text, Vec<VehicleId>)> {
+fn explanations(entry: &LedgerEntry) -> Vec<(Text, Vec<VehicleId>)> {
     let mut found: Vec<(Text, Vec<VehicleId>)> = Vec::new();
-    let explained = |row: &&Row| row.state != RowState::Superseded;
+    let explained = |row: &&LedgerRow| row.state != RowState::Superseded;
     for row in entry.rows.iter().filter(explained) {
         let Some(text) = row.explanation.as_ref() else {
             continue;

@@ -10,7 +10,7 @@ use super::Design;
 use crate::diagnostic::Diagnostic;
 use crate::text;
 use crate::workshop::catalogue::{part, parts_for};
-use crate::workshop::part::Slot;
+use crate::workshop::part::PartSlot;
 
 /// The version of the format.
 const SCHEMA: i64 = 1;
@@ -40,19 +40,19 @@ struct File {
 }
 
 impl File {
-    fn slots(self) -> [(Slot, Vec<Spanned<String>>); 10] {
+    fn slots(self) -> [(PartSlot, Vec<Spanned<String>>); 10] {
         let one = |part: Option<Spanned<String>>| part.into_iter().collect();
         [
-            (Slot::Frame, one(self.frame)),
-            (Slot::Motor, one(self.motor)),
-            (Slot::Propeller, one(self.propeller)),
-            (Slot::Esc, one(self.esc)),
-            (Slot::Battery, self.battery),
-            (Slot::Autopilot, one(self.autopilot)),
-            (Slot::Navigation, one(self.navigation)),
-            (Slot::Power, one(self.power)),
-            (Slot::Radio, one(self.radio)),
-            (Slot::Payload, self.payload),
+            (PartSlot::Frame, one(self.frame)),
+            (PartSlot::Motor, one(self.motor)),
+            (PartSlot::Propeller, one(self.propeller)),
+            (PartSlot::Esc, one(self.esc)),
+            (PartSlot::Battery, self.battery),
+            (PartSlot::Autopilot, one(self.autopilot)),
+            (PartSlot::Navigation, one(self.navigation)),
+            (PartSlot::Power, one(self.power)),
+            (PartSlot::Radio, one(self.radio)),
+            (PartSlot::Payload, self.payload),
         ]
     }
 }
@@ -98,7 +98,7 @@ impl Design {
     /// This design as a file.
     pub fn to_toml(&self) -> String {
         let mut file = format!("schema = {SCHEMA}\nname = {}\n", quoted(&self.name));
-        for slot in Slot::ALL {
+        for slot in PartSlot::ALL {
             let ids: Vec<String> = self
                 .in_slot(slot)
                 .iter()
@@ -129,7 +129,7 @@ pub(super) fn checked_name(name: &str) -> Result<(), crate::text::Text> {
 }
 
 /// A design with a part more, as a file asks for it.
-fn placed(design: &Design, slot: Slot, id: &Spanned<String>) -> Result<Design, Diagnostic> {
+fn placed(design: &Design, slot: PartSlot, id: &Spanned<String>) -> Result<Design, Diagnostic> {
     let (name, span): (&str, Range<usize>) = (id.get_ref(), id.span());
     let Some(part) = part(name) else {
         let fault = text!("design-part", part = name, slot = slot.name());
@@ -147,7 +147,7 @@ fn placed(design: &Design, slot: Slot, id: &Spanned<String>) -> Result<Design, D
         return Err(Diagnostic::new(span, fault));
     }
     let there = design.in_slot(slot);
-    if slot == Slot::Battery && there.iter().any(|other| other.id != part.id) {
+    if slot == PartSlot::Battery && there.iter().any(|other| other.id != part.id) {
         return Err(Diagnostic::new(span, text!("design-batteries")));
     }
     let changed = design.with(part);

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use super::Parameters;
 use crate::app::state::ParameterSetting;
-use crate::ledger::{Entry, EntryId, Ledger, Row, RowState};
+use crate::ledger::{EntryId, Ledger, LedgerEntry, LedgerRow, RowState};
 use crate::vehicle::VehicleId;
 
 /// Commands that may be under way at most. A command that waits behind others may be over its deadline before it is
@@ -91,7 +91,7 @@ impl Batch {
     pub fn count(&mut self, ledger: &Ledger, known: &Parameters) {
         let is_over = |(id, _): &mut (EntryId, ParameterSetting)| {
             // What has fallen out of the ledger is long over.
-            ledger.entry(*id).is_none_or(Entry::is_final)
+            ledger.entry(*id).is_none_or(LedgerEntry::is_final)
         };
         let ended: Vec<_> = self.under_way.extract_if(.., is_over).collect();
         for (id, setting) in ended {
@@ -121,15 +121,15 @@ impl Batch {
 /// The vehicles for which the line was not free in time, and those that did not answer although they have such a
 /// parameter.
 fn to_give_again(
-    rows: &[Row],
+    rows: &[LedgerRow],
     setting: &ParameterSetting,
     known: &Parameters,
 ) -> (Vec<VehicleId>, Vec<VehicleId>) {
     let timed_out = rows.iter().filter(|row| row.state == RowState::TimedOut);
-    let (unsent, mut unanswered): (Vec<&Row>, Vec<&Row>) =
+    let (unsent, mut unanswered): (Vec<&LedgerRow>, Vec<&LedgerRow>) =
         timed_out.partition(|row| row.tries == 0);
-    let has = |row: &&Row| known.get(row.vehicle, &setting.name).is_some();
+    let has = |row: &&LedgerRow| known.get(row.vehicle, &setting.name).is_some();
     unanswered.retain(|row| setting.again > 0 && has(row));
-    let ids = |rows: Vec<&Row>| rows.into_iter().map(|row| row.vehicle).collect();
+    let ids = |rows: Vec<&LedgerRow>| rows.into_iter().map(|row| row.vehicle).collect();
     (ids(unsent), ids(unanswered))
 }

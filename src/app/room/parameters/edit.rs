@@ -6,7 +6,7 @@ use crate::app::State;
 use crate::app::room::Room;
 use crate::app::state::{ParameterSetting, ranges};
 use crate::commands::{Act, Command, Order};
-use crate::ledger::{EntryId, Row, RowState};
+use crate::ledger::{EntryId, LedgerRow, RowState};
 use crate::parameters::ParameterType;
 use crate::text;
 use crate::text::Text;
@@ -110,9 +110,9 @@ pub fn tell(state: &mut State, entry: EntryId) {
 }
 
 /// What has become of a command with one vehicle and with those that fared the same.
-fn fate(row: &Row, all: &[Row]) -> Text {
-    let why = |row: &Row| row.explanation.as_ref().map(|text| text.regarding(""));
-    let fared_so = |other: &&Row| other.state == row.state && why(other) == why(row);
+fn fate(row: &LedgerRow, all: &[LedgerRow]) -> Text {
+    let why = |row: &LedgerRow| row.explanation.as_ref().map(|text| text.regarding(""));
+    let fared_so = |other: &&LedgerRow| other.state == row.state && why(other) == why(row);
     let alike = all.iter().filter(fared_so).map(|row| row.vehicle);
     let alike: Vec<VehicleId> = alike.collect();
     let (count, vehicles) = (alike.len(), ranges(alike));

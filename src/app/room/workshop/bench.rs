@@ -3,7 +3,9 @@
 
 use crate::app::action::Step;
 use crate::text::Text;
-use crate::workshop::{Air, Design, DesignFinding, FindingSeverity, Part, Sheet, Slot, parts_for};
+use crate::workshop::{
+    Air, Design, DesignFinding, FindingSeverity, Part, PartSlot, Sheet, parts_for,
+};
 
 /// Changes that can be taken back.
 const MOST_UNDONE: usize = 200;
@@ -31,7 +33,7 @@ type Kept = (Design, Option<String>);
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SlotRow {
     /// The slot.
-    pub slot: Slot,
+    pub slot: PartSlot,
     /// What is in it; `None` where something could be added.
     pub part: Option<&'static Part>,
     /// How many of it the slot holds.
@@ -123,9 +125,9 @@ impl Bench {
     }
 
     /// The slot under the cursor.
-    pub fn slot(&self) -> Slot {
+    pub fn slot(&self) -> PartSlot {
         let rows = self.rows();
-        rows.get(self.row).map_or(Slot::Frame, |row| row.slot)
+        rows.get(self.row).map_or(PartSlot::Frame, |row| row.slot)
     }
 
     /// The place of the cursor among the candidates.
@@ -141,7 +143,7 @@ impl Bench {
     }
 
     /// The worst finding about a slot.
-    pub fn severity(&self, slot: Slot) -> Option<FindingSeverity> {
+    pub fn severity(&self, slot: PartSlot) -> Option<FindingSeverity> {
         let about = self.findings.iter().filter(|finding| finding.slot == slot);
         about.map(|finding| finding.severity()).max()
     }
@@ -304,7 +306,7 @@ impl Bench {
     }
 
     /// The first fault that a change of a slot has to answer for.
-    fn misfit(&self, slot: Slot, after: &[DesignFinding]) -> Option<Text> {
+    fn misfit(&self, slot: PartSlot, after: &[DesignFinding]) -> Option<Text> {
         let mut faults = after
             .iter()
             .filter(|it| it.severity() == FindingSeverity::Fault);
@@ -320,7 +322,7 @@ impl Bench {
 /// The lines of a design's list of slots: kinds of parts, and a line for one more payload.
 pub fn rows(design: &Design) -> Vec<SlotRow> {
     let mut rows: Vec<SlotRow> = Vec::new();
-    for slot in Slot::ALL {
+    for slot in PartSlot::ALL {
         let there = design.in_slot(slot);
         let first = rows.len();
         for &part in there {
@@ -334,7 +336,7 @@ pub fn rows(design: &Design) -> Vec<SlotRow> {
                 }),
             }
         }
-        let takes_more = slot == Slot::Payload && there.len() < slot.room();
+        let takes_more = slot == PartSlot::Payload && there.len() < slot.room();
         if there.is_empty() || takes_more {
             rows.push(SlotRow {
                 slot,

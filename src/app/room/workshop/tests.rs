@@ -10,7 +10,7 @@ use crate::app::state::{Career, Overlay, Purpose};
 use crate::app::update::update;
 use crate::campaign::{MissionCourse, Offer};
 use crate::mission::Mission;
-use crate::workshop::Slot;
+use crate::workshop::PartSlot;
 use crossterm::event::{KeyEvent, KeyModifiers};
 
 const STARTER: &str = include_str!("../../../../designs/starter.toml");
@@ -80,7 +80,7 @@ fn press(state: &mut State, keys: &str) -> Vec<Effect> {
 }
 
 /// Moves to a slot and puts a part in as a user would.
-fn put(state: &mut State, slot: Slot, part: &str) {
+fn put(state: &mut State, slot: PartSlot, part: &str) {
     state.rooms.workshop.pane = Pane::Slots;
     press(state, "home");
     while state.rooms.workshop.bench.slot() != slot {
@@ -119,16 +119,16 @@ fn a_drone_is_built_from_nothing_and_its_figures_follow() {
     assert!(design(&state).is_empty());
     assert_eq!(state.rooms.workshop.bench.findings().len(), 9);
     for (slot, part) in [
-        (Slot::Frame, "fr_450q"),
-        (Slot::Motor, "m2212_920"),
-        (Slot::Propeller, "p10x4.5p"),
-        (Slot::Esc, "e30opto"),
-        (Slot::Battery, "b3s5000"),
-        (Slot::Autopilot, "fc_h7"),
-        (Slot::Navigation, "gps_m8n"),
-        (Slot::Power, "pm_02"),
-        (Slot::Radio, "r_sik915"),
-        (Slot::Payload, "s_voc"),
+        (PartSlot::Frame, "fr_450q"),
+        (PartSlot::Motor, "m2212_920"),
+        (PartSlot::Propeller, "p10x4.5p"),
+        (PartSlot::Esc, "e30opto"),
+        (PartSlot::Battery, "b3s5000"),
+        (PartSlot::Autopilot, "fc_h7"),
+        (PartSlot::Navigation, "gps_m8n"),
+        (PartSlot::Power, "pm_02"),
+        (PartSlot::Radio, "r_sik915"),
+        (PartSlot::Payload, "s_voc"),
     ] {
         put(&mut state, slot, part);
     }
@@ -146,18 +146,24 @@ fn the_cursor_goes_on_to_what_is_still_empty() {
     let mut state = workshop(None);
     press(&mut state, "n enter enter");
     let room = &state.rooms.workshop;
-    assert_eq!((room.pane, room.bench.slot()), (Pane::Slots, Slot::Motor));
+    assert_eq!(
+        (room.pane, room.bench.slot()),
+        (Pane::Slots, PartSlot::Motor)
+    );
     press(&mut state, "home enter j enter");
     let room = &state.rooms.workshop;
-    assert_eq!((room.pane, room.bench.slot()), (Pane::Slots, Slot::Frame));
+    assert_eq!(
+        (room.pane, room.bench.slot()),
+        (Pane::Slots, PartSlot::Frame)
+    );
 }
 
 #[test]
 fn a_change_is_taken_back_and_made_again() {
     let mut state = workshop(None);
-    put(&mut state, Slot::Battery, "b3s5000");
+    put(&mut state, PartSlot::Battery, "b3s5000");
     assert_eq!(
-        design(&state).in_slot(Slot::Battery).len(),
+        design(&state).in_slot(PartSlot::Battery).len(),
         2,
         "in parallel"
     );
@@ -174,7 +180,7 @@ fn a_change_is_taken_back_and_made_again() {
 #[test]
 fn what_is_not_saved_is_replaced_only_after_a_question_and_comes_back() {
     let mut state = workshop(None);
-    put(&mut state, Slot::Payload, "s_rgb");
+    put(&mut state, PartSlot::Payload, "s_rgb");
     let changed = design(&state).clone();
     press(&mut state, "n");
     assert!(matches!(state.overlay, Some(Overlay::Confirm(_))));
@@ -189,7 +195,7 @@ fn what_is_not_saved_is_replaced_only_after_a_question_and_comes_back() {
 #[test]
 fn what_lies_on_the_bench_survives_leaving_the_room_and_a_session() {
     let mut state = workshop(None);
-    put(&mut state, Slot::Payload, "s_rgb");
+    put(&mut state, PartSlot::Payload, "s_rgb");
     let changed = design(&state).clone();
     press(&mut state, "esc");
     assert_eq!(state.room, Room::Home);
@@ -206,7 +212,7 @@ fn what_lies_on_the_bench_survives_leaving_the_room_and_a_session() {
 fn a_licence_is_bought_after_a_question_that_says_what_is_left() {
     let mut state = workshop(Some(career()));
     assert_eq!(lacking(&state, design(&state)), Vec::<&Part>::new());
-    put(&mut state, Slot::Motor, "m2215_900");
+    put(&mut state, PartSlot::Motor, "m2215_900");
     let lacking_now = lacking(&state, design(&state));
     assert_eq!(lacking_now.len(), 1);
     let effects = press(&mut state, "b");
@@ -262,7 +268,7 @@ fn a_design_is_saved_under_a_name_and_another_of_that_name_only_after_a_question
         CareerEvent::Career(Some(Box::new(after.clone()))),
     );
     assert!(is_saved(&state));
-    put(&mut state, Slot::Payload, "s_rgb");
+    put(&mut state, PartSlot::Payload, "s_rgb");
     assert_eq!(
         press(&mut state, "s enter").len(),
         1,
@@ -356,7 +362,7 @@ fn designs_are_copied_renamed_and_deleted_in_the_list() {
 #[test]
 fn two_designs_lie_side_by_side() {
     let mut state = workshop(None);
-    put(&mut state, Slot::Payload, "s_rgb");
+    put(&mut state, PartSlot::Payload, "s_rgb");
     press(&mut state, "d d");
     let room = &state.rooms.workshop;
     assert_eq!(room.page, Page::Compare);
@@ -398,7 +404,7 @@ fn the_mission_says_what_it_needs_and_what_a_part_would_bring() {
     if has {
         press(&mut state, "n");
     }
-    put(&mut state, Slot::Payload, sensor.id);
+    put(&mut state, PartSlot::Payload, sensor.id);
     let after = met(&state).iter().filter(|met| **met).count();
     assert!(has || after == before + 1, "{before} {after}");
     let design = design(&state).without(sensor);
@@ -408,7 +414,7 @@ fn the_mission_says_what_it_needs_and_what_a_part_would_bring() {
 #[test]
 fn what_does_not_fly_or_is_not_owned_takes_no_seat() {
     let mut state = workshop(Some(career()));
-    put(&mut state, Slot::Motor, "m2215_900");
+    put(&mut state, PartSlot::Motor, "m2215_900");
     press(&mut state, "f enter");
     assert!(state.fleets.is_empty(), "the motors are not owned");
     let mut state = workshop(None);

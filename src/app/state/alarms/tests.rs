@@ -96,7 +96,7 @@ fn a_text_about_an_alert_that_stands_does_not_ring_too() {
     let mut alarms = Alarms::default();
     alarms.observe(&silent(1, 1), at(5));
     assert!(alarms.due(at(5)).ring);
-    let call = |kind| Call {
+    let call = |kind| BellCall {
         kind,
         severity: Severity::Critical,
         vehicle: Some(1),

@@ -11,7 +11,7 @@ use crate::text::Text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, put, titled};
-use crate::workshop::{Design, Measure, Slot};
+use crate::workshop::{Design, Measure, PartSlot};
 
 /// Columns of names, of a design's parts at most, and of a change.
 const NAME: usize = 20;
@@ -50,7 +50,7 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
             Role::Text,
         ));
     }
-    for slot in Slot::ALL {
+    for slot in PartSlot::ALL {
         lines.extend(table.slot(slot, other, design));
     }
     let room_for = usize::from(inner.height);
@@ -93,7 +93,7 @@ impl Table<'_> {
     }
 
     /// The parts of a slot beside each other; lines that differ stand out.
-    fn slot(&self, slot: Slot, one: &Design, two: &Design) -> Vec<Line<'static>> {
+    fn slot(&self, slot: PartSlot, one: &Design, two: &Design) -> Vec<Line<'static>> {
         let parts = |design: &Design| -> Vec<String> {
             let rows = rows(design).into_iter();
             let rows = rows.filter(|row| row.slot == slot);

@@ -13,7 +13,7 @@ use crate::text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, below, columns, put, row_of, titled, upper, wrap};
-use crate::workshop::{Measure, Sheet, Slot};
+use crate::workshop::{Measure, PartSlot, Sheet};
 
 /// Columns of what a part would cost, or why it cannot be had.
 const LICENCE: usize = 8;
@@ -104,7 +104,7 @@ impl Layout {
     }
 
     /// The slot, and the measure where there is one only.
-    fn title(&self, slot: Slot, look: &Look) -> String {
+    fn title(&self, slot: PartSlot, look: &Look) -> String {
         let slot = look.text(&slot.name());
         match self.shown.as_slice() {
             [only] => format!("{slot}: {}", look.text(&only.name())),
@@ -172,14 +172,14 @@ impl Layout {
 }
 
 /// The measures that tell most about a choice for a slot.
-fn telling(slot: Slot, has_figures: bool) -> &'static [Measure] {
+fn telling(slot: PartSlot, has_figures: bool) -> &'static [Measure] {
     use Measure::{Cost, HoverTime, Mass, RadioReach, Range, Ratio, Spare, TopSpeed};
     match slot {
-        Slot::Radio if has_figures => &[RadioReach, HoverTime, Mass, Cost],
-        Slot::Radio => &[RadioReach, Mass, Cost],
+        PartSlot::Radio if has_figures => &[RadioReach, HoverTime, Mass, Cost],
+        PartSlot::Radio => &[RadioReach, Mass, Cost],
         _ if !has_figures => &[Mass, Cost],
-        Slot::Battery => &[HoverTime, Ratio, Range, TopSpeed, Mass, Cost],
-        Slot::Frame | Slot::Motor | Slot::Propeller | Slot::Esc => {
+        PartSlot::Battery => &[HoverTime, Ratio, Range, TopSpeed, Mass, Cost],
+        PartSlot::Frame | PartSlot::Motor | PartSlot::Propeller | PartSlot::Esc => {
             &[HoverTime, Ratio, TopSpeed, Range, Mass, Cost]
         }
         _ => &[HoverTime, Ratio, Range, Spare, Mass, Cost],
@@ -223,7 +223,7 @@ fn draw_detail(state: &State, candidate: &Candidate, look: &Look, area: Rect, bu
         let text = text!("bench-on-board", count = candidate.on_board);
         texts.push((look.text(&text), look.style(Role::Muted)));
     }
-    if part.slot() == Slot::Radio {
+    if part.slot() == PartSlot::Radio {
         texts.push((look.say("bench-radio"), look.style(Role::Muted)));
     }
     let rows = |(text, _): &(String, Style)| wrap(text, usize::from(area.width)).len();

@@ -11,7 +11,7 @@ use crate::text::Text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, put, row_of, titled};
-use crate::workshop::{Design, FindingSeverity, Slot};
+use crate::workshop::{Design, FindingSeverity, PartSlot};
 
 /// Columns of a slot's name.
 const NAME: usize = 12;
@@ -111,7 +111,7 @@ impl Row<'_> {
 
     fn part(&self, design: &Design, look: &Look) -> (String, Role) {
         let Some(part) = self.there.part else {
-            let (words, role) = if self.there.slot == Slot::Payload {
+            let (words, role) = if self.there.slot == PartSlot::Payload {
                 ("bench-add-payload", Role::Muted)
             } else {
                 ("bench-none-yet", Role::Danger)

@@ -6,12 +6,12 @@ use proptest::prelude::*;
 
 use crate::app::action::Step;
 use crate::app::room::workshop::{Bench, air};
-use crate::workshop::{Design, FindingKind, FindingSeverity, Measure, Sheet, Slot, parts_for};
+use crate::workshop::{Design, FindingKind, FindingSeverity, Measure, PartSlot, Sheet, parts_for};
 
 /// A design by choices: for each slot a part by number, or nothing.
 fn built(choices: &[usize]) -> Design {
     let mut design = Design::new("any");
-    for (slot, choice) in Slot::ALL.into_iter().zip(choices) {
+    for (slot, choice) in PartSlot::ALL.into_iter().zip(choices) {
         let parts: Vec<_> = parts_for(slot).collect();
         if let Some(part) = parts.get(choice % (parts.len() + 1)) {
             design = design.with(part);
@@ -84,7 +84,7 @@ proptest! {
     }
 }
 
-fn faults(design: &Design) -> BTreeSet<(Slot, FindingKind)> {
+fn faults(design: &Design) -> BTreeSet<(PartSlot, FindingKind)> {
     let findings = design.findings(air()).into_iter();
     let faults = findings.filter(|it| it.severity() == FindingSeverity::Fault);
     faults.map(|it| (it.slot, it.kind)).collect()
