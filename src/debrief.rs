@@ -107,7 +107,6 @@ impl DebriefPage<'_> {
         self.spent(report);
     }
 
-    /// Time and energy.
     fn spent(&mut self, report: &Report) {
         let energy = match report.energy_wh {
             Some(used) => text!(

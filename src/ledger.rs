@@ -83,7 +83,6 @@ impl RowState {
 }
 
 impl fmt::Display for RowState {
-    /// In English.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.text().fmt(f)
     }

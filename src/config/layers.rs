@@ -56,7 +56,6 @@ pub struct Layers {
 }
 
 impl Default for Layers {
-    /// The defaults.
     fn default() -> Self {
         let defaults = Table::try_from(Config::default()).unwrap_or_default();
         let mut layers = Self {

@@ -9,7 +9,6 @@ use crate::text::Text;
 /// The size of the map at most; a row is twice as high as a column is wide.
 const COLUMNS: usize = 72;
 const ROWS: usize = 22;
-/// Weak to strong.
 const SHADES: [char; 6] = ['.', ':', '-', '+', '*', '#'];
 /// Squares weaker than this are left blank.
 const FAINT: f64 = 0.03;
@@ -86,7 +85,6 @@ struct TextMap {
     rows: Vec<Vec<char>>,
     /// The north-west corner, in metres.
     corner: [f64; 2],
-    /// Metres per column.
     scale_m: f64,
 }
 

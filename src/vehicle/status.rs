@@ -111,7 +111,6 @@ impl FixType {
 }
 
 impl fmt::Display for FixType {
-    /// In English.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.text().fmt(f)
     }

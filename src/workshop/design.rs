@@ -35,7 +35,6 @@ pub(super) struct Drive<'a> {
     pub propeller: &'a Propeller,
     pub esc: &'a Esc,
     pub battery: &'a Battery,
-    /// Batteries in parallel.
     pub packs: u8,
 }
 
@@ -202,7 +201,6 @@ impl Design {
         }
     }
 
-    /// Its radio.
     pub(super) fn radio(&self) -> Option<&'static Radio> {
         match self.spec(PartSlot::Radio)? {
             Spec::Radio(radio) => Some(radio),

@@ -26,7 +26,6 @@ pub(super) struct Turning {
     pub rpm: f64,
     /// Mechanical power, in watts.
     pub shaft_w: f64,
-    /// At the motor.
     pub volts: f64,
     /// Taken from the battery, in watts.
     pub electric_w: f64,

@@ -132,7 +132,6 @@ pub(super) enum Spec {
 #[derive(Debug, PartialEq)]
 pub(super) struct Frame {
     pub motors: u8,
-    /// Between opposite motors.
     pub wheelbase_m: f64,
     pub largest_propeller_in: f64,
     /// Drag coefficient times area.
@@ -148,7 +147,6 @@ pub(super) struct Motor {
     pub idle_current_a: f64,
     pub max_current_a: f64,
     pub max_power_w: f64,
-    /// Of its battery.
     pub fewest_cells: u8,
     pub most_cells: u8,
 }

@@ -6,7 +6,6 @@ use std::time::Duration;
 use crate::notice::Notice;
 use crate::vehicle::VehicleId;
 
-/// Lines kept.
 pub const LINES_KEPT: usize = 1000;
 /// How long after its first notice a line takes in equal ones.
 const FOLD_TIME: Duration = Duration::from_secs(10);

@@ -9,7 +9,6 @@ use crate::workshop::part::Chemistry::{Ion, Polymer};
 use crate::workshop::part::{Battery, Esc, Frame, Motor, Part, Propeller, Spec};
 
 parts! {
-    /// Frames.
     pub(super) static FRAMES: [Frame; 13]
         [id; motors, wheelbase_m, largest_propeller_in, drag_area_m2, download; mass_g, credits];
         ["fr_5q_226";    4, 0.226,  5.1, 0.012, 0.08;  100.0,  35];
@@ -28,7 +27,6 @@ parts! {
 }
 
 parts! {
-    /// Motors.
     pub(super) static MOTORS: [Motor; 20]
         [id; kv_rpm_v, resistance_ohm, idle_current_a, max_current_a, max_power_w, fewest_cells, most_cells;
          mass_g, credits];
@@ -55,7 +53,6 @@ parts! {
 }
 
 parts! {
-    /// Propellers.
     pub(super) static PROPELLERS: [Propeller; 23]
         [id; diameter_in, pitch_in, thrust, power, max_rpm; mass_g, credits];
         ["p5x4.5";     5.0,  4.5, 0.1801, 0.1044, 38000.0;   4.0,  2];
@@ -84,7 +81,6 @@ parts! {
 }
 
 parts! {
-    /// Batteries.
     pub(super) static BATTERIES: [Battery; 21]
         [id; chemistry, cells, capacity_ah, c_rate, cell_resistance_mohm; mass_g, credits];
         ["b3s2200";     Polymer,  3,  2.2,  25.0, 10.0;  188.0,  20];
@@ -111,7 +107,6 @@ parts! {
 }
 
 parts! {
-    /// Speed controllers.
     pub(super) static ESCS: [Esc; 7]
         [id; max_current_a, max_cells, efficiency; mass_g, credits];
         ["e20";      20.0,  4,  0.9; 12.0,  15];

@@ -20,7 +20,6 @@ parts! {
 }
 
 parts! {
-    /// Power modules.
     pub(super) static POWER_MODULES: [PowerModule; 2]
         [id; max_cells, max_current_a; power_w, mass_g, credits];
         ["pm_02";  6,  60.0; 0.3, 20.0, 30];
@@ -28,7 +27,6 @@ parts! {
 }
 
 parts! {
-    /// Radios.
     pub(super) static RADIOS: [Radio; 8]
         [id; power_dbm, frequency_mhz, sensitivity_dbm, air_dbi, ground_dbi, losses_db, relays; power_w,
          mass_g, credits];

@@ -163,7 +163,6 @@ fn placed(design: &Design, slot: PartSlot, id: &Spanned<String>) -> Result<Desig
     Ok(changed)
 }
 
-/// A TOML string.
 fn quoted(text: &str) -> String {
     toml::Value::String(text.to_owned()).to_string()
 }
