@@ -171,15 +171,6 @@ fn a_score_does_not_depend_on_the_words() {
 
 #[test]
 fn the_structure_of_a_debrief_does_not_depend_on_the_words() {
-    for (name, report) in flights() {
-        let stored = without_words(|| serde_json::to_string(&report).expect("a document"));
-        let read: Report = serde_json::from_str(&stored).expect("what was written");
-        let (expected, marks) = (timeline::marks(&report), timeline::marks(&read));
-        assert_eq!(marks, expected, "{name}");
-        let pages = [&report, &read].map(|report| {
-            let page = without_words(|| text(report, &Locale::default()));
-            page.lines().filter(|line| line.trim() == "x").count()
-        });
-        assert_eq!(pages[0], pages[1], "{name}: headings");
-    }
+    let structure = || flights().map(|(_, report)| timeline::marks(&report));
+    assert_eq!(without_words(structure), structure());
 }
