@@ -8,6 +8,7 @@ use std::time::Duration;
 
 use crate::geo::LatLon;
 
+mod compose;
 mod deed;
 mod effect;
 mod encode;
@@ -15,6 +16,7 @@ mod explain;
 mod manoeuvre;
 mod mav_cmd;
 mod order;
+mod parameter;
 mod request;
 mod risk;
 mod setpoint;
@@ -30,15 +32,39 @@ pub use order::{Act, Order};
 pub use request::{Answer, Repeat, Request, is_written_so};
 pub use setpoint::{Setpoint, ready_for};
 
-/// A command to one vehicle. Every variant is said with one verb of the grammar.
+/// A command to one vehicle, by subject. Every variant is said with one verb of the grammar.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Command {
+    /// Motors on and off.
+    Arming(ArmingCommand),
+    /// What begins, ends and interrupts a flight.
+    Flight(FlightCommand),
+    /// Where and how a vehicle flies, what it looks at, and where its home is.
+    Motion(MotionCommand),
+    /// Outputs, and the autopilot as a device.
+    Device(DeviceCommand),
+    /// What a vehicle is to say.
+    Query(QueryCommand),
+    /// Parameters.
+    Parameter(ParameterCommand),
+    /// Bare MAVLink.
+    Raw(RawCommand),
+}
+
+/// Motors on and off.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ArmingCommand {
     /// Arm the motors.
     Arm,
     /// Disarm on the ground.
     Disarm,
     /// Stop the motors at once, in flight too (disarm with the magic number 21196).
     Kill,
+}
+
+/// What begins, ends and interrupts a flight.
+#[derive(Debug, Clone, PartialEq)]
+pub enum FlightCommand {
     /// Change the flight mode, by name; which number that is depends on the vehicle.
     SetMode {
         /// The mode's name, such as `GUIDED`.
@@ -57,6 +83,11 @@ pub enum Command {
     Hold,
     /// Go on after a hold.
     Resume,
+}
+
+/// Where and how a vehicle flies, what it looks at, and where its home is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum MotionCommand {
     /// Fly to a place in GUIDED.
     Goto {
         /// Where to.
@@ -113,6 +144,11 @@ pub enum Command {
         /// Where and how high above sea level; `None` is where the vehicle is.
         place: Option<(LatLon, f64)>,
     },
+}
+
+/// Outputs, and the autopilot as a device.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DeviceCommand {
     /// Set a servo output.
     Servo {
         /// Output number, 1 first.
@@ -129,30 +165,45 @@ pub enum Command {
     },
     /// Reboot the autopilot (refused while armed).
     Reboot,
+}
+
+/// What a vehicle is to say.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum QueryCommand {
     /// Ask for a message at a rate on this link.
-    MessageInterval {
+    Interval {
         /// MAVLink message id.
         message: u32,
         /// Rate in Hz; 0 switches it off.
         rate_hz: f64,
     },
     /// Ask for a message once.
-    RequestMessage {
+    Request {
         /// MAVLink message id.
         message: u32,
     },
+}
+
+/// Parameters.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ParameterCommand {
     /// Read a parameter.
-    GetParameter {
+    Get {
         /// Its name.
         name: String,
     },
     /// Write a parameter.
-    SetParameter {
+    Set {
         /// Its name.
         name: String,
         /// The new value as it was written; `PARAM_SET` carries the nearest `f32`.
         value: f64,
     },
+}
+
+/// Bare MAVLink.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum RawCommand {
     /// Any `MAV_CMD` as `COMMAND_LONG`.
     Long {
         /// `MAV_CMD` number.

@@ -17,7 +17,9 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-use crate::commands::{Act, Command, Destination, Manoeuvre, Order, SpeedAxis};
+use crate::commands::{
+    Act, Command, Destination, FlightCommand, Manoeuvre, MotionCommand, Order, SpeedAxis,
+};
 use crate::geo::LatLon;
 use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::notice::Notice;
@@ -204,10 +206,10 @@ impl Conductor {
     /// takes its vehicles out of what they were doing, or moves a whole formation and is sent to none of it.
     fn order(&mut self, ordered: Ordered<'_>, vehicles: &Vehicles, now: Duration) -> Assignment {
         let mut left = ordered.targets.to_vec();
-        if let &Command::Speed {
+        if let &Command::Motion(MotionCommand::Speed {
             axis: SpeedAxis::Ground,
             speed_m_s,
-        } = ordered.command
+        }) = ordered.command
         {
             let told = left.iter().map(|id| (*id, speed_m_s));
             self.told_m_s.extend(told);
@@ -310,7 +312,7 @@ impl Conductor {
 
 /// Whoever takes part is in GUIDED already: to say so again changes nothing.
 fn is_guided(command: &Command) -> bool {
-    matches!(command, Command::SetMode { name } if name.eq_ignore_ascii_case("GUIDED"))
+    matches!(command, Command::Flight(FlightCommand::SetMode { name }) if name.eq_ignore_ascii_case("GUIDED"))
 }
 
 /// Where a command takes a formation: its first place, and its height.
@@ -322,8 +324,10 @@ fn goal(
     let leader = vehicles.get(&act.leader()?)?;
     let here = leader.global?;
     match *command {
-        Command::Altitude { altitude_m } => Some((here.at_point, Some(altitude_m))),
-        Command::Goto { destination, .. } => match destination {
+        Command::Motion(MotionCommand::Altitude { altitude_m }) => {
+            Some((here.at_point, Some(altitude_m)))
+        }
+        Command::Motion(MotionCommand::Goto { destination, .. }) => match destination {
             Destination::Global {
                 at_point,
                 altitude_m,

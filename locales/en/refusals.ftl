@@ -21,7 +21,6 @@ refused-no-parameter-but = not sent: the vehicle has no parameter { $name }; did
 refused-neither-parameter = not sent: the vehicle answers neither to { $name } nor to { $other }
 refused-neither-parameter-but = not sent: the vehicle answers neither to { $name } nor to { $other }; did you mean { $nearest }?
 refused-value = { $name } stayed { $value }, it did not take { $wanted }
-refused-encoding = { $command } is not sent as { $message }
 
 reason-no-orbit = this autopilot cannot orbit; mode CIRCLE can
 reason-not-armed = it is not armed

@@ -21,7 +21,6 @@ refused-no-parameter-but = не надіслано: апарат не має п�
 refused-neither-parameter = не надіслано: апарат не знає ні { $name }, ні { $other }
 refused-neither-parameter-but = не надіслано: апарат не знає ні { $name }, ні { $other }; може, { $nearest }?
 refused-value = у { $name } лишилося { $value }, значення { $wanted } не прийнято
-refused-encoding = { $command } не надсилають як { $message }
 
 reason-no-orbit = цей автопілот не вміє літати колом; це вміє режим CIRCLE
 reason-not-armed = двигуни не активовано

@@ -2,9 +2,9 @@
 
 use std::time::Duration;
 
-use super::Command;
-use super::request::{holding_mode, mode_number};
+use super::compose::{holding_mode, mode_number};
 use super::setpoint::{Arrival, arrival, position};
+use super::{ArmingCommand, Command, DeviceCommand, FlightCommand, MotionCommand};
 use crate::geo::{LatLon, wrap_180, wrap_360};
 use crate::text;
 use crate::text::Text;
@@ -129,28 +129,55 @@ impl Command {
     /// What telemetry will show once it works, given the vehicle as it was when the command was sent.
     pub fn effect(&self, before: &Vehicle) -> Effect {
         match self {
-            Self::Arm => Effect::new(Watched::Armed(true), SOON),
-            Self::Disarm | Self::Kill => Effect::new(Watched::Armed(false), SOON),
+            Self::Arming(command) => Effect::new(Watched::Armed(command.arms()), SOON),
+            Self::Flight(command) => command.effect(before),
+            Self::Motion(command) => command.effect(before),
+            Self::Device(command) => command.effect(before),
+            Self::Query(_) | Self::Parameter(_) | Self::Raw(_) => Effect::nothing(),
+        }
+    }
+}
+
+impl ArmingCommand {
+    fn arms(self) -> bool {
+        match self {
+            Self::Arm => true,
+            Self::Disarm | Self::Kill => false,
+        }
+    }
+}
+
+impl FlightCommand {
+    fn effect(&self, before: &Vehicle) -> Effect {
+        match self {
             Self::SetMode { name } => mode_effect(before, name),
+            Self::Takeoff { altitude_m } => altitude_effect(before, *altitude_m, 0.05),
             Self::Land => mode_effect(before, "LAND"),
             Self::ReturnToLaunch => mode_effect(before, "RTL"),
             Self::Hold => match holding_mode(before) {
                 Some(mode) => mode_effect(before, mode),
                 None => Effect::new(Watched::Still, Duration::from_secs(15)),
             },
-            Self::Takeoff { altitude_m } => altitude_effect(before, *altitude_m, 0.05),
-            Self::Altitude { altitude_m } => altitude_effect(before, *altitude_m, 0.0),
-            Self::Goto { destination, .. } => match arrival(before, *destination) {
+            Self::Resume => Effect::nothing(),
+        }
+    }
+}
+
+impl MotionCommand {
+    fn effect(self, before: &Vehicle) -> Effect {
+        match self {
+            Self::Goto { destination, .. } => match arrival(before, destination) {
                 Ok(place) => Effect::new(Watched::Place(place), travel_time(before, place)),
                 Err(_) => Effect::nothing(),
             },
+            Self::Altitude { altitude_m } => altitude_effect(before, altitude_m, 0.0),
             Self::Yaw {
                 angle_deg,
                 relative,
                 rate_deg_s,
-            } => yaw_effect(before, *angle_deg, *relative, *rate_deg_s),
+            } => yaw_effect(before, angle_deg, relative, rate_deg_s),
             Self::Velocity { ned_m_s, lasting } => {
-                Effect::new(Watched::Velocity(*ned_m_s), *lasting + SOON)
+                Effect::new(Watched::Velocity(ned_m_s), lasting + SOON)
             }
             Self::SetHome { place } => {
                 match place.map_or_else(|| position(before).ok(), |(point, _)| Some(point)) {
@@ -158,16 +185,25 @@ impl Command {
                     None => Effect::nothing(),
                 }
             }
+            Self::Speed { .. } | Self::Orbit { .. } | Self::RegionOfInterest { .. } => {
+                Effect::nothing()
+            }
+        }
+    }
+}
+
+impl DeviceCommand {
+    fn effect(self, before: &Vehicle) -> Effect {
+        match self {
             // Outputs that are not streamed stay at 0 and show nothing.
             Self::Servo { output, pulse_us } if before.servos_us.iter().any(|&us| us != 0) => {
-                let (output, pulse_us) = (*output, *pulse_us);
                 Effect::new(Watched::Servo { output, pulse_us }, SOON)
             }
             Self::Reboot => {
                 let reboots = before.link.reboots;
                 Effect::new(Watched::Rebooted { reboots }, Duration::from_secs(30))
             }
-            _ => Effect::nothing(),
+            Self::Servo { .. } | Self::Relay { .. } => Effect::nothing(),
         }
     }
 }

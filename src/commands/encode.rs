@@ -2,7 +2,7 @@
 //! stops ArduPilot's simulator for good.
 
 use mavlink::dialects::ardupilotmega::{
-    MavFrame, MavMessage, MavParamType, PARAM_REQUEST_READ_DATA, PARAM_SET_DATA,
+    MavCmd, MavFrame, MavMessage, MavParamType, PARAM_REQUEST_READ_DATA, PARAM_SET_DATA,
     PositionTargetTypemask, SET_POSITION_TARGET_GLOBAL_INT_DATA,
     SET_POSITION_TARGET_LOCAL_NED_DATA,
 };
@@ -60,7 +60,7 @@ pub(super) struct IntFields {
 impl IntFields {
     /// A command about a place, in degrees, with a height that `frame` gives the meaning of.
     pub fn at(
-        command: u16,
+        command: MavCmd,
         frame: u8,
         params: [f32; 4],
         place: (LatLon, f64),
@@ -68,7 +68,7 @@ impl IntFields {
         let (point, height_m) = place;
         let (x, y) = checked(point)?.to_e7();
         Ok(Self {
-            command,
+            command: command as u16,
             frame,
             params,
             x,

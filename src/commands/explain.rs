@@ -1,6 +1,6 @@
 //! Why a command was refused, in plain words.
 
-use super::Command;
+use super::{ArmingCommand, Command, DeviceCommand, FlightCommand, MotionCommand};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
@@ -77,25 +77,51 @@ pub fn explain(
 
 /// What the vehicle's state says about a refusal without words.
 fn likely_reason(result: AckResult, vehicle: &Vehicle, command: &Command) -> Option<Text> {
-    let mode = vehicle.mode();
+    let is_unknown = result == AckResult::Unsupported;
     match command {
-        Command::Orbit { .. } if result == AckResult::Unsupported => Some(text!("reason-no-orbit")),
-        _ if result == AckResult::Unsupported => None,
-        Command::Takeoff { .. } if !vehicle.armed() => Some(text!("reason-not-armed")),
-        Command::Takeoff { .. } if vehicle.airborne() => Some(text!("reason-flying")),
-        Command::Takeoff { .. } => mode
-            .filter(|mode| !mode.is("GUIDED"))
-            .map(|mode| text!("reason-takeoff-mode", mode = mode.to_string())),
-        Command::Disarm if vehicle.airborne() => Some(text!("reason-in-the-air")),
-        Command::Arm if !vehicle.prearm.is_empty() => {
-            Some(format!("PreArm: {}", vehicle.prearm.join("; PreArm: ")).into())
+        Command::Motion(MotionCommand::Orbit { .. }) if is_unknown => {
+            Some(text!("reason-no-orbit"))
         }
-        Command::Arm => mode
-            .filter(|mode| mode.is("LAND") || mode.is("RTL"))
-            .map(|mode| text!("reason-arm-mode", mode = mode.to_string())),
-        Command::Reboot if vehicle.armed() => Some(text!("reason-armed")),
-        Command::SetMode { name } => Some(text!("reason-mode", mode = name)),
-        _ => None,
+        _ if is_unknown => None,
+        Command::Arming(command) => command.likely_reason(vehicle),
+        Command::Flight(command) => command.likely_reason(vehicle),
+        Command::Device(DeviceCommand::Reboot) if vehicle.armed() => Some(text!("reason-armed")),
+        Command::Device(_)
+        | Command::Motion(_)
+        | Command::Query(_)
+        | Command::Parameter(_)
+        | Command::Raw(_) => None,
+    }
+}
+
+impl ArmingCommand {
+    fn likely_reason(self, vehicle: &Vehicle) -> Option<Text> {
+        match self {
+            Self::Arm if !vehicle.prearm.is_empty() => {
+                Some(format!("PreArm: {}", vehicle.prearm.join("; PreArm: ")).into())
+            }
+            Self::Arm => vehicle
+                .mode()
+                .filter(|mode| mode.is("LAND") || mode.is("RTL"))
+                .map(|mode| text!("reason-arm-mode", mode = mode.to_string())),
+            Self::Disarm => vehicle.airborne().then(|| text!("reason-in-the-air")),
+            Self::Kill => None,
+        }
+    }
+}
+
+impl FlightCommand {
+    fn likely_reason(&self, vehicle: &Vehicle) -> Option<Text> {
+        match self {
+            Self::SetMode { name } => Some(text!("reason-mode", mode = name)),
+            Self::Takeoff { .. } if !vehicle.armed() => Some(text!("reason-not-armed")),
+            Self::Takeoff { .. } if vehicle.airborne() => Some(text!("reason-flying")),
+            Self::Takeoff { .. } => vehicle
+                .mode()
+                .filter(|mode| !mode.is("GUIDED"))
+                .map(|mode| text!("reason-takeoff-mode", mode = mode.to_string())),
+            Self::Land | Self::ReturnToLaunch | Self::Hold | Self::Resume => None,
+        }
     }
 }
 

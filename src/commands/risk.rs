@@ -1,7 +1,9 @@
 //! What a command sets at risk, whichever way it was said.
 
-use super::Command;
-use super::request::{FORCE_DISARM, cmd};
+use mavlink::dialects::ardupilotmega::MavCmd;
+
+use super::compose::FORCE_DISARM;
+use super::{ArmingCommand, Command, ParameterCommand, RawCommand};
 use crate::ledger::Risk;
 
 /// The parameter that arms rather than disarms.
@@ -15,20 +17,29 @@ impl Command {
     /// What it sets at risk.
     pub fn risk(&self) -> Risk {
         match self {
-            Self::Kill => Risk::Unsafe,
-            Self::Long {
-                command,
-                params: [first, second, ..],
-            }
-            | Self::Int {
-                command,
-                params: [first, second, ..],
-                ..
-            } => of_arming(*command, *first, *second),
-            Self::SetParameter { name, value } if name == ARMING_CHECK && *value == 0.0 => {
+            Self::Arming(ArmingCommand::Kill) => Risk::Unsafe,
+            Self::Raw(
+                RawCommand::Long {
+                    command,
+                    params: [first, second, ..],
+                }
+                | RawCommand::Int {
+                    command,
+                    params: [first, second, ..],
+                    ..
+                },
+            ) => of_arming(*command, *first, *second),
+            Self::Parameter(ParameterCommand::Set { name, value })
+                if name == ARMING_CHECK && *value == 0.0 =>
+            {
                 Risk::SkipsChecks
             }
-            _ => Risk::None,
+            Self::Arming(ArmingCommand::Arm | ArmingCommand::Disarm)
+            | Self::Flight(_)
+            | Self::Motion(_)
+            | Self::Device(_)
+            | Self::Query(_)
+            | Self::Parameter(_) => Risk::None,
         }
     }
 }
@@ -36,7 +47,7 @@ impl Command {
 /// What arming or disarming by number sets at risk.
 fn of_arming(command: u16, arm: f32, magic: f32) -> Risk {
     let disarms_by_force = magic == FORCE_DISARM;
-    if command != cmd::COMPONENT_ARM_DISARM {
+    if command != MavCmd::MAV_CMD_COMPONENT_ARM_DISARM as u16 {
         Risk::None
     } else if arm == ARM && (disarms_by_force || magic == FORCE_ARM) {
         Risk::SkipsChecks

@@ -1,7 +1,9 @@
 //! Setpoints: where a `goto` ends, and when it makes sense at all.
 
+use mavlink::dialects::ardupilotmega::MavCmd;
+
 use super::encode::{self, FRAME_RELATIVE, IntFields};
-use super::request::{Answer, Request, cmd};
+use super::request::{Answer, Request};
 use super::{Destination, Heading};
 use crate::geo::LatLon;
 use crate::text;
@@ -65,7 +67,7 @@ fn reposition(vehicle: &Vehicle, destination: Destination) -> Result<Request, Te
     };
     // Default speed (-1), stay in or change to GUIDED (1).
     let fields = IntFields::at(
-        cmd::DO_REPOSITION,
+        MavCmd::MAV_CMD_DO_REPOSITION,
         FRAME_RELATIVE,
         [-1.0, 1.0, 0.0, 0.0],
         (point, altitude_m),

@@ -63,10 +63,10 @@ fn on_the_ground(mode: &str) -> Vehicle {
 }
 
 fn goto(destination: Destination, heading: Heading) -> Command {
-    Command::Goto {
+    Command::Motion(MotionCommand::Goto {
         destination,
         heading,
-    }
+    })
 }
 
 fn offset(up_m: f64) -> Command {
@@ -113,36 +113,52 @@ fn commands_carry_the_parameters_that_the_recordings_show() {
     let guided = flying("GUIDED");
     let loiter = flying("LOITER");
     let ground = on_the_ground("GUIDED");
-    let turn = |angle_deg| Command::Yaw {
-        angle_deg,
-        relative: true,
-        rate_deg_s: None,
+    let turn = |angle_deg| {
+        Command::Motion(MotionCommand::Yaw {
+            angle_deg,
+            relative: true,
+            rate_deg_s: None,
+        })
     };
-    let mode = |name: &str| Command::SetMode {
-        name: name.to_owned(),
+    let mode = |name: &str| {
+        Command::Flight(FlightCommand::SetMode {
+            name: name.to_owned(),
+        })
     };
-    let climb = Command::Speed {
+    let climb = Command::Motion(MotionCommand::Speed {
         axis: SpeedAxis::Climb,
         speed_m_s: 4.0,
-    };
-    let interval = |rate_hz| Command::MessageInterval {
-        message: 30,
-        rate_hz,
+    });
+    let interval = |rate_hz| {
+        Command::Query(QueryCommand::Interval {
+            message: 30,
+            rate_hz,
+        })
     };
     let cases: [(Command, &Vehicle, u16, &[f32]); 13] = [
-        (Command::Arm, &ground, 400, &[1.0]),
-        (Command::Disarm, &ground, 400, &[0.0]),
-        (Command::Kill, &guided, 400, &[0.0, 21196.0]),
+        (Command::Arming(ArmingCommand::Arm), &ground, 400, &[1.0]),
+        (Command::Arming(ArmingCommand::Disarm), &ground, 400, &[0.0]),
+        (
+            Command::Arming(ArmingCommand::Kill),
+            &guided,
+            400,
+            &[0.0, 21196.0],
+        ),
         (mode("guided"), &loiter, 176, &[1.0, 4.0]),
         (mode("27"), &loiter, 176, &[1.0, 27.0]),
         (
-            Command::Takeoff { altitude_m: 20.0 },
+            Command::Flight(FlightCommand::Takeoff { altitude_m: 20.0 }),
             &ground,
             22,
             &[0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 20.0],
         ),
-        (Command::Hold, &guided, 193, &[0.0]),
-        (Command::Hold, &loiter, 176, &[1.0, 17.0]),
+        (Command::Flight(FlightCommand::Hold), &guided, 193, &[0.0]),
+        (
+            Command::Flight(FlightCommand::Hold),
+            &loiter,
+            176,
+            &[1.0, 17.0],
+        ),
         (climb, &guided, 178, &[2.0, 4.0, -1.0]),
         (turn(-120.0), &guided, 115, &[330.0, 0.0, -1.0]),
         (turn(30.0), &guided, 115, &[120.0, 0.0, 1.0]),
@@ -198,10 +214,10 @@ fn a_point_without_a_height_keeps_the_present_one() {
 
 #[test]
 fn a_velocity_is_repeated_and_ends_with_a_stop() {
-    let command = Command::Velocity {
+    let command = Command::Motion(MotionCommand::Velocity {
         ned_m_s: [1.0, 0.0, 0.0],
         lasting: Duration::from_secs(5),
-    };
+    });
     let request = command.request(&flying("GUIDED"), 0).expect("it flies");
     assert_eq!(request.answer, Answer::None);
     let Some(Outgoing::Message(MavMessage::SET_POSITION_TARGET_LOCAL_NED(stop))) = request.closing
@@ -225,15 +241,15 @@ fn what_makes_no_sense_is_said_in_plain_words() {
     }
     let mut waiting = flying("GUIDED");
     waiting.landed = LandedState::OnGround;
-    let unknown = Command::SetMode {
+    let unknown = Command::Flight(FlightCommand::SetMode {
         name: "QLOITER".to_owned(),
-    };
-    let nan = Command::Takeoff {
+    });
+    let nan = Command::Flight(FlightCommand::Takeoff {
         altitude_m: f64::NAN,
-    };
-    let long_name = Command::GetParameter {
+    });
+    let long_name = Command::Parameter(ParameterCommand::Get {
         name: "A_NAME_THAT_IS_TOO_LONG".to_owned(),
-    };
+    });
     let cases = [
         (
             &up,
@@ -245,8 +261,12 @@ fn what_makes_no_sense_is_said_in_plain_words() {
         (&up, blind, "has not said where it is"),
         (&up, Vehicle::new(3, 1), "has not been heard"),
         (&offset(-30.0), flying("GUIDED"), "too low to fly to"),
-        (&Command::Arm, falling, "in the air"),
-        (&Command::Reboot, flying("GUIDED"), "is armed"),
+        (&Command::Arming(ArmingCommand::Arm), falling, "in the air"),
+        (
+            &Command::Device(DeviceCommand::Reboot),
+            flying("GUIDED"),
+            "is armed",
+        ),
         (&unknown, flying("GUIDED"), "no mode QLOITER"),
         (&nan, flying("GUIDED"), "not a number"),
         (&long_name, flying("GUIDED"), "cannot be a parameter"),
@@ -292,9 +312,9 @@ fn a_setpoint_does_not_break_off_a_takeoff() {
 #[test]
 fn a_mode_by_number_is_sent_and_seen() {
     for (name, number) in [("9", 9), ("99", 99)] {
-        let command = Command::SetMode {
+        let command = Command::Flight(FlightCommand::SetMode {
             name: name.to_owned(),
-        };
+        });
         let before = flying("GUIDED");
         let (sent, params) = long(&command, &before);
         assert_eq!((sent, params[1]), (176, number as f32));
@@ -310,10 +330,10 @@ fn a_mode_by_number_is_sent_and_seen() {
 
 #[test]
 fn numbers_without_a_name_go_out_raw_and_count_their_tries() {
-    let command = Command::Long {
+    let command = Command::Raw(RawCommand::Long {
         command: 40000,
         params: [1.5, 0.0, 0.0, 0.0, 0.0, 0.0, -2.0],
-    };
+    });
     let vehicle = flying("GUIDED");
     let mut request = command.request(&vehicle, 0).expect("anything goes");
     assert_eq!(request.answer, Answer::Ack(40000));
@@ -325,7 +345,7 @@ fn numbers_without_a_name_go_out_raw_and_count_their_tries() {
     assert_eq!(payload[24..28], (-2.0_f32).to_le_bytes());
     assert_eq!(payload[28..], [0x40, 0x9C, 3, 1, 1]);
 
-    let mut arm = Command::Arm
+    let mut arm = Command::Arming(ArmingCommand::Arm)
         .request(&on_the_ground("GUIDED"), 0)
         .expect("on the ground");
     arm.again();
@@ -352,12 +372,12 @@ proptest! {
             goto(Destination::Local { north_m: a, east_m: b, up_m: Some(c) }, Heading::Fixed(b)),
             goto(Destination::Offset { north_m: a, east_m: b, up_m: c }, Heading::Auto),
             goto(Destination::Global { at_point: point, altitude_m: Some(c) }, Heading::Fixed(a)),
-            Command::Altitude { altitude_m: a },
-            Command::Velocity { ned_m_s: [a, b, c], lasting: Duration::ZERO },
-            Command::Orbit { radius_m: a, speed_m_s: b, centre: Some(point), altitude_m: Some(c) },
-            Command::SetHome { place: Some((point, c)) },
-            Command::Yaw { angle_deg: a, relative: true, rate_deg_s: Some(b) },
-            Command::SetParameter { name: "X".to_owned(), value: a },
+            Command::Motion(MotionCommand::Altitude { altitude_m: a }),
+            Command::Motion(MotionCommand::Velocity { ned_m_s: [a, b, c], lasting: Duration::ZERO }),
+            Command::Motion(MotionCommand::Orbit { radius_m: a, speed_m_s: b, centre: Some(point), altitude_m: Some(c) }),
+            Command::Motion(MotionCommand::SetHome { place: Some((point, c)) }),
+            Command::Motion(MotionCommand::Yaw { angle_deg: a, relative: true, rate_deg_s: Some(b) }),
+            Command::Parameter(ParameterCommand::Set { name: "X".to_owned(), value: a }),
         ];
         for command in commands {
             if let Ok(request) = command.request(&flying("GUIDED"), 0) {

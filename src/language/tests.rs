@@ -1,7 +1,10 @@
 use proptest::prelude::*;
 
 use super::*;
-use crate::commands::{Act, Command, Destination, Heading, SpeedAxis};
+use crate::commands::{
+    Act, ArmingCommand, Command, Destination, DeviceCommand, FlightCommand, Heading, MotionCommand,
+    ParameterCommand, QueryCommand, RawCommand, SpeedAxis,
+};
 
 mod faults;
 
@@ -65,10 +68,10 @@ fn command(line: &str) -> Command {
 }
 
 fn goto(destination: Destination, heading: Heading) -> Command {
-    Command::Goto {
+    Command::Motion(MotionCommand::Goto {
         destination,
         heading,
-    }
+    })
 }
 
 #[test]
@@ -83,28 +86,31 @@ fn lines_about_flying_become_the_commands_they_say() {
         altitude_m: Some(40.0),
     };
     let cases = [
-        ("all ARM", Command::Arm),
-        ("takeoff 0.02km", Command::Takeoff { altitude_m: 20.0 }),
+        ("all ARM", Command::Arming(ArmingCommand::Arm)),
+        (
+            "takeoff 0.02km",
+            Command::Flight(FlightCommand::Takeoff { altitude_m: 20.0 }),
+        ),
         (
             "guided",
-            Command::SetMode {
+            Command::Flight(FlightCommand::SetMode {
                 name: "GUIDED".to_owned(),
-            },
+            }),
         ),
         (
             "mode alt_hold",
-            Command::SetMode {
+            Command::Flight(FlightCommand::SetMode {
                 name: "ALT_HOLD".to_owned(),
-            },
+            }),
         ),
         (
             "mode 27",
-            Command::SetMode {
+            Command::Flight(FlightCommand::SetMode {
                 name: "27".to_owned(),
-            },
+            }),
         ),
-        ("land", Command::Land),
-        ("stop", Command::Hold),
+        ("land", Command::Flight(FlightCommand::Land)),
+        ("stop", Command::Flight(FlightCommand::Hold)),
         (
             "goto n 100 e -50 up 30",
             goto(local(Some(30.0)), Heading::Auto),
@@ -128,18 +134,18 @@ fn lines_about_flying_become_the_commands_they_say() {
         ),
         (
             "speed climb 2",
-            Command::Speed {
+            Command::Motion(MotionCommand::Speed {
                 axis: SpeedAxis::Climb,
                 speed_m_s: 2.0,
-            },
+            }),
         ),
         (
             "yaw 90 by rate 20",
-            Command::Yaw {
+            Command::Motion(MotionCommand::Yaw {
                 angle_deg: 90.0,
                 relative: true,
                 rate_deg_s: Some(20.0),
-            },
+            }),
         ),
     ];
     for (line, expected) in cases {
@@ -152,50 +158,53 @@ fn other_lines_become_the_commands_they_say() {
     let cases = [
         (
             "vel e 2 up 1 for 1min",
-            Command::Velocity {
+            Command::Motion(MotionCommand::Velocity {
                 ned_m_s: [0.0, 2.0, -1.0],
                 lasting: std::time::Duration::from_secs(60),
-            },
+            }),
         ),
         (
             "interval attitude 10",
-            Command::MessageInterval {
+            Command::Query(QueryCommand::Interval {
                 message: 30,
                 rate_hz: 10.0,
-            },
+            }),
         ),
         (
             "param set wpnav_speed 500",
-            Command::SetParameter {
+            Command::Parameter(ParameterCommand::Set {
                 name: "WPNAV_SPEED".to_owned(),
                 value: 500.0,
-            },
+            }),
         ),
-        ("roi off", Command::RegionOfInterest { target: None }),
+        (
+            "roi off",
+            Command::Motion(MotionCommand::RegionOfInterest { target: None }),
+        ),
         (
             "relay 2 off",
-            Command::Relay {
+            Command::Device(DeviceCommand::Relay {
                 relay: 2,
                 on: false,
-            },
+            }),
         ),
         (
             "long 31000 1 -2.5",
-            Command::Long {
+            Command::Raw(RawCommand::Long {
                 command: 31000,
                 params: [1.0, -2.5, 0.0, 0.0, 0.0, 0.0, 0.0],
-            },
+            }),
         ),
         (
             "int DO_REPOSITION 6 -1 1 0 0 504501000 305234000 40",
-            Command::Int {
+            Command::Raw(RawCommand::Int {
                 command: 192,
                 frame: 6,
                 params: [-1.0, 1.0, 0.0, 0.0],
                 x: 504_501_000,
                 y: 305_234_000,
                 z: 40.0,
-            },
+            }),
         ),
     ];
     for (line, expected) in cases {
@@ -205,7 +214,7 @@ fn other_lines_become_the_commands_they_say() {
 
 #[test]
 fn other_units_are_converted() {
-    let Command::Speed { axis, speed_m_s } = command("speed 36km/h") else {
+    let Command::Motion(MotionCommand::Speed { axis, speed_m_s }) = command("speed 36km/h") else {
         panic!("no speed");
     };
     assert_eq!(axis, SpeedAxis::Ground);

@@ -1,6 +1,6 @@
 //! Whether a vehicle could take a parameter's new value.
 
-use crate::commands::Command;
+use crate::commands::{Command, ParameterCommand};
 use crate::diagnostic::nearest;
 use crate::parameters::ParameterList;
 use crate::text;
@@ -12,7 +12,7 @@ use crate::text::Text;
 /// # Errors
 /// Why it could not be.
 pub(super) fn check(command: &Command, list: &ParameterList) -> Result<(), Text> {
-    let Command::SetParameter { name, value } = command else {
+    let Command::Parameter(ParameterCommand::Set { name, value }) = command else {
         return Ok(());
     };
     let Some(known) = list.get(name) else {

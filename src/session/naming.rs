@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use super::{VehicleCommand, fit};
-use crate::commands::Command;
+use crate::commands::{Command, ParameterCommand};
 use crate::diagnostic::nearest;
 use crate::ledger::{EntryId, RowState};
 use crate::parameters::{AliasSense, ParameterList, other_name};
@@ -40,8 +40,8 @@ impl Renamed {
 /// vehicles say nothing to a name that they lack.
 pub(super) fn settle(order: &mut VehicleCommand, list: &ParameterList) -> bool {
     let (name, value) = match &mut order.command {
-        Command::GetParameter { name } => (name, None),
-        Command::SetParameter { name, value } => (name, Some(value)),
+        Command::Parameter(ParameterCommand::Get { name }) => (name, None),
+        Command::Parameter(ParameterCommand::Set { name, value }) => (name, Some(value)),
         _ => return true,
     };
     let Some((other, sense)) = other_name(name).filter(|_| list.get(name).is_none()) else {
@@ -107,7 +107,7 @@ impl Search {
         (self.tries, self.asked) = (self.tries + 1, now);
         let read = |name: &str| {
             let name = name.to_owned();
-            Command::GetParameter { name }.request(vehicle, 0)
+            Command::Parameter(ParameterCommand::Get { name }).request(vehicle, 0)
         };
         let (name, other) = names(&order.command);
         // A name that cannot be asked for is no name of the vehicle's.
@@ -119,7 +119,7 @@ impl Search {
 /// The name in a command, and the other firmware's.
 fn names(command: &Command) -> (&str, &str) {
     match command {
-        Command::GetParameter { name } | Command::SetParameter { name, .. } => {
+        Command::Parameter(ParameterCommand::Get { name } | ParameterCommand::Set { name, .. }) => {
             let other = other_name(name).map_or(name.as_str(), |(other, _)| other);
             (name, other)
         }

@@ -54,7 +54,10 @@ impl VehicleCommand {
 
     /// What a `PARAM_VALUE` says about it, with the name that was written if the vehicle has another.
     pub(super) fn parameter_outcome(&self, value: f32) -> Result<Text, Text> {
-        let outcome = self.command.parameter_outcome(value);
+        let Command::Parameter(command) = &self.command else {
+            return Ok(value.to_string().into());
+        };
+        let outcome = command.outcome(value);
         match &self.renamed {
             Some(renamed) => outcome.map(|text| renamed.remark(&text)),
             None => outcome,

@@ -1,7 +1,7 @@
 //! Which commands give way to which.
 
 use super::VehicleCommand;
-use crate::commands::Command;
+use crate::commands::{Command, FlightCommand};
 use crate::vehicle::Vehicle;
 use crate::verb::Precedence;
 
@@ -23,7 +23,7 @@ pub(super) fn is_urgent(order: &VehicleCommand, vehicle: &Vehicle) -> bool {
         Precedence::InTurn | Precedence::Awaited => false,
         Precedence::Urgent => true,
         Precedence::ByMode => {
-            let Command::SetMode { name } = &order.command else {
+            let Command::Flight(FlightCommand::SetMode { name }) = &order.command else {
                 return false;
             };
             let class = vehicle.heartbeat.map(|heartbeat| heartbeat.class);

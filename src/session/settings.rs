@@ -9,7 +9,7 @@ use std::time::Duration;
 use mavlink::dialects::ardupilotmega::MavMessage;
 
 use super::RadioFault;
-use crate::commands::Command;
+use crate::commands::{Command, ParameterCommand};
 use crate::parameters::other_name;
 use crate::vehicle::Vehicle;
 use crate::wire::{Content, Frame, Outgoing};
@@ -122,13 +122,13 @@ impl Settings {
             let patience = FIRST_PATIENCE * 2u32.saturating_pow(setting.tries / 2).min(64);
             setting.tries += 1;
             setting.due = now + patience.min(LONGEST_PATIENCE);
-            let command = Command::SetParameter {
+            let command = Command::Parameter(ParameterCommand::Set {
                 name: other_name(name)
                     .filter(|_| renamed)
                     .map_or(name, |(other, _)| other)
                     .to_owned(),
                 value: converted(name, setting.value, renamed),
-            };
+            });
             let request = command.request(vehicle, 0).ok();
             messages.extend(request.into_iter().flat_map(|request| request.messages));
         }

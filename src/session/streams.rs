@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-use crate::commands::{Answer, Command};
+use crate::commands::{Answer, Command, QueryCommand};
 use crate::vehicle::Vehicle;
 use crate::wire::Outgoing;
 
@@ -105,10 +105,10 @@ impl Streams {
             if f64::from(arrived) < wanted.rate_hz * window_s * GOOD_ENOUGH
                 && self.may_ask(wanted.message)
             {
-                commands.push(Command::MessageInterval {
+                commands.push(Command::Query(QueryCommand::Interval {
                     message: wanted.message,
                     rate_hz: wanted.rate_hz,
-                });
+                }));
             }
         }
         for (known, message) in [
@@ -116,7 +116,7 @@ impl Streams {
             (vehicle.home.is_some(), HOME_POSITION),
         ] {
             if !known && self.may_ask(message) {
-                commands.push(Command::RequestMessage { message });
+                commands.push(Command::Query(QueryCommand::Request { message }));
             }
         }
         self.arrived.clear();

@@ -8,7 +8,10 @@ use mavlink::dialects::ardupilotmega::{
 };
 
 use super::*;
-use crate::commands::{Command, Destination, Heading};
+use crate::commands::{
+    ArmingCommand, Command, Destination, FlightCommand, Heading, MotionCommand, ParameterCommand,
+    QueryCommand,
+};
 use crate::language;
 use crate::ledger::{EntryId, RowState};
 use crate::verb::{Retry, Verb};

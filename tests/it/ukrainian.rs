@@ -9,7 +9,10 @@ use fluent_syntax::ast::{Entry, Expression, InlineExpression, Pattern, PatternEl
 use sortie::app::console::CONSOLE_VERBS;
 use sortie::app::setting::Setting;
 use sortie::app::state::Room;
-use sortie::commands::{AckResult, Command, Destination, Heading, explain};
+use sortie::commands::{
+    AckResult, ArmingCommand, Command, Destination, DeviceCommand, FlightCommand, Heading,
+    MotionCommand, ParameterCommand, explain,
+};
 use sortie::fleet::Unreachable;
 use sortie::language::{Context, Kind, Unit, complete, hint, parse, rows};
 use sortie::ledger::RowState;
@@ -228,46 +231,46 @@ fn hints() -> Vec<Text> {
 fn outcomes() -> Vec<Text> {
     let unheard = Vehicle::new(3, 1);
     let commands = [
-        Command::Arm,
-        Command::Kill,
-        Command::Reboot,
-        Command::Land,
-        Command::Hold,
-        Command::Takeoff { altitude_m: 5.0 },
-        Command::Altitude { altitude_m: 5.0 },
-        Command::SetMode {
+        Command::Arming(ArmingCommand::Arm),
+        Command::Arming(ArmingCommand::Kill),
+        Command::Device(DeviceCommand::Reboot),
+        Command::Flight(FlightCommand::Land),
+        Command::Flight(FlightCommand::Hold),
+        Command::Flight(FlightCommand::Takeoff { altitude_m: 5.0 }),
+        Command::Motion(MotionCommand::Altitude { altitude_m: 5.0 }),
+        Command::Flight(FlightCommand::SetMode {
             name: "GUIDED".to_owned(),
-        },
-        Command::Goto {
+        }),
+        Command::Motion(MotionCommand::Goto {
             destination: Destination::Local {
                 north_m: 1.0,
                 east_m: 1.0,
                 up_m: Some(5.0),
             },
             heading: Heading::Auto,
-        },
-        Command::Velocity {
+        }),
+        Command::Motion(MotionCommand::Velocity {
             ned_m_s: [1.0; 3],
             lasting: Duration::from_secs(5),
-        },
-        Command::Yaw {
+        }),
+        Command::Motion(MotionCommand::Yaw {
             angle_deg: 10.0,
             relative: true,
             rate_deg_s: None,
-        },
-        Command::Orbit {
+        }),
+        Command::Motion(MotionCommand::Orbit {
             radius_m: 5.0,
             speed_m_s: 1.0,
             centre: None,
             altitude_m: None,
-        },
-        Command::SetParameter {
+        }),
+        Command::Parameter(ParameterCommand::Set {
             name: "A".to_owned(),
             value: f64::NAN,
-        },
-        Command::GetParameter {
+        }),
+        Command::Parameter(ParameterCommand::Get {
             name: String::new(),
-        },
+        }),
     ];
     let mut said = Vec::new();
     for command in &commands {

@@ -27,21 +27,33 @@ fn an_effect_shows_when_telemetry_says_so_and_not_before() {
     }
     let mut rebooted = ground.clone();
     rebooted.link.reboots = 1;
-    let yaw = Command::Yaw {
+    let yaw = Command::Motion(MotionCommand::Yaw {
         angle_deg: 0.0,
         relative: false,
         rate_deg_s: None,
-    };
+    });
     let cases = [
-        (Command::Arm, &ground, &air),
-        (Command::Kill, &air, &ground),
-        (Command::Land, &air, &landing),
-        (Command::Takeoff { altitude_m: 20.0 }, &low, &air),
-        (Command::Altitude { altitude_m: 20.5 }, &low, &air),
+        (Command::Arming(ArmingCommand::Arm), &ground, &air),
+        (Command::Arming(ArmingCommand::Kill), &air, &ground),
+        (Command::Flight(FlightCommand::Land), &air, &landing),
+        (
+            Command::Flight(FlightCommand::Takeoff { altitude_m: 20.0 }),
+            &low,
+            &air,
+        ),
+        (
+            Command::Motion(MotionCommand::Altitude { altitude_m: 20.5 }),
+            &low,
+            &air,
+        ),
         (offset(2.0), &air, &there),
         (yaw, &air, &turned),
-        (Command::SetHome { place: None }, &air, &landing),
-        (Command::Reboot, &ground, &rebooted),
+        (
+            Command::Motion(MotionCommand::SetHome { place: None }),
+            &air,
+            &landing,
+        ),
+        (Command::Device(DeviceCommand::Reboot), &ground, &rebooted),
     ];
     for (command, before, after) in cases {
         let effect = command.effect(before);
@@ -49,7 +61,7 @@ fn an_effect_shows_when_telemetry_says_so_and_not_before() {
         assert_eq!(effect.seen(after), Some(true), "{command:?}");
         assert!(effect.within() >= Duration::from_secs(3), "{command:?}");
     }
-    let request = Command::RequestMessage { message: 148 };
+    let request = Command::Query(QueryCommand::Request { message: 148 });
     assert_eq!(request.effect(&air).seen(&air), None);
 }
 
@@ -59,7 +71,7 @@ fn a_low_takeoff_is_not_over_before_it_began() {
     if let Some(global) = &mut ground.global {
         global.altitude_m = 0.1;
     }
-    let takeoff = Command::Takeoff { altitude_m: 0.8 };
+    let takeoff = Command::Flight(FlightCommand::Takeoff { altitude_m: 0.8 });
     assert_eq!(takeoff.effect(&ground).seen(&ground), Some(false));
 }
 
@@ -94,19 +106,19 @@ fn refusals_are_explained_by_the_texts_else_by_the_state() {
     let mut ground = on_the_ground("GUIDED");
     ground.prearm = vec!["Need Position Estimate".to_owned()];
     let text = [Text::from("Arm: LAND mode not armable")];
-    let takeoff = Command::Takeoff { altitude_m: 5.0 };
-    let orbit = Command::Orbit {
+    let takeoff = Command::Flight(FlightCommand::Takeoff { altitude_m: 5.0 });
+    let orbit = Command::Motion(MotionCommand::Orbit {
         radius_m: 5.0,
         speed_m_s: 1.0,
         centre: None,
         altitude_m: None,
-    };
+    });
     let cases: [Refusal; 7] = [
         (
             "arm",
             &text,
             &ground,
-            &Command::Arm,
+            &Command::Arming(ArmingCommand::Arm),
             4,
             "arm refused: Arm: LAND mode not armable",
         ),
@@ -114,7 +126,7 @@ fn refusals_are_explained_by_the_texts_else_by_the_state() {
             "arm",
             &[],
             &ground,
-            &Command::Arm,
+            &Command::Arming(ArmingCommand::Arm),
             4,
             "arm refused: PreArm: Need Position Estimate",
         ),
@@ -138,7 +150,7 @@ fn refusals_are_explained_by_the_texts_else_by_the_state() {
             "disarm",
             &[],
             &air,
-            &Command::Disarm,
+            &Command::Arming(ArmingCommand::Disarm),
             4,
             "disarm refused: it is in the air; land it, or say kill to stop the motors",
         ),
@@ -154,7 +166,7 @@ fn refusals_are_explained_by_the_texts_else_by_the_state() {
             "rtl",
             &[],
             &air,
-            &Command::ReturnToLaunch,
+            &Command::Flight(FlightCommand::ReturnToLaunch),
             77,
             "rtl refused: result 77",
         ),
@@ -167,12 +179,12 @@ fn refusals_are_explained_by_the_texts_else_by_the_state() {
 
 #[test]
 fn a_parameter_that_kept_its_value_is_noticed() {
-    let set = |value| Command::SetParameter {
+    let set = |value| ParameterCommand::Set {
         name: "X".to_owned(),
         value,
     };
-    assert_eq!(set(500.0).parameter_outcome(500.0), Ok("X = 500".into()));
-    assert_eq!(set(0.1).parameter_outcome(0.1), Ok("X = 0.1".into()));
+    assert_eq!(set(500.0).outcome(500.0), Ok("X = 500".into()));
+    assert_eq!(set(0.1).outcome(0.1), Ok("X = 0.1".into()));
     for (wanted, kept, told) in [
         (1500.7, 1500.0, "X = 1500 (1500.7 was asked for)"),
         (99_999_999.0, 1e8, "X = 100000000 (99999999 was asked for)"),
@@ -182,10 +194,10 @@ fn a_parameter_that_kept_its_value_is_noticed() {
             "X = 0.12345679 (0.123456789 was asked for)",
         ),
     ] {
-        let outcome = set(wanted).parameter_outcome(kept);
+        let outcome = set(wanted).outcome(kept);
         assert_eq!(outcome.map(|text| text.to_string()), Ok(told.to_owned()));
     }
-    let large = set(2_147_483_520.0).parameter_outcome(2_147_483_520.0);
+    let large = set(2_147_483_520.0).outcome(2_147_483_520.0);
     assert!(large.is_ok_and(|text| !text.contains("asked")));
-    assert!(set(500.0).parameter_outcome(7.0).is_err());
+    assert!(set(500.0).outcome(7.0).is_err());
 }

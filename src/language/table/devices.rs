@@ -1,7 +1,7 @@
 //! Verbs about outputs, messages, parameters and bare MAVLink.
 
 use super::{ASK, Built, ONCE, command, swarm};
-use crate::commands::Command;
+use crate::commands::{Command, DeviceCommand, ParameterCommand, QueryCommand, RawCommand};
 use crate::language::argument::{Argument, Arguments, Kind, Problem, Unit};
 use crate::language::verb::{Form, VerbRow};
 use crate::text;
@@ -36,10 +36,10 @@ pub(super) const SERVO: VerbRow = VerbRow {
             ),
         ],
         |given| {
-            command(Command::Servo {
+            command(Command::Device(DeviceCommand::Servo {
                 output: given.required("output")? as u8,
                 pulse_us: given.required("pulse")? as u16,
-            })
+            }))
         },
     )],
 };
@@ -70,10 +70,10 @@ pub(super) const RELAY: VerbRow = VerbRow {
                 Argument::value("state", Kind::Choice(&["on", "off"]), ""),
             ],
             |given| {
-                command(Command::Relay {
+                command(Command::Device(DeviceCommand::Relay {
                     relay: given.required("relay")? as u8,
                     on: given.required_word("state")? == "on",
-                })
+                }))
             },
         ),
         swarm::CHAIN_TO_PLACE,
@@ -93,7 +93,9 @@ pub(super) const REBOOT: VerbRow = VerbRow {
     },
     aliases: &[],
     examples: &["2 reboot"],
-    forms: &[Form::new(&[], |_| command(Command::Reboot))],
+    forms: &[Form::new(&[], |_| {
+        command(Command::Device(DeviceCommand::Reboot))
+    })],
 };
 
 pub(super) const INTERVAL: VerbRow = VerbRow {
@@ -113,10 +115,10 @@ pub(super) const INTERVAL: VerbRow = VerbRow {
             Argument::value("rate", Kind::Number(Unit::Hertz, 0.0, 1000.0), ""),
         ],
         |given| {
-            command(Command::MessageInterval {
+            command(Command::Query(QueryCommand::Interval {
                 message: given.required("message")? as u32,
                 rate_hz: given.required("rate")?,
-            })
+            }))
         },
     )],
 };
@@ -139,9 +141,9 @@ pub(super) const REQUEST: VerbRow = VerbRow {
             "argument-name-or-id",
         )],
         |given| {
-            command(Command::RequestMessage {
+            command(Command::Query(QueryCommand::Request {
                 message: given.required("message")? as u32,
-            })
+            }))
         },
     )],
 };
@@ -165,7 +167,7 @@ pub(super) const PARAM: VerbRow = VerbRow {
             ],
             |given| {
                 let name = given.required_word("name")?.to_owned();
-                command(Command::GetParameter { name })
+                command(Command::Parameter(ParameterCommand::Get { name }))
             },
         ),
         Form::new(
@@ -175,10 +177,10 @@ pub(super) const PARAM: VerbRow = VerbRow {
                 Argument::value("value", ANY, "argument-parameter-value"),
             ],
             |given| {
-                command(Command::SetParameter {
+                command(Command::Parameter(ParameterCommand::Set {
                     name: given.required_word("name")?.to_owned(),
                     value: given.required("value")?,
-                })
+                }))
             },
         ),
     ],
@@ -207,11 +209,11 @@ pub(super) const LONG: VerbRow = VerbRow {
             Argument::value("p7", ANY, "").optional(),
         ],
         |given| {
-            command(Command::Long {
+            command(Command::Raw(RawCommand::Long {
                 command: given.required("command")? as u16,
                 params: ["p1", "p2", "p3", "p4", "p5", "p6", "p7"]
                     .map(|name| given.number(name).unwrap_or(0.0) as f32),
-            })
+            }))
         },
     )],
 };
@@ -252,7 +254,7 @@ fn int(given: &Arguments) -> Built {
         .into_iter()
         .map(|name| Ok(given.required(name)? as f32))
         .collect();
-    command(Command::Int {
+    command(Command::Raw(RawCommand::Int {
         command: given.required("command")? as u16,
         frame: given.required("frame")? as u8,
         params: params?
@@ -261,5 +263,5 @@ fn int(given: &Arguments) -> Built {
         x: given.required("x")? as i32,
         y: given.required("y")? as i32,
         z: given.required("z")? as f32,
-    })
+    }))
 }

@@ -1,7 +1,7 @@
 //! Verbs that start, end and interrupt a flight.
 
 use super::{AT_ONCE, Built, CHANGE, COME_DOWN, STOP_MOTORS, command};
-use crate::commands::Command;
+use crate::commands::{ArmingCommand, Command, FlightCommand};
 use crate::language::argument::{Argument, Arguments, Kind, Unit};
 use crate::language::verb::{Form, VerbRow};
 use crate::verb::{Arrival, CountsAs, Danger, Movement, Precedence, Verb};
@@ -17,7 +17,9 @@ pub(super) const ARM: VerbRow = VerbRow {
     },
     aliases: &[],
     examples: &["arm", "all arm"],
-    forms: &[Form::new(&[], |_| command(Command::Arm))],
+    forms: &[Form::new(&[], |_| {
+        command(Command::Arming(ArmingCommand::Arm))
+    })],
 };
 
 pub(super) const DISARM: VerbRow = VerbRow {
@@ -31,7 +33,9 @@ pub(super) const DISARM: VerbRow = VerbRow {
     },
     aliases: &[],
     examples: &["disarm"],
-    forms: &[Form::new(&[], |_| command(Command::Disarm))],
+    forms: &[Form::new(&[], |_| {
+        command(Command::Arming(ArmingCommand::Disarm))
+    })],
 };
 
 pub(super) const KILL: VerbRow = VerbRow {
@@ -45,7 +49,9 @@ pub(super) const KILL: VerbRow = VerbRow {
     },
     aliases: &[],
     examples: &["3 kill"],
-    forms: &[Form::new(&[], |_| command(Command::Kill))],
+    forms: &[Form::new(&[], |_| {
+        command(Command::Arming(ArmingCommand::Kill))
+    })],
 };
 
 pub(super) const MODE: VerbRow = VerbRow {
@@ -67,7 +73,7 @@ pub(super) const MODE: VerbRow = VerbRow {
         )],
         |given| {
             let name = given.required_word("mode")?.to_owned();
-            command(Command::SetMode { name })
+            command(Command::Flight(FlightCommand::SetMode { name }))
         },
     )],
 };
@@ -94,9 +100,9 @@ pub(super) const TAKEOFF: VerbRow = VerbRow {
 };
 
 fn takeoff(given: &Arguments) -> Built {
-    command(Command::Takeoff {
+    command(Command::Flight(FlightCommand::Takeoff {
         altitude_m: given.required("altitude")?,
-    })
+    }))
 }
 
 pub(super) const LAND: VerbRow = VerbRow {
@@ -110,7 +116,9 @@ pub(super) const LAND: VerbRow = VerbRow {
     },
     aliases: &[],
     examples: &["land"],
-    forms: &[Form::new(&[], |_| command(Command::Land))],
+    forms: &[Form::new(&[], |_| {
+        command(Command::Flight(FlightCommand::Land))
+    })],
 };
 
 pub(super) const RTL: VerbRow = VerbRow {
@@ -124,7 +132,9 @@ pub(super) const RTL: VerbRow = VerbRow {
     },
     aliases: &[],
     examples: &["all rtl"],
-    forms: &[Form::new(&[], |_| command(Command::ReturnToLaunch))],
+    forms: &[Form::new(&[], |_| {
+        command(Command::Flight(FlightCommand::ReturnToLaunch))
+    })],
 };
 
 pub(super) const HOLD: VerbRow = VerbRow {
@@ -138,7 +148,9 @@ pub(super) const HOLD: VerbRow = VerbRow {
     },
     aliases: &["stop"],
     examples: &["all hold"],
-    forms: &[Form::new(&[], |_| command(Command::Hold))],
+    forms: &[Form::new(&[], |_| {
+        command(Command::Flight(FlightCommand::Hold))
+    })],
 };
 
 pub(super) const RESUME: VerbRow = VerbRow {
@@ -152,5 +164,7 @@ pub(super) const RESUME: VerbRow = VerbRow {
     },
     aliases: &[],
     examples: &["resume", "1-2 resume"],
-    forms: &[Form::new(&[], |_| command(Command::Resume))],
+    forms: &[Form::new(&[], |_| {
+        command(Command::Flight(FlightCommand::Resume))
+    })],
 };

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use super::{ASK, Built, CHANGE, SETPOINT, command, given};
-use crate::commands::{Command, Destination, Heading, SpeedAxis};
+use crate::commands::{Command, Destination, Heading, MotionCommand, SpeedAxis};
 use crate::language::argument::{Argument, Arguments, Kind, Problem, Unit};
 use crate::language::verb::{Form, VerbRow};
 use crate::text;
@@ -111,10 +111,10 @@ fn goto(arguments: &Arguments, destination: Destination) -> Built {
         (false, Some(degrees)) => Heading::Fixed(degrees),
         (false, None) => Heading::Auto,
     };
-    command(Command::Goto {
+    command(Command::Motion(MotionCommand::Goto {
         destination,
         heading,
-    })
+    }))
 }
 
 pub(super) const ALTITUDE: VerbRow = VerbRow {
@@ -131,9 +131,9 @@ pub(super) const ALTITUDE: VerbRow = VerbRow {
     forms: &[Form::new(
         &[Argument::value("altitude", HEIGHT, "argument-height")],
         |given| {
-            command(Command::Altitude {
+            command(Command::Motion(MotionCommand::Altitude {
                 altitude_m: given.required("altitude")?,
-            })
+            }))
         },
     )],
 };
@@ -165,10 +165,10 @@ pub(super) const SPEED: VerbRow = VerbRow {
                 Some("descend") => SpeedAxis::Descend,
                 _ => SpeedAxis::Ground,
             };
-            command(Command::Speed {
+            command(Command::Motion(MotionCommand::Speed {
                 axis,
                 speed_m_s: given.required("speed")?,
-            })
+            }))
         },
     )],
 };
@@ -217,11 +217,11 @@ fn yaw_by(arguments: &Arguments) -> Built {
 const TURN_RATE: Kind = Kind::Number(Unit::DegreesPerSecond, 1.0, 360.0);
 
 fn yaw(arguments: &Arguments, relative: bool) -> Built {
-    command(Command::Yaw {
+    command(Command::Motion(MotionCommand::Yaw {
         angle_deg: arguments.required("angle")?,
         relative,
         rate_deg_s: arguments.number("rate"),
-    })
+    }))
 }
 
 pub(super) const VELOCITY: VerbRow = VerbRow {
@@ -260,14 +260,14 @@ fn velocity(arguments: &Arguments) -> Built {
         return Err(Problem::new("up", text!("grammar-down-or-up")));
     }
     let part = |name| arguments.number(name).unwrap_or(0.0);
-    command(Command::Velocity {
+    command(Command::Motion(MotionCommand::Velocity {
         ned_m_s: [
             part("north"),
             part("east"),
             arguments.number("up").map_or(part("down"), |up| -up),
         ],
         lasting: Duration::from_secs_f64(arguments.required("time")?),
-    })
+    }))
 }
 
 pub(super) const ORBIT: VerbRow = VerbRow {
@@ -303,12 +303,12 @@ pub(super) const ORBIT: VerbRow = VerbRow {
             if radius_m.abs() < 1.0 {
                 return Err(Problem::new("radius", text!("grammar-small-circle")));
             }
-            command(Command::Orbit {
+            command(Command::Motion(MotionCommand::Orbit {
                 radius_m,
                 speed_m_s: given.number("speed").unwrap_or(3.0),
                 centre: given.point("centre"),
                 altitude_m: given.number("up"),
-            })
+            }))
         },
     )],
 };
@@ -338,13 +338,15 @@ pub(super) const ROI: VerbRow = VerbRow {
             ],
             |given| {
                 let up_m = given.number("up").unwrap_or(0.0);
-                command(Command::RegionOfInterest {
+                command(Command::Motion(MotionCommand::RegionOfInterest {
                     target: Some((given.required_point("point")?, up_m)),
-                })
+                }))
             },
         ),
         Form::new(&[Argument::flag("off", "argument-roi-off")], |_| {
-            command(Command::RegionOfInterest { target: None })
+            command(Command::Motion(MotionCommand::RegionOfInterest {
+                target: None,
+            }))
         }),
     ],
 };
@@ -362,7 +364,7 @@ pub(super) const HOME: VerbRow = VerbRow {
     examples: &["home here", "home 50.4501 30.5234 180"],
     forms: &[
         Form::new(&[Argument::flag("here", "argument-here")], |_| {
-            command(Command::SetHome { place: None })
+            command(Command::Motion(MotionCommand::SetHome { place: None }))
         }),
         Form::new(
             &[
@@ -375,7 +377,9 @@ pub(super) const HOME: VerbRow = VerbRow {
             ],
             |given| {
                 let place = (given.required_point("point")?, given.required("altitude")?);
-                command(Command::SetHome { place: Some(place) })
+                command(Command::Motion(MotionCommand::SetHome {
+                    place: Some(place),
+                }))
             },
         ),
     ],

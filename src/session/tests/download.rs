@@ -284,9 +284,11 @@ fn nothing_is_asked_that_nobody_wanted() {
 fn a_value_that_the_type_cannot_hold_is_refused_unsent() {
     let mut far = Far::new(20, 0.0, 3);
     far.run(ms(5000));
-    let set = |value: f64| Command::SetParameter {
-        name: "P3".to_owned(),
-        value,
+    let set = |value: f64| {
+        Command::Parameter(ParameterCommand::Set {
+            name: "P3".to_owned(),
+            value,
+        })
     };
     for (entry, value) in [(1, 40_000.0), (2, 1.5), (3, f64::NAN)] {
         far.scene.order(entry, "param", set(value));
@@ -303,9 +305,11 @@ fn a_value_that_the_type_cannot_hold_is_refused_unsent() {
 #[test]
 fn a_parameter_that_a_whole_list_lacks_is_refused_unsent() {
     let mut far = Far::new(5, 0.0, 3);
-    let set = |name: &str| Command::SetParameter {
-        name: name.to_owned(),
-        value: 1.0,
+    let set = |name: &str| {
+        Command::Parameter(ParameterCommand::Set {
+            name: name.to_owned(),
+            value: 1.0,
+        })
     };
     far.scene.order(1, "param", set("ANGEL_MAX"));
     assert_eq!(far.scene.states(1), [RowState::Sent], "nobody knows yet");

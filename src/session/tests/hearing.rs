@@ -96,10 +96,10 @@ fn acknowledgements_of_our_own_requests_for_telemetry_answer_no_command() {
     scene.pass(ms(200));
     let asked = scene.longs(interval).len();
     assert!(asked > 0);
-    let command = Command::MessageInterval {
+    let command = Command::Query(QueryCommand::Interval {
         message: 30,
         rate_hz: 10.0,
-    };
+    });
     scene.order(1, "interval", command);
     for _ in 0..asked {
         scene.ack(interval, MavResult::MAV_RESULT_FAILED);

@@ -64,8 +64,11 @@ impl Firmware {
 
     fn set(&mut self, name: &str, value: f64) {
         let name = name.to_owned();
-        self.scene
-            .order(1, "param", Command::SetParameter { name, value });
+        self.scene.order(
+            1,
+            "param",
+            Command::Parameter(ParameterCommand::Set { name, value }),
+        );
         self.pass(ms(5000));
     }
 
@@ -129,7 +132,7 @@ fn nothing_is_asked_of_a_vehicle_whose_name_is_known() {
     vehicle.say(0);
     vehicle.scene.sent.clear();
     let name = "SIM_GPS_DISABLE".to_owned();
-    let command = Command::SetParameter { name, value: 1.0 };
+    let command = Command::Parameter(ParameterCommand::Set { name, value: 1.0 });
     vehicle.scene.order(1, "param", command);
     assert!(matches!(
         &vehicle.scene.sent[..],
@@ -151,9 +154,11 @@ fn a_parameter_is_read_by_the_name_that_the_firmware_has() {
     let mut vehicle = Firmware::new("SIM_GPS1_ENABLE");
     vehicle.value = 1.0;
     let name = "SIM_GPS_DISABLE".to_owned();
-    vehicle
-        .scene
-        .order(1, "param", Command::GetParameter { name });
+    vehicle.scene.order(
+        1,
+        "param",
+        Command::Parameter(ParameterCommand::Get { name }),
+    );
     vehicle.pass(ms(5000));
     let (state, says) = vehicle.outcome();
     assert_eq!(state, RowState::Done);
@@ -180,9 +185,11 @@ fn a_vehicle_with_neither_name_refuses_and_names_the_nearest() {
 fn what_is_urgent_does_not_wait_for_a_name() {
     let mut vehicle = Firmware::new("NOTHING");
     let name = "SIM_GPS_DISABLE".to_owned();
-    let command = Command::SetParameter { name, value: 1.0 };
+    let command = Command::Parameter(ParameterCommand::Set { name, value: 1.0 });
     vehicle.scene.order(1, "param", command);
-    vehicle.scene.order(2, "land", Command::Land);
+    vehicle
+        .scene
+        .order(2, "land", Command::Flight(FlightCommand::Land));
     assert_eq!(vehicle.scene.states(1).last(), Some(&RowState::Superseded));
     assert_eq!(vehicle.scene.states(2), [RowState::Sent]);
 }
@@ -191,9 +198,11 @@ fn what_is_urgent_does_not_wait_for_a_name() {
 fn a_vehicle_that_nobody_asked_is_not_said_to_lack_a_name() {
     let mut vehicle = Firmware::new("SIM_GPS1_ENABLE");
     let name = "NOTHING".to_owned();
-    vehicle
-        .scene
-        .order(2, "param", Command::GetParameter { name });
+    vehicle.scene.order(
+        2,
+        "param",
+        Command::Parameter(ParameterCommand::Get { name }),
+    );
     vehicle.set("SIM_GPS_DISABLE", 1.0);
     assert_eq!(vehicle.scene.states(2).last(), Some(&RowState::TimedOut));
     let says = "not sent: its 3.5 s were over before the line was free";

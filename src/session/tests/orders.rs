@@ -5,7 +5,7 @@ use super::*;
 #[test]
 fn an_accepted_arm_is_done_when_the_heartbeat_says_armed() {
     let mut scene = Scene::new();
-    scene.order(1, "arm", Command::Arm);
+    scene.order(1, "arm", Command::Arming(ArmingCommand::Arm));
     scene.ack(ARM, MavResult::MAV_RESULT_ACCEPTED);
     assert_eq!(scene.states(1), [RowState::Sent, RowState::Accepted]);
     scene.heartbeat(GUIDED, true);
@@ -15,7 +15,7 @@ fn an_accepted_arm_is_done_when_the_heartbeat_says_armed() {
 #[test]
 fn a_silent_vehicle_is_asked_on_schedule_and_never_after_the_deadline() {
     let mut scene = Scene::new();
-    scene.order(1, "arm", Command::Arm);
+    scene.order(1, "arm", Command::Arming(ArmingCommand::Arm));
     scene.pass(ms(10_000));
     let sent = scene.longs(ARM);
     assert_eq!(
@@ -31,7 +31,7 @@ fn a_silent_vehicle_is_asked_on_schedule_and_never_after_the_deadline() {
 #[test]
 fn a_refusal_is_explained_by_the_text_that_follows_it() {
     let mut scene = Scene::new();
-    scene.order(1, "arm", Command::Arm);
+    scene.order(1, "arm", Command::Arming(ArmingCommand::Arm));
     scene.ack(ARM, MavResult::MAV_RESULT_FAILED);
     assert_eq!(
         scene.states(1),
@@ -51,7 +51,7 @@ fn a_refusal_is_explained_by_the_text_that_follows_it() {
 #[test]
 fn a_refusal_is_explained_by_the_text_that_came_before_it() {
     let mut scene = Scene::new();
-    scene.order(1, "arm", Command::Arm);
+    scene.order(1, "arm", Command::Arming(ArmingCommand::Arm));
     scene.text("Arm: Gyros inconsistent");
     scene.ack(ARM, MavResult::MAV_RESULT_FAILED);
     scene.pass(ms(400));
@@ -61,7 +61,7 @@ fn a_refusal_is_explained_by_the_text_that_came_before_it() {
 #[test]
 fn an_acknowledgement_for_another_ground_station_is_not_ours() {
     let mut scene = Scene::new();
-    scene.order(1, "arm", Command::Arm);
+    scene.order(1, "arm", Command::Arming(ArmingCommand::Arm));
     scene.hear(MavMessage::COMMAND_ACK(COMMAND_ACK_DATA {
         command: ARM,
         result: MavResult::MAV_RESULT_FAILED,
@@ -75,7 +75,7 @@ fn an_acknowledgement_for_another_ground_station_is_not_ours() {
 #[test]
 fn work_in_progress_is_not_sent_again_and_gets_more_time() {
     let mut scene = Scene::new();
-    scene.order(1, "arm", Command::Arm);
+    scene.order(1, "arm", Command::Arming(ArmingCommand::Arm));
     scene.hear(MavMessage::COMMAND_ACK(COMMAND_ACK_DATA {
         command: ARM,
         result: MavResult::MAV_RESULT_IN_PROGRESS,
@@ -92,7 +92,7 @@ fn work_in_progress_is_not_sent_again_and_gets_more_time() {
 #[test]
 fn a_lost_acknowledgement_is_made_up_for_by_the_effect() {
     let mut scene = Scene::new();
-    scene.order(1, "arm", Command::Arm);
+    scene.order(1, "arm", Command::Arming(ArmingCommand::Arm));
     scene.heartbeat(STABILIZE, true);
     assert_eq!(scene.states(1).last(), Some(&RowState::Done));
 }
@@ -101,8 +101,12 @@ fn a_lost_acknowledgement_is_made_up_for_by_the_effect() {
 fn later_commands_wait_until_the_earlier_one_is_settled() {
     let mut scene = Scene::new();
     scene.heartbeat(GUIDED, false);
-    scene.order(1, "arm", Command::Arm);
-    scene.order(2, "takeoff", Command::Takeoff { altitude_m: 20.0 });
+    scene.order(1, "arm", Command::Arming(ArmingCommand::Arm));
+    scene.order(
+        2,
+        "takeoff",
+        Command::Flight(FlightCommand::Takeoff { altitude_m: 20.0 }),
+    );
     scene.ack(ARM, MavResult::MAV_RESULT_ACCEPTED);
     assert!(
         scene.longs(MavCmd::MAV_CMD_NAV_TAKEOFF).is_empty(),
@@ -118,12 +122,12 @@ fn an_urgent_command_goes_before_everything_that_waits() {
     scene.order(
         1,
         "guided",
-        Command::SetMode {
+        Command::Flight(FlightCommand::SetMode {
             name: "GUIDED".into(),
-        },
+        }),
     );
-    scene.order(2, "arm", Command::Arm);
-    scene.order(3, "rtl", Command::ReturnToLaunch);
+    scene.order(2, "arm", Command::Arming(ArmingCommand::Arm));
+    scene.order(3, "rtl", Command::Flight(FlightCommand::ReturnToLaunch));
     assert_eq!(scene.states(1).last(), Some(&RowState::Superseded));
     assert_eq!(scene.states(2).last(), Some(&RowState::Superseded));
     assert_eq!(scene.explanation(2), "rtl took its place");
@@ -134,14 +138,14 @@ fn an_urgent_command_goes_before_everything_that_waits() {
 #[test]
 fn a_setpoint_outside_guided_is_refused_here_because_the_vehicle_would_ignore_it() {
     let mut scene = Scene::new();
-    let goto = Command::Goto {
+    let goto = Command::Motion(MotionCommand::Goto {
         destination: Destination::Local {
             north_m: 10.0,
             east_m: 0.0,
             up_m: None,
         },
         heading: Heading::Auto,
-    };
+    });
     scene.order(1, "goto", goto);
     assert_eq!(scene.states(1), [RowState::Refused]);
     assert!(
@@ -154,8 +158,8 @@ fn a_setpoint_outside_guided_is_refused_here_because_the_vehicle_would_ignore_it
 #[test]
 fn the_answer_to_a_replaced_command_is_not_taken_for_that_of_its_successor() {
     let mut scene = Scene::new();
-    scene.order(1, "arm", Command::Arm);
-    scene.order(2, "kill", Command::Kill);
+    scene.order(1, "arm", Command::Arming(ArmingCommand::Arm));
+    scene.order(2, "kill", Command::Arming(ArmingCommand::Kill));
     // Both are one MAV_CMD; this is the arm's.
     scene.ack(ARM, MavResult::MAV_RESULT_ACCEPTED);
     assert_eq!(scene.states(2), [RowState::Sent]);
@@ -172,7 +176,7 @@ fn the_answer_to_a_replaced_command_is_not_taken_for_that_of_its_successor() {
 fn what_was_so_before_proves_nothing_until_the_vehicle_says_it_again() {
     let mut scene = Scene::new();
     scene.now = ms(100);
-    scene.order(1, "kill", Command::Kill);
+    scene.order(1, "kill", Command::Arming(ArmingCommand::Kill));
     scene.ack(ARM, MavResult::MAV_RESULT_ACCEPTED);
     assert_eq!(scene.states(1).last(), Some(&RowState::Accepted));
     scene.pass(ms(200));
@@ -183,7 +187,7 @@ fn what_was_so_before_proves_nothing_until_the_vehicle_says_it_again() {
 #[test]
 fn a_temporary_rejection_is_tried_again_and_then_explained() {
     let mut scene = Scene::new();
-    scene.order(1, "arm", Command::Arm);
+    scene.order(1, "arm", Command::Arming(ArmingCommand::Arm));
     scene.ack(ARM, MavResult::MAV_RESULT_TEMPORARILY_REJECTED);
     scene.pass(ms(1100));
     assert_eq!(scene.longs(ARM).len(), 2);
@@ -197,11 +201,11 @@ fn a_command_that_waited_too_long_is_not_sent_late() {
     scene.order(
         1,
         "guided",
-        Command::SetMode {
+        Command::Flight(FlightCommand::SetMode {
             name: "GUIDED".into(),
-        },
+        }),
     );
-    scene.order(2, "arm", Command::Arm);
+    scene.order(2, "arm", Command::Arming(ArmingCommand::Arm));
     scene.pass(ms(5000));
     assert_eq!(scene.states(2), [RowState::TimedOut]);
     assert!(
@@ -222,10 +226,10 @@ fn a_velocity_ends_without_effect_when_the_vehicle_leaves_guided() {
             ..Default::default()
         },
     ));
-    let command = Command::Velocity {
+    let command = Command::Motion(MotionCommand::Velocity {
         ned_m_s: [2.0, 0.0, 0.0],
         lasting: ms(10_000),
-    };
+    });
     scene.order(1, "velocity", command);
     scene.pass(ms(1000));
     assert_eq!(
@@ -244,9 +248,13 @@ fn a_refused_command_does_not_take_the_place_of_what_is_flying() {
     let mut scene = Scene::new();
     scene.heartbeat(GUIDED, true);
     let takeoff = MavCmd::MAV_CMD_NAV_TAKEOFF;
-    scene.order(1, "takeoff", Command::Takeoff { altitude_m: 20.0 });
+    scene.order(
+        1,
+        "takeoff",
+        Command::Flight(FlightCommand::Takeoff { altitude_m: 20.0 }),
+    );
     scene.ack(takeoff, MavResult::MAV_RESULT_ACCEPTED);
-    scene.order(2, "disarm", Command::Disarm);
+    scene.order(2, "disarm", Command::Arming(ArmingCommand::Disarm));
     scene.ack(ARM, MavResult::MAV_RESULT_FAILED);
     scene.pass(ms(1000));
     assert_eq!(scene.states(2).last(), Some(&RowState::Refused));
@@ -263,7 +271,7 @@ fn a_reboot_ends_what_was_meant_for_the_vehicle_before() {
         })
     };
     scene.hear(attitude(60_000));
-    scene.order(1, "land", Command::Land);
+    scene.order(1, "land", Command::Flight(FlightCommand::Land));
     scene.pass(ms(500));
     scene.hear(attitude(400));
     assert_eq!(scene.states(1).last(), Some(&RowState::Superseded));
@@ -282,7 +290,7 @@ fn who_has_started_the_autopilot_anew_needs_not_wait_for_its_clock() {
             ..Default::default()
         },
     ));
-    scene.order(1, "land", Command::Land);
+    scene.order(1, "land", Command::Flight(FlightCommand::Land));
     scene.session.restarted(scene.now);
     scene.pass(ms(100));
     assert_eq!(scene.states(1).last(), Some(&RowState::Superseded));
@@ -293,7 +301,7 @@ fn who_has_started_the_autopilot_anew_needs_not_wait_for_its_clock() {
     );
     assert_eq!(vehicle.link.reboots, 1);
     scene.heartbeat(STABILIZE, false);
-    scene.order(2, "arm", Command::Arm);
+    scene.order(2, "arm", Command::Arming(ArmingCommand::Arm));
     assert_ne!(scene.states(2).last(), Some(&RowState::Refused));
 }
 
@@ -304,17 +312,21 @@ fn a_turn_gives_way_to_a_movement_and_ends_none() {
     scene.hear(MavMessage::ATTITUDE(
         mavlink::dialects::ardupilotmega::ATTITUDE_DATA::default(),
     ));
-    let yaw = Command::Yaw {
+    let yaw = Command::Motion(MotionCommand::Yaw {
         angle_deg: 90.0,
         relative: false,
         rate_deg_s: None,
-    };
+    });
     scene.order(1, "yaw", yaw.clone());
     scene.ack(
         MavCmd::MAV_CMD_CONDITION_YAW,
         MavResult::MAV_RESULT_ACCEPTED,
     );
-    scene.order(2, "takeoff", Command::Takeoff { altitude_m: 20.0 });
+    scene.order(
+        2,
+        "takeoff",
+        Command::Flight(FlightCommand::Takeoff { altitude_m: 20.0 }),
+    );
     scene.ack(MavCmd::MAV_CMD_NAV_TAKEOFF, MavResult::MAV_RESULT_ACCEPTED);
     assert_eq!(scene.states(1).last(), Some(&RowState::Superseded));
     scene.order(3, "yaw", yaw);

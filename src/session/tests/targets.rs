@@ -22,13 +22,13 @@ fn under_way() -> Scene {
         relative_alt: 20_000,
         ..Default::default()
     }));
-    let goto = Command::Goto {
+    let goto = Command::Motion(MotionCommand::Goto {
         destination: Destination::Global {
             at_point: LatLon::new(50.46, 30.52),
             altitude_m: Some(20.0),
         },
         heading: Heading::Auto,
-    };
+    });
     scene.order(1, "goto", goto);
     hear_target(&mut scene);
     scene
@@ -55,10 +55,10 @@ fn has_target(scene: &Scene) -> bool {
 fn a_velocity_takes_the_place_of_a_goto_and_of_its_target() {
     let mut scene = under_way();
     assert!(has_target(&scene));
-    let velocity = Command::Velocity {
+    let velocity = Command::Motion(MotionCommand::Velocity {
         ned_m_s: [2.0, 0.0, 0.0],
         lasting: ms(10_000),
-    };
+    });
     scene.order(2, "velocity", velocity);
     assert_eq!(scene.states(1).last(), Some(&RowState::Superseded));
     assert!(!has_target(&scene));
@@ -71,13 +71,13 @@ fn a_session_is_looked_at_often_only_while_it_has_something_to_send() {
     let mut scene = under_way();
     scene.pass(ms(2000));
     assert_eq!(scene.session.patience(), IDLE_POLL, "the way there is long");
-    let velocity = Command::Velocity {
+    let velocity = Command::Motion(MotionCommand::Velocity {
         ned_m_s: [2.0, 0.0, 0.0],
         lasting: ms(10_000),
-    };
+    });
     scene.order(2, "velocity", velocity);
     assert_eq!(scene.session.patience(), BUSY_POLL, "it is said again");
-    scene.order(3, "arm", Command::Arm);
+    scene.order(3, "arm", Command::Arming(ArmingCommand::Arm));
     assert_eq!(scene.session.patience(), BUSY_POLL, "it is not answered");
 }
 

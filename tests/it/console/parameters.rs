@@ -6,7 +6,7 @@ use sortie::app::effect::{Effect, FileEffect, FileKind};
 use sortie::app::event::{FileEvent, VehicleEvent};
 use sortie::app::room::parameters::{cursor_row, rows};
 use sortie::app::state::{Overlay, Room};
-use sortie::commands::{Act, Command};
+use sortie::commands::{Act, Command, ParameterCommand};
 use sortie::ledger::{EntryId, RowState, RowUpdate};
 use sortie::parameters::{
     Fetching, HeardParameter, ParameterList, ParameterSnapshot, ParameterType,
@@ -85,7 +85,7 @@ fn row(console: &mut Console, entry: u32, vehicle: u16, state: RowState) {
 fn settings(effects: &[Effect]) -> Vec<(String, f32, Vec<u16>)> {
     let set = effects.iter().filter_map(|effect| match effect {
         Effect::Order { order, .. } => match &order.act {
-            Act::Command(Command::SetParameter { name, value }) => {
+            Act::Command(Command::Parameter(ParameterCommand::Set { name, value })) => {
                 Some((name.clone(), *value as f32, order.targets.clone()))
             }
             _ => None,

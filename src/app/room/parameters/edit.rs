@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::app::State;
 use crate::app::room::Room;
 use crate::app::state::{ParameterSetting, ranges};
-use crate::commands::{Act, Command, Order};
+use crate::commands::{Act, Command, Order, ParameterCommand};
 use crate::ledger::{EntryId, LedgerRow, RowState};
 use crate::parameters::ParameterType;
 use crate::text;
@@ -67,7 +67,7 @@ fn line(name: &str, value: &str, vehicles: &[VehicleId]) -> String {
 
 /// Remembers what an order sets, so that the list can show what becomes of it.
 pub fn note_order(state: &mut State, order: &Order, entry: EntryId) {
-    let Act::Command(Command::SetParameter { name, value }) = &order.act else {
+    let Act::Command(Command::Parameter(ParameterCommand::Set { name, value })) = &order.act else {
         return;
     };
     let edits = &mut state.rooms.parameters.edits;

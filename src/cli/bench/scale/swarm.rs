@@ -12,7 +12,7 @@ use tokio_util::sync::{CancellationToken, DropGuard};
 use super::cost::{Counted, Machine};
 use super::instances::{Instances, SitlBench};
 use super::sample::ScaleMark;
-use crate::commands::Command;
+use crate::commands::{Command, QueryCommand};
 use crate::fleet::{Fleet, FleetClock, FleetEvent};
 use crate::geo::LatLon;
 use crate::ledger::{EntryId, RowState};
@@ -215,7 +215,7 @@ fn embedded(row: &WorldConfig) -> anyhow::Result<(RunningSimulation<'static>, Ve
 
 /// Asks for a stream.
 pub(super) fn interval(Stream { message, rate_hz }: Stream) -> Command {
-    Command::MessageInterval { message, rate_hz }
+    Command::Query(QueryCommand::Interval { message, rate_hz })
 }
 
 impl SwarmPart {
@@ -250,6 +250,7 @@ impl SwarmPart {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::commands::ArmingCommand;
 
     #[test]
     fn more_commands_than_the_fleet_keeps_are_not_lost() {
@@ -261,7 +262,10 @@ mod tests {
             sleep(Duration::from_millis(100));
             drop(release);
         });
-        assert!((0..3000).all(|_| part.order(VehicleId::from(1_u8), Command::Arm)));
+        assert!(
+            (0..3000)
+                .all(|_| part.order(VehicleId::from(1_u8), Command::Arming(ArmingCommand::Arm)))
+        );
         helper.join().expect("it only waits");
     }
 }

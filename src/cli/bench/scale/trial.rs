@@ -7,7 +7,7 @@ use super::instances::SitlBench;
 use super::progress::ScaleProgress;
 use super::sample::ScaleSample;
 use super::swarm::{STREAMS, ScaleSwarm, interval};
-use crate::commands::{Command, Destination, Heading};
+use crate::commands::{ArmingCommand, Command, Destination, FlightCommand, Heading, MotionCommand};
 use crate::geo::LatLon;
 use crate::session::{Stream, WANTED_STREAMS};
 use crate::vehicle::Vehicle;
@@ -111,10 +111,20 @@ impl ScaleTrial<'_> {
         }
         let is_guided = |vehicle: &Vehicle| vehicle.mode().is_some_and(|mode| mode.is("GUIDED"));
         let name = || "GUIDED".to_owned();
-        let guided = self.command("GUIDED", |_| Command::SetMode { name: name() }, is_guided);
-        let armed = guided.or_else(|| self.command("arm", |_| Command::Arm, Vehicle::armed));
+        let guided = self.command(
+            "GUIDED",
+            |_| Command::Flight(FlightCommand::SetMode { name: name() }),
+            is_guided,
+        );
+        let armed = guided.or_else(|| {
+            self.command(
+                "arm",
+                |_| Command::Arming(ArmingCommand::Arm),
+                Vehicle::armed,
+            )
+        });
         let altitude_m = TAKEOFF_M;
-        let takeoff = |_: &Vehicle| Command::Takeoff { altitude_m };
+        let takeoff = |_: &Vehicle| Command::Flight(FlightCommand::Takeoff { altitude_m });
         let is_up = |vehicle: &Vehicle| vehicle.altitude_m() >= Some(MOVED_M);
         let up = armed.or_else(|| self.command("take off", takeoff, is_up));
         up.or_else(|| self.send())
@@ -203,11 +213,11 @@ fn position(vehicle: &Vehicle) -> Option<LatLon> {
 
 fn target(vehicle: &Vehicle) -> Command {
     let here = position(vehicle).unwrap_or(LatLon::new(0.0, 0.0));
-    Command::Goto {
+    Command::Motion(MotionCommand::Goto {
         destination: Destination::Global {
             at_point: here.moved(TARGET_NORTH_M, 0.0),
             altitude_m: Some(TARGET_HEIGHT_M),
         },
         heading: Heading::Auto,
-    }
+    })
 }

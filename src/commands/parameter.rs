@@ -1,0 +1,61 @@
+//! Commands about parameters, which have messages and answers of their own.
+
+use super::ParameterCommand;
+use super::encode;
+use super::request::{Answer, Request};
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::Vehicle;
+
+impl ParameterCommand {
+    pub(super) fn request(&self, vehicle: &Vehicle) -> Result<Request, Text> {
+        let (name, message) = match self {
+            Self::Get { name } => (name, encode::read_parameter(vehicle, name)?),
+            Self::Set { name, value } => {
+                (name, encode::write_parameter(vehicle, name, *value as f32)?)
+            }
+        };
+        Ok(Request::new(message, Answer::Parameter(name.clone())))
+    }
+
+    /// What a `PARAM_VALUE` says about it, as "`WPNAV_SPEED` = 500". It also says so where rounding has made another
+    /// value of the one that was asked for.
+    ///
+    /// # Errors
+    /// In plain words when the vehicle kept another value than was set. Whole-numbered parameters cut off the
+    /// fraction, which is no fault.
+    pub fn outcome(&self, value: f32) -> Result<Text, Text> {
+        let (name, wanted) = match self {
+            Self::Set { name, value } => (name, *value),
+            Self::Get { name } => return Ok(format!("{name} = {value}").into()),
+        };
+        let carried = wanted as f32;
+        let is_kept = (value - carried).abs() <= 1e-6 * carried.abs();
+        if !is_kept && (value - carried.trunc()).abs() > f32::EPSILON {
+            let (value, wanted) = (value.to_string(), wanted.to_string());
+            return Err(text!(
+                "refused-value",
+                name = name,
+                value = value,
+                wanted = wanted
+            ));
+        }
+        if is_written_so(value, wanted) {
+            return Ok(format!("{name} = {value}").into());
+        }
+        let (value, wanted) = (value.to_string(), wanted.to_string());
+        Ok(text!(
+            "outcome-value-became",
+            name = name,
+            value = value,
+            wanted = wanted
+        ))
+    }
+}
+
+/// Whether a value is just what somebody wrote: exactly, or as the shortest number that means it (0.1).
+pub fn is_written_so(value: f32, written: f64) -> bool {
+    let differs = |value: f64| (value - written).abs() > 0.0;
+    let shortest = value.to_string().parse().unwrap_or(f64::NAN);
+    !differs(f64::from(value)) || !differs(shortest)
+}
