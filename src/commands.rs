@@ -4,32 +4,46 @@
 //! for a given vehicle ([`Command::request`]), what answer to wait for ([`Request::answer`]) and what
 //! telemetry will show once it works ([`Command::effect`]).
 
-use std::time::Duration;
+use crate::ledger::Risk;
+use crate::text::Text;
+use crate::vehicle::Vehicle;
 
-use crate::geo::LatLon;
-
-mod compose;
+mod arming;
 mod deed;
+mod destination;
+mod device;
 mod effect;
 mod encode;
 mod explain;
+mod flight;
 mod manoeuvre;
 mod mav_cmd;
+mod modes;
+mod motion;
 mod order;
 mod parameter;
+mod query;
+mod raw;
 mod request;
-mod risk;
 mod setpoint;
 #[cfg(test)]
 mod tests;
 
+pub use arming::ArmingCommand;
 pub use deed::{Deed, Goal, KindName, Spot, Subject};
+pub use destination::{Destination, Heading};
+pub use device::DeviceCommand;
 pub use effect::Effect;
 pub use explain::{AckResult, explain};
+pub use flight::FlightCommand;
 pub use manoeuvre::{Datum, FarEnd, Ground, Manoeuvre, Pattern, Shape};
 pub use mav_cmd::{command_by_name, command_name, command_names};
+pub use motion::{MotionCommand, SpeedAxis};
 pub use order::{Act, Order};
-pub use request::{Answer, Repeat, Request, is_written_so};
+pub use parameter::{ParameterCommand, is_written_so};
+pub use query::QueryCommand;
+pub use raw::RawCommand;
+pub use request::{Answer, Repeat, Request};
 pub use setpoint::{Setpoint, ready_for};
 
 /// A command to one vehicle, by subject. Every variant is said with one verb of the grammar.
@@ -51,231 +65,61 @@ pub enum Command {
     Raw(RawCommand),
 }
 
-/// Motors on and off.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ArmingCommand {
-    /// Arm the motors.
-    Arm,
-    /// Disarm on the ground.
-    Disarm,
-    /// Stop the motors at once, in flight too (disarm with the magic number 21196).
-    Kill,
-}
+impl Command {
+    /// What to send to `vehicle`, as it is now.
+    ///
+    /// Relative commands (an offset, the present height) are worked out here from the vehicle's state, so
+    /// call it once per transaction and send the same messages again for another try
+    /// ([`Request::again`]): asking anew would move the target.
+    ///
+    /// # Errors
+    /// Plain words when it makes no sense for this vehicle now: a mode that its class lacks, a setpoint outside
+    /// GUIDED (ArduCopter would ignore it silently), a relative target without a position, a value that is
+    /// no finite number.
+    pub fn request(&self, vehicle: &Vehicle, confirmation: u8) -> Result<Request, Text> {
+        let long = |fields| Request::long(vehicle, &fields, confirmation);
+        match self {
+            Self::Arming(command) => long(command.fields(vehicle)?),
+            Self::Flight(command) => long(command.fields(vehicle)?),
+            Self::Motion(command) => command.request(vehicle, confirmation),
+            Self::Device(command) => long(command.fields(vehicle)?),
+            Self::Query(command) => long(command.fields()),
+            Self::Parameter(command) => command.request(vehicle),
+            Self::Raw(command) => command.request(vehicle, confirmation),
+        }
+    }
 
-/// What begins, ends and interrupts a flight.
-#[derive(Debug, Clone, PartialEq)]
-pub enum FlightCommand {
-    /// Change the flight mode, by name; which number that is depends on the vehicle.
-    SetMode {
-        /// The mode's name, such as `GUIDED`.
-        name: String,
-    },
-    /// Take off straight up in GUIDED.
-    Takeoff {
-        /// Height above home to climb to.
-        altitude_m: f64,
-    },
-    /// Land where it is.
-    Land,
-    /// Return to launch.
-    ReturnToLaunch,
-    /// Stop and stay (pause in GUIDED and AUTO, BRAKE in other modes).
-    Hold,
-    /// Go on after a hold.
-    Resume,
-}
+    /// Whether and how its message has to be repeated to keep working.
+    pub fn repeat(&self) -> Option<Repeat> {
+        match self {
+            Self::Motion(command) => command.repeat(),
+            Self::Arming(_)
+            | Self::Flight(_)
+            | Self::Device(_)
+            | Self::Query(_)
+            | Self::Parameter(_)
+            | Self::Raw(_) => None,
+        }
+    }
 
-/// Where and how a vehicle flies, what it looks at, and where its home is.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum MotionCommand {
-    /// Fly to a place in GUIDED.
-    Goto {
-        /// Where to.
-        destination: Destination,
-        /// What the nose does on the way.
-        heading: Heading,
-    },
-    /// Change height where it is, in GUIDED.
-    Altitude {
-        /// New height above home.
-        altitude_m: f64,
-    },
-    /// Change the speed of the current mode.
-    Speed {
-        /// Which speed.
-        axis: SpeedAxis,
-        /// The new limit in m/s.
-        speed_m_s: f64,
-    },
-    /// Turn the nose.
-    Yaw {
-        /// Degrees: clockwise from north, or from the present heading where `relative`.
-        angle_deg: f64,
-        /// Whether the angle counts from the present heading (clockwise positive).
-        relative: bool,
-        /// How fast to turn in deg/s; `None` leaves it to the autopilot.
-        rate_deg_s: Option<f64>,
-    },
-    /// Fly with a velocity for a time in GUIDED, then stop.
-    Velocity {
-        /// North, east, down, in m/s.
-        ned_m_s: [f64; 3],
-        /// For how long.
-        lasting: Duration,
-    },
-    /// Circle around a point in GUIDED-capable autopilots.
-    Orbit {
-        /// Radius in metres; negative turns counter-clockwise.
-        radius_m: f64,
-        /// Tangential speed in m/s.
-        speed_m_s: f64,
-        /// The centre; `None` is where the vehicle is.
-        centre: Option<LatLon>,
-        /// Height above home; `None` is the present one.
-        altitude_m: Option<f64>,
-    },
-    /// Point the nose and camera at a place; `None` stops that.
-    RegionOfInterest {
-        /// Where to look and its height above home.
-        target: Option<(LatLon, f64)>,
-    },
-    /// Set home.
-    SetHome {
-        /// Where and how high above sea level; `None` is where the vehicle is.
-        place: Option<(LatLon, f64)>,
-    },
-}
+    /// What telemetry will show once it works, given the vehicle as it was when the command was sent.
+    pub fn effect(&self, before: &Vehicle) -> Effect {
+        match self {
+            Self::Arming(command) => command.effect(),
+            Self::Flight(command) => command.effect(before),
+            Self::Motion(command) => command.effect(before),
+            Self::Device(command) => command.effect(before),
+            Self::Query(_) | Self::Parameter(_) | Self::Raw(_) => Effect::nothing(),
+        }
+    }
 
-/// Outputs, and the autopilot as a device.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum DeviceCommand {
-    /// Set a servo output.
-    Servo {
-        /// Output number, 1 first.
-        output: u8,
-        /// Pulse width in microseconds.
-        pulse_us: u16,
-    },
-    /// Switch a relay.
-    Relay {
-        /// Relay number, 0 first.
-        relay: u8,
-        /// On or off.
-        on: bool,
-    },
-    /// Reboot the autopilot (refused while armed).
-    Reboot,
-}
-
-/// What a vehicle is to say.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum QueryCommand {
-    /// Ask for a message at a rate on this link.
-    Interval {
-        /// MAVLink message id.
-        message: u32,
-        /// Rate in Hz; 0 switches it off.
-        rate_hz: f64,
-    },
-    /// Ask for a message once.
-    Request {
-        /// MAVLink message id.
-        message: u32,
-    },
-}
-
-/// Parameters.
-#[derive(Debug, Clone, PartialEq)]
-pub enum ParameterCommand {
-    /// Read a parameter.
-    Get {
-        /// Its name.
-        name: String,
-    },
-    /// Write a parameter.
-    Set {
-        /// Its name.
-        name: String,
-        /// The new value as it was written; `PARAM_SET` carries the nearest `f32`.
-        value: f64,
-    },
-}
-
-/// Bare MAVLink.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum RawCommand {
-    /// Any `MAV_CMD` as `COMMAND_LONG`.
-    Long {
-        /// `MAV_CMD` number.
-        command: u16,
-        /// Parameters 1 to 7.
-        params: [f32; 7],
-    },
-    /// Any `MAV_CMD` as `COMMAND_INT`.
-    Int {
-        /// `MAV_CMD` number.
-        command: u16,
-        /// `MAV_FRAME` number.
-        frame: u8,
-        /// Parameters 1 to 4.
-        params: [f32; 4],
-        /// Parameter 5: latitude in degrees times 1e7, or as the command says.
-        x: i32,
-        /// Parameter 6: longitude in degrees times 1e7, or as the command says.
-        y: i32,
-        /// Parameter 7: height in metres, or as the command says.
-        z: f32,
-    },
-}
-
-/// Where a `goto` leads.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Destination {
-    /// A point on the earth; `None` keeps the present height.
-    Global {
-        /// Where.
-        at_point: LatLon,
-        /// Height above home.
-        altitude_m: Option<f64>,
-    },
-    /// Metres from the EKF origin (`LOCAL_POSITION_NED`); `None` keeps the present height.
-    Local {
-        /// North of the origin.
-        north_m: f64,
-        /// East of the origin.
-        east_m: f64,
-        /// Above the origin.
-        up_m: Option<f64>,
-    },
-    /// Metres from where the vehicle is when the command is sent.
-    Offset {
-        /// To the north.
-        north_m: f64,
-        /// To the east.
-        east_m: f64,
-        /// Upwards.
-        up_m: f64,
-    },
-}
-
-/// What the nose does during a `goto`.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Heading {
-    /// As the autopilot is set up (ArduCopter by default faces the way it flies).
-    Auto,
-    /// Stays as it is.
-    Keep,
-    /// A fixed heading, degrees clockwise from north.
-    Fixed(f64),
-}
-
-/// Which speed a speed command changes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum SpeedAxis {
-    /// Over ground.
-    Ground,
-    /// Upwards.
-    Climb,
-    /// Downwards.
-    Descend,
+    /// What it sets at risk, whichever way it was said.
+    pub fn risk(&self) -> Risk {
+        match self {
+            Self::Arming(command) => command.risk(),
+            Self::Parameter(command) => command.risk(),
+            Self::Raw(command) => command.risk(),
+            Self::Flight(_) | Self::Motion(_) | Self::Device(_) | Self::Query(_) => Risk::None,
+        }
+    }
 }

@@ -35,12 +35,13 @@ mod tests;
 
 pub use argument::{Argument, Kind, Unit};
 pub use complete::{Completion, complete, hint};
+pub use lexer::{Word, comment_start, words};
 pub use manual::manual;
 pub use parse::parse;
 pub use pilot::{Pilot, PilotEvent, Script};
 pub use table::{row, rows, verb};
 pub use targets::Targets;
-pub use verb::{Form, Meaning, VerbRow};
+pub use verb::{Form, Meaning, Scope, VerbRow};
 pub use wait::{Field, Findings, Relation, Seen, Situation, Until, Wait};
 
 /// What the words of a line may refer to.

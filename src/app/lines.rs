@@ -6,9 +6,9 @@ use std::ops::Range;
 
 use super::State;
 use super::console::{self, CONSOLE_VERBS, ConsoleLine, Names};
-use super::state::{Groups, SCRIPT_VERBS};
+use super::state::Groups;
 use crate::diagnostic::Diagnostic;
-use crate::language::{self, Context, Meaning, Targets};
+use crate::language::{self, Context, Meaning, Scope, Targets, Word, words};
 use crate::text;
 use crate::vehicle::{VehicleClass, VehicleId};
 
@@ -132,12 +132,13 @@ fn check_now(
 
 /// What is wrong with a line that says a verb of pilot scripts.
 pub fn only_in_scripts(line: &str) -> Diagnostic {
-    let verb = line
-        .split_whitespace()
-        .find(|word| SCRIPT_VERBS.contains(word));
-    let start = verb.map_or(0, |verb| verb.as_ptr().addr() - line.as_ptr().addr());
-    let end = start + verb.map_or(line.len(), str::len);
-    Diagnostic::new(start..end, text!("order-wait")).with_help(text!("order-wait-help"))
+    let said = words(line).into_iter().find(is_for_scripts);
+    let span = said.map_or(0..line.len(), |word| word.span);
+    Diagnostic::new(span, text!("order-wait")).with_help(text!("order-wait-help"))
+}
+
+fn is_for_scripts(word: &Word<'_>) -> bool {
+    language::row(word.text).is_some_and(|row| row.scope == Scope::Scripts)
 }
 
 /// Checks the beginning of a line, which is to be completed by hand: its verb has to exist.
@@ -145,19 +146,17 @@ pub fn only_in_scripts(line: &str) -> Diagnostic {
 /// # Errors
 /// There is no such verb, or only for pilot scripts; the place is its own.
 pub fn check_beginning(line: &str) -> Result<(), Diagnostic> {
-    let mut words = line.split_whitespace();
-    let known = |word: &str| {
-        language::row(word).is_some() || CONSOLE_VERBS.iter().any(|verb| verb.name == word)
+    let words = words(line);
+    let is_known = |word: &Word<'_>| {
+        let mut own = CONSOLE_VERBS.iter();
+        language::row(word.text).is_some() || own.any(|verb| verb.name == word.text)
     };
     // A target may stand before it.
-    if words
-        .clone()
-        .take(2)
-        .any(|word| SCRIPT_VERBS.contains(&word))
-    {
+    let mut first = words.iter().take(2);
+    if first.clone().any(is_for_scripts) {
         return Err(only_in_scripts(line));
     }
-    if line.is_empty() || words.by_ref().take(2).any(known) {
+    if line.is_empty() || first.any(is_known) {
         return Ok(());
     }
     // The grammar says it best.

@@ -44,7 +44,7 @@ pub use career::Career;
 pub use column::SortKey;
 pub use filter::VehicleFilter;
 pub use hangar::{Hangar, Instance, SitlStage};
-pub use help::{HelpLine, SCRIPT_VERBS, SHORT_USAGE, help_lines};
+pub use help::{HelpLine, SHORT_USAGE, command_help, help_lines};
 pub use history::{Channel, Histories, History, Window};
 pub use ids::{parse_ranges, ranges};
 pub use links::LinkSummary;

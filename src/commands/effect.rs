@@ -2,9 +2,8 @@
 
 use std::time::Duration;
 
-use super::compose::{holding_mode, mode_number};
-use super::setpoint::{Arrival, arrival, position};
-use super::{ArmingCommand, Command, DeviceCommand, FlightCommand, MotionCommand};
+use super::modes::mode_number;
+use super::setpoint::Arrival;
 use crate::geo::{LatLon, wrap_180, wrap_360};
 use crate::text;
 use crate::text::Text;
@@ -23,7 +22,7 @@ const HOME_M: f64 = 5.0;
 /// Slower than this is standing still.
 const STILL_M_S: f64 = 0.5;
 /// A change of a state bit shows with the next heartbeat.
-const SOON: Duration = Duration::from_secs(3);
+pub(super) const SOON: Duration = Duration::from_secs(3);
 
 /// What to watch for after a command was accepted.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,7 +32,7 @@ pub struct Effect {
 }
 
 #[derive(Debug, Clone, PartialEq)]
-enum Watched {
+pub(super) enum Watched {
     Nothing,
     Armed(bool),
     Mode(Mode),
@@ -116,99 +115,16 @@ impl Effect {
         }
     }
 
-    fn new(watched: Watched, within: Duration) -> Self {
+    pub(super) fn new(watched: Watched, within: Duration) -> Self {
         Self { watched, within }
     }
 
-    fn nothing() -> Self {
+    pub(super) fn nothing() -> Self {
         Self::new(Watched::Nothing, Duration::ZERO)
     }
 }
 
-impl Command {
-    /// What telemetry will show once it works, given the vehicle as it was when the command was sent.
-    pub fn effect(&self, before: &Vehicle) -> Effect {
-        match self {
-            Self::Arming(command) => Effect::new(Watched::Armed(command.arms()), SOON),
-            Self::Flight(command) => command.effect(before),
-            Self::Motion(command) => command.effect(before),
-            Self::Device(command) => command.effect(before),
-            Self::Query(_) | Self::Parameter(_) | Self::Raw(_) => Effect::nothing(),
-        }
-    }
-}
-
-impl ArmingCommand {
-    fn arms(self) -> bool {
-        match self {
-            Self::Arm => true,
-            Self::Disarm | Self::Kill => false,
-        }
-    }
-}
-
-impl FlightCommand {
-    fn effect(&self, before: &Vehicle) -> Effect {
-        match self {
-            Self::SetMode { name } => mode_effect(before, name),
-            Self::Takeoff { altitude_m } => altitude_effect(before, *altitude_m, 0.05),
-            Self::Land => mode_effect(before, "LAND"),
-            Self::ReturnToLaunch => mode_effect(before, "RTL"),
-            Self::Hold => match holding_mode(before) {
-                Some(mode) => mode_effect(before, mode),
-                None => Effect::new(Watched::Still, Duration::from_secs(15)),
-            },
-            Self::Resume => Effect::nothing(),
-        }
-    }
-}
-
-impl MotionCommand {
-    fn effect(self, before: &Vehicle) -> Effect {
-        match self {
-            Self::Goto { destination, .. } => match arrival(before, destination) {
-                Ok(place) => Effect::new(Watched::Place(place), travel_time(before, place)),
-                Err(_) => Effect::nothing(),
-            },
-            Self::Altitude { altitude_m } => altitude_effect(before, altitude_m, 0.0),
-            Self::Yaw {
-                angle_deg,
-                relative,
-                rate_deg_s,
-            } => yaw_effect(before, angle_deg, relative, rate_deg_s),
-            Self::Velocity { ned_m_s, lasting } => {
-                Effect::new(Watched::Velocity(ned_m_s), lasting + SOON)
-            }
-            Self::SetHome { place } => {
-                match place.map_or_else(|| position(before).ok(), |(point, _)| Some(point)) {
-                    Some(point) => Effect::new(Watched::Home(point), SOON),
-                    None => Effect::nothing(),
-                }
-            }
-            Self::Speed { .. } | Self::Orbit { .. } | Self::RegionOfInterest { .. } => {
-                Effect::nothing()
-            }
-        }
-    }
-}
-
-impl DeviceCommand {
-    fn effect(self, before: &Vehicle) -> Effect {
-        match self {
-            // Outputs that are not streamed stay at 0 and show nothing.
-            Self::Servo { output, pulse_us } if before.servos_us.iter().any(|&us| us != 0) => {
-                Effect::new(Watched::Servo { output, pulse_us }, SOON)
-            }
-            Self::Reboot => {
-                let reboots = before.link.reboots;
-                Effect::new(Watched::Rebooted { reboots }, Duration::from_secs(30))
-            }
-            Self::Servo { .. } | Self::Relay { .. } => Effect::nothing(),
-        }
-    }
-}
-
-fn mode_effect(before: &Vehicle, name: &str) -> Effect {
+pub(super) fn mode_effect(before: &Vehicle, name: &str) -> Effect {
     let class = before.heartbeat.map(|heartbeat| heartbeat.class);
     match (class, mode_number(before, name)) {
         (Some(class), Ok(number)) => Effect::new(Watched::Mode(Mode { class, number }), SOON),
@@ -218,7 +134,7 @@ fn mode_effect(before: &Vehicle, name: &str) -> Effect {
 
 /// Within 1 m, or a share of the height where that is more, but never so wide that the ground would do. Half a metre
 /// a second is slow for any copter.
-fn altitude_effect(before: &Vehicle, altitude_m: f64, share: f64) -> Effect {
+pub(super) fn altitude_effect(before: &Vehicle, altitude_m: f64, share: f64) -> Effect {
     let way_m = (altitude_m - before.altitude_m().unwrap_or(0.0)).abs();
     let tolerance_m = (share * altitude_m)
         .clamp(ARRIVED_HEIGHT_M, CLIMB_ENDS_M)
@@ -232,7 +148,12 @@ fn altitude_effect(before: &Vehicle, altitude_m: f64, share: f64) -> Effect {
     )
 }
 
-fn yaw_effect(before: &Vehicle, angle_deg: f64, relative: bool, rate: Option<f64>) -> Effect {
+pub(super) fn yaw_effect(
+    before: &Vehicle,
+    angle_deg: f64,
+    relative: bool,
+    rate: Option<f64>,
+) -> Effect {
     let Some(now) = before.heading_deg().map(f64::from) else {
         return Effect::nothing();
     };
@@ -246,7 +167,7 @@ fn yaw_effect(before: &Vehicle, angle_deg: f64, relative: bool, rate: Option<f64
 }
 
 /// At a speed slower than people fly, with time to get going and to settle.
-fn travel_time(before: &Vehicle, place: Arrival) -> Duration {
+pub(super) fn travel_time(before: &Vehicle, place: Arrival) -> Duration {
     match separation(before, place) {
         Some((horizontal_m, vertical_m)) => patience(horizontal_m / 1.5 + vertical_m / 0.5 + 20.0),
         None => Duration::from_secs(120),

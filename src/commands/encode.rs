@@ -30,19 +30,36 @@ const IGNORE_ACCELERATION: u16 = 0x01C0;
 const IGNORE_YAW: u16 = 0x0400;
 const IGNORE_YAW_RATE: u16 = 0x0800;
 
+/// Command and parameters of a `COMMAND_LONG`.
+pub(super) struct LongFields {
+    pub command: u16,
+    pub params: [f32; 7],
+}
+
+impl LongFields {
+    /// The first parameters are given; the others are 0.
+    pub fn new(command: MavCmd, given: &[f32]) -> Self {
+        let mut params = [0.0; 7];
+        params[..given.len()].copy_from_slice(given);
+        Self {
+            command: command as u16,
+            params,
+        }
+    }
+}
+
 /// `COMMAND_LONG` to a vehicle.
 pub(super) fn long(
     vehicle: &Vehicle,
-    command: u16,
-    params: [f32; 7],
+    fields: &LongFields,
     confirmation: u8,
 ) -> Result<Outgoing, Text> {
-    finite(&params)?;
+    finite(&fields.params)?;
     let mut payload = Vec::with_capacity(33);
-    for param in params {
+    for param in fields.params {
         payload.extend_from_slice(&param.to_le_bytes());
     }
-    payload.extend_from_slice(&command.to_le_bytes());
+    payload.extend_from_slice(&fields.command.to_le_bytes());
     payload.extend_from_slice(&[vehicle.system, vehicle.component, confirmation]);
     Ok(outgoing(COMMAND_LONG, payload))
 }

@@ -1,6 +1,6 @@
 //! Why a command was refused, in plain words.
 
-use super::{ArmingCommand, Command, DeviceCommand, FlightCommand, MotionCommand};
+use super::{Command, MotionCommand};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
@@ -85,43 +85,8 @@ fn likely_reason(result: AckResult, vehicle: &Vehicle, command: &Command) -> Opt
         _ if is_unknown => None,
         Command::Arming(command) => command.likely_reason(vehicle),
         Command::Flight(command) => command.likely_reason(vehicle),
-        Command::Device(DeviceCommand::Reboot) if vehicle.armed() => Some(text!("reason-armed")),
-        Command::Device(_)
-        | Command::Motion(_)
-        | Command::Query(_)
-        | Command::Parameter(_)
-        | Command::Raw(_) => None,
-    }
-}
-
-impl ArmingCommand {
-    fn likely_reason(self, vehicle: &Vehicle) -> Option<Text> {
-        match self {
-            Self::Arm if !vehicle.prearm.is_empty() => {
-                Some(format!("PreArm: {}", vehicle.prearm.join("; PreArm: ")).into())
-            }
-            Self::Arm => vehicle
-                .mode()
-                .filter(|mode| mode.is("LAND") || mode.is("RTL"))
-                .map(|mode| text!("reason-arm-mode", mode = mode.to_string())),
-            Self::Disarm => vehicle.airborne().then(|| text!("reason-in-the-air")),
-            Self::Kill => None,
-        }
-    }
-}
-
-impl FlightCommand {
-    fn likely_reason(&self, vehicle: &Vehicle) -> Option<Text> {
-        match self {
-            Self::SetMode { name } => Some(text!("reason-mode", mode = name)),
-            Self::Takeoff { .. } if !vehicle.armed() => Some(text!("reason-not-armed")),
-            Self::Takeoff { .. } if vehicle.airborne() => Some(text!("reason-flying")),
-            Self::Takeoff { .. } => vehicle
-                .mode()
-                .filter(|mode| !mode.is("GUIDED"))
-                .map(|mode| text!("reason-takeoff-mode", mode = mode.to_string())),
-            Self::Land | Self::ReturnToLaunch | Self::Hold | Self::Resume => None,
-        }
+        Command::Device(command) => command.likely_reason(vehicle),
+        Command::Motion(_) | Command::Query(_) | Command::Parameter(_) | Command::Raw(_) => None,
     }
 }
 

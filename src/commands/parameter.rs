@@ -1,11 +1,31 @@
 //! Commands about parameters, which have messages and answers of their own.
 
-use super::ParameterCommand;
 use super::encode;
 use super::request::{Answer, Request};
+use crate::ledger::Risk;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
+
+/// The parameter that chooses the checks before arming; 0 is none.
+const ARMING_CHECK: &str = "ARMING_CHECK";
+
+/// Parameters.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ParameterCommand {
+    /// Read a parameter.
+    Get {
+        /// Its name.
+        name: String,
+    },
+    /// Write a parameter.
+    Set {
+        /// Its name.
+        name: String,
+        /// The new value as it was written; `PARAM_SET` carries the nearest `f32`.
+        value: f64,
+    },
+}
 
 impl ParameterCommand {
     pub(super) fn request(&self, vehicle: &Vehicle) -> Result<Request, Text> {
@@ -50,6 +70,13 @@ impl ParameterCommand {
             value = value,
             wanted = wanted
         ))
+    }
+
+    pub(super) fn risk(&self) -> Risk {
+        match self {
+            Self::Set { name, value } if name == ARMING_CHECK && *value == 0.0 => Risk::SkipsChecks,
+            Self::Set { .. } | Self::Get { .. } => Risk::None,
+        }
     }
 }
 

@@ -2,7 +2,9 @@
 
 use std::time::Duration;
 
-use super::encode;
+use super::encode::{self, IntFields, LongFields};
+use crate::text::Text;
+use crate::vehicle::Vehicle;
 use crate::wire::Outgoing;
 
 /// What answers a request.
@@ -34,6 +36,20 @@ impl Request {
             answer,
             closing: None,
         }
+    }
+
+    pub(super) fn long(
+        vehicle: &Vehicle,
+        fields: &LongFields,
+        confirmation: u8,
+    ) -> Result<Self, Text> {
+        let message = encode::long(vehicle, fields, confirmation)?;
+        Ok(Self::new(message, Answer::Ack(fields.command)))
+    }
+
+    pub(super) fn int(vehicle: &Vehicle, fields: &IntFields) -> Result<Self, Text> {
+        let message = encode::int(vehicle, fields)?;
+        Ok(Self::new(message, Answer::Ack(fields.command)))
     }
 
     /// Prepares the next try: the same messages, with the confirmation of a `COMMAND_LONG` counted up.

@@ -2,9 +2,10 @@
 
 use mavlink::dialects::ardupilotmega::MavCmd;
 
+use super::destination::{Destination, Heading};
 use super::encode::{self, FRAME_RELATIVE, IntFields};
 use super::request::{Answer, Request};
-use super::{Destination, Heading};
+
 use crate::geo::LatLon;
 use crate::text;
 use crate::text::Text;
@@ -72,7 +73,7 @@ fn reposition(vehicle: &Vehicle, destination: Destination) -> Result<Request, Te
         [-1.0, 1.0, 0.0, 0.0],
         (point, altitude_m),
     )?;
-    acknowledged_int(vehicle, &fields)
+    Request::int(vehicle, &fields)
 }
 
 /// Where a `goto` ends, in the frame in which it is sent.
@@ -221,12 +222,6 @@ fn local(vehicle: &Vehicle) -> Result<[f64; 3], Text> {
         .local
         .map(|local| local.ned_m.map(f64::from))
         .ok_or_else(|| text!("refused-no-position"))
-}
-
-/// A request that `COMMAND_ACK` answers.
-pub(super) fn acknowledged_int(vehicle: &Vehicle, fields: &IntFields) -> Result<Request, Text> {
-    let message = encode::int(vehicle, fields)?;
-    Ok(Request::new(message, Answer::Ack(fields.command)))
 }
 
 /// A request that nothing answers.

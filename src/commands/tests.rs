@@ -4,6 +4,7 @@ use mavlink::dialects::ardupilotmega::{COMMAND_LONG_DATA, MavMessage};
 use proptest::prelude::*;
 
 use super::*;
+use crate::geo::LatLon;
 use crate::vehicle::{
     Attitude, GlobalPosition, Heartbeat, LandedState, LocalPosition, SystemStatus, Vehicle,
     VehicleClass,

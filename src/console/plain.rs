@@ -11,10 +11,11 @@
 use std::time::Duration;
 
 use super::{Console, ConsoleOptions, Happened, Opening, Signals, key, ticks};
+use crate::app::console::{InPlain, PlainAnswer, in_plain};
 use crate::app::event::TerminalEvent;
 use crate::app::state::{Overlay, Room};
 use crate::diagnostic::Diagnostic;
-use crate::language::{Findings, Pilot, PilotEvent, Script, Seen};
+use crate::language::{self, Findings, Pilot, PilotEvent, Scope, Script, Seen, words};
 use crate::text::{Text, text};
 use crate::vehicle::Severity;
 use crossterm::event::KeyCode;
@@ -309,31 +310,26 @@ impl Plain {
         }
     }
 
-    /// Lines that show something; true if it was one of them.
+    /// Lines that show something, and waits; true if it was one of them.
     fn carry_out_here(&mut self, line: &str) -> bool {
-        let (verb, rest) = line.split_once(char::is_whitespace).unwrap_or((line, ""));
-        let state = self.console.app.state();
-        let texts = match verb {
-            "status" => report::status(state, rest.trim()),
-            "objectives" if rest.is_empty() => report::objectives(state),
-            "contacts" if rest.is_empty() => report::contacts(state),
-            "help" if rest.is_empty() => report::help(state),
-            "links" if rest.is_empty() => report::links(state),
-            "ledger" | "commands" if rest.is_empty() => report::ledger(state),
-            "notices" if rest.is_empty() => report::notices(state),
-            "hangar" if rest.is_empty() => report::hangar(state),
-            "brief" if rest.is_empty() && state.flown_mission().is_some() => {
-                self.brief();
-                return true;
+        let (meaning, rest) = in_plain(line);
+        let texts = match meaning {
+            InPlain::Says(PlainAnswer::Brief)
+                if self.console.app.state().flown_mission().is_none() =>
+            {
+                return false;
             }
-            "columns" | "theme" | "filter" | "sort" | "show" | "params" => {
-                vec![text!("plain-no-room")]
+            InPlain::Says(report) => report::texts(report, self.console.app.state(), rest),
+            InPlain::NoRoom => vec![text!("plain-no-room")],
+            InPlain::Same => {
+                let first = words(line).into_iter().next();
+                let row = first.and_then(|word| language::row(word.text));
+                let holds = row.is_some_and(|row| row.scope == Scope::Scripts);
+                if holds {
+                    self.wait(line);
+                }
+                return holds;
             }
-            "wait" => {
-                self.wait(line);
-                return true;
-            }
-            _ => return false,
         };
         for text in texts {
             self.say(&text);

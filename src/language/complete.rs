@@ -11,7 +11,7 @@ use super::form::{Expected, Fit, fit};
 use super::lexer::{Word, comment_start, words};
 use super::parse::{Head, head};
 use super::read::{mode_names, mode_warning};
-use super::verb::{Form, VerbRow};
+use super::verb::{Form, Scope, VerbRow};
 use super::{Context, Targets, rows};
 use crate::text;
 use crate::text::Text;
@@ -119,7 +119,7 @@ fn candidates(before: &[Word], context: &Context) -> Vec<(String, Text)> {
             all.extend(targets);
             all
         }
-        [word] if Targets::looks_like(word) => match Targets::read(word, context) {
+        [word] if word.is_targets() => match Targets::read(word, context) {
             Ok(_) => {
                 let mut all = verb_names();
                 all.extend(modes_as_verbs(context));
@@ -137,7 +137,8 @@ fn candidates(before: &[Word], context: &Context) -> Vec<(String, Text)> {
 fn following(head: &Head, words: &[Word], context: &Context) -> Vec<(String, Text)> {
     let rest = &words[head.len..];
     let mut all: Vec<(String, Text)> = Vec::new();
-    let waits = head.row.name() == "wait" && head.targets == Targets::Selection && rest.is_empty();
+    let waits =
+        head.row.scope == Scope::Scripts && head.targets == Targets::Selection && rest.is_empty();
     if waits {
         all.extend(target_names(context));
     }
@@ -181,7 +182,7 @@ fn verb_names() -> Vec<(String, Text)> {
         let hint = described(usage.into(), row.summary());
         (row.name().to_owned(), hint)
     };
-    rows().iter().map(explained).collect()
+    rows().map(explained).collect()
 }
 
 /// The modes whose names alone change to them, unless a verb is called so.

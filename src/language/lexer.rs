@@ -4,8 +4,10 @@ use std::ops::Range;
 
 /// A word and where it lies, in bytes of the line.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Word<'a> {
+pub struct Word<'a> {
+    /// As it was written.
     pub text: &'a str,
+    /// Its place.
     pub span: Range<usize>,
 }
 
@@ -14,11 +16,19 @@ impl Word<'_> {
     pub fn is(&self, other: &str) -> bool {
         self.text.eq_ignore_ascii_case(other)
     }
+
+    /// Whether it is meant as targets: `all`, or a number or `@` at its beginning.
+    pub fn is_targets(&self) -> bool {
+        self.is("all")
+            || self
+                .text
+                .starts_with(|c: char| c.is_ascii_digit() || c == '@')
+    }
 }
 
 /// The words of a line: separated by blanks, comparison signs stand for themselves, and a `#` that begins a word
 /// begins a comment.
-pub(super) fn words(line: &str) -> Vec<Word<'_>> {
+pub fn words(line: &str) -> Vec<Word<'_>> {
     let code = &line[..comment_start(line).unwrap_or(line.len())];
     let mut words = Vec::new();
     let mut start = None;
@@ -48,7 +58,7 @@ pub(super) fn words(line: &str) -> Vec<Word<'_>> {
 }
 
 /// Where the comment of a line begins, if it has one.
-pub(super) fn comment_start(line: &str) -> Option<usize> {
+pub fn comment_start(line: &str) -> Option<usize> {
     line.match_indices('#').map(|(at, _)| at).find(|&at| {
         line[..at]
             .chars()

@@ -7,7 +7,7 @@ use super::form::{Expected, Fit, Misfit, fit};
 use super::lexer::{Word, words};
 use super::read::{mode_named, mode_names};
 use super::table::{row, rows};
-use super::verb::{Form, Meaning, VerbRow};
+use super::verb::{Form, Meaning, Scope, VerbRow};
 use super::{Context, Statement, Targets};
 use crate::diagnostic::Diagnostic;
 use crate::text;
@@ -48,7 +48,7 @@ pub(super) fn head(words: &[Word], context: &Context) -> Result<Head, Diagnostic
     let mut at = 0;
     let mut targets = Targets::Selection;
     if let Some(word) = words.first()
-        && Targets::looks_like(word)
+        && word.is_targets()
     {
         targets = Targets::read(word, context)?;
         at = 1;
@@ -76,7 +76,7 @@ pub(super) fn head(words: &[Word], context: &Context) -> Result<Head, Diagnostic
         said: found.name().to_owned(),
         len: at + 1,
     };
-    if found.name() == "wait" {
+    if found.scope == Scope::Scripts {
         targets_after(&mut head, words, context)?;
     }
     Ok(head)
@@ -106,7 +106,7 @@ fn targets_of_wait(word: &Word, left: usize) -> bool {
         .text
         .bytes()
         .all(|byte| byte.is_ascii_digit() || byte == b'-' || byte == b',');
-    Targets::looks_like(word)
+    word.is_targets()
         && (!word.text.starts_with(|c: char| c.is_ascii_digit()) || numbers && left > 1)
 }
 
@@ -279,9 +279,8 @@ fn unknown_verb(word: &Word, context: &Context) -> Diagnostic {
         word.span.clone(),
         text!("grammar-unknown-command", word = word.text),
     );
-    let names = rows()
-        .iter()
-        .flat_map(|row| std::iter::once(row.name()).chain(row.aliases.iter().copied()));
+    let names =
+        rows().flat_map(|row| std::iter::once(row.name()).chain(row.aliases.iter().copied()));
     fault.with_nearest(word.text, names.chain(mode_names(context)))
 }
 
@@ -295,7 +294,7 @@ fn end_of(words: &[Word]) -> Range<usize> {
 fn normalised(head: &Head, rest: &[Word]) -> String {
     let targets = head.targets.to_string();
     let mut parts: Vec<&str> = vec![&targets, &head.said];
-    if head.row.name() == "wait" {
+    if head.row.scope == Scope::Scripts {
         parts.swap(0, 1);
     }
     parts.extend(rest.iter().map(|word| word.text));

@@ -13,62 +13,29 @@ mod swarm;
 mod waiting;
 
 /// The whole table, in the order in which it is shown.
-pub fn rows() -> &'static [VerbRow] {
-    ROWS
+pub fn rows() -> impl Iterator<Item = &'static VerbRow> {
+    TABLE.into_iter().flatten()
 }
 
 /// The row of a word, which may be an alias, upper or lower case.
 pub fn row(word: &str) -> Option<&'static VerbRow> {
-    ROWS.iter().find(|row| row.is_called(word))
+    rows().find(|row| row.is_called(word))
 }
 
 /// The verb of this name, as the ledger writes it: `arm`, `relay to`.
 pub fn verb(name: &str) -> Option<&'static Verb> {
-    ROWS.iter()
+    rows()
         .flat_map(VerbRow::verbs)
         .find(|verb| verb.name == name)
 }
 
-static ROWS: &[VerbRow] = &[
-    flight::ARM,
-    flight::DISARM,
-    flight::KILL,
-    flight::MODE,
-    flight::TAKEOFF,
-    flight::LAND,
-    flight::RTL,
-    flight::HOLD,
-    flight::RESUME,
-    motion::GOTO,
-    motion::ALTITUDE,
-    motion::SPEED,
-    motion::YAW,
-    motion::VELOCITY,
-    motion::ORBIT,
-    motion::ROI,
-    motion::HOME,
-    swarm::SURVEY,
-    swarm::SEARCH,
-    swarm::FORMATION,
-    swarm::FOLLOW,
-    swarm::SPREAD,
-    waiting::WAIT,
-    mission::MARK,
-    mission::UNMARK,
-    mission::SAMPLE,
-    mission::DROP,
-    mission::SPRAY,
-    mission::PREDICT,
-    mission::GOAL,
-    mission::HINT,
-    devices::SERVO,
-    devices::RELAY,
-    devices::REBOOT,
-    devices::INTERVAL,
-    devices::REQUEST,
-    devices::PARAM,
-    devices::LONG,
-    devices::INT,
+static TABLE: [&[VerbRow]; 6] = [
+    flight::ROWS,
+    motion::ROWS,
+    swarm::ROWS,
+    waiting::ROWS,
+    mission::ROWS,
+    devices::ROWS,
 ];
 
 /// A motor that starts late can hurt somebody: give up soon.

@@ -83,14 +83,6 @@ impl Targets {
         Ok(ids)
     }
 
-    /// Whether a word is meant as targets: `all`, or a number or `@` at its beginning.
-    pub(super) fn looks_like(word: &Word) -> bool {
-        word.is("all")
-            || word
-                .text
-                .starts_with(|c: char| c.is_ascii_digit() || c == '@')
-    }
-
     /// Reads a word such as `all`, `1-4,7` or `@red`.
     pub(super) fn read(word: &Word, context: &Context) -> Result<Self, Diagnostic> {
         if word.is("all") {

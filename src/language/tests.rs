@@ -326,7 +326,7 @@ fn the_manual_tells_about_every_verb() {
 
 /// Lines made of the language's own words, which reach further than random letters do.
 fn likely_line() -> impl Strategy<Value = String> {
-    let names: Vec<String> = rows().iter().map(|row| row.name().to_owned()).collect();
+    let names: Vec<String> = rows().map(|row| row.name().to_owned()).collect();
     let word = prop_oneof![
         3 => proptest::sample::select(names),
         3 => proptest::sample::select(vec![

@@ -11,12 +11,24 @@ use crate::verb::Verb;
 pub struct VerbRow {
     /// What holds for all its orders.
     pub verb: Verb,
+    /// Where it may be said.
+    pub scope: Scope,
     /// Other words for it.
     pub aliases: &'static [&'static str],
     /// Lines that use it.
     pub examples: &'static [&'static str],
     /// The ways to say it.
     pub forms: &'static [Form],
+}
+
+/// Where a verb may be said.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Scope {
+    /// On the command line and in scripts.
+    Everywhere,
+    /// Only where lines are given one after the other, which it holds up: in scripts and through a pipe. Its targets may
+    /// follow it.
+    Scripts,
 }
 
 /// One way to say a verb: its arguments, and what is built of them.

@@ -155,8 +155,8 @@ fn from_tables() -> BTreeSet<String> {
     let classes =
         ["copter", "plane", "rover", "sub", "vehicle"].map(|class| format!("class-{class}"));
     let settings = Setting::NAMES.iter().map(|name| format!("setting-{name}"));
-    let summaries = rows().iter().map(|row| format!("verb-{}", row.name()));
-    let forms = rows().iter().flat_map(|row| row.forms);
+    let summaries = rows().map(|row| format!("verb-{}", row.name()));
+    let forms = rows().flat_map(|row| row.forms);
     let arguments = forms.flat_map(|form| form.arguments);
     let meanings = arguments.map(|argument| argument.help.to_owned());
     actions

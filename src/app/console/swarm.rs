@@ -1,30 +1,10 @@
 //! The console's own lines about the table and its alerts.
 
-use std::ops::Range;
-
 use crate::alert::AlertKind;
 use crate::config::{Column, TableSort};
 use crate::diagnostic::Diagnostic;
+use crate::language::Word;
 use crate::text;
-
-/// What a line is about.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum SwarmVerb {
-    /// The order of the table.
-    Sort,
-    /// What is in it.
-    Filter,
-    /// Its columns.
-    Columns,
-    /// A group's end.
-    Ungroup,
-    /// Kinds of alert that stay silent.
-    Mute,
-    /// Kinds of alert that ring again.
-    Unmute,
-    /// Taking note of alerts.
-    Acknowledge,
-}
 
 /// A line about the table or its alerts.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -49,78 +29,65 @@ pub enum SwarmLine {
     AcknowledgeOf(String),
 }
 
-/// The words of a line after its verb: what is written, and where.
-pub type Words<'a> = [(&'a str, Range<usize>)];
-
-/// Reads the words after a verb.
-///
-/// # Errors
-/// A word that names no column or no kind of alert.
-pub fn read(verb: SwarmVerb, words: &Words<'_>) -> Result<SwarmLine, Diagnostic> {
-    let first = words.first();
-    Ok(match verb {
-        SwarmVerb::Sort => SwarmLine::Sort(match first {
-            Some(word) => sort(word)?,
-            None => TableSort::BY_ID,
-        }),
-        SwarmVerb::Filter => {
-            let words: Vec<&str> = words.iter().map(|(word, _)| *word).collect();
-            SwarmLine::Filter(words.join(" "))
-        }
-        SwarmVerb::Columns => SwarmLine::Columns(columns(words)?),
-        SwarmVerb::Ungroup => {
-            let name = first.map_or("", |(word, _)| word);
-            SwarmLine::Ungroup(name.trim_start_matches('@').to_owned())
-        }
-        SwarmVerb::Mute => SwarmLine::Mute(first.map(kind).transpose()?),
-        SwarmVerb::Unmute => SwarmLine::Unmute(first.map(kind).transpose()?),
-        SwarmVerb::Acknowledge => match first {
-            None => SwarmLine::AcknowledgeWorst,
-            Some((word, _)) if names_vehicles(word) => SwarmLine::AcknowledgeOf((*word).to_owned()),
-            Some(word) => kind(word)
-                .map(SwarmLine::AcknowledgeKind)
-                .map_err(|fault| Diagnostic {
-                    message: text!("alert-no-kind-or-vehicle", word = word.0),
-                    ..fault
-                })?,
-        },
-    })
+/// By number where no column is named.
+pub(super) fn sort(column: Option<&Word<'_>>) -> Result<SwarmLine, Diagnostic> {
+    let Some(word) = column else {
+        return Ok(SwarmLine::Sort(TableSort::BY_ID));
+    };
+    let sort = TableSort::read(word.text).map_err(|fault| placed(fault, word))?;
+    Ok(SwarmLine::Sort(sort))
 }
 
-/// The words that may follow a verb, for completion.
-pub fn choices(verb: SwarmVerb) -> Vec<&'static str> {
-    match verb {
-        SwarmVerb::Sort | SwarmVerb::Columns => Column::NAMES.to_vec(),
-        SwarmVerb::Mute | SwarmVerb::Unmute | SwarmVerb::Acknowledge => AlertKind::NAMES.to_vec(),
-        SwarmVerb::Filter | SwarmVerb::Ungroup => Vec::new(),
+pub(super) fn filter(words: &str) -> SwarmLine {
+    let words: Vec<&str> = words.split_whitespace().collect();
+    SwarmLine::Filter(words.join(" "))
+}
+
+pub(super) fn columns(words: &[Word<'_>]) -> Result<SwarmLine, Diagnostic> {
+    let column = |word: &Word<'_>| Column::read(word.text).map_err(|fault| placed(fault, word));
+    let columns: Result<Vec<Column>, Diagnostic> = words.iter().map(column).collect();
+    columns.map(SwarmLine::Columns)
+}
+
+pub(super) fn ungroup(name: &str) -> SwarmLine {
+    SwarmLine::Ungroup(name.trim_start_matches('@').to_owned())
+}
+
+pub(super) fn mute(word: Option<&Word<'_>>) -> Result<SwarmLine, Diagnostic> {
+    Ok(SwarmLine::Mute(word.map(kind).transpose()?))
+}
+
+pub(super) fn unmute(word: Option<&Word<'_>>) -> Result<SwarmLine, Diagnostic> {
+    Ok(SwarmLine::Unmute(word.map(kind).transpose()?))
+}
+
+/// A kind or vehicles; the worst where nothing is named.
+pub(super) fn acknowledge(word: Option<&Word<'_>>) -> Result<SwarmLine, Diagnostic> {
+    let Some(word) = word else {
+        return Ok(SwarmLine::AcknowledgeWorst);
+    };
+    if names_vehicles(word) {
+        return Ok(SwarmLine::AcknowledgeOf(word.text.to_owned()));
     }
+    let kind = kind(word).map_err(|fault| Diagnostic {
+        message: text!("alert-no-kind-or-vehicle", word = word.text),
+        ..fault
+    })?;
+    Ok(SwarmLine::AcknowledgeKind(kind))
 }
 
 /// Whether a word is meant as vehicles, whether they are there or not.
-fn names_vehicles(word: &str) -> bool {
-    matches!(word, "all" | "none" | "filter" | "invert")
-        || word.starts_with(|c: char| c == '@' || c.is_ascii_digit())
+fn names_vehicles(word: &Word<'_>) -> bool {
+    matches!(word.text, "none" | "filter" | "invert") || word.is_targets()
 }
 
-fn columns(words: &Words<'_>) -> Result<Vec<Column>, Diagnostic> {
-    words.iter().map(column).collect()
+fn kind(word: &Word<'_>) -> Result<AlertKind, Diagnostic> {
+    AlertKind::read(word.text).map_err(|fault| placed(fault, word))
 }
 
-fn column((word, span): &(&str, Range<usize>)) -> Result<Column, Diagnostic> {
-    Column::read(word).map_err(|fault| placed(fault, span))
-}
-
-fn sort((word, span): &(&str, Range<usize>)) -> Result<TableSort, Diagnostic> {
-    TableSort::read(word).map_err(|fault| placed(fault, span))
-}
-
-fn kind((word, span): &(&str, Range<usize>)) -> Result<AlertKind, Diagnostic> {
-    AlertKind::read(word).map_err(|fault| placed(fault, span))
-}
-
-fn placed(fault: Diagnostic, span: &Range<usize>) -> Diagnostic {
+fn placed(fault: Diagnostic, word: &Word<'_>) -> Diagnostic {
     Diagnostic {
-        span: span.clone(),
+        span: word.span.clone(),
         ..fault
     }
 }

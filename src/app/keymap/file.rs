@@ -238,7 +238,7 @@ fn meaning(value: &Spanned<DeValue<'_>>, themes: &[String]) -> Result<Option<Mea
         }
         // A single word may have been meant as either.
         let actions = Action::all().map(Action::name);
-        let commands = rows().iter().map(VerbRow::name);
+        let commands = rows().map(VerbRow::name);
         let own = CONSOLE_VERBS.iter().map(|verb| verb.name);
         let text = text!("keymap-no-action", name = line);
         Diagnostic::new(span.clone(), text).with_nearest(line, actions.chain(commands).chain(own))

@@ -5,7 +5,7 @@ use unicode_width::UnicodeWidthStr as _;
 use crate::app::console::CONSOLE_VERBS;
 use crate::app::keymap::{Keymap, Meaning, Place};
 use crate::app::room_list::Room;
-use crate::language::rows;
+use crate::language::{Scope, rows};
 use crate::text;
 use crate::text::{Locale, Text};
 
@@ -16,8 +16,6 @@ pub const SHORT_USAGE: usize = 22;
 const SHORT_SUMMARY: usize = 49;
 /// Columns of a note.
 const NOTE_WIDTH: usize = 66;
-/// Verbs that only pilot scripts can say.
-pub const SCRIPT_VERBS: &[&str] = &["wait"];
 
 /// One line of the help.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -46,11 +44,16 @@ pub fn help_lines(keymap: &Keymap, here: Room, locale: &Locale) -> Vec<HelpLine>
         lines.extend(keys);
         lines.push(HelpLine::Blank);
     }
-    lines.push(title(text!("help-commands")));
+    lines.extend(command_help(locale));
+    lines
+}
+
+/// The part of the help that is about lines rather than keys.
+pub fn command_help(locale: &Locale) -> Vec<HelpLine> {
+    let title = |text: Text| HelpLine::Title(locale.text(&text));
+    let mut lines = vec![title(text!("help-commands"))];
     lines.extend(notes(&locale.say("help-targets")));
-    let for_people = rows()
-        .iter()
-        .filter(|row| !SCRIPT_VERBS.contains(&row.name()));
+    let for_people = rows().filter(|row| row.scope == Scope::Everywhere);
     for row in for_people {
         lines.extend(explained(&row.usage(), &locale.text(&row.summary())));
     }

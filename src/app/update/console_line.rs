@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::{act, mission, swarm};
 use crate::app::State;
-use crate::app::console::{self, ConsoleLine, Deed, ParamsDeed};
+use crate::app::console::{BareLine, ConsoleLine, ParamsDeed};
 use crate::app::effect::{CareerEffect, Effect, SessionEffect, TerminalEffect};
 use crate::app::lines;
 use crate::app::room::{Room, hangar, parameters};
@@ -12,6 +12,7 @@ use crate::app::setting::Setting;
 use crate::app::state::{Log, Overlay, parse_ranges, ranges};
 use crate::config::Symbols;
 use crate::diagnostic::Diagnostic;
+use crate::language::words;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
@@ -25,11 +26,8 @@ pub fn carry_out(
     line: &str,
     own: ConsoleLine,
 ) -> Result<Vec<Effect>, Diagnostic> {
-    let at_last_word = |text: Text| {
-        let end = line.trim_end().len();
-        let start = console::last_word(&line[..end]);
-        Diagnostic::new(start..end, text)
-    };
+    let last_word = words(line).pop().map_or(0..0, |word| word.span);
+    let at_last_word = |text: Text| Diagnostic::new(last_word.clone(), text);
     match own {
         ConsoleLine::Select(targets) => {
             let ids = targeted(state, &targets).map_err(at_last_word)?;
@@ -55,9 +53,7 @@ pub fn carry_out(
             });
         }
         ConsoleLine::Params(deed) => {
-            let end = line.trim_end().len();
-            let last = console::last_word(&line[..end])..end;
-            return params(state, deed).map_err(|text| Diagnostic::new(last, text));
+            return params(state, deed).map_err(at_last_word);
         }
         ConsoleLine::Swarm(own) => swarm::carry_out(state, own).map_err(at_last_word)?,
         ConsoleLine::Connect(addresses) => {
@@ -69,15 +65,14 @@ pub fn carry_out(
         }
         ConsoleLine::Inject(name) => return Ok(vec![Effect::Session(SessionEffect::Inject(name))]),
         ConsoleLine::Macro(name) => {
-            let end = line.trim_end().len();
-            lines::check_macro(state, &name, console::last_word(&line[..end])..end)?;
+            lines::check_macro(state, &name, last_word)?;
             let lines = state.config.macros.get(&name).cloned().unwrap_or_default();
             for line in lines.into_iter().rev() {
                 state.pending.push_front(line);
             }
         }
         ConsoleLine::Set(setting) => return Ok(set(state, &setting)),
-        ConsoleLine::Plain(deed) => return Ok(plain(state, deed)),
+        ConsoleLine::Bare(line) => return Ok(bare(state, line)),
     }
     Ok(Vec::new())
 }
@@ -141,19 +136,19 @@ fn params(state: &mut State, deed: ParamsDeed) -> Result<Vec<Effect>, Text> {
     Ok(Vec::new())
 }
 
-fn plain(state: &mut State, deed: Deed) -> Vec<Effect> {
-    match deed {
-        Deed::Help => state.overlay = Some(Overlay::Help { scroll: 0 }),
-        Deed::Links => act::show(state, Room::Links),
-        Deed::Ledger => act::show(state, Room::Ledger),
-        Deed::Notices => act::look_back(state, Log::Notices),
-        Deed::Brief => act::brief(state),
-        Deed::Pause => return mission::pause(state),
-        Deed::GoOn => return mission::go_on(state),
-        Deed::Abandon => return mission::abandon(state),
-        Deed::Restart => return mission::restart(state, false),
-        Deed::Leave => return act::leave(state),
-        Deed::Quit => return act::quit(state),
+fn bare(state: &mut State, line: BareLine) -> Vec<Effect> {
+    match line {
+        BareLine::Help => state.overlay = Some(Overlay::Help { scroll: 0 }),
+        BareLine::Links => act::show(state, Room::Links),
+        BareLine::Ledger => act::show(state, Room::Ledger),
+        BareLine::Notices => act::look_back(state, Log::Notices),
+        BareLine::Brief => act::brief(state),
+        BareLine::Pause => return mission::pause(state),
+        BareLine::Continue => return mission::go_on(state),
+        BareLine::Abandon => return mission::abandon(state),
+        BareLine::Restart => return mission::restart(state, false),
+        BareLine::Leave => return act::leave(state),
+        BareLine::Quit => return act::quit(state),
     }
     Vec::new()
 }

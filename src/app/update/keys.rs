@@ -10,6 +10,7 @@ use crate::app::console;
 use crate::app::effect::Effect;
 use crate::app::keymap::{Meaning, Place};
 use crate::app::state::{Confirm, Overlay, help_lines};
+use crate::language::{Word, words};
 use crate::notice::sanitised;
 use crate::text;
 use crate::text::Text;
@@ -142,9 +143,7 @@ fn on_screen(state: &mut State, key: KeyEvent) -> Vec<Effect> {
 /// A line that a key gives: to the vehicle list that was being typed, unless it says itself to whom.
 fn addressed(state: &mut State, line: &str) -> String {
     let typed = std::mem::take(&mut state.typed);
-    let first = line.split_whitespace().next().unwrap_or_default();
-    let names_targets =
-        first == "all" || first.starts_with(|c: char| c == '@' || c.is_ascii_digit());
+    let names_targets = words(line).first().is_some_and(Word::is_targets);
     if typed.is_empty() || names_targets || console::usage(line).is_some() {
         line.to_owned()
     } else {

@@ -10,9 +10,9 @@ use crate::app::action::Action;
 use crate::app::console;
 use crate::app::effect::Effect;
 use crate::app::keymap::Place;
-use crate::app::state::{Overlay, Palette, SCRIPT_VERBS, ranges};
+use crate::app::state::{Overlay, Palette, ranges};
 use crate::diagnostic::Diagnostic;
-use crate::language::{self, Completion};
+use crate::language::{self, Completion, Scope, VerbRow, words};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
@@ -59,7 +59,8 @@ pub fn edited(state: &mut State, mut palette: Palette) {
     let names = state.names();
     let mut found = state.with_context(|context| language::complete(&line, cursor, context));
     found.extend(console::complete(&line, cursor, &names));
-    found.retain(|completion| !SCRIPT_VERBS.contains(&completion.text.as_str()));
+    let is_for_scripts = |row: &VerbRow| row.scope == Scope::Scripts;
+    found.retain(|completion| !language::row(&completion.text).is_some_and(is_for_scripts));
     // Words that begin as typed come before words that only contain the letters, and commands before modes.
     found.sort_by_key(|completion| {
         let typed = line.get(completion.replaces.clone()).unwrap_or_default();
@@ -105,7 +106,8 @@ fn judge(state: &State, palette: &mut Palette) {
 /// How the verb of a line is written, also where its arguments are wrong.
 fn usage(line: &str) -> Option<String> {
     // A target may stand before it.
-    let row = line.split_whitespace().take(2).find_map(language::row)?;
+    let mut first = words(line).into_iter().take(2);
+    let row = first.find_map(|word| language::row(word.text))?;
     Some(row.usage().join(" | "))
 }
 
@@ -249,13 +251,11 @@ fn carry_out(state: &mut State, line: &str) -> Result<Vec<Effect>, Diagnostic> {
 
 /// To whom a line goes as far as it has been written: it should never be a guess.
 fn recipients(state: &State, line: &str) -> Text {
-    let first = line.split_whitespace().next().unwrap_or_default();
-    let named = first == "all" || first.starts_with(|c: char| c == '@' || c.is_ascii_digit());
     if console::usage(line).is_some() || state.session.vehicles.is_empty() {
         return Text::default();
     }
-    if named {
-        let ids = targeted(state, first).unwrap_or_default();
+    if let Some(targets) = words(line).first().filter(|word| word.is_targets()) {
+        let ids = targeted(state, targets.text).unwrap_or_default();
         return if ids.is_empty() {
             Text::default()
         } else {

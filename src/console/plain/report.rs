@@ -2,8 +2,12 @@
 
 use std::collections::BTreeMap;
 
+use super::brief;
 use crate::app::State;
-use crate::app::state::{Hangar, HelpLine, NoticeLine, Session, help_lines, parse_ranges, ranges};
+use crate::app::console::PlainAnswer;
+use crate::app::state::{
+    Hangar, HelpLine, NoticeLine, Session, command_help, parse_ranges, ranges,
+};
 use crate::ledger::{EntryId, LedgerEntry};
 use crate::mission::{ObjectiveProgress, ObjectiveState, ShownContact, Trust};
 use crate::notice::Notice;
@@ -150,7 +154,7 @@ fn stages(hangar: &Hangar) -> Text {
 }
 
 /// The vehicles' processes, on demand.
-pub fn hangar(state: &State) -> Vec<Text> {
+fn hangar(state: &State) -> Vec<Text> {
     match &state.session.hangar {
         Some(hangar) => vec![stages(hangar)],
         None => vec![text!("hangar-plain-none")],
@@ -220,7 +224,7 @@ fn objective_text(objective: &ObjectiveProgress) -> Text {
 }
 
 /// The mission's progress.
-pub fn objectives(state: &State) -> Vec<Text> {
+fn objectives(state: &State) -> Vec<Text> {
     let Some(mission) = &state.session.mission else {
         return vec![text!("mission-none")];
     };
@@ -250,7 +254,7 @@ fn contact_text(contact: &ShownContact) -> Text {
 }
 
 /// What detectors have found, and what the trainee has reported.
-pub fn contacts(state: &State) -> Vec<Text> {
+fn contacts(state: &State) -> Vec<Text> {
     let Some(mission) = &state.session.mission else {
         return vec![text!("mission-none")];
     };
@@ -260,7 +264,7 @@ pub fn contacts(state: &State) -> Vec<Text> {
 }
 
 /// How vehicles are: those that are named, else those that a command would go to, else all.
-pub fn status(state: &State, targets: &str) -> Vec<Text> {
+fn status(state: &State, targets: &str) -> Vec<Text> {
     let vehicles = &state.session.vehicles;
     let all = || vehicles.keys().copied().collect::<Vec<VehicleId>>();
     let ids = match targets {
@@ -323,14 +327,14 @@ fn vehicle_text(vehicle: &Vehicle, state: &State) -> Text {
 }
 
 /// The last commands.
-pub fn ledger(state: &State) -> Vec<Text> {
+fn ledger(state: &State) -> Vec<Text> {
     let entries = state.session.ledger.entries();
     let skipped = entries.len().saturating_sub(LISTED);
     entries.skip(skipped).map(outcome).collect()
 }
 
 /// How the links are doing, and what ails them.
-pub fn links(state: &State) -> Vec<Text> {
+fn links(state: &State) -> Vec<Text> {
     let session = &state.session;
     let links = session.links.iter().map(|link| {
         text!(
@@ -348,7 +352,7 @@ pub fn links(state: &State) -> Vec<Text> {
 }
 
 /// The last notices.
-pub fn notices(state: &State) -> Vec<Text> {
+fn notices(state: &State) -> Vec<Text> {
     let lines = state.notices.lines();
     let skipped = lines.len().saturating_sub(LISTED);
     let lines = lines.skip(skipped);
@@ -357,26 +361,36 @@ pub fn notices(state: &State) -> Vec<Text> {
         .collect()
 }
 
-/// The part of the help that is about lines rather than keys.
-pub fn help(state: &State) -> Vec<Text> {
-    let lines = help_lines(&state.keymap, state.room, &state.locale);
-    let grammar = state.locale.say("help-commands");
-    let is_start = |line: &&HelpLine| matches!(line, HelpLine::Title(title) if *title == grammar);
-    let start = lines.iter().position(|line| is_start(&line)).unwrap_or(0);
+/// What a report says; only that of vehicles takes further words.
+pub fn texts(report: PlainAnswer, state: &State, words: &str) -> Vec<Text> {
+    match report {
+        PlainAnswer::Status => status(state, words),
+        PlainAnswer::Objectives => objectives(state),
+        PlainAnswer::Contacts => contacts(state),
+        PlainAnswer::Help => help(state),
+        PlainAnswer::Links => links(state),
+        PlainAnswer::Ledger => ledger(state),
+        PlainAnswer::Notices => notices(state),
+        PlainAnswer::Hangar => hangar(state),
+        PlainAnswer::Brief => brief::lines(state),
+    }
+}
+
+fn help(state: &State) -> Vec<Text> {
     let own = [
         text!("plain-help-status"),
         text!("plain-help-objectives"),
         text!("plain-help-contacts"),
         text!("plain-help-wait"),
     ];
-    let general = lines[start..].iter().map(|line| match line {
-        HelpLine::Title(title) => title.as_str().into(),
-        HelpLine::Entry(what, meaning) if meaning.is_empty() => what.as_str().into(),
-        HelpLine::Entry(what, meaning) => {
-            Text::joined(": ", vec![what.as_str().into(), meaning.as_str().into()])
-        }
-        HelpLine::Note(note) => format!("  {note}").into(),
-        HelpLine::Blank => Text::default(),
-    });
+    let general = command_help(&state.locale)
+        .into_iter()
+        .map(|line| match line {
+            HelpLine::Title(title) => title.into(),
+            HelpLine::Entry(what, meaning) if meaning.is_empty() => what.into(),
+            HelpLine::Entry(what, meaning) => Text::joined(": ", vec![what.into(), meaning.into()]),
+            HelpLine::Note(note) => format!("  {note}").into(),
+            HelpLine::Blank => Text::default(),
+        });
     general.chain(own).collect()
 }

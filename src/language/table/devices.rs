@@ -3,15 +3,17 @@
 use super::{ASK, Built, ONCE, command, swarm};
 use crate::commands::{Command, DeviceCommand, ParameterCommand, QueryCommand, RawCommand};
 use crate::language::argument::{Argument, Arguments, Kind, Problem, Unit};
-use crate::language::verb::{Form, VerbRow};
+use crate::language::verb::{Form, Scope, VerbRow};
 use crate::text;
 use crate::verb::{CountsAs, Danger, Movement, Precedence, Verb};
+
+pub(super) static ROWS: &[VerbRow] = &[SERVO, RELAY, REBOOT, INTERVAL, REQUEST, PARAM, LONG, INT];
 
 /// Whatever fits a float on the wire.
 const ANY: Kind = Kind::Number(Unit::None, -(f32::MAX as f64), f32::MAX as f64);
 const ANY_I32: Kind = Kind::Whole(Unit::None, i32::MIN as f64, i32::MAX as f64);
 
-pub(super) const SERVO: VerbRow = VerbRow {
+const SERVO: VerbRow = VerbRow {
     verb: Verb {
         name: "servo",
         danger: Danger::None,
@@ -20,6 +22,7 @@ pub(super) const SERVO: VerbRow = VerbRow {
         movement: Movement::None,
         counts_as: CountsAs::Setting,
     },
+    scope: Scope::Everywhere,
     aliases: &[],
     examples: &["servo 9 1500us"],
     forms: &[Form::new(
@@ -44,7 +47,7 @@ pub(super) const SERVO: VerbRow = VerbRow {
     )],
 };
 
-pub(super) const RELAY: VerbRow = VerbRow {
+const RELAY: VerbRow = VerbRow {
     verb: Verb {
         name: "relay",
         danger: Danger::None,
@@ -53,6 +56,7 @@ pub(super) const RELAY: VerbRow = VerbRow {
         movement: Movement::None,
         counts_as: CountsAs::Setting,
     },
+    scope: Scope::Everywhere,
     aliases: &[],
     examples: &[
         "relay 0 on",
@@ -82,7 +86,7 @@ pub(super) const RELAY: VerbRow = VerbRow {
     ],
 };
 
-pub(super) const REBOOT: VerbRow = VerbRow {
+const REBOOT: VerbRow = VerbRow {
     verb: Verb {
         name: "reboot",
         danger: Danger::Confirm,
@@ -91,6 +95,7 @@ pub(super) const REBOOT: VerbRow = VerbRow {
         movement: Movement::None,
         counts_as: CountsAs::Task,
     },
+    scope: Scope::Everywhere,
     aliases: &[],
     examples: &["2 reboot"],
     forms: &[Form::new(&[], |_| {
@@ -98,7 +103,7 @@ pub(super) const REBOOT: VerbRow = VerbRow {
     })],
 };
 
-pub(super) const INTERVAL: VerbRow = VerbRow {
+const INTERVAL: VerbRow = VerbRow {
     verb: Verb {
         name: "interval",
         danger: Danger::None,
@@ -107,6 +112,7 @@ pub(super) const INTERVAL: VerbRow = VerbRow {
         movement: Movement::None,
         counts_as: CountsAs::Question,
     },
+    scope: Scope::Everywhere,
     aliases: &[],
     examples: &["interval ATTITUDE 10", "interval 33 2Hz"],
     forms: &[Form::new(
@@ -123,7 +129,7 @@ pub(super) const INTERVAL: VerbRow = VerbRow {
     )],
 };
 
-pub(super) const REQUEST: VerbRow = VerbRow {
+const REQUEST: VerbRow = VerbRow {
     verb: Verb {
         name: "request",
         danger: Danger::None,
@@ -132,6 +138,7 @@ pub(super) const REQUEST: VerbRow = VerbRow {
         movement: Movement::None,
         counts_as: CountsAs::Question,
     },
+    scope: Scope::Everywhere,
     aliases: &[],
     examples: &["request AUTOPILOT_VERSION", "1 request 242"],
     forms: &[Form::new(
@@ -148,7 +155,7 @@ pub(super) const REQUEST: VerbRow = VerbRow {
     )],
 };
 
-pub(super) const PARAM: VerbRow = VerbRow {
+const PARAM: VerbRow = VerbRow {
     verb: Verb {
         name: "param",
         danger: Danger::None,
@@ -157,6 +164,7 @@ pub(super) const PARAM: VerbRow = VerbRow {
         movement: Movement::None,
         counts_as: CountsAs::Setting,
     },
+    scope: Scope::Everywhere,
     aliases: &["parameter"],
     examples: &["param get WPNAV_SPEED", "all param set WPNAV_SPEED 500"],
     forms: &[
@@ -186,7 +194,7 @@ pub(super) const PARAM: VerbRow = VerbRow {
     ],
 };
 
-pub(super) const LONG: VerbRow = VerbRow {
+const LONG: VerbRow = VerbRow {
     verb: Verb {
         name: "long",
         danger: Danger::Confirm,
@@ -195,6 +203,7 @@ pub(super) const LONG: VerbRow = VerbRow {
         movement: Movement::None,
         counts_as: CountsAs::Task,
     },
+    scope: Scope::Everywhere,
     aliases: &[],
     examples: &["long NAV_TAKEOFF 0 0 0 0 0 0 20", "long 400 1"],
     forms: &[Form::new(
@@ -218,7 +227,7 @@ pub(super) const LONG: VerbRow = VerbRow {
     )],
 };
 
-pub(super) const INT: VerbRow = VerbRow {
+const INT: VerbRow = VerbRow {
     verb: Verb {
         name: "int",
         danger: Danger::Confirm,
@@ -227,6 +236,7 @@ pub(super) const INT: VerbRow = VerbRow {
         movement: Movement::None,
         counts_as: CountsAs::Task,
     },
+    scope: Scope::Everywhere,
     aliases: &[],
     examples: &["int DO_REPOSITION 6 -1 1 0 0 504501000 305234000 40"],
     forms: &[Form::new(

@@ -3,10 +3,12 @@
 use super::{AT_ONCE, Built, CHANGE, COME_DOWN, STOP_MOTORS, command};
 use crate::commands::{ArmingCommand, Command, FlightCommand};
 use crate::language::argument::{Argument, Arguments, Kind, Unit};
-use crate::language::verb::{Form, VerbRow};
+use crate::language::verb::{Form, Scope, VerbRow};
 use crate::verb::{Arrival, CountsAs, Danger, Movement, Precedence, Verb};
 
-pub(super) const ARM: VerbRow = VerbRow {
+pub(super) static ROWS: &[VerbRow] = &[ARM, DISARM, KILL, MODE, TAKEOFF, LAND, RTL, HOLD, RESUME];
+
+const ARM: VerbRow = VerbRow {
     verb: Verb {
         name: "arm",
         danger: Danger::None,
@@ -15,6 +17,7 @@ pub(super) const ARM: VerbRow = VerbRow {
         movement: Movement::None,
         counts_as: CountsAs::Task,
     },
+    scope: Scope::Everywhere,
     aliases: &[],
     examples: &["arm", "all arm"],
     forms: &[Form::new(&[], |_| {
@@ -22,7 +25,7 @@ pub(super) const ARM: VerbRow = VerbRow {
     })],
 };
 
-pub(super) const DISARM: VerbRow = VerbRow {
+const DISARM: VerbRow = VerbRow {
     verb: Verb {
         name: "disarm",
         danger: Danger::None,
@@ -31,6 +34,7 @@ pub(super) const DISARM: VerbRow = VerbRow {
         movement: Movement::To(Arrival::Landed),
         counts_as: CountsAs::Task,
     },
+    scope: Scope::Everywhere,
     aliases: &[],
     examples: &["disarm"],
     forms: &[Form::new(&[], |_| {
@@ -38,7 +42,7 @@ pub(super) const DISARM: VerbRow = VerbRow {
     })],
 };
 
-pub(super) const KILL: VerbRow = VerbRow {
+const KILL: VerbRow = VerbRow {
     verb: Verb {
         name: "kill",
         danger: Danger::Confirm,
@@ -47,6 +51,7 @@ pub(super) const KILL: VerbRow = VerbRow {
         movement: Movement::To(Arrival::Landed),
         counts_as: CountsAs::Task,
     },
+    scope: Scope::Everywhere,
     aliases: &[],
     examples: &["3 kill"],
     forms: &[Form::new(&[], |_| {
@@ -54,7 +59,7 @@ pub(super) const KILL: VerbRow = VerbRow {
     })],
 };
 
-pub(super) const MODE: VerbRow = VerbRow {
+const MODE: VerbRow = VerbRow {
     verb: Verb {
         name: "mode",
         danger: Danger::None,
@@ -63,6 +68,7 @@ pub(super) const MODE: VerbRow = VerbRow {
         movement: Movement::To(Arrival::Mode),
         counts_as: CountsAs::Task,
     },
+    scope: Scope::Everywhere,
     aliases: &[],
     examples: &["mode guided", "all loiter"],
     forms: &[Form::new(
@@ -78,7 +84,7 @@ pub(super) const MODE: VerbRow = VerbRow {
     )],
 };
 
-pub(super) const TAKEOFF: VerbRow = VerbRow {
+const TAKEOFF: VerbRow = VerbRow {
     verb: Verb {
         name: "takeoff",
         danger: Danger::None,
@@ -87,6 +93,7 @@ pub(super) const TAKEOFF: VerbRow = VerbRow {
         movement: Movement::To(Arrival::Done),
         counts_as: CountsAs::Task,
     },
+    scope: Scope::Everywhere,
     aliases: &[],
     examples: &["takeoff 20", "all takeoff 20m"],
     forms: &[Form::new(
@@ -105,7 +112,7 @@ fn takeoff(given: &Arguments) -> Built {
     }))
 }
 
-pub(super) const LAND: VerbRow = VerbRow {
+const LAND: VerbRow = VerbRow {
     verb: Verb {
         name: "land",
         danger: Danger::None,
@@ -114,6 +121,7 @@ pub(super) const LAND: VerbRow = VerbRow {
         movement: Movement::To(Arrival::Landed),
         counts_as: CountsAs::Task,
     },
+    scope: Scope::Everywhere,
     aliases: &[],
     examples: &["land"],
     forms: &[Form::new(&[], |_| {
@@ -121,7 +129,7 @@ pub(super) const LAND: VerbRow = VerbRow {
     })],
 };
 
-pub(super) const RTL: VerbRow = VerbRow {
+const RTL: VerbRow = VerbRow {
     verb: Verb {
         name: "rtl",
         danger: Danger::None,
@@ -130,6 +138,7 @@ pub(super) const RTL: VerbRow = VerbRow {
         movement: Movement::To(Arrival::Landed),
         counts_as: CountsAs::Task,
     },
+    scope: Scope::Everywhere,
     aliases: &[],
     examples: &["all rtl"],
     forms: &[Form::new(&[], |_| {
@@ -137,7 +146,7 @@ pub(super) const RTL: VerbRow = VerbRow {
     })],
 };
 
-pub(super) const HOLD: VerbRow = VerbRow {
+const HOLD: VerbRow = VerbRow {
     verb: Verb {
         name: "hold",
         danger: Danger::None,
@@ -146,6 +155,7 @@ pub(super) const HOLD: VerbRow = VerbRow {
         movement: Movement::To(Arrival::Done),
         counts_as: CountsAs::Task,
     },
+    scope: Scope::Everywhere,
     aliases: &["stop"],
     examples: &["all hold"],
     forms: &[Form::new(&[], |_| {
@@ -153,7 +163,7 @@ pub(super) const HOLD: VerbRow = VerbRow {
     })],
 };
 
-pub(super) const RESUME: VerbRow = VerbRow {
+const RESUME: VerbRow = VerbRow {
     verb: Verb {
         name: "resume",
         danger: Danger::None,
@@ -162,6 +172,7 @@ pub(super) const RESUME: VerbRow = VerbRow {
         movement: Movement::To(Arrival::AtTarget),
         counts_as: CountsAs::Task,
     },
+    scope: Scope::Everywhere,
     aliases: &[],
     examples: &["resume", "1-2 resume"],
     forms: &[Form::new(&[], |_| {

@@ -5,8 +5,10 @@ use std::time::Duration;
 use super::{Built, ONCE, deed};
 use crate::commands::{Deed, Goal, Spot, Subject};
 use crate::language::argument::{Argument, Arguments, Kind, Unit};
-use crate::language::verb::{Form, VerbRow};
+use crate::language::verb::{Form, Scope, VerbRow};
 use crate::verb::{CountsAs, Danger, Movement, Precedence, Verb};
+
+pub(super) static ROWS: &[VerbRow] = &[MARK, UNMARK, SAMPLE, DROP, SPRAY, PREDICT, GOAL, HINT];
 
 const WAY: Kind = Kind::Number(Unit::Metres, -20_000.0, 20_000.0);
 const POINTS: Kind = Kind::Whole(Unit::None, 0.0, 1000.0);
@@ -36,7 +38,7 @@ fn offset(given: &Arguments) -> Result<Spot, super::Problem> {
     })
 }
 
-pub(super) const MARK: VerbRow = VerbRow {
+const MARK: VerbRow = VerbRow {
     verb: Verb {
         name: "mark",
         danger: Danger::None,
@@ -45,6 +47,7 @@ pub(super) const MARK: VerbRow = VerbRow {
         movement: Movement::None,
         counts_as: CountsAs::Report,
     },
+    scope: Scope::Everywhere,
     aliases: &["report"],
     examples: &[
         "1 mark",
@@ -72,7 +75,7 @@ pub(super) const MARK: VerbRow = VerbRow {
     ],
 };
 
-pub(super) const UNMARK: VerbRow = VerbRow {
+const UNMARK: VerbRow = VerbRow {
     verb: Verb {
         name: "unmark",
         danger: Danger::None,
@@ -81,6 +84,7 @@ pub(super) const UNMARK: VerbRow = VerbRow {
         movement: Movement::None,
         counts_as: CountsAs::Report,
     },
+    scope: Scope::Everywhere,
     aliases: &[],
     examples: &["1 unmark", "1 unmark c3"],
     forms: &[
@@ -97,7 +101,7 @@ pub(super) const UNMARK: VerbRow = VerbRow {
     ],
 };
 
-pub(super) const SAMPLE: VerbRow = VerbRow {
+const SAMPLE: VerbRow = VerbRow {
     verb: Verb {
         name: "sample",
         danger: Danger::None,
@@ -106,12 +110,13 @@ pub(super) const SAMPLE: VerbRow = VerbRow {
         movement: Movement::None,
         counts_as: CountsAs::Task,
     },
+    scope: Scope::Everywhere,
     aliases: &[],
     examples: &["1 sample"],
     forms: &[Form::new(&[], |_| deed(Deed::Sample))],
 };
 
-pub(super) const DROP: VerbRow = VerbRow {
+const DROP: VerbRow = VerbRow {
     verb: Verb {
         name: "drop",
         danger: Danger::None,
@@ -120,12 +125,13 @@ pub(super) const DROP: VerbRow = VerbRow {
         movement: Movement::None,
         counts_as: CountsAs::Task,
     },
+    scope: Scope::Everywhere,
     aliases: &[],
     examples: &["3 drop"],
     forms: &[Form::new(&[], |_| deed(Deed::Drop))],
 };
 
-pub(super) const SPRAY: VerbRow = VerbRow {
+const SPRAY: VerbRow = VerbRow {
     verb: Verb {
         name: "spray",
         danger: Danger::None,
@@ -134,6 +140,7 @@ pub(super) const SPRAY: VerbRow = VerbRow {
         movement: Movement::None,
         counts_as: CountsAs::Setting,
     },
+    scope: Scope::Everywhere,
     aliases: &[],
     examples: &["3 spray on", "all spray off"],
     forms: &[Form::new(
@@ -145,7 +152,7 @@ pub(super) const SPRAY: VerbRow = VerbRow {
     )],
 };
 
-pub(super) const PREDICT: VerbRow = VerbRow {
+const PREDICT: VerbRow = VerbRow {
     verb: Verb {
         name: "predict",
         danger: Danger::None,
@@ -154,6 +161,7 @@ pub(super) const PREDICT: VerbRow = VerbRow {
         movement: Movement::None,
         counts_as: CountsAs::Word,
     },
+    scope: Scope::Everywhere,
     aliases: &[],
     examples: &["1 predict 800"],
     forms: &[Form::new(
@@ -165,7 +173,7 @@ pub(super) const PREDICT: VerbRow = VerbRow {
     )],
 };
 
-pub(super) const GOAL: VerbRow = VerbRow {
+const GOAL: VerbRow = VerbRow {
     verb: Verb {
         name: "goal",
         danger: Danger::None,
@@ -174,6 +182,7 @@ pub(super) const GOAL: VerbRow = VerbRow {
         movement: Movement::None,
         counts_as: CountsAs::Word,
     },
+    scope: Scope::Everywhere,
     aliases: &[],
     examples: &[
         "1 goal time 200s",
@@ -229,7 +238,7 @@ pub(super) const GOAL: VerbRow = VerbRow {
     ],
 };
 
-pub(super) const HINT: VerbRow = VerbRow {
+const HINT: VerbRow = VerbRow {
     verb: Verb {
         name: "hint",
         danger: Danger::None,
@@ -238,6 +247,7 @@ pub(super) const HINT: VerbRow = VerbRow {
         movement: Movement::None,
         counts_as: CountsAs::Word,
     },
+    scope: Scope::Everywhere,
     aliases: &[],
     examples: &["1 hint"],
     forms: &[Form::new(&[], |_| deed(Deed::Hint))],

@@ -5,9 +5,11 @@ use std::time::Duration;
 use super::{ASK, Built, CHANGE, SETPOINT, command, given};
 use crate::commands::{Command, Destination, Heading, MotionCommand, SpeedAxis};
 use crate::language::argument::{Argument, Arguments, Kind, Problem, Unit};
-use crate::language::verb::{Form, VerbRow};
+use crate::language::verb::{Form, Scope, VerbRow};
 use crate::text;
 use crate::verb::{Arrival, CountsAs, Danger, Movement, Precedence, Verb};
+
+pub(super) static ROWS: &[VerbRow] = &[GOTO, ALTITUDE, SPEED, YAW, VELOCITY, ORBIT, ROI, HOME];
 
 /// Heights above home or the origin; below lies the ground.
 const HEIGHT: Kind = Kind::Number(Unit::Metres, 0.5, 10_000.0);
@@ -19,7 +21,7 @@ const VELOCITY_LIMIT: Kind = Kind::Number(Unit::MetresPerSecond, -50.0, 50.0);
 const KEEP: Argument = Argument::flag("keep", "argument-keep").optional();
 const FACE: Argument = Argument::keyed("face", "heading", HEADING, "argument-face").optional();
 
-pub(super) const GOTO: VerbRow = VerbRow {
+const GOTO: VerbRow = VerbRow {
     verb: Verb {
         name: "goto",
         danger: Danger::None,
@@ -28,6 +30,7 @@ pub(super) const GOTO: VerbRow = VerbRow {
         movement: Movement::To(Arrival::Done),
         counts_as: CountsAs::Task,
     },
+    scope: Scope::Everywhere,
     aliases: &["go"],
     examples: &[
         "1-2 goto n 100 e 50 up 30",
@@ -117,7 +120,7 @@ fn goto(arguments: &Arguments, destination: Destination) -> Built {
     }))
 }
 
-pub(super) const ALTITUDE: VerbRow = VerbRow {
+const ALTITUDE: VerbRow = VerbRow {
     verb: Verb {
         name: "altitude",
         danger: Danger::None,
@@ -126,6 +129,7 @@ pub(super) const ALTITUDE: VerbRow = VerbRow {
         movement: Movement::To(Arrival::Done),
         counts_as: CountsAs::Task,
     },
+    scope: Scope::Everywhere,
     aliases: &["alt"],
     examples: &["altitude 35", "2 alt 12.5m"],
     forms: &[Form::new(
@@ -138,7 +142,7 @@ pub(super) const ALTITUDE: VerbRow = VerbRow {
     )],
 };
 
-pub(super) const SPEED: VerbRow = VerbRow {
+const SPEED: VerbRow = VerbRow {
     verb: Verb {
         name: "speed",
         danger: Danger::None,
@@ -147,6 +151,7 @@ pub(super) const SPEED: VerbRow = VerbRow {
         movement: Movement::None,
         counts_as: CountsAs::Setting,
     },
+    scope: Scope::Everywhere,
     aliases: &[],
     examples: &["speed 5", "all speed climb 2m/s"],
     forms: &[Form::new(
@@ -173,7 +178,7 @@ pub(super) const SPEED: VerbRow = VerbRow {
     )],
 };
 
-pub(super) const YAW: VerbRow = VerbRow {
+const YAW: VerbRow = VerbRow {
     verb: Verb {
         name: "yaw",
         danger: Danger::None,
@@ -182,6 +187,7 @@ pub(super) const YAW: VerbRow = VerbRow {
         movement: Movement::Turn,
         counts_as: CountsAs::Setting,
     },
+    scope: Scope::Everywhere,
     aliases: &["turn"],
     examples: &["yaw 270", "yaw by -90deg rate 30"],
     forms: &[
@@ -224,7 +230,7 @@ fn yaw(arguments: &Arguments, relative: bool) -> Built {
     }))
 }
 
-pub(super) const VELOCITY: VerbRow = VerbRow {
+const VELOCITY: VerbRow = VerbRow {
     verb: Verb {
         name: "velocity",
         danger: Danger::None,
@@ -233,6 +239,7 @@ pub(super) const VELOCITY: VerbRow = VerbRow {
         movement: Movement::To(Arrival::Done),
         counts_as: CountsAs::Task,
     },
+    scope: Scope::Everywhere,
     aliases: &["vel"],
     examples: &["velocity n 1 e 0 d 0 for 5s", "2 velocity up 0.5m/s for 10"],
     forms: &[Form::new(
@@ -270,7 +277,7 @@ fn velocity(arguments: &Arguments) -> Built {
     }))
 }
 
-pub(super) const ORBIT: VerbRow = VerbRow {
+const ORBIT: VerbRow = VerbRow {
     verb: Verb {
         name: "orbit",
         danger: Danger::None,
@@ -279,6 +286,7 @@ pub(super) const ORBIT: VerbRow = VerbRow {
         movement: Movement::Station,
         counts_as: CountsAs::Task,
     },
+    scope: Scope::Everywhere,
     aliases: &[],
     examples: &["orbit 30", "orbit -20m speed 3 at 50.4501 30.5234 up 25"],
     forms: &[Form::new(
@@ -313,7 +321,7 @@ pub(super) const ORBIT: VerbRow = VerbRow {
     )],
 };
 
-pub(super) const ROI: VerbRow = VerbRow {
+const ROI: VerbRow = VerbRow {
     verb: Verb {
         name: "roi",
         danger: Danger::None,
@@ -322,6 +330,7 @@ pub(super) const ROI: VerbRow = VerbRow {
         movement: Movement::None,
         counts_as: CountsAs::Setting,
     },
+    scope: Scope::Everywhere,
     aliases: &["look"],
     examples: &["roi 50.4501 30.5234 up 2", "all roi off"],
     forms: &[
@@ -351,7 +360,7 @@ pub(super) const ROI: VerbRow = VerbRow {
     ],
 };
 
-pub(super) const HOME: VerbRow = VerbRow {
+const HOME: VerbRow = VerbRow {
     verb: Verb {
         name: "home",
         danger: Danger::None,
@@ -360,6 +369,7 @@ pub(super) const HOME: VerbRow = VerbRow {
         movement: Movement::None,
         counts_as: CountsAs::Setting,
     },
+    scope: Scope::Everywhere,
     aliases: &["sethome"],
     examples: &["home here", "home 50.4501 30.5234 180"],
     forms: &[

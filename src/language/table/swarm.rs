@@ -3,10 +3,12 @@
 use super::{Built, CHANGE, manoeuvre};
 use crate::commands::{Datum, FarEnd, Ground, Manoeuvre, Pattern, Shape};
 use crate::language::argument::{Argument, Arguments, Kind, Problem, Unit};
-use crate::language::verb::{Form, VerbRow};
+use crate::language::verb::{Form, Scope, VerbRow};
 use crate::text;
 use crate::vehicle::{HIGHEST_VEHICLE, VehicleId};
 use crate::verb::{Arrival, CountsAs, Danger, Movement, Precedence, Verb};
+
+pub(super) static ROWS: &[VerbRow] = &[SURVEY, SEARCH, FORMATION, FOLLOW, SPREAD];
 
 const HEIGHT: Kind = Kind::Number(Unit::Metres, 0.5, 10_000.0);
 const WAY: Kind = Kind::Number(Unit::Metres, -100_000.0, 100_000.0);
@@ -26,7 +28,7 @@ const COURSE: Argument =
 const AROUND: Argument = Argument::flag("around", "argument-around");
 const POINT: Argument = Argument::value("point", Kind::Point, "argument-place");
 
-pub(super) const SURVEY: VerbRow = VerbRow {
+const SURVEY: VerbRow = VerbRow {
     verb: Verb {
         name: "survey",
         danger: Danger::None,
@@ -35,6 +37,7 @@ pub(super) const SURVEY: VerbRow = VerbRow {
         movement: Movement::To(Arrival::Done),
         counts_as: CountsAs::Task,
     },
+    scope: Scope::Everywhere,
     aliases: &["scan"],
     examples: &[
         "@red survey lane spacing 12 up 25",
@@ -99,7 +102,7 @@ fn survey(given: &Arguments, ground: Ground) -> Built {
     })
 }
 
-pub(super) const FORMATION: VerbRow = VerbRow {
+const FORMATION: VerbRow = VerbRow {
     verb: Verb {
         name: "formation",
         danger: Danger::None,
@@ -108,6 +111,7 @@ pub(super) const FORMATION: VerbRow = VerbRow {
         movement: Movement::Station,
         counts_as: CountsAs::Task,
     },
+    scope: Scope::Everywhere,
     aliases: &["form"],
     examples: &[
         "all formation wedge spacing 10",
@@ -139,7 +143,7 @@ pub(super) const FORMATION: VerbRow = VerbRow {
     ],
 };
 
-pub(super) const FOLLOW: VerbRow = VerbRow {
+const FOLLOW: VerbRow = VerbRow {
     verb: Verb {
         name: "follow",
         danger: Danger::None,
@@ -148,6 +152,7 @@ pub(super) const FOLLOW: VerbRow = VerbRow {
         movement: Movement::Station,
         counts_as: CountsAs::Task,
     },
+    scope: Scope::Everywhere,
     aliases: &[],
     examples: &["2-4 follow 1 distance 15", "2 follow 1 up 40"],
     forms: &[Form::new(
@@ -169,7 +174,7 @@ pub(super) const FOLLOW: VerbRow = VerbRow {
 /// What keeps a follower clear of a leader that stops at once.
 const FOLLOW_DISTANCE_M: f64 = 15.0;
 
-pub(super) const SPREAD: VerbRow = VerbRow {
+const SPREAD: VerbRow = VerbRow {
     verb: Verb {
         name: "spread",
         danger: Danger::None,
@@ -178,6 +183,7 @@ pub(super) const SPREAD: VerbRow = VerbRow {
         movement: Movement::To(Arrival::Done),
         counts_as: CountsAs::Task,
     },
+    scope: Scope::Everywhere,
     aliases: &["disperse"],
     examples: &["all spread 20"],
     forms: &[Form::new(
@@ -195,7 +201,7 @@ const PATTERN: Argument =
 const REACH: Argument =
     Argument::keyed("radius", "radius", RADIUS, "argument-search-radius").optional();
 
-pub(super) const SEARCH: VerbRow = VerbRow {
+const SEARCH: VerbRow = VerbRow {
     verb: Verb {
         name: "search",
         danger: Danger::None,
@@ -204,6 +210,7 @@ pub(super) const SEARCH: VerbRow = VerbRow {
         movement: Movement::Station,
         counts_as: CountsAs::Task,
     },
+    scope: Scope::Everywhere,
     aliases: &[],
     examples: &[
         "1 search square around 50.4501 30.5234 spacing 20",

@@ -4,10 +4,12 @@ use std::time::Duration;
 
 use super::{Built, ONCE};
 use crate::language::argument::{Argument, Arguments, Kind, Problem, Unit};
-use crate::language::verb::{Form, Meaning, VerbRow};
+use crate::language::verb::{Form, Meaning, Scope, VerbRow};
 use crate::language::wait::{DEFAULT_TIMEOUT, Field, Relation, Situation, Until, Wait};
 use crate::text;
 use crate::verb::{CountsAs, Danger, Movement, Precedence, Verb};
+
+pub(super) static ROWS: &[VerbRow] = &[WAIT];
 
 /// Times in scripts: up to a day.
 const TIME: Kind = Kind::Number(Unit::Seconds, 0.0, 86_400.0);
@@ -15,7 +17,7 @@ const TIMEOUT: Argument =
     Argument::keyed("timeout", "timeout", TIME, "argument-timeout").optional();
 const RELATION: Argument = Argument::value("relation", Kind::Choice(&[">", "<", ">=", "<="]), "");
 
-pub(super) const WAIT: VerbRow = VerbRow {
+const WAIT: VerbRow = VerbRow {
     verb: Verb {
         name: "wait",
         danger: Danger::None,
@@ -24,6 +26,7 @@ pub(super) const WAIT: VerbRow = VerbRow {
         movement: Movement::None,
         counts_as: CountsAs::Word,
     },
+    scope: Scope::Scripts,
     aliases: &[],
     examples: &[
         "wait 5s",

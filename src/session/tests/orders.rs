@@ -121,7 +121,7 @@ fn an_urgent_command_goes_before_everything_that_waits() {
     let mut scene = Scene::new();
     scene.order(
         1,
-        "guided",
+        "mode",
         Command::Flight(FlightCommand::SetMode {
             name: "GUIDED".into(),
         }),
@@ -200,7 +200,7 @@ fn a_command_that_waited_too_long_is_not_sent_late() {
     let mut scene = Scene::new();
     scene.order(
         1,
-        "guided",
+        "mode",
         Command::Flight(FlightCommand::SetMode {
             name: "GUIDED".into(),
         }),

@@ -1,0 +1,86 @@
+//! Motors on and off.
+
+use mavlink::dialects::ardupilotmega::MavCmd;
+
+use super::effect::{Effect, SOON, Watched};
+use super::encode::LongFields;
+use crate::ledger::Risk;
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::Vehicle;
+
+/// Motors on and off.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ArmingCommand {
+    /// Arm the motors.
+    Arm,
+    /// Disarm on the ground.
+    Disarm,
+    /// Stop the motors at once, in flight too (disarm with the magic number 21196).
+    Kill,
+}
+
+impl ArmingCommand {
+    pub(super) fn fields(self, vehicle: &Vehicle) -> Result<LongFields, Text> {
+        let params: &[f32] = match self {
+            Self::Arm if vehicle.airborne() && !vehicle.armed() => {
+                return Err(text!("refused-arm-in-the-air"));
+            }
+            Self::Arm => &[1.0],
+            Self::Disarm => &[0.0],
+            Self::Kill => &[0.0, FORCE_DISARM],
+        };
+        let command = MavCmd::MAV_CMD_COMPONENT_ARM_DISARM;
+        Ok(LongFields::new(command, params))
+    }
+
+    pub(super) fn effect(self) -> Effect {
+        let armed = match self {
+            Self::Arm => true,
+            Self::Disarm | Self::Kill => false,
+        };
+        Effect::new(Watched::Armed(armed), SOON)
+    }
+
+    pub(super) fn risk(self) -> Risk {
+        match self {
+            Self::Arm | Self::Disarm => Risk::None,
+            Self::Kill => Risk::Unsafe,
+        }
+    }
+
+    pub(super) fn likely_reason(self, vehicle: &Vehicle) -> Option<Text> {
+        match self {
+            Self::Arm if !vehicle.prearm.is_empty() => {
+                Some(format!("PreArm: {}", vehicle.prearm.join("; PreArm: ")).into())
+            }
+            Self::Arm => vehicle
+                .mode()
+                .filter(|mode| mode.is("LAND") || mode.is("RTL"))
+                .map(|mode| text!("reason-arm-mode", mode = mode.to_string())),
+            Self::Disarm => vehicle.airborne().then(|| text!("reason-in-the-air")),
+            Self::Kill => None,
+        }
+    }
+}
+
+/// Makes ArduPilot disarm in flight.
+const FORCE_DISARM: f32 = 21196.0;
+/// Makes ArduPilot arm whatever its checks say; [`FORCE_DISARM`] does too.
+const FORCE_ARM: f32 = 2989.0;
+/// The parameter that arms rather than disarms.
+const ARM: f32 = 1.0;
+
+/// What a command by number sets at risk, if it arms or disarms.
+pub(super) fn risk_of_number(command: u16, arm: f32, magic: f32) -> Risk {
+    let disarms_by_force = magic == FORCE_DISARM;
+    if command != MavCmd::MAV_CMD_COMPONENT_ARM_DISARM as u16 {
+        Risk::None
+    } else if arm == ARM && (disarms_by_force || magic == FORCE_ARM) {
+        Risk::SkipsChecks
+    } else if disarms_by_force {
+        Risk::Unsafe
+    } else {
+        Risk::None
+    }
+}

@@ -1,0 +1,70 @@
+//! Outputs, and the autopilot as a device.
+
+use std::time::Duration;
+
+use mavlink::dialects::ardupilotmega::MavCmd;
+
+use super::effect::{Effect, SOON, Watched};
+use super::encode::LongFields;
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::Vehicle;
+
+/// Outputs, and the autopilot as a device.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DeviceCommand {
+    /// Set a servo output.
+    Servo {
+        /// Output number, 1 first.
+        output: u8,
+        /// Pulse width in microseconds.
+        pulse_us: u16,
+    },
+    /// Switch a relay.
+    Relay {
+        /// Relay number, 0 first.
+        relay: u8,
+        /// On or off.
+        on: bool,
+    },
+    /// Reboot the autopilot (refused while armed).
+    Reboot,
+}
+
+impl DeviceCommand {
+    pub(super) fn fields(self, vehicle: &Vehicle) -> Result<LongFields, Text> {
+        Ok(match self {
+            Self::Servo { output, pulse_us } => LongFields::new(
+                MavCmd::MAV_CMD_DO_SET_SERVO,
+                &[f32::from(output), f32::from(pulse_us)],
+            ),
+            Self::Relay { relay, on } => LongFields::new(
+                MavCmd::MAV_CMD_DO_SET_RELAY,
+                &[f32::from(relay), f32::from(u8::from(on))],
+            ),
+            Self::Reboot if vehicle.armed() => return Err(text!("refused-reboot-armed")),
+            Self::Reboot => LongFields::new(MavCmd::MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN, &[1.0]),
+        })
+    }
+
+    pub(super) fn effect(self, before: &Vehicle) -> Effect {
+        match self {
+            // Outputs that are not streamed stay at 0 and show nothing.
+            Self::Servo { output, pulse_us } if before.servos_us.iter().any(|&us| us != 0) => {
+                Effect::new(Watched::Servo { output, pulse_us }, SOON)
+            }
+            Self::Reboot => {
+                let reboots = before.link.reboots;
+                Effect::new(Watched::Rebooted { reboots }, Duration::from_secs(30))
+            }
+            Self::Servo { .. } | Self::Relay { .. } => Effect::nothing(),
+        }
+    }
+
+    pub(super) fn likely_reason(self, vehicle: &Vehicle) -> Option<Text> {
+        match self {
+            Self::Reboot => vehicle.armed().then(|| text!("reason-armed")),
+            Self::Servo { .. } | Self::Relay { .. } => None,
+        }
+    }
+}

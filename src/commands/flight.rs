@@ -1,0 +1,86 @@
+//! What begins, ends and interrupts a flight.
+
+use std::time::Duration;
+
+use mavlink::dialects::ardupilotmega::MavCmd;
+
+use super::effect::{Effect, Watched, altitude_effect, mode_effect};
+use super::encode::LongFields;
+use super::modes::{holding_mode, mode_number};
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::Vehicle;
+
+/// What begins, ends and interrupts a flight.
+#[derive(Debug, Clone, PartialEq)]
+pub enum FlightCommand {
+    /// Change the flight mode, by name; which number that is depends on the vehicle.
+    SetMode {
+        /// The mode's name, such as `GUIDED`.
+        name: String,
+    },
+    /// Take off straight up in GUIDED.
+    Takeoff {
+        /// Height above home to climb to.
+        altitude_m: f64,
+    },
+    /// Land where it is.
+    Land,
+    /// Return to launch.
+    ReturnToLaunch,
+    /// Stop and stay (pause in GUIDED and AUTO, BRAKE in other modes).
+    Hold,
+    /// Go on after a hold.
+    Resume,
+}
+
+impl FlightCommand {
+    pub(super) fn fields(&self, vehicle: &Vehicle) -> Result<LongFields, Text> {
+        Ok(match self {
+            Self::SetMode { name } => mode_fields(vehicle, name)?,
+            Self::Takeoff { altitude_m } => {
+                let climb = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, *altitude_m as f32];
+                LongFields::new(MavCmd::MAV_CMD_NAV_TAKEOFF, &climb)
+            }
+            Self::Land => LongFields::new(MavCmd::MAV_CMD_NAV_LAND, &[]),
+            Self::ReturnToLaunch => LongFields::new(MavCmd::MAV_CMD_NAV_RETURN_TO_LAUNCH, &[]),
+            Self::Hold => match holding_mode(vehicle) {
+                Some(mode) => mode_fields(vehicle, mode)?,
+                None => LongFields::new(MavCmd::MAV_CMD_DO_PAUSE_CONTINUE, &[0.0]),
+            },
+            Self::Resume => LongFields::new(MavCmd::MAV_CMD_DO_PAUSE_CONTINUE, &[1.0]),
+        })
+    }
+
+    pub(super) fn effect(&self, before: &Vehicle) -> Effect {
+        match self {
+            Self::SetMode { name } => mode_effect(before, name),
+            Self::Takeoff { altitude_m } => altitude_effect(before, *altitude_m, 0.05),
+            Self::Land => mode_effect(before, "LAND"),
+            Self::ReturnToLaunch => mode_effect(before, "RTL"),
+            Self::Hold => match holding_mode(before) {
+                Some(mode) => mode_effect(before, mode),
+                None => Effect::new(Watched::Still, Duration::from_secs(15)),
+            },
+            Self::Resume => Effect::nothing(),
+        }
+    }
+
+    pub(super) fn likely_reason(&self, vehicle: &Vehicle) -> Option<Text> {
+        match self {
+            Self::SetMode { name } => Some(text!("reason-mode", mode = name)),
+            Self::Takeoff { .. } if !vehicle.armed() => Some(text!("reason-not-armed")),
+            Self::Takeoff { .. } if vehicle.airborne() => Some(text!("reason-flying")),
+            Self::Takeoff { .. } => vehicle
+                .mode()
+                .filter(|mode| !mode.is("GUIDED"))
+                .map(|mode| text!("reason-takeoff-mode", mode = mode.to_string())),
+            Self::Land | Self::ReturnToLaunch | Self::Hold | Self::Resume => None,
+        }
+    }
+}
+
+fn mode_fields(vehicle: &Vehicle, name: &str) -> Result<LongFields, Text> {
+    let number = mode_number(vehicle, name)? as f32;
+    Ok(LongFields::new(MavCmd::MAV_CMD_DO_SET_MODE, &[1.0, number]))
+}

@@ -1,0 +1,241 @@
+//! Where and how a vehicle flies, what it looks at, and where its home is.
+
+use std::time::Duration;
+
+use mavlink::dialects::ardupilotmega::MavCmd;
+
+use super::destination::{Destination, Heading};
+use super::effect::{Effect, SOON, Watched, altitude_effect, travel_time, yaw_effect};
+use super::encode::{self, FRAME_GLOBAL, FRAME_RELATIVE, IntFields, LongFields};
+use super::request::{Repeat, Request};
+use super::setpoint::{
+    above_ground, arrival, goto, heading, height, needs_guided, position, setpoint,
+};
+use crate::geo::{LatLon, wrap_360};
+use crate::text::Text;
+use crate::vehicle::Vehicle;
+
+/// How often a velocity is repeated; ArduCopter stops 3 s after the last one (`GUID_TIMEOUT`).
+const SETPOINT_EVERY: Duration = Duration::from_millis(200);
+
+/// Where and how a vehicle flies, what it looks at, and where its home is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum MotionCommand {
+    /// Fly to a place in GUIDED.
+    Goto {
+        /// Where to.
+        destination: Destination,
+        /// What the nose does on the way.
+        heading: Heading,
+    },
+    /// Change height where it is, in GUIDED.
+    Altitude {
+        /// New height above home.
+        altitude_m: f64,
+    },
+    /// Change the speed of the current mode.
+    Speed {
+        /// Which speed.
+        axis: SpeedAxis,
+        /// The new limit in m/s.
+        speed_m_s: f64,
+    },
+    /// Turn the nose.
+    Yaw {
+        /// Degrees: clockwise from north, or from the present heading where `relative`.
+        angle_deg: f64,
+        /// Whether the angle counts from the present heading (clockwise positive).
+        relative: bool,
+        /// How fast to turn in deg/s; `None` leaves it to the autopilot.
+        rate_deg_s: Option<f64>,
+    },
+    /// Fly with a velocity for a time in GUIDED, then stop.
+    Velocity {
+        /// North, east, down, in m/s.
+        ned_m_s: [f64; 3],
+        /// For how long.
+        lasting: Duration,
+    },
+    /// Circle around a point in GUIDED-capable autopilots.
+    Orbit {
+        /// Radius in metres; negative turns counter-clockwise.
+        radius_m: f64,
+        /// Tangential speed in m/s.
+        speed_m_s: f64,
+        /// The centre; `None` is where the vehicle is.
+        centre: Option<LatLon>,
+        /// Height above home; `None` is the present one.
+        altitude_m: Option<f64>,
+    },
+    /// Point the nose and camera at a place; `None` stops that.
+    RegionOfInterest {
+        /// Where to look and its height above home.
+        target: Option<(LatLon, f64)>,
+    },
+    /// Set home.
+    SetHome {
+        /// Where and how high above sea level; `None` is where the vehicle is.
+        place: Option<(LatLon, f64)>,
+    },
+}
+
+impl MotionCommand {
+    pub(super) fn request(self, vehicle: &Vehicle, confirmation: u8) -> Result<Request, Text> {
+        match self {
+            Self::Goto {
+                destination,
+                heading,
+            } => goto(vehicle, destination, heading),
+            Self::Altitude { altitude_m } => {
+                needs_guided("altitude", vehicle)?;
+                let here = position(vehicle)?;
+                above_ground(vehicle, altitude_m)?;
+                setpoint(encode::global_position(vehicle, here, altitude_m, None))
+            }
+            Self::Velocity { ned_m_s, .. } => {
+                needs_guided("velocity", vehicle)?;
+                let mut request = setpoint(encode::velocity(vehicle, ned_m_s))?;
+                request.closing = Some(encode::velocity(vehicle, [0.0; 3])?);
+                Ok(request)
+            }
+            Self::Speed { axis, speed_m_s } => {
+                // -1 leaves the throttle alone.
+                let changed = [axis.number(), speed_m_s as f32, -1.0];
+                let fields = LongFields::new(MavCmd::MAV_CMD_DO_CHANGE_SPEED, &changed);
+                Request::long(vehicle, &fields, confirmation)
+            }
+            Self::Yaw {
+                angle_deg,
+                relative,
+                rate_deg_s,
+            } => {
+                let rate = rate_deg_s.unwrap_or(0.0);
+                let turned = yaw_params(vehicle, angle_deg, relative, rate)?;
+                let fields = LongFields::new(MavCmd::MAV_CMD_CONDITION_YAW, &turned);
+                Request::long(vehicle, &fields, confirmation)
+            }
+            Self::Orbit {
+                radius_m,
+                speed_m_s,
+                centre,
+                altitude_m,
+            } => {
+                let centre = centre.map_or_else(|| position(vehicle), Ok)?;
+                let altitude_m = altitude_m.map_or_else(|| height(vehicle), Ok)?;
+                // Parameter 3: face the centre; 4: circle until told otherwise.
+                let ring = [radius_m as f32, speed_m_s as f32, 0.0, 0.0];
+                let command = MavCmd::MAV_CMD_DO_ORBIT;
+                let fields = IntFields::at(command, FRAME_RELATIVE, ring, (centre, altitude_m))?;
+                Request::int(vehicle, &fields)
+            }
+            Self::RegionOfInterest { target } => Request::int(
+                vehicle,
+                &match target {
+                    Some(place) => {
+                        let command = MavCmd::MAV_CMD_DO_SET_ROI_LOCATION;
+                        IntFields::at(command, FRAME_RELATIVE, [0.0; 4], place)?
+                    }
+                    None => IntFields {
+                        command: MavCmd::MAV_CMD_DO_SET_ROI_NONE as u16,
+                        frame: FRAME_GLOBAL,
+                        params: [0.0; 4],
+                        x: 0,
+                        y: 0,
+                        z: 0.0,
+                    },
+                },
+            ),
+            Self::SetHome { place: Some(place) } => {
+                let command = MavCmd::MAV_CMD_DO_SET_HOME;
+                let fields = IntFields::at(command, FRAME_GLOBAL, [0.0; 4], place)?;
+                Request::int(vehicle, &fields)
+            }
+            Self::SetHome { place: None } => {
+                let here = LongFields::new(MavCmd::MAV_CMD_DO_SET_HOME, &[1.0]);
+                Request::long(vehicle, &here, confirmation)
+            }
+        }
+    }
+
+    pub(super) fn repeat(self) -> Option<Repeat> {
+        match self {
+            Self::Velocity { lasting, .. } => Some(Repeat {
+                every: SETPOINT_EVERY,
+                lasting,
+            }),
+            Self::Goto { .. }
+            | Self::Altitude { .. }
+            | Self::Speed { .. }
+            | Self::Yaw { .. }
+            | Self::Orbit { .. }
+            | Self::RegionOfInterest { .. }
+            | Self::SetHome { .. } => None,
+        }
+    }
+
+    pub(super) fn effect(self, before: &Vehicle) -> Effect {
+        match self {
+            Self::Goto { destination, .. } => match arrival(before, destination) {
+                Ok(place) => Effect::new(Watched::Place(place), travel_time(before, place)),
+                Err(_) => Effect::nothing(),
+            },
+            Self::Altitude { altitude_m } => altitude_effect(before, altitude_m, 0.0),
+            Self::Yaw {
+                angle_deg,
+                relative,
+                rate_deg_s,
+            } => yaw_effect(before, angle_deg, relative, rate_deg_s),
+            Self::Velocity { ned_m_s, lasting } => {
+                Effect::new(Watched::Velocity(ned_m_s), lasting + SOON)
+            }
+            Self::SetHome { place } => {
+                match place.map_or_else(|| position(before).ok(), |(point, _)| Some(point)) {
+                    Some(point) => Effect::new(Watched::Home(point), SOON),
+                    None => Effect::nothing(),
+                }
+            }
+            Self::Speed { .. } | Self::Orbit { .. } | Self::RegionOfInterest { .. } => {
+                Effect::nothing()
+            }
+        }
+    }
+}
+
+/// Which speed a speed command changes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SpeedAxis {
+    /// Over ground.
+    Ground,
+    /// Upwards.
+    Climb,
+    /// Downwards.
+    Descend,
+}
+
+impl SpeedAxis {
+    /// `SPEED_TYPE`.
+    fn number(self) -> f32 {
+        match self {
+            Self::Ground => 1.0,
+            Self::Climb => 2.0,
+            Self::Descend => 3.0,
+        }
+    }
+}
+
+/// `CONDITION_YAW` with an absolute heading and a direction: 1 clockwise, -1 counter-clockwise, 0 the shortest. A
+/// relative turn is worked out here, since a vehicle that is asked twice for a relative one turns twice.
+fn yaw_params(
+    vehicle: &Vehicle,
+    angle_deg: f64,
+    relative: bool,
+    rate_deg_s: f64,
+) -> Result<[f32; 3], Text> {
+    let (heading, direction) = if relative {
+        let now = f64::from(heading(vehicle)?);
+        (now + angle_deg, if angle_deg < 0.0 { -1.0 } else { 1.0 })
+    } else {
+        (angle_deg, 0.0)
+    };
+    Ok([wrap_360(heading) as f32, rate_deg_s as f32, direction])
+}

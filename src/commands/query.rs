@@ -1,0 +1,39 @@
+//! What a vehicle is to say.
+
+use mavlink::dialects::ardupilotmega::MavCmd;
+
+use super::encode::LongFields;
+
+/// What a vehicle is to say.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum QueryCommand {
+    /// Ask for a message at a rate on this link.
+    Interval {
+        /// MAVLink message id.
+        message: u32,
+        /// Rate in Hz; 0 switches it off.
+        rate_hz: f64,
+    },
+    /// Ask for a message once.
+    Request {
+        /// MAVLink message id.
+        message: u32,
+    },
+}
+
+impl QueryCommand {
+    pub(super) fn fields(self) -> LongFields {
+        match self {
+            Self::Interval { message, rate_hz } => {
+                let interval_us = if rate_hz > 0.0 { 1e6 / rate_hz } else { -1.0 };
+                LongFields::new(
+                    MavCmd::MAV_CMD_SET_MESSAGE_INTERVAL,
+                    &[message as f32, interval_us as f32],
+                )
+            }
+            Self::Request { message } => {
+                LongFields::new(MavCmd::MAV_CMD_REQUEST_MESSAGE, &[message as f32])
+            }
+        }
+    }
+}

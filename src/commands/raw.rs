@@ -1,0 +1,78 @@
+//! Bare MAVLink.
+
+use super::arming::risk_of_number;
+use super::encode::{IntFields, LongFields};
+use super::request::Request;
+use crate::ledger::Risk;
+use crate::text::Text;
+use crate::vehicle::Vehicle;
+
+/// Bare MAVLink.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum RawCommand {
+    /// Any `MAV_CMD` as `COMMAND_LONG`.
+    Long {
+        /// `MAV_CMD` number.
+        command: u16,
+        /// Parameters 1 to 7.
+        params: [f32; 7],
+    },
+    /// Any `MAV_CMD` as `COMMAND_INT`.
+    Int {
+        /// `MAV_CMD` number.
+        command: u16,
+        /// `MAV_FRAME` number.
+        frame: u8,
+        /// Parameters 1 to 4.
+        params: [f32; 4],
+        /// Parameter 5: latitude in degrees times 1e7, or as the command says.
+        x: i32,
+        /// Parameter 6: longitude in degrees times 1e7, or as the command says.
+        y: i32,
+        /// Parameter 7: height in metres, or as the command says.
+        z: f32,
+    },
+}
+
+impl RawCommand {
+    pub(super) fn request(self, vehicle: &Vehicle, confirmation: u8) -> Result<Request, Text> {
+        match self {
+            Self::Long { command, params } => {
+                let fields = LongFields { command, params };
+                Request::long(vehicle, &fields, confirmation)
+            }
+            Self::Int {
+                command,
+                frame,
+                params,
+                x,
+                y,
+                z,
+            } => {
+                let fields = IntFields {
+                    command,
+                    frame,
+                    params,
+                    x,
+                    y,
+                    z,
+                };
+                Request::int(vehicle, &fields)
+            }
+        }
+    }
+
+    pub(super) fn risk(self) -> Risk {
+        match self {
+            Self::Long {
+                command,
+                params: [first, second, ..],
+            }
+            | Self::Int {
+                command,
+                params: [first, second, ..],
+                ..
+            } => risk_of_number(command, first, second),
+        }
+    }
+}
