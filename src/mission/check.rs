@@ -31,7 +31,7 @@ struct Examined<'m> {
 
 /// One table of an array of the file, as it is written.
 #[derive(Clone, Copy)]
-struct Entry<'m>(&'m Spanned<DeValue<'m>>);
+struct WrittenEntry<'m>(&'m Spanned<DeValue<'m>>);
 
 impl Mission {
     /// What is wrong with it although every section is right: places out of bounds, things that nobody can do, or
@@ -65,15 +65,15 @@ impl<'m> Examined<'m> {
     }
 
     /// A section that is a table.
-    fn section(&self, name: &str) -> Option<Entry<'m>> {
-        self.root.get(name).map(Entry)
+    fn section(&self, name: &str) -> Option<WrittenEntry<'m>> {
+        self.root.get(name).map(WrittenEntry)
     }
 
     /// The tables of a section that has several.
-    fn entries(&self, name: &str) -> Vec<Entry<'m>> {
+    fn entries(&self, name: &str) -> Vec<WrittenEntry<'m>> {
         let list = self.root.get(name);
         let list = list.and_then(|value| value.get_ref().as_array());
-        list.into_iter().flatten().map(Entry).collect()
+        list.into_iter().flatten().map(WrittenEntry).collect()
     }
 
     /// The highest height that the rules and the fences allow.
@@ -96,19 +96,19 @@ impl<'m> Examined<'m> {
     }
 }
 
-impl<'m> Entry<'m> {
+impl<'m> WrittenEntry<'m> {
     fn span(self) -> Range<usize> {
         self.0.span()
     }
 
     fn get(self, key: &str) -> Option<Self> {
-        self.0.get_ref().get(key).map(Entry)
+        self.0.get_ref().get(key).map(WrittenEntry)
     }
 
     /// The items of an array.
     fn items(self) -> Vec<Self> {
         let list = self.0.get_ref().as_array();
-        list.into_iter().flatten().map(Entry).collect()
+        list.into_iter().flatten().map(WrittenEntry).collect()
     }
 
     fn text(self) -> Option<&'m str> {

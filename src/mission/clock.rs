@@ -28,7 +28,7 @@ pub struct Clock {
     begun: Option<Duration>,
     stepped: Duration,
     elapsed: Duration,
-    vehicles: BTreeMap<VehicleId, Reading>,
+    vehicles: BTreeMap<VehicleId, ClockReading>,
     /// When a vehicle carried the time on last.
     carried: Duration,
     /// Where the rate is taken from: the time, and mission time then.
@@ -42,7 +42,7 @@ pub struct Clock {
     clippy::struct_field_names,
     reason = "the unit of each, which is wire time"
 )]
-struct Reading {
+struct ClockReading {
     boot_ms: u32,
     /// Mission time by it.
     claim_ms: i64,
@@ -110,7 +110,7 @@ impl Clock {
     /// Moves a vehicle's claim by what its clock has moved.
     fn note(&mut self, id: VehicleId, boot_ms: u32) {
         let elapsed_ms = self.elapsed.as_millis() as i64;
-        let fresh = Reading {
+        let fresh = ClockReading {
             boot_ms,
             claim_ms: elapsed_ms,
             behind_ms: 0,

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use super::report::distance_m;
-use super::saying::Listener;
+use super::saying::TextListener;
 use super::sensor::{Probe, Sensor};
 use super::zone::ZoneKind;
 use super::{Mission, Point, TICK};
@@ -35,7 +35,7 @@ pub(crate) struct Craft {
     pub height_m: f64,
     pub speed_m_s: f64,
     /// Where it goes, or went last.
-    pub course: Course,
+    pub course: CraftCourse,
     /// Whether it would arm.
     pub ready: bool,
     pub armed: bool,
@@ -61,7 +61,7 @@ pub(crate) struct Craft {
     energy_wh: Option<(f64, f64)>,
     /// The fastest descent near the ground since it came down there.
     sink_m_s: f64,
-    listener: Listener,
+    listener: TextListener,
 }
 
 /// A rule that a vehicle breaks, as the step finds it.
@@ -77,7 +77,7 @@ impl Craft {
             at: None,
             height_m: 0.0,
             speed_m_s: 0.0,
-            course: Course::default(),
+            course: CraftCourse::default(),
             ready: false,
             armed: false,
             airborne: false,
@@ -94,7 +94,7 @@ impl Craft {
             unheard: None,
             energy_wh: None,
             sink_m_s: 0.0,
-            listener: Listener::default(),
+            listener: TextListener::default(),
         }
     }
 
@@ -262,12 +262,12 @@ impl Craft {
 
 /// The direction in which a vehicle goes.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Course {
+pub(crate) struct CraftCourse {
     east: f64,
     north: f64,
 }
 
-impl Default for Course {
+impl Default for CraftCourse {
     fn default() -> Self {
         Self {
             east: 0.0,
@@ -276,7 +276,7 @@ impl Default for Course {
     }
 }
 
-impl Course {
+impl CraftCourse {
     /// Slower than this, a vehicle hovers and keeps its course.
     const SLOWEST_M_S: f64 = 0.3;
 

@@ -23,8 +23,8 @@ mod score;
 mod site;
 mod zones;
 
-use advice::Advice;
-use head::Head;
+use advice::MissionAdvice;
+use head::FileHead;
 use rules::RuleSet;
 
 /// Zones, places, events and hints of one mission.
@@ -63,7 +63,7 @@ pub fn reference() -> String {
 
 /// All sections; `None` where one that is needed could not be read.
 fn mission(file: &mut FileTable<'_>) -> Option<Mission> {
-    let head = Head::need(file);
+    let head = FileHead::need(file);
     let site = file.need(
         "sim",
         table(site::site),
@@ -84,7 +84,7 @@ fn mission(file: &mut FileTable<'_>) -> Option<Mission> {
         file.draft().sensors = fleet.sensors();
     }
     let rules = file.may("rules", table(rules::rules), "what vehicles must keep to");
-    let content = Content::of(file);
+    let content = MissionContent::of(file);
     let radio = file.may(
         "radio",
         table(radio::radio),
@@ -149,14 +149,14 @@ fn mission(file: &mut FileTable<'_>) -> Option<Mission> {
 }
 
 /// What there is in the mission, and what is to be done.
-struct Content {
+struct MissionContent {
     places: Vec<(String, Point)>,
     hazards: Vec<Box<dyn Hazard>>,
     objectives: Vec<super::objective::Objective>,
-    advice: Advice,
+    advice: MissionAdvice,
 }
 
-impl Content {
+impl MissionContent {
     fn of(file: &mut FileTable<'_>) -> Self {
         let zones = tables(zones::zone, MOST_TABLES);
         let zones = file
@@ -183,7 +183,7 @@ impl Content {
             places: places.map(|place| (place.name.clone(), place.at)).collect(),
             hazards: hazards.unwrap_or_default(),
             objectives: objectives.unwrap_or_default(),
-            advice: Advice::of(hints.unwrap_or_default()),
+            advice: MissionAdvice::of(hints.unwrap_or_default()),
         }
     }
 }

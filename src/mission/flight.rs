@@ -9,7 +9,7 @@ use std::time::Duration;
 use super::craft::Craft;
 use super::event::demand::Demand;
 use super::event::scope::Sight;
-use super::objective::{Scene, Standing};
+use super::objective::{ObjectiveScene, ObjectiveStanding};
 use super::record::Recorder;
 use super::survey::Surveys;
 use super::world::World;
@@ -252,7 +252,7 @@ impl Flight {
         });
     }
 
-    fn step_goals(&mut self) -> Vec<Standing> {
+    fn step_goals(&mut self) -> Vec<ObjectiveStanding> {
         let mut goals = std::mem::take(&mut self.goals);
         let standings = goals.step(&self.scene());
         goals.tell_changes(&self.mission.objectives, &standings, &mut self.journal);
@@ -260,7 +260,7 @@ impl Flight {
         standings
     }
 
-    fn step_threats(&mut self, vehicles: &Vehicles, standings: &[Standing]) {
+    fn step_threats(&mut self, vehicles: &Vehicles, standings: &[ObjectiveStanding]) {
         let sight = Sight {
             now: self.elapsed,
             crafts: &self.crafts,
@@ -276,8 +276,8 @@ impl Flight {
     }
 
     /// What objectives see of it.
-    fn scene(&self) -> Scene<'_> {
-        Scene {
+    fn scene(&self) -> ObjectiveScene<'_> {
+        ObjectiveScene {
             now: self.elapsed,
             over: self.ended.is_some() || self.elapsed >= self.mission.time_limit,
             vehicles: &self.crafts,
@@ -294,7 +294,7 @@ impl Flight {
         self.swarm.uses(self.mission.vehicles)
     }
 
-    fn standings(&self) -> Vec<Standing> {
+    fn standings(&self) -> Vec<ObjectiveStanding> {
         self.goals.standings(&self.scene())
     }
 }

@@ -19,10 +19,10 @@ mod value;
 pub(super) use description::FileTableDescription;
 pub(super) use description::{FileShape, describe};
 pub(super) use draft::{Draft, NamedPlace};
-pub(super) use faults::Faults;
+pub(super) use faults::FileFaults;
 pub(super) use reference::reference;
 pub(super) use schema::schema;
-pub(super) use table::{Better, FileTable, KindOf, Target};
+pub(super) use table::{BetterMeasure, FileTable, KindOf, ObjectiveTarget};
 pub(super) use value::{
     FileValue, ListValue, NamedValue, TextValue, area, flag, gate, heights, list, map, named,
     number, point, rising, seconds, spread, table, tables, text, text_by, time, whole, word,

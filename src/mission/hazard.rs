@@ -26,7 +26,7 @@ mod source;
 mod survivors;
 mod wander;
 
-pub(crate) use fire::{Fire, Grid};
+pub(crate) use fire::{Fire, FireGrid};
 pub(crate) use people::Care;
 
 /// A hazard as the file describes it.

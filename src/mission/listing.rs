@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::objective::Scene;
+use super::objective::ObjectiveScene;
 use super::world::World;
 use super::{Area, Hint, Mission, Need, Outlay, Requires, Rewards};
 use crate::scoring::{Component, Medals};
@@ -155,7 +155,7 @@ impl Mission {
     /// What is asked for does not depend on how it goes: it is read off a flight that has not begun.
     fn listed_objectives(&self) -> Vec<ObjectiveListing> {
         let world = World::new(self, 0);
-        let nobody = Scene::empty(&world);
+        let nobody = ObjectiveScene::empty(&world);
         let listed = |objective: &super::objective::Objective| ObjectiveListing {
             title: objective.title.clone(),
             target: objective.kind.start(&world).standing(&nobody).target,

@@ -81,7 +81,7 @@ impl Lookout {
             let Some(spec) = sensor.detector() else {
                 continue;
             };
-            let mut watch = Watch {
+            let mut watch = DetectorWatch {
                 seed: self.seed,
                 craft,
                 at,
@@ -99,7 +99,7 @@ impl Lookout {
 }
 
 /// One detector at one moment.
-struct Watch<'a> {
+struct DetectorWatch<'a> {
     seed: u64,
     craft: &'a Craft,
     at: Point,
@@ -109,7 +109,7 @@ struct Watch<'a> {
     now: Duration,
 }
 
-impl Watch<'_> {
+impl DetectorWatch<'_> {
     fn objects(&mut self, glances: &mut BTreeMap<ObjectId, Glance>, seen: &mut Vec<Sighting>) {
         let reach_m = self.spec.reach_m(self.craft.height_m);
         for (id, object) in self.world.objects() {

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use super::Point;
 use super::craft::Craft;
-use super::format::{FileTable, KindOf, Target, number};
+use super::format::{FileTable, KindOf, ObjectiveTarget, number};
 use super::ground_truth::Release;
 use super::report::Mark;
 use super::skill::Skill;
@@ -57,7 +57,7 @@ pub(crate) struct Sought {
 
 /// A square of ground.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Patch {
+pub(crate) struct GroundPatch {
     /// Its middle.
     pub at: Point,
     /// Length of its sides, in metres.
@@ -91,18 +91,18 @@ pub(crate) trait ObjectiveKind: Debug + Send + Sync {
 /// Watches one objective during a flight.
 pub(crate) trait Tracker: Debug + Send + Sync {
     /// Lets a [`TICK`](super::TICK) pass, for kinds that remember more than the scene shows.
-    fn step(&mut self, _scene: &Scene<'_>) {}
+    fn step(&mut self, _scene: &ObjectiveScene<'_>) {}
 
     /// How the objective stands.
-    fn standing(&self, scene: &Scene<'_>) -> Standing;
+    fn standing(&self, scene: &ObjectiveScene<'_>) -> ObjectiveStanding;
 
     /// Where it asked for a look that nobody has had.
-    fn gaps(&self) -> Vec<Patch> {
+    fn gaps(&self) -> Vec<GroundPatch> {
         Vec::new()
     }
 
     /// What the trainee's map of the ground shows, for kinds that keep one.
-    fn mapped(&self, _world: &World) -> Vec<Patch> {
+    fn mapped(&self, _world: &World) -> Vec<GroundPatch> {
         Vec::new()
     }
 
@@ -113,7 +113,7 @@ pub(crate) trait Tracker: Debug + Send + Sync {
 }
 
 /// What trackers see.
-pub(crate) struct Scene<'a> {
+pub(crate) struct ObjectiveScene<'a> {
     /// Mission time.
     pub now: Duration,
     /// Whether the flight is over, or its time is up.
@@ -128,7 +128,7 @@ pub(crate) struct Scene<'a> {
     pub releases: &'a [Release],
 }
 
-impl<'a> Scene<'a> {
+impl<'a> ObjectiveScene<'a> {
     /// What there is to see before anybody has come.
     pub fn empty(world: &'a World) -> Self {
         Self {
@@ -151,7 +151,7 @@ impl<'a> Scene<'a> {
 
 /// How an objective stands.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Standing {
+pub(crate) struct ObjectiveStanding {
     /// 0 to 1.
     pub fraction: f64,
     /// The measured quantity, for gates.
@@ -181,7 +181,7 @@ const NEXT_PLACE: &str = "next";
 /// How long vehicles must stand still on the ground before the flight counts as over.
 pub(crate) const DOWN_FOR: Duration = Duration::from_secs(2);
 
-impl Target {
+impl ObjectiveTarget {
     /// How much of it a measure is worth, 0 to 1.
     fn credit(self, measure: f64) -> f64 {
         partial_credit(measure, self.partial_from, self.met_at)

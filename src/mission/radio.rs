@@ -74,7 +74,7 @@ pub(crate) struct Radio {
 
 /// One end of a path.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Node {
+pub(crate) struct RadioNode {
     pub model: Model,
     pub at: Point,
     pub height_m: f64,
@@ -137,7 +137,7 @@ impl Radio {
         own: impl Fn(usize) -> Option<Set>,
     ) -> BTreeMap<VehicleId, f64> {
         let zones: Vec<(&Shape, ZoneKind)> = zones.map(|zone| (&zone.shape, zone.kind)).collect();
-        let mut nets: BTreeMap<&str, (Vec<VehicleId>, Vec<Node>)> = BTreeMap::new();
+        let mut nets: BTreeMap<&str, (Vec<VehicleId>, Vec<RadioNode>)> = BTreeMap::new();
         for (seat, craft) in crafts.iter().enumerate() {
             let fitted = own(seat).or(self.own);
             if let Some(set) = fitted
@@ -157,8 +157,8 @@ impl Radio {
         margins_db
     }
 
-    fn ground(&self, model: Model) -> Node {
-        Node {
+    fn ground(&self, model: Model) -> RadioNode {
+        RadioNode {
             model,
             at: self.station,
             height_m: self.antenna_m,
@@ -183,9 +183,9 @@ impl Radio {
 }
 
 impl Set {
-    fn node(self, craft: &Craft) -> Option<Node> {
+    fn node(self, craft: &Craft) -> Option<RadioNode> {
         let [east_m, north_m, up_m] = craft.place_m()?;
-        Some(Node {
+        Some(RadioNode {
             model: self.model,
             at: [east_m, north_m],
             height_m: up_m,
@@ -196,7 +196,7 @@ impl Set {
 }
 
 /// The margin from the last node to each of the others, by the path whose worst leg is best.
-pub(crate) fn best_db(nodes: &[Node], zones: &[(&Shape, ZoneKind)]) -> Vec<f64> {
+pub(crate) fn best_db(nodes: &[RadioNode], zones: &[(&Shape, ZoneKind)]) -> Vec<f64> {
     let mut best = vec![f64::NEG_INFINITY; nodes.len()];
     let mut open: Vec<usize> = (0..nodes.len()).collect();
     if let Some(ground) = best.last_mut() {
@@ -218,7 +218,7 @@ pub(crate) fn best_db(nodes: &[Node], zones: &[(&Shape, ZoneKind)]) -> Vec<f64> 
 }
 
 /// The margin of the direct path between two nodes, in dB.
-pub(crate) fn margin_db(a: &Node, b: &Node, zones: &[(&Shape, ZoneKind)]) -> f64 {
+pub(crate) fn margin_db(a: &RadioNode, b: &RadioNode, zones: &[(&Shape, ZoneKind)]) -> f64 {
     let model = a.model.radio;
     let (low, high) = (
         a.height_m.max(LOWEST_ANTENNA_M),
@@ -233,7 +233,11 @@ pub(crate) fn margin_db(a: &Node, b: &Node, zones: &[(&Shape, ZoneKind)]) -> f64
     let wave_m = LIGHT_M_US / model.frequency_mhz;
     let in_the_way = zones.iter().map(|(shape, kind)| match kind {
         ZoneKind::CommShadow(Shadow::Ridge { height_m }) => {
-            ridge_db((a.at, low), (b.at, high), (shape, *height_m), wave_m)
+            let ridge = Ridge {
+                shape,
+                height_m: *height_m,
+            };
+            ridge_db(&ridge, [a.at, b.at], [low, high], wave_m)
         }
         ZoneKind::CommShadow(Shadow::Inside { loss_db }) => {
             let ends = [a, b].iter().filter(|node| shape.contains(node.at)).count();
@@ -241,7 +245,7 @@ pub(crate) fn margin_db(a: &Node, b: &Node, zones: &[(&Shape, ZoneKind)]) -> f64
         }
         ZoneKind::RadioJam { noise_db, edge_m } => {
             // Whoever listens in it hears less; both ends have to.
-            let at = |node: &Node| noise_db * nearness(shape.distance_m(node.at), *edge_m);
+            let at = |node: &RadioNode| noise_db * nearness(shape.distance_m(node.at), *edge_m);
             at(a).max(at(b))
         }
         _ => 0.0,
@@ -260,22 +264,24 @@ fn nearness(distance_m: f64, edge_m: f64) -> f64 {
     }
 }
 
-/// What a ridge takes from a path: that of its highest edge above it.
-fn ridge_db(
-    (a, low_m): (Point, f64),
-    (b, high_m): (Point, f64),
-    (shape, height_m): (&Shape, f64),
-    wave_m: f64,
-) -> f64 {
+/// A ridge in the way of radio.
+struct Ridge<'a> {
+    shape: &'a Shape,
+    height_m: f64,
+}
+
+/// What a ridge takes from a path between two antennas, each at a point and so high: that of its highest edge above it.
+fn ridge_db(ridge: &Ridge<'_>, [a, b]: [Point; 2], heights_m: [f64; 2], wave_m: f64) -> f64 {
+    let [low_m, high_m] = heights_m;
     let flat_m = (a[0] - b[0]).hypot(a[1] - b[1]);
     let mut worst = f64::NEG_INFINITY;
     for place in 1..PLACES {
         let share = f64::from(place) / f64::from(PLACES);
         let at = [a[0] + (b[0] - a[0]) * share, a[1] + (b[1] - a[1]) * share];
-        if !shape.contains(at) {
+        if !ridge.shape.contains(at) {
             continue;
         }
-        let above_m = height_m - (low_m + (high_m - low_m) * share);
+        let above_m = ridge.height_m - (low_m + (high_m - low_m) * share);
         let (before_m, after_m) = (flat_m * share, flat_m * (1.0 - share));
         let v = above_m * (2.0 * flat_m / (wave_m * before_m * after_m)).sqrt();
         worst = worst.max(v);

@@ -28,7 +28,7 @@ use crate::workshop::Design;
 mod observed;
 mod replay;
 
-use observed::{Observed, Watched};
+use observed::{ObservedVehicle, WatchedVehicle};
 pub use replay::{Rescored, Stored};
 
 /// The version of the format.
@@ -124,7 +124,7 @@ impl End {
     /// The end in a line, if it is one.
     pub fn of_line(line: &[u8]) -> Option<Self> {
         match serde_json::from_slice(line) {
-            Ok(Line::End { end, .. }) => Some(end),
+            Ok(RecordLine::End { end, .. }) => Some(end),
             _ => None,
         }
     }
@@ -133,13 +133,13 @@ impl End {
 /// One line after the head.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-enum Line {
+enum RecordLine {
     /// A step, and what had changed since the one before. Steps in which nothing did have no line.
     Tick {
         /// Mission time in ms.
         t: u64,
         #[serde(flatten)]
-        change: Change,
+        change: RecordChange,
     },
     /// [`Flight::act`](super::Flight::act).
     Act {
@@ -150,7 +150,7 @@ enum Line {
     Lose {
         vehicle: VehicleId,
         #[serde(flatten)]
-        change: Change,
+        change: RecordChange,
     },
     /// [`Flight::inject`](super::Flight::inject).
     Inject { name: String },
@@ -162,12 +162,12 @@ enum Line {
     End {
         t: u64,
         #[serde(flatten)]
-        change: Change,
+        change: RecordChange,
         end: End,
     },
 }
 
-impl Line {
+impl RecordLine {
     /// Its mission time in ms, where it has one.
     fn time(&self) -> Option<u64> {
         match self {
@@ -179,9 +179,9 @@ impl Line {
 
 /// What has changed.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-struct Change {
+struct RecordChange {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    v: Vec<Observed>,
+    v: Vec<ObservedVehicle>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     e: Vec<EntryLine>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -223,7 +223,7 @@ fn is_none(risk: &Risk) -> bool {
 #[derive(Debug)]
 pub(super) struct Recorder {
     written: String,
-    watched: BTreeMap<VehicleId, Watched>,
+    watched: BTreeMap<VehicleId, WatchedVehicle>,
     /// Entries that may still change, with the rows as they were written.
     open: BTreeMap<EntryId, Vec<(RowState, u8)>>,
     newest: Option<EntryId>,
@@ -254,54 +254,54 @@ impl Recorder {
     }
 
     pub fn step(&mut self, now: Duration, vehicles: &Vehicles, ledger: &Ledger) {
-        let change = Change {
+        let change = RecordChange {
             v: self.changed_vehicles(vehicles),
             ..self.changed_ledger(ledger)
         };
         let is_next = self.stepped.is_some_and(|before| now == before + TICK);
         self.stepped = Some(now);
-        self.is_step_written = !is_next || change != Change::default();
+        self.is_step_written = !is_next || change != RecordChange::default();
         if self.is_step_written {
             let t = now.as_millis() as u64;
-            self.write(&Line::Tick { t, change });
+            self.write(&RecordLine::Tick { t, change });
         }
     }
 
     /// Writes something that befell the flight after its newest step, which then needs a line of its own.
-    fn befall(&mut self, line: &Line) {
+    fn befall(&mut self, line: &RecordLine) {
         if !std::mem::replace(&mut self.is_step_written, true) {
             let t = self.stepped.unwrap_or_default().as_millis() as u64;
-            let change = Change::default();
-            self.write(&Line::Tick { t, change });
+            let change = RecordChange::default();
+            self.write(&RecordLine::Tick { t, change });
         }
         self.write(line);
     }
 
     pub fn act(&mut self, deed: &Deed, vehicles: &[VehicleId]) {
         let (deed, vehicles) = (deed.clone(), vehicles.to_vec());
-        self.befall(&Line::Act { deed, vehicles });
+        self.befall(&RecordLine::Act { deed, vehicles });
     }
 
     pub fn lose(&mut self, vehicle: VehicleId, vehicles: &Vehicles) {
-        let change = Change {
+        let change = RecordChange {
             v: self.changed_vehicles(vehicles),
-            ..Change::default()
+            ..RecordChange::default()
         };
-        self.befall(&Line::Lose { vehicle, change });
+        self.befall(&RecordLine::Lose { vehicle, change });
     }
 
     pub fn inject(&mut self, name: &str) {
         let name = name.to_owned();
-        self.befall(&Line::Inject { name });
+        self.befall(&RecordLine::Inject { name });
     }
 
     pub fn pause(&mut self, lasted: Duration) {
         let seconds = lasted.as_secs();
-        self.befall(&Line::Pause { seconds });
+        self.befall(&RecordLine::Pause { seconds });
     }
 
     pub fn abandon(&mut self) {
-        self.befall(&Line::Abandon);
+        self.befall(&RecordLine::Abandon);
     }
 
     pub fn end(&mut self, ledger: &Ledger, report: &Report) {
@@ -313,7 +313,7 @@ impl Recorder {
             sim_time_s: report.sim_time_s,
         };
         let t = self.stepped.unwrap_or_default().as_millis() as u64;
-        self.write(&Line::End { t, change, end });
+        self.write(&RecordLine::End { t, change, end });
     }
 
     fn write(&mut self, line: &impl Serialize) {
@@ -324,14 +324,14 @@ impl Recorder {
         }
     }
 
-    fn changed_vehicles(&mut self, vehicles: &Vehicles) -> Vec<Observed> {
+    fn changed_vehicles(&mut self, vehicles: &Vehicles) -> Vec<ObservedVehicle> {
         let changed = |(&id, vehicle)| self.watched.entry(id).or_default().changes(id, vehicle);
         let vehicles = vehicles.iter().map(|(id, vehicle)| (id, &**vehicle));
         vehicles.filter_map(changed).collect()
     }
 
-    fn changed_ledger(&mut self, ledger: &Ledger) -> Change {
-        let mut change = Change::default();
+    fn changed_ledger(&mut self, ledger: &Ledger) -> RecordChange {
+        let mut change = RecordChange::default();
         if self.revision.replace(ledger.revision()) == Some(ledger.revision()) {
             return change;
         }

@@ -4,12 +4,12 @@ use crate::vehicle::{StatusText, Vehicle};
 
 /// Listens to the texts of one vehicle.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Listener {
+pub(super) struct TextListener {
     last: Option<StatusText>,
     begun: bool,
 }
 
-impl Listener {
+impl TextListener {
     /// The texts that came since the last call; those from before the first call were for nobody here.
     pub fn listen<'a>(&mut self, vehicle: &'a Vehicle) -> &'a [StatusText] {
         let texts = &vehicle.texts;

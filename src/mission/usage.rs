@@ -15,7 +15,7 @@ const IDLE_AFTER: Duration = Duration::from_secs(30);
 
 /// What is seen of a vehicle in one tick.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Look {
+pub(crate) struct UsageLook {
     /// East, north, up in metres, while it is in the air and not lost.
     pub airborne_at: Option<[f64; 3]>,
     /// Whether it has a task although it may stand still: it samples, or holds a place in a formation.
@@ -26,7 +26,7 @@ pub(crate) struct Look {
 
 /// The account of one vehicle.
 #[derive(Debug, Clone)]
-pub(crate) struct Usage {
+pub(crate) struct VehicleUsage {
     totals: VehicleUse,
     /// Where it stands still, and for how long it has.
     anchor: [f64; 3],
@@ -37,7 +37,7 @@ pub(crate) struct Usage {
     waiting_for: Option<Duration>,
 }
 
-impl Usage {
+impl VehicleUsage {
     pub fn new(vehicle: VehicleId) -> Self {
         Self {
             totals: VehicleUse {
@@ -57,7 +57,7 @@ impl Usage {
     }
 
     /// Lets a tick pass.
-    pub fn step(&mut self, look: Look, times: &mut SwarmTimes) {
+    pub fn step(&mut self, look: UsageLook, times: &mut SwarmTimes) {
         let Some(at) = look.airborne_at else {
             times.neglected.extend(self.neglected_for.take());
             self.waiting_for = None;
@@ -104,9 +104,14 @@ impl Usage {
 mod tests {
     use super::*;
 
-    fn step(usage: &mut Usage, times: &mut SwarmTimes, seconds: u32, at: impl Fn(f64) -> f64) {
+    fn step(
+        usage: &mut VehicleUsage,
+        times: &mut SwarmTimes,
+        seconds: u32,
+        at: impl Fn(f64) -> f64,
+    ) {
         for tick in 0..seconds * 10 {
-            let look = Look {
+            let look = UsageLook {
                 airborne_at: Some([at(f64::from(tick) / 10.0), 0.0, 20.0]),
                 busy: false,
                 commanded: tick == 0,
@@ -117,7 +122,7 @@ mod tests {
 
     #[test]
     fn a_vehicle_that_hovers_is_productive_for_a_pause_and_idle_after_half_a_minute() {
-        let (mut usage, mut times) = (Usage::new(1), SwarmTimes::default());
+        let (mut usage, mut times) = (VehicleUsage::new(1), SwarmTimes::default());
         step(&mut usage, &mut times, 20, |t| 3.0 * t);
         step(&mut usage, &mut times, 60, |t| 60.0 + 0.5 * t.sin());
         let totals = usage.totals();
@@ -133,7 +138,7 @@ mod tests {
 
     #[test]
     fn a_slow_sweep_is_no_hovering() {
-        let (mut usage, mut times) = (Usage::new(1), SwarmTimes::default());
+        let (mut usage, mut times) = (VehicleUsage::new(1), SwarmTimes::default());
         step(&mut usage, &mut times, 120, |t| 0.4 * t);
         assert_eq!(usage.totals().productive, usage.totals().airborne);
     }

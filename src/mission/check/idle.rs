@@ -1,14 +1,14 @@
 //! Whether somebody has to do something.
 
 use super::Examined;
-use crate::mission::objective::Scene;
+use crate::mission::objective::ObjectiveScene;
 use crate::mission::world::World;
 
 /// Objectives that are met before anybody has flown.
 pub(super) fn check(examined: &mut Examined<'_>) {
     let mission = examined.mission;
     let world = World::new(mission, 0);
-    let nobody = Scene::empty(&world);
+    let nobody = ObjectiveScene::empty(&world);
     let entries = examined.entries("objectives");
     let mut all = true;
     for (objective, entry) in mission.objectives.iter().zip(&entries) {

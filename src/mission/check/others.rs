@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use toml::de::DeTable;
 
-use super::Entry;
+use super::WrittenEntry;
 use crate::diagnostic::Diagnostic;
 use crate::mission::Mission;
 
@@ -18,7 +18,7 @@ impl Mission {
         let (root, _) = DeTable::parse_recoverable(source);
         let root = root.get_ref();
         root.get("objectives")?;
-        root.get("id").map(Entry)?.text().map(str::to_owned)
+        root.get("id").map(WrittenEntry)?.text().map(str::to_owned)
     }
 
     /// References to missions that are not among the known ones, by their ids: what it is a drill of, needs, and
@@ -39,10 +39,10 @@ impl Mission {
 
 /// The missions that a file names, with their places, in its order.
 fn named<'m>(root: &'m DeTable<'m>) -> Vec<(&'m str, Range<usize>)> {
-    let at = |section: &str, key: &str| root.get(section).map(Entry)?.get(key);
-    let items = |section, key| at(section, key).map_or(Vec::new(), Entry::items);
-    let word = |entry: Entry<'m>| Some((entry.text()?, entry.span()));
-    let drill = root.get("drill_of").map(Entry).and_then(word);
+    let at = |section: &str, key: &str| root.get(section).map(WrittenEntry)?.get(key);
+    let items = |section, key| at(section, key).map_or(Vec::new(), WrittenEntry::items);
+    let word = |entry: WrittenEntry<'m>| Some((entry.text()?, entry.span()));
+    let drill = root.get("drill_of").map(WrittenEntry).and_then(word);
     let needed = items("requires", "missions").into_iter().filter_map(word);
     let medals = at("requires", "medals").and_then(|entry| entry.0.get_ref().as_table());
     let medals = medals.into_iter().flatten();

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::{Entry, Examined};
+use super::{Examined, WrittenEntry};
 use crate::mission::Point;
 use crate::mission::ground_truth::Load;
 use crate::mission::report::distance_m;
@@ -26,7 +26,7 @@ pub(super) fn check(examined: &mut Examined<'_>) {
 }
 
 /// What an objective needs and nobody carries.
-fn means(examined: &mut Examined<'_>, objective: Entry<'_>) {
+fn means(examined: &mut Examined<'_>, objective: WrittenEntry<'_>) {
     let mission = examined.mission;
     let carries = |loads: &[Load]| {
         let mut fits = mission.fits.iter();
@@ -55,7 +55,7 @@ fn means(examined: &mut Examined<'_>, objective: Entry<'_>) {
 }
 
 /// What takes longer than there is time, on the straightest way and without any delay.
-fn time(examined: &mut Examined<'_>, objective: Entry<'_>) {
+fn time(examined: &mut Examined<'_>, objective: WrittenEntry<'_>) {
     let limit = examined.mission.time_limit;
     for key in ["within", "time", "dwell"] {
         // The `within` of most kinds is a distance.
@@ -81,7 +81,10 @@ fn time(examined: &mut Examined<'_>, objective: Entry<'_>) {
 }
 
 /// The least time that an objective takes, with what takes it.
-fn needed<'m>(examined: &Examined<'m>, objective: Entry<'m>) -> Option<(Entry<'m>, Duration)> {
+fn needed<'m>(
+    examined: &Examined<'m>,
+    objective: WrittenEntry<'m>,
+) -> Option<(WrittenEntry<'m>, Duration)> {
     let mission = examined.mission;
     let from_pads = |at: Point| {
         let ways = mission.pads.iter().map(|&pad| distance_m(pad, at));
@@ -89,17 +92,17 @@ fn needed<'m>(examined: &Examined<'m>, objective: Entry<'m>) -> Option<(Entry<'m
     };
     let vehicles = mission.vehicles as f64;
     if let Some(gates) = objective.get("gates") {
-        let gates_at = gates.items().into_iter().map(Entry::numbers);
+        let gates_at = gates.items().into_iter().map(WrittenEntry::numbers);
         let points = gates_at.filter_map(|gate| Some([*gate.first()?, *gate.get(1)?]));
         let points: Vec<Point> = points.collect();
         let legs = points.iter().zip(points.iter().skip(1));
         let between: f64 = legs.map(|(&from, &to)| distance_m(from, to)).sum();
-        let radius_m = objective.get("radius").and_then(Entry::number)?;
+        let radius_m = objective.get("radius").and_then(WrittenEntry::number)?;
         // Each gate may be cut by its radius and stand nearer by its jitter.
         let slack_m = radius_m
             + objective
                 .get("jitter")
-                .and_then(Entry::number)
+                .and_then(WrittenEntry::number)
                 .unwrap_or(0.0);
         let way_m = from_pads(*points.first()?) + between - slack_m * 2.0 * points.len() as f64;
         return Some((gates, flown(way_m)));
@@ -108,7 +111,7 @@ fn needed<'m>(examined: &Examined<'m>, objective: Entry<'m>) -> Option<(Entry<'m
         let names = places.items();
         let points = names.iter().filter_map(|name| examined.place(name.text()?));
         let farthest_m = points.map(from_pads).fold(0.0, f64::max);
-        let dwell_s = objective.get("dwell").and_then(Entry::number);
+        let dwell_s = objective.get("dwell").and_then(WrittenEntry::number);
         let dwelling_s = dwell_s.unwrap_or(0.0) * names.len() as f64 / vehicles;
         let dwelling = Duration::try_from_secs_f64(dwelling_s).ok()?;
         return Some((places, dwelling.max(flown(farthest_m))));
@@ -119,8 +122,8 @@ fn needed<'m>(examined: &Examined<'m>, objective: Entry<'m>) -> Option<(Entry<'m
     let ways = mission.pads.iter().map(|&pad| zone.shape.distance_m(pad));
     let way = flown(ways.fold(f64::INFINITY, f64::min));
     // Cells are stayed in one after the other.
-    let cells = objective.get("target").and_then(Entry::number);
-    let dwell_s = objective.get("dwell").and_then(Entry::number);
+    let cells = objective.get("target").and_then(WrittenEntry::number);
+    let dwell_s = objective.get("dwell").and_then(WrittenEntry::number);
     let staying_s = cells.zip(dwell_s).map_or(0.0, |(cells, s)| cells * s);
     let staying = Duration::try_from_secs_f64(staying_s / vehicles).ok()?;
     Some((entry, way + staying))

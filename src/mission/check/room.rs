@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::{Entry, Examined};
+use super::{Examined, WrittenEntry};
 use crate::mission::Point;
 use crate::mission::report::distance_m;
 use crate::mission::zone::{Shape, Zone, ZoneKind};
@@ -26,7 +26,7 @@ fn pads(examined: &mut Examined<'_>) {
     let mission = examined.mission;
     let fleet = examined.section("fleet");
     let pads = fleet.and_then(|fleet| fleet.get("pads"));
-    let entries = pads.map_or(Vec::new(), Entry::items);
+    let entries = pads.map_or(Vec::new(), WrittenEntry::items);
     for (index, (&at, entry)) in mission.pads.iter().zip(entries).enumerate() {
         if let Some(what) = obstacle(examined, at, 0.0) {
             let number = index + 1;
@@ -46,7 +46,7 @@ fn pads(examined: &mut Examined<'_>) {
 }
 
 /// The zone of an objective and the places that it names.
-fn targets(examined: &mut Examined<'_>, objective: Entry<'_>) {
+fn targets(examined: &mut Examined<'_>, objective: WrittenEntry<'_>) {
     // What is to be protected is not flown to.
     let guarded = objective.word("kind") == Some("protect");
     if let Some(entry) = objective.get("zone").filter(|_| !guarded) {
@@ -66,7 +66,9 @@ fn targets(examined: &mut Examined<'_>, objective: Entry<'_>) {
             examined.add(entry.span(), fault);
         }
     }
-    let named = objective.get("places").map_or(Vec::new(), Entry::items);
+    let named = objective
+        .get("places")
+        .map_or(Vec::new(), WrittenEntry::items);
     for entry in named.into_iter().chain(objective.get("place")) {
         let Some(name) = entry.text() else { continue };
         let at = examined.place(name);
@@ -77,9 +79,9 @@ fn targets(examined: &mut Examined<'_>, objective: Entry<'_>) {
 }
 
 /// The heights that an objective asks for.
-fn heights(examined: &mut Examined<'_>, objective: Entry<'_>) {
+fn heights(examined: &mut Examined<'_>, objective: WrittenEntry<'_>) {
     let ceiling_m = examined.ceiling_m();
-    let lowest = |entry: &Entry<'_>| entry.numbers().first().copied();
+    let lowest = |entry: &WrittenEntry<'_>| entry.numbers().first().copied();
     if let Some(entry) = objective.get("heights")
         && lowest(&entry).is_some_and(|low_m| low_m >= ceiling_m)
     {
@@ -89,9 +91,12 @@ fn heights(examined: &mut Examined<'_>, objective: Entry<'_>) {
 }
 
 /// Gates are flown through as they stand.
-fn gates(examined: &mut Examined<'_>, objective: Entry<'_>) {
+fn gates(examined: &mut Examined<'_>, objective: WrittenEntry<'_>) {
     let ceiling_m = examined.ceiling_m();
-    for gate in objective.get("gates").map_or(Vec::new(), Entry::items) {
+    for gate in objective
+        .get("gates")
+        .map_or(Vec::new(), WrittenEntry::items)
+    {
         let [east_m, north_m, up_m] = gate.numbers()[..] else {
             continue;
         };

@@ -1,6 +1,6 @@
 //! Whether what the scoring promises can be earned.
 
-use super::{Entry, Examined};
+use super::{Examined, WrittenEntry};
 use crate::mission::event::Action;
 use crate::scoring::{Component, Gate};
 
@@ -10,7 +10,7 @@ pub(super) fn check(examined: &mut Examined<'_>) {
     };
     let gates = scoring
         .get("gold_requires")
-        .map_or(Vec::new(), Entry::items);
+        .map_or(Vec::new(), WrittenEntry::items);
     for entry in gates {
         let gate = entry.text().and_then(|text| Gate::parse(text).ok());
         if gate.is_some_and(|gate| !gate.can_hold()) {

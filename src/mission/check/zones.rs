@@ -1,6 +1,6 @@
 //! Whether zones have a shape and an effect, and leave room for what is to be done in them.
 
-use super::{Entry, Examined};
+use super::{Examined, WrittenEntry};
 use crate::mission::Point;
 use crate::mission::event::Action;
 use crate::mission::zone::{Shape, Zone, ZoneKind};
@@ -32,7 +32,7 @@ pub(super) fn check(examined: &mut Examined<'_>) {
 }
 
 /// A polygon whose sides cross has an inside that nobody meant.
-fn shape(examined: &mut Examined<'_>, zone: &Zone, entry: Entry<'_>) {
+fn shape(examined: &mut Examined<'_>, zone: &Zone, entry: WrittenEntry<'_>) {
     let Shape::Polygon(corners) = &zone.shape else {
         return;
     };
@@ -75,7 +75,7 @@ fn cross(a: Point, b: Point, c: Point, d: Point) -> bool {
 }
 
 /// The zone of an objective, where nobody may fly over nearly all of it for the whole mission.
-fn forbidden(examined: &mut Examined<'_>, objective: Entry<'_>) {
+fn forbidden(examined: &mut Examined<'_>, objective: WrittenEntry<'_>) {
     // What is to be protected is not flown to.
     let Some(entry) = objective.get("zone") else {
         return;
@@ -88,7 +88,9 @@ fn forbidden(examined: &mut Examined<'_>, objective: Entry<'_>) {
     let Some(zone) = zones.find(|zone| Some(zone.id.as_str()) == entry.text()) else {
         return;
     };
-    let heights = objective.get("heights").map_or(Vec::new(), Entry::numbers);
+    let heights = objective
+        .get("heights")
+        .map_or(Vec::new(), WrittenEntry::numbers);
     let low_m = heights.first().copied().unwrap_or(0.0);
     let high_m = heights.get(1).copied().unwrap_or(f64::INFINITY);
     let high_m = high_m.min(examined.ceiling_m());

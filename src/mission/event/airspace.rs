@@ -46,7 +46,7 @@ impl Airspace {
         }
         for (index, a) in flying.iter().enumerate() {
             for b in &flying[index + 1..] {
-                let distance_m = self.closest_m((a.0.id, a.1), (b.0.id, b.1));
+                let distance_m = self.closest_m([a.0.id, b.0.id], [a.1, b.1]);
                 if let Some(breach) = too_close(distance_m, b.0.id, min_separation_m) {
                     breaches.push((a.0.id, breach));
                 }
@@ -57,12 +57,12 @@ impl Airspace {
     }
 
     /// How close two vehicles came to each other since the last step, as if both had flown straight.
-    fn closest_m(&self, a: (VehicleId, Place), b: (VehicleId, Place)) -> f64 {
+    fn closest_m(&self, [a, b]: [VehicleId; 2], now_at: [Place; 2]) -> f64 {
         let between =
             |a: Place, b: Place| -> Place { std::array::from_fn(|axis| b[axis] - a[axis]) };
         let length = |v: Place| v[0].hypot(v[1]).hypot(v[2]);
-        let now = between(a.1, b.1);
-        let (Some(&a), Some(&b)) = (self.before.get(&a.0), self.before.get(&b.0)) else {
+        let now = between(now_at[0], now_at[1]);
+        let (Some(&a), Some(&b)) = (self.before.get(&a), self.before.get(&b)) else {
             return length(now);
         };
         let before = between(a, b);

@@ -32,7 +32,7 @@ const PLACES_STREAM: u64 = STREAM - 1;
 
 /// What comes of a step.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) enum News {
+pub(crate) enum EngineNews {
     Said(Text),
     Alert(AlertLevel, Text),
     Answered(AlertFact),
@@ -42,7 +42,7 @@ pub(crate) enum News {
 
 /// Where an event stands.
 #[derive(Debug, Clone, Copy, Default)]
-struct Watch {
+struct EventWatch {
     /// When it is to happen.
     due: Option<Duration>,
     /// Whether its condition held when it was looked at last.
@@ -59,7 +59,7 @@ pub(crate) struct Engine {
     zones: Vec<Zone>,
     /// Which of the zones are there now, in the order of the file.
     active: Vec<bool>,
-    watches: Vec<Watch>,
+    watches: Vec<EventWatch>,
     fired: Vec<bool>,
     drifts: Vec<Drift>,
     movers: Vec<Mover>,
@@ -81,14 +81,14 @@ impl Engine {
     pub fn new(mission: &Mission, seed: u64) -> Self {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         random.set_stream(STREAM);
-        let watch = |event: &super::Event| Watch {
+        let watch = |event: &super::Event| EventWatch {
             due: match event.trigger {
                 Trigger::At(at) => Some(jittered(at, event.jitter, &mut random)),
                 _ => None,
             },
-            ..Watch::default()
+            ..EventWatch::default()
         };
-        let watches: Vec<Watch> = mission.events.iter().map(watch).collect();
+        let watches: Vec<EventWatch> = mission.events.iter().map(watch).collect();
         let mut places = ChaCha8Rng::seed_from_u64(seed);
         places.set_stream(PLACES_STREAM);
         let zones = mission.zones.iter();
@@ -117,7 +117,7 @@ impl Engine {
         mission: &Mission,
         weather: &mut Weather,
         sight: &Sight<'_>,
-    ) -> Vec<News> {
+    ) -> Vec<EngineNews> {
         let mut news = Vec::new();
         self.movers.retain_mut(|mover| mover.step(sight.now));
         let ended = |broken: &Broken| broken.until.is_some_and(|until| until <= sight.now);
@@ -152,7 +152,7 @@ impl Engine {
         news.extend(
             breaches
                 .into_iter()
-                .map(|(id, breach)| News::Broken(id, breach)),
+                .map(|(id, breach)| EngineNews::Broken(id, breach)),
         );
         if is_due(sight.now, expression::EVERY) || sight.now <= TICK {
             self.demand(mission, weather, sight);
@@ -166,7 +166,7 @@ impl Engine {
         mission: &Mission,
         weather: &Weather,
         sight: &Sight<'_>,
-        news: &mut Vec<News>,
+        news: &mut Vec<EngineNews>,
     ) {
         let scope = self.scope(weather, sight);
         let events = mission.events.iter().zip(&self.watches).zip(0..);
@@ -191,7 +191,7 @@ impl Engine {
             watch.held = holds;
         }
         let answered = self.alerts.answer(&answered, sight.now);
-        news.extend(answered.into_iter().map(News::Answered));
+        news.extend(answered.into_iter().map(EngineNews::Answered));
     }
 
     /// The time of an event has come.
@@ -201,7 +201,7 @@ impl Engine {
         mission: &Mission,
         weather: &Weather,
         sight: &Sight<'_>,
-        news: &mut Vec<News>,
+        news: &mut Vec<EngineNews>,
     ) {
         let event = &mission.events[index];
         let watch = &mut self.watches[index];
@@ -228,16 +228,22 @@ impl Engine {
         }
     }
 
-    fn act(&mut self, action: &Action, weather: &Weather, sight: &Sight<'_>, news: &mut Vec<News>) {
+    fn act(
+        &mut self,
+        action: &Action,
+        weather: &Weather,
+        sight: &Sight<'_>,
+        news: &mut Vec<EngineNews>,
+    ) {
         match action {
-            Action::Say(text) => news.push(News::Said(text.clone())),
+            Action::Say(text) => news.push(EngineNews::Said(text.clone())),
             Action::Alert {
                 level,
                 text,
                 ok,
                 within,
             } => {
-                news.push(News::Alert(*level, text.clone()));
+                news.push(EngineNews::Alert(*level, text.clone()));
                 let fact = AlertFact {
                     text: text.clone(),
                     level: *level,
@@ -263,7 +269,7 @@ impl Engine {
                 self.movers.push(mover);
             }
             Action::Fault(fault) => self.break_down(fault, sight),
-            Action::Fail(text) => news.push(News::Failed(text.clone())),
+            Action::Fail(text) => news.push(EngineNews::Failed(text.clone())),
             Action::Event(other) => self.watches[*other].due = Some(sight.now + TICK),
         }
     }

@@ -20,25 +20,25 @@ mod parse;
 mod tests;
 mod token;
 
-pub(in crate::mission) use ask::Names;
+pub(in crate::mission) use ask::ExpressionNames;
 #[cfg(test)]
 pub(in crate::mission) use ask::{FUNCTIONS, field_names};
 pub(in crate::mission) use token::LONGEST;
 
 /// A condition: true or false at every moment.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Expression(Node);
+pub(crate) struct Expression(ExpressionNode);
 
 /// Part of an expression.
 #[derive(Debug, Clone, PartialEq)]
-enum Node {
+enum ExpressionNode {
     Number(f64),
     Bool(bool),
     Text(String),
     Ask(ask::Question),
-    Not(Box<Node>),
-    Negative(Box<Node>),
-    Both(Operator, Box<Node>, Box<Node>),
+    Not(Box<ExpressionNode>),
+    Negative(Box<ExpressionNode>),
+    Both(Operator, Box<ExpressionNode>, Box<ExpressionNode>),
 }
 
 /// What stands between two parts.
@@ -89,7 +89,10 @@ impl Expression {
     ///
     /// # Errors
     /// The first fault, with its place in the text.
-    pub(in crate::mission) fn parse(source: &str, names: &Names<'_>) -> Result<Self, Diagnostic> {
+    pub(in crate::mission) fn parse(
+        source: &str,
+        names: &ExpressionNames<'_>,
+    ) -> Result<Self, Diagnostic> {
         parse::condition(source, names).map(Self)
     }
 
@@ -99,7 +102,7 @@ impl Expression {
     }
 }
 
-impl Node {
+impl ExpressionNode {
     fn value(&self, scope: &Scope<'_>) -> Value {
         match self {
             Self::Number(number) => Value::Number(*number),
@@ -122,8 +125,8 @@ impl Node {
 }
 
 impl Operator {
-    fn apply(self, left: &Node, right: &Node, scope: &Scope<'_>) -> Value {
-        let is = |node: &Node| node.value(scope) == Value::Bool(true);
+    fn apply(self, left: &ExpressionNode, right: &ExpressionNode, scope: &Scope<'_>) -> Value {
+        let is = |node: &ExpressionNode| node.value(scope) == Value::Bool(true);
         let numbers = || (left.number(scope), right.number(scope));
         let compare = |holds: fn(f64, f64) -> bool| {
             let (left, right) = numbers();

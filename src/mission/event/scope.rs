@@ -9,7 +9,7 @@ use rand_chacha::ChaCha8Rng;
 use super::mover::Mover;
 use crate::mission::contact::Contact;
 use crate::mission::craft::Craft;
-use crate::mission::objective::Standing;
+use crate::mission::objective::ObjectiveStanding;
 use crate::mission::report::{Mark, distance_m};
 use crate::mission::zone::Zone;
 use crate::scoring::AlertLevel;
@@ -25,7 +25,7 @@ pub(crate) struct Sight<'a> {
     pub now: Duration,
     pub crafts: &'a [Craft],
     pub vehicles: &'a Vehicles,
-    pub standings: &'a [Standing],
+    pub standings: &'a [ObjectiveStanding],
     pub contacts: &'a [Contact],
     pub marks: &'a [Mark],
     /// Mission time of the last command.
@@ -68,7 +68,7 @@ impl<'a> Scope<'a> {
     }
 
     /// How an objective stands.
-    pub fn standing(&self, objective: usize) -> Option<&'a Standing> {
+    pub fn standing(&self, objective: usize) -> Option<&'a ObjectiveStanding> {
         self.sight.standings.get(objective)
     }
 

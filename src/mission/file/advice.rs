@@ -5,7 +5,7 @@ use crate::mission::{Clue, Hint, NEXT_CELL, Phase};
 
 /// All advice of a mission.
 #[derive(Default)]
-pub(super) struct Advice {
+pub(super) struct MissionAdvice {
     /// What is shown by itself.
     pub hints: Vec<Hint>,
     /// What has to be asked for.
@@ -18,7 +18,7 @@ pub(super) enum OneAdvice {
     Asked(Clue),
 }
 
-impl Advice {
+impl MissionAdvice {
     /// All advice, by how it is given.
     pub fn of(all: Vec<OneAdvice>) -> Self {
         let mut advice = Self::default();

@@ -6,7 +6,7 @@ use toml::Spanned;
 use toml::de::DeValue;
 
 use super::action;
-use crate::mission::event::expression::{Expression, LONGEST, Names};
+use crate::mission::event::expression::{Expression, ExpressionNames, LONGEST};
 use crate::mission::event::{Event, Trigger};
 use crate::mission::format::{
     Draft, FileShape, FileTable, FileValue, flag, list, number, table as table_of, text, time, word,
@@ -17,7 +17,7 @@ use crate::text::Text;
 const MOST_ACTIONS: usize = 50;
 
 /// When an event happens, as far as it is written.
-struct Written {
+struct WrittenTrigger {
     at: Option<Duration>,
     when: Option<Expression>,
     after: Option<Spanned<String>>,
@@ -32,7 +32,7 @@ pub(super) fn event(table: &mut FileTable<'_>) -> Option<Event> {
         table.draft().add_id("events", id);
     }
     let title = table.may_text("title", "what an instructor reads; without it, the id");
-    let trigger = Written::of(table).trigger(table);
+    let trigger = WrittenTrigger::of(table).trigger(table);
     let once = table.or("once", flag(), true, "whether it happens once at most");
     let jitter = table.or(
         "jitter",
@@ -65,7 +65,7 @@ pub(super) fn event(table: &mut FileTable<'_>) -> Option<Event> {
     })
 }
 
-impl Written {
+impl WrittenTrigger {
     fn of(table: &mut FileTable<'_>) -> Self {
         Self {
             at: table.may("at", time(), "when: at this mission time"),
@@ -153,7 +153,7 @@ impl FileValue for ConditionValue {
             draft.faults.add(place, fault);
             return None;
         }
-        let names = Names {
+        let names = ExpressionNames {
             zones: &draft.zones,
             objectives: draft.ids("objectives"),
             hazards: draft.ids("hazards"),

@@ -19,7 +19,7 @@ const MOST_LOAD: u32 = 1000;
 const MOST_CREDITS: u32 = 1_000_000;
 
 /// What flies, and from where.
-pub(super) struct Fleet {
+pub(super) struct FleetSection {
     pub pads: Vec<Point>,
     /// One for each pad.
     pub fits: Vec<Fit>,
@@ -33,7 +33,7 @@ struct Carried {
     loads: BTreeMap<Load, u32>,
 }
 
-impl Fleet {
+impl FleetSection {
     /// Every sensor that some vehicle carries.
     pub fn sensors(&self) -> Vec<&'static Sensor> {
         let mut all = Fit::default();
@@ -43,7 +43,7 @@ impl Fleet {
     }
 }
 
-pub(super) fn fleet(table: &mut FileTable<'_>) -> Option<Fleet> {
+pub(super) fn fleet(table: &mut FileTable<'_>) -> Option<FleetSection> {
     let vehicles = table.need(
         "max_vehicles",
         whole(1, MOST_VEHICLES, ""),
@@ -81,7 +81,7 @@ pub(super) fn fleet(table: &mut FileTable<'_>) -> Option<Fleet> {
         table.fault_of("vehicles", fault);
     }
     let common = common.added_to(Fit::default());
-    Some(Fleet {
+    Some(FleetSection {
         outlay,
         fits: match own {
             Some(own) => own

@@ -12,7 +12,7 @@ const SCHEMA: u32 = 1;
 const MOST_NAMES: usize = 20;
 
 /// What stands before the first section.
-pub(super) struct Head {
+pub(super) struct FileHead {
     pub id: String,
     pub rev: u32,
     pub title: Text,
@@ -23,7 +23,7 @@ pub(super) struct Head {
     pub drill_of: Option<String>,
 }
 
-impl Head {
+impl FileHead {
     /// Reads it.
     pub fn need(table: &mut FileTable<'_>) -> Option<Self> {
         let schema = table.need("schema", SchemaVersion, "version of the format");

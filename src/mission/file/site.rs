@@ -8,17 +8,17 @@ use crate::mission::format::{FileTable, LONGEST_S, number, seconds, table as tab
 use crate::mission::weather::{Light, Weather, Wind};
 
 /// Where and for how long.
-pub(super) struct Site {
+pub(super) struct MissionSite {
     pub time_limit: Duration,
     pub origin: Origin,
 }
 
-pub(super) fn site(table: &mut FileTable<'_>) -> Option<Site> {
+pub(super) fn site(table: &mut FileTable<'_>) -> Option<MissionSite> {
     let limit = seconds(10.0, LONGEST_S);
     let time_limit = table.need("time_limit", limit, "mission time allowed");
     let origin = table.need("origin", table_of(origin), "where `[0, 0]` is");
     table.draft().time_limit = time_limit;
-    Some(Site {
+    Some(MissionSite {
         time_limit: time_limit?,
         origin: origin?,
     })

@@ -1,7 +1,7 @@
 //! How the objectives stand.
 
 use super::journal::FlightJournal;
-use crate::mission::objective::{Objective, Scene, Standing, Tracker};
+use crate::mission::objective::{Objective, ObjectiveScene, ObjectiveStanding, Tracker};
 use crate::mission::world::World;
 use crate::scoring::EventKind;
 use crate::text;
@@ -25,14 +25,14 @@ impl Goals {
     }
 
     /// Lets a tick pass; returns how each stands.
-    pub fn step(&mut self, scene: &Scene<'_>) -> Vec<Standing> {
+    pub fn step(&mut self, scene: &ObjectiveScene<'_>) -> Vec<ObjectiveStanding> {
         for tracker in &mut self.trackers {
             tracker.step(scene);
         }
         self.standings(scene)
     }
 
-    pub fn standings(&self, scene: &Scene<'_>) -> Vec<Standing> {
+    pub fn standings(&self, scene: &ObjectiveScene<'_>) -> Vec<ObjectiveStanding> {
         let trackers = self.trackers.iter();
         trackers.map(|tracker| tracker.standing(scene)).collect()
     }
@@ -41,7 +41,7 @@ impl Goals {
     pub fn tell_changes(
         &mut self,
         objectives: &[Objective],
-        standings: &[Standing],
+        standings: &[ObjectiveStanding],
         journal: &mut FlightJournal,
     ) {
         let all = objectives.iter().zip(standings).zip(&mut self.met);

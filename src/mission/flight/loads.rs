@@ -29,7 +29,7 @@ const SAMPLE_UP_TO_M_S: f64 = 1.0;
 
 /// What one vehicle has on board.
 #[derive(Debug, Clone)]
-struct Hold {
+struct CraftLoads {
     full: BTreeMap<Load, u32>,
     left: BTreeMap<Load, u32>,
     /// For how long the sprayer has been open in this second of the load; `None` while it is shut.
@@ -38,7 +38,7 @@ struct Hold {
     served: Duration,
 }
 
-impl Hold {
+impl CraftLoads {
     pub fn new(fit: &Fit) -> Self {
         Self {
             full: fit.loads.clone(),
@@ -98,7 +98,7 @@ impl Hold {
 /// What the crafts have on board, in the order of the crafts, and what was let go of.
 #[derive(Debug, Default)]
 pub(super) struct Loads {
-    holds: Vec<Hold>,
+    holds: Vec<CraftLoads>,
     releases: Vec<Release>,
 }
 
@@ -119,7 +119,7 @@ struct Able {
 impl Loads {
     /// Another vehicle takes part.
     pub fn add(&mut self, fit: &Fit) {
-        self.holds.push(Hold::new(fit));
+        self.holds.push(CraftLoads::new(fit));
     }
 
     /// Everything that was let go of.

@@ -1,6 +1,6 @@
 //! From a flight to its facts, and from these to its report.
 
-use super::{Flight, Standing};
+use super::{Flight, ObjectiveStanding};
 use crate::ledger::{Ledger, LedgerEntry};
 use crate::mission::Clue;
 use crate::scoring::{
@@ -10,7 +10,7 @@ use crate::scoring::{
 use crate::text;
 
 /// What the score depends on.
-pub(super) fn facts(flight: &Flight, standings: &[Standing]) -> Facts {
+pub(super) fn facts(flight: &Flight, standings: &[ObjectiveStanding]) -> Facts {
     let objectives = flight.mission.objectives.iter().zip(standings);
     let used: Vec<f64> = flight
         .crafts

@@ -5,7 +5,7 @@ use std::time::Duration;
 use crate::ledger::{EntryId, Ledger, LedgerEntry};
 use crate::mission::craft::Craft;
 use crate::mission::survey::Surveys;
-use crate::mission::usage::{Look, Usage};
+use crate::mission::usage::{UsageLook, VehicleUsage};
 use crate::scoring::{SwarmFigures, SwarmTimes, VehicleUse};
 use crate::vehicle::VehicleId;
 use crate::verb::Movement;
@@ -14,7 +14,7 @@ use crate::verb::Movement;
 #[derive(Debug, Default)]
 pub(super) struct SwarmAccount {
     /// What each craft did with its time, in the order of the crafts.
-    usage: Vec<Usage>,
+    usage: Vec<VehicleUsage>,
     times: SwarmTimes,
     /// The newest command to vehicles.
     newest: Option<NewestOrder>,
@@ -30,7 +30,7 @@ struct NewestOrder {
 impl SwarmAccount {
     /// Another vehicle takes part.
     pub fn add(&mut self, vehicle: VehicleId) {
-        self.usage.push(Usage::new(vehicle));
+        self.usage.push(VehicleUsage::new(vehicle));
     }
 
     /// Takes the tick into the account of every vehicle.
@@ -43,7 +43,7 @@ impl SwarmAccount {
             let mut entries = ledger.entries().rev();
             let latest = entries.find(|entry| is_order_to(entry, craft.id));
             let on_station = latest.is_some_and(|entry| entry.verb.movement == Movement::Station);
-            let look = Look {
+            let look = UsageLook {
                 airborne_at: craft.place_m().filter(|_| flies),
                 busy: samples || on_station,
                 commanded: commanded.contains(&craft.id),
@@ -60,7 +60,7 @@ impl SwarmAccount {
 
     /// How each of so many vehicles was used; those that nobody has heard were not.
     pub fn uses(&self, wanted: usize) -> Vec<VehicleUse> {
-        let heard = self.usage.iter().map(Usage::totals);
+        let heard = self.usage.iter().map(VehicleUsage::totals);
         let used: Vec<VehicleId> = heard.clone().map(|totals| totals.vehicle).collect();
         let unheard = (1..=VehicleId::MAX).filter(|id| !used.contains(id));
         let unused = unheard.map(|vehicle| VehicleUse {

@@ -5,7 +5,7 @@ use super::journal::FlightJournal;
 use crate::mission::Mission;
 use crate::mission::event::Trigger;
 use crate::mission::event::demand::Demand;
-use crate::mission::event::engine::{Engine, News};
+use crate::mission::event::engine::{Engine, EngineNews};
 use crate::mission::event::scope::Sight;
 use crate::mission::event::standard::Standard;
 use crate::mission::weather::Weather;
@@ -52,12 +52,12 @@ impl Threats {
         }
     }
 
-    fn hear(&mut self, news: News, journal: &mut FlightJournal) {
+    fn hear(&mut self, news: EngineNews, journal: &mut FlightJournal) {
         match news {
-            News::Said(text) => {
+            EngineNews::Said(text) => {
                 journal.say(EventKind::MissionEvent, None, Severity::Notice, text);
             }
-            News::Alert(level, text) => {
+            EngineNews::Alert(level, text) => {
                 let severity = match level {
                     AlertLevel::Caution => Severity::Notice,
                     AlertLevel::Warning => Severity::Warning,
@@ -65,14 +65,14 @@ impl Threats {
                 };
                 journal.say(EventKind::Alert, None, severity, text);
             }
-            News::Answered(fact) => {
+            EngineNews::Answered(fact) => {
                 let after_s = fact.answered_after.unwrap_or_default().as_secs_f64();
                 let seconds = format!("{after_s:.0}");
                 let text = text!("threat-answered", alert = fact.text, seconds = seconds);
                 journal.say(EventKind::Answer, None, Severity::Info, text);
             }
-            News::Broken(vehicle, (kind, text)) => journal.break_rule(kind, vehicle, &text),
-            News::Failed(text) => {
+            EngineNews::Broken(vehicle, (kind, text)) => journal.break_rule(kind, vehicle, &text),
+            EngineNews::Failed(text) => {
                 journal.say(EventKind::Alert, None, Severity::Critical, text);
                 self.failed = true;
             }

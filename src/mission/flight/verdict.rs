@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use super::Flight;
 use crate::mission::craft::Craft;
-use crate::mission::objective::{DOWN_FOR, Standing};
+use crate::mission::objective::{DOWN_FOR, ObjectiveStanding};
 use crate::scoring::EventKind;
 use crate::text;
 use crate::text::Text;
@@ -56,7 +56,7 @@ impl Flight {
         }
     }
 
-    pub(super) fn decide(&mut self, now: Duration, standings: &[Standing]) {
+    pub(super) fn decide(&mut self, now: Duration, standings: &[ObjectiveStanding]) {
         let mut mandatory = standings
             .iter()
             .zip(&self.mission.objectives)

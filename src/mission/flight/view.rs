@@ -1,6 +1,6 @@
 //! How a flight stands, for the mission panel.
 
-use super::{Craft, Flight, Standing, result};
+use super::{Craft, Flight, ObjectiveStanding, result};
 use crate::language::Findings;
 use crate::mission::event::alert::OpenAlert;
 use crate::mission::event::mover::Mover;
@@ -75,7 +75,7 @@ impl Flight {
     }
 
     /// Points for rules that nobody can break on the ground would only puzzle.
-    fn score_so_far(&self, standings: &[Standing]) -> Option<u16> {
+    fn score_so_far(&self, standings: &[ObjectiveStanding]) -> Option<u16> {
         let begun = self.ended.is_some() || self.crafts.iter().any(|craft| craft.flown);
         begun.then(|| score(&self.mission.scoring, &result::facts(self, standings)).points)
     }
@@ -94,14 +94,14 @@ impl Flight {
         self.crafts.iter().flat_map(of).collect()
     }
 
-    fn hint(&self, standings: &[Standing]) -> Option<Text> {
+    fn hint(&self, standings: &[ObjectiveStanding]) -> Option<Text> {
         let phase = self.phase(standings);
         let found = self.mission.hints.iter().find(|hint| hint.phase == phase)?;
         self.ended.is_none().then(|| self.filled(&found.text))
     }
 
     /// The phase of the flight, for hints.
-    pub(super) fn phase(&self, standings: &[Standing]) -> Phase {
+    pub(super) fn phase(&self, standings: &[ObjectiveStanding]) -> Phase {
         let open = standings
             .iter()
             .any(|standing| !standing.landing && !standing.settled);

@@ -8,7 +8,7 @@ use super::table::{AskedKey, FileTable, Reader};
 pub(in crate::mission) struct FileTableDescription {
     pub keys: Vec<FileKey>,
     /// The kinds of tables that it may be one of.
-    pub kinds: Vec<FileKind>,
+    pub kinds: Vec<KindDescription>,
     /// Whether the key `kind` tells them apart; else each has a key that is called after it.
     pub by_kind_key: bool,
 }
@@ -30,7 +30,7 @@ impl FileTableDescription {
 
 /// One of the kinds of a table, with the keys that only it has.
 #[derive(Debug, Clone, PartialEq)]
-pub(in crate::mission) struct FileKind {
+pub(in crate::mission) struct KindDescription {
     pub name: &'static str,
     /// What it is, for people who write missions.
     pub about: &'static str,

@@ -7,7 +7,7 @@ use std::time::Duration;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::Faults;
+use super::FileFaults;
 use crate::mission::Point;
 use crate::mission::sensor::Sensor;
 use crate::mission::survey::SurveyPlan;
@@ -16,7 +16,7 @@ use crate::mission::zone::{Zone, ZoneKind};
 /// What earlier sections have established, for those that refer to it.
 #[derive(Debug, Default)]
 pub(in crate::mission) struct Draft {
-    pub faults: Faults,
+    pub faults: FileFaults,
     pub zones: Vec<Zone>,
     /// Every sensor that some vehicle carries.
     pub sensors: Vec<&'static Sensor>,

@@ -15,7 +15,7 @@ const LONGEST_TEXT: usize = 8000;
 
 /// The faults found so far.
 #[derive(Debug, Default)]
-pub(in crate::mission) struct Faults {
+pub(in crate::mission) struct FileFaults {
     found: Vec<Diagnostic>,
     /// Texts without a translation, which are no faults.
     untranslated: Vec<Diagnostic>,
@@ -23,7 +23,7 @@ pub(in crate::mission) struct Faults {
     translated: bool,
 }
 
-impl Faults {
+impl FileFaults {
     /// Adds a fault at a place.
     pub fn add(&mut self, place: Range<usize>, message: impl Into<Text>) {
         self.push(Diagnostic::new(place, message));

@@ -5,7 +5,7 @@
 
 use serde_json::{Map, Value, json};
 
-use super::description::{FileKey, FileKind, FileShape, FileTableDescription, Presence};
+use super::description::{FileKey, FileShape, FileTableDescription, KindDescription, Presence};
 
 /// The schema of a file as text.
 pub(in crate::mission) fn schema(file: &FileTableDescription) -> String {
@@ -31,7 +31,7 @@ impl FileTableDescription {
         json!({ "oneOf": kinds })
     }
 
-    fn kind_schema(&self, kind: &FileKind) -> Value {
+    fn kind_schema(&self, kind: &KindDescription) -> Value {
         let keys: Vec<FileKey> = self.keys.iter().chain(&kind.own.keys).cloned().collect();
         let name = self.by_kind_key.then_some(kind.name);
         Value::Object(keys_schema(&keys, name))

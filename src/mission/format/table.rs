@@ -5,7 +5,7 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::description::{FileKey, FileKind, FileTableDescription, Presence, describe};
+use super::description::{FileKey, FileTableDescription, KindDescription, Presence, describe};
 use super::draft::Draft;
 use super::value::{self, FileValue};
 use crate::diagnostic::{Diagnostic, nearest};
@@ -27,7 +27,7 @@ pub(in crate::mission) struct KindOf<T> {
 
 /// Which of two values is the better one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in crate::mission) enum Better {
+pub(in crate::mission) enum BetterMeasure {
     Higher,
     Lower,
 }
@@ -35,7 +35,7 @@ pub(in crate::mission) enum Better {
 /// A table that is being read, or described.
 #[derive(Debug)]
 pub(in crate::mission) struct FileTable<'a> {
-    content: Content<'a>,
+    content: TableContent<'a>,
     /// Where the table stands.
     place: Range<usize>,
     asked: Vec<AskedKey>,
@@ -59,7 +59,7 @@ pub(super) struct AskedKey {
 }
 
 #[derive(Debug)]
-enum Content<'a> {
+enum TableContent<'a> {
     /// What nobody has asked for yet.
     Written(DeTable<'a>),
     /// What is left once it is known that the rest cannot be understood.
@@ -98,7 +98,7 @@ impl<'a> FileTable<'a> {
         draft: &mut Draft,
     ) -> Option<T> {
         let place = written.span();
-        let content = Content::Written(written.into_inner());
+        let content = TableContent::Written(written.into_inner());
         let mut table = FileTable::new(content, place, draft);
         table.is_root = is_root;
         let value = reader(&mut table);
@@ -110,17 +110,21 @@ impl<'a> FileTable<'a> {
 
     /// What a reader asks for.
     pub fn describe<T>(reader: Reader<T>, draft: &mut Draft) -> FileTableDescription {
-        let content = Content::Described(FileTableDescription::default());
+        let content = TableContent::Described(FileTableDescription::default());
         let mut table = FileTable::new(content, 0..0, draft);
         // Nothing is written, so nothing comes of it but what it asked for.
         drop(reader(&mut table));
         match table.content {
-            Content::Described(description) => description,
-            Content::Written(_) | Content::Abandoned => FileTableDescription::default(),
+            TableContent::Described(description) => description,
+            TableContent::Written(_) | TableContent::Abandoned => FileTableDescription::default(),
         }
     }
 
-    fn new<'b>(content: Content<'b>, place: Range<usize>, draft: &'b mut Draft) -> FileTable<'b> {
+    fn new<'b>(
+        content: TableContent<'b>,
+        place: Range<usize>,
+        draft: &'b mut Draft,
+    ) -> FileTable<'b> {
         FileTable {
             content,
             place,
@@ -182,9 +186,9 @@ impl<'a> FileTable<'a> {
         about: &'static str,
     ) -> Option<V::Out> {
         let written = match &mut self.content {
-            Content::Written(values) => values.remove(name),
-            Content::Abandoned => None,
-            Content::Described(description) => {
+            TableContent::Written(values) => values.remove(name),
+            TableContent::Abandoned => None,
+            TableContent::Described(description) => {
                 description.keys.push(FileKey {
                     name: name.to_owned(),
                     shape: value.shape(),
@@ -284,10 +288,10 @@ impl<'a> FileTable<'a> {
 
     /// Describes the kinds, if it is to be described.
     fn describe_kinds<T>(&mut self, kinds: &'static [KindOf<T>], by_kind_key: bool) -> bool {
-        let Content::Described(description) = &mut self.content else {
+        let TableContent::Described(description) = &mut self.content else {
             return false;
         };
-        let of = |kind: &KindOf<T>| FileKind {
+        let of = |kind: &KindOf<T>| KindDescription {
             name: kind.name,
             about: kind.about,
             own: FileTable::describe(kind.read, &mut Draft::default()),
@@ -301,8 +305,8 @@ impl<'a> FileTable<'a> {
     pub fn is_written(&self, name: &str) -> bool {
         let mut asked = self.asked.iter();
         let is_left = match &self.content {
-            Content::Written(values) => values.contains_key(name),
-            Content::Abandoned | Content::Described(_) => false,
+            TableContent::Written(values) => values.contains_key(name),
+            TableContent::Abandoned | TableContent::Described(_) => false,
         };
         is_left || asked.any(|asked| asked.name == name && asked.place.is_some())
     }
@@ -333,12 +337,12 @@ impl<'a> FileTable<'a> {
 
     /// Says no more of what is left: it cannot be understood.
     fn abandon(&mut self) {
-        self.content = Content::Abandoned;
+        self.content = TableContent::Abandoned;
     }
 
     /// Adds the faults of keys that are missing or that nobody knows. A missing key that was only misspelt is one fault.
     fn finish(self) {
-        let Content::Written(left) = &self.content else {
+        let TableContent::Written(left) = &self.content else {
             return;
         };
         let known: Vec<&str> = self.asked.iter().map(|asked| asked.name.as_str()).collect();
@@ -381,22 +385,26 @@ impl FileTable<'_> {
     }
 
     /// What is asked for, and from where on a part of it counts, which must lie on the worse side of it.
-    pub fn need_target(&mut self, range: [f64; 2], better: Better) -> Option<Target> {
+    pub fn need_target(
+        &mut self,
+        range: [f64; 2],
+        better: BetterMeasure,
+    ) -> Option<ObjectiveTarget> {
         let [low, high] = range;
         let asked = value::number(low, high, "");
         let met_at = self.need("target", asked, "what is asked for");
         let from = value::number(0.0, high, "");
         let partial_from = self.need("partial_from", from, "where points begin");
-        let target = Target {
+        let target = ObjectiveTarget {
             met_at: met_at?,
             partial_from: partial_from?,
         };
         let (is_worse, message) = match better {
-            Better::Higher => (
+            BetterMeasure::Higher => (
                 target.partial_from < target.met_at,
                 "`partial_from` must be below `target`",
             ),
-            Better::Lower => (
+            BetterMeasure::Lower => (
                 target.partial_from > target.met_at,
                 "`partial_from` must be above `target`: less is better here",
             ),
@@ -410,7 +418,7 @@ impl FileTable<'_> {
 
 /// What an objective asks for.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::mission) struct Target {
+pub(in crate::mission) struct ObjectiveTarget {
     /// The measure that is all of it.
     pub met_at: f64,
     /// Where points begin.

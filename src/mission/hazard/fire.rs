@@ -21,8 +21,8 @@ mod fuel;
 mod grid;
 
 use fuel::Fuel;
-pub(crate) use grid::Grid;
-use grid::{Cell, STEP_S, State};
+pub(crate) use grid::FireGrid;
+use grid::{CellState, FireCell, STEP_S};
 
 /// More cells than this would slow a step down.
 const MOST_CELLS: f64 = 10_000.0;
@@ -36,7 +36,7 @@ const SMOKE_RISES_M: f64 = 12.0;
 
 /// Ground that another fuel covers.
 #[derive(Debug, Clone, Copy)]
-struct Patch {
+struct FuelPatch {
     /// West, south, east, north.
     area: [f64; 4],
     fuel: Fuel,
@@ -52,7 +52,7 @@ struct Ignition {
 
 #[derive(Debug)]
 struct FireHazard {
-    grid: Grid,
+    grid: FireGrid,
     ignitions: Vec<Ignition>,
     jitter_m: f64,
 }
@@ -60,7 +60,7 @@ struct FireHazard {
 /// A fire, with what chance still has in store for it.
 #[derive(Debug, Clone)]
 struct Blaze {
-    grid: Grid,
+    grid: FireGrid,
     random: ChaCha8Rng,
 }
 
@@ -135,10 +135,10 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
     }))
 }
 
-fn read_patch(table: &mut FileTable<'_>) -> Option<Patch> {
+fn read_patch(table: &mut FileTable<'_>) -> Option<FuelPatch> {
     let area = table.need("area", area(), "where");
     let fuel = table.need("fuel", word(&Fuel::WORDS), "what covers it");
-    Some(Patch {
+    Some(FuelPatch {
         area: area?,
         fuel: fuel?,
     })
@@ -161,7 +161,7 @@ fn ground(
     [west, south, east, north]: [f64; 4],
     side_m: f64,
     fuel: Fuel,
-) -> Option<Grid> {
+) -> Option<FireGrid> {
     let (columns, rows) = ((east - west) / side_m, (north - south) / side_m);
     if columns < 1.0 || rows < 1.0 || columns * rows > MOST_CELLS {
         let message = format!(
@@ -170,13 +170,13 @@ fn ground(
         table.fault_of("area", message);
         return None;
     }
-    let fresh = Cell {
+    let fresh = FireCell {
         fuel,
-        state: State::Unburnt(0.0),
+        state: CellState::Unburnt(0.0),
         pace: 1.0,
     };
     let (columns, rows) = (columns.round() as usize, rows.round() as usize);
-    Some(Grid {
+    Some(FireGrid {
         corner: [west, south],
         columns,
         rows,
@@ -187,9 +187,9 @@ fn ground(
     })
 }
 
-impl Grid {
+impl FireGrid {
     /// Lays other fuels over the ground; later ones lie on top.
-    fn cover(&mut self, patches: &[Patch]) {
+    fn cover(&mut self, patches: &[FuelPatch]) {
         for patch in patches {
             let [west, south, east, north] = patch.area;
             for index in 0..self.cells.len() {
@@ -268,13 +268,13 @@ impl Field for Fire {
         let index = self.blaze.grid.index(at)?;
         let cell = &mut self.blaze.grid.cells[index];
         let (good, text) = match cell.state {
-            State::Burning(_) if self.luck.random::<f64>() < chance => {
-                cell.state = State::Burnt;
+            CellState::Burning(_) if self.luck.random::<f64>() < chance => {
+                cell.state = CellState::Burnt;
                 (true, text!("fire-put-out"))
             }
-            State::Burning(_) => (false, text!("fire-goes-on")),
-            State::Unburnt(_) if load == Load::Spray && cell.fuel.burns() => {
-                cell.state = State::Wet;
+            CellState::Burning(_) => (false, text!("fire-goes-on")),
+            CellState::Unburnt(_) if load == Load::Spray && cell.fuel.burns() => {
+                cell.state = CellState::Wet;
                 (true, text!("fire-wetted"))
             }
             _ => (false, text!("fire-none-there")),
@@ -304,12 +304,12 @@ impl Field for Fire {
 
 impl Fire {
     /// The ground as it burns.
-    pub fn grid(&self) -> &Grid {
+    pub fn grid(&self) -> &FireGrid {
         &self.blaze.grid
     }
 
     /// The ground as it would burn if nobody did anything.
-    pub fn untouched(&self) -> &Grid {
+    pub fn untouched(&self) -> &FireGrid {
         &self.untouched.grid
     }
 

@@ -19,7 +19,7 @@ const MOST_DEFECTS: u32 = 200;
 const STEP_M: f64 = 1.0;
 
 #[derive(Debug)]
-struct Line {
+struct PowerLine {
     wire: Wire,
     defects: usize,
     stains: usize,
@@ -82,7 +82,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
     if f64::from(defects + stains) * gap_m > wire.length_m() / 2.0 {
         table.fault_of("min_gap", "so many with this gap have no room on the line");
     }
-    Some(Box::new(Line {
+    Some(Box::new(PowerLine {
         wire,
         defects: defects as usize,
         stains: stains as usize,
@@ -156,7 +156,7 @@ fn parameter_m(span_m: f64, sag_m: f64) -> f64 {
     low.exp()
 }
 
-impl Hazard for Line {
+impl Hazard for PowerLine {
     fn release(&self, _: &Weather, mut random: ChaCha8Rng) -> Box<dyn Field> {
         let length_m = self.wire.length_m();
         let mut places: Vec<f64> = Vec::new();
@@ -237,7 +237,7 @@ mod tests {
     #[test]
     fn defects_hang_on_the_wire_with_the_gap_and_know_its_direction() {
         let wire = Wire::new(vec![[0.0, 0.0], [80.0, 0.0], [80.0, 90.0]], 20.0, 3.0);
-        let line = Line {
+        let line = PowerLine {
             wire,
             defects: 4,
             stains: 2,

@@ -39,7 +39,7 @@ impl Isotope {
 }
 
 #[derive(Debug, Clone, Copy)]
-struct Source {
+struct GammaSource {
     at: Point,
     height_m: f64,
     isotope: Isotope,
@@ -58,7 +58,7 @@ struct Wall {
 
 #[derive(Debug)]
 struct RadiationHazard {
-    sources: Vec<Source>,
+    sources: Vec<GammaSource>,
     walls: Vec<Wall>,
     background_usv_h: f64,
     jitter_m: f64,
@@ -66,7 +66,7 @@ struct RadiationHazard {
 
 #[derive(Debug)]
 struct RadiationField {
-    sources: Vec<Source>,
+    sources: Vec<GammaSource>,
     walls: Vec<Wall>,
     background_usv_h: f64,
     objects: Vec<Object>,
@@ -113,12 +113,12 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
     }))
 }
 
-fn read_source(table: &mut FileTable<'_>) -> Option<Source> {
+fn read_source(table: &mut FileTable<'_>) -> Option<GammaSource> {
     let at = table.need("at", point(), "where");
     let height_m = table.or("height", number(0.0, 500.0, "m"), 0.0, "how high");
     let isotope = table.need("isotope", word(&Isotope::WORDS), "what shines");
     let activity_gbq = table.need("activity_gbq", number(1e-6, 1e6, "GBq"), "how much of it");
-    Some(Source {
+    Some(GammaSource {
         at: at?,
         height_m,
         isotope: isotope?,
@@ -150,7 +150,7 @@ impl Hazard for RadiationHazard {
         for source in &mut sources {
             source.at = [source.at[0] + sway(), source.at[1] + sway()];
         }
-        let object = |source: &Source| Object {
+        let object = |source: &GammaSource| Object {
             height_m: source.height_m,
             ..Object::new(ObjectClass::Source, source.at)
         };
@@ -168,7 +168,7 @@ impl Field for RadiationField {
         if quantity != Quantity::DoseRate {
             return 0.0;
         }
-        let of = |source: &Source| {
+        let of = |source: &GammaSource| {
             let walls = self.walls.iter();
             let shield: f64 = walls.map(|wall| wall.share(source, at, height_m)).product();
             source.dose_rate_usv_h(at, height_m) * shield
@@ -189,7 +189,7 @@ impl Field for RadiationField {
     }
 }
 
-impl Source {
+impl GammaSource {
     /// In air alone.
     fn dose_rate_usv_h(&self, at: Point, height_m: f64) -> f64 {
         let (per_gbq, absorbed_per_m) = self.isotope.constants();
@@ -201,7 +201,7 @@ impl Source {
 
 impl Wall {
     /// The share of a source's radiation that passes on its straight way to a point.
-    fn share(&self, source: &Source, at: Point, height_m: f64) -> f64 {
+    fn share(&self, source: &GammaSource, at: Point, height_m: f64) -> f64 {
         let way = [at[0] - source.at[0], at[1] - source.at[1]];
         let along = [self.to[0] - self.from[0], self.to[1] - self.from[1]];
         let cross = way[0] * along[1] - way[1] * along[0];
@@ -223,7 +223,7 @@ impl Wall {
 mod tests {
     use super::*;
 
-    fn field(sources: Vec<Source>, walls: Vec<Wall>) -> RadiationField {
+    fn field(sources: Vec<GammaSource>, walls: Vec<Wall>) -> RadiationField {
         RadiationField {
             sources,
             walls,
@@ -232,7 +232,7 @@ mod tests {
         }
     }
 
-    const CAESIUM: Source = Source {
+    const CAESIUM: GammaSource = GammaSource {
         at: [0.0, 0.0],
         height_m: 0.0,
         isotope: Isotope::Caesium137,
@@ -246,7 +246,7 @@ mod tests {
             (Isotope::Caesium137, [35.50, 8.547, 2.024, 0.4994]),
             (Isotope::Cobalt60, [135.6, 32.79, 7.713, 1.751]),
         ] {
-            let field = field(vec![Source { isotope, ..CAESIUM }], Vec::new());
+            let field = field(vec![GammaSource { isotope, ..CAESIUM }], Vec::new());
             for (r, expected) in [5.0, 10.0, 20.0, 40.0].into_iter().zip(expected) {
                 let value = field.amount(Quantity::DoseRate, [r, 0.0], 0.0);
                 assert!(
@@ -259,7 +259,7 @@ mod tests {
 
     #[test]
     fn several_sources_add_up_over_one_background() {
-        let other = Source {
+        let other = GammaSource {
             at: [30.0, 0.0],
             ..CAESIUM
         };

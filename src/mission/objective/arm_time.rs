@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::{ObjectiveKind, Scene, Standing, Tracker};
+use super::{ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
 use crate::mission::format::{FileTable, KindOf, number};
 use crate::mission::skill::Skill;
 use crate::mission::world::World;
@@ -64,7 +64,7 @@ impl ObjectiveKind for ArmTime {
 }
 
 impl Tracker for ArmTracker {
-    fn step(&mut self, scene: &Scene<'_>) {
+    fn step(&mut self, scene: &ObjectiveScene<'_>) {
         self.vehicles
             .resize(scene.vehicles.len(), Arming::default());
         for (arming, craft) in self.vehicles.iter_mut().zip(scene.vehicles) {
@@ -77,7 +77,7 @@ impl Tracker for ArmTracker {
         }
     }
 
-    fn standing(&self, scene: &Scene<'_>) -> Standing {
+    fn standing(&self, scene: &ObjectiveScene<'_>) -> ObjectiveStanding {
         let taken = self.vehicles.iter().map(|arming| arming.taken_s(scene.now));
         let longest_s = taken.max_by(f64::total_cmp).unwrap_or(0.0);
         let begun = !self.vehicles.is_empty();
@@ -90,7 +90,7 @@ impl Tracker for ArmTracker {
         };
         let sum: f64 = self.vehicles.iter().map(share).sum();
         let (taken, within) = (format!("{longest_s:.0}"), format!("{:.0}", self.within_s));
-        Standing {
+        ObjectiveStanding {
             fraction: sum / self.vehicles.len().max(1) as f64,
             measure: longest_s,
             met: armed && longest_s <= self.within_s,

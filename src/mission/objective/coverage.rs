@@ -6,9 +6,11 @@
 
 use toml::Spanned;
 
-use super::{ObjectiveKind, Patch, Scene, Standing, Tracker};
+use super::{GroundPatch, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
 use crate::mission::craft::Craft;
-use crate::mission::format::{Better, FileTable, KindOf, Target, list, number, text};
+use crate::mission::format::{
+    BetterMeasure, FileTable, KindOf, ObjectiveTarget, list, number, text,
+};
 use crate::mission::sensor::Sensor;
 use crate::mission::skill::Skill;
 use crate::mission::weather::Light;
@@ -24,14 +26,14 @@ const MOST_CELLS: f64 = 40_000.0;
 
 #[derive(Debug)]
 struct Coverage {
-    grid: Grid,
+    grid: CoverageGrid,
     sensors: Vec<&'static Sensor>,
-    target: Target,
+    target: ObjectiveTarget,
 }
 
 /// A zone in square cells; those with their middle outside are not among them.
 #[derive(Debug, Clone)]
-struct Grid {
+struct CoverageGrid {
     shape: Shape,
     corner: Point,
     side_m: f64,
@@ -42,9 +44,9 @@ struct Grid {
 
 #[derive(Debug)]
 struct Sweep {
-    grid: Grid,
+    grid: CoverageGrid,
     sensors: Vec<&'static Sensor>,
-    target: Target,
+    target: ObjectiveTarget,
     /// Area that strips have passed over, within the zone, again and again.
     passed_m2: f64,
 }
@@ -65,7 +67,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     );
     let cell = number(0.2, 1000.0, "m");
     let side_m = table.need("cell", cell, "side of a cell");
-    let target = table.need_target([0.01, 1.0], Better::Higher);
+    let target = table.need_target([0.01, 1.0], BetterMeasure::Higher);
     let sensors = detectors(table, &sensors?);
     Some(Box::new(Coverage {
         grid: grid(table, &zone?.shape, side_m?)?,
@@ -89,21 +91,21 @@ fn detectors(table: &mut FileTable<'_>, names: &[Spanned<String>]) -> Vec<&'stat
     sensors
 }
 
-fn grid(table: &mut FileTable<'_>, shape: &Shape, side_m: f64) -> Option<Grid> {
+fn grid(table: &mut FileTable<'_>, shape: &Shape, side_m: f64) -> Option<CoverageGrid> {
     let (low, high) = shape.bounds();
     if (high[0] - low[0]) * (high[1] - low[1]) > MOST_CELLS * side_m * side_m {
         let fault = format!("more than {MOST_CELLS} cells; make `cell` larger");
         table.fault_of("cell", fault);
         return None;
     }
-    let grid = Grid::new(shape, side_m);
+    let grid = CoverageGrid::new(shape, side_m);
     if grid.count() == 0 {
         table.fault_of("cell", "no cell of this size has its middle in the zone");
     }
     Some(grid)
 }
 
-impl Grid {
+impl CoverageGrid {
     fn new(shape: &Shape, side_m: f64) -> Self {
         let (low, high) = shape.bounds();
         let count = |axis: usize| ((high[axis] - low[axis]) / side_m).round().max(1.0) as usize;
@@ -206,22 +208,22 @@ impl Sweep {
 }
 
 impl Tracker for Sweep {
-    fn step(&mut self, scene: &Scene<'_>) {
+    fn step(&mut self, scene: &ObjectiveScene<'_>) {
         for craft in scene.vehicles {
             self.pass(craft, scene.world.weather.light);
         }
     }
 
-    fn gaps(&self) -> Vec<Patch> {
+    fn gaps(&self) -> Vec<GroundPatch> {
         gaps::gaps(&self.grid)
     }
 
-    fn standing(&self, _: &Scene<'_>) -> Standing {
+    fn standing(&self, _: &ObjectiveScene<'_>) -> ObjectiveStanding {
         let swept = self.grid.swept();
         let met = swept >= self.target.met_at;
         let coverage = self.coverage();
         let percent = |share: f64| format!("{:.0}", share * 100.0);
-        Standing {
+        ObjectiveStanding {
             fraction: self.target.credit(swept),
             measure: swept,
             met,
@@ -258,9 +260,9 @@ mod tests {
     fn sweep() -> Sweep {
         let shape = Shape::Polygon(vec![[0.0, 0.0], [40.0, 0.0], [40.0, 20.0], [0.0, 20.0]]);
         Sweep {
-            grid: Grid::new(&shape, 1.0),
+            grid: CoverageGrid::new(&shape, 1.0),
             sensors: Sensor::by_id("s_mag").into_iter().collect(),
-            target: Target {
+            target: ObjectiveTarget {
                 met_at: 0.9,
                 partial_from: 0.5,
             },

@@ -1,6 +1,6 @@
 //! `deliver`: bring kits to people while they are of use, or nodes to their places.
 
-use super::{ObjectiveKind, Scene, Standing, Tracker, partial_credit};
+use super::{ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker, partial_credit};
 use crate::mission::format::{FileTable, KindOf, whole, word};
 use crate::mission::hazard::{Care, Field};
 use crate::mission::skill::Skill;
@@ -66,14 +66,14 @@ impl ObjectiveKind for Deliver {
 }
 
 impl Tracker for Deliver {
-    fn standing(&self, scene: &Scene<'_>) -> Standing {
+    fn standing(&self, scene: &ObjectiveScene<'_>) -> ObjectiveStanding {
         let field = scene.world.field(self.hazard);
         self.judged(field.and_then(Field::care).unwrap_or_default())
     }
 }
 
 impl Deliver {
-    fn judged(&self, care: Care) -> Standing {
+    fn judged(&self, care: Care) -> ObjectiveStanding {
         let (done, lost) = match self.what {
             What::Kit => (care.helped, care.lost),
             What::Node => (care.nodes_placed, 0),
@@ -82,7 +82,7 @@ impl Deliver {
         // Nobody is left who could be reached.
         let hopeless = self.what == What::Kit && care.helped + care.lost >= care.people;
         let target = self.target as f64;
-        Standing {
+        ObjectiveStanding {
             fraction: partial_credit(done as f64, f64::from(self.partial_from), target),
             measure: done as f64,
             met,

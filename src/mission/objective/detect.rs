@@ -7,8 +7,8 @@
 
 use std::collections::BTreeSet;
 
-use super::{ObjectiveKind, Scene, Sought, Standing, Tracker};
-use crate::mission::format::{Better, FileTable, KindOf, Target, number};
+use super::{ObjectiveKind, ObjectiveScene, ObjectiveStanding, Sought, Tracker};
+use crate::mission::format::{BetterMeasure, FileTable, KindOf, ObjectiveTarget, number};
 use crate::mission::ground_truth::Object;
 use crate::mission::hazard::Field;
 use crate::mission::report::{Mark, distance_m};
@@ -26,12 +26,12 @@ struct Detect {
     beta: f64,
     radius_m: f64,
     budget: f64,
-    target: Target,
+    target: ObjectiveTarget,
 }
 
 /// What reports are worth.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Tally {
+pub(crate) struct DetectTally {
     pub there: usize,
     pub found: usize,
     /// Reports where nothing of the kind is.
@@ -62,7 +62,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
         BUDGET,
         "reports that count for each object",
     );
-    let target = table.need_target([0.01, 1.0], Better::Higher);
+    let target = table.need_target([0.01, 1.0], BetterMeasure::Higher);
     Some(Box::new(Detect {
         hazard: hazard?,
         beta: beta?,
@@ -90,13 +90,13 @@ impl ObjectiveKind for Detect {
 }
 
 impl Tracker for Detect {
-    fn standing(&self, scene: &Scene<'_>) -> Standing {
+    fn standing(&self, scene: &ObjectiveScene<'_>) -> ObjectiveStanding {
         let objects = scene.world.field(self.hazard).map(Field::objects);
         let tally = self.tally(objects.unwrap_or_default(), scene.marks);
         let score = tally.f_beta(self.beta);
         let met = score >= self.target.met_at;
         let [precision, recall] = tally.precision_and_recall();
-        Standing {
+        ObjectiveStanding {
             fraction: self.target.credit(score),
             measure: score,
             met,
@@ -126,7 +126,7 @@ impl Tracker for Detect {
 }
 
 impl Detect {
-    fn result(&self, tally: Tally, score: f64) -> Text {
+    fn result(&self, tally: DetectTally, score: f64) -> Text {
         text!(
             "detect-result",
             beta = format!("{:.0}", self.beta),
@@ -139,7 +139,7 @@ impl Detect {
     }
 
     /// Matches reports, in the order of their making, with the nearest object that is still open.
-    fn tally(&self, objects: &[Object], marks: &[Mark]) -> Tally {
+    fn tally(&self, objects: &[Object], marks: &[Mark]) -> DetectTally {
         let sought: Vec<&Object> = objects
             .iter()
             .filter(|object| object.class.kind().is_some())
@@ -167,7 +167,7 @@ impl Detect {
                 _ => repeated += 1,
             }
         }
-        Tally {
+        DetectTally {
             there: sought.len(),
             found: found.len(),
             false_alarms: wrong,
@@ -176,7 +176,7 @@ impl Detect {
     }
 }
 
-impl Tally {
+impl DetectTally {
     /// How many reports are right, and how much of what is there is reported.
     fn precision_and_recall(self) -> [f64; 2] {
         let share = |of: usize| match of {
@@ -225,7 +225,7 @@ mod tests {
         beta: 2.0,
         radius_m: 1.0,
         budget: 3.0,
-        target: Target {
+        target: ObjectiveTarget {
             met_at: 0.8,
             partial_from: 0.3,
         },
@@ -248,7 +248,7 @@ mod tests {
         }
     }
 
-    fn tally(marks: &[(Point, Option<&'static str>)]) -> Tally {
+    fn tally(marks: &[(Point, Option<&'static str>)]) -> DetectTally {
         let marks: Vec<Mark> = marks.iter().map(|&(at, kind)| mark(at, kind)).collect();
         DETECT.tally(&mines(), &marks)
     }
@@ -264,7 +264,7 @@ mod tests {
             ([20.0, 0.0], Some("person")),
             ([30.0, 0.0], None),
         ]);
-        let expected = Tally {
+        let expected = DetectTally {
             there: 4,
             found: 2,
             false_alarms: 2,
@@ -284,7 +284,7 @@ mod tests {
             (0, 3, 2.0, 0.0),
             (4, 0, 2.0, 1.0),
         ] {
-            let tally = Tally {
+            let tally = DetectTally {
                 there: 4,
                 found,
                 false_alarms: wrong,

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{ObjectiveKind, Scene, Standing, Tracker, partial_credit};
+use super::{ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker, partial_credit};
 use crate::mission::TICK;
 use crate::mission::format::{FileTable, KindOf, number};
 use crate::mission::ground_truth::Quantity;
@@ -54,7 +54,7 @@ impl ObjectiveKind for Dose {
 }
 
 impl Tracker for DoseTracker {
-    fn step(&mut self, scene: &Scene<'_>) {
+    fn step(&mut self, scene: &ObjectiveScene<'_>) {
         for craft in scene.vehicles {
             let Some(at) = craft.at else { continue };
             let rate = scene.world.amount(Quantity::DoseRate, at, craft.height_m);
@@ -63,13 +63,13 @@ impl Tracker for DoseTracker {
         }
     }
 
-    fn standing(&self, scene: &Scene<'_>) -> Standing {
+    fn standing(&self, scene: &ObjectiveScene<'_>) -> ObjectiveStanding {
         let most = self.gathered_usv.values().copied().fold(0.0, f64::max);
         // Who stays at home gathers nothing, and has done nothing for it.
         let begun = scene.vehicles.iter().any(|craft| craft.flown);
         let within = most <= self.limit_usv;
         let words = text!("dose-most", dose = format!("{most:.2}"));
-        Standing {
+        ObjectiveStanding {
             fraction: if begun {
                 partial_credit(most, WORTHLESS * self.limit_usv, self.limit_usv)
             } else {

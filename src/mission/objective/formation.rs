@@ -1,9 +1,9 @@
 //! `formation`: the middle of all vehicles goes through gates while each keeps its distance to the nearest other.
 
-use super::route::Route;
-use super::{ObjectiveKind, Scene, Standing, Tracker};
+use super::route::GateRoute;
+use super::{ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
 use crate::mission::craft::Craft;
-use crate::mission::format::{Better, FileTable, KindOf, Target, number, rising};
+use crate::mission::format::{BetterMeasure, FileTable, KindOf, ObjectiveTarget, number, rising};
 use crate::mission::skill::Skill;
 use crate::mission::world::World;
 use crate::mission::{Point, TICK};
@@ -11,9 +11,9 @@ use crate::text;
 use crate::text::Text;
 
 #[derive(Debug)]
-struct Formation {
+struct FormationObjective {
     id: String,
-    route: Route,
+    route: GateRoute,
     keep: Keep,
 }
 
@@ -21,7 +21,7 @@ struct Formation {
 #[derive(Debug, Clone)]
 struct Keep {
     spacing_m: [f64; 2],
-    target: Target,
+    target: ObjectiveTarget,
 }
 
 #[derive(Debug)]
@@ -43,17 +43,17 @@ pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
 };
 
 fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
-    let route = Route::need(table);
+    let route = GateRoute::need(table);
     let spacing_m = table.need(
         "spacing",
         rising("[least, most]", number(0.5, 1000.0, "m")),
         "to the nearest other vehicle",
     );
-    let target = table.need_target([0.01, 1.0], Better::Higher);
+    let target = table.need_target([0.01, 1.0], BetterMeasure::Higher);
     if table.draft().pads.len() == 1 {
         table.fault("a formation needs two vehicles or more");
     }
-    Some(Box::new(Formation {
+    Some(Box::new(FormationObjective {
         id: table.own_id(),
         route: route?,
         keep: Keep {
@@ -63,7 +63,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     }))
 }
 
-impl ObjectiveKind for Formation {
+impl ObjectiveKind for FormationObjective {
     fn skill(&self, vehicles: usize) -> Option<Skill> {
         (vehicles > 1).then_some(Skill::K10)
     }
@@ -115,7 +115,7 @@ impl FormationTracker {
 }
 
 impl Tracker for FormationTracker {
-    fn step(&mut self, scene: &Scene<'_>) {
+    fn step(&mut self, scene: &ObjectiveScene<'_>) {
         let all: Vec<[f64; 3]> = scene.vehicles.iter().filter_map(position).collect();
         let whole = all.len() == scene.vehicles.len() && all.len() > 1;
         let Some(gate) = self.gates.get(self.passed) else {
@@ -137,7 +137,7 @@ impl Tracker for FormationTracker {
         }
     }
 
-    fn standing(&self, _: &Scene<'_>) -> Standing {
+    fn standing(&self, _: &ObjectiveScene<'_>) -> ObjectiveStanding {
         let (share, count) = (self.share(), self.gates.len());
         let through = self.passed == count;
         // With one gate there is no way on which to keep anything.
@@ -145,7 +145,7 @@ impl Tracker for FormationTracker {
         let [low, high] = self.keep.spacing_m;
         let percent = |share: f64| format!("{:.0}", (share * 100.0).floor());
         let kept = self.keep.target.credit(share);
-        Standing {
+        ObjectiveStanding {
             fraction: kept * self.passed as f64 / count.max(1) as f64,
             measure: share,
             met: through && share >= self.keep.target.met_at,
@@ -169,13 +169,14 @@ impl Tracker for FormationTracker {
                 "mission-formation-advice",
                 low = format!("{low:.0}"),
                 high = format!("{high:.0}"),
-                gate = Route::name(self.passed.min(count.saturating_sub(1)))
+                gate = GateRoute::name(self.passed.min(count.saturating_sub(1)))
             ),
         }
     }
 
     fn places(&self) -> Vec<(String, Point)> {
-        let place = |(index, gate): (usize, &[f64; 3])| (Route::name(index), [gate[0], gate[1]]);
+        let place =
+            |(index, gate): (usize, &[f64; 3])| (GateRoute::name(index), [gate[0], gate[1]]);
         let next = self.gates.get(self.passed);
         let next = next.map(|gate| (super::NEXT_PLACE.to_owned(), [gate[0], gate[1]]));
         self.gates

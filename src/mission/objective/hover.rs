@@ -1,6 +1,6 @@
 //! `hover`: every vehicle holds its place in the air without a break.
 
-use super::{ObjectiveKind, Scene, Standing, Tracker};
+use super::{ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
 use crate::mission::craft::Craft;
 use crate::mission::format::{FileTable, KindOf, heights, number, text};
 use crate::mission::skill::Skill;
@@ -21,12 +21,12 @@ struct Hover {
 #[derive(Debug)]
 struct HoverTracker {
     plan: Hover,
-    holds: Vec<Hold>,
+    holds: Vec<HoverHold>,
 }
 
 /// How a vehicle holds.
 #[derive(Debug, Clone, Copy, Default)]
-struct Hold {
+struct HoverHold {
     around: Option<Point>,
     now_s: f64,
     best_s: f64,
@@ -74,7 +74,7 @@ impl ObjectiveKind for Hover {
 }
 
 impl Hover {
-    fn step(&self, hold: &mut Hold, craft: &Craft) {
+    fn step(&self, hold: &mut HoverHold, craft: &Craft) {
         let [low, high] = self.heights_m;
         let at = craft.at.filter(|_| craft.airborne && !craft.lost);
         let at = at.filter(|_| (low..=high).contains(&craft.height_m));
@@ -94,23 +94,24 @@ impl Hover {
 }
 
 impl Tracker for HoverTracker {
-    fn step(&mut self, scene: &Scene<'_>) {
-        self.holds.resize(scene.vehicles.len(), Hold::default());
+    fn step(&mut self, scene: &ObjectiveScene<'_>) {
+        self.holds
+            .resize(scene.vehicles.len(), HoverHold::default());
         for (hold, craft) in self.holds.iter_mut().zip(scene.vehicles) {
             self.plan.step(hold, craft);
         }
     }
 
-    fn standing(&self, _: &Scene<'_>) -> Standing {
+    fn standing(&self, _: &ObjectiveScene<'_>) -> ObjectiveStanding {
         let time_s = self.plan.time_s;
-        let share = |hold: &Hold| ((hold.best_s + 1e-9) / time_s).min(1.0);
+        let share = |hold: &HoverHold| ((hold.best_s + 1e-9) / time_s).min(1.0);
         let least = self.holds.iter().map(share).min_by(f64::total_cmp);
         let sum: f64 = self.holds.iter().map(share).sum();
         let met = least.is_some_and(|least| least >= 1.0);
         let held_s = least.unwrap_or(0.0) * time_s;
         let [low, high] = self.plan.heights_m;
         let time = format!("{time_s:.0}");
-        Standing {
+        ObjectiveStanding {
             fraction: sum / self.holds.len().max(1) as f64,
             measure: held_s,
             met,

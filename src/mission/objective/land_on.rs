@@ -1,6 +1,6 @@
 //! `land_on`: vehicles come down at a place and are disarmed there.
 
-use super::{DOWN_FOR, ObjectiveKind, Scene, Standing, Tracker};
+use super::{DOWN_FOR, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
 use crate::mission::Point;
 use crate::mission::craft::Craft;
 use crate::mission::format::{FileTable, KindOf, text, whole};
@@ -60,13 +60,13 @@ impl LandOn {
 }
 
 impl Tracker for LandOn {
-    fn standing(&self, scene: &Scene<'_>) -> Standing {
+    fn standing(&self, scene: &ObjectiveScene<'_>) -> ObjectiveStanding {
         let vehicles = scene.vehicles;
         let down = vehicles.iter().filter(|craft| self.is_there(craft)).count();
         let stopped = |craft: &Craft| craft.lost || craft.down_for >= DOWN_FOR;
         let met = down >= self.count;
         let radius = format!("{:.0}", self.radius_m);
-        Standing {
+        ObjectiveStanding {
             fraction: (down as f64 / self.count.max(1) as f64).min(1.0),
             measure: down as f64,
             met,

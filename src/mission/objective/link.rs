@@ -2,9 +2,11 @@
 
 use std::time::Duration;
 
-use super::{ObjectiveKind, Scene, Standing, Tracker};
+use super::{ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
 use crate::mission::TICK;
-use crate::mission::format::{Better, FileTable, KindOf, LONGEST_S, Target, number, seconds};
+use crate::mission::format::{
+    BetterMeasure, FileTable, KindOf, LONGEST_S, ObjectiveTarget, number, seconds,
+};
 use crate::mission::skill::Skill;
 use crate::mission::world::World;
 use crate::mission::zone::Shape;
@@ -13,13 +15,13 @@ use crate::text::Text;
 
 /// A link that has to be kept while vehicles work in a zone.
 #[derive(Debug, Clone)]
-struct Link {
+struct LinkObjective {
     shape: Shape,
     margin_db: f64,
     /// Vehicle seconds in the zone that are asked for.
     needed: Duration,
     /// The share of them that has to be well heard.
-    target: Target,
+    target: ObjectiveTarget,
 }
 
 /// The kind `link`.
@@ -34,8 +36,8 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     let margin_db = table.need("margin", number(-20.0, 60.0, "dB"), "how well");
     let time = seconds(1.0, LONGEST_S);
     let needed = table.need("time", time, "of all vehicles in the zone together");
-    let target = table.need_target([0.01, 1.0], Better::Higher);
-    Some(Box::new(Link {
+    let target = table.need_target([0.01, 1.0], BetterMeasure::Higher);
+    Some(Box::new(LinkObjective {
         margin_db: margin_db?,
         shape: zone?.shape,
         needed: needed?,
@@ -43,13 +45,13 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     }))
 }
 
-impl ObjectiveKind for Link {
+impl ObjectiveKind for LinkObjective {
     fn skill(&self, _: usize) -> Option<Skill> {
         Some(Skill::K5)
     }
 
     fn start(&self, _: &World) -> Box<dyn Tracker> {
-        Box::new(Watched {
+        Box::new(LinkTracker {
             link: self.clone(),
             inside: Duration::ZERO,
             heard: Duration::ZERO,
@@ -58,15 +60,15 @@ impl ObjectiveKind for Link {
 }
 
 #[derive(Debug)]
-struct Watched {
-    link: Link,
+struct LinkTracker {
+    link: LinkObjective,
     /// Time of all vehicles in the zone together, and that of those who were heard well.
     inside: Duration,
     heard: Duration,
 }
 
-impl Tracker for Watched {
-    fn step(&mut self, scene: &Scene<'_>) {
+impl Tracker for LinkTracker {
+    fn step(&mut self, scene: &ObjectiveScene<'_>) {
         for craft in scene
             .vehicles
             .iter()
@@ -85,7 +87,7 @@ impl Tracker for Watched {
         }
     }
 
-    fn standing(&self, _: &Scene<'_>) -> Standing {
+    fn standing(&self, _: &ObjectiveScene<'_>) -> ObjectiveStanding {
         let link = &self.link;
         let share = if self.inside.is_zero() {
             0.0
@@ -95,7 +97,7 @@ impl Tracker for Watched {
         let worked = (self.inside.as_secs_f64() / link.needed.as_secs_f64()).min(1.0);
         let met = worked >= 1.0 && share >= link.target.met_at;
         let missing = link.needed.saturating_sub(self.inside).as_secs_f64().ceil();
-        Standing {
+        ObjectiveStanding {
             fraction: worked * link.target.credit(share),
             measure: share,
             met,

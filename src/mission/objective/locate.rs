@@ -2,7 +2,7 @@
 //!
 //! How near the reports are is revealed when all vehicles are down or the time is up: else one could ask by reporting.
 
-use super::{ObjectiveKind, Scene, Sought, Standing, Tracker, partial_credit};
+use super::{ObjectiveKind, ObjectiveScene, ObjectiveStanding, Sought, Tracker, partial_credit};
 use crate::mission::Point;
 use crate::mission::craft::Craft;
 use crate::mission::format::{FileTable, KindOf, number};
@@ -23,7 +23,7 @@ struct Locate {
 
 /// Where something is, and what it must be called.
 #[derive(Debug, Clone, Copy)]
-struct Wanted {
+struct LocateTarget {
     at: Point,
     kind: &'static str,
 }
@@ -31,11 +31,11 @@ struct Wanted {
 #[derive(Debug)]
 struct LocateTracker {
     plan: Locate,
-    wanted: Vec<Wanted>,
+    wanted: Vec<LocateTarget>,
 }
 
 /// What came of the reports.
-struct Found {
+struct LocateReports {
     /// From each thing to the nearest report of it.
     distances_m: Vec<Option<f64>>,
     /// Reports that are about none of them.
@@ -82,7 +82,7 @@ impl ObjectiveKind for Locate {
             .map_or(&[][..], |field| field.objects());
         let wanted = |object: &Object| {
             let kind = object.class.kind().filter(|_| object.present)?;
-            Some(Wanted {
+            Some(LocateTarget {
                 at: object.at,
                 kind,
             })
@@ -98,13 +98,13 @@ impl LocateTracker {
     /// The reports that may be about what is wanted.
     fn reports<'a>(&'a self, marks: &'a [Mark]) -> impl Iterator<Item = &'a Mark> {
         marks.iter().filter(|mark| {
-            let named = |wanted: &Wanted| mark.kind.is_none_or(|kind| kind == wanted.kind);
+            let named = |wanted: &LocateTarget| mark.kind.is_none_or(|kind| kind == wanted.kind);
             self.wanted.iter().any(named)
         })
     }
 
-    fn found(&self, marks: &[Mark]) -> Found {
-        let nearest = |wanted: &Wanted| {
+    fn found(&self, marks: &[Mark]) -> LocateReports {
+        let nearest = |wanted: &LocateTarget| {
             let distances = self
                 .reports(marks)
                 .map(|mark| distance_m(mark.at, wanted.at));
@@ -112,27 +112,28 @@ impl LocateTracker {
             nearest.filter(|&nearest| nearest <= self.plan.partial_to_m)
         };
         let astray = |mark: &&Mark| {
-            let far = |wanted: &Wanted| distance_m(mark.at, wanted.at) > self.plan.partial_to_m;
+            let far =
+                |wanted: &LocateTarget| distance_m(mark.at, wanted.at) > self.plan.partial_to_m;
             self.wanted.iter().all(far)
         };
-        Found {
+        LocateReports {
             distances_m: self.wanted.iter().map(nearest).collect(),
             astray: self.reports(marks).filter(astray).count(),
         }
     }
 
     /// Whether it may be told how near the reports are.
-    fn is_closed(&self, scene: &Scene<'_>) -> bool {
+    fn is_closed(&self, scene: &ObjectiveScene<'_>) -> bool {
         let down = |craft: &Craft| craft.lost || craft.is_down();
         let all_down = !scene.vehicles.is_empty() && scene.vehicles.iter().all(down);
         scene.over || (all_down && self.is_settled(scene))
     }
 
-    fn is_settled(&self, scene: &Scene<'_>) -> bool {
+    fn is_settled(&self, scene: &ObjectiveScene<'_>) -> bool {
         self.reports(scene.marks).count() >= self.wanted.len()
     }
 
-    fn fraction(&self, found: &Found) -> f64 {
+    fn fraction(&self, found: &LocateReports) -> f64 {
         let (far, near) = (self.plan.partial_to_m, self.plan.within_m);
         let credit = |distance: &Option<f64>| {
             distance.map_or(0.0, |distance| partial_credit(distance, far, near))
@@ -141,7 +142,7 @@ impl LocateTracker {
         sum / self.wanted.len().max(1) as f64
     }
 
-    fn words(found: &Found) -> Text {
+    fn words(found: &LocateReports) -> Text {
         let one = |distance: &Option<f64>| match distance {
             Some(distance) => text!("locate-off", distance = format!("{distance:.0}")),
             None => text!("locate-missed"),
@@ -155,7 +156,7 @@ impl LocateTracker {
 }
 
 impl Tracker for LocateTracker {
-    fn standing(&self, scene: &Scene<'_>) -> Standing {
+    fn standing(&self, scene: &ObjectiveScene<'_>) -> ObjectiveStanding {
         let closed = self.is_closed(scene);
         let found = self.found(if closed { scene.marks } else { &[] });
         let near = |distance: &&Option<f64>| {
@@ -172,7 +173,7 @@ impl Tracker for LocateTracker {
         } else {
             text!("locate-reports", count = reports)
         };
-        Standing {
+        ObjectiveStanding {
             fraction,
             measure: located as f64,
             met: located == wanted && wanted > 0,

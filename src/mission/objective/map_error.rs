@@ -3,9 +3,9 @@
 //! The error is the root of the mean squared difference between measured and true cell means, divided by the mean of
 //! the true ones (NRMSE). A cell that was not sampled is a blank on the map and counts as a reading of zero.
 
-use super::{ObjectiveKind, Scene, Standing, Tracker};
+use super::{ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
 use crate::mission::Point;
-use crate::mission::format::{Better, FileTable, KindOf, Target, number, text};
+use crate::mission::format::{BetterMeasure, FileTable, KindOf, ObjectiveTarget, number, text};
 use crate::mission::skill::Skill;
 use crate::mission::survey::{Survey, SurveyPlan};
 use crate::mission::world::World;
@@ -21,7 +21,7 @@ const WORTHLESS: f64 = 0.5;
 struct MapError {
     of: SurveyPlan,
     height_m: f64,
-    target: Target,
+    target: ObjectiveTarget,
 }
 
 #[derive(Debug)]
@@ -29,7 +29,7 @@ struct MapTracker {
     of: String,
     height_m: f64,
     truth: Vec<f64>,
-    target: Target,
+    target: ObjectiveTarget,
 }
 
 /// The kind `map_error`.
@@ -42,7 +42,7 @@ pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
 fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     let of = table.need("of", text("id of an earlier `sample_cells`"), "the survey");
     let height_m = table.need("height", number(0.0, 1000.0, "m"), "of the map");
-    let target = table.need_target([0.0, 10.0], Better::Lower);
+    let target = table.need_target([0.0, 10.0], BetterMeasure::Lower);
     Some(Box::new(MapError {
         of: table.draft().survey(&of?)?,
         height_m: height_m?,
@@ -126,7 +126,7 @@ impl MapTracker {
 }
 
 impl Tracker for MapTracker {
-    fn standing(&self, scene: &Scene<'_>) -> Standing {
+    fn standing(&self, scene: &ObjectiveScene<'_>) -> ObjectiveStanding {
         let survey = scene.survey(&self.of);
         let begun = survey.is_some_and(|survey| survey.sampled() > 0);
         let error = survey.filter(|_| begun).map(|survey| self.error(survey));
@@ -141,7 +141,7 @@ impl Tracker for MapTracker {
             |error| text!("mission-map-quality", error = error),
         );
         let met = error.is_some_and(|error| error <= self.target.met_at);
-        Standing {
+        ObjectiveStanding {
             fraction: error.map_or(0.0, |error| self.target.credit(error)),
             measure: error.unwrap_or(self.target.partial_from),
             met,

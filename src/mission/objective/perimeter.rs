@@ -6,9 +6,11 @@
 
 use std::time::Duration;
 
-use super::{ObjectiveKind, Patch, Scene, Standing, Tracker};
-use crate::mission::format::{FileTable, KindOf, LONGEST_S, Target, list, number, seconds, text};
-use crate::mission::hazard::{Fire, Grid};
+use super::{GroundPatch, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
+use crate::mission::format::{
+    FileTable, KindOf, LONGEST_S, ObjectiveTarget, list, number, seconds, text,
+};
+use crate::mission::hazard::{Fire, FireGrid};
 use crate::mission::report::distance_m;
 use crate::mission::sensor::Sensor;
 use crate::mission::skill::Skill;
@@ -22,7 +24,7 @@ struct Perimeter {
     hazard: usize,
     sensor: &'static Sensor,
     times: Vec<Duration>,
-    target: Target,
+    target: ObjectiveTarget,
 }
 
 #[derive(Debug)]
@@ -71,7 +73,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
         hazard: hazard?,
         sensor,
         times,
-        target: Target {
+        target: ObjectiveTarget {
             met_at: met_at?,
             partial_from,
         },
@@ -84,7 +86,7 @@ impl ObjectiveKind for Perimeter {
     }
 
     fn start(&self, world: &World) -> Box<dyn Tracker> {
-        let cells = self.grid(world).map_or(0, Grid::len);
+        let cells = self.grid(world).map_or(0, FireGrid::len);
         Box::new(PerimeterTracker {
             plan: self.clone(),
             seen: vec![false; cells],
@@ -94,14 +96,14 @@ impl ObjectiveKind for Perimeter {
 }
 
 impl Perimeter {
-    fn grid<'a>(&self, world: &'a World) -> Option<&'a Grid> {
+    fn grid<'a>(&self, world: &'a World) -> Option<&'a FireGrid> {
         world.field(self.hazard)?.fire().map(Fire::grid)
     }
 }
 
 impl PerimeterTracker {
     /// Looks at the ground below the vehicles.
-    fn look(&mut self, scene: &Scene<'_>, grid: &Grid) {
+    fn look(&mut self, scene: &ObjectiveScene<'_>, grid: &FireGrid) {
         let flying = scene.vehicles.iter();
         for craft in flying.filter(|craft| craft.heard && craft.airborne && !craft.lost) {
             let swath_m = self.plan.sensor.swath_m(craft.height_m);
@@ -117,7 +119,7 @@ impl PerimeterTracker {
         }
     }
 
-    fn fit(&self, grid: &Grid) -> f64 {
+    fn fit(&self, grid: &FireGrid) -> f64 {
         let (mut both, mut either) = (0_u32, 0_u32);
         for (index, &seen) in self.seen.iter().enumerate() {
             let burnt = grid.has_burnt(index);
@@ -149,7 +151,7 @@ impl PerimeterTracker {
 }
 
 impl Tracker for PerimeterTracker {
-    fn step(&mut self, scene: &Scene<'_>) {
+    fn step(&mut self, scene: &ObjectiveScene<'_>) {
         let Some(grid) = self.plan.grid(scene.world) else {
             return;
         };
@@ -163,19 +165,19 @@ impl Tracker for PerimeterTracker {
         }
     }
 
-    fn mapped(&self, world: &World) -> Vec<Patch> {
+    fn mapped(&self, world: &World) -> Vec<GroundPatch> {
         let Some(grid) = self.plan.grid(world) else {
             return Vec::new();
         };
         let seen = self.seen.iter().enumerate().filter(|(_, burnt)| **burnt);
-        let patch = |(index, _)| Patch {
+        let patch = |(index, _)| GroundPatch {
             at: grid.centre(index),
             side_m: grid.side_m,
         };
         seen.map(patch).collect()
     }
 
-    fn standing(&self, scene: &Scene<'_>) -> Standing {
+    fn standing(&self, scene: &ObjectiveScene<'_>) -> ObjectiveStanding {
         let (all, target) = (self.plan.times.len(), self.plan.target);
         let sum: f64 = 0.0 + self.fits.iter().sum::<f64>();
         let mean = sum / self.fits.len().max(1) as f64;
@@ -185,7 +187,7 @@ impl Tracker for PerimeterTracker {
         let credits: f64 = 0.0 + self.fits.iter().map(credit).sum::<f64>();
         let times = self.plan.times.iter();
         let times: Vec<String> = times.map(|time| time.as_secs().to_string()).collect();
-        Standing {
+        ObjectiveStanding {
             fraction: credits / all.max(1) as f64,
             measure: mean,
             met: settled && mean >= target.met_at,

@@ -1,7 +1,7 @@
 //! `protect`: a zone must not burn. `contain`: less must burn than if nobody did anything.
 
-use super::{ObjectiveKind, Scene, Standing, Tracker};
-use crate::mission::format::{Better, FileTable, KindOf, Target};
+use super::{ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
+use crate::mission::format::{BetterMeasure, FileTable, KindOf, ObjectiveTarget};
 use crate::mission::hazard::Fire;
 use crate::mission::skill::Skill;
 use crate::mission::world::World;
@@ -19,7 +19,7 @@ struct Protect {
 #[derive(Debug, Clone)]
 struct Contain {
     hazard: usize,
-    target: Target,
+    target: ObjectiveTarget,
 }
 
 /// The kind `protect`.
@@ -47,7 +47,7 @@ pub(super) const CONTAIN: KindOf<Box<dyn ObjectiveKind>> = KindOf {
 
 fn read_contain(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     let hazard = table.need_hazard("of", "a fire");
-    let target = table.need_target([0.0, 1.0], Better::Lower);
+    let target = table.need_target([0.0, 1.0], BetterMeasure::Lower);
     Some(Box::new(Contain {
         hazard: hazard?,
         target: target?,
@@ -74,12 +74,12 @@ impl ObjectiveKind for Contain {
     }
 }
 
-fn fire<'a>(scene: &'a Scene<'_>, hazard: usize) -> Option<&'a Fire> {
+fn fire<'a>(scene: &'a ObjectiveScene<'_>, hazard: usize) -> Option<&'a Fire> {
     scene.world.field(hazard)?.fire()
 }
 
 impl Tracker for Protect {
-    fn standing(&self, scene: &Scene<'_>) -> Standing {
+    fn standing(&self, scene: &ObjectiveScene<'_>) -> ObjectiveStanding {
         let fire = fire(scene, self.hazard);
         let (mut lost, mut all) = (0_usize, 0_usize);
         if let Some(grid) = fire.map(Fire::grid) {
@@ -92,7 +92,7 @@ impl Tracker for Protect {
         let out = fire.is_none_or(Fire::is_out);
         // Until somebody has flown, nobody has saved anything.
         let begun = scene.vehicles.iter().any(|craft| craft.flown);
-        Standing {
+        ObjectiveStanding {
             fraction: if saved && begun {
                 1.0
             } else if begun {
@@ -120,7 +120,7 @@ impl Tracker for Protect {
 }
 
 impl Tracker for Contain {
-    fn standing(&self, scene: &Scene<'_>) -> Standing {
+    fn standing(&self, scene: &ObjectiveScene<'_>) -> ObjectiveStanding {
         let fire = fire(scene, self.hazard);
         let (burnt, untouched) = fire.map_or((0, 0), |fire| {
             (fire.grid().burnt(), fire.untouched().burnt())
@@ -129,7 +129,7 @@ impl Tracker for Contain {
         let good = scene.releases.iter().filter(|release| release.good).count();
         let all = scene.releases.len();
         let met = share <= self.target.met_at;
-        Standing {
+        ObjectiveStanding {
             fraction: self.target.credit(share),
             measure: share,
             met,

@@ -1,6 +1,6 @@
 //! `recover`: every vehicle back on a pad, disarmed, with enough battery left.
 
-use super::{DOWN_FOR, ObjectiveKind, Scene, Standing, Tracker};
+use super::{DOWN_FOR, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
 use crate::mission::craft::Craft;
 use crate::mission::format::{FileTable, KindOf, number};
 use crate::mission::skill::Skill;
@@ -59,7 +59,7 @@ impl Recover {
 }
 
 impl Tracker for Recover {
-    fn standing(&self, scene: &Scene<'_>) -> Standing {
+    fn standing(&self, scene: &ObjectiveScene<'_>) -> ObjectiveStanding {
         let home = scene
             .vehicles
             .iter()
@@ -68,7 +68,7 @@ impl Tracker for Recover {
         let count = scene.vehicles.len();
         let met = count > 0 && home == count;
         let stopped = |craft: &Craft| craft.lost || craft.down_for >= DOWN_FOR;
-        Standing {
+        ObjectiveStanding {
             fraction: home as f64 / count.max(1) as f64,
             measure: home as f64,
             met,

@@ -12,13 +12,13 @@ const MOST_GATES: usize = 100;
 
 /// Gates as the mission describes them: east, north and up from the origin.
 #[derive(Debug, Clone)]
-pub(super) struct Route {
+pub(super) struct GateRoute {
     gates: Vec<[f64; 3]>,
     pub radius_m: f64,
     jitter_m: f64,
 }
 
-impl Route {
+impl GateRoute {
     /// Reads the keys of a route.
     pub fn need(table: &mut FileTable<'_>) -> Option<Self> {
         let gates = table.need("gates", list(gate(), 1, MOST_GATES), "in their order");

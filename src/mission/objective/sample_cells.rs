@@ -1,6 +1,6 @@
 //! `sample_cells`: carry a sensor slowly enough and for long enough through the cells of a grid.
 
-use super::{ObjectiveKind, Scene, Standing, Tracker, partial_credit};
+use super::{ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker, partial_credit};
 use crate::mission::format::{FileTable, KindOf, heights, number, text, whole};
 use crate::mission::skill::Skill;
 use crate::mission::survey::{CellPlan, Survey, SurveyPlan, letters};
@@ -123,7 +123,7 @@ impl ObjectiveKind for SampleCells {
 }
 
 impl Tracker for SampleCells {
-    fn standing(&self, scene: &Scene<'_>) -> Standing {
+    fn standing(&self, scene: &ObjectiveScene<'_>) -> ObjectiveStanding {
         let survey = scene.survey(&self.plan.id);
         let sampled = survey.map_or(0, Survey::sampled);
         let missing: Vec<&str> = (0..self.plan.cells.len())
@@ -131,7 +131,7 @@ impl Tracker for SampleCells {
             .map(|index| self.plan.cells[index].name.as_str())
             .collect();
         let [low, high] = self.plan.heights_m;
-        Standing {
+        ObjectiveStanding {
             fraction: partial_credit(
                 sampled as f64,
                 f64::from(self.partial_from),

@@ -5,10 +5,10 @@
 
 use std::time::Duration;
 
-use super::{ObjectiveKind, Scene, Standing, Tracker};
+use super::{ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
 use crate::mission::TICK;
 use crate::mission::format::{
-    Better, FileTable, KindOf, LONGEST_S, Target, number, rising, seconds,
+    BetterMeasure, FileTable, KindOf, LONGEST_S, ObjectiveTarget, number, rising, seconds,
 };
 use crate::mission::skill::Skill;
 use crate::mission::world::World;
@@ -21,7 +21,7 @@ struct Standoff {
     range_m: [f64; 2],
     near_m: f64,
     least: Duration,
-    target: Target,
+    target: ObjectiveTarget,
     /// Time near the structure, at the right distance, and too near.
     near: Duration,
     kept: Duration,
@@ -42,7 +42,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     let near_m = table.need("near", number(1.0, 1000.0, "m"), "how near time counts");
     let time = seconds(1.0, LONGEST_S);
     let least = table.need("time", time, "the least to spend there");
-    let target = table.need_target([0.01, 1.0], Better::Higher);
+    let target = table.need_target([0.01, 1.0], BetterMeasure::Higher);
     let (range_m, near_m) = (range_m?, near_m?);
     if range_m[1] > near_m {
         table.fault_of("range", "`range` must be [nearest, farthest], up to `near`");
@@ -90,7 +90,7 @@ impl Standoff {
 }
 
 impl Tracker for Standoff {
-    fn step(&mut self, scene: &Scene<'_>) {
+    fn step(&mut self, scene: &ObjectiveScene<'_>) {
         let Some(structure) = scene.world.field(self.hazard) else {
             return;
         };
@@ -104,13 +104,13 @@ impl Tracker for Standoff {
         }
     }
 
-    fn standing(&self, _: &Scene<'_>) -> Standing {
+    fn standing(&self, _: &ObjectiveScene<'_>) -> ObjectiveStanding {
         let share = self.share();
         let met = share >= self.target.met_at;
         let [nearest, farthest] = self.range_m.map(|metres| format!("{metres:.0}"));
         let percent = |share: f64| format!("{:.0}", share * 100.0);
         let seconds = |time: Duration| format!("{:.0}", time.as_secs_f64());
-        Standing {
+        ObjectiveStanding {
             fraction: self.target.credit(share),
             measure: share,
             met,
@@ -151,7 +151,7 @@ mod tests {
             range_m: [5.0, 12.0],
             near_m: 30.0,
             least: Duration::from_secs(60),
-            target: Target {
+            target: ObjectiveTarget {
                 met_at: 0.9,
                 partial_from: 0.5,
             },

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use super::{ObjectiveKind, Scene, Standing, Tracker, partial_credit};
+use super::{ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker, partial_credit};
 use crate::mission::craft::Craft;
 use crate::mission::format::{FileTable, KindOf, heights, list, number, text};
-use crate::mission::objective::route::Route;
+use crate::mission::objective::route::GateRoute;
 use crate::mission::skill::Skill;
 use crate::mission::world::World;
 use crate::mission::{Point, TICK};
@@ -25,7 +25,7 @@ struct Visit {
 #[derive(Debug)]
 struct Gates {
     id: String,
-    route: Route,
+    route: GateRoute,
 }
 
 /// One point to be at.
@@ -61,7 +61,7 @@ pub(super) const GATES: KindOf<Box<dyn ObjectiveKind>> = KindOf {
 };
 
 fn read_gates(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
-    let route = Route::need(table);
+    let route = GateRoute::need(table);
     Some(Box::new(Gates {
         id: table.own_id(),
         route: route?,
@@ -112,7 +112,7 @@ impl ObjectiveKind for Gates {
     fn start(&self, world: &World) -> Box<dyn Tracker> {
         let gates = self.route.drawn(world, &self.id);
         let stop = |(index, [east, north, up]): (usize, [f64; 3])| Stop {
-            name: Route::name(index),
+            name: GateRoute::name(index),
             at: [east, north],
             heights_m: ANY_HEIGHT,
             up_m: Some(up),
@@ -193,7 +193,7 @@ impl Stops {
 }
 
 impl Tracker for Stops {
-    fn step(&mut self, scene: &Scene<'_>) {
+    fn step(&mut self, scene: &ObjectiveScene<'_>) {
         let next = self.next();
         for (index, stop) in self.places.iter().enumerate() {
             if self.passed[index] || (self.ordered && next != Some(index)) {
@@ -208,11 +208,11 @@ impl Tracker for Stops {
         }
     }
 
-    fn standing(&self, _: &Scene<'_>) -> Standing {
+    fn standing(&self, _: &ObjectiveScene<'_>) -> ObjectiveStanding {
         let passed = self.passed.iter().filter(|passed| **passed).count();
         let (result, target, advice) = self.words();
         let met = passed == self.places.len();
-        Standing {
+        ObjectiveStanding {
             fraction: partial_credit(passed as f64, 0.0, self.places.len() as f64),
             measure: passed as f64,
             met,

@@ -7,7 +7,7 @@ fn model(id: &str) -> Model {
 }
 
 /// The ground station of the nodes below.
-fn ground() -> Node {
+fn ground() -> RadioNode {
     let radio = Radio {
         own: None,
         station: [0.0, 0.0],
@@ -16,8 +16,8 @@ fn ground() -> Node {
     radio.ground(model("r_wifi24"))
 }
 
-fn node(at: Point, height_m: f64) -> Node {
-    Node {
+fn node(at: Point, height_m: f64) -> RadioNode {
+    RadioNode {
         model: model("r_wifi24"),
         at,
         height_m,
@@ -115,7 +115,7 @@ fn a_ridge_is_in_the_way_unless_somebody_above_it_passes_things_on() {
         "{relayed:?}"
     );
     // A vehicle that passes nothing on is of no use.
-    let deaf = Node {
+    let deaf = RadioNode {
         relays: false,
         ..above
     };
@@ -125,10 +125,10 @@ fn a_ridge_is_in_the_way_unless_somebody_above_it_passes_things_on() {
 
 #[test]
 fn two_hops_reach_where_one_does_not() {
-    let chain: Vec<Node> = [3000.0, 2000.0, 1000.0]
+    let chain: Vec<RadioNode> = [3000.0, 2000.0, 1000.0]
         .map(|north| node([0.0, north], 60.0))
         .to_vec();
-    let with = |nodes: &[Node]| {
+    let with = |nodes: &[RadioNode]| {
         let mut nodes = nodes.to_vec();
         nodes.push(ground());
         best_db(&nodes, &[])[0]

@@ -5,7 +5,7 @@ use std::time::Duration;
 use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::geo::LatLon;
-use crate::mission::saying::Listener;
+use crate::mission::saying::TextListener;
 use crate::vehicle::{
     Battery, Ekf, EkfFlags, GlobalPosition, Health, Heartbeat, LandedState, Mode, Severity,
     StatusText, SystemStatus, TEXTS_KEPT, Unheard, Vehicle, VehicleClass, VehicleId,
@@ -14,7 +14,7 @@ use crate::wire::AUTOPILOT_COMPONENT;
 
 /// What has changed about a vehicle.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-pub(super) struct Observed {
+pub(super) struct ObservedVehicle {
     id: VehicleId,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     lost: Option<bool>,
@@ -63,16 +63,16 @@ type BatteryLine = (Option<i64>, Option<i64>, Option<i64>, Option<u8>);
 
 /// What was written of a vehicle so far.
 #[derive(Debug, Default)]
-pub(super) struct Watched {
+pub(super) struct WatchedVehicle {
     /// The newest of everything, as it was written; nothing before the first time.
-    known: Option<Observed>,
-    listener: Listener,
+    known: Option<ObservedVehicle>,
+    listener: TextListener,
 }
 
-impl Watched {
+impl WatchedVehicle {
     /// What is new about the vehicle since the last call; `None` where nothing is.
-    pub fn changes(&mut self, id: VehicleId, vehicle: &Vehicle) -> Option<Observed> {
-        let now = Observed {
+    pub fn changes(&mut self, id: VehicleId, vehicle: &Vehicle) -> Option<ObservedVehicle> {
+        let now = ObservedVehicle {
             id,
             lost: Some(vehicle.link.lost),
             mode: vehicle.heartbeat.map(|heartbeat| {
@@ -91,7 +91,7 @@ impl Watched {
         let known = self.known.replace(now.clone());
         let is_first = known.is_none();
         let known = known.unwrap_or_default();
-        let changes = Observed {
+        let changes = ObservedVehicle {
             id,
             lost: now.lost.filter(|_| now.lost != known.lost),
             mode: now.mode.filter(|_| now.mode != known.mode),
@@ -106,15 +106,15 @@ impl Watched {
             battery: now.battery.filter(|_| now.battery != known.battery),
             said,
         };
-        let nothing = Observed {
+        let nothing = ObservedVehicle {
             id,
-            ..Observed::default()
+            ..ObservedVehicle::default()
         };
         (is_first || changes != nothing).then_some(changes)
     }
 }
 
-impl Observed {
+impl ObservedVehicle {
     pub fn id(&self) -> VehicleId {
         self.id
     }

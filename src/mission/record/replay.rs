@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::{Change, End, Head, Line, VERSION};
+use super::{End, Head, RecordChange, RecordLine, VERSION};
 use crate::diagnostic::Diagnostic;
 use crate::ledger::{EntryId, Given, Ledger, RowUpdate};
 use crate::mission::{Flight, Mission, Stake, TICK};
@@ -21,7 +21,7 @@ pub struct Stored {
     pub head: Head,
     /// What is wrong with the rest of the file: up to where it could be read.
     pub damage: Option<Text>,
-    lines: Vec<Line>,
+    lines: Vec<RecordLine>,
 }
 
 /// A record scored again.
@@ -58,7 +58,7 @@ impl Stored {
         let mut since = 0;
         for (index, line) in all.enumerate() {
             let line = serde_json::from_str(line).ok();
-            let line = line.filter(|line: &Line| line.time().is_none_or(|t| t >= since));
+            let line = line.filter(|line: &RecordLine| line.time().is_none_or(|t| t >= since));
             let Some(line) = line.filter(|_| stored.end().is_none()) else {
                 stored.damage = Some(text!("record-damaged", line = index + 2));
                 return Ok(stored);
@@ -75,7 +75,7 @@ impl Stored {
     /// What it was scored, if it was flown to its end.
     pub fn end(&self) -> Option<&End> {
         match self.lines.last() {
-            Some(Line::End { end, .. }) => Some(end),
+            Some(RecordLine::End { end, .. }) => Some(end),
             _ => None,
         }
     }
@@ -144,28 +144,28 @@ struct Replay {
 }
 
 impl Replay {
-    fn take(&mut self, line: &Line) {
+    fn take(&mut self, line: &RecordLine) {
         match line {
-            Line::Tick { t, change } => {
+            RecordLine::Tick { t, change } => {
                 let at = Duration::from_millis(*t);
                 self.pass(at);
                 self.change(change, at);
                 self.step(at);
             }
-            Line::Act { deed, vehicles } => {
+            RecordLine::Act { deed, vehicles } => {
                 // The rows that came of it are in the record.
                 drop(self.flight.act(EntryId(0), deed, vehicles));
             }
-            Line::Lose { vehicle, change } => {
+            RecordLine::Lose { vehicle, change } => {
                 self.change(change, self.now.unwrap_or_default());
                 drop(self.flight.lose(*vehicle, &self.vehicles));
             }
-            Line::Inject { name } => drop(self.flight.inject(name)),
-            Line::Pause { seconds } => {
+            RecordLine::Inject { name } => drop(self.flight.inject(name)),
+            RecordLine::Pause { seconds } => {
                 drop(self.flight.note_pause(Duration::from_secs(*seconds)));
             }
-            Line::Abandon => self.flight.abandon(),
-            Line::End { t, change, .. } => {
+            RecordLine::Abandon => self.flight.abandon(),
+            RecordLine::End { t, change, .. } => {
                 let at = Duration::from_millis(*t);
                 self.pass(at + TICK);
                 self.change(change, at);
@@ -188,7 +188,7 @@ impl Replay {
         drop(self.flight.step(at, &self.vehicles, &self.ledger));
     }
 
-    fn change(&mut self, change: &Change, at: Duration) {
+    fn change(&mut self, change: &RecordChange, at: Duration) {
         for observed in &change.v {
             let vehicle = self.vehicles.entry(observed.id());
             let vehicle = vehicle.or_insert_with(|| Arc::new(observed.vehicle()));

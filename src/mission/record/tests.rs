@@ -152,7 +152,7 @@ fn where_a_vehicle_is_while_nobody_hears_it_is_in_the_record() {
     let (_, text) = troubled();
     let lines = text.lines().skip(1).map(serde_json::from_str);
     let ticks = lines.filter_map(|line| match line.expect("a good line") {
-        Line::Tick { change, .. } => change.v.into_iter().next(),
+        RecordLine::Tick { change, .. } => change.v.into_iter().next(),
         _ => None,
     });
     let mut vehicle: Option<Vehicle> = None;

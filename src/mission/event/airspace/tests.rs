@@ -35,8 +35,7 @@ fn those_who_pass_each_other_between_two_looks_are_seen_to_meet() {
     let airspace = |before: [Place; 2]| Airspace {
         before: BTreeMap::from([(1, before[0]), (2, before[1])]),
     };
-    let closest_m =
-        |before: [Place; 2], now: [Place; 2]| airspace(before).closest_m((1, now[0]), (2, now[1]));
+    let closest_m = |before: [Place; 2], now: [Place; 2]| airspace(before).closest_m([1, 2], now);
     // Head on, 2 m a look each; one above the other; apart; and standing still.
     for (before, now, expected) in [
         (
@@ -63,7 +62,7 @@ fn those_who_pass_each_other_between_two_looks_are_seen_to_meet() {
         let found = closest_m(before, now);
         assert!((found - expected).abs() < 1e-9, "{before:?}: {found}");
     }
-    let unknown = Airspace::default().closest_m((1, [0.0; 3]), (2, [0.0, 3.0, 4.0]));
+    let unknown = Airspace::default().closest_m([1, 2], [[0.0; 3], [0.0, 3.0, 4.0]]);
     assert!(
         (unknown - 5.0).abs() < 1e-9,
         "without a look before: {unknown}"

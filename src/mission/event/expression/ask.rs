@@ -4,7 +4,7 @@ use std::ops::Range;
 use std::time::Duration;
 
 use super::parse::Reader;
-use super::token::Token;
+use super::token::ExpressionToken;
 use super::{Type, Value};
 use crate::diagnostic::Diagnostic;
 use crate::mission::event::scope::{Scope, Spot};
@@ -15,7 +15,7 @@ use crate::vehicle::VehicleClass;
 
 /// The names that an expression may use.
 #[derive(Debug, Clone, Copy, Default)]
-pub(in crate::mission) struct Names<'a> {
+pub(in crate::mission) struct ExpressionNames<'a> {
     pub zones: &'a [Zone],
     /// Ids of objectives, hazards, events, and of who and what events bring.
     pub objectives: &'a [String],
@@ -256,7 +256,7 @@ pub(super) fn read(
     reader.sign(".")?;
     let (token, span) = reader.next("what is asked of the vehicle")?;
     let fields = || FIELDS.iter().map(|(name, ..)| *name);
-    let Token::Name(name) = token else {
+    let ExpressionToken::Name(name) = token else {
         let known = fields().collect::<Vec<_>>().join(", ");
         let message = format!("what is asked of the vehicle is missing: one of {known}");
         return Err(Diagnostic::new(span, message));
@@ -277,8 +277,8 @@ impl Argument {
         let wanted = self.wanted();
         let (token, span) = reader.next(wanted)?;
         match (self, token) {
-            (Self::Number, Token::Number(number)) => Ok(Given::Number(number)),
-            (Self::Vehicle, Token::Number(number)) => {
+            (Self::Number, ExpressionToken::Number(number)) => Ok(Given::Number(number)),
+            (Self::Vehicle, ExpressionToken::Number(number)) => {
                 let last = reader.names.vehicles;
                 let found = (1..=last).find(|index| (number - *index as f64).abs() < 1e-9);
                 found.map(|index| Given::Index(index - 1)).ok_or_else(|| {
@@ -286,10 +286,13 @@ impl Argument {
                     Diagnostic::new(span, message)
                 })
             }
-            (Self::Number | Self::Vehicle, _) | (_, Token::Number(_) | Token::Sign(_)) => {
+            (Self::Number | Self::Vehicle, _)
+            | (_, ExpressionToken::Number(_) | ExpressionToken::Sign(_)) => {
                 Err(Diagnostic::new(span, format!("{wanted} is needed here")))
             }
-            (_, Token::Text(name) | Token::Name(name)) => self.named(&name, span, reader.names),
+            (_, ExpressionToken::Text(name) | ExpressionToken::Name(name)) => {
+                self.named(&name, span, reader.names)
+            }
         }
     }
 
@@ -308,7 +311,12 @@ impl Argument {
         }
     }
 
-    fn named(self, name: &str, span: Range<usize>, names: &Names<'_>) -> Result<Given, Diagnostic> {
+    fn named(
+        self,
+        name: &str,
+        span: Range<usize>,
+        names: &ExpressionNames<'_>,
+    ) -> Result<Given, Diagnostic> {
         let levels = ["caution", "warning", "critical"];
         let zones = || names.zones.iter().map(|zone| zone.id.as_str());
         let known: Vec<&str> = match self {
@@ -352,7 +360,7 @@ fn read_modes(reader: &mut Reader<'_>) -> Result<Given, Diagnostic> {
     let mut modes = Vec::new();
     loop {
         let (token, span) = reader.next("a mode")?;
-        let (Token::Text(name) | Token::Name(name)) = token else {
+        let (ExpressionToken::Text(name) | ExpressionToken::Name(name)) = token else {
             return Err(Diagnostic::new(span, "a mode is needed here"));
         };
         if !known().any(|mode| mode.eq_ignore_ascii_case(&name)) {

@@ -2,9 +2,9 @@
 
 use std::ops::Range;
 
-use super::ask::{self, Names, Question};
-use super::token::{Placed, Token, tokens};
-use super::{Node, Operator, Type};
+use super::ask::{self, ExpressionNames, Question};
+use super::token::{ExpressionToken, Placed, tokens};
+use super::{ExpressionNode, Operator, Type};
 use crate::diagnostic::Diagnostic;
 
 /// Brackets and signs stand in one another at most so deep.
@@ -12,7 +12,7 @@ const DEEPEST: usize = 32;
 
 /// A part with its type and its place.
 pub(super) struct Part {
-    pub node: Node,
+    pub node: ExpressionNode,
     pub is: Type,
     pub span: Range<usize>,
 }
@@ -53,7 +53,10 @@ const LEVELS: [Level; 5] = [
 const COMPARISONS: usize = 2;
 
 /// Reads a condition.
-pub(super) fn condition(source: &str, names: &Names<'_>) -> Result<Node, Diagnostic> {
+pub(super) fn condition(
+    source: &str,
+    names: &ExpressionNames<'_>,
+) -> Result<ExpressionNode, Diagnostic> {
     let tokens = tokens(source)?;
     let mut reader = Reader {
         tokens: &tokens,
@@ -80,12 +83,12 @@ fn need(part: &Part, wanted: Type) -> Result<(), Diagnostic> {
     Err(Diagnostic::new(part.span.clone(), message))
 }
 
-fn named(token: &Token) -> String {
+fn named(token: &ExpressionToken) -> String {
     match token {
-        Token::Number(number) => format!("`{number}`"),
-        Token::Text(text) => format!("`'{text}'`"),
-        Token::Name(name) => format!("`{name}`"),
-        Token::Sign(sign) => format!("`{sign}`"),
+        ExpressionToken::Number(number) => format!("`{number}`"),
+        ExpressionToken::Text(text) => format!("`'{text}'`"),
+        ExpressionToken::Name(name) => format!("`{name}`"),
+        ExpressionToken::Sign(sign) => format!("`{sign}`"),
     }
 }
 
@@ -95,7 +98,7 @@ pub(super) struct Reader<'a> {
     at: usize,
     end: usize,
     depth: usize,
-    pub names: &'a Names<'a>,
+    pub names: &'a ExpressionNames<'a>,
 }
 
 impl Reader<'_> {
@@ -114,7 +117,7 @@ impl Reader<'_> {
             need(&right, operand)?;
             left = Part {
                 span: left.span.start..right.span.end,
-                node: Node::Both(operator, Box::new(left.node), Box::new(right.node)),
+                node: ExpressionNode::Both(operator, Box::new(left.node), Box::new(right.node)),
                 is: result,
             };
             if level == COMPARISONS {
@@ -127,9 +130,9 @@ impl Reader<'_> {
     fn operator(&mut self, among: &[(&str, Operator)]) -> Option<Operator> {
         let (token, _) = self.tokens.get(self.at)?;
         let written = match token {
-            Token::Sign(sign) => *sign,
-            Token::Name(name) => name.as_str(),
-            Token::Number(_) | Token::Text(_) => return None,
+            ExpressionToken::Sign(sign) => *sign,
+            ExpressionToken::Name(name) => name.as_str(),
+            ExpressionToken::Number(_) | ExpressionToken::Text(_) => return None,
         };
         let (_, operator) = among.iter().find(|(sign, _)| *sign == written)?;
         self.at += 1;
@@ -141,9 +144,9 @@ impl Reader<'_> {
             return Err(self.missing("a value"));
         };
         let start = span.start;
-        let not = *token == Token::Name("not".into());
-        let negative = *token == Token::Sign("-");
-        let bracket = *token == Token::Sign("(");
+        let not = *token == ExpressionToken::Name("not".into());
+        let negative = *token == ExpressionToken::Sign("-");
+        let bracket = *token == ExpressionToken::Sign("(");
         if !(not || negative || bracket) {
             return self.primary();
         }
@@ -162,7 +165,7 @@ impl Reader<'_> {
             let part = self.level(COMPARISONS)?;
             need(&part, Type::Bool)?;
             Part {
-                node: Node::Not(Box::new(part.node)),
+                node: ExpressionNode::Not(Box::new(part.node)),
                 span: start..part.span.end,
                 is: Type::Bool,
             }
@@ -170,7 +173,7 @@ impl Reader<'_> {
             let part = self.unary()?;
             need(&part, Type::Number)?;
             Part {
-                node: Node::Negative(Box::new(part.node)),
+                node: ExpressionNode::Negative(Box::new(part.node)),
                 span: start..part.span.end,
                 is: Type::Number,
             }
@@ -182,12 +185,16 @@ impl Reader<'_> {
     fn primary(&mut self) -> Read {
         let (token, span) = self.next("a value")?;
         let (node, is) = match token {
-            Token::Number(number) => (Node::Number(number), Type::Number),
-            Token::Text(text) => (Node::Text(text), Type::Text),
-            Token::Name(name) if name == "true" => (Node::Bool(true), Type::Bool),
-            Token::Name(name) if name == "false" => (Node::Bool(false), Type::Bool),
-            Token::Name(name) => return self.question(&name, span),
-            Token::Sign(sign) => {
+            ExpressionToken::Number(number) => (ExpressionNode::Number(number), Type::Number),
+            ExpressionToken::Text(text) => (ExpressionNode::Text(text), Type::Text),
+            ExpressionToken::Name(name) if name == "true" => {
+                (ExpressionNode::Bool(true), Type::Bool)
+            }
+            ExpressionToken::Name(name) if name == "false" => {
+                (ExpressionNode::Bool(false), Type::Bool)
+            }
+            ExpressionToken::Name(name) => return self.question(&name, span),
+            ExpressionToken::Sign(sign) => {
                 let message = format!("a value is needed here, not `{sign}`");
                 return Err(Diagnostic::new(span, message));
             }
@@ -199,7 +206,7 @@ impl Reader<'_> {
         let (question, is): (Question, Type) = ask::read(self, name, &span)?;
         let end = self.tokens[self.at - 1].1.end;
         Ok(Part {
-            node: Node::Ask(question),
+            node: ExpressionNode::Ask(question),
             is,
             span: span.start..end,
         })
@@ -214,7 +221,7 @@ impl Reader<'_> {
 
     /// Whether this sign comes next; then it is taken.
     pub fn takes(&mut self, sign: &str) -> bool {
-        let is = matches!(self.tokens.get(self.at), Some((Token::Sign(next), _)) if *next == sign);
+        let is = matches!(self.tokens.get(self.at), Some((ExpressionToken::Sign(next), _)) if *next == sign);
         self.at += usize::from(is);
         is
     }

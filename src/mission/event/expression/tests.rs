@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use proptest::prelude::*;
 
-use super::{Expression, Names};
+use super::{Expression, ExpressionNames};
 use crate::mission::craft::Craft;
 use crate::mission::event::scope::{Scope, Sight};
 use crate::mission::sensor::Sensor;
@@ -50,8 +50,8 @@ fn leaked(names: &[&str]) -> &'static [String] {
     names.leak()
 }
 
-fn names(zones: &[Zone]) -> Names<'_> {
-    Names {
+fn names(zones: &[Zone]) -> ExpressionNames<'_> {
+    ExpressionNames {
         zones,
         objectives: leaked(&["cover"]),
         hazards: leaked(&["mines"]),

@@ -9,7 +9,7 @@ pub(in crate::mission) const LONGEST: usize = 1000;
 
 /// One word.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Token {
+pub(super) enum ExpressionToken {
     Number(f64),
     Text(String),
     Name(String),
@@ -23,7 +23,7 @@ const SIGNS: [&str; 17] = [
 ];
 
 /// A word with its place.
-pub(super) type Placed = (Token, Range<usize>);
+pub(super) type Placed = (ExpressionToken, Range<usize>);
 
 /// Cuts an expression into its words.
 pub(super) fn tokens(source: &str) -> Result<Vec<Placed>, Diagnostic> {
@@ -47,7 +47,7 @@ pub(super) fn tokens(source: &str) -> Result<Vec<Placed>, Diagnostic> {
 }
 
 /// The first word of what is left, and how long it is.
-fn token(rest: &str, first: char) -> Result<(Token, usize), (usize, String)> {
+fn token(rest: &str, first: char) -> Result<(ExpressionToken, usize), (usize, String)> {
     let length_of = |part: fn(char) -> bool| {
         let end = rest.find(|c| !part(c));
         end.unwrap_or(rest.len())
@@ -57,24 +57,24 @@ fn token(rest: &str, first: char) -> Result<(Token, usize), (usize, String)> {
         let written = &rest[..length];
         let number: Option<f64> = written.parse().ok();
         return match number.filter(|number| number.is_finite()) {
-            Some(number) => Ok((Token::Number(number), length)),
+            Some(number) => Ok((ExpressionToken::Number(number), length)),
             None => Err((length, format!("`{written}` is no number"))),
         };
     }
     if first.is_ascii_alphabetic() || first == '_' {
         let length = length_of(|c| c.is_ascii_alphanumeric() || c == '_');
-        return Ok((Token::Name(rest[..length].to_owned()), length));
+        return Ok((ExpressionToken::Name(rest[..length].to_owned()), length));
     }
     if first == '\'' {
         return match rest[1..].find('\'') {
-            Some(end) => Ok((Token::Text(rest[1..=end].to_owned()), end + 2)),
+            Some(end) => Ok((ExpressionToken::Text(rest[1..=end].to_owned()), end + 2)),
             None => Err((rest.len(), "the text is not closed: `'` is missing".into())),
         };
     }
     match SIGNS.iter().find(|sign| rest.starts_with(**sign)) {
         // A single one is understood as well.
-        Some(&"=") => Ok((Token::Sign("=="), 1)),
-        Some(sign) => Ok((Token::Sign(sign), sign.len())),
+        Some(&"=") => Ok((ExpressionToken::Sign("=="), 1)),
+        Some(sign) => Ok((ExpressionToken::Sign(sign), sign.len())),
         None => Err((first.len_utf8(), format!("`{first}` has no meaning here"))),
     }
 }

@@ -36,7 +36,7 @@ const NEIGHBOURS: [(isize, isize); 8] = [
 
 /// What has become of a cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum State {
+pub(crate) enum CellState {
     /// It does not burn; a front has come so far through it, 0 to 1.
     Unburnt(f64),
     /// It has burnt for so many seconds.
@@ -49,16 +49,16 @@ pub(crate) enum State {
 
 /// One cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Cell {
+pub(super) struct FireCell {
     pub fuel: Fuel,
-    pub state: State,
+    pub state: CellState,
     /// By how much a front is faster here than the formula says.
     pub pace: f64,
 }
 
 /// A rectangle of ground in square cells, row by row from the south-west.
 #[derive(Debug, Clone)]
-pub(crate) struct Grid {
+pub(crate) struct FireGrid {
     /// Its south-west corner.
     pub corner: Point,
     pub columns: usize,
@@ -68,10 +68,10 @@ pub(crate) struct Grid {
     pub moisture: f64,
     /// How many more embers than usual it throws.
     pub embers: f64,
-    pub(super) cells: Vec<Cell>,
+    pub(super) cells: Vec<FireCell>,
 }
 
-impl Grid {
+impl FireGrid {
     /// The cell that a point lies in.
     pub fn index(&self, at: Point) -> Option<usize> {
         let column = ((at[0] - self.corner[0]) / self.side_m).floor();
@@ -115,12 +115,15 @@ impl Grid {
 
     /// Whether a cell burns now.
     pub fn burns(&self, index: usize) -> bool {
-        matches!(self.cells[index].state, State::Burning(_))
+        matches!(self.cells[index].state, CellState::Burning(_))
     }
 
     /// Whether a cell burns or has burnt.
     pub fn has_burnt(&self, index: usize) -> bool {
-        matches!(self.cells[index].state, State::Burning(_) | State::Burnt)
+        matches!(
+            self.cells[index].state,
+            CellState::Burning(_) | CellState::Burnt
+        )
     }
 
     /// The cells that burn now.
@@ -137,8 +140,8 @@ impl Grid {
     /// Sets fire to a cell, if it can burn.
     pub fn ignite(&mut self, index: usize) {
         let cell = &mut self.cells[index];
-        if cell.fuel.burns() && matches!(cell.state, State::Unburnt(_)) {
-            cell.state = State::Burning(0.0);
+        if cell.fuel.burns() && matches!(cell.state, CellState::Unburnt(_)) {
+            cell.state = CellState::Burning(0.0);
         }
     }
 
@@ -157,20 +160,20 @@ impl Grid {
         let embers = self.embers(&burning, wind, random);
         for &index in &burning {
             let cell = &mut self.cells[index];
-            if let State::Burning(for_s) = cell.state {
+            if let CellState::Burning(for_s) = cell.state {
                 let for_s = for_s + STEP_S;
                 let rate = cell.fuel.rate_m_s(wind.speed_m_s, self.moisture) * cell.pace;
                 // The front needs its time to cross the cell; the flames stay behind it.
                 let lasts_s = 2.0 * self.side_m / rate.max(1e-3) + cell.fuel.stays_s();
                 cell.state = if for_s < lasts_s {
-                    State::Burning(for_s)
+                    CellState::Burning(for_s)
                 } else {
-                    State::Burnt
+                    CellState::Burnt
                 };
             }
         }
         for (index, gain) in reached {
-            if let State::Unburnt(through) = &mut self.cells[index].state {
+            if let CellState::Unburnt(through) = &mut self.cells[index].state {
                 *through += gain;
                 if *through >= 1.0 {
                     self.ignite(index);
@@ -194,7 +197,7 @@ impl Grid {
                     continue;
                 };
                 let cell = &self.cells[to];
-                if !matches!(cell.state, State::Unburnt(_)) || self.is_cut(from, column, row) {
+                if !matches!(cell.state, CellState::Unburnt(_)) || self.is_cut(from, column, row) {
                     continue;
                 }
                 let rate = cell.fuel.rate_m_s(wind.speed_m_s, self.moisture) * cell.pace;
@@ -216,7 +219,7 @@ impl Grid {
     fn is_cut(&self, from: usize, column: isize, row: isize) -> bool {
         let holds = |index: Option<usize>| {
             let cell = index.map(|index| self.cells[index]);
-            cell.is_some_and(|cell| !cell.fuel.burns() || cell.state == State::Wet)
+            cell.is_some_and(|cell| !cell.fuel.burns() || cell.state == CellState::Wet)
         };
         column != 0
             && row != 0

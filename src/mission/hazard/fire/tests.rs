@@ -15,13 +15,13 @@ fn windy() -> Weather {
     }
 }
 
-fn meadow(patches: &[Patch]) -> Grid {
-    let cell = Cell {
+fn meadow(patches: &[FuelPatch]) -> FireGrid {
+    let cell = FireCell {
         fuel: Fuel::Grass,
-        state: State::Unburnt(0.0),
+        state: CellState::Unburnt(0.0),
         pace: 1.0,
     };
-    let mut grid = Grid {
+    let mut grid = FireGrid {
         corner: [0.0, 0.0],
         columns: 40,
         rows: 21,
@@ -34,7 +34,7 @@ fn meadow(patches: &[Patch]) -> Grid {
     grid
 }
 
-fn hazard(grid: Grid) -> FireHazard {
+fn hazard(grid: FireGrid) -> FireHazard {
     FireHazard {
         grid,
         ignitions: vec![Ignition {
@@ -52,7 +52,7 @@ fn burn(field: &mut dyn Field, seconds: u32, weather: &Weather) {
     }
 }
 
-fn released(patches: &[Patch], seed: u64) -> Box<dyn Field> {
+fn released(patches: &[FuelPatch], seed: u64) -> Box<dyn Field> {
     hazard(meadow(patches)).release(&windy(), ChaCha8Rng::seed_from_u64(seed))
 }
 
@@ -61,7 +61,8 @@ fn released(patches: &[Patch], seed: u64) -> Box<dyn Field> {
 fn a_front_runs_with_the_wind_and_against_it_at_the_speeds_of_the_formula() {
     let mut grid = meadow(&[]);
     let mut random = ChaCha8Rng::seed_from_u64(1);
-    let at = |grid: &Grid, east: f64| grid.has_burnt(grid.index([east, 105.0]).expect("inside"));
+    let at =
+        |grid: &FireGrid, east: f64| grid.has_burnt(grid.index([east, 105.0]).expect("inside"));
     let start = grid.index([205.0, 105.0]).expect("inside");
     grid.ignite(start);
     for second in 1..=300 {
@@ -83,12 +84,12 @@ fn a_front_runs_with_the_wind_and_against_it_at_the_speeds_of_the_formula() {
 
 #[test]
 fn no_fire_crosses_a_road_even_where_its_cells_only_touch() {
-    let road = |area| Patch {
+    let road = |area| FuelPatch {
         area,
         fuel: Fuel::Bare,
     };
     let straight = [road([100.0, 0.0, 110.0, 210.0])];
-    let stairs: Vec<Patch> = (0..21)
+    let stairs: Vec<FuelPatch> = (0..21)
         .map(|row| {
             let (x, y) = (50.0 + 10.0 * f64::from(row), 10.0 * f64::from(row));
             road([x, y, x + 10.0, y + 10.0])
@@ -127,7 +128,7 @@ fn a_wet_line_from_road_to_road_holds_the_fire_and_the_untouched_one_runs_on() {
     }
     burn(field.as_mut(), 900, &windy());
     let fire = field.fire().expect("it is one");
-    let beyond = |grid: &Grid| grid.has_burnt(grid.index([205.0, 105.0]).expect("inside"));
+    let beyond = |grid: &FireGrid| grid.has_burnt(grid.index([205.0, 105.0]).expect("inside"));
     assert!(!beyond(fire.grid()));
     assert!(beyond(fire.untouched()));
     assert!(fire.grid().burnt() < fire.untouched().burnt());

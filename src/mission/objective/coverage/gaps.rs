@@ -1,14 +1,14 @@
 //! Where nobody has looked, in as few squares as show it.
 
-use super::Grid;
+use super::CoverageGrid;
 use crate::mission::Point;
-use crate::mission::objective::Patch;
+use crate::mission::objective::GroundPatch;
 
 /// A debrief has no use for more squares than this.
 const MOST: usize = 400;
 
 /// The cells that are not swept, gathered into squares; into coarser ones if there would be too many.
-pub(super) fn gaps(grid: &Grid) -> Vec<Patch> {
+pub(super) fn gaps(grid: &CoverageGrid) -> Vec<GroundPatch> {
     let coarsest = grid.columns.max(grid.cells.len() / grid.columns.max(1));
     let tries = (1..=coarsest.max(1)).map(|step| squares(&Blocks::of(grid, step)));
     tries
@@ -26,7 +26,7 @@ struct Blocks {
 }
 
 impl Blocks {
-    fn of(grid: &Grid, step: usize) -> Self {
+    fn of(grid: &CoverageGrid, step: usize) -> Self {
         let rows = grid.cells.len() / grid.columns;
         let (across, down) = (grid.columns.div_ceil(step), rows.div_ceil(step));
         let is_open = |block: usize| {
@@ -51,7 +51,8 @@ impl Blocks {
     }
 
     /// Whether all of a square of blocks is open.
-    fn is_open(&self, (column, row): (usize, usize), size: usize) -> bool {
+    fn is_open(&self, place: [usize; 2], size: usize) -> bool {
+        let [column, row] = place;
         let rows = self.open.len() / self.columns;
         column + size <= self.columns
             && row + size <= rows
@@ -63,29 +64,29 @@ impl Blocks {
 }
 
 /// Squares that cover the open blocks, each the largest that begins where the one before left off.
-fn squares(blocks: &Blocks) -> Vec<Patch> {
+fn squares(blocks: &Blocks) -> Vec<GroundPatch> {
     let mut left = Blocks {
         open: blocks.open.clone(),
         ..*blocks
     };
     let mut squares = Vec::new();
     for at in 0..left.open.len() {
-        let place = (at % left.columns, at / left.columns);
+        let place = [at % left.columns, at / left.columns];
         let size = (1..=left.columns)
             .take_while(|size| left.is_open(place, *size))
             .last();
         let Some(size) = size else {
             continue;
         };
-        for row in place.1..place.1 + size {
-            let first = row * left.columns + place.0;
+        for row in place[1]..place[1] + size {
+            let first = row * left.columns + place[0];
             left.open[first..first + size].fill(false);
         }
         let middle = |axis: usize, first: usize| {
             left.corner[axis] + (first as f64 + size as f64 / 2.0) * left.side_m
         };
-        squares.push(Patch {
-            at: [middle(0, place.0), middle(1, place.1)],
+        squares.push(GroundPatch {
+            at: [middle(0, place[0]), middle(1, place[1])],
             side_m: left.side_m * size as f64,
         });
     }
@@ -97,12 +98,12 @@ mod tests {
     use super::*;
     use crate::mission::zone::Shape;
 
-    fn grid(east_m: f64, north_m: f64, side_m: f64) -> Grid {
+    fn grid(east_m: f64, north_m: f64, side_m: f64) -> CoverageGrid {
         let corners = vec![[0.0, 0.0], [east_m, 0.0], [east_m, north_m], [0.0, north_m]];
-        Grid::new(&Shape::Polygon(corners), side_m)
+        CoverageGrid::new(&Shape::Polygon(corners), side_m)
     }
 
-    fn area_m2(patches: &[Patch]) -> f64 {
+    fn area_m2(patches: &[GroundPatch]) -> f64 {
         patches
             .iter()
             .map(|patch| patch.side_m * patch.side_m)
