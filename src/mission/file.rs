@@ -91,8 +91,12 @@ fn mission(file: &mut FileTable<'_>) -> Option<Mission> {
         "how far vehicles are heard. Without it radio does not matter to the mission's own drones; those that \
          somebody built for it are heard as far as their own radios reach, with it or without",
     );
-    let events = tables(events::event, MOST_TABLES);
-    let events = file.may("events", events, "what happens while the mission is flown");
+    let events_form = tables(events::event, MOST_TABLES);
+    let events = file.may(
+        "events",
+        events_form,
+        "what happens while the mission is flown",
+    );
     let instructor = table(radio::may_inject);
     let may_inject = file.may(
         "instructor",
@@ -163,18 +167,22 @@ impl MissionContent {
             .may("zones", zones, "areas with a meaning")
             .unwrap_or_default();
         file.draft().zones = zones;
-        let places = tables(places::place, MOST_TABLES);
-        let places = file.may("places", places, "points that lines and objectives name");
+        let places_form = tables(places::place, MOST_TABLES);
+        let places = file.may(
+            "places",
+            places_form,
+            "points that lines and objectives name",
+        );
         file.draft().places = places.unwrap_or_default();
-        let hazards = tables(hazard, MOST_HAZARDS);
+        let hazards_form = tables(hazard, MOST_HAZARDS);
         let hazards = file.may(
             "hazards",
-            hazards,
+            hazards_form,
             "what is dangerous. What a hazard leaves to chance is drawn from the seed of the flight: the same seed, \
              the same world. `jitter` says by how much, so that nobody can learn the place by heart",
         );
-        let objectives = tables(objectives::objective, MOST_OBJECTIVES);
-        let objectives = file.need("objectives", objectives, "what has to be reached");
+        let objectives_form = tables(objectives::objective, MOST_OBJECTIVES);
+        let objectives = file.need("objectives", objectives_form, "what has to be reached");
         objectives::check(file, objectives.as_deref());
         places::check_no_cells(file.draft());
         let hints = file.may("hints", tables(advice::advice, MOST_TABLES), "advice");

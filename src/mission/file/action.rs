@@ -104,8 +104,8 @@ fn alert(table: &mut FileTable<'_>) -> Option<Action> {
 }
 
 fn set(table: &mut FileTable<'_>) -> Option<Action> {
-    let quantity = named("quantity", Element::names, Element::named);
-    let quantity = table.need("set", quantity, "what of the weather");
+    let quantity_form = named("quantity", Element::names, Element::named);
+    let quantity = table.need("set", quantity_form, "what of the weather");
     let to = table.need("to", number(-40.0, 360.0, ""), "its new value");
     let ramp = table.or(
         "ramp",
@@ -151,12 +151,12 @@ const MOVERS: [(&str, MoverKind, f64, f64); 3] = [
 ];
 
 fn spawn(table: &mut FileTable<'_>) -> Option<Action> {
-    let mover = named(
+    let mover_form = named(
         "mover",
         || MOVERS.map(|(name, ..)| name).to_vec(),
         |name| MOVERS.iter().find(|(known, ..)| *known == name),
     );
-    let mover = table.need("spawn", mover, "`person`, `aircraft` or `intruder`");
+    let mover = table.need("spawn", mover_form, "`person`, `aircraft` or `intruder`");
     let id = table.may(
         "id",
         text(""),
@@ -194,7 +194,7 @@ fn spawn(table: &mut FileTable<'_>) -> Option<Action> {
 }
 
 fn fault(table: &mut FileTable<'_>) -> Option<Action> {
-    let kind = named(
+    let kind_form = named(
         "fault",
         || FaultKind::ALL.iter().map(|(name, ..)| *name).collect(),
         |name| {
@@ -203,7 +203,7 @@ fn fault(table: &mut FileTable<'_>) -> Option<Action> {
                 .find(|(known, ..)| *known == name)
         },
     );
-    let kind = table.need("fault", kind, "what breaks");
+    let kind = table.need("fault", kind_form, "what breaks");
     let victim = table.need("vehicle", VictimValue, "which one");
     let to = table.may(
         "to",

@@ -45,8 +45,8 @@ pub(super) fn advice(table: &mut FileTable<'_>) -> Option<OneAdvice> {
         "it has to be asked for (`1 hint`) and costs: 1 (where to look) 2 %, 2 (what to do) 5 %, 3 (how to do it) \
          10 % of the score, 30 % at most, nothing on the first try; the mildest is given first",
     );
-    let objective = text("id of an objective");
-    let objective = table.may("objective", objective, "it is given until this is met");
+    let objective_form = text("id of an objective");
+    let objective = table.may("objective", objective_form, "it is given until this is met");
     let english = table.need(
         "text",
         text(""),

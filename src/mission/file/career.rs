@@ -25,16 +25,20 @@ const MEDALS: [(&str, Medal); 3] = [
 
 /// What has to be shown before.
 pub(super) fn requires(table: &mut FileTable<'_>) -> Option<Requires> {
-    let missions = list(mission_id(), 0, usize::MAX);
-    let missions = table.may("missions", missions, "those that have to be passed");
-    let medals = map("mission", word(&MEDALS));
+    let missions_form = list(mission_id(), 0, usize::MAX);
+    let missions = table.may("missions", missions_form, "those that have to be passed");
+    let medals_form = map("mission", word(&MEDALS));
     let medals = table.may(
         "medals",
-        medals,
+        medals_form,
         "missions that need this medal or a better one",
     );
-    let skills = map("skill, `K1` to `K12`", number(0.0, 1.0, ""));
-    let skills = table.may("skills", skills, "how likely a skill has to be mastered");
+    let skills_form = map("skill, `K1` to `K12`", number(0.0, 1.0, ""));
+    let skills = table.may(
+        "skills",
+        skills_form,
+        "how likely a skill has to be mastered",
+    );
     let (missions, medals) = (missions.unwrap_or_default(), medals.unwrap_or_default());
     let skills = skills.unwrap_or_default();
     if missions.len() + medals.len() > MOST_NAMES {
@@ -65,8 +69,8 @@ pub(super) fn requires(table: &mut FileTable<'_>) -> Option<Requires> {
 
 /// What passing it brings.
 pub(super) fn rewards(table: &mut FileTable<'_>) -> Option<Rewards> {
-    let credits = whole(0, MOST_CREDITS, "");
-    let credits = table.or("credits", credits, 0, "for a perfect first pass");
+    let credits_form = whole(0, MOST_CREDITS, "");
+    let credits = table.or("credits", credits_form, 0, "for a perfect first pass");
     let tier = whole(0, HIGHEST_TIER, "");
     let xp_tier = table.may(
         "xp_tier",

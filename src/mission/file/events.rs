@@ -40,17 +40,17 @@ pub(super) fn event(table: &mut FileTable<'_>) -> Option<Event> {
         Duration::ZERO,
         "the seed moves its time by up to this, either way",
     );
-    let chance = number(0.0, 1.0, "");
+    let chance_form = number(0.0, 1.0, "");
     let chance = table.or(
         "p",
-        chance,
+        chance_form,
         1.0,
         "how likely it happens when its time has come",
     );
-    let actions = list(table_of(action::action), 1, MOST_ACTIONS);
+    let actions_form = list(table_of(action::action), 1, MOST_ACTIONS);
     let actions = table.need(
         "do",
-        actions,
+        actions_form,
         "what happens: actions, each with one of the keys below",
     );
     let id = id?.into_inner();

@@ -49,8 +49,8 @@ pub(super) fn fleet(table: &mut FileTable<'_>) -> Option<FleetSection> {
         whole(1, MOST_VEHICLES, ""),
         "how many fly it",
     );
-    let pads = list(point(), 0, usize::MAX);
-    let pads = table.need("pads", pads, "where each stands, one per vehicle");
+    let pads_form = list(point(), 0, usize::MAX);
+    let pads = table.need("pads", pads_form, "where each stands, one per vehicle");
     let common = Carried {
         sensors: table
             .may("sensors", sensors(), "what every vehicle carries")
@@ -59,8 +59,8 @@ pub(super) fn fleet(table: &mut FileTable<'_>) -> Option<FleetSection> {
             .may("loads", table_of(loads), "what every vehicle can let go of")
             .unwrap_or_default(),
     };
-    let own = list(table_of(vehicle), 0, usize::MAX);
-    let own = table.may("vehicles", own, "one table per pad");
+    let own_form = list(table_of(vehicle), 0, usize::MAX);
+    let own = table.may("vehicles", own_form, "one table per pad");
     let outlay = outlay(table, pads.as_ref().map(Vec::len));
     let (vehicles, pads) = (vehicles?, pads?);
     if pads.len() != vehicles as usize {

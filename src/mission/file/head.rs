@@ -27,8 +27,8 @@ impl FileHead {
     /// Reads it.
     pub fn need(table: &mut FileTable<'_>) -> Option<Self> {
         let schema = table.need("schema", SchemaVersion, "version of the format");
-        let id = mission_id();
-        let id = table.need("id", id, "a shipped file is called after it");
+        let id_form = mission_id();
+        let id = table.need("id", id_form, "a shipped file is called after it");
         let rev = table.need(
             "rev",
             whole(0, u32::MAX, ""),
@@ -80,10 +80,10 @@ impl FileHead {
 fn title(table: &mut FileTable<'_>) -> Option<Text> {
     const FORM: &str = "1 to 60 characters";
     let fits = |title: &str| !title.is_empty() && is_short(title);
-    let english = text_by(FORM, fits, "`title` must have 1 to 60 characters");
-    let english = table.need("title", english, "for people");
-    let ukrainian = text_by(FORM, fits, "`title_uk` must have 1 to 60 characters");
-    let ukrainian = table.may("title_uk", ukrainian, "the same in Ukrainian");
+    let english_form = text_by(FORM, fits, "`title` must have 1 to 60 characters");
+    let english = table.need("title", english_form, "for people");
+    let ukrainian_form = text_by(FORM, fits, "`title_uk` must have 1 to 60 characters");
+    let ukrainian = table.may("title_uk", ukrainian_form, "the same in Ukrainian");
     let faults = &mut table.draft().faults;
     Some(faults.translated(english?, ukrainian, "title_uk"))
 }

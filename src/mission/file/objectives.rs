@@ -7,8 +7,12 @@ use crate::mission::objective::{self, Objective};
 pub(super) fn objective(table: &mut FileTable<'_>) -> Option<Objective> {
     let id = table.need_id("objectives");
     let title = table.need_text("title", "for people");
-    let value = number(0.1, 1000.0, "");
-    let value = table.need("value", value, "its share of the points for objectives");
+    let value_form = number(0.1, 1000.0, "");
+    let value = table.need(
+        "value",
+        value_form,
+        "its share of the points for objectives",
+    );
     let mandatory = table.or(
         "mandatory",
         flag(),

@@ -4,12 +4,16 @@ use crate::mission::format::{Draft, FileTable, NamedPlace, point, text_by};
 
 /// One of them.
 pub(super) fn place(table: &mut FileTable<'_>) -> Option<NamedPlace> {
-    let id = text_by(
+    let id_form = text_by(
         "2 to 32 letters, digits, `-` and `_`, beginning with a letter",
         is_name,
         "a place's id begins with a letter: 2 to 32 letters, digits, `-` and `_`",
     );
-    let id = table.need("id", id, "lines and objectives name it: `goto tower up 20`");
+    let id = table.need(
+        "id",
+        id_form,
+        "lines and objectives name it: `goto tower up 20`",
+    );
     let at = table.need("at", point(), "where");
     let id = id?;
     if is_taken(id.get_ref()) {

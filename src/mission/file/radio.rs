@@ -6,8 +6,8 @@ use crate::mission::radio::{Model, Radio, Set};
 
 /// The radio that all vehicles carry.
 pub(super) fn radio(table: &mut FileTable<'_>) -> Option<Radio> {
-    let model = named("radio", radio_names, Model::by_id);
-    let model = table.need("model", model, "that of every vehicle");
+    let model_form = named("radio", radio_names, Model::by_id);
+    let model = table.need("model", model_form, "that of every vehicle");
     let station = table.may(
         "station",
         point(),
@@ -48,10 +48,10 @@ pub(super) const fn threat() -> NamedValue<Standard> {
 
 /// What an instructor may have happen.
 pub(super) fn may_inject(table: &mut FileTable<'_>) -> Option<Vec<Standard>> {
-    let threats = list(threat(), 0, usize::MAX);
+    let threats_form = list(threat(), 0, usize::MAX);
     let threats = table.may(
         "may_inject",
-        threats,
+        threats_form,
         "`gust` (7 m/s more for 20 s), `wind_shift` (60 degrees), `gnss_jam` and `link_loss` (one vehicle, 20 s), \
          `motor_fail` (a motor keeps 75 %), `battery_cold` and `battery_cell` (90 % and 80 % of the voltage), \
          `person` and `aircraft` (pass through the first task zone)",

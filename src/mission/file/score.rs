@@ -40,14 +40,14 @@ pub(super) fn rules(table: &mut FileTable<'_>) -> Option<ScoreRules> {
         table_of(medals),
         "points needed, without it 850, 700 and 550; every medal needs the mandatory objectives",
     );
-    let gates = list(
+    let gates_form = list(
         text("`NAME >= NUMBER`, with `>=`, `<=` or `==`"),
         0,
         usize::MAX,
     );
     let gates = table.may(
         "gold_requires",
-        gates,
+        gates_form,
         "what gold needs besides: of a component (0 to 1), `crashes`, or an objective's measure (cells, vehicles, \
          shares)",
     );

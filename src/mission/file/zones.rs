@@ -46,8 +46,8 @@ fn is_fixed(kind: ZoneKind) -> bool {
 
 /// The shape of a zone: `polygon`, or `center` and `radius`.
 fn shape(table: &mut FileTable<'_>) -> Option<Shape> {
-    let corners = list(point(), 3, MOST_CORNERS);
-    let corners = table.may("polygon", corners, "its corners; or else:");
+    let corners_form = list(point(), 3, MOST_CORNERS);
+    let corners = table.may("polygon", corners_form, "its corners; or else:");
     let center = table.may("center", point(), "of a circle");
     let radius_m = table.may("radius", number(0.1, POINT_RANGE, "m"), "of a circle");
     let is_circle = table.is_written("center") || table.is_written("radius");

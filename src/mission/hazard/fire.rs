@@ -98,10 +98,10 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
         Fuel::Grass,
         "what covers the ground; with 5 m/s of wind grass runs 0.55 m/s, shrub 0.33, timber 0.08; `bare` stops it",
     );
-    let patches = list(table_of(read_patch), 0, usize::MAX);
+    let patches_form = list(table_of(read_patch), 0, usize::MAX);
     let patches = table.may(
         "patches",
-        patches,
+        patches_form,
         "on top of that, later ones over earlier ones",
     );
     let moisture = table.or(
@@ -116,8 +116,8 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
         1.0,
         "how many times more embers than usual",
     );
-    let ignitions = list(table_of(read_ignition), 1, usize::MAX);
-    let ignitions = table.need("ignitions", ignitions, "where it begins");
+    let ignitions_form = list(table_of(read_ignition), 1, usize::MAX);
+    let ignitions = table.need("ignitions", ignitions_form, "where it begins");
     let jitter = number(0.0, POINT_RANGE, "m");
     let jitter_m = table.or(
         "jitter",

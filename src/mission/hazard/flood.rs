@@ -58,8 +58,8 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
     let roofs_m = table.need("roofs", roofs, "their heights, above `level`");
     let level_m = table.need("level", number(-20.0, 100.0, "m"), "of the water at first");
     let rise_m_min = table.need("rise", number(0.0, 60.0, "m a minute"), "of the water");
-    let nodes = list(point(), 0, usize::MAX);
-    let nodes = table.may("nodes", nodes, "where gauges belong");
+    let nodes_form = list(point(), 0, usize::MAX);
+    let nodes = table.may("nodes", nodes_form, "where gauges belong");
     let (houses, people, roofs_m, level_m) = (houses?, people?, roofs_m?, level_m?);
     if level_m >= roofs_m[0] {
         let fault = "`roofs` must be [low, high], above `level` and up to 100 m";

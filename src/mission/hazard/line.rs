@@ -58,8 +58,8 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
         "of a span of mean length, less than `height`",
     );
     let defects = table.need("defects", whole(1, MOST_DEFECTS, ""), "what is to be found");
-    let stains = whole(0, MOST_DEFECTS, "");
-    let stains = table.or("stains", stains, 0, "what looks like defects from far");
+    let stains_form = whole(0, MOST_DEFECTS, "");
+    let stains = table.or("stains", stains_form, 0, "what looks like defects from far");
     let gap_m = table.need(
         "min_gap",
         number(0.0, 1000.0, "m"),

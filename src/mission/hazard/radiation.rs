@@ -80,10 +80,10 @@ pub(super) const KIND: KindOf<Box<dyn Hazard>> = KindOf {
 };
 
 fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
-    let sources = list(table_of(read_source), 1, MOST_PARTS);
+    let sources_form = list(table_of(read_source), 1, MOST_PARTS);
     let sources = table.need(
         "sources",
-        sources,
+        sources_form,
         "1 GBq gives 92.7 (`Cs-137`) or 351 uSv/h (`Co-60`) at 1 m",
     );
     let walls = table.may(

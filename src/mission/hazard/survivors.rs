@@ -45,10 +45,10 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
         0,
         "what looks like people from far",
     );
-    let cover = spread_values("[low, high]", number(0.0, 0.95, ""));
+    let cover_form = spread_values("[low, high]", number(0.0, 0.95, ""));
     let cover = table.may(
         "cover",
-        cover,
+        cover_form,
         "the share that trees hide; without it, nothing",
     );
     let gap_m = table.need(
