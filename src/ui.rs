@@ -3,7 +3,7 @@
 use ratatui::Frame;
 
 use crate::app::State;
-use crate::app::state::{Overlay, Room, SMALLEST};
+use crate::app::state::{Overlay, SMALLEST};
 use crate::config::Symbols;
 
 pub mod ascii;
@@ -32,21 +32,7 @@ fn draw_all(state: &State, look: &Look, frame: &mut Frame<'_>) {
     }
     let body = widget::header::draw(state, look, area, frame.buffer_mut());
     let buffer = frame.buffer_mut();
-    match state.room {
-        Room::Home => screen::home::draw(state, look, body, buffer),
-        Room::Fly => screen::fly::draw(state, look, body, buffer),
-        Room::Vehicle => screen::vehicle::draw(state, look, body, buffer),
-        Room::Map => screen::map::draw(state, look, body, buffer),
-        Room::Ledger => screen::ledger::draw(state, look, body, buffer),
-        Room::Messages => screen::messages::draw(state, look, body, buffer),
-        Room::Links => screen::links::draw(state, look, body, buffer),
-        Room::Hangar => screen::hangar::draw(state, look, body, buffer),
-        Room::Parameters => screen::parameters::draw(state, look, body, buffer),
-        Room::Mission => screen::mission::draw(state, look, body, buffer),
-        Room::Debrief => screen::debrief::draw(state, look, body, buffer),
-        Room::Standing => screen::standing::draw(state, look, body, buffer),
-        Room::Workshop => screen::workshop::draw(state, look, body, buffer),
-    }
+    screen::draw(state, look, body, buffer);
     widget::footer::draw(state, look, area, buffer);
     let cursor = match &state.overlay {
         None => None,

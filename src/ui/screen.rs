@@ -1,5 +1,12 @@
 //! One file per room of the console.
 
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::look::Look;
+use crate::app::State;
+use crate::app::room_list::{Room, for_each_room};
+
 pub mod debrief;
 pub mod fly;
 pub mod hangar;
@@ -14,3 +21,15 @@ pub mod small;
 pub mod standing;
 pub mod vehicle;
 pub mod workshop;
+
+macro_rules! declare_drawing {
+    ($($(#[$about:meta])* $Room:ident, $module:ident, $name:literal, $key:literal, $Model:ty;)+) => {
+        /// Draws the room that is shown.
+        pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+            match state.room {
+                $(Room::$Room => $module::draw(state, look, area, buffer),)+
+            }
+        }
+    };
+}
+for_each_room!(declare_drawing);
