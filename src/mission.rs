@@ -31,6 +31,10 @@ mod contact;
 mod craft;
 mod event;
 mod feedback;
+#[expect(
+    clippy::unnecessary_wraps,
+    reason = "readers of tables share one signature"
+)]
 mod file;
 mod fit;
 mod fleet;

@@ -123,11 +123,10 @@ pub(super) fn own(
         .folders
         .as_ref()
         .map(|folders| folders.state.clone());
-    let folder = set
-        .folder
-        .clone()
-        .map(PathBuf::from)
-        .unwrap_or_else(|| state.unwrap_or_else(env::temp_dir).join("hangar"));
+    let folder = set.folder.clone().map_or_else(
+        || state.unwrap_or_else(env::temp_dir).join("hangar"),
+        PathBuf::from,
+    );
     Ok(HangarSetup {
         programs: found.paths(),
         folder,

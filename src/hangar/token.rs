@@ -88,8 +88,11 @@ impl HangarToken {
         SysRng
             .try_fill_bytes(&mut bytes)
             .map_err(|error| TokenError::Random(error.to_string()))?;
+        let digits = bytes.iter().flat_map(|byte| [byte >> 4, byte & 0xf]);
         Ok(Self(
-            bytes.iter().map(|byte| format!("{byte:02x}")).collect(),
+            digits
+                .filter_map(|digit| char::from_digit(u32::from(digit), 16))
+                .collect(),
         ))
     }
 

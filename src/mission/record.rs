@@ -367,6 +367,10 @@ impl Recorder {
     }
 }
 
+#[expect(
+    clippy::trivially_copy_pass_by_ref,
+    reason = "serde passes fields by reference"
+)]
 fn verb_name<S: Serializer>(verb: &&'static Verb, serializer: S) -> Result<S::Ok, S::Error> {
     serializer.serialize_str(verb.name)
 }

@@ -87,7 +87,8 @@ pub(super) fn of_airframe(airframe: &Airframe) -> Vec<(String, f64)> {
         all.push(("BATT_CAPACITY", capacity_ah * 1000.0));
         all.push(("BATT_LOW_VOLT", cells * CELL_LOW_V));
     }
-    let gain = airframe.diagonal_m() * airframe.hover_share() / USUAL_AUTHORITY.clamp(0.25, 2.0);
+    let torque = airframe.diagonal_m() * airframe.hover_share();
+    let gain = (torque / USUAL_AUTHORITY).clamp(0.25, 2.0);
     for axis in [
         "ATC_RAT_RLL_P",
         "ATC_RAT_RLL_I",

@@ -1,5 +1,7 @@
 //! What the console does with keys and lines, told as scripts.
 
+use std::sync::Arc;
+
 use sortie::app::effect::{Effect, Launch, SessionEffect, TerminalEffect};
 use sortie::app::event::{Event, SessionEvent, TerminalEvent};
 use sortie::app::state::{Activity, Overlay, Room};
@@ -218,7 +220,8 @@ fn only_visible_changes_move_the_revision() {
     console.hear(Event::Tick {
         now: std::time::Duration::from_millis(5400),
     });
-    console.vehicle(fixtures::parked(1));
+    let same = Arc::clone(&console.state().session.vehicles[&1]);
+    console.hear(Event::Vehicle(same));
     assert_eq!(console.state().revision(), before);
     console.at(6);
     assert!(console.state().revision() > before);

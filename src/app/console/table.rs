@@ -13,6 +13,9 @@ use crate::mission;
 use crate::text;
 use crate::text::Text;
 
+/// Offers the words that may come after those before, each with its meaning.
+type FollowingWords = for<'n> fn(&Names<'n>, &[&str]) -> Vec<(&'n str, Text)>;
+
 /// One thing the console itself can do. The message `console-NAME` says what it does.
 #[derive(Debug, Clone, Copy)]
 pub struct ConsoleVerb {
@@ -25,7 +28,7 @@ pub struct ConsoleVerb {
     /// What a line with it means.
     pub(super) read: fn(&LineReader<'_>) -> Result<ConsoleLine, Diagnostic>,
     /// The words that could follow those before, with what each means.
-    pub(super) following: for<'n> fn(&Names<'n>, &[&str]) -> Vec<(&'n str, Text)>,
+    pub(super) following: FollowingWords,
     pub(super) offered: Offered,
     pub(super) in_plain: InPlain,
 }

@@ -3,7 +3,7 @@
 use super::order;
 use crate::app::State;
 use crate::app::effect::Effect;
-use crate::app::room::parameters::{Batch, setting_line};
+use crate::app::room::parameters::setting_line;
 use crate::app::state::{Consequence, ParameterSetting};
 use crate::text;
 use crate::text::Text;
@@ -16,7 +16,7 @@ pub fn begin(state: &mut State, settings: Vec<ParameterSetting>) -> Vec<Effect> 
         let names = settings.iter().map(|setting| setting.name.clone());
         comparison.set.extend(names);
     }
-    let batch = room.batch.get_or_insert_with(Batch::new);
+    let batch = room.batch.get_or_insert_default();
     batch.add(settings);
     advance(state)
 }
@@ -28,7 +28,7 @@ pub fn advance(state: &mut State) -> Vec<Effect> {
     };
     batch.count(&state.session.ledger, &state.rooms.parameters);
     let mut effects = Vec::new();
-    while let Some(setting) = batch.next() {
+    while let Some(setting) = batch.take_next() {
         match give(state, &setting_line(&setting)).as_deref() {
             Ok([effect @ Effect::Order { entry, .. }]) => {
                 batch.sent(*entry, setting);

@@ -80,8 +80,8 @@ impl Draft {
     /// A zone of kind `task` by name.
     pub fn task_zone(&mut self, name: &Spanned<String>) -> Option<Zone> {
         let tasks = self.zones.iter().filter(|zone| zone.kind == ZoneKind::Task);
-        let known = tasks.map(|zone| zone.id.clone()).collect();
-        self.refer("task zone", name, known)?;
+        let known: Vec<String> = tasks.map(|zone| zone.id.clone()).collect();
+        self.refer("task zone", name, &known)?;
         let mut zones = self.zones.iter();
         zones.find(|zone| zone.id == *name.get_ref()).cloned()
     }
@@ -89,19 +89,23 @@ impl Draft {
     /// A sensor that the fleet carries.
     pub fn fitted_sensor(&mut self, name: &Spanned<String>) -> Option<&'static Sensor> {
         let known = self.sensors.iter().map(|sensor| sensor.id.to_owned());
-        let index = self.refer("sensor of the fleet", name, known.collect())?;
+        let index = self.refer("sensor of the fleet", name, &known.collect::<Vec<_>>())?;
         Some(self.sensors[index])
     }
 
     /// The place of a hazard in the file, by name.
     pub fn hazard(&mut self, name: &Spanned<String>) -> Option<usize> {
-        self.refer("hazard", name, self.ids("hazards").to_vec())
+        self.refer("hazard", name, &self.ids("hazards").to_vec())
     }
 
     /// The survey of an objective that stands earlier in the file.
     pub fn survey(&mut self, name: &Spanned<String>) -> Option<SurveyPlan> {
         let known = self.surveys.iter().map(|survey| survey.id.clone());
-        let index = self.refer("earlier sample_cells objective", name, known.collect())?;
+        let index = self.refer(
+            "earlier sample_cells objective",
+            name,
+            &known.collect::<Vec<_>>(),
+        )?;
         Some(self.surveys[index].clone())
     }
 
@@ -114,7 +118,7 @@ impl Draft {
         let pads = (1..).zip(&self.pads);
         let pads = pads.map(|(number, &pad)| (format!("pad{number}"), pad));
         let (names, points): (Vec<String>, Vec<Point>) = named.chain(pads).unzip();
-        let index = self.refer("place", name, names)?;
+        let index = self.refer("place", name, &names)?;
         Some(points[index])
     }
 
@@ -128,7 +132,7 @@ impl Draft {
 
     /// Where a name stands among the known ones. A name that is not among them is a fault, unless that only follows from
     /// one that is known already.
-    fn refer(&mut self, what: &str, name: &Spanned<String>, known: Vec<String>) -> Option<usize> {
+    fn refer(&mut self, what: &str, name: &Spanned<String>, known: &[String]) -> Option<usize> {
         let found = known.iter().position(|known| known == name.get_ref());
         let is_declared = known.is_empty() || self.declared.all.contains(name.get_ref());
         if found.is_none() && (self.faults.is_empty() || !is_declared) {

@@ -67,7 +67,7 @@ enum TableContent<'a> {
     Described(FileTableDescription),
 }
 
-impl<'a> FileTable<'a> {
+impl FileTable<'_> {
     /// Reads a table; keys that nobody asks for are faults.
     pub fn read<T>(
         reader: Reader<T>,
@@ -147,6 +147,10 @@ impl<'a> FileTable<'a> {
     }
 
     /// A key that has to be there; `None` where it is missing or wrong, which is a fault.
+    #[expect(
+        clippy::needless_pass_by_value,
+        reason = "a form is written where its key is asked for"
+    )]
     pub fn need<V: FileValue>(
         &mut self,
         name: &str,
@@ -157,6 +161,10 @@ impl<'a> FileTable<'a> {
     }
 
     /// A key that may be left out; `None` where it is, or where it is wrong, which is a fault.
+    #[expect(
+        clippy::needless_pass_by_value,
+        reason = "a form is written where its key is asked for"
+    )]
     pub fn may<V: FileValue>(
         &mut self,
         name: &str,
@@ -167,6 +175,10 @@ impl<'a> FileTable<'a> {
     }
 
     /// A key that counts as something where it is left out.
+    #[expect(
+        clippy::needless_pass_by_value,
+        reason = "a form is written where its key is asked for"
+    )]
     pub fn or<V: FileValue>(
         &mut self,
         name: &str,
@@ -205,20 +217,15 @@ impl<'a> FileTable<'a> {
             place,
             is_wrong: matches!(read, Some(None)),
         });
-        match read {
-            Some(read) => read,
-            None => {
-                if presence == Presence::Needed {
-                    let fault = if value.is_section() && self.is_root {
-                        Diagnostic::new(0..0, format!("the section `{name}` is missing"))
-                    } else {
-                        Diagnostic::new(self.place.clone(), format!("missing field `{name}`"))
-                    };
-                    self.missing.push((name.to_owned(), fault));
-                }
-                None
-            }
+        if read.is_none() && presence == Presence::Needed {
+            let fault = if value.is_section() && self.is_root {
+                Diagnostic::new(0..0, format!("the section `{name}` is missing"))
+            } else {
+                Diagnostic::new(self.place.clone(), format!("missing field `{name}`"))
+            };
+            self.missing.push((name.to_owned(), fault));
         }
+        read.flatten()
     }
 
     /// The id of a table of a section, in which it must be the only one.

@@ -202,9 +202,11 @@ impl FileValue for FlagValue {
 #[derive(Debug, Clone, Copy)]
 pub(in crate::mission) struct TextValue {
     form: &'static str,
-    /// What its characters must be, and the fault of another.
-    rule: Option<(fn(&str) -> bool, &'static str)>,
+    rule: Option<TextRule>,
 }
+
+/// What a text must be, and the fault of one that is not.
+type TextRule = (fn(&str) -> bool, &'static str);
 
 /// Any text; what it is, where that is not plain.
 pub(in crate::mission) const fn text(form: &'static str) -> TextValue {

@@ -68,6 +68,10 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
     }))
 }
 
+#[expect(
+    clippy::unnecessary_wraps,
+    reason = "readers of tables share one signature"
+)]
 fn read_mines(table: &mut FileTable<'_>) -> Option<[(ObjectClass, u32); 3]> {
     let mut count = |key, about| table.or(key, whole(0, 2000, ""), 0, about);
     Some([

@@ -42,6 +42,10 @@ fn named(written: &str) -> Option<RowState> {
     states.find(|state| name(*state) == written)
 }
 
+#[expect(
+    clippy::trivially_copy_pass_by_ref,
+    reason = "serde passes fields by reference"
+)]
 pub fn serialize<S: Serializer>(state: &RowState, serializer: S) -> Result<S::Ok, S::Error> {
     serializer.serialize_str(&name(*state))
 }

@@ -26,9 +26,9 @@ pub struct Batch {
     failed: usize,
 }
 
-impl Batch {
+impl Default for Batch {
     /// Nothing to set yet.
-    pub fn new() -> Self {
+    fn default() -> Self {
         Self {
             waiting: VecDeque::new(),
             under_way: Vec::new(),
@@ -37,14 +37,16 @@ impl Batch {
             failed: 0,
         }
     }
+}
 
+impl Batch {
     /// Sets these values as well.
     pub fn add(&mut self, settings: Vec<ParameterSetting>) {
         self.waiting.extend(settings);
     }
 
     /// The next value to be sent, if one may go out now.
-    pub fn next(&mut self) -> Option<ParameterSetting> {
+    pub fn take_next(&mut self) -> Option<ParameterSetting> {
         if self.under_way.len() < self.window {
             self.waiting.pop_front()
         } else {

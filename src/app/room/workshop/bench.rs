@@ -145,7 +145,7 @@ impl Bench {
     /// The worst finding about a slot.
     pub fn severity(&self, slot: PartSlot) -> Option<FindingSeverity> {
         let about = self.findings.iter().filter(|finding| finding.slot == slot);
-        about.map(|finding| finding.severity()).max()
+        about.map(DesignFinding::severity).max()
     }
 
     /// Moves the cursor over the slots.

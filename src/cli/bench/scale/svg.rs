@@ -21,7 +21,11 @@ pub(super) fn svg(rows: &[ScaleRow], heading: &str) -> String {
     for (index, figure) in figures(rows).iter().enumerate() {
         let (x, y) = (index % 2 * PANEL.0, HEADING + index / 2 * PANEL.1);
         let inner = panel(figure);
-        panels += &format!("<g transform=\"translate({x} {y})\">\n{inner}</g>\n");
+        panels.extend([
+            &format!("<g transform=\"translate({x} {y})\">\n"),
+            &inner,
+            "</g>\n",
+        ]);
     }
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\" \
