@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use sortie::app::effect::{Effect, Launch, SessionEffect, TerminalEffect};
-use sortie::app::event::{Event, SessionEvent, TerminalEvent};
+use sortie::app::event::{Event, SessionEvent, TerminalEvent, VehicleEvent};
 use sortie::app::state::{Activity, Overlay, Room};
 use sortie::vehicle::Severity;
 
@@ -221,7 +221,7 @@ fn only_visible_changes_move_the_revision() {
         now: std::time::Duration::from_millis(5400),
     });
     let same = Arc::clone(&console.state().session.vehicles[&1]);
-    console.hear(Event::Vehicle(same));
+    console.hear(Event::Vehicle(VehicleEvent::Telemetry(same)));
     assert_eq!(console.state().revision(), before);
     console.at(6);
     assert!(console.state().revision() > before);
