@@ -1,8 +1,9 @@
 //! sortie: a terminal ground-control and training console for drone swarms.
 //!
 //! # Code map
-//! Dependencies point down only, and the parts of a module depend on each other one way only; a test reads the sources
-//! and enforces both. What others can use as well are libraries of the workspace, below everything else.
+//! Dependencies point down only, and the parts of a module depend on each other one way only (those of [`app`] not
+//! yet): `tests/it/layering.rs` reads the sources and enforces both. It looks at modules and their direct parts. What
+//! others can use as well are libraries of the workspace, below everything else.
 //!
 //! | layer | module | home of |
 //! | --- | --- | --- |
@@ -10,34 +11,34 @@
 //! | | [`console`] | the run loop: carries out effects, feeds events; the console without a screen (`--plain`) |
 //! | | [`terminal`] | keys in, cells out: what the terminal can do, and how fast |
 //! | | [`ui`] | screens and widgets: state in, cells out |
-//! | | [`app`] | state, events, effects, key bindings, the rooms' behaviour, one `update` |
+//! | | [`app`] | state, events, effects, key bindings, the rooms' behaviour, one `update`; when an alert holds, rings and is muted |
 //! | input and output | [`fleet`] | a task for each vehicle, and the hub that finds it |
 //! | | [`hangar`] | SITL processes: started here, or by a service over HTTP |
 //! | | [`link`] | transports, reconnection, traffic meters; the embedded simulator as a server |
-//! | | [`store`] | files: missions, themes, profiles, runs |
-//! | pure | [`exercise`] | a mission flown by a pilot script, in lock step or by a clock |
+//! | | [`store`] | files: missions, pilots, designs, themes, settings, profiles, runs |
+//! | pure | [`exercise`] | when a mission begins and by whose clock its time passes (in the console, too); a mission flown by a pilot script |
+//! | | [`operator`] | from a line to the vehicles, and back to the ledger |
 //! | | [`campaign`] | a career: what is unlocked, earned, owned and known, and what a try counts for |
 //! | | [`debrief`] | a report as text |
-//! | | [`scoring`] | marks, medals, and the report of a flight |
 //! | | [`mission`] | what a mission file says, and the flight's referee: hazards, sensors, objectives, events |
-//! | | [`operator`] | from a line to the vehicles, and back to the ledger |
+//! | | [`scoring`] | marks, medals, and the report of a flight |
 //! | | [`fidelity`] | the simulator beside recordings of the real vehicle |
 //! | | [`sitl`] | the command line and the files of one SITL process |
 //! | | [`swarm`] | manoeuvres of several vehicles |
-//! | | [`session`] | the conversation with one vehicle: commands, retries, plans, parameters |
-//! | | [`language`] | the grammar, and the table of verbs |
-//! | | [`verb`] | what is known about a verb beside its grammar |
+//! | | [`session`] | the conversation with one vehicle: commands, sent again as their verb says, plans, parameters |
+//! | | [`language`] | the grammar, and the table of verbs with each one's values: retries, danger, precedence |
 //! | | [`commands`] | typed commands, and how they are encoded |
 //! | | [`messages`] | telemetry: a handler for each kind of message |
-//! | | [`ledger`], [`notice`], [`alert`] | what became of each command; what is said to people; what an alert is about |
+//! | | [`ledger`], [`notice`], [`alert`] | what became of each command; what is said to people; the kinds of alerts |
 //! | | [`vehicle`] | the model of one vehicle |
-//! | | [`doctor`] | what is wrong with a link |
+//! | | [`doctor`] | what is wrong with a link (`sortie doctor`, about this machine, is in [`cli`]) |
 //! | | [`inspector`] | messages counted, and taken apart field by field |
 //! | | [`parameters`] | parameter lists, files, differences |
 //! | | [`workshop`] | parts, designs, and what a design can do |
 //! | | [`config`] | settings and where each came from |
 //! | | [`diagnostic`] | faults in files and lines, with place and advice |
 //! | | [`text`] | messages in the user's language (`locales/`) |
+//! | | [`verb`] | the types of a verb's properties; their values are in the table of [`language`] |
 //! | | [`hash`] | a hash that stays the same |
 //! | libraries | [`sim`] | simulated vehicles |
 //! | | [`wire`] | MAVLink frames |
@@ -45,12 +46,13 @@
 //!
 //! # A telemetry packet
 //! [`link`] reads bytes, [`wire`] finds frames and counts what it drops, the hub of [`fleet`] gives the frames
-//! to the vehicle's task, whose [`session`] offers them to the command under way and to [`messages`], which
-//! changes the [`vehicle`] model in place. The console takes a snapshot of what changed once per tick.
+//! to the vehicle's task, whose [`session`] gives each to [`messages`], which changes the [`vehicle`] model in place, and
+//! then to the command under way, which looks for its answer and its effect. The console takes a snapshot of what changed once per tick.
 //!
 //! # A keypress
-//! Event, [`app::App::update`], effect: the palette's line is read by [`language`] into an [`Order`](commands::Order); the
-//! [`ledger`] opens a row per target; the [`operator`] decides what follows for each vehicle and for the mission; each
+//! Event, [`app::App::update`], effect: the palette's line is one of the console's own (`app::console`), or the
+//! [`operator`] has [`language`] read it into an [`Order`](commands::Order); the [`ledger`] opens a row per target; the
+//! [`console`] gives the order to the [`operator`], which decides what follows for each vehicle and for the mission; each
 //! vehicle's session sends, waits, retries, and watches telemetry for the effect.
 //!
 //! # Invariants

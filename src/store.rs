@@ -1,4 +1,5 @@
-//! Files: the only place that reads and writes them.
+//! Files of the user and of the program: missions, pilots, designs, themes, settings, profiles, runs. The hangar keeps
+//! the folders of its processes, and a link plays recordings, themselves.
 //!
 //! Missions and themes are embedded in the program. A file of the same name in the user's configuration
 //! folder takes the place of the embedded one, and a path on the command line is read as it is.

@@ -25,8 +25,8 @@ pub struct LiveStreams {
 }
 
 impl Exercise<LiveStreams> {
-    /// A mission that begins once all vehicles are heard and tell their time; until then nothing flies. `speedup` is
-    /// what the vehicles were asked for.
+    /// A mission that begins once all vehicles are heard and tell their time, or 10 s after the first time passed;
+    /// until then nothing flies. `speedup` is what the vehicles were asked for.
     pub fn live(mission: Arc<Mission>, seed: u64, script: Script, speedup: f64) -> Self {
         let vehicles = mission.vehicles;
         let link = LiveStreams {

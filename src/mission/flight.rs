@@ -205,7 +205,7 @@ impl Flight {
     }
 
     /// The vehicles that are heard take part, as many as the mission wants, in the order of their system ids. A seat
-    /// is for ever: whoever steps the mission waits until all are heard, or a late one with a low id sits last.
+    /// is kept to the end: a vehicle that is heard only after the mission has begun takes the last seat, whatever its id.
     fn enlist(&mut self, vehicles: &Vehicles) {
         for &id in vehicles.keys() {
             if self.crafts.len() >= self.mission.vehicles {

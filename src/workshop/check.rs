@@ -32,7 +32,7 @@ pub enum FindingKind {
     PowerCells,
     /// The power module does not bear the current of a hover.
     PowerCurrent,
-    /// There is too little thrust to fly.
+    /// Too heavy: there is too little thrust to hold a place in wind.
     Thrust,
     /// There is too little thrust for wind.
     Weak,

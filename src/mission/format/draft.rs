@@ -95,7 +95,8 @@ impl Draft {
 
     /// The place of a hazard in the file, by name.
     pub fn hazard(&mut self, name: &Spanned<String>) -> Option<usize> {
-        self.refer("hazard", name, &self.ids("hazards").to_vec())
+        let known = self.ids("hazards").to_vec();
+        self.refer("hazard", name, &known)
     }
 
     /// The survey of an objective that stands earlier in the file.
