@@ -241,6 +241,8 @@ impl Console {
     }
 
     async fn begin(&mut self) {
+        // A mission that is flown at once is checked against the career that was opened.
+        self.take_in().await;
         self.open().await;
         // The first one last, because it is the one that stays on the last line of the screen.
         for warning in std::mem::take(&mut self.warnings).into_iter().rev() {

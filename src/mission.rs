@@ -6,7 +6,7 @@
 //!
 //! # The file
 //! - `format` knows how a table is read and described: one function per table does both. The JSON schema ([`schema`])
-//!   and the reference in `docs/missions.md` ([`reference`]) are written from that description.
+//!   and the reference in `docs/missions.md` ([`reference()`]) are written from that description.
 //! - `file` reads the sections, each on its own, so that one fault does not hide the others. A section may refer to those
 //!   that were read before it.
 //! - Hazards and objectives have kinds. A kind is a file of its own with a `read` and a line in the list `KINDS`.

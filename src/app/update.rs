@@ -96,7 +96,7 @@ fn told(state: &mut State) {
 
 fn vehicle(state: &mut State, event: VehicleEvent) -> Vec<Effect> {
     match event {
-        // Many vehicles report often: the screen changes only where a snapshot differs.
+        // Many vehicles report often: the screen changes only where a snapshot is another one.
         VehicleEvent::Telemetry(vehicle) => {
             telemetry::vehicle(state, vehicle);
             return Vec::new();

@@ -19,7 +19,7 @@ const RELAY_DBI: f64 = 6.0;
 /// Receivers, lights and losses of any drone, in watts.
 const OTHER_POWER_W: f64 = 1.0;
 
-/// A choice of parts. It may be incomplete: what is missing, [`super::Finding`]s tell.
+/// A choice of parts. It may be incomplete: what is missing, [`super::DesignFinding`]s tell.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Design {
     /// What its owner calls it.

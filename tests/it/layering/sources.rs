@@ -54,9 +54,10 @@ fn read_crate(root: &Path, folder: &str, package: &str, found: &mut Vec<ModuleSo
             continue;
         }
         let inner = &file[folder.len() + 1..file.len() - ".rs".len()];
-        let path: Vec<String> = match is_root(&file) {
-            true => Vec::new(),
-            false => inner.split('/').map(str::to_owned).collect(),
+        let path: Vec<String> = if is_root(&file) {
+            Vec::new()
+        } else {
+            inner.split('/').map(str::to_owned).collect()
         };
         let text = fs::read_to_string(root.join(&file)).expect("readable");
         let (code, test_modules) = without_tests(&blanked(&text));
@@ -80,7 +81,11 @@ fn list(root: &Path, folder: &str, files: &mut Vec<String>) {
         let name = format!("{folder}/{}", entry.file_name().to_string_lossy());
         if entry.path().is_dir() {
             list(root, &name, files);
-        } else if name.ends_with(".rs") {
+        } else if entry
+            .path()
+            .extension()
+            .is_some_and(|ending| ending == "rs")
+        {
             files.push(name);
         }
     }
@@ -286,7 +291,11 @@ pub(super) fn uses(modules: &[ModuleSource]) -> Uses {
             let shared = module.path.iter().zip(&target);
             let shared = shared.take_while(|(here, there)| here == there).count();
             if let (Some(here), Some(there)) = (module.path.get(shared), target.get(shared)) {
-                let parent = [&[module.package.clone()], &module.path[..shared]].concat();
+                let parent = [
+                    std::slice::from_ref(&module.package),
+                    &module.path[..shared],
+                ]
+                .concat();
                 found
                     .entry(parent.join("::"))
                     .or_default()

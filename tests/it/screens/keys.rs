@@ -43,7 +43,7 @@ fn rebound(room: Room, hinted: &[(Meaning, String)]) -> (String, Vec<String>) {
     let mut labels = Vec::new();
     for ((meaning, value), letter) in hinted.iter().zip(LETTERS.chars()) {
         labels.push(format!("Alt-{letter}"));
-        file += &format!("\"alt-{letter}\" = \"{value}\"\n");
+        file.extend(["\"alt-", &letter.to_string(), "\" = \"", value, "\"\n"]);
         let old = keymap.bindings().iter().filter(|binding| {
             let holds = binding.place == place || binding.place == Place::Anywhere;
             holds && binding.meaning == *meaning
