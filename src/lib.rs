@@ -37,7 +37,7 @@
 //! | | [`workshop`] | parts, designs, and what a design can do |
 //! | | [`config`] | settings and where each came from |
 //! | | [`diagnostic`] | faults in files and lines, with place and advice |
-//! | | [`mod@text`] | messages in the user's language (`locales/`) |
+//! | | [`text`](mod@text) | messages in the user's language (`locales/`) |
 //! | | [`verb`] | the types of a verb's properties; their values are in the table of [`language`] |
 //! | | [`hash`] | a hash that stays the same |
 //! | libraries | [`sim`] | simulated vehicles |
