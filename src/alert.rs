@@ -40,7 +40,6 @@ pub enum AlertKind {
     Gps,
     /// Its filter's estimates contradict its sensors.
     Ekf,
-    /// Its charge ends.
     Battery,
     /// It is outside its fence.
     Fence,
@@ -56,7 +55,6 @@ impl AlertKind {
     /// The names of all kinds.
     pub const NAMES: &'static [&'static str] = Self::VARIANTS;
 
-    /// Its name.
     pub fn name(self) -> &'static str {
         self.into()
     }

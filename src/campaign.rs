@@ -48,7 +48,6 @@ use crate::scoring::Medal;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case", tag = "entry")]
 pub enum CareerEntry {
-    /// A finished flight.
     Flight(CareerFlight),
     /// A licence to use a part.
     Purchase(Purchase),

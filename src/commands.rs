@@ -59,7 +59,6 @@ pub enum Command {
     Device(DeviceCommand),
     /// What a vehicle is to say.
     Query(QueryCommand),
-    /// Parameters.
     Parameter(ParameterCommand),
     /// Bare MAVLink.
     Raw(RawCommand),

@@ -31,7 +31,6 @@ pub struct Config {
     pub lang: Option<Language>,
     /// Whose career it is, by the name of a profile.
     pub profile: Option<String>,
-    /// The theme's name.
     pub theme: String,
     /// Frames per second at most.
     pub fps: u8,
@@ -39,7 +38,6 @@ pub struct Config {
     pub symbols: Option<Symbols>,
     /// Whether the mouse is listened to.
     pub mouse: bool,
-    /// The swarm table.
     pub table: TableConfig,
     /// How alerts make themselves noticed.
     pub alerts: AlertsConfig,
@@ -49,7 +47,6 @@ pub struct Config {
     pub keymap: Option<String>,
     /// What the program writes down about itself.
     pub log: LogConfig,
-    /// SITL processes.
     pub hangar: HangarConfig,
 }
 
@@ -62,7 +59,6 @@ pub enum Symbols {
     Braille,
     /// Blocks and box characters.
     Block,
-    /// Nothing but ASCII.
     Ascii,
 }
 

@@ -13,7 +13,6 @@ use crate::text::Text;
 pub struct Diagnostic {
     /// Where it lies, in bytes of the text.
     pub span: Range<usize>,
-    /// What is wrong.
     pub message: Text,
     /// What to do about it, if that is not plain.
     pub help: Option<Text>,

@@ -32,13 +32,10 @@ pub enum Way {
     TcpIn,
     /// Sends UDP to one address.
     Udp,
-    /// Waits for UDP.
     UdpIn,
-    /// A serial port.
     Serial,
     /// A recording: nobody can answer.
     File,
-    /// Inside this program.
     Pipe,
 }
 
@@ -60,9 +57,7 @@ impl Way {
 /// What a sender is, by its heartbeats.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HeartbeatRole {
-    /// It flies something.
     Autopilot,
-    /// A ground station.
     GroundStation,
     /// A camera, a gimbal, a companion computer.
     Other,
@@ -75,11 +70,9 @@ pub enum HeartbeatRole {
 pub struct Sender {
     /// Who it is, and by which peer it comes.
     pub source: FrameSource,
-    /// What it is.
     pub role: HeartbeatRole,
     /// How long it has been known.
     pub known_for: Duration,
-    /// Heartbeats per second.
     pub heartbeat_hz: f64,
     /// Whether its last heartbeat was signed.
     pub signed: bool,
@@ -100,7 +93,6 @@ pub struct Observation {
     pub counters: Counters,
     /// Frames missing by their numbering.
     pub lost: u64,
-    /// Who is heard.
     pub senders: Vec<Sender>,
     /// The last bytes in which no frame was found.
     pub noise: Vec<u8>,

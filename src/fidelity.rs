@@ -32,7 +32,6 @@ use crate::wire::{Decoder, Frame};
 pub struct Timed {
     /// Since the beginning of the recording.
     pub at: Duration,
-    /// The frame.
     pub frame: Frame,
 }
 

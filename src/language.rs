@@ -80,10 +80,8 @@ impl Default for Context<'_> {
     }
 }
 
-/// One line, understood.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Statement {
-    /// Whom it concerns.
     pub targets: Targets,
     /// What it is said with.
     pub verb: &'static Verb,

@@ -91,15 +91,11 @@ impl fmt::Display for RowState {
 /// What happened to one row.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RowUpdate {
-    /// Which entry.
     pub entry: EntryId,
-    /// Which vehicle's row.
     pub vehicle: VehicleId,
-    /// The new state.
     pub state: RowState,
     /// How often it has been sent by now.
     pub tries: u8,
-    /// When.
     pub at: Duration,
     /// In plain words, where there is something to explain.
     pub explanation: Option<Text>,
@@ -108,7 +104,6 @@ pub struct RowUpdate {
 /// One vehicle's part in a command.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LedgerRow {
-    /// Which vehicle.
     pub vehicle: VehicleId,
     /// How far it has come.
     pub state: RowState,
@@ -140,7 +135,6 @@ pub enum Risk {
 pub struct Given<'a> {
     /// The whole line in the console's grammar, with its targets.
     pub line: &'a str,
-    /// Its verb.
     pub verb: &'static Verb,
     /// What it sets at risk.
     pub risk: Risk,
@@ -149,13 +143,11 @@ pub struct Given<'a> {
 /// One command as it was given.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LedgerEntry {
-    /// Its name.
     pub id: EntryId,
     /// When it was given.
     pub at: Duration,
     /// The whole line in the console's grammar, with its targets.
     pub line: String,
-    /// Its verb.
     pub verb: &'static Verb,
     /// What it sets at risk.
     pub risk: Risk,
@@ -179,7 +171,6 @@ pub struct Ledger {
 }
 
 impl Ledger {
-    /// An empty ledger.
     pub fn new() -> Self {
         Self::default()
     }
@@ -248,7 +239,6 @@ impl Ledger {
         self.revision
     }
 
-    /// One entry.
     pub fn entry(&self, id: EntryId) -> Option<&LedgerEntry> {
         self.position(id).map(|at| &self.entries[at])
     }

@@ -63,7 +63,6 @@ pub struct LinkPeer(pub u32);
 pub struct Inbound {
     /// The link they came by.
     pub link: LinkId,
-    /// Who sent them.
     pub peer: LinkPeer,
     /// The frames, never none.
     pub frames: Vec<Frame>,
@@ -76,7 +75,6 @@ pub struct Inbound {
 pub enum To {
     /// Every peer of the link; on a link that sends to one UDP address, that address.
     Everyone,
-    /// One peer.
     Peer(LinkPeer),
 }
 
@@ -123,9 +121,7 @@ pub enum Playback {
 /// Whether a link carries data.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LinkState {
-    /// Being opened.
     Connecting,
-    /// Open.
     Up,
     /// Failed or lost; it is tried again.
     Waiting {
@@ -163,18 +159,14 @@ impl fmt::Display for LinkState {
 pub struct Rates {
     /// Bytes received, good or bad.
     pub bytes_in_s: f32,
-    /// Intact frames received.
     pub messages_in_s: f32,
-    /// Bytes sent.
     pub bytes_out_s: f32,
-    /// Messages sent.
     pub messages_out_s: f32,
 }
 
 /// How a link is doing. Counters run from the link's opening, over all reconnections.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LinkStatus {
-    /// The link.
     pub id: LinkId,
     /// Its address as text, or `pipe`.
     pub name: String,
@@ -192,7 +184,6 @@ pub struct LinkStatus {
     pub sent_messages: u64,
     /// Messages that were not sent: the queue was full, the link down, the peer gone or not reading.
     pub dropped_out: u64,
-    /// Traffic per second.
     pub rates: Rates,
     /// Frames that never came, by the gaps in their senders' numbering.
     pub lost: Vec<((SystemId, ComponentId), u64)>,

@@ -114,7 +114,6 @@ pub struct Mission {
     pub tier: u8,
     /// Subjects, for lists.
     pub tags: Vec<String>,
-    /// Who wrote it.
     pub authors: Vec<String>,
     /// The id of the mission that it is a short exercise for.
     pub drill_of: Option<String>,
@@ -128,7 +127,6 @@ pub struct Mission {
     pub pausable: bool,
     /// How many vehicles fly it.
     pub vehicles: usize,
-    /// Mission time allowed.
     pub time_limit: Duration,
     /// Advice by phase of the flight.
     pub hints: Vec<Hint>,
@@ -148,7 +146,6 @@ pub struct Mission {
     /// The drones that were built for it, in the order of the pads; empty for its own.
     pub(crate) fleet: Vec<Design>,
     pub(crate) zones: Vec<zone::Zone>,
-    /// Named points.
     pub(crate) places: Vec<(String, Point)>,
     pub(crate) hazards: Vec<Box<dyn hazard::Hazard>>,
     pub(crate) objectives: Vec<objective::Objective>,

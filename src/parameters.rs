@@ -26,7 +26,6 @@ pub enum Fetching {
         /// Requests in a row that nothing new came of.
         fruitless: u16,
     },
-    /// All have come.
     Complete,
     /// The vehicle has stopped answering although it is heard. A new request or a link that comes back goes on.
     Stalled,
@@ -42,7 +41,6 @@ impl Fetching {
 /// What is known of a vehicle's parameters at some moment. Cloning it copies no value.
 #[derive(Debug, Clone, Default)]
 pub struct ParameterSnapshot {
-    /// The list.
     pub list: Arc<ParameterList>,
     /// How far its download is.
     pub fetching: Fetching,

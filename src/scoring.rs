@@ -58,11 +58,8 @@ pub struct ScoreRules {
 /// Points needed for each medal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Medals {
-    /// For gold.
     pub gold: u16,
-    /// For silver.
     pub silver: u16,
-    /// For bronze.
     pub bronze: u16,
 }
 
@@ -70,11 +67,8 @@ pub struct Medals {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Medal {
-    /// The lowest.
     Bronze,
-    /// The middle one.
     Silver,
-    /// The highest.
     Gold,
 }
 
@@ -94,7 +88,6 @@ impl Medal {
 pub struct ObjectiveFact {
     /// Its id in the mission file.
     pub id: String,
-    /// Its title.
     pub title: Text,
     /// Its share of the objectives' points.
     pub value: f64,
@@ -127,7 +120,6 @@ pub struct Facts {
     pub elapsed: Duration,
     /// Energy used by all vehicles in Wh; `None` where no vehicle reports it.
     pub energy_wh: Option<f64>,
-    /// Rules broken.
     pub safety: Vec<SafetyEvent>,
     /// How the commands went.
     pub commands: CommandTally,
@@ -169,7 +161,6 @@ impl Score {
 /// A flight that did people harm gets no more than this.
 pub const HARM_POINTS: u16 = 300;
 
-/// Scores a flight.
 pub fn score(rules: &ScoreRules, facts: &Facts) -> Score {
     let components = component::all(rules, facts);
     let tenths: u32 = components.iter().map(|c| c.points_tenths).sum();

@@ -52,19 +52,14 @@ const AIRFRAME_FILE: &str = "frame.json";
 #[serde(rename_all = "lowercase")]
 #[strum(serialize_all = "lowercase")]
 pub enum SitlKind {
-    /// `ArduCopter`.
     #[default]
     Copter,
-    /// `ArduPlane`.
     Plane,
-    /// Rover.
     Rover,
-    /// `ArduSub`.
     Sub,
 }
 
 impl SitlKind {
-    /// Every kind.
     pub const ALL: &[Self] = <Self as VariantArray>::VARIANTS;
 
     /// Its name, as in JSON.
@@ -86,14 +81,12 @@ impl SitlKind {
 /// What an instance is to be.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Recipe {
-    /// The vehicle.
     pub kind: SitlKind,
     /// SITL's name of a model (`quad`, which means plus, `x`, `hexa`); by default what suits the kind, the airframe and
     /// the parameters.
     pub model: Option<String>,
     /// A frame file in the JSON of `SIM_Frame`; multicopters only.
     pub airframe: Option<String>,
-    /// Where it stands.
     pub start: Start,
     /// Its system id, 1 to 254.
     pub system: u8,

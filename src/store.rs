@@ -49,7 +49,6 @@ const LARGEST_FILE: u64 = 1024 * 1024;
 pub struct Source {
     /// The path, or the name of an embedded file.
     pub name: String,
-    /// What it says.
     pub text: String,
 }
 
@@ -66,31 +65,17 @@ impl Source {
 #[error("{}", Text::from(self))]
 pub enum StoreError {
     /// It could not be read.
-    Unreadable {
-        /// The path.
-        path: PathBuf,
-        /// Why not.
-        error: io::Error,
-    },
+    Unreadable { path: PathBuf, error: io::Error },
     /// It is too large to be what was asked for.
     TooLarge {
-        /// The path.
         path: PathBuf,
         /// The id of the message that says what was expected.
         kind: &'static str,
     },
     /// It could not be written.
-    Unwritable {
-        /// The path.
-        path: PathBuf,
-        /// Why not.
-        error: io::Error,
-    },
+    Unwritable { path: PathBuf, error: io::Error },
     /// There is a file already, which is not to be lost.
-    Exists {
-        /// The path.
-        path: PathBuf,
-    },
+    Exists { path: PathBuf },
     /// Neither a file nor a known name.
     Unknown {
         /// The id of the message that says what was expected.
@@ -102,7 +87,6 @@ pub enum StoreError {
     },
     /// It was read, but makes no sense.
     Faulty {
-        /// What was read.
         file: Source,
         /// Every fault, with its place.
         faults: Vec<Diagnostic>,

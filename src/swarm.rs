@@ -122,7 +122,6 @@ pub struct Turn {
 /// What a vehicle is going to fly, for the map.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Path {
-    /// Whose it is.
     pub vehicle: VehicleId,
     /// The points ahead, the next first; a single one is a place that it keeps.
     pub points: Vec<LatLon>,
@@ -230,7 +229,6 @@ impl Conductor {
         }
     }
 
-    /// Moves everything on.
     pub fn step(&mut self, now: Duration, vehicles: &Vehicles) -> Turn {
         let mut turn = std::mem::take(&mut self.waiting);
         for index in 0..self.acts.len() {

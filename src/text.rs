@@ -24,17 +24,14 @@ pub use locale::Locale;
 /// A language that the program speaks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
 pub enum Language {
-    /// English.
     #[default]
     #[serde(rename = "en")]
     English,
-    /// Ukrainian.
     #[serde(rename = "uk")]
     Ukrainian,
 }
 
 impl Language {
-    /// Every language.
     pub const ALL: [Self; 2] = [Self::English, Self::Ukrainian];
 
     /// Its code by ISO 639.
@@ -80,7 +77,6 @@ pub enum TextArgument {
     Number(i64),
     /// A word as it is: a name, or a figure with its decimals.
     Word(String),
-    /// Another text.
     Text(Text),
 }
 
@@ -198,7 +194,6 @@ impl TextArgument {
 }
 
 impl Default for Text {
-    /// Nothing said.
     fn default() -> Self {
         Self::verbatim("")
     }

@@ -49,9 +49,7 @@ pub struct Vehicle {
     pub component: ComponentId,
     /// Identity and state from HEARTBEAT; `None` before the first one.
     pub heartbeat: Option<Heartbeat>,
-    /// ATTITUDE.
     pub attitude: Option<Attitude>,
-    /// `GLOBAL_POSITION_INT`.
     pub global: Option<GlobalPosition>,
     /// `LOCAL_POSITION_NED`: metres from the EKF origin.
     pub local: Option<LocalPosition>,
@@ -59,11 +57,9 @@ pub struct Vehicle {
     pub home: Option<Place>,
     /// `POSITION_TARGET_GLOBAL_INT` or _`LOCAL_NED`: where the autopilot is heading.
     pub target: Option<Target>,
-    /// `GPS_RAW_INT`.
     pub gps: Option<Gps>,
     /// `GPS_RAW_INT`, where the receiver knows its own errors.
     pub gps_accuracy: Option<GpsAccuracy>,
-    /// `VFR_HUD`.
     pub hud: Option<Hud>,
     /// `SYS_STATUS`.
     pub health: Option<Health>,
@@ -71,7 +67,6 @@ pub struct Vehicle {
     pub batteries: Vec<Battery>,
     /// `EKF_STATUS_REPORT`.
     pub ekf: Option<Ekf>,
-    /// VIBRATION.
     pub vibration: Option<Vibration>,
     /// `EXTENDED_SYS_STATE`.
     pub landed: LandedState,
@@ -89,7 +84,6 @@ pub struct Vehicle {
     pub rc: Option<RcChannels>,
     /// `SERVO_OUTPUT_RAW` of port 0: pulse widths in microseconds, output 1 first.
     pub servos_us: [u16; 16],
-    /// `AUTOPILOT_VERSION`.
     pub version: Option<AutopilotVersion>,
     /// Milliseconds since the autopilot booted, as its messages carry it; a step back is a reboot.
     pub boot_ms: Option<u32>,

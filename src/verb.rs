@@ -72,7 +72,6 @@ pub enum Precedence {
 /// What an order does to the movement of its vehicles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Movement {
-    /// Nothing.
     None,
     /// It turns the nose: the next movement takes its place.
     Turn,

@@ -27,9 +27,7 @@ pub enum Action {
     /// Select the vehicle under the cursor, or take it out of the selection.
     #[strum(serialize = "select")]
     Toggle,
-    /// Select all vehicles.
     SelectAll,
-    /// Select the others.
     Invert,
     /// Take back the last character of the vehicle list.
     Erase,
@@ -81,7 +79,6 @@ pub enum Action {
     ZoomIn,
     /// Go away from it.
     ZoomOut,
-    /// Show everything.
     Fit,
     /// Let the view follow the vehicle under the cursor, or stop that.
     Follow,
@@ -93,7 +90,6 @@ pub enum Action {
     GotoHere,
     /// The next vehicle by number.
     NextVehicle,
-    /// The vehicle before.
     PreviousVehicle,
     /// Show or hide where the vehicles have been.
     Trails,
@@ -183,7 +179,6 @@ pub enum Action {
     AllSeats,
     /// Fly the mission with the drones that were chosen.
     FlyFleet,
-    /// Leave the program.
     Quit,
 }
 
@@ -217,17 +212,13 @@ impl Action {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 pub enum Step {
-    /// One line up.
     Up,
-    /// One line down.
     Down,
     /// One column to the left.
     Left,
     /// One column to the right.
     Right,
-    /// Ten lines up.
     PageUp,
-    /// Ten lines down.
     PageDown,
     /// To the first line.
     First,

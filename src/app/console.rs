@@ -21,7 +21,6 @@ pub use table::{CONSOLE_VERBS, ConsoleVerb, InPlain, PlainAnswer, in_plain};
 /// A line that the console carries out itself.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum ConsoleLine {
-    /// Select these vehicles.
     Select(String),
     /// Give vehicles a group's name; no targets means the selection.
     Group {
@@ -48,14 +47,12 @@ pub enum ConsoleLine {
     Hangar(Option<(HangarDeed, VehicleId)>),
     /// One about the table or its alerts.
     Swarm(SwarmLine),
-    /// One without arguments.
     Bare(BareLine),
 }
 
 /// What the console does with parameters.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum ParamsDeed {
-    /// Shows them.
     Show,
     /// Asks the vehicle for all of them again.
     Fetch,
@@ -68,27 +65,20 @@ pub enum ParamsDeed {
 /// Console lines of a verb alone.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum BareLine {
-    /// Help.
     Help,
-    /// The links' counters.
     Links,
-    /// All commands.
     Ledger,
-    /// All notices.
     Notices,
-    /// The mission's brief.
     Brief,
     /// Let the session stand still.
     Pause,
     /// Let it go on.
     Continue,
-    /// End the mission.
     Abandon,
     /// The same mission again.
     Restart,
     /// Back to the home screen.
     Leave,
-    /// Leave the program.
     Quit,
 }
 

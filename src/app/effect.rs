@@ -12,14 +12,12 @@ use crate::workshop::Design;
 pub enum HangarDeed {
     /// It is ended, if it runs, and started again.
     Restart,
-    /// It is ended.
     Stop,
 }
 
 /// How a mission is to be flown.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Launch {
-    /// Its id.
     pub mission: String,
     /// How the flight counts for a career.
     pub stake: Stake,
@@ -53,13 +51,11 @@ pub enum FileKind {
 /// Work for the shell.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Effect {
-    /// Leave the program.
     Quit,
     /// Carry out an order whose entry in the ledger is open already.
     Order {
         /// Where the outcome belongs.
         entry: EntryId,
-        /// What to do.
         order: Order,
     },
     /// Ask vehicles for all their parameters.
@@ -77,20 +73,15 @@ pub enum Effect {
 /// A file to read or to write. Paths are as the user wrote them.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum FileEffect {
-    /// Read a file.
     Read {
         /// What it should hold.
         kind: FileKind,
-        /// Where it is.
         path: String,
     },
-    /// Write a file.
     Write {
-        /// What it holds.
         kind: FileKind,
         /// Where to write it.
         path: String,
-        /// Its content.
         text: String,
         /// Whether an existing file may be replaced.
         replace: bool,
@@ -128,7 +119,6 @@ pub enum CareerEffect {
 /// A change of what is flown.
 #[derive(Debug, Clone, PartialEq)]
 pub enum SessionEffect {
-    /// Start a mission.
     StartMission(Launch),
     /// Start free flight with vehicles of the embedded simulator.
     StartFree,
@@ -162,7 +152,6 @@ pub enum TerminalEffect {
     SetTheme(String),
     /// Draw at most this many frames per second from now on.
     SetFps(u8),
-    /// Ring the bell.
     Bell,
     /// Show a desktop notification.
     Notify(Text),

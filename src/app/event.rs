@@ -58,13 +58,10 @@ pub enum Event {
 pub enum TerminalEvent {
     /// A key was pressed (releases and repeats of modifiers are ignored).
     Key(KeyEvent),
-    /// Text was pasted.
     Paste(String),
     /// The terminal has this size now.
     Resize {
-        /// Its width.
         columns: u16,
-        /// Its height.
         rows: u16,
     },
     /// A whole line was entered at the prompt of the plain console.
@@ -82,7 +79,6 @@ pub enum VehicleEvent {
     Telemetry(Arc<Vehicle>),
     /// A vehicle's parameters, or the progress of their download, changed.
     Parameters {
-        /// The vehicle.
         vehicle: VehicleId,
         /// What is known of them now.
         snapshot: ParameterSnapshot,
@@ -113,7 +109,6 @@ pub enum ProcessEvent {
     NotLaunched(Text),
     /// What the process of a vehicle has printed.
     Printed {
-        /// The vehicle.
         vehicle: VehicleId,
         /// Whether the lines that are known already are to be dropped.
         anew: bool,
@@ -155,21 +150,15 @@ pub enum FileEvent {
     Read {
         /// What it should hold.
         kind: FileKind,
-        /// Where it is.
         path: String,
-        /// Its content.
         text: String,
     },
     /// A file was written.
-    Written {
-        /// Where it is.
-        path: String,
-    },
+    Written { path: String },
     /// A file was not written because it exists already.
     Exists {
         /// What it would hold.
         kind: FileKind,
-        /// Where it is.
         path: String,
         /// What would be written.
         text: String,

@@ -22,7 +22,6 @@ pub use press::Press;
 pub enum Place {
     /// In every room without an overlay.
     Anywhere,
-    /// In one room.
     In(Room),
     /// On the command line and other prompts.
     Prompt,
@@ -83,11 +82,8 @@ pub type KeyRow = (Press, Meaning);
 /// One row of the keymap.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Binding {
-    /// The key.
     pub press: Press,
-    /// Where it holds.
     pub place: Place,
-    /// What it means.
     pub meaning: Meaning,
 }
 
@@ -141,7 +137,6 @@ impl Keymap {
     }
 }
 
-/// A character's key.
 pub const fn key(c: char) -> Press {
     Press::Plain(KeyCode::Char(c))
 }
@@ -156,7 +151,5 @@ pub const fn writes(c: char, line: &'static str) -> KeyRow {
     (key(c), Meaning::Write(Cow::Borrowed(line)))
 }
 
-/// The key Enter.
 pub const ENTER: Press = Press::Plain(KeyCode::Enter);
-/// The key Esc.
 pub const ESCAPE: Press = Press::Plain(KeyCode::Esc);

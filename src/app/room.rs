@@ -32,7 +32,6 @@ pub type State = state::State<Rooms>;
 
 /// What a room remembers, and how it answers keys.
 pub trait RoomModel: Default {
-    /// Its own keys.
     const KEYS: &'static [KeyRow];
 
     /// What the last line of the screen says about keys.

@@ -8,13 +8,11 @@ use crate::text::Text;
 macro_rules! for_each_room {
     ($then:ident) => {
         $then! {
-            /// Where to begin.
             Home, home, "home", 'H', home::Home;
             /// The swarm in flight.
             Fly, fly, "fly", 'F', fly::Fly;
             /// Everything about one vehicle.
             Vehicle, vehicle, "vehicle", 'V', vehicle::Vehicle;
-            /// Where everything is.
             Map, map, "map", 'M', map::Map;
             /// Every command so far.
             Ledger, ledger, "commands", 'C', ledger::Ledger;
@@ -24,7 +22,6 @@ macro_rules! for_each_room {
             Links, links, "links", 'L', links::Links;
             /// The processes that simulate the vehicles.
             Hangar, hangar, "hangar", 'G', hangar::Hangar;
-            /// The vehicles' parameters.
             Parameters, parameters, "parameters", 'P', parameters::Parameters;
             /// The mission's brief, objectives and rules.
             Mission, mission, "mission", 'B', mission::Mission;
@@ -41,7 +38,6 @@ pub(crate) use for_each_room;
 
 macro_rules! declare_rooms {
     ($($(#[$about:meta])* $Room:ident, $module:ident, $name:literal, $key:literal, $Model:ty;)+) => {
-        /// A room.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
         pub enum Room {
             $($(#[$about])* $Room,)+

@@ -7,9 +7,7 @@ use crate::text::{Language, Text};
 /// One setting with its value.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Setting {
-    /// The colours.
     Theme(String),
-    /// The language.
     Lang(Language),
     /// What curves and maps are drawn with.
     Symbols(Symbols),
@@ -69,7 +67,6 @@ impl Setting {
         found.ok_or_else(|| text!("console-unknown", word = value))
     }
 
-    /// Takes it over.
     pub fn apply(&self, config: &mut Config) {
         match self {
             Self::Theme(name) => config.theme.clone_from(name),

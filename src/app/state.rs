@@ -65,7 +65,6 @@ const ACKNOWLEDGEMENT_LIFE: Duration = Duration::from_secs(4);
 /// The whole console; `R` is what its rooms remember.
 #[derive(Debug, Clone)]
 pub struct State<R> {
-    /// The program's clock.
     pub now: Duration,
     /// The room that is shown.
     pub room: Room,
@@ -83,7 +82,6 @@ pub struct State<R> {
     pub locale: Arc<Locale>,
     /// Lines of a macro that wait for the answer to a question.
     pub pending: VecDeque<String>,
-    /// What was said.
     pub notices: NoticeLog,
     /// The missions on offer.
     pub missions: Vec<MissionListing>,
@@ -124,7 +122,6 @@ pub struct State<R> {
 /// The console's own answer to something, shown for a while on the last line.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Message {
-    /// What it says.
     pub text: Text,
     /// How serious it is.
     pub severity: Severity,
@@ -333,7 +330,6 @@ impl<R> State<R> {
     }
 }
 
-/// The selected vehicles.
 pub type Selection = BTreeSet<VehicleId>;
 /// Named groups of vehicles.
 pub type Groups = BTreeMap<String, Vec<VehicleId>>;

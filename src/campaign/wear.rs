@@ -16,7 +16,6 @@ pub struct FlownDesign<'a> {
     pub design: &'a Design,
     /// Time in the air, in seconds.
     pub airborne_s: f64,
-    /// Whether it crashed.
     pub has_crashed: bool,
 }
 

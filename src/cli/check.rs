@@ -204,7 +204,6 @@ fn kind(path: &Path, text: &str) -> Kind {
 
 /// What a file may refer to.
 struct OtherFiles<'a> {
-    /// Ids of missions.
     missions: &'a BTreeSet<String>,
     /// All files that were named on the command line.
     named: &'a [PathBuf],

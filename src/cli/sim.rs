@@ -55,7 +55,7 @@ pub(super) struct SimArguments {
     frames: Vec<PathBuf>,
 }
 
-/// HOST:PORT.
+/// `HOST:PORT`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct HostPort {
     host: String,
@@ -89,7 +89,6 @@ fn parse_target(text: &str) -> Result<HostPort, String> {
     }
 }
 
-/// Serves until interrupted.
 pub(super) fn serve(options: &SimArguments) -> Result<ExitCode, Failure> {
     let airframes: Result<Vec<_>, Failure> =
         options.frames.iter().map(|path| frame(path)).collect();

@@ -12,7 +12,6 @@ use crate::vehicle::Vehicle;
 /// Motors on and off.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ArmingCommand {
-    /// Arm the motors.
     Arm,
     /// Disarm on the ground.
     Disarm,

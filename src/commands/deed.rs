@@ -14,28 +14,20 @@ use crate::text::Text;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Deed {
-    /// Report a find.
     Mark {
-        /// What is reported.
         subject: Subject,
         /// What it is said to be, in a word of [`Deed::KINDS`]; `None` where the mission asks for one kind only.
         #[serde(deserialize_with = "known_kind")]
         kind: Option<KindName>,
     },
     /// Take back the report that is nearest to a place.
-    Unmark {
-        /// Near where.
-        spot: Spot,
-    },
+    Unmark { spot: Spot },
     /// Take a sample where the vehicle is.
     Sample,
     /// Let go of one piece of the vehicle's load.
     Drop,
     /// Open or close the sprayer.
-    Spray {
-        /// Whether it sprays.
-        on: bool,
-    },
+    Spray { on: bool },
     /// Say beforehand what the score will be.
     Predict {
         /// 0 to 1000.
@@ -76,7 +68,6 @@ impl Deed {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Subject {
-    /// One place.
     Spot(Spot),
     /// Each contact that has not been reported.
     Contacts {
@@ -91,13 +82,10 @@ pub enum Subject {
 pub enum Spot {
     /// Where the vehicle is.
     Here,
-    /// There.
     At(LatLon),
     /// From the mission's origin, in metres.
     Offset {
-        /// To the north.
         north_m: f64,
-        /// To the east.
         east_m: f64,
     },
 }
@@ -110,7 +98,6 @@ pub enum Goal {
     Time(Duration),
     /// Land every vehicle with at least this much battery, in percent.
     Battery(f64),
-    /// Break no rule.
     Safety,
     /// Give no command that is refused.
     Commands,

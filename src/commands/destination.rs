@@ -7,7 +7,6 @@ use crate::geo::LatLon;
 pub enum Destination {
     /// A point on the earth; `None` keeps the present height.
     Global {
-        /// Where.
         at_point: LatLon,
         /// Height above home.
         altitude_m: Option<f64>,
@@ -23,11 +22,8 @@ pub enum Destination {
     },
     /// Metres from where the vehicle is when the command is sent.
     Offset {
-        /// To the north.
         north_m: f64,
-        /// To the east.
         east_m: f64,
-        /// Upwards.
         up_m: f64,
     },
 }

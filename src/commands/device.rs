@@ -20,11 +20,9 @@ pub enum DeviceCommand {
         /// Pulse width in microseconds.
         pulse_us: u16,
     },
-    /// Switch a relay.
     Relay {
         /// Relay number, 0 first.
         relay: u8,
-        /// On or off.
         on: bool,
     },
     /// Reboot the autopilot (refused while armed).

@@ -8,7 +8,6 @@ use crate::vehicle::Vehicle;
 /// `MAV_RESULT`: what a `COMMAND_ACK` says.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AckResult {
-    /// Done, or begun.
     Accepted,
     /// Not now; it may work later.
     TemporarilyRejected,
@@ -20,7 +19,6 @@ pub enum AckResult {
     Failed,
     /// At work; another answer follows.
     InProgress,
-    /// Broken off.
     Cancelled,
     /// Only as `COMMAND_LONG`.
     LongOnly,

@@ -26,7 +26,6 @@ pub enum FlightCommand {
     },
     /// Land where it is.
     Land,
-    /// Return to launch.
     ReturnToLaunch,
     /// Stop and stay (pause in GUIDED and AUTO, BRAKE in other modes).
     Hold,

@@ -10,7 +10,6 @@ use crate::vehicle::VehicleId;
 pub enum Manoeuvre {
     /// Fly parallel lines over an area, each vehicle its share.
     Survey {
-        /// Where.
         ground: Ground,
         /// Between two lines; `None` takes the width that the sensor sees.
         spacing_m: Option<f64>,
@@ -34,7 +33,6 @@ pub enum Manoeuvre {
     Disband,
     /// Fly behind another vehicle, one after the other.
     Follow {
-        /// Whom.
         leader: VehicleId,
         /// Between one and the next.
         distance_m: f64,
@@ -42,10 +40,7 @@ pub enum Manoeuvre {
         up_m: Option<f64>,
     },
     /// Move apart until nobody has a neighbour nearer than this.
-    Spread {
-        /// Between neighbours.
-        spacing_m: f64,
-    },
+    Spread { spacing_m: f64 },
     /// Search around a place.
     Search {
         /// The way it is flown.
@@ -71,13 +66,10 @@ pub enum Manoeuvre {
 /// A place as it was said.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Datum {
-    /// On the earth.
     Global(LatLon),
     /// Metres from the EKF origin of the first vehicle.
     Local {
-        /// To the north.
         north_m: f64,
-        /// To the east.
         east_m: f64,
     },
 }
@@ -85,7 +77,6 @@ pub enum Datum {
 /// The end of a chain.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum FarEnd {
-    /// A place.
     Place(Datum),
     /// A vehicle, wherever it goes.
     Vehicle(VehicleId),
@@ -98,11 +89,8 @@ pub enum Ground {
     Outline(Outline),
     /// An upright rectangle, by two opposite corners.
     Between(Datum, Datum),
-    /// A circle.
     Around {
-        /// Its middle.
         centre: Datum,
-        /// Its radius.
         radius_m: f64,
     },
 }
@@ -118,7 +106,6 @@ pub enum Shape {
     Wedge,
     /// Rows and columns.
     Grid,
-    /// On a circle.
     Circle,
 }
 

@@ -23,7 +23,6 @@ const SETPOINT_EVERY: Duration = Duration::from_millis(200);
 pub enum MotionCommand {
     /// Fly to a place in GUIDED.
     Goto {
-        /// Where to.
         destination: Destination,
         /// What the nose does on the way.
         heading: Heading,
@@ -35,12 +34,10 @@ pub enum MotionCommand {
     },
     /// Change the speed of the current mode.
     Speed {
-        /// Which speed.
         axis: SpeedAxis,
         /// The new limit in m/s.
         speed_m_s: f64,
     },
-    /// Turn the nose.
     Yaw {
         /// Degrees: clockwise from north, or from the present heading where `relative`.
         angle_deg: f64,
@@ -53,7 +50,6 @@ pub enum MotionCommand {
     Velocity {
         /// North, east, down, in m/s.
         ned_m_s: [f64; 3],
-        /// For how long.
         lasting: Duration,
     },
     /// Circle around a point in GUIDED-capable autopilots.
@@ -72,7 +68,6 @@ pub enum MotionCommand {
         /// Where to look and its height above home.
         target: Option<(LatLon, f64)>,
     },
-    /// Set home.
     SetHome {
         /// Where and how high above sea level; `None` is where the vehicle is.
         place: Option<(LatLon, f64)>,
@@ -206,9 +201,7 @@ impl MotionCommand {
 pub enum SpeedAxis {
     /// Over ground.
     Ground,
-    /// Upwards.
     Climb,
-    /// Downwards.
     Descend,
 }
 

@@ -10,7 +10,6 @@ use crate::verb::Verb;
 pub struct Order {
     /// The line in its plainest spelling, always with its targets.
     pub line: String,
-    /// Its verb.
     pub verb: &'static Verb,
     /// The vehicles; where it matters, the leader is the first.
     pub targets: Vec<VehicleId>,
@@ -36,7 +35,6 @@ pub enum Act {
     Command(Command),
     /// The mission, for each target.
     Deed(Deed),
-    /// The targets together.
     Manoeuvre(Manoeuvre),
 }
 

@@ -10,17 +10,12 @@ use crate::vehicle::Vehicle;
 /// The parameter that chooses the checks before arming; 0 is none.
 const ARMING_CHECK: &str = "ARMING_CHECK";
 
-/// Parameters.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ParameterCommand {
-    /// Read a parameter.
     Get {
-        /// Its name.
         name: String,
     },
-    /// Write a parameter.
     Set {
-        /// Its name.
         name: String,
         /// The new value as it was written; `PARAM_SET` carries the nearest `f32`.
         value: f64,

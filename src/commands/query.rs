@@ -9,16 +9,12 @@ use super::encode::LongFields;
 pub enum QueryCommand {
     /// Ask for a message at a rate on this link.
     Interval {
-        /// MAVLink message id.
         message: u32,
         /// Rate in Hz; 0 switches it off.
         rate_hz: f64,
     },
     /// Ask for a message once.
-    Request {
-        /// MAVLink message id.
-        message: u32,
-    },
+    Request { message: u32 },
 }
 
 impl QueryCommand {

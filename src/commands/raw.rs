@@ -12,14 +12,12 @@ use crate::vehicle::Vehicle;
 pub enum RawCommand {
     /// Any `MAV_CMD` as `COMMAND_LONG`.
     Long {
-        /// `MAV_CMD` number.
         command: u16,
         /// Parameters 1 to 7.
         params: [f32; 7],
     },
     /// Any `MAV_CMD` as `COMMAND_INT`.
     Int {
-        /// `MAV_CMD` number.
         command: u16,
         /// `MAV_FRAME` number.
         frame: u8,

@@ -65,6 +65,5 @@ impl Request {
 pub struct Repeat {
     /// The time between two.
     pub every: Duration,
-    /// For how long.
     pub lasting: Duration,
 }

@@ -232,7 +232,6 @@ pub(super) fn setpoint(message: Result<Outgoing, Text>) -> Result<Request, Text>
 /// Where a vehicle of a manoeuvre is to be, said again and again while it lasts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Setpoint {
-    /// Where.
     pub at_point: LatLon,
     /// Height above home.
     pub altitude_m: f64,

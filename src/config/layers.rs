@@ -22,16 +22,13 @@ pub type WordCheck<'a> = &'a dyn Fn(&str, &str) -> Result<(), Diagnostic>;
 pub enum Origin {
     /// Nobody has set it.
     Default,
-    /// A file.
     File {
-        /// Its name.
         name: String,
         /// The line in it, from 1.
         line: usize,
         /// Where in it the value stands, in bytes.
         span: Range<usize>,
     },
-    /// An environment variable.
     Environment(&'static str),
     /// A flag of the command line.
     Flag(&'static str),

@@ -26,7 +26,6 @@ pub struct Setting {
 pub enum SettingKind {
     /// One of these words.
     OneOf(&'static [&'static str]),
-    /// Any text.
     Text,
     /// A whole number from one to another.
     Whole(i64, i64),

@@ -8,7 +8,6 @@ use crate::diagnostic::Diagnostic;
 use crate::text;
 use crate::text::Text;
 
-/// The section `table`.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct TableConfig {
@@ -24,13 +23,10 @@ pub struct TableConfig {
 )]
 #[strum(serialize_all = "kebab-case")]
 pub enum Column {
-    /// Its number.
     Id,
-    /// What it is.
     Name,
     /// The groups it belongs to.
     Group,
-    /// Flight mode.
     Mode,
     /// Whether it is armed, or ready to be.
     Armed,
@@ -39,32 +35,25 @@ pub enum Column {
     /// Height above home.
     #[strum(serialize = "alt")]
     Altitude,
-    /// Speed over ground.
     Speed,
-    /// Charge left.
     #[strum(serialize = "bat")]
     Battery,
     /// Kind of fix, and satellites.
     Gps,
     /// How much of what it sends arrives.
     Link,
-    /// Distance to home.
     Home,
     /// The newest command and its state.
     Command,
     /// Distance to its target.
     ToGo,
-    /// Heading.
     Heading,
-    /// Climb rate.
     Climb,
     /// Voltage of the pack.
     #[strum(serialize = "volt")]
     Voltage,
-    /// Current drawn.
     #[strum(serialize = "amps")]
     Current,
-    /// Charge used.
     Used,
     /// Horizontal dilution of precision.
     Hdop,
@@ -73,17 +62,14 @@ pub enum Column {
     RoundTrip,
     /// The worst test ratio of the filter.
     Ekf,
-    /// The worst vibration.
     #[strum(serialize = "vibe")]
     Vibration,
     /// The item of the plan that is flown.
     Item,
     /// Height above the sea.
     Sea,
-    /// Latitude.
     #[strum(serialize = "lat")]
     Latitude,
-    /// Longitude.
     #[strum(serialize = "lon")]
     Longitude,
     /// The worst alert, and since when.
@@ -93,7 +79,6 @@ pub enum Column {
 /// What the table is ordered by.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct TableSort {
-    /// The column.
     pub column: Column,
     /// Whether the largest comes first.
     pub reversed: bool,
@@ -103,7 +88,6 @@ impl Column {
     /// The names of all columns.
     pub const NAMES: &'static [&'static str] = Self::VARIANTS;
 
-    /// Its name.
     pub fn name(self) -> &'static str {
         self.into()
     }

@@ -15,11 +15,8 @@ use crate::ui::{Look, Themes};
 /// What the console begins with.
 #[derive(Debug, Clone)]
 pub enum Opening {
-    /// The home screen.
     Home,
-    /// A mission.
     Mission(Arc<Mission>),
-    /// Free flight.
     Free,
     /// Vehicles that are already there.
     Connect(Vec<Address>),
@@ -30,7 +27,6 @@ pub enum Opening {
 pub struct ConsoleOptions {
     /// What it begins with.
     pub opening: Opening,
-    /// What flies.
     pub backend: VehicleBackend,
     /// ArduPilot's SITL where it could be started without being asked for.
     pub ardupilot: Option<SitlSource>,
@@ -49,7 +45,6 @@ pub struct ConsoleOptions {
 /// What a user brings along.
 #[derive(Debug, Clone, Default)]
 pub struct Preferences {
-    /// The settings.
     pub config: Config,
     /// Whether the command line says the language: then no profile changes it.
     pub is_lang_given: bool,

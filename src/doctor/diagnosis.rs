@@ -33,18 +33,15 @@ pub struct LinkFinding {
     pub link: usize,
     /// Its way, on which the advice depends.
     pub way: Way,
-    /// What it is.
     pub cause: Cause,
 }
 
 /// How much a finding matters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Weight {
-    /// Nothing works.
     Fatal,
     /// Something does not work as it should.
     Fault,
-    /// Worth knowing.
     Remark,
     /// All is well, or it is too early to tell.
     Fine,

@@ -31,7 +31,6 @@ impl Cause {
         }
     }
 
-    /// What it is.
     pub fn says(&self) -> Text {
         match *self {
             Self::NotOpen => text!("doctor-not-open"),

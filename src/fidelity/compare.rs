@@ -28,7 +28,6 @@ const CHANGE_M_S: f64 = 0.5;
 pub struct Difference {
     /// Root of the mean square.
     pub rms: f64,
-    /// The largest.
     pub largest: f64,
 }
 
@@ -51,13 +50,9 @@ pub struct Flight {
     pub altitude_m: Difference,
     /// Length of the difference of the velocities, m/s.
     pub velocity_m_s: Difference,
-    /// Degrees.
     pub roll_deg: Difference,
-    /// Degrees.
     pub pitch_deg: Difference,
-    /// Degrees.
     pub yaw_deg: Difference,
-    /// Volts.
     pub voltage_v: Difference,
     /// How long the real vehicle took to what the manoeuvre is for, if it got there.
     pub recorded_reach_s: Option<f64>,
@@ -253,7 +248,6 @@ impl<'a> Pair<'a> {
     }
 }
 
-/// Something to reach.
 enum Goal {
     Height(f64),
     Place([f64; 3]),

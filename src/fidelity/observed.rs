@@ -20,15 +20,11 @@ pub struct Observed {
     pub velocity_ned_m_s: Series<3>,
     /// Roll, pitch and yaw in degrees; the yaw goes on beyond 360 instead of jumping.
     pub attitude_deg: Series<3>,
-    /// The battery's voltage.
     pub voltage_v: Series<1>,
     /// Results of commands and of plan transfers.
     pub(super) acks: Vec<Said>,
-    /// Status texts.
     pub(super) texts: Vec<Said>,
-    /// Modes entered.
     pub(super) modes: Vec<Said>,
-    /// Plan items reached.
     pub(super) reached: Vec<Said>,
     /// When the vehicle was armed (`true`) and disarmed.
     pub(super) armed: Vec<(f64, bool)>,

@@ -22,12 +22,10 @@ impl<const N: usize> Series<N> {
         }
     }
 
-    /// The last sample.
     pub fn last(&self) -> Option<(f64, [f64; N])> {
         self.samples.last().copied()
     }
 
-    /// The first sample.
     pub fn first(&self) -> Option<(f64, [f64; N])> {
         self.samples.first().copied()
     }

@@ -34,20 +34,16 @@ const PIPE_LEN: usize = 64 * 1024;
 /// Why a hangar elsewhere does not do what it is asked.
 #[derive(Debug, thiserror::Error)]
 pub enum ClientError {
-    /// Nobody answers there.
     #[error(
         "{address} cannot be reached ({source}): is `sortie hangar` running there? From another host: `ssh -L PORT:127.0.0.1:PORT HOST`"
     )]
     Unreachable {
-        /// Where.
         address: HangarAddress,
-        /// Why.
         source: io::Error,
     },
     /// It does not answer in time.
     #[error("{address} has not answered within {seconds} s")]
     Late {
-        /// Where.
         address: HangarAddress,
         /// How long was waited.
         seconds: u64,
@@ -55,7 +51,6 @@ pub enum ClientError {
     /// Somebody answers who is no hangar.
     #[error("{address} answers, but it is no sortie hangar ({why})")]
     NotAHangar {
-        /// Where.
         address: HangarAddress,
         /// How that is known.
         why: String,
@@ -64,18 +59,10 @@ pub enum ClientError {
     #[error(
         "{address} wants its token ({why}): copy its token file here and name it with --hangar-token FILE"
     )]
-    Unauthorised {
-        /// Where.
-        address: HangarAddress,
-        /// What it says.
-        why: String,
-    },
-    /// It refuses.
+    Unauthorised { address: HangarAddress, why: String },
     #[error("{}", problem.error)]
     Refused {
-        /// The HTTP status.
         status: u16,
-        /// What it says.
         problem: ServiceProblem,
     },
 }
@@ -146,7 +133,6 @@ impl RemoteHangar {
         }
     }
 
-    /// Where it is.
     pub fn address(&self) -> &HangarAddress {
         &self.address
     }

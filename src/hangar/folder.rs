@@ -137,7 +137,6 @@ impl Run {
         Ok(Self { path, _lock: lock })
     }
 
-    /// Where it is.
     pub fn path(&self) -> &Path {
         &self.path
     }

@@ -18,14 +18,12 @@ mod spread;
 pub struct InstancePlace {
     /// The hangar, by its place in the list.
     pub hangar: usize,
-    /// The instance there.
     pub id: InstanceId,
 }
 
 /// A vehicle that was launched, with the bytes of its serial 0.
 #[derive(Debug)]
 pub struct LaunchedVehicle {
-    /// Where it is.
     pub place: InstancePlace,
     /// Its bytes, also after it was started again.
     pub pipe: DuplexStream,

@@ -33,7 +33,6 @@ const BUILD_FOLDER: &str = "build/sitl/bin";
 /// A program that the user has named.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Named {
-    /// The file.
     pub file: PathBuf,
     /// Who has named it: a flag, a variable, a line of a file.
     pub by: String,
@@ -42,11 +41,8 @@ pub struct Named {
 /// Where programs that nobody has named are looked for.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Places {
-    /// The PATH.
     pub path: Option<OsString>,
-    /// The home folder.
     pub home: Option<PathBuf>,
-    /// The current folder.
     pub here: PathBuf,
 }
 
@@ -99,7 +95,6 @@ pub enum Missing {
     /// The user has named a file that is none, or cannot be started.
     #[error("{by} names {}: {reason}", file.display())]
     Named {
-        /// The file.
         file: PathBuf,
         /// Who has named it.
         by: String,

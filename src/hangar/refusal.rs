@@ -33,11 +33,8 @@ pub enum HangarRefusal {
     /// The host does not allow it.
     #[error("cannot start instance {id}: {what}: {source}")]
     Host {
-        /// The instance.
         id: InstanceId,
-        /// What was tried.
         what: String,
-        /// Why it failed.
         source: io::Error,
     },
     /// The hangar is being closed.

@@ -21,7 +21,6 @@ pub enum Protocol {
 /// A socket that somebody could talk to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 pub struct ListeningSocket {
-    /// What it carries.
     pub protocol: Protocol,
     /// Where it is open.
     pub at: SocketAddr,

@@ -12,7 +12,6 @@ use crate::text::Text;
 /// Where ArduPilot's SITL is started.
 #[derive(Debug, Clone)]
 pub enum SitlSource {
-    /// By this program.
     Own(Box<HangarSetup>),
     /// By services on this host or others.
     Far(Vec<RemoteHangar>),

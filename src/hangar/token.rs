@@ -29,37 +29,23 @@ pub enum TokenError {
     /// The file cannot be read or made.
     #[error("cannot {what} the token file {path}: {source}")]
     File {
-        /// What was tried.
         what: &'static str,
-        /// The file.
         path: PathBuf,
-        /// Why it failed.
         source: io::Error,
     },
     /// Other people may read the file, so that its token is no secret.
     #[error(
         "the token file {path} can be read by others (mode {mode:04o}): remove it so that a new token is made, or `chmod 600 {path}` if nobody has read it"
     )]
-    Readable {
-        /// The file.
-        path: PathBuf,
-        /// Its permissions.
-        mode: u32,
-    },
+    Readable { path: PathBuf, mode: u32 },
     /// The file belongs to somebody else.
     #[error("the token file {path} belongs to somebody else: name another with --token-file")]
-    Foreign {
-        /// The file.
-        path: PathBuf,
-    },
+    Foreign { path: PathBuf },
     /// There is something else in the file.
     #[error(
         "{path} holds no token ({LEN} bytes in hexadecimal digits): remove it so that a new one is made"
     )]
-    Content {
-        /// The file.
-        path: PathBuf,
-    },
+    Content { path: PathBuf },
     /// The system gives no random numbers.
     #[error("the system gives no random numbers for a token: {0}")]
     Random(String),

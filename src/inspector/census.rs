@@ -25,7 +25,6 @@ const MOST_WATCHED: usize = 512;
 /// Whether frames came in or went out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Direction {
-    /// Received.
     In,
     /// Sent by this program.
     Out,
@@ -47,16 +46,13 @@ pub struct FrameSource {
 /// One kind of message from one source.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct TallyKey {
-    /// Who sent it.
     pub source: FrameSource,
-    /// The message id.
     pub message: u32,
 }
 
 /// What is known of one kind of message.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MessageTally {
-    /// How many came.
     pub count: u64,
     /// Their bytes on the wire.
     pub bytes: u64,
@@ -82,9 +78,7 @@ struct TallySlot {
 /// How much comes per second.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Rate {
-    /// Messages per second.
     pub hz: f64,
-    /// Bytes per second.
     pub bytes_s: f64,
 }
 
@@ -161,7 +155,6 @@ impl MessageTally {
 /// The frames of one watched kind since the last look.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct WatchedMessage {
-    /// The kind.
     pub key: TallyKey,
     /// When each came, and its bytes; oldest first.
     pub frames: VecDeque<(Duration, Vec<u8>)>,
@@ -172,7 +165,6 @@ pub struct WatchedMessage {
 /// Which way a frame went, and from or to which peer of its link.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct FrameWay {
-    /// Received or sent.
     pub direction: Direction,
     /// The number of the peer.
     pub peer: u32,

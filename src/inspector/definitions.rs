@@ -18,7 +18,6 @@ pub struct Definitions {
     enums: BTreeMap<&'static str, EnumDefinition>,
 }
 
-/// One message.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MessageDefinition {
     /// Its name, such as `HEARTBEAT`.
@@ -32,7 +31,6 @@ pub struct MessageDefinition {
 /// One field of a message.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FieldDefinition {
-    /// Its name.
     pub name: &'static str,
     /// The type of one element.
     pub kind: FieldType,
@@ -51,7 +49,6 @@ pub struct FieldDefinition {
 /// The type of a field's element, little-endian on the wire.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumString)]
 #[strum(serialize_all = "lowercase")]
-#[expect(missing_docs, reason = "the names are the types")]
 pub enum FieldType {
     Char,
     U8,

@@ -20,7 +20,6 @@ pub struct MessageReading {
 /// The value of one field.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FieldReading {
-    /// Its name.
     pub name: &'static str,
     /// Its unit as MAVLink spells it; empty if it has none.
     pub unit: &'static str,
@@ -39,13 +38,9 @@ pub struct FieldReading {
 /// A number as it was on the wire.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ElementReading {
-    /// An unsigned number.
     Unsigned(u64),
-    /// A signed number.
     Signed(i64),
-    /// Single precision.
     Single(f32),
-    /// Double precision.
     Double(f64),
 }
 
@@ -122,7 +117,6 @@ pub fn name_of(id: u32) -> String {
     known.map_or_else(|| format!("#{id}"), |message| message.name.to_owned())
 }
 
-/// Reads a frame.
 pub fn read(frame: &Anatomy<'_>) -> MessageReading {
     let definitions = Definitions::get();
     let Some(message) = definitions.message(frame.id) else {

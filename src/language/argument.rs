@@ -127,9 +127,7 @@ pub enum Kind {
     Mode,
     /// A named place, or latitude and longitude in degrees.
     Point,
-    /// A named area.
     Area,
-    /// A parameter's name.
     Parameter,
     /// A MAVLink message, by name or id.
     Message,
@@ -163,23 +161,14 @@ impl Kind {
 /// What a number counts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Unit {
-    /// Nothing.
     None,
-    /// Metres.
     Metres,
-    /// Metres per second.
     MetresPerSecond,
-    /// Seconds.
     Seconds,
-    /// Degrees.
     Degrees,
-    /// Degrees per second.
     DegreesPerSecond,
-    /// Times per second.
     Hertz,
-    /// Microseconds.
     Microseconds,
-    /// Percent.
     Percent,
 }
 
@@ -225,7 +214,6 @@ pub(super) enum Value {
 pub(super) struct Problem {
     /// The argument to point at.
     pub argument: &'static str,
-    /// What is wrong.
     pub message: Text,
 }
 

@@ -24,7 +24,6 @@ const SHOWN: usize = 200;
 pub struct Completion {
     /// The word as it would be inserted.
     pub text: String,
-    /// What it means.
     pub hint: Text,
     /// What it takes the place of, in bytes of the line; empty where a new word begins.
     pub replaces: Range<usize>,

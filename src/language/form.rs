@@ -9,7 +9,6 @@ use crate::text::Text;
 
 /// How far the words of a line fit a form.
 pub(super) struct Fit {
-    /// What was read.
     pub arguments: Arguments,
     /// What may come after the last word.
     pub expected: Vec<Expected>,
@@ -21,7 +20,6 @@ pub(super) struct Fit {
 
 /// A word that does not fit.
 pub(super) struct Misfit {
-    /// Which one.
     pub word: usize,
     /// Whether it is of the right kind and only its value is wrong.
     pub specific: bool,

@@ -7,7 +7,6 @@ use std::ops::Range;
 pub struct Word<'a> {
     /// As it was written.
     pub text: &'a str,
-    /// Its place.
     pub span: Range<usize>,
 }
 

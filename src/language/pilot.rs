@@ -95,7 +95,6 @@ pub enum PilotEvent {
     WaitTimedOut {
         /// Its line in the source, counted from 1.
         line: usize,
-        /// The line.
         text: String,
     },
     /// The script is over. Comes once.

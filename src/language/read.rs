@@ -40,7 +40,6 @@ pub(super) enum Misread {
         word: usize,
         /// Whether it is of the right kind and only its value is wrong: then no other argument was meant.
         specific: bool,
-        /// What is wrong.
         message: Text,
     },
 }

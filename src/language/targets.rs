@@ -14,7 +14,6 @@ use crate::vehicle::{HIGHEST_VEHICLE, VehicleId};
 pub enum Targets {
     /// Those that are selected in the console.
     Selection,
-    /// Every vehicle.
     All,
     /// These, sorted, each once.
     Ids(Vec<VehicleId>),

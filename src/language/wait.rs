@@ -16,10 +16,8 @@ const LANDING_MODES: [&str; 6] = ["LAND", "RTL", "SMART_RTL", "AUTO_RTL", "QLAND
 /// Slower than this is standing still.
 const STILL_M_S: f32 = 0.5;
 
-/// Holds a script.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wait {
-    /// What for.
     pub until: Until,
     /// When to go on regardless.
     pub timeout: Duration,
@@ -56,7 +54,6 @@ pub enum Until {
     Mode(String),
     /// A figure is above or below a value.
     Compared {
-        /// Which figure.
         field: Field,
         /// How it has to compare.
         relation: Relation,
@@ -79,7 +76,6 @@ pub enum Situation {
     Landed,
     /// It is in the air.
     Airborne,
-    /// It would arm.
     Ready,
 }
 
@@ -94,9 +90,7 @@ pub enum Field {
     Battery,
     /// Distance to home in metres.
     Distance,
-    /// Heading in degrees.
     Heading,
-    /// Satellites in use.
     Satellites,
     /// What the first sensor shows, in its unit.
     Reading,
@@ -107,13 +101,9 @@ pub enum Field {
 /// How a figure has to compare.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Relation {
-    /// `>`
     Above,
-    /// `<`
     Below,
-    /// `>=`
     AtLeast,
-    /// `<=`
     AtMost,
 }
 

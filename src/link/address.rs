@@ -22,7 +22,6 @@ pub enum Address {
     Tcp {
         /// A name or an IP address.
         host: String,
-        /// The server's port.
         port: u16,
     },
     /// Waits for TCP clients: `tcpin:HOST:PORT`.
@@ -57,14 +56,10 @@ pub enum Address {
     Serial {
         /// The device, such as `/dev/ttyACM0` or `COM3`.
         path: String,
-        /// Bits per second.
         baud: u32,
     },
     /// Plays a recording: `file:PATH` (also a bare path that ends in `.tlog`).
-    File {
-        /// The tlog.
-        path: PathBuf,
-    },
+    File { path: PathBuf },
 }
 
 /// Text that is not a link address.

@@ -70,7 +70,6 @@ pub enum SimulatorError {
     PortInUse {
         /// The address to listen on.
         host: String,
-        /// The port.
         port: u16,
     },
     /// A port cannot be listened on for another reason.
@@ -78,9 +77,7 @@ pub enum SimulatorError {
     Listen {
         /// The address to listen on.
         host: String,
-        /// The port.
         port: u16,
-        /// Why.
         source: io::Error,
     },
     /// The last vehicle's port would be beyond 65535.
@@ -111,7 +108,6 @@ pub enum SimulatorError {
         host: String,
         /// The ground station's port.
         port: u16,
-        /// Why.
         reason: String,
     },
     /// The speed is no speed.

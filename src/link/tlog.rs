@@ -43,7 +43,6 @@ pub enum TlogError {
     Read {
         /// Where the record starts that could not be read.
         offset: u64,
-        /// Why.
         source: io::Error,
     },
 }

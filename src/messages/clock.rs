@@ -19,7 +19,6 @@ const NS_PER_MS: i64 = 1_000_000;
 /// What a new reading says.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Step {
-    /// Time goes on.
     Onward,
     /// The autopilot has booted since the reading before.
     Rebooted,

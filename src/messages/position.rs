@@ -42,7 +42,6 @@ pub(super) fn apply_local(vehicle: &mut Vehicle, data: &LOCAL_POSITION_NED_DATA,
     }
 }
 
-/// Applies `HOME_POSITION`.
 pub(super) fn apply_home(vehicle: &mut Vehicle, data: &HOME_POSITION_DATA) {
     vehicle.home = place(data.latitude, data.longitude, data.altitude);
 }

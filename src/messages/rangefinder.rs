@@ -9,7 +9,6 @@ use crate::vehicle::Vehicle;
 /// `DISTANCE_SENSOR.signal_quality` of a reading that is worth nothing.
 const SIGNAL_INVALID: u8 = 1;
 
-/// Applies RANGEFINDER.
 pub(super) fn apply(vehicle: &mut Vehicle, data: &RANGEFINDER_DATA) {
     vehicle.rangefinder_m = data.distance.is_finite().then_some(data.distance);
 }

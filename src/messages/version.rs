@@ -5,7 +5,6 @@ use mavlink::dialects::ardupilotmega::AUTOPILOT_VERSION_DATA;
 use crate::hash::fnv1a;
 use crate::vehicle::{AutopilotVersion, Vehicle};
 
-/// Applies `AUTOPILOT_VERSION`.
 pub(super) fn apply(vehicle: &mut Vehicle, data: &AUTOPILOT_VERSION_DATA) {
     let [_, patch, minor, major] = data.flight_sw_version.to_le_bytes();
     vehicle.version = Some(AutopilotVersion {

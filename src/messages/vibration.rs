@@ -4,7 +4,6 @@ use mavlink::dialects::ardupilotmega::VIBRATION_DATA;
 
 use crate::vehicle::{Vehicle, Vibration};
 
-/// Applies VIBRATION.
 pub(super) fn apply(vehicle: &mut Vehicle, data: &VIBRATION_DATA) {
     vehicle.vibration = Some(Vibration {
         level_m_s2: [data.vibration_x, data.vibration_y, data.vibration_z],

@@ -11,9 +11,7 @@ use crate::geo::Outline;
 pub struct Area {
     /// Its id in the mission's file, which the brief calls it by.
     pub name: String,
-    /// What it means.
     pub kind: AreaKind,
-    /// Where it is.
     pub outline: Outline,
 }
 

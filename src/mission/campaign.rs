@@ -22,7 +22,6 @@ pub struct Rewards {
     pub credits: u32,
     /// The tier that experience is counted with; the mission's own where none is written.
     pub xp_tier: u8,
-    /// What becomes available.
     pub unlock: Vec<Unlock>,
 }
 

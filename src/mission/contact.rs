@@ -51,7 +51,6 @@ pub(crate) struct Sighting {
 /// What a sighting is to the contacts, by their indices.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Seen {
-    /// Something new.
     New(usize),
     /// Another kind of sensor has seen it now.
     Confirmed(usize),

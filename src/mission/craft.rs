@@ -42,7 +42,6 @@ pub(crate) struct Craft {
     pub airborne: bool,
     /// Whether it has been in the air during this mission.
     pub flown: bool,
-    /// Whether it crashed.
     pub lost: bool,
     /// Whether it is heard.
     pub heard: bool,
@@ -51,7 +50,6 @@ pub(crate) struct Craft {
     pub battery_percent: Option<f64>,
     /// For how long it has stood disarmed on the ground after flying.
     pub down_for: Duration,
-    /// What it carries.
     pub sensors: Vec<&'static Sensor>,
     /// Those of them that measure.
     pub probes: Vec<Probe>,

@@ -196,7 +196,6 @@ impl MissionContent {
     }
 }
 
-/// One `[[hazards]]`.
 fn hazard(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
     table.need_id("hazards");
     let (_, hazard) = table.need_kind("hazard", hazard::KINDS)?;

@@ -157,7 +157,6 @@ impl Flight {
         self.journal.take()
     }
 
-    /// Gives up.
     pub fn abandon(&mut self) {
         if self.ended.is_none() {
             if let Some(recorder) = &mut self.recorder {

@@ -67,7 +67,6 @@ pub(crate) enum ObjectClass {
     Person,
     /// What a thermal camera takes for a person.
     Animal,
-    /// Something that burns.
     Fire,
     /// A fault of a line or a structure.
     Defect,
@@ -95,18 +94,15 @@ impl ObjectClass {
 /// What vehicles let go of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Load {
-    /// An extinguishing ball.
     Ball,
     /// A second of the sprayer.
     Spray,
     /// A kit: medicine, a life vest.
     Kit,
-    /// A sensor node.
     Node,
 }
 
 impl Load {
-    /// All of them.
     pub const ALL: [Self; 4] = [Self::Ball, Self::Spray, Self::Kit, Self::Node];
 
     /// The part of the workshop's catalogue that it is, or is sprayed by.
@@ -137,7 +133,6 @@ pub(crate) struct LoadEffect {
     pub good: bool,
     /// The object that it reached, by its place among the hazard's.
     pub object: Option<usize>,
-    /// In words.
     pub text: Text,
 }
 
@@ -157,7 +152,6 @@ pub(crate) struct Release {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct TruthPiece {
     pub at: Point,
-    /// What is there.
     pub shape: TruthShape,
 }
 

@@ -26,7 +26,6 @@ pub struct Listing {
     pub tier: u8,
     /// How many vehicles fly it.
     pub vehicles: usize,
-    /// Mission time allowed.
     pub time_limit: Duration,
     /// Mission time that gets all points.
     pub par_time: Duration,
@@ -69,9 +68,7 @@ pub struct Listing {
 /// What some of the vehicles carry.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FitListing {
-    /// Which vehicles.
     pub vehicles: Vec<VehicleId>,
-    /// Their sensors.
     pub sensors: Vec<Text>,
     /// Their loads, and how many of each; seconds of what is sprayed.
     pub loads: Vec<(Text, u32)>,
@@ -80,7 +77,6 @@ pub struct FitListing {
 /// An objective of a mission on offer.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ObjectiveListing {
-    /// Its title.
     pub title: Text,
     /// What is asked for, in words.
     pub target: Text,

@@ -260,7 +260,6 @@ impl Chance {
         happens
     }
 
-    /// Begins anew.
     fn again(&mut self) {
         self.exposure = 0.0;
         self.until = Exp1.sample(&mut self.random);

@@ -55,7 +55,6 @@ pub struct Need {
 /// One thing that is needed, and how a design stands to it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FitLine {
-    /// What is needed.
     pub what: Text,
     /// How much of it, with its unit.
     pub required: Text,

@@ -58,7 +58,6 @@ pub(crate) struct Sought {
 /// A square of ground.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct GroundPatch {
-    /// Its middle.
     pub at: Point,
     /// Length of its sides, in metres.
     pub side_m: f64,
@@ -112,7 +111,6 @@ pub(crate) trait Tracker: Debug + Send + Sync {
     }
 }
 
-/// What trackers see.
 pub(crate) struct ObjectiveScene<'a> {
     /// Mission time.
     pub now: Duration,

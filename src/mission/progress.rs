@@ -14,11 +14,9 @@ use crate::vehicle::VehicleId;
 /// A mission as it stands now.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Progress {
-    /// Its title.
     pub title: Text,
     /// Mission time used.
     pub elapsed: Duration,
-    /// Mission time allowed.
     pub limit: Duration,
     /// The score if it ended now, 0 to 1000; `None` before the first takeoff.
     pub score_so_far: Option<u16>,
@@ -71,9 +69,7 @@ pub struct Progress {
 pub struct MovingThing {
     /// What conditions of the mission call it.
     pub name: String,
-    /// What it is.
     pub kind: MoverKind,
-    /// Where it is.
     pub at: LatLon,
     /// How high it moves, in metres above the origin.
     pub height_m: f64,
@@ -109,7 +105,6 @@ impl ClueProgress {
 /// One objective as it stands now.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ObjectiveProgress {
-    /// Its title.
     pub title: Text,
     /// Whether it is decided.
     pub state: ObjectiveState,
@@ -122,9 +117,7 @@ pub struct ObjectiveProgress {
 /// Whether an objective is decided.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ObjectiveState {
-    /// Not reached yet.
     Open,
-    /// Reached.
     Met,
     /// Not reached when the flight ended.
     Missed,
@@ -159,7 +152,6 @@ pub enum Trust {
 pub struct ShownMark {
     /// What it is said to be, in the grammar's word.
     pub kind: Option<&'static str>,
-    /// Where.
     pub at: LatLon,
 }
 
@@ -168,9 +160,7 @@ pub struct ShownMark {
 pub struct Reading {
     /// Which vehicle carries it.
     pub vehicle: VehicleId,
-    /// Its name.
     pub sensor: Text,
-    /// What it shows.
     pub value: f64,
     /// In this unit.
     pub unit: &'static str,
@@ -181,7 +171,6 @@ pub struct Reading {
 pub struct LoadLeft {
     /// Which vehicle carries it.
     pub vehicle: VehicleId,
-    /// Its name.
     pub load: Text,
     /// How many are left; seconds of what is sprayed.
     pub left: u32,
@@ -192,7 +181,6 @@ pub struct LoadLeft {
 /// A square of ground.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ground {
-    /// Its centre.
     pub centre: LatLon,
     /// Length of its sides, in metres.
     pub side_m: f64,
@@ -203,7 +191,6 @@ pub struct Ground {
 pub struct Cell {
     /// Its name, such as `A1`.
     pub name: String,
-    /// Its centre.
     pub centre: LatLon,
     /// Length of its sides, in metres.
     pub side_m: f64,

@@ -24,7 +24,6 @@ pub(crate) struct Model {
 }
 
 impl Model {
-    /// All of them.
     pub fn all() -> impl Iterator<Item = Self> {
         workshop::parts_for(PartSlot::Radio).filter_map(Self::of)
     }

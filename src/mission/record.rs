@@ -41,13 +41,11 @@ pub struct Head {
     pub sortie_run: u32,
     /// Id of the mission.
     pub mission: String,
-    /// Its revision.
     pub revision: u32,
     /// Seed of hazards and sensors.
     pub seed: u64,
     /// Which try it was, from 1.
     pub attempt: u32,
-    /// What flew.
     pub backend: FlightBackend,
     /// When it began, in UTC: `2026-11-20T14:03:22Z`.
     pub when: String,
@@ -62,7 +60,6 @@ pub struct Head {
     pub designs: Vec<String>,
     /// The program that recorded it.
     pub program: String,
-    /// The mission file.
     pub source: String,
 }
 
@@ -91,7 +88,6 @@ impl Head {
 pub struct Occasion {
     /// The time of day when it begins, in UTC: `2026-11-20T14:03:22Z`.
     pub when: String,
-    /// What flies.
     pub backend: FlightBackend,
     /// The profile of who flies, by name, if there is one.
     pub profile: Option<String>,
@@ -177,7 +173,6 @@ impl RecordLine {
     }
 }
 
-/// What has changed.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 struct RecordChange {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]

@@ -26,7 +26,6 @@ const UNMARK_WITHIN_M: f64 = 15.0;
 pub(crate) struct Marks(Vec<Mark>);
 
 impl Marks {
-    /// All of them.
     pub fn all(&self) -> &[Mark] {
         &self.0
     }

@@ -20,7 +20,6 @@ pub(crate) struct Sensor {
     pub id: &'static str,
     /// The message with its name for people.
     pub name: &'static str,
-    /// What it does.
     pub work: Work,
 }
 
@@ -29,7 +28,6 @@ pub(crate) struct Sensor {
 pub(crate) enum Work {
     /// It measures where it is.
     Probe(ProbeSpec),
-    /// It finds things.
     Detector(DetectorSpec),
 }
 

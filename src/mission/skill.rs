@@ -33,7 +33,6 @@ pub enum Skill {
     K4,
     /// Behaviour when links fail, and failsafes.
     K5,
-    /// Coverage of areas.
     K6,
     /// Interpretation of sensor readings.
     K7,

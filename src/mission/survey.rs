@@ -15,7 +15,6 @@ pub(crate) struct SurveyPlan {
     pub cells: Vec<CellPlan>,
     pub side_m: f64,
     pub sensor: &'static Sensor,
-    /// How that measures.
     pub probe: &'static ProbeSpec,
     pub dwell_s: f64,
     pub max_speed_m_s: f64,
@@ -116,7 +115,6 @@ impl Surveys {
         Self(plans.map(Survey::new).collect())
     }
 
-    /// All of them.
     pub fn all(&self) -> &[Survey] {
         &self.0
     }

@@ -1,6 +1,5 @@
 //! The weather of a mission: what the file says, changed by events as the flight goes on.
 
-/// Mean wind.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Wind {
     pub speed_m_s: f64,
@@ -27,11 +26,9 @@ impl Wind {
 /// The light, which decides what cameras see.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Light {
-    /// Sun.
     Day,
     /// First or last light.
     Dawn,
-    /// Dark.
     Night,
 }
 

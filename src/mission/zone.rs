@@ -67,7 +67,6 @@ pub(crate) enum Shadow {
     Inside { loss_db: f64 },
 }
 
-/// An area.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Shape {
     Polygon(Vec<Point>),

@@ -16,9 +16,7 @@ pub enum ParameterFinding {
 /// One parameter that differs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ParameterDifference<'a> {
-    /// Its name.
     pub name: &'a str,
-    /// How.
     pub finding: ParameterFinding,
 }
 

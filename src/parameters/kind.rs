@@ -13,21 +13,13 @@ use crate::text::Text;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr)]
 #[strum(serialize_all = "lowercase")]
 pub enum ParameterType {
-    /// 8 bits, unsigned.
     Uint8,
-    /// 8 bits.
     Int8,
-    /// 16 bits, unsigned.
     Uint16,
-    /// 16 bits.
     Int16,
-    /// 32 bits, unsigned.
     Uint32,
-    /// 32 bits.
     Int32,
-    /// 64 bits, unsigned.
     Uint64,
-    /// 64 bits.
     Int64,
     /// 32 bits, floating point.
     #[strum(serialize = "float")]
@@ -46,7 +38,6 @@ pub enum ParameterUnfit {
     NotWhole(ParameterType),
     /// It lies outside of what the type holds.
     OutOfRange {
-        /// The type.
         kind: ParameterType,
         /// The least value that it holds.
         least: f64,

@@ -33,9 +33,7 @@ impl ListedParameter {
 /// What a `PARAM_VALUE` says.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HeardParameter<'a> {
-    /// The name.
     pub name: &'a str,
-    /// The value.
     pub value: f32,
     /// The type it is stored in.
     pub kind: ParameterType,
@@ -130,7 +128,6 @@ impl ParameterList {
         self.revision += 1;
     }
 
-    /// Forgets all values.
     pub fn forget(&mut self) {
         *self = Self {
             revision: self.revision + 1,

@@ -25,7 +25,6 @@ const GOOD_QUALITY: f64 = 0.9;
 pub struct Improvement {
     /// The points that it would have brought.
     pub points: u16,
-    /// What to do.
     pub text: Text,
 }
 

@@ -15,7 +15,6 @@ pub enum AlertLevel {
     Caution,
     /// It can wait half a minute.
     Warning,
-    /// It cannot wait.
     Critical,
 }
 
@@ -42,7 +41,6 @@ impl AlertLevel {
 /// One alert that had to be answered.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AlertFact {
-    /// What it said.
     pub text: Text,
     /// How much it mattered.
     pub level: AlertLevel,

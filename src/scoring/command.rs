@@ -89,16 +89,12 @@ pub struct CommandLog {
 pub enum CommandEvent {
     /// Refused or never answered.
     Rejected {
-        /// By which vehicle.
         vehicle: VehicleId,
         /// The line and the reason.
         text: Text,
     },
     /// Arming was forced or its checks were switched off.
-    Forced {
-        /// With which vehicle.
-        vehicle: VehicleId,
-    },
+    Forced { vehicle: VehicleId },
 }
 
 impl CommandLog {
@@ -168,7 +164,6 @@ impl CommandLog {
             .filter_map(|entry| Some((*self.given_at.get(&entry.id)?, entry)))
     }
 
-    /// Counts them.
     pub fn tally(&self, ledger: &Ledger) -> CommandTally {
         let mut tally = CommandTally::default();
         let mut last: BTreeMap<(VehicleId, &str), (Duration, bool)> = BTreeMap::new();

@@ -16,13 +16,10 @@ const MISSED_MANDATORY_CAP: f64 = 0.5;
 /// One part of the score.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Component {
-    /// What was reached.
     Objective,
     /// How good the product is (map, detections).
     Quality,
-    /// How fast.
     Time,
-    /// How frugal.
     Energy,
     /// Which rules were kept.
     Safety,
@@ -116,7 +113,6 @@ impl Weights {
 /// One component of a score.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ComponentScore {
-    /// Which.
     pub component: Component,
     /// Its weight after sharing out what does not apply.
     pub weight: f64,

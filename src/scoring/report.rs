@@ -79,7 +79,6 @@ pub struct Report {
     pub usage: Vec<UseReport>,
     /// How the operator handled the swarm.
     pub swarm: SwarmFigures,
-    /// What was there.
     pub truth: TruthReport,
     /// The mission that drills what this one needs, if there is one; set by the shell.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -92,12 +91,10 @@ pub struct Report {
     pub wall_time_s: Option<f64>,
 }
 
-/// One objective.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ObjectiveReport {
     /// Its id in the mission file.
     pub id: String,
-    /// Its title.
     pub title: Text,
     /// Whether the mission fails without it.
     pub mandatory: bool,
@@ -116,7 +113,6 @@ pub struct ObjectiveReport {
 /// One component of the score.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ComponentReport {
-    /// Its name.
     pub name: Text,
     /// Its weight after sharing out what does not apply.
     pub weight: f64,
@@ -124,7 +120,6 @@ pub struct ComponentReport {
     pub value: f64,
     /// Its points of 1000, to a tenth.
     pub points: f64,
-    /// What moved it.
     pub moved_by: Text,
 }
 
@@ -133,7 +128,6 @@ pub struct ComponentReport {
 pub struct LedgerReport {
     /// Mission time, in seconds.
     pub at_s: f64,
-    /// The whole line.
     pub line: String,
     /// How it went with each vehicle.
     pub rows: Vec<RowReport>,
@@ -142,9 +136,7 @@ pub struct LedgerReport {
 /// One vehicle's part in a command.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RowReport {
-    /// Which vehicle.
     pub vehicle: u16,
-    /// How it ended.
     #[serde(with = "row_state")]
     pub state: RowState,
     /// Whether that is otherwise than the operator wanted.
@@ -181,7 +173,6 @@ pub struct HintReport {
     pub at_s: f64,
     /// 1 to 3.
     pub level: u8,
-    /// What it said.
     pub text: Text,
 }
 
@@ -197,7 +188,6 @@ pub struct PredictionReport {
 /// A goal of the trainee's own.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct GoalReport {
-    /// What was wanted.
     pub text: Text,
     /// Whether it was reached.
     pub reached: bool,
@@ -212,7 +202,6 @@ pub struct AlertReport {
     pub at_s: f64,
     /// How much it mattered.
     pub level: AlertLevel,
-    /// What it said.
     pub text: Text,
     /// An answer within this time gets everything, in seconds.
     pub limit_s: f64,
@@ -225,7 +214,6 @@ pub struct AlertReport {
 /// How one vehicle was used. Times are in seconds.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct UseReport {
-    /// Which vehicle.
     pub vehicle: u16,
     /// Time in the air.
     pub airborne_s: f64,
@@ -265,7 +253,6 @@ impl From<&AlertFact> for AlertReport {
     }
 }
 
-/// Something that happened.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct EventReport {
     /// Mission time, in seconds.
@@ -274,7 +261,6 @@ pub struct EventReport {
     pub kind: EventKind,
     /// Which vehicle, where it is about one.
     pub vehicle: Option<u16>,
-    /// In words.
     pub text: Text,
 }
 

@@ -101,9 +101,7 @@ impl SafetyKind {
 /// One rule broken once.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SafetyEvent {
-    /// Which rule.
     pub kind: SafetyKind,
-    /// By whom.
     pub vehicle: VehicleId,
     /// Mission time of its beginning.
     pub at: Duration,

@@ -16,7 +16,6 @@ pub struct TruthReport {
     pub marks: Vec<MarkReport>,
     /// What of the task was not covered, by squares; their strength is 0.
     pub gaps: Vec<SquareReport>,
-    /// The pads.
     pub pads: Vec<Place>,
     /// The ways of the vehicles.
     pub tracks: Vec<TrackReport>,
@@ -25,7 +24,6 @@ pub struct TruthReport {
 /// A square of ground.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct SquareReport {
-    /// Its centre.
     pub at: Place,
     /// Length of its sides, in metres.
     pub side_m: f64,
@@ -36,7 +34,6 @@ pub struct SquareReport {
 /// A thing that could be found.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ObjectReport {
-    /// Where it is.
     pub at: Place,
     /// What it is: `mine`, `person`, `fire`, `defect`, `leak`, `source`; `decoy` for what should not be reported.
     pub kind: String,
@@ -51,7 +48,6 @@ pub struct ObjectReport {
 /// A report of the trainee's.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct MarkReport {
-    /// Where.
     pub at: Place,
     /// What it was said to be, if anything.
     pub kind: Option<String>,
@@ -62,7 +58,6 @@ pub struct MarkReport {
 /// The way of a vehicle in the air.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct TrackReport {
-    /// Which.
     pub vehicle: u16,
     /// Points of its way, at least 5 m apart.
     pub points: Vec<Place>,

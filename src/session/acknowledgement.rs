@@ -15,7 +15,6 @@ const COMMAND_ACK: u32 = 77;
 pub(super) struct Acknowledgement {
     /// The `MAV_CMD` that it answers.
     pub command: u16,
-    /// The answer.
     pub result: AckResult,
     /// How far it is with it, 0 to 100; 255 where it does not say.
     pub progress: u8,

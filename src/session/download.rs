@@ -35,13 +35,10 @@ const RESTARTS: u8 = 3;
 /// What a download is waiting for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Phase {
-    /// Nobody has asked.
     Idle,
     /// The first list has to be requested yet.
     Asking,
-    /// The list.
     Listing,
-    /// Single places.
     Filling,
     Complete,
     Stalled,

@@ -17,7 +17,6 @@ pub struct VehicleCommand {
     pub entry: EntryId,
     /// The verb it was given with: retries, precedence.
     pub verb: &'static Verb,
-    /// What to do.
     pub command: Command,
     /// What its parameter was called by whoever gave it, where the vehicle calls it differently.
     pub renamed: Option<Renamed>,
@@ -32,7 +31,6 @@ pub struct Steering {
     pub setpoint: Setpoint,
 }
 
-/// Something to report.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Report {
     /// A command has come further.

@@ -54,7 +54,6 @@ pub(super) struct Channel {
 }
 
 impl Channel {
-    /// A perfect link.
     pub fn new() -> Self {
         Self {
             fault: RadioFault::default(),

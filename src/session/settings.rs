@@ -29,14 +29,12 @@ pub enum Want {
     Parameter {
         /// As `ArduCopter` 4.6 calls it.
         name: &'static str,
-        /// The value.
         value: f64,
     },
     /// The radio link is like this.
     Radio(RadioFault),
 }
 
-/// One of them.
 #[derive(Debug, Clone)]
 struct Setting {
     value: f64,

@@ -14,7 +14,6 @@ use crate::wire::Outgoing;
 /// A message and how often it is wanted.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stream {
-    /// MAVLink message id.
     pub message: u32,
     /// Wanted rate in Hz.
     pub rate_hz: f64,
@@ -72,7 +71,6 @@ pub(super) struct Streams {
 }
 
 impl Streams {
-    /// Nothing asked yet.
     pub fn new(wanted: &'static [Stream], now: Duration) -> Self {
         Self {
             wanted,

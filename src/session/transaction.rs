@@ -39,14 +39,16 @@ enum Phase {
         rejected: bool,
     },
     /// Refused; the reason may still come.
-    AwaitingReason { result: AckResult, until: Duration },
+    AwaitingReason {
+        result: AckResult,
+        until: Duration,
+    },
     /// Accepted, or sent where no answer exists.
     AwaitingEffect {
         since: Duration,
         /// How often a setpoint, which nothing answers, has been said again.
         repeated: u8,
     },
-    /// Over.
     Over,
 }
 

@@ -26,10 +26,8 @@ pub enum FormationShape {
 }
 
 impl FormationShape {
-    /// Every shape.
     pub const ALL: &[Self] = <Self as VariantArray>::VARIANTS;
 
-    /// Its name.
     pub fn name(self) -> &'static str {
         self.into()
     }
@@ -47,7 +45,6 @@ pub struct Offset {
 /// How vehicles stand to each other, and how far apart neighbours are.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StartFormation {
-    /// The shape.
     pub shape: FormationShape,
     /// Metres between neighbours, and at least so many between any two.
     pub spacing_m: f64,

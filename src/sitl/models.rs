@@ -9,7 +9,6 @@ use super::{SitlKind, SitlUnfit};
 /// A model of SITL.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct SitlModel {
-    /// SITL's name.
     pub name: &'static str,
     pub kind: SitlKind,
     /// How many motors a multirotor has; 0 for other vehicles.

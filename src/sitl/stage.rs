@@ -22,7 +22,6 @@ use strum::{IntoStaticStr, VariantNames};
 pub enum SitlStage {
     /// Others are being started before it.
     Queued,
-    /// Its process runs.
     Process,
     /// Its autopilot has been heard.
     Heartbeat,

@@ -6,19 +6,15 @@ use crate::sim::AirframeError;
 /// What is wrong with a recipe, and what to do.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SitlUnfit {
-    /// The system id.
     #[error("system id {0} cannot be a vehicle's: use 1 to 254")]
     System(u8),
-    /// The speedup.
     #[error("SITL cannot go {0} times as fast: use 0.01 to 1000")]
     Speedup(f64),
-    /// The home.
     #[error(
         "a home is a latitude and longitude on earth, -1000 to 20000 m above sea level, and a heading; latitude 0 and \
          longitude 0 together mean none to SITL"
     )]
     Home,
-    /// The instance's number.
     #[error("instance {0} would need a port above 65535: use 0 to 5977")]
     Instance(u16),
     /// The name of a parameter.
@@ -30,7 +26,6 @@ pub enum SitlUnfit {
     /// A frame file for what is no multirotor.
     #[error("only multirotors take a frame file, and this is a {}: leave it out", .0.name())]
     AirframeOf(SitlKind),
-    /// The frame file.
     #[error("the frame file, {0}")]
     Airframe(#[from] AirframeError),
     /// There is no such model.
@@ -38,7 +33,6 @@ pub enum SitlUnfit {
     UnknownModel {
         /// What was asked for.
         name: String,
-        /// The vehicle.
         kind: SitlKind,
         /// The models that there are.
         known: Vec<&'static str>,
@@ -49,9 +43,7 @@ pub enum SitlUnfit {
         .kind.name(), .motors.map_or_else(String::new, |motors| format!(" with {motors} motors"))
     )]
     NoModel {
-        /// The vehicle.
         kind: SitlKind,
-        /// The airframe's motors.
         motors: Option<usize>,
     },
     /// The model has another number of motors than the airframe.
@@ -59,11 +51,8 @@ pub enum SitlUnfit {
         "the model {model} has {has} motors and the frame file {motors}: {}", advice(.fitting)
     )]
     Motors {
-        /// The model.
         model: &'static str,
-        /// Its motors.
         has: usize,
-        /// The airframe's.
         motors: usize,
         /// The models that fit.
         fitting: Vec<&'static str>,
@@ -74,9 +63,7 @@ pub enum SitlUnfit {
         advice(.fitting)
     )]
     Frame {
-        /// The model.
         model: &'static str,
-        /// The parameter.
         parameter: &'static str,
         /// What the model needs.
         needed: f64,

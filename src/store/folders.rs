@@ -40,7 +40,6 @@ impl Folders {
         self.config.join("keymap.toml")
     }
 
-    /// The user's themes.
     pub fn themes(&self) -> PathBuf {
         self.config.join("themes")
     }

@@ -24,7 +24,6 @@ impl History {
         }
     }
 
-    /// The file.
     pub fn path(&self) -> &Path {
         &self.path
     }

@@ -26,9 +26,7 @@ pub struct Landing {
     pub id: String,
     /// Whether its record is whole.
     pub is_recorded: bool,
-    /// When it ended.
     pub when: SystemTime,
-    /// How it counts.
     pub stake: Stake,
 }
 
@@ -62,16 +60,13 @@ impl RunEntry {
 /// A run that was finished and recorded, but not stored.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Recovery {
-    /// Whose it is.
     pub profile: String,
-    /// The mission.
     pub mission: String,
     /// What it was scored.
     pub score: u16,
 }
 
 impl Recovery {
-    /// In words.
     pub fn text(&self) -> Text {
         text!(
             "profiles-recovered",

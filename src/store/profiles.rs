@@ -52,7 +52,6 @@ pub struct Profile {
     pub name: String,
     /// When it was made, in UTC: `2026-11-20T14:03:22Z`.
     pub since: String,
-    /// What was chosen.
     pub settings: ProfileSettings,
 }
 
@@ -62,7 +61,6 @@ pub struct Profile {
 pub struct ProfileSettings {
     /// The language of the screens, if one was chosen: `en` or `uk`.
     pub lang: Option<String>,
-    /// How much helps.
     pub aids: Aids,
 }
 
@@ -209,7 +207,6 @@ impl Profiles {
         rescue::back_up(&self.connection, &self.path).map_err(|error| self.fault(error))
     }
 
-    /// The file.
     pub fn path(&self) -> &Path {
         &self.path
     }

@@ -68,7 +68,6 @@ impl Runs {
         }
     }
 
-    /// The folder.
     pub fn folder(&self) -> &Path {
         &self.folder
     }
@@ -200,7 +199,6 @@ impl RunFile {
         Err(StoreError::Unwritable { path, error })
     }
 
-    /// The file.
     pub fn path(&self) -> &Path {
         &self.path
     }

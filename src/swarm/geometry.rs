@@ -69,7 +69,6 @@ pub(super) fn assign(places: &[DVec2], vehicles: &[DVec2]) -> (Vec<usize>, f64) 
 struct Matching<'a> {
     places: &'a [DVec2],
     vehicles: &'a [DVec2],
-    /// The potentials.
     of_row: Vec<f64>,
     of_column: Vec<f64>,
     /// The row that each column is given to.

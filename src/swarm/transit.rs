@@ -29,9 +29,7 @@ pub(super) struct Leg {
 /// How far apart vehicles have to stay.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Clearance {
-    /// On the ground.
     pub aside_m: f64,
-    /// In height.
     pub above_m: f64,
 }
 

@@ -7,11 +7,8 @@ use crate::ui::ColourDepth;
 /// The variables that tell.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Environment {
-    /// `TERM`.
     pub term: String,
-    /// `COLORTERM`.
     pub colorterm: String,
-    /// `NO_COLOR`.
     pub no_color: String,
     /// The locale of characters: the first that is set of `LC_ALL`, `LC_CTYPE` and `LANG`.
     pub locale: String,

@@ -32,7 +32,6 @@ struct Writing {
 pub struct Written {
     /// How long the operating system took.
     pub took: Duration,
-    /// Its bytes.
     pub bytes: u64,
 }
 

@@ -109,7 +109,6 @@ impl fmt::Debug for Locale {
 }
 
 impl Default for Locale {
-    /// English.
     fn default() -> Self {
         Self::new(Language::English)
     }

@@ -2,7 +2,6 @@
 
 use ratatui::buffer::Buffer;
 
-/// Maps all cells.
 pub fn map(buffer: &mut Buffer) {
     for cell in &mut buffer.content {
         if !cell.symbol().is_ascii() {
@@ -12,7 +11,6 @@ pub fn map(buffer: &mut Buffer) {
     }
 }
 
-/// Maps a line.
 pub fn line(text: &str) -> String {
     text.chars().map(nearest).collect()
 }

@@ -12,9 +12,7 @@ use crate::text::{Locale, Text};
 /// Colours, words and symbols; every widget is handed one.
 #[derive(Debug, Clone, Default)]
 pub struct Look {
-    /// The styles.
     pub theme: Theme,
-    /// The words.
     pub locale: Arc<Locale>,
     /// What curves and maps are drawn with.
     pub symbols: Symbols,

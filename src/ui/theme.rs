@@ -39,19 +39,13 @@ pub enum Role {
     Accent,
     /// The first line of the screen.
     Header,
-    /// Names of keys.
     Key,
     /// The line under the cursor.
     Cursor,
-    /// Selected vehicles.
     Selected,
-    /// Works, done.
     Ok,
-    /// Plain news.
     Info,
-    /// Wants attention soon.
     Warning,
-    /// Wants attention now.
     Danger,
     /// The word of an input that is wrong.
     Error,
@@ -117,7 +111,6 @@ impl Theme {
         theme
     }
 
-    /// The theme's name.
     pub fn name(&self) -> &str {
         &self.name
     }
@@ -142,7 +135,6 @@ impl Theme {
 }
 
 impl Default for Theme {
-    /// The dark theme.
     fn default() -> Self {
         Self::named("dark").unwrap_or_else(|| Self {
             name: "plain".to_owned(),

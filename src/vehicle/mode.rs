@@ -8,13 +8,11 @@ use serde::{Deserialize, Serialize};
 /// Which mode table a vehicle uses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub enum VehicleClass {
-    /// Multirotors and helicopters.
     Copter,
     /// Fixed wing and VTOL.
     Plane,
     /// Ground vehicles and boats.
     Rover,
-    /// Underwater vehicles.
     Sub,
     /// Anything else: modes are shown by number.
     Other,

@@ -65,7 +65,6 @@ pub enum Transfer {
     /// Not asked for yet.
     #[default]
     Unasked,
-    /// On its way.
     Coming {
         /// Items that are here.
         received: u16,
@@ -98,7 +97,6 @@ impl<T: PartialEq> PartialEq for Stored<T> {
 pub enum HeightFrame {
     /// Mean sea level.
     SeaLevel,
-    /// Home.
     Home,
     /// The ground below.
     Terrain,
@@ -188,7 +186,6 @@ pub struct FencePlan {
 /// One area of a fence.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FenceArea {
-    /// Its border.
     pub shape: FenceShape,
     /// Whether the vehicle must stay inside it; otherwise outside.
     pub inclusion: bool,
@@ -200,12 +197,7 @@ pub enum FenceShape {
     /// Corners in order; the last is joined to the first.
     Polygon(Vec<LatLon>),
     /// All points at a distance.
-    Circle {
-        /// The middle.
-        center: LatLon,
-        /// The distance.
-        radius_m: f32,
-    },
+    Circle { center: LatLon, radius_m: f32 },
 }
 
 impl FencePlan {
@@ -252,7 +244,6 @@ fn corner_count(said: f32) -> usize {
     (said as usize).max(3)
 }
 
-/// Rally points.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct RallyPlan {
     /// The points, in order.
@@ -262,7 +253,6 @@ pub struct RallyPlan {
 /// A place where RTL may end.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RallyPoint {
-    /// Where.
     pub at_point: LatLon,
     /// How high, in metres above what `frame` says.
     pub altitude_m: Option<f32>,

@@ -14,13 +14,11 @@ pub struct Heartbeat {
     pub autopilot: u8,
     /// Which mode table applies.
     pub class: VehicleClass,
-    /// The flight mode.
     pub mode: Mode,
     /// Whether the motors are armed.
     pub armed: bool,
     /// The autopilot's own summary of its state.
     pub status: SystemStatus,
-    /// When it came.
     pub at: Duration,
 }
 
@@ -33,14 +31,12 @@ pub struct Attitude {
     pub pitch_deg: f32,
     /// Nose clockwise from north, 0 to 360 degrees.
     pub yaw_deg: f32,
-    /// When it came.
     pub at: Duration,
 }
 
 /// `GLOBAL_POSITION_INT`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GlobalPosition {
-    /// Where it is.
     pub at_point: LatLon,
     /// Height above mean sea level, in metres.
     pub altitude_amsl_m: f64,
@@ -54,7 +50,6 @@ pub struct GlobalPosition {
     pub down_m_s: f32,
     /// Heading, 0 to 360 degrees.
     pub heading_deg: Option<f32>,
-    /// When it came.
     pub at: Duration,
 }
 
@@ -72,14 +67,12 @@ pub struct LocalPosition {
     pub ned_m: [f32; 3],
     /// North, east, down, in m/s.
     pub velocity_m_s: [f32; 3],
-    /// When it came.
     pub at: Duration,
 }
 
 /// A place with a height.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Place {
-    /// Where.
     pub at_point: LatLon,
     /// Height above mean sea level, in metres.
     pub altitude_amsl_m: f64,
@@ -88,26 +81,22 @@ pub struct Place {
 /// Where the autopilot is heading. Parts that its type mask ignores are `None`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Target {
-    /// The target point.
     pub at_point: Option<LatLon>,
     /// Its height above home, in metres.
     pub altitude_m: Option<f64>,
     /// The target velocity north, east, down, in m/s.
     pub velocity_m_s: Option<[f32; 3]>,
-    /// When it came.
     pub at: Duration,
 }
 
 /// `GPS_RAW_INT`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Gps {
-    /// Kind of fix.
     pub fix: FixType,
     /// Satellites in use; `None` where the receiver does not say.
     pub satellites: Option<u8>,
     /// Horizontal dilution of precision; `None` where the receiver does not say.
     pub hdop: Option<f32>,
-    /// When it came.
     pub at: Duration,
 }
 
@@ -135,7 +124,6 @@ pub struct Hud {
     pub throttle_percent: u16,
     /// Heading, 0 to 360 degrees.
     pub heading_deg: f32,
-    /// When it came.
     pub at: Duration,
 }
 
@@ -150,7 +138,6 @@ pub struct Health {
     pub healthy: u32,
     /// Processor load, 0 to 100 percent; not a number where the autopilot does not know it.
     pub load_percent: f32,
-    /// When it came.
     pub at: Duration,
 }
 
@@ -164,12 +151,10 @@ impl Health {
     }
 }
 
-/// One battery pack.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Battery {
     /// The pack's id, 0 first.
     pub id: u8,
-    /// Pack voltage.
     pub voltage_v: Option<f32>,
     /// Current, discharging positive.
     pub current_a: Option<f32>,
@@ -179,7 +164,6 @@ pub struct Battery {
     pub consumed_wh: Option<f32>,
     /// Charge left, 0 to 100 percent.
     pub remaining_percent: Option<u8>,
-    /// When it came.
     pub at: Duration,
 }
 
@@ -196,7 +180,6 @@ pub struct Ekf {
     pub position_vertical_variance: f32,
     /// Test ratio of the compass innovations.
     pub compass_variance: f32,
-    /// When it came.
     pub at: Duration,
 }
 
@@ -308,11 +291,8 @@ impl LinkQuality {
 /// STATUSTEXT, chunks joined, cleaned of control characters.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct StatusText {
-    /// How serious.
     pub severity: Severity,
-    /// What it said.
     pub text: String,
-    /// When it came.
     pub at: Duration,
 }
 
@@ -320,7 +300,6 @@ pub struct StatusText {
 /// and shadows, but not to its operator.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unheard {
-    /// Where it is.
     pub at: LatLon,
     /// Height above home, in metres.
     pub altitude_m: f64,

@@ -11,13 +11,10 @@ use crate::text::Text;
 /// `MAV_STATE`: the autopilot's summary of itself.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SystemStatus {
-    /// Booting.
     Boot,
-    /// Calibrating.
     Calibrating,
     /// On the ground, ready to start.
     Standby,
-    /// Flying.
     Active,
     /// A failsafe is active.
     Critical,
@@ -60,19 +57,13 @@ impl fmt::Display for SystemStatus {
 /// `GPS_FIX_TYPE`, in order of quality.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum FixType {
-    /// No receiver.
     NoGps,
     /// Receiver without a fix.
     NoFix,
-    /// Two dimensions.
     Fix2d,
-    /// Three dimensions.
     Fix3d,
-    /// Differential.
     Dgps,
-    /// RTK, float.
     RtkFloat,
-    /// RTK, fixed.
     RtkFixed,
     /// Static or PPP fix.
     Other,
@@ -95,7 +86,6 @@ impl FixType {
 }
 
 impl FixType {
-    /// In a word.
     pub fn text(self) -> Text {
         match self {
             Self::NoGps => text!("fix-no-gps"),
@@ -122,13 +112,9 @@ pub enum LandedState {
     /// Not said.
     #[default]
     Undefined,
-    /// On the ground.
     OnGround,
-    /// In the air.
     InAir,
-    /// Taking off.
     Takeoff,
-    /// Landing.
     Landing,
 }
 
@@ -159,9 +145,7 @@ pub enum Severity {
     Warning,
     /// Unusual.
     Notice,
-    /// Normal.
     Info,
-    /// For developers.
     Debug,
 }
 

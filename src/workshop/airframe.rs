@@ -25,7 +25,6 @@ pub struct Airframe {
     pub frame: Value,
     /// The motor layout, as `--model` names it.
     pub model: &'static str,
-    /// Parameters by name.
     pub parameters: Vec<(&'static str, f64)>,
 }
 

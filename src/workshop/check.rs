@@ -82,7 +82,6 @@ pub struct DesignFinding {
     pub kind: FindingKind,
     /// The slot in which it can be mended.
     pub slot: PartSlot,
-    /// What and why.
     pub text: Text,
 }
 

@@ -29,13 +29,10 @@ pub enum Measure {
     Energy,
     /// Speed of the longest time in the air.
     EnduranceSpeed,
-    /// That time.
     Longest,
     /// Speed of the longest way.
     RangeSpeed,
-    /// That way.
     Range,
-    /// Level.
     TopSpeed,
     /// With a fade margin of 20 dB, to 50 m of height.
     RadioReach,
@@ -46,9 +43,7 @@ pub enum Measure {
 /// Which change of a figure an owner likes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Better {
-    /// More.
     More,
-    /// Less.
     Less,
     /// It depends.
     Neither,

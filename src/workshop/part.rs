@@ -18,7 +18,6 @@ pub enum PartSlot {
     Esc,
     /// One or several of one kind, in parallel.
     Battery,
-    /// The flight controller.
     Autopilot,
     /// Satellite navigation and compass.
     Navigation,
@@ -31,7 +30,6 @@ pub enum PartSlot {
 }
 
 impl PartSlot {
-    /// All of them.
     pub const ALL: [Self; 10] = [
         Self::Frame,
         Self::Motor,
@@ -102,9 +100,7 @@ impl PartSlot {
 pub struct Part {
     /// Its id in designs and mission files.
     pub id: &'static str,
-    /// Grams.
     pub mass_g: f64,
-    /// What one costs.
     pub credits: u32,
     /// What it draws when it works, in watts; motors not counted.
     pub power_w: f64,

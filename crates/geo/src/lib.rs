@@ -4,6 +4,8 @@
 //! Within 1 km of the reference the error is below 0.2 m, which is far less than a GPS fix is worth;
 //! ArduPilot's own spherical scale is 0.67 % off (6.7 m at 1 km).
 
+#![warn(missing_docs)]
+
 use serde::{Deserialize, Serialize};
 
 mod outline;

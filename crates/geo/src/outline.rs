@@ -10,9 +10,9 @@ const CIRCLE_CORNERS: u32 = 48;
 pub enum Outline {
     /// Corners in order; the last one is joined to the first.
     Polygon(Vec<LatLon>),
-    /// A circle.
+    /// All places at one distance from the centre, along the ground.
     Circle {
-        /// Its middle.
+        /// The centre, in degrees.
         centre: LatLon,
         /// Its radius in metres.
         radius_m: f64,
@@ -20,7 +20,7 @@ pub enum Outline {
 }
 
 impl Outline {
-    /// An upright square.
+    /// A square with sides that run north and east, each `side_m` metres long, around its centre.
     pub fn square(centre: LatLon, side_m: f64) -> Self {
         let half = side_m / 2.0;
         let corners = [(-half, -half), (-half, half), (half, half), (half, -half)];

@@ -151,7 +151,7 @@ pub struct Extent {
 }
 
 impl Extent {
-    /// A single place.
+    /// An extent of no size: one place, for [`Self::include`] to widen.
     pub fn at(place: LatLon) -> Self {
         Self {
             origin: place,

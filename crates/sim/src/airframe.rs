@@ -139,12 +139,12 @@ impl Airframe {
         Arc::new(Self::default())
     }
 
-    /// How many motors.
+    /// The number of motors: 4, 6, 8, 10 or 12.
     pub fn motors(&self) -> usize {
         self.figures.motors.len()
     }
 
-    /// Mass, in kilograms.
+    /// Take-off mass in kilograms (`mass` of the frame file).
     pub fn mass_kg(&self) -> f64 {
         self.figures.mass_kg
     }
@@ -229,7 +229,6 @@ impl Airframe {
         self.figures.battery_capacity_ah
     }
 
-    /// Ohms.
     pub(super) fn battery_resistance_ohm(&self) -> f64 {
         self.figures.battery_resistance_ohm
     }

@@ -64,7 +64,7 @@ enum PlanWait {
     LandingPlace,
     /// A height (metres down from the start), once the place is reached; then with the way that was left.
     Height { down_m: f64, left_m: Option<f64> },
-    /// A time.
+    /// A time since boot.
     Until(Duration),
     /// Setpoints from outside, for ever.
     Guided,

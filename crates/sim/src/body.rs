@@ -35,7 +35,6 @@ pub(super) enum Demand {
 pub(super) struct Body {
     /// Metres north, east and down from the start.
     pub(super) position_m: DVec3,
-    /// Metres per second.
     pub(super) velocity_m_s: DVec3,
     /// Metres per second squared, as it really was in the last step.
     pub(super) accel_m_s2: DVec3,

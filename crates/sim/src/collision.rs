@@ -37,7 +37,7 @@ pub struct Collision {
     pub at: Duration,
     /// The vehicle, counted from 0; of two vehicles the first.
     pub vehicle: usize,
-    /// What it met.
+    /// What the vehicle hit: an obstacle or another vehicle.
     pub with: Met,
     /// Where the vehicle was.
     pub place: LatLon,
@@ -262,7 +262,6 @@ impl Collisions {
 }
 
 impl Body {
-    /// Suffers a collision.
     pub(super) fn take(&mut self, hit: &Hit) {
         self.position_m += hit.shift_m;
         if hit.breaks {

@@ -187,7 +187,6 @@ pub(super) fn answers_first(number: u16) -> bool {
     matches!(number, cmd::GET_HOME_POSITION | cmd::GET_MESSAGE_INTERVAL)
 }
 
-/// ACCEPTED or FAILED.
 fn done(worked: bool) -> MavResult {
     if worked { ACCEPTED } else { FAILED }
 }

@@ -182,7 +182,6 @@ impl Estimator {
         flags
     }
 
-    /// The test ratios.
     pub(super) fn ratios(&self) -> Ratios {
         self.ratios
     }

@@ -58,7 +58,6 @@ pub(super) struct FailsafeRules {
 }
 
 impl FailsafeRules {
-    /// Reads the parameters.
     pub(super) fn read(all: &Parameters) -> Self {
         let seconds = |name| Duration::from_secs_f64(all.value(name).clamp(0.0, 1e6));
         Self {

@@ -44,7 +44,6 @@ pub(super) struct FenceRules {
 }
 
 impl FenceRules {
-    /// Reads the parameters.
     pub(super) fn read(all: &Parameters) -> Self {
         Self {
             is_enabled: all.value("FENCE_ENABLE") as i32 != 0,

@@ -20,10 +20,8 @@ use super::{guided, texts};
 use sortie_geo::LatLon;
 use sortie_wire::{Content, Frame, Outgoing};
 
-/// `COMMAND_ACK`.
 const COMMAND_ACK: u32 = 77;
 
-/// Handles one frame.
 pub(super) fn handle(
     autopilot: &mut Autopilot,
     transfers: &mut Transfers,

@@ -53,6 +53,8 @@
 //!   `inbound` understands it. `schedule`, `signing`, `link` and `port` are the way there; `slot` is a vehicle with its
 //!   connections. `collision` is between bodies.
 
+#![warn(missing_docs)]
+
 mod airframe;
 mod arming;
 mod auto_plan;
@@ -169,7 +171,7 @@ impl WorldConfig {
 /// Where a vehicle stands when it is switched on.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Start {
-    /// The place.
+    /// Latitude and longitude in degrees.
     pub at: LatLon,
     /// Height of the ground there, metres above mean sea level.
     pub altitude_amsl_m: f64,
@@ -182,9 +184,9 @@ pub struct Start {
 pub enum Serial {
     /// Where a cable is supposed to be: it accepts unsigned packets too.
     Zero,
-    /// A radio.
+    /// The first radio: it refuses unsigned packets once a signing key is set.
     One,
-    /// Another radio.
+    /// The second radio, with the same rules as the first.
     Two,
 }
 
@@ -226,11 +228,11 @@ pub struct Truth {
     pub armed: bool,
     /// Whether the vehicle touches the ground.
     pub on_ground: bool,
-    /// `ArduCopter`'s `custom_mode`.
+    /// The flight mode as `ArduCopter`'s `custom_mode` (0 is STABILIZE).
     pub mode: u8,
-    /// Volts.
+    /// Volts at the battery's terminals, under load.
     pub battery_voltage_v: f64,
-    /// Amperes.
+    /// Amperes drawn from the battery.
     pub battery_current_a: f64,
     /// Milliampere hours drawn since boot.
     pub battery_consumed_mah: f64,

@@ -41,7 +41,6 @@ impl Link {
         }
     }
 
-    /// Queues an answer.
     pub(super) fn reply(&mut self, message: MavMessage) {
         self.replies.push(message.into());
     }

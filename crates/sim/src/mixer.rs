@@ -16,7 +16,6 @@ const HOVER_SHARE: f64 = 0.4;
 /// The watch for a lost motor filters over this time.
 const WATCH_S: f64 = 0.5;
 
-/// The mixer's memory.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Mixer {
     /// The result: shares of the thrust range, 0 to 1.

@@ -5,7 +5,6 @@ use mavlink::{MavlinkVersion, Message as _};
 
 use sortie_wire::Content;
 
-/// The longest payload.
 const LONGEST: usize = 255;
 
 /// A received payload; what lies behind its end reads as zero.

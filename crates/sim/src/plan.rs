@@ -18,7 +18,6 @@ pub(super) struct Item {
     pub(super) z: f32,
 }
 
-/// Which list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum ListKind {
     Mission,

@@ -45,7 +45,6 @@ pub(super) struct StickRange {
 }
 
 impl RadioRules {
-    /// Reads the parameters.
     pub(super) fn read(all: &Parameters) -> Self {
         let stick = |n: usize| {
             let of = |what: &str| all.value(&format!("RC{n}_{what}"));

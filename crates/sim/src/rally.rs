@@ -19,7 +19,6 @@ pub(super) struct RallyRules {
 }
 
 impl RallyRules {
-    /// Reads the parameters.
     pub(super) fn read(all: &Parameters) -> Self {
         Self {
             limit_m: all.value("RALLY_LIMIT_KM") * 1000.0,

@@ -180,7 +180,6 @@ impl Task {
         })
     }
 
-    /// One step.
     pub(super) fn step(&mut self, cockpit: &mut Cockpit<'_>) -> Act {
         match self {
             Self::Wait => return Act::Idle,

@@ -28,7 +28,6 @@ pub(super) struct TrailRules {
 }
 
 impl TrailRules {
-    /// Reads the parameters.
     pub(super) fn read(all: &Parameters) -> Self {
         Self {
             accuracy_m: all.value("SRTL_ACCURACY").clamp(0.1, 1e4),

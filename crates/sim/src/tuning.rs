@@ -39,7 +39,6 @@ pub(crate) struct Tuning {
 }
 
 impl Tuning {
-    /// Reads the parameters.
     pub(crate) fn read(all: &Parameters) -> Self {
         let cm = |name| all.value(name) * 0.01;
         let seconds = |s: f64| Duration::from_secs_f64(s.clamp(0.0, 1e6));

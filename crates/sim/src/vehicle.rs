@@ -111,14 +111,12 @@ pub(super) struct Build {
     pub(super) start: Start,
 }
 
-/// One vehicle.
 #[derive(Debug, Clone)]
 pub(super) struct Vehicle {
     pub(super) system: u8,
     pub(super) board_id: u64,
     pub(super) parameters: Parameters,
     pub(super) tuning: Tuning,
-    /// What really flies.
     pub(super) plant: Plant,
     /// What the vehicle believes of it.
     pub(super) estimator: Estimator,

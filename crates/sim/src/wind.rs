@@ -58,7 +58,6 @@ struct Filter {
 }
 
 impl WindRules {
-    /// Reads the parameters.
     pub(super) fn read(all: &Parameters) -> Self {
         let finite = |name| all.value(name).clamp(-1e6, 1e6);
         let (sin, cos) = finite("SIM_WIND_DIR").to_radians().sin_cos();

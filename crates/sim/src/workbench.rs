@@ -113,7 +113,6 @@ impl CompassCalibration {
         self.running & mask == 0
     }
 
-    /// Breaks off.
     pub(super) fn cancel(&mut self, mask: u8) {
         self.running &= if mask == 0 { 0 } else { !mask };
     }

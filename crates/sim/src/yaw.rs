@@ -17,12 +17,14 @@ const COURSE_MIN_M_S: f64 = 0.5;
 /// What the nose does.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum YawDemand {
-    /// Keeps its heading.
     Hold,
     /// Turns to the course over ground.
     Course,
     /// Turns by what is left (signed degrees) at a rate in degrees per second.
-    Turn { left_deg: f64, rate_deg_s: f64 },
+    Turn {
+        left_deg: f64,
+        rate_deg_s: f64,
+    },
     /// Turns for ever, degrees per second, clockwise positive.
     Rate(f64),
     /// Turns as a pilot's stick says, degrees per second; the limit of the autopilot's own turns does not count.
@@ -53,7 +55,6 @@ pub(super) struct YawControl {
 }
 
 impl YawControl {
-    /// Keeps a heading.
     pub(super) fn holding(yaw_deg: f64) -> Self {
         Self {
             demand: YawDemand::Hold,

@@ -18,7 +18,7 @@ pub struct Anatomy<'a> {
     pub component: ComponentId,
     /// The sender's sequence number.
     pub sequence: u8,
-    /// The message id.
+    /// The message id: 0 to 255 in MAVLink 1, 24 bits in MAVLink 2.
     pub id: u32,
     /// The payload as it was sent: in MAVLink 2 without the zeros at its end.
     pub payload: &'a [u8],

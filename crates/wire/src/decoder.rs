@@ -67,7 +67,7 @@ enum Candidate {
 }
 
 impl Decoder {
-    /// An empty decoder.
+    /// A decoder that has seen no bytes: all counters are zero.
     pub fn new() -> Self {
         Self::default()
     }

@@ -27,7 +27,7 @@ pub enum Outgoing {
 }
 
 impl Outgoing {
-    /// The message id.
+    /// The message id that goes into the frame's header.
     pub fn id(&self) -> u32 {
         match self {
             Self::Message(message) => message.message_id(),

@@ -4,6 +4,8 @@
 //! a console that is used to debug links has to say what it dropped and why: the crate's reader skips bad
 //! CRCs, unknown message ids and noise without a trace.
 
+#![warn(missing_docs)]
+
 use mavlink::dialects::ardupilotmega::{
     HEARTBEAT_DATA, MavAutopilot, MavMessage, MavModeFlag, MavState, MavType,
 };
@@ -62,7 +64,7 @@ pub struct Frame {
     pub signed: bool,
     /// Bytes on the wire, header, checksum and signature included.
     pub wire_len: u16,
-    /// What it says.
+    /// The payload, decoded as far as the dialect knows it.
     pub content: Content,
 }
 
@@ -78,7 +80,7 @@ pub enum Content {
     /// An id of the dialect whose payload holds an enum value that the dialect lacks (a vehicle type or a
     /// command newer than this program). Its CRC was right; fields can be read by hand.
     Undecoded {
-        /// The message id.
+        /// The message id in the header.
         id: u32,
         /// The payload in wire order, extended with zeros to the longest that there is.
         payload: Box<[u8; 255]>,
@@ -86,7 +88,7 @@ pub enum Content {
     /// An id that the dialect lacks. Its checksum cannot be verified, so nothing may be concluded from the
     /// frame; only its place in its sender's numbering is worth noting.
     Unknown {
-        /// The message id.
+        /// The message id in the header.
         id: u32,
     },
 }
@@ -99,7 +101,7 @@ impl Frame {
 }
 
 impl Content {
-    /// The message id.
+    /// The message id in the header.
     pub fn id(&self) -> u32 {
         match self {
             Self::Message(message) => message.message_id(),

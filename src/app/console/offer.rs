@@ -11,15 +11,12 @@ use crate::text::Text;
 /// The names that words of a console line may be, besides vehicles.
 #[derive(Debug, Clone, Copy)]
 pub struct Names<'a> {
-    /// The themes.
     pub themes: &'a [String],
     /// The missions: id and title.
     pub missions: &'a [MissionListing],
     /// What an instructor may have happen in the mission; `None` without one under way.
     pub injects: Option<&'a [Inject]>,
-    /// The macros.
     pub macros: &'a BTreeMap<String, Vec<String>>,
-    /// The groups.
     pub groups: &'a Groups,
 }
 

@@ -34,7 +34,6 @@ pub struct ConsoleVerb {
 }
 
 impl ConsoleVerb {
-    /// What it does.
     pub fn summary(&self) -> Text {
         Text::new(format!("console-{}", self.name), Vec::new())
     }
@@ -43,9 +42,7 @@ impl ConsoleVerb {
 /// Which whole lines the command line offers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Offered {
-    /// None.
     None,
-    /// The verb alone.
     Alone,
     /// The verb with each word that could follow.
     Words,
@@ -67,7 +64,6 @@ pub enum InPlain {
 /// What the console without a screen can say.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PlainAnswer {
-    /// How vehicles are.
     Status,
     /// How the mission stands.
     Objectives,
@@ -75,15 +71,10 @@ pub enum PlainAnswer {
     Contacts,
     /// What can be said.
     Help,
-    /// The links.
     Links,
-    /// The commands.
     Ledger,
-    /// The notices.
     Notices,
-    /// The processes.
     Hangar,
-    /// The mission's brief.
     Brief,
 }
 

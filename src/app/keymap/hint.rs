@@ -11,7 +11,6 @@ use crate::text::Text;
 /// What some keys do, for the last line of the screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct KeyHint {
-    /// The keys.
     pub keys: HintKeys,
     /// The message that says what they do.
     pub about: &'static str,

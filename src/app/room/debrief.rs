@@ -27,10 +27,8 @@ pub const TEXT_WIDTH: u16 = 80;
 /// Columns from which on the truth is shown beside it.
 const TRUTH_LEAST: u16 = 60;
 
-/// A debrief.
 #[derive(Debug, Clone)]
 pub struct Debrief {
-    /// The result.
     pub report: Box<Report>,
     /// The first line shown.
     pub scroll: usize,

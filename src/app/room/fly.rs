@@ -184,7 +184,6 @@ pub fn sorted_by(state: &State) -> TableSort {
     state.config.table.sort
 }
 
-/// Orders the table.
 pub fn set_sort(state: &mut State, sort: TableSort) {
     state.config.table.sort = sort;
     arrange(state);

@@ -34,7 +34,6 @@ pub enum HomeItem {
     ArduPilot,
     /// Connect to vehicles elsewhere.
     Connect,
-    /// Leave the program.
     Quit,
 }
 

@@ -31,7 +31,6 @@ pub struct Ledger {
 /// Which commands are shown, by what became of them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Outcome {
-    /// All of them.
     #[default]
     Any,
     /// Those that went wrong with some vehicle.

@@ -53,7 +53,6 @@ pub struct Messages {
 /// What came by one link.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LinkTraffic {
-    /// The link's address.
     pub name: String,
     /// When this was, on the clock of the link's census.
     pub now: Duration,

@@ -8,12 +8,7 @@ pub enum RoomRequest {
     /// The shell does something.
     Effect(Effect),
     /// The shell does something that ends the session; the question is asked where something would be lost.
-    EndSession {
-        /// What would happen.
-        question: Text,
-        /// What is done.
-        effect: Effect,
-    },
+    EndSession { question: Text, effect: Effect },
     /// A mission is started.
     Fly(Launch),
     /// The exam of the mission with this id is started.

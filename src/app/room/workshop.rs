@@ -39,7 +39,6 @@ pub use shelf::{Stored, heard, is_saved, lay, stored};
 pub struct Workshop {
     /// What lies on the bench.
     pub bench: Bench,
-    /// What is shown.
     pub page: Page,
     /// Which list of the bench has the cursor.
     pub pane: Pane,
@@ -57,13 +56,10 @@ pub struct Workshop {
     pub fit: Option<Fit>,
 }
 
-/// What is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Page {
-    /// The bench.
     #[default]
     Bench,
-    /// All designs.
     Designs,
     /// Another design beside the one on the bench.
     Compare,
@@ -77,7 +73,6 @@ pub enum Pane {
     /// What is built in.
     #[default]
     Slots,
-    /// What could be.
     Parts,
 }
 
@@ -87,7 +82,6 @@ pub enum View {
     /// Figures, and what speaks against the design.
     #[default]
     Figures,
-    /// Power by speed.
     Polar,
     /// Hover time by payload.
     Payload,

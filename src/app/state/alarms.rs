@@ -14,7 +14,6 @@ const FLICKER: Duration = Duration::from_secs(10);
 /// An alert of one vehicle.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Standing {
-    /// What is wrong.
     pub alert: Alert,
     /// Since when it is as serious as it is, on the program's clock.
     pub since: Duration,

@@ -41,7 +41,6 @@ pub struct BellCall {
 /// What is due now.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Due {
-    /// The bell.
     pub ring: bool,
     /// A note to the desktop.
     pub note: Option<Text>,

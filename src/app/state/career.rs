@@ -12,7 +12,6 @@ mod outlook;
 /// Who trains here, and how far they have come. The shell hands in a new one after every change.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Career {
-    /// The trainee's name.
     pub name: String,
     /// Everything flown and bought, oldest first.
     pub history: Vec<CareerEntry>,

@@ -9,9 +9,7 @@ use crate::vehicle::Vehicle;
 /// What a row is ordered by.
 #[derive(Debug, Clone, PartialEq)]
 pub enum SortKey {
-    /// A figure.
     Number(f64),
-    /// A word.
     Word(String),
     /// Not known: last in either direction.
     Missing,

@@ -37,7 +37,6 @@ impl VehicleFilter {
         )
     }
 
-    /// Whether everything fits.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }

@@ -8,7 +8,6 @@ use crate::vehicle::VehicleId;
 /// A process and the vehicle that it simulates.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Instance {
-    /// The vehicle.
     pub vehicle: VehicleId,
     /// The service that it runs by; `None` is this program.
     pub host: Option<String>,

@@ -20,13 +20,11 @@ const NOTE_WIDTH: usize = 66;
 /// One line of the help.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum HelpLine {
-    /// A heading.
     Title(String),
     /// Something to press or write, and what it does.
     Entry(String, String),
     /// An explanation below an entry.
     Note(String),
-    /// Space between.
     Blank,
 }
 

@@ -8,7 +8,6 @@ use crate::wire::{ComponentId, SystemId};
 /// What a link counts.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct LinkSummary {
-    /// Its address.
     pub name: String,
     /// Its state in words, such as `up` or `down, next try in 4 s`.
     pub state: Text,

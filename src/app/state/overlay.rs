@@ -15,25 +15,20 @@ use crate::workshop::Design;
 /// An overlay. It takes the keys while it is there.
 #[derive(Debug, Clone)]
 pub enum Overlay {
-    /// The command line.
     Palette(Palette),
     /// A question before something dangerous.
     Confirm(Confirm),
     /// A line that is asked for.
     Prompt(Prompt),
-    /// Who trains here.
     Profiles {
         /// The line under the cursor.
         cursor: usize,
     },
-    /// Keys and verbs.
     Help {
         /// The first line shown.
         scroll: usize,
     },
-    /// All notices.
     Log {
-        /// Which of them.
         log: Log,
         /// The entry under the cursor; `None` is the newest, also when newer ones come.
         cursor: Option<usize>,
@@ -43,7 +38,6 @@ pub enum Overlay {
 /// What can be looked back through.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Log {
-    /// The notices.
     Notices,
 }
 
@@ -86,7 +80,6 @@ pub struct Confirm {
     pub typed: String,
     /// Whether a wrong key has taken the thing back.
     pub cancelled: bool,
-    /// What then happens.
     pub then: Consequence,
 }
 
@@ -116,7 +109,6 @@ pub enum Consequence {
 /// One value for some vehicles.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ParameterSetting {
-    /// The parameter's name.
     pub name: String,
     /// The value to take.
     pub value: f32,
@@ -153,7 +145,6 @@ pub struct Prompt {
 }
 
 impl Prompt {
-    /// An empty one.
     pub fn new(purpose: Purpose) -> Self {
         Self {
             purpose,
@@ -176,7 +167,6 @@ pub enum Purpose {
     Filter(Room),
     /// A parameter's new value.
     Parameter {
-        /// The parameter.
         name: String,
         /// The vehicles that shall take it.
         vehicles: Vec<VehicleId>,

@@ -16,7 +16,6 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Vehicle, VehicleClass, VehicleId, Vehicles};
 
-/// A session.
 #[derive(Debug, Clone, Default)]
 pub struct Session {
     /// What is being done; `None` between sessions.
@@ -73,19 +72,11 @@ pub struct Session {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Activity {
     /// A mission with the given id.
-    Mission {
-        /// Its id.
-        id: String,
-        /// Its name.
-        title: Text,
-    },
+    Mission { id: String, title: Text },
     /// Simulated vehicles without a task.
     Free,
     /// Vehicles elsewhere.
-    Connected {
-        /// Where they are.
-        addresses: Vec<String>,
-    },
+    Connected { addresses: Vec<String> },
 }
 
 impl Activity {

@@ -65,7 +65,6 @@ fn requested(state: &mut State, requests: Vec<RoomRequest>) -> Vec<Effect> {
     effects
 }
 
-/// Shows a room.
 pub fn show(state: &mut State, room: Room) {
     state.hush();
     state.room = room;

@@ -96,7 +96,6 @@ fn log(words: std::fmt::Arguments<'_>) {
     let _ = writeln!(io::stderr(), "sortie hangar: {words}");
 }
 
-/// Serves until interrupted.
 pub(super) fn serve(options: &ServeArguments, settings: &CliSettings) -> Result<ExitCode, Failure> {
     settings.complain();
     let config = config(options, settings)?;

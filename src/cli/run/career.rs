@@ -43,7 +43,6 @@ pub(super) struct CareerOutcome {
 }
 
 impl CareerOutcome {
-    /// As a document.
     pub fn document(self) -> CareerDocument {
         CareerDocument {
             profile: self.profile,

@@ -25,7 +25,6 @@ pub struct PlainOutput {
 }
 
 impl PlainOutput {
-    /// Begins to write.
     pub fn start(is_person: bool) -> Self {
         let (pieces, to_write) = sync_channel::<String>(LINES_WAITING);
         let (result, outcome) = channel();

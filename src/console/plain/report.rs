@@ -223,7 +223,6 @@ fn objective_text(objective: &ObjectiveProgress) -> Text {
     }
 }
 
-/// The mission's progress.
 fn objectives(state: &State) -> Vec<Text> {
     let Some(mission) = &state.session.mission else {
         return vec![text!("mission-none")];
@@ -326,7 +325,6 @@ fn vehicle_text(vehicle: &Vehicle, state: &State) -> Text {
     )
 }
 
-/// The last commands.
 fn ledger(state: &State) -> Vec<Text> {
     let entries = state.session.ledger.entries();
     let skipped = entries.len().saturating_sub(LISTED);
@@ -351,7 +349,6 @@ fn links(state: &State) -> Vec<Text> {
     links.chain(ailments).collect()
 }
 
-/// The last notices.
 fn notices(state: &State) -> Vec<Text> {
     let lines = state.notices.lines();
     let skipped = lines.len().saturating_sub(LISTED);

@@ -10,7 +10,6 @@ use crate::hangar::service::PORT;
 pub struct HangarAddress {
     /// A name or an address; that of IPv6 without its brackets.
     pub host: String,
-    /// The TCP port.
     pub port: u16,
 }
 

@@ -40,17 +40,11 @@ pub(in crate::hangar) enum LaunchError {
     Memory {
         /// What was to be started.
         program: PathBuf,
-        /// The limit.
         memory_mib: u64,
     },
     /// Its folder cannot be entered.
     #[error("its folder {folder} cannot be entered: {source}")]
-    NoFolder {
-        /// The folder.
-        folder: PathBuf,
-        /// Why.
-        source: io::Error,
-    },
+    NoFolder { folder: PathBuf, source: io::Error },
     /// The system has no room for another process.
     #[error(
         "the system allows no more processes or open files ({0}): stop some, or raise ulimit -u and ulimit -n"
@@ -63,17 +57,13 @@ pub(in crate::hangar) enum LaunchError {
     Stub {
         /// The path of this program.
         sortie: PathBuf,
-        /// Why.
         source: io::Error,
     },
-    /// Something else.
     #[error("{program} cannot be started: {what}: {source}")]
     Other {
         /// What was to be started.
         program: PathBuf,
-        /// What was tried.
         what: &'static str,
-        /// Why it failed.
         source: io::Error,
     },
     /// The hangar is being closed.

@@ -29,7 +29,6 @@ const TAIL_LEN: usize = 400;
 /// What a program of SITL is.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct ProgramIdentity {
-    /// The vehicle.
     pub kind: SitlKind,
     /// The version, `4.6.0-dev`.
     pub version: String,
@@ -45,28 +44,20 @@ pub enum Unknown {
     /// It cannot be a program.
     #[error("{}: {reason}", file.display())]
     NoProgram {
-        /// The file.
         file: PathBuf,
         /// What is wrong with it.
         reason: String,
     },
     /// The host has no scratch folder or port for it.
     #[error("cannot try {}: {error}", file.display())]
-    Host {
-        /// The file.
-        file: PathBuf,
-        /// Why.
-        error: io::Error,
-    },
+    Host { file: PathBuf, error: io::Error },
     /// The host cannot run it.
     #[error("{0}")]
     Start(String),
     /// It has ended instead.
     #[error("{} is no SITL: it has ended ({status}){}", file.display(), said(.output))]
     Ended {
-        /// The file.
         file: PathBuf,
-        /// How.
         status: ExitStatus,
         /// What it printed last.
         output: String,
@@ -74,7 +65,6 @@ pub enum Unknown {
     /// It prints without end.
     #[error("{} is no SITL: it prints without end{}", file.display(), said(.output))]
     Flood {
-        /// The file.
         file: PathBuf,
         /// What it printed last.
         output: String,
@@ -82,7 +72,6 @@ pub enum Unknown {
     /// It has not said anything that makes sense.
     #[error("{} has not said what it is within {patience:?}: it is no SITL, or it hangs{}", file.display(), said(.output))]
     Silent {
-        /// The file.
         file: PathBuf,
         /// How long it had.
         patience: Duration,
@@ -92,7 +81,6 @@ pub enum Unknown {
     /// It is a vehicle that the hangar does not start.
     #[error("{} is {vehicle}, and not one of copter, plane, rover and sub", file.display())]
     OtherVehicle {
-        /// The file.
         file: PathBuf,
         /// What it calls itself.
         vehicle: String,

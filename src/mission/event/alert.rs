@@ -18,7 +18,6 @@ pub(crate) struct Alerts {
 /// An alert that waits for its answer.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OpenAlert {
-    /// What it says.
     pub text: Text,
     /// How much it matters.
     pub level: AlertLevel,

@@ -17,7 +17,6 @@ use crate::vehicle::VehicleId;
 pub struct Demand {
     /// To which one.
     pub vehicle: VehicleId,
-    /// What.
     pub want: Want,
 }
 
@@ -80,7 +79,6 @@ impl Wishes {
         self.0.extend(all);
     }
 
-    /// Satellite navigation fails.
     pub fn jam(&mut self) {
         self.0.insert(GPS_DISABLED, 1.0);
     }
@@ -98,7 +96,6 @@ impl Wishes {
         self.0.insert(GLITCH_EAST, east);
     }
 
-    /// Something is broken.
     pub fn broken(&mut self, broken: &Broken, origin: LatLon) {
         match broken.kind {
             FaultKind::Motor => {

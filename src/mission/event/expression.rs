@@ -96,7 +96,6 @@ impl Expression {
         parse::condition(source, names).map(Self)
     }
 
-    /// Whether it holds.
     pub fn holds(&self, scope: &Scope<'_>) -> bool {
         self.0.value(scope) == Value::Bool(true)
     }

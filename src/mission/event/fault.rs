@@ -15,7 +15,6 @@ pub(crate) struct Fault {
     pub lasts: Option<Duration>,
 }
 
-/// What breaks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum FaultKind {
     /// A motor gives this share of its thrust.
@@ -58,7 +57,6 @@ impl FaultKind {
 pub(crate) enum Victim {
     /// The vehicle of this place, from 0.
     One(usize),
-    /// Everybody.
     All,
     /// One of those that fly, by chance.
     Chance,

@@ -24,10 +24,8 @@ pub(crate) struct Spawn {
     pub jitter_m: f64,
 }
 
-/// What moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MoverKind {
-    /// Somebody on foot.
     Person,
     /// An aircraft with people on board.
     Aircraft,

@@ -18,7 +18,6 @@ const APPROACH_M: f64 = 600.0;
 /// The same for people.
 const WALK_M: f64 = 40.0;
 
-/// One of them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Standard {
     /// More wind for a while.
@@ -29,7 +28,6 @@ pub(crate) enum Standard {
     GnssJam,
     /// No radio for a while.
     LinkLoss,
-    /// A weak motor.
     MotorFail,
     /// A battery that the cold has weakened.
     BatteryCold,
@@ -55,7 +53,6 @@ impl Standard {
         ("aircraft", Self::Aircraft),
     ];
 
-    /// Their names.
     pub fn names() -> [&'static str; Self::ALL.len()] {
         Self::ALL.map(|(name, _)| name)
     }
@@ -87,7 +84,6 @@ impl Standard {
         }
     }
 
-    /// What it does.
     pub(super) fn actions(self, mission: &Mission) -> Vec<Action> {
         let deed = self.deed(mission);
         // Of what breaks on board, the telemetry tells.

@@ -22,7 +22,6 @@ impl Element {
         ("weather.temp_c", Self::Temperature, -40.0..=60.0),
     ];
 
-    /// Their names.
     pub fn names() -> Vec<&'static str> {
         Self::ALL.iter().map(|(name, ..)| *name).collect()
     }
@@ -87,7 +86,6 @@ impl Change {
 /// What something changes to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Target {
-    /// This.
     Value(f64),
     /// So much more than now.
     More(f64),

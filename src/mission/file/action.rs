@@ -68,7 +68,6 @@ const LEVELS: [(&str, AlertLevel); 3] = [
     ("critical", AlertLevel::Critical),
 ];
 
-/// One action.
 pub(super) fn action(table: &mut FileTable<'_>) -> Option<Action> {
     table.need_one_of("an action", ACTIONS)
 }

@@ -32,7 +32,6 @@ impl MissionAdvice {
     }
 }
 
-/// One `[[hints]]`.
 pub(super) fn advice(table: &mut FileTable<'_>) -> Option<OneAdvice> {
     let phase = table.may(
         "phase",

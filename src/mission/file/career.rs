@@ -14,7 +14,6 @@ use crate::workshop;
 const MOST_NAMES: usize = 50;
 /// No mission brings more.
 const MOST_CREDITS: u32 = 100_000;
-/// The highest difficulty.
 const HIGHEST_TIER: u32 = 3;
 
 const MEDALS: [(&str, Medal); 3] = [

@@ -25,7 +25,6 @@ struct WrittenTrigger {
     by: Option<()>,
 }
 
-/// One event.
 pub(super) fn event(table: &mut FileTable<'_>) -> Option<Event> {
     let id = table.need("id", text(""), "other events and conditions name it");
     if let Some(id) = &id {
@@ -124,7 +123,6 @@ pub(super) fn known_event(draft: &mut Draft, name: &Spanned<String>) -> Option<u
     found
 }
 
-/// An expression.
 pub(super) fn condition() -> ConditionValue {
     ConditionValue
 }

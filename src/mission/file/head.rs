@@ -24,7 +24,6 @@ pub(super) struct FileHead {
 }
 
 impl FileHead {
-    /// Reads it.
     pub fn need(table: &mut FileTable<'_>) -> Option<Self> {
         let schema = table.need("schema", SchemaVersion, "version of the format");
         let id_form = mission_id();

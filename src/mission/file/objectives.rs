@@ -3,7 +3,6 @@
 use crate::mission::format::{FileTable, flag, number};
 use crate::mission::objective::{self, Objective};
 
-/// One objective.
 pub(super) fn objective(table: &mut FileTable<'_>) -> Option<Objective> {
     let id = table.need_id("objectives");
     let title = table.need_text("title", "for people");

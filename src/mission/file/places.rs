@@ -2,7 +2,6 @@
 
 use crate::mission::format::{Draft, FileTable, NamedPlace, point, text_by};
 
-/// One of them.
 pub(super) fn place(table: &mut FileTable<'_>) -> Option<NamedPlace> {
     let id_form = text_by(
         "2 to 32 letters, digits, `-` and `_`, beginning with a letter",

@@ -8,7 +8,6 @@ const HIGHEST_M: f64 = 10_000.0;
 /// Corners of one polygon.
 const MOST_CORNERS: usize = 1000;
 
-/// One zone.
 pub(super) fn zone(table: &mut FileTable<'_>) -> Option<Zone> {
     let id = table.need_id("zones");
     let shape = shape(table);

@@ -30,7 +30,6 @@ impl FlightJournal {
         self.now
     }
 
-    /// Tells a human.
     pub fn tell(&mut self, vehicle: Option<VehicleId>, severity: Severity, text: Text) {
         self.notices.push(Notice {
             at: self.now,

@@ -45,7 +45,6 @@ pub(super) fn facts(flight: &Flight, standings: &[ObjectiveStanding]) -> Facts {
     }
 }
 
-/// The report.
 pub(super) fn report(flight: &Flight, ledger: &Ledger) -> Report {
     let mut facts = facts(flight, &flight.standings());
     // Rows may have ended after the last step.

@@ -78,7 +78,6 @@ impl Search {
         self.marks.all()
     }
 
-    /// Reports something.
     pub fn mark(&mut self, mark: Mark) -> Done {
         if self.marks.add(mark) {
             Ok(Some(text!("deed-marked", count = self.marks().len())))

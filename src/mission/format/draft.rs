@@ -34,7 +34,6 @@ pub(in crate::mission) struct Draft {
     pub declared: Declared,
 }
 
-/// A named point.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::mission) struct NamedPlace {
     pub name: String,

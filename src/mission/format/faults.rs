@@ -29,7 +29,6 @@ impl FileFaults {
         self.push(Diagnostic::new(place, message));
     }
 
-    /// Adds a fault.
     pub fn push(&mut self, fault: Diagnostic) {
         self.found.push(fault);
     }

@@ -428,6 +428,5 @@ impl FileTable<'_> {
 pub(in crate::mission) struct ObjectiveTarget {
     /// The measure that is all of it.
     pub met_at: f64,
-    /// Where points begin.
     pub partial_from: f64,
 }

@@ -177,7 +177,6 @@ pub(super) fn spaced(unit: &str) -> String {
 #[derive(Debug, Clone, Copy)]
 pub(in crate::mission) struct FlagValue;
 
-/// True or false.
 pub(in crate::mission) const fn flag() -> FlagValue {
     FlagValue
 }
@@ -347,7 +346,6 @@ pub(in crate::mission) struct PointsValue<const N: usize> {
     fault: fn(&str) -> String,
 }
 
-/// A point.
 pub(in crate::mission) const fn point() -> PointsValue<2> {
     PointsValue {
         form: "[east, north]",
@@ -373,7 +371,6 @@ pub(in crate::mission) const fn gate() -> PointsValue<3> {
     }
 }
 
-/// A rectangle.
 pub(in crate::mission) const fn area() -> PointsValue<4> {
     PointsValue {
         form: "[west, south, east, north]",

@@ -17,7 +17,6 @@ pub(crate) enum Stability {
 /// What the ground is like.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Terrain {
-    /// Open country.
     Open,
     /// Built over.
     Urban,

@@ -76,13 +76,11 @@ pub(crate) struct Fire {
     wind: Wind,
     /// What detectors see of it, one for each block of cells.
     objects: Vec<Object>,
-    /// Where smoke rises.
     smoke: Vec<Plume>,
     /// Chance in what loads do; nothing else depends on it.
     luck: ChaCha8Rng,
 }
 
-/// The kind `fire`.
 pub(super) const KIND: KindOf<Box<dyn Hazard>> = KindOf {
     name: "fire",
     about: "a fire that runs over cells with the wind",

@@ -32,7 +32,6 @@ struct Flood {
     nodes: Vec<Point>,
 }
 
-/// The kind `flood`.
 pub(super) const KIND: KindOf<Box<dyn Hazard>> = KindOf {
     name: "flood",
     about: "water that rises about houses with people on their roofs; who has no vest when the water comes is lost",

@@ -42,7 +42,6 @@ struct Strung {
     points: Vec<(Point, f64)>,
 }
 
-/// The kind `line`.
 pub(super) const KIND: KindOf<Box<dyn Hazard>> = KindOf {
     name: "line",
     about: "a power line on pylons, with defects and stains on its wire",

@@ -21,7 +21,6 @@ struct Minefield {
 #[derive(Debug)]
 struct Laid(Vec<Object>);
 
-/// The kind `minefield`.
 pub(super) const KIND: KindOf<Box<dyn Hazard>> = KindOf {
     name: "minefield",
     about: "mines and scrap in the ground of a zone",

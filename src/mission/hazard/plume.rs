@@ -69,7 +69,6 @@ struct PlumeField {
     random: ChaCha8Rng,
 }
 
-/// The kind `plume`.
 pub(super) const KIND: KindOf<Box<dyn Hazard>> = KindOf {
     name: "plume",
     about: "a cloud that lies with the wind (Gauss; in calm air a cloud about its source)",

@@ -49,7 +49,6 @@ struct PuffsField {
     since_last_s: f64,
 }
 
-/// The kind `puffs`.
 pub(super) const KIND: KindOf<Box<dyn Hazard>> = KindOf {
     name: "puffs",
     about: "the same as `plume` in single puffs that drift apart, so the cloud bends where the wind has turned",

@@ -19,7 +19,6 @@ const NEAREST_M: f64 = 0.5;
 /// More sources or walls than this would slow a step down.
 const MOST_PARTS: usize = 50;
 
-/// What shines.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Isotope {
     Caesium137,
@@ -72,7 +71,6 @@ struct RadiationField {
     objects: Vec<Object>,
 }
 
-/// The kind `radiation`.
 pub(super) const KIND: KindOf<Box<dyn Hazard>> = KindOf {
     name: "radiation",
     about: "gamma sources behind walls",
@@ -190,7 +188,6 @@ impl Field for RadiationField {
 }
 
 impl GammaSource {
-    /// In air alone.
     fn dose_rate_usv_h(&self, at: Point, height_m: f64) -> f64 {
         let (per_gbq, absorbed_per_m) = self.isotope.constants();
         let level = (at[0] - self.at[0]).hypot(at[1] - self.at[1]);

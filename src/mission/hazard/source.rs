@@ -16,11 +16,8 @@ pub(super) const UG_PER_G: f64 = 1e6;
 pub(super) enum Substance {
     /// The vapour of a solvent.
     Vapour,
-    /// Carbon monoxide.
     Monoxide,
-    /// Natural gas.
     Methane,
-    /// Smoke.
     Smoke,
 }
 
@@ -54,7 +51,6 @@ pub(super) struct LeakPlan {
 /// By how much the seed varies a source.
 #[derive(Debug, Clone, Copy, Default)]
 struct Jitter {
-    /// On each axis.
     position_m: f64,
     /// As a share.
     rate: f64,

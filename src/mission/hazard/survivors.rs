@@ -29,7 +29,6 @@ struct Survivors {
     lasts: Option<Weibull<f64>>,
 }
 
-/// The kind `survivors`.
 pub(super) const KIND: KindOf<Box<dyn Hazard>> = KindOf {
     name: "survivors",
     about: "people somewhere in a zone, and animals that look like them from far",

@@ -3,12 +3,10 @@
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
-/// The process.
 #[derive(Debug, Clone)]
 pub(super) struct Wander {
     /// Where it is now.
     pub value: f64,
-    /// Its standard deviation.
     spread: f64,
     /// How long it remembers.
     tau_s: f64,

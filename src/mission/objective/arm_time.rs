@@ -36,7 +36,6 @@ impl Arming {
     }
 }
 
-/// The kind `arm_time`.
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "arm_time",
     about: "met when every vehicle is armed soon after it was ready",

@@ -51,7 +51,6 @@ struct Sweep {
     passed_m2: f64,
 }
 
-/// The kind `coverage`.
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "coverage",
     about: "met when a working strip of one of the sensors went over this share of the cells; a sensor works where half of its best is left",

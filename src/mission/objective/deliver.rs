@@ -8,7 +8,6 @@ use crate::mission::world::World;
 use crate::text;
 use crate::text::Text;
 
-/// What is delivered.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum What {
     Kit,
@@ -27,7 +26,6 @@ struct Deliver {
     partial_from: u32,
 }
 
-/// The kind `deliver`.
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "deliver",
     about: "met when so many people have a kit in time, or so many nodes stand in their places",

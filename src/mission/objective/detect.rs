@@ -40,7 +40,6 @@ pub(crate) struct DetectTally {
     pub repeated: usize,
 }
 
-/// The kind `detect`.
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "detect",
     about: "met when the F-measure of the reports is as high. It makes a product",

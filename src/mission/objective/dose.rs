@@ -26,7 +26,6 @@ struct DoseTracker {
     gathered_usv: BTreeMap<VehicleId, f64>,
 }
 
-/// The kind `dose`.
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "dose",
     about: "met when no vehicle has gathered more radiation; twice as much is worth nothing",

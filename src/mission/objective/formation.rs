@@ -35,7 +35,6 @@ struct FormationTracker {
     kept_s: f64,
 }
 
-/// The kind `formation`.
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "formation",
     about: "met when the middle of all vehicles went through the gates, and for a share of the way each had its nearest neighbour so far away",

@@ -32,7 +32,6 @@ struct HoverHold {
     best_s: f64,
 }
 
-/// The kind `hover`.
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "hover",
     about: "met when every vehicle has stayed in its place in the air without a break",

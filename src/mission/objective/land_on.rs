@@ -17,7 +17,6 @@ struct LandOn {
     count: usize,
 }
 
-/// The kind `land_on`.
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "land_on",
     about: "met when so many vehicles stand at the place, disarmed",

@@ -24,7 +24,6 @@ struct LinkObjective {
     target: ObjectiveTarget,
 }
 
-/// The kind `link`.
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "link",
     about: "met when vehicles worked so long in the zone, and this share of it were heard so well",

@@ -42,7 +42,6 @@ struct LocateReports {
     astray: usize,
 }
 
-/// The kind `locate`.
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "locate",
     about: "met when each source or leak was reported so near, which is told after landing. It makes a product",

@@ -32,7 +32,6 @@ struct MapTracker {
     target: ObjectiveTarget,
 }
 
-/// The kind `map_error`.
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "map_error",
     about: "met when the map of a survey is so near to the truth: the root of the mean square of the error, divided by the mean; a cell without a sample counts as 0. It makes a product",

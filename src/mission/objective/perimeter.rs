@@ -36,7 +36,6 @@ struct PerimeterTracker {
     fits: Vec<f64>,
 }
 
-/// The kind `perimeter`.
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "perimeter",
     about: "met when at these times the map of what burns, drawn by what the camera saw, fits the truth: common area divided by joint area, mean of all times. It makes a product",

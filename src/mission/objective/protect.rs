@@ -22,7 +22,6 @@ struct Contain {
     target: ObjectiveTarget,
 }
 
-/// The kind `protect`.
 pub(super) const PROTECT: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "protect",
     about: "met when nothing in the zone has burnt",
@@ -38,7 +37,6 @@ fn read_protect(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     }))
 }
 
-/// The kind `contain`.
 pub(super) const CONTAIN: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "contain",
     about: "met when no larger share has burnt of what would burn if nobody did anything",

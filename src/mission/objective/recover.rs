@@ -17,7 +17,6 @@ struct Recover {
     battery_percent: f64,
 }
 
-/// The kind `recover`.
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "recover",
     about: "met when all vehicles are back on the pads, disarmed, with so much battery; nearly every mission has it",

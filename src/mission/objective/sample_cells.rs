@@ -19,7 +19,6 @@ struct SampleCells {
     partial_from: u32,
 }
 
-/// The kind `sample_cells`.
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "sample_cells",
     about: "met when so many cells were sampled: for so long in each, not faster, at these heights",

@@ -28,7 +28,6 @@ struct Standoff {
     too_near: Duration,
 }
 
-/// The kind `standoff`.
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "standoff",
     about: "met when of the time near the line this share was at the right distance",

@@ -53,7 +53,6 @@ impl Stop {
     }
 }
 
-/// The kind `gates`.
 pub(super) const GATES: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "gates",
     about: "met when somebody went through each gate, in their order; only one objective of a mission may have gates",
@@ -68,7 +67,6 @@ fn read_gates(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     }))
 }
 
-/// The kind `visit`.
 pub(super) const VISIT: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "visit",
     about: "met when somebody was at each of the places, in any order",

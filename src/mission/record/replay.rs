@@ -17,7 +17,6 @@ use crate::workshop::Design;
 /// A record as it was read.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stored {
-    /// What was flown.
     pub head: Head,
     /// What is wrong with the rest of the file: up to where it could be read.
     pub damage: Option<Text>,

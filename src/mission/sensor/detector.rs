@@ -7,7 +7,6 @@ use crate::mission::weather::Light;
 pub(crate) enum DetectorSpec {
     /// It feels what lies right below it.
     Ground(Ground),
-    /// It takes pictures.
     Camera(Camera),
 }
 
@@ -54,7 +53,6 @@ pub(crate) struct Camera {
 /// The light that a camera sees.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Band {
-    /// What eyes see.
     Visible,
     /// Warmth.
     Thermal,

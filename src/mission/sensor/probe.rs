@@ -11,9 +11,7 @@ use crate::mission::ground_truth::Quantity;
 /// How a sensor measures.
 #[derive(Debug, PartialEq)]
 pub(crate) struct ProbeSpec {
-    /// What it measures.
     pub quantity: Quantity,
-    /// What it shows.
     pub unit: &'static str,
     /// Reading per unit of the quantity.
     pub gain: f64,
@@ -32,7 +30,6 @@ pub(crate) enum Response {
     Inlet(Noise),
     /// A beam through all that is between it and the ground; the reading is per metre of it, added up.
     Beam(Noise),
-    /// It counts.
     Counter {
         /// Counts per second and unit of the reading.
         per_unit_s: f64,
@@ -115,7 +112,6 @@ impl Probe {
         self.shown = shown.clamp(0.0, self.spec.ceiling);
     }
 
-    /// A first-order lag.
     fn settle(&mut self, reading: f64, tau_s: f64, dt_s: f64) {
         self.settled += (reading - self.settled) * (1.0 - (-dt_s / tau_s).exp());
     }

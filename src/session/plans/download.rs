@@ -40,7 +40,6 @@ pub(super) struct Download {
 /// How a download stands.
 #[derive(Debug, PartialEq)]
 pub(super) enum Step {
-    /// It goes on.
     Going,
     /// All items are here.
     Done(Vec<PlanItem>),

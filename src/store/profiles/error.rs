@@ -12,15 +12,9 @@ use crate::text::Text;
 #[error("{}", self.text())]
 pub enum ProfileError {
     /// The folder or the file cannot be read or written.
-    Unusable {
-        /// The file.
-        path: PathBuf,
-        /// Why not.
-        error: io::Error,
-    },
+    Unusable { path: PathBuf, error: io::Error },
     /// A newer version of the program made it.
     Newer {
-        /// The file.
         path: PathBuf,
         /// The version of its tables.
         found: i32,
@@ -29,14 +23,11 @@ pub enum ProfileError {
     },
     /// The database says no.
     Database {
-        /// The file.
         path: PathBuf,
-        /// What it says.
         error: rusqlite::Error,
     },
     /// It holds something that this program did not write.
     Damaged {
-        /// The file.
         path: PathBuf,
         /// What is wrong with it.
         fault: String,
@@ -45,14 +36,10 @@ pub enum ProfileError {
     Unknown {
         /// Who was asked for.
         name: String,
-        /// Who there is.
         known: Vec<String>,
     },
     /// There is one of this name.
-    Exists {
-        /// Which.
-        name: String,
-    },
+    Exists { name: String },
     /// The name is none.
     Name,
     /// A file that should be a profile is none.
@@ -65,7 +52,6 @@ pub enum ProfileError {
 }
 
 impl ProfileError {
-    /// In words.
     pub fn text(&self) -> Text {
         let shown = |path: &Path| path.display().to_string();
         match self {

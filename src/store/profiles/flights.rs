@@ -37,7 +37,6 @@ pub struct PastRun {
     pub revision: u32,
     /// Seed of hazards and sensors.
     pub seed: u64,
-    /// What flew.
     pub backend: FlightBackend,
     /// The recorded run's file, if it was recorded.
     pub recording: Option<String>,

@@ -28,7 +28,6 @@ pub struct Rescue {
 }
 
 impl Rescue {
-    /// In words.
     pub fn text(&self) -> Text {
         let damaged = self.damaged.display().to_string();
         let fault = self.fault.as_str();

@@ -124,7 +124,6 @@ impl ProfileFile {
             .or_else(|| designs.find_map(|row| faulty_line("design", &row.name)))
     }
 
-    /// As a document.
     pub fn write(&self) -> String {
         serde_json::to_string_pretty(self).unwrap_or_default() + "\n"
     }

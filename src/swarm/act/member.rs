@@ -9,7 +9,6 @@ use crate::ledger::RowState;
 use crate::swarm::geometry::length_m;
 use crate::vehicle::VehicleId;
 
-/// One vehicle's part.
 #[derive(Debug, Clone)]
 pub(in crate::swarm) struct Member {
     pub id: VehicleId,
@@ -80,7 +79,6 @@ pub(in crate::swarm) enum Phase {
     Cross,
     /// Everybody goes to where its work begins.
     Sink,
-    /// The work itself.
     Work,
 }
 

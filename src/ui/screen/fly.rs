@@ -27,7 +27,6 @@ const NOTICES_MOST: u16 = 10;
 /// Rows that the ledger keeps below a map.
 const LEDGER_LEAST: u16 = 6;
 
-/// Draws the panes.
 pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     alerts::draw(state, look, upper(area, alerts::height(state)), buffer);
     let area = below(area, alerts::height(state));

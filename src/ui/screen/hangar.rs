@@ -23,7 +23,6 @@ const FIGURES: usize = 32;
 /// Columns of a host at most.
 const HOST: usize = 24;
 
-/// Draws it.
 pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let Some(hangar) = &state.session.hangar else {
         return empty(look, area, buffer);

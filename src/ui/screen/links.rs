@@ -24,7 +24,6 @@ const LOSSES_SHOWN: usize = 5;
 /// Rows of a history curve.
 const CURVE_ROWS: u16 = 2;
 
-/// Draws it.
 pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let links = &state.session.links;
     if links.is_empty() {

@@ -13,7 +13,6 @@ use crate::ui::theme::Role;
 use crate::ui::widget::map::{draw as draw_map, draw_legend, length};
 use crate::ui::widget::{below, columns, put, row_of, upper, urgent};
 
-/// Draws it.
 pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let map = &state.rooms.map;
     let pane = upper(area, area.height.saturating_sub(1));

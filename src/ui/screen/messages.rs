@@ -24,7 +24,6 @@ const WIDE_TREE: u16 = 62;
 /// From this width on, the tree is wide.
 const WIDE: u16 = 112;
 
-/// Draws it.
 pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let room = &state.rooms.messages;
     let tree_width = if area.width >= WIDE {

@@ -27,7 +27,6 @@ const STATUS_ROWS: u16 = 2;
 /// The list keeps at least so many rows.
 const LIST_LEAST: u16 = 8;
 
-/// Draws the room.
 pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let Some(vehicle) = state.session.cursor else {
         let line = Line::styled(look.say("parameters-no-vehicle"), look.style(Role::Muted));

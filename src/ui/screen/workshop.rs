@@ -33,7 +33,6 @@ const FIGURES_ROWS: u16 = Measure::ALL.len() as u16 + 1;
 /// Rows of what speaks against a design, where something follows below.
 const FINDINGS_ROWS: u16 = 10;
 
-/// Draws the room.
 pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     match state.rooms.workshop.page {
         Page::Bench if area.width >= WIDE => draw_wide(state, look, area, buffer),

@@ -9,9 +9,7 @@ pub enum ColourDepth {
     None,
     /// The sixteen basic ones.
     Sixteen,
-    /// xterm's 256.
     Indexed,
-    /// 24 bit.
     True,
 }
 

@@ -17,7 +17,6 @@ pub struct Themes {
 pub struct ThemeFile {
     /// Under which faults in it are reported.
     pub path: String,
-    /// What it says.
     pub text: String,
 }
 
@@ -29,7 +28,6 @@ pub enum ThemeError {
     Unknown {
         /// What was asked for.
         name: String,
-        /// What there is.
         known: String,
         /// The name that may have been meant, with the words around it.
         guess: String,
@@ -37,7 +35,6 @@ pub enum ThemeError {
     /// Its file is wrong.
     #[error("{}", one_by_one(file, faults))]
     Faulty {
-        /// The file.
         file: ThemeFile,
         /// Every fault, with its place.
         faults: Vec<Diagnostic>,

@@ -15,18 +15,15 @@ const EIGHTHS: [char; 9] = [' ', '▁', '▂', '▃', '▄', '▅', '▆', '▇'
 const BAR: usize = 4;
 const STEP: usize = 6;
 
-/// One bar.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bar {
     /// How high it is.
     pub value: f64,
     /// What stands below it: five letters at most.
     pub label: String,
-    /// How it looks.
     pub style: Style,
 }
 
-/// A chart.
 #[derive(Debug, Clone, Copy)]
 pub struct Bars<'a> {
     /// The bars from the left; the last ones are shown where not all fit.

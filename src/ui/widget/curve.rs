@@ -20,7 +20,6 @@ pub struct Curve<'a> {
     pub low: f64,
     /// What is drawn at the top.
     pub high: f64,
-    /// Its colour.
     pub style: Style,
 }
 

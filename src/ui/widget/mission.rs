@@ -33,7 +33,6 @@ pub fn height(progress: &Progress, width: u16, look: &Look) -> u16 {
     (1 + progress.objectives.len() + readings + counts(progress).len() + grid + hint) as u16
 }
 
-/// Draws the pane.
 pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let Some(progress) = &state.session.mission else {
         return;

@@ -72,7 +72,6 @@ fn draw_lines(lines: Vec<(String, Role)>, look: &Look, area: Rect, buffer: &mut 
     }
 }
 
-/// Draws the table.
 pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let session = &state.session;
     let fly = &state.rooms.fly;

@@ -10,9 +10,9 @@ use super::{Figures, layout};
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("line {line}, column {column}: {what}")]
 pub struct AirframeError {
-    /// Counted from 1.
+    /// The line of the file, counted from 1.
     pub line: usize,
-    /// Counted from 1.
+    /// The column in that line, in characters, counted from 1.
     pub column: usize,
     /// What is wrong, and what is expected.
     pub what: String,

@@ -2,7 +2,6 @@
 
 use glam::DVec3;
 
-/// One motor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Motor {
     /// Metres forward, right and down from the centre.

@@ -44,7 +44,6 @@ pub(crate) struct ArmingRules {
 }
 
 impl ArmingRules {
-    /// Reads the parameters.
     pub(crate) fn read(all: &Parameters) -> Self {
         Self {
             checks: all.value("ARMING_CHECK") as i64 as u32,

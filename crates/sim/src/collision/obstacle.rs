@@ -16,7 +16,7 @@ const CELLS_MAX: f64 = 4096.0;
 pub struct Obstacle {
     /// Where the middle of its foot is.
     pub placement: Placement,
-    /// Its outline.
+    /// Its outline seen from above, around that place.
     pub shape: Shape,
     /// From its foot upwards, in metres.
     pub height_m: f64,
@@ -29,7 +29,7 @@ pub enum Placement {
     Ned([f64; 3]),
     /// A place on the earth.
     Global {
-        /// The place.
+        /// Latitude and longitude in degrees.
         at: LatLon,
         /// Metres above mean sea level.
         altitude_amsl_m: f64,
@@ -39,18 +39,18 @@ pub enum Placement {
 /// The outline of an obstacle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Shape {
-    /// A box.
+    /// A rectangle, so that the obstacle is a box.
     Box {
         /// From one end to the other, metres.
         length_m: f64,
-        /// Across, metres.
+        /// Across its length, metres.
         width_m: f64,
         /// Where its length points, degrees clockwise from north.
         heading_deg: f64,
     },
-    /// An upright cylinder.
+    /// A circle, so that the obstacle is an upright cylinder.
     Cylinder {
-        /// Metres.
+        /// From its middle to its edge, metres.
         radius_m: f64,
     },
 }

@@ -7,7 +7,6 @@ use crate::autopilot::Autopilot;
 use crate::autopilot::telemetry;
 use crate::link::Link;
 
-/// `MISSION_CURRENT`.
 const MISSION_CURRENT: u32 = 42;
 
 pub(super) fn start(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -> MavResult {

@@ -13,7 +13,6 @@ const GATE_MGAUSS: f64 = 151.6;
 /// The test ratio of a good compass in flight.
 pub(super) const GOOD: f64 = 0.03;
 
-/// The estimator's compass.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Compass {
     /// Counted from 0.

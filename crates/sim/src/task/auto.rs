@@ -41,7 +41,6 @@ pub(crate) struct AutoRules {
 }
 
 impl AutoRules {
-    /// Reads the parameters.
     pub(crate) fn read(all: &Parameters) -> Self {
         let bit = |name: &str, bit: i32| (all.value(name) as i32) & bit != 0;
         let accel = (all.value("WPNAV_ACCEL") * 0.01).clamp(0.05, 1000.0);
@@ -183,7 +182,6 @@ impl Route {
         }
     }
 
-    /// Where it goes.
     pub(crate) fn goal_m(&self) -> DVec3 {
         self.this.to_m
     }

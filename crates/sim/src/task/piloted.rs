@@ -38,14 +38,13 @@ const DRIFT_ASSIST: f64 = 0.18;
 /// How the sticks fly the vehicle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 enum Style {
-    /// Lean and throttle.
     #[default]
     Stabilize,
-    /// Rates and throttle.
+    /// The sticks set rates of turn and throttle.
     Acro,
     /// Lean forward, turn with the roll stick, throttle with help.
     Drift,
-    /// Lean and climb.
+    /// The sticks set lean and climb rate; the height is held when they are let go.
     HoldHeight,
     /// Lean and climb; brakes and holds the place when let go.
     HoldPlace,

@@ -18,7 +18,6 @@ const REACHED_M: f64 = 0.05;
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Takeoff {
     since: Duration,
-    /// Where it ends.
     pub(crate) goal_m: DVec3,
     lifted: bool,
     /// Whether the height was reached.

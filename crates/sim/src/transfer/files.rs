@@ -48,7 +48,6 @@ struct Burst {
     reply: Reply,
 }
 
-/// The file server.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Files {
     disk: Disk,

@@ -10,7 +10,6 @@ use crate::parameters::{Kind, Parameter, Parameters};
 const MAGIC: u16 = 0x671B;
 const MAGIC_WITH_DEFAULTS: u16 = 0x671C;
 const HEADER: usize = 6;
-/// The longest name.
 const NAME: usize = 16;
 /// Bytes per parameter that a file is announced with before it is packed.
 const ESTIMATE: usize = 12;

@@ -10,14 +10,11 @@ use crate::text;
 use crate::text::Text;
 use crate::workshop::{Part, part};
 
-/// One fact.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fact {
     /// What it is about.
     pub name: Text,
-    /// What it says.
     pub what: Text,
-    /// How it looks.
     pub tone: Tone,
 }
 

@@ -20,7 +20,6 @@ const LOOK_EVERY: Duration = Duration::from_secs(5);
 /// Whatever is farther away than this does not belong to the scene: a wrong position, or another country.
 const FARTHEST_M: f64 = 100_000.0;
 
-/// The frame.
 #[derive(Debug, Clone, Default)]
 pub struct Overview {
     frame: Option<Extent>,

@@ -21,7 +21,6 @@ pub struct Samples {
 pub struct SampleField {
     /// What the sensor is called.
     pub name: Text,
-    /// Its unit.
     pub unit: &'static str,
     origin: LatLon,
     side_m: f64,

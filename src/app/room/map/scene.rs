@@ -11,11 +11,9 @@ use crate::vehicle::{FencePlan, FenceShape, Vehicle};
 /// A line on the map, or a single point.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sketch {
-    /// What it means.
     pub kind: SketchKind,
     /// What it is called; may be empty.
     pub label: String,
-    /// Its points.
     pub points: Vec<LatLon>,
     /// Whether the last point is joined to the first.
     pub closed: bool,

@@ -73,7 +73,6 @@ pub fn measured(state: &mut State, progress: &Progress) {
     }
 }
 
-/// Time has passed.
 pub fn tick(state: &mut State) {
     if state.rooms.map.overview.is_due(state.now) {
         let places = places(state);

@@ -16,13 +16,11 @@ const MOST_POINTS: usize = 3000;
 pub struct Pin {
     /// The link, by its number.
     pub link: usize,
-    /// The message.
     pub key: TallyKey,
     /// The field's place in the message.
     pub field: usize,
     /// `ATTITUDE.roll`.
     pub title: String,
-    /// Its unit.
     pub unit: &'static str,
     /// Times on the link's clock, and values; oldest first.
     pub points: VecDeque<(Duration, f64)>,

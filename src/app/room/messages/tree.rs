@@ -78,7 +78,6 @@ type Systems = BTreeMap<Node, BTreeMap<Node, Vec<Branch>>>;
 /// One line of the tree.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Branch {
-    /// Where it is.
     pub node: Node,
     /// How much comes, of all that hangs on it.
     pub rate: Rate,

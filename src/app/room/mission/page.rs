@@ -32,9 +32,7 @@ const POINTS: usize = 7;
 pub enum Tone {
     /// A heading with a rule.
     Title,
-    /// Text.
     Plain,
-    /// An explanation.
     Muted,
     /// An objective that is met.
     Met,
@@ -49,9 +47,7 @@ pub enum Tone {
 /// One line of the room.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PageLine {
-    /// How it looks.
     pub tone: Tone,
-    /// What it says.
     pub text: String,
 }
 

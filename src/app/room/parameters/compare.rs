@@ -15,7 +15,6 @@ use crate::vehicle::{Severity, VehicleId};
 /// What the vehicle under the cursor is compared with.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Comparison {
-    /// The other side.
     pub with: Other,
     /// Names whose mark the user has turned over.
     turned: BTreeSet<String>,
@@ -28,14 +27,11 @@ pub struct Comparison {
 /// The other side of a comparison.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Other {
-    /// A file.
     File {
         /// Its path, as it was written.
         path: String,
-        /// What it says.
         values: BTreeMap<String, f32>,
     },
-    /// Another vehicle.
     Vehicle(VehicleId),
 }
 

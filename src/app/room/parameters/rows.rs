@@ -12,7 +12,6 @@ use crate::vehicle::VehicleId;
 /// One line of the list.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row<'a> {
-    /// The name.
     pub name: &'a str,
     /// The parameter of the vehicle that is shown, if it has it.
     pub now: Option<ListedParameter>,

@@ -32,7 +32,6 @@ type Kept = (Design, Option<String>);
 /// A line of the list of slots: parts of one kind in one slot.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SlotRow {
-    /// The slot.
     pub slot: PartSlot,
     /// What is in it; `None` where something could be added.
     pub part: Option<&'static Part>,
@@ -43,7 +42,6 @@ pub struct SlotRow {
 /// A part that could go into the slot under the cursor.
 #[derive(Debug, Clone)]
 pub struct Candidate {
-    /// The part.
     pub part: &'static Part,
     /// How many of it the slot holds already.
     pub on_board: usize,
@@ -74,7 +72,6 @@ impl Default for Bench {
 }
 
 impl Bench {
-    /// The design.
     pub fn design(&self) -> &Design {
         &self.design
     }
@@ -84,7 +81,6 @@ impl Bench {
         self.origin.as_deref()
     }
 
-    /// Its figures.
     pub fn sheet(&self) -> &Sheet {
         &self.sheet
     }
@@ -223,7 +219,6 @@ impl Bench {
         (self.design, self.origin) = (design, origin);
     }
 
-    /// Computes everything anew.
     pub fn renew(&mut self, air: Air) {
         self.sheet = Sheet::of(&self.design, air);
         self.findings = self.design.findings_with(self.sheet.figures.as_ref());

@@ -44,7 +44,6 @@ pub fn bill(state: &State, mission: &Listing) -> u32 {
         .sum()
 }
 
-/// What actions do.
 pub(super) fn act(state: &mut State, action: Action) -> Option<Vec<RoomRequest>> {
     let count = mission(state).map_or(0, |mission| mission.vehicles);
     match action {

@@ -14,7 +14,6 @@ use crate::workshop::{Design, Sheet};
 /// A design that is kept.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stored<'a> {
-    /// The design.
     pub design: &'a Design,
     /// Whether it is the trainee's own.
     pub is_own: bool,
@@ -76,7 +75,6 @@ pub fn lay(state: &mut State, design: Design) {
     room.pane = super::Pane::Slots;
 }
 
-/// A new design.
 pub(super) fn begin(state: &mut State) {
     let name = state.locale.say("bench-new-name");
     open(state, Design::new(name));

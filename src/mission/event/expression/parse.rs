@@ -52,7 +52,6 @@ const LEVELS: [Level; 5] = [
 /// The level of comparisons, which cannot be chained.
 const COMPARISONS: usize = 2;
 
-/// Reads a condition.
 pub(super) fn condition(
     source: &str,
     names: &ExpressionNames<'_>,

@@ -7,7 +7,6 @@ use crate::diagnostic::Diagnostic;
 /// A longer expression is none that somebody has written.
 pub(in crate::mission) const LONGEST: usize = 1000;
 
-/// One word.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum ExpressionToken {
     Number(f64),

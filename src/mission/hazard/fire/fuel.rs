@@ -7,7 +7,6 @@ use crate::mission::weather::Wind;
 pub(crate) enum Fuel {
     /// Cured grass.
     Grass,
-    /// Shrubs.
     Shrub,
     /// Litter under trees.
     Timber,

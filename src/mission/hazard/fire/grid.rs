@@ -41,13 +41,11 @@ pub(crate) enum CellState {
     Unburnt(f64),
     /// It has burnt for so many seconds.
     Burning(f64),
-    /// It has burnt.
     Burnt,
     /// It is wet and will not burn.
     Wet,
 }
 
-/// One cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct FireCell {
     pub fuel: Fuel,
@@ -59,7 +57,6 @@ pub(super) struct FireCell {
 /// A rectangle of ground in square cells, row by row from the south-west.
 #[derive(Debug, Clone)]
 pub(crate) struct FireGrid {
-    /// Its south-west corner.
     pub corner: Point,
     pub columns: usize,
     pub rows: usize,

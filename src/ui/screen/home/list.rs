@@ -32,7 +32,6 @@ enum Sign {
     Next,
     /// It was passed, and trains a skill that is due.
     Due,
-    /// It was passed.
     Passed,
     /// It may not be flown yet.
     Locked,

@@ -25,7 +25,6 @@ const INDENT: usize = 4;
 /// A line of the pane, and the field that it belongs to.
 type Row = (Option<usize>, Line<'static>);
 
-/// Draws the pane.
 pub(super) fn draw(
     state: &State,
     selected: Option<Selected<'_>>,

@@ -18,7 +18,6 @@ const MASS: usize = 9;
 const PRICE: usize = 10;
 const NAME: usize = 28;
 
-/// Draws the list.
 pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let inner = titled(&look.say("bench-designs"), look, area, buffer);
     let all = stored(state);

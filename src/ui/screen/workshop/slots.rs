@@ -22,7 +22,6 @@ const ROOMY: usize = 50;
 const MASS: usize = 8;
 const PRICE: usize = 8;
 
-/// Draws the list.
 pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let room = &state.rooms.workshop;
     let name = look.text(&Text::verbatim(room.bench.design().name.clone()));

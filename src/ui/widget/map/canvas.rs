@@ -30,16 +30,13 @@ pub struct Canvas {
 /// How a line looks: lines that mean different things differ also without colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Stroke {
-    /// Its role.
     pub role: Role,
     /// So many dots are drawn.
     pub on: u32,
-    /// Of so many.
     pub of: u32,
 }
 
 impl Stroke {
-    /// An unbroken line.
     pub const fn solid(role: Role) -> Self {
         Self { role, on: 1, of: 1 }
     }
@@ -75,7 +72,6 @@ impl Stroke {
 }
 
 impl Canvas {
-    /// An empty one.
     pub fn new((columns, rows): (u16, u16), symbols: Symbols) -> Self {
         let count = usize::from(columns) * usize::from(rows);
         Self {

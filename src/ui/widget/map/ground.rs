@@ -60,11 +60,8 @@ pub const BURNT: Stroke = Stroke::solid(Role::Danger);
 
 /// A text at a cell.
 pub struct Label {
-    /// Where it begins.
     pub cell: (u16, u16),
-    /// What it says.
     pub text: String,
-    /// How it looks.
     pub role: Role,
 }
 

@@ -16,7 +16,6 @@ const SHADES: [char; 4] = ['░', '▒', '▓', '█'];
 /// The same in ASCII, where digits can be read best.
 const DIGITS: [char; 9] = ['1', '2', '3', '4', '5', '6', '7', '8', '9'];
 
-/// Draws a field.
 pub fn draw(field: &SampleField, look: &Look, view: &Viewport, area: Rect, buffer: &mut Buffer) {
     let shades = shades(look.symbols);
     let top = field.top();

@@ -8,11 +8,8 @@ use crate::ui::widget::width;
 
 /// A column as it is shown.
 pub struct Shown {
-    /// Which one.
     pub column: Column,
-    /// Its heading.
     pub title: String,
-    /// Its width.
     pub width: u16,
     /// Numbers stand at the right.
     pub right: bool,

@@ -100,7 +100,6 @@ fn sensors(autopilot: &Autopilot) -> [u32; 3] {
     [present, enabled, healthy & !failed(autopilot)]
 }
 
-/// What has failed.
 fn failed(autopilot: &Autopilot) -> u32 {
     let faults = &autopilot.vehicle.tuning.faults;
     let failures = [

@@ -14,7 +14,6 @@ use sortie_geo::{wrap_180, wrap_360};
 
 /// Only the position is meant, and only the velocity is meant.
 const POSITION_ONLY: u16 = 0x0DF8;
-/// Velocity with acceleration.
 const VELOCITY_ONLY: u16 = 0x0C07;
 
 pub(super) fn home_position(autopilot: &Autopilot) -> Option<MavMessage> {

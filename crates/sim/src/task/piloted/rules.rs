@@ -37,7 +37,6 @@ impl PilotRules {
         self.hover
     }
 
-    /// Reads the parameters.
     pub(crate) fn read(all: &Parameters) -> Self {
         let cm = |name| (all.value(name) * 0.01).clamp(0.05, 1000.0);
         let lean_max_rad = (all.value("ANGLE_MAX") * 0.01)
