@@ -20,6 +20,7 @@ use crate::verb::Verb;
 mod argument;
 mod complete;
 mod form;
+mod ids;
 mod lexer;
 mod manual;
 mod parse;
@@ -35,6 +36,7 @@ mod tests;
 
 pub use argument::{Argument, Kind, Unit};
 pub use complete::{Completion, complete, hint};
+pub use ids::{parse_ranges, ranges};
 pub use lexer::{Word, comment_start, words};
 pub use manual::manual;
 pub use parse::parse;
@@ -44,11 +46,14 @@ pub use targets::Targets;
 pub use verb::{Form, Meaning, Scope, VerbRow};
 pub use wait::{Field, Findings, Relation, Seen, Situation, Until, Wait};
 
+/// Named groups of vehicles, by their names without the `@`.
+pub type Groups = BTreeMap<String, Vec<VehicleId>>;
+
 /// What the words of a line may refer to.
 #[derive(Debug, Clone, Copy)]
 pub struct Context<'a> {
-    /// Named groups of vehicles, without the `@`.
-    pub groups: &'a BTreeMap<String, Vec<VehicleId>>,
+    /// The groups that there are.
+    pub groups: &'a Groups,
     /// Named places; a name with blanks in it cannot be said. `None` when nobody knows yet, and then every name
     /// will do: such a line is good to be checked, but a command that it builds leads nowhere.
     pub places: Option<&'a BTreeMap<String, LatLon>>,
@@ -62,7 +67,7 @@ pub struct Context<'a> {
     pub parameters: Option<&'a ParameterList>,
 }
 
-static NO_GROUPS: BTreeMap<String, Vec<VehicleId>> = BTreeMap::new();
+static NO_GROUPS: Groups = BTreeMap::new();
 static NO_PLACES: BTreeMap<String, LatLon> = BTreeMap::new();
 static NO_AREAS: BTreeMap<String, Outline> = BTreeMap::new();
 

@@ -1,9 +1,9 @@
 //! sortie: a terminal ground-control and training console for drone swarms.
 //!
 //! # Code map
-//! Dependencies point down only, and the parts of a module depend on each other one way only (those of [`app`] not
-//! yet): `tests/it/layering.rs` reads the sources and enforces both. It looks at modules and their direct parts. What
-//! others can use as well are libraries of the workspace, below everything else.
+//! Dependencies point down only, and the parts of a module depend on each other one way only:
+//! `tests/it/layering.rs` reads the sources and enforces both. It looks at modules and their direct parts. What others
+//! can use as well are libraries of the workspace, below everything else.
 //!
 //! | layer | module | home of |
 //! | --- | --- | --- |

@@ -25,7 +25,6 @@ mod filter;
 mod hangar;
 mod help;
 mod history;
-mod ids;
 mod links;
 mod notices;
 mod overlay;
@@ -46,7 +45,6 @@ pub use filter::VehicleFilter;
 pub use hangar::{Hangar, Instance, SitlStage};
 pub use help::{HelpLine, SHORT_USAGE, command_help, help_lines};
 pub use history::{Channel, Histories, History, Window};
-pub use ids::{parse_ranges, ranges};
 pub use links::LinkSummary;
 pub use notices::{NoticeLine, NoticeLog};
 pub use overlay::{Confirm, Consequence, Log, Overlay, Palette, ParameterSetting, Prompt, Purpose};
@@ -331,5 +329,3 @@ impl<R> State<R> {
 }
 
 pub type Selection = BTreeSet<VehicleId>;
-/// Named groups of vehicles.
-pub type Groups = BTreeMap<String, Vec<VehicleId>>;

@@ -16,6 +16,7 @@ mod files;
 mod hangar;
 mod keys;
 mod links;
+mod macros;
 mod mission;
 mod offer;
 mod order;

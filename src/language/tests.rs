@@ -20,7 +20,7 @@ static LANES: std::sync::LazyLock<BTreeMap<String, Outline>> = std::sync::LazyLo
     BTreeMap::from([("lane".to_owned(), Outline::square(corner, 100.0))])
 });
 
-pub(super) fn groups() -> BTreeMap<String, Vec<VehicleId>> {
+pub(super) fn groups() -> Groups {
     BTreeMap::from([("red".to_owned(), vec![1, 3]), ("none".to_owned(), vec![])])
 }
 
@@ -30,10 +30,7 @@ fn read(line: &str) -> Result<Statement, crate::diagnostic::Diagnostic> {
     parse(line, &context(&groups, &places))
 }
 
-pub(super) fn context<'a>(
-    groups: &'a BTreeMap<String, Vec<VehicleId>>,
-    places: &'a BTreeMap<String, LatLon>,
-) -> Context<'a> {
+pub(super) fn context<'a>(groups: &'a Groups, places: &'a BTreeMap<String, LatLon>) -> Context<'a> {
     Context {
         groups,
         places: Some(places),

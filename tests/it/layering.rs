@@ -47,9 +47,6 @@ const IMPURE: &[&str] = &[
     "rand::rng",
 ];
 
-/// Modules whose parts are still in a cycle. Nothing may be added here.
-const STILL_IN_CYCLES: &[&str] = &["sortie::app"];
-
 /// The code of each top-level module of the program, and of each other crate of the workspace, by file. Crates are
 /// re-exported as modules, under their names without `sortie_`.
 fn top_level() -> BTreeMap<String, Vec<ModuleSource>> {
@@ -121,26 +118,19 @@ fn dependencies_point_down() {
 #[test]
 fn the_parts_of_a_module_depend_on_each_other_one_way_only() {
     let mut faults = Vec::new();
-    let mut clean: BTreeSet<&str> = STILL_IN_CYCLES.iter().copied().collect();
     for (parent, uses) in uses(&modules()) {
         // The crate and the modules right below its root.
         if parent.split("::").count() > 2 {
             continue;
         }
-        let in_cycle: Vec<String> = uses
+        let in_cycle = uses
             .iter()
-            .filter(|((user, used), _)| reaches(&uses, used, user))
-            .map(|((user, used), file)| format!("{parent}: {user} -> {used} ({file})"))
-            .collect();
-        if !in_cycle.is_empty() && !clean.remove(parent.as_str()) {
-            faults.extend(in_cycle);
-        }
+            .filter(|((user, used), _)| reaches(&uses, used, user));
+        faults.extend(
+            in_cycle.map(|((user, used), file)| format!("{parent}: {user} -> {used} ({file})")),
+        );
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
-    assert!(
-        clean.is_empty(),
-        "without cycles, so to be taken from the list: {clean:?}"
-    );
 }
 
 /// Whether one part uses another, or uses a part that does, and so on.

@@ -5,8 +5,8 @@ use super::table::HANGAR_DEEDS;
 use crate::alert::AlertKind;
 use crate::app::room_list::Room;
 use crate::app::setting::Setting;
-use crate::app::state::ranges;
 use crate::config::Column;
+use crate::language::ranges;
 use crate::text;
 use crate::text::Text;
 

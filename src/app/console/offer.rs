@@ -3,9 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::table::{CONSOLE_VERBS, ConsoleVerb, Offered, find};
-use crate::app::state::{Groups, MissionListing};
-use crate::language::{Completion, Word, words};
-use crate::mission::Inject;
+use crate::language::{Completion, Groups, Word, words};
+use crate::mission::{Inject, Listing};
 use crate::text::Text;
 
 /// The names that words of a console line may be, besides vehicles.
@@ -13,7 +12,7 @@ use crate::text::Text;
 pub struct Names<'a> {
     pub themes: &'a [String],
     /// The missions: id and title.
-    pub missions: &'a [MissionListing],
+    pub missions: &'a [Listing],
     /// What an instructor may have happen in the mission; `None` without one under way.
     pub injects: Option<&'a [Inject]>,
     pub macros: &'a BTreeMap<String, Vec<String>>,

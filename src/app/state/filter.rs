@@ -4,8 +4,9 @@
 //! that is said of it begins so: what it is, mode, `armed`, `ready`, `air`, the words of its alerts, and `alert` for
 //! any of them. `!` before a word turns it round.
 
-use super::{Session, parse_ranges};
+use super::Session;
 use crate::config::Column;
+use crate::language::parse_ranges;
 use crate::vehicle::{LandedState, Vehicle, VehicleId};
 
 /// What a filter asks for.

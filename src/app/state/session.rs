@@ -5,10 +5,11 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::alert::alert;
-use super::{Alarms, Alert, Groups, Hangar, Histories, LinkSummary, MissionTime, Selection};
+use super::{Alarms, Alert, Hangar, Histories, LinkSummary, MissionTime, Selection};
 use crate::app::room_list::Room;
 use crate::doctor::{Cause, LinkFinding, Weight};
 use crate::geo::LatLon;
+use crate::language::Groups;
 use crate::ledger::{EntryId, Given, Ledger, LedgerEntry, LedgerRow};
 use crate::mission::{Area, Listing, Progress};
 use crate::swarm::Path;

@@ -2,17 +2,16 @@
 
 use std::sync::Arc;
 
-use super::{act, mission, swarm};
+use super::{act, macros, mission, swarm};
 use crate::app::State;
 use crate::app::console::{BareLine, ConsoleLine, ParamsDeed};
 use crate::app::effect::{CareerEffect, Effect, SessionEffect, TerminalEffect};
-use crate::app::lines;
 use crate::app::room::{Room, hangar, parameters};
 use crate::app::setting::Setting;
-use crate::app::state::{Log, Overlay, parse_ranges, ranges};
+use crate::app::state::{Log, Overlay};
 use crate::config::Symbols;
 use crate::diagnostic::Diagnostic;
-use crate::language::words;
+use crate::language::{parse_ranges, ranges, words};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
@@ -65,7 +64,7 @@ pub fn carry_out(
         }
         ConsoleLine::Inject(name) => return Ok(vec![Effect::Session(SessionEffect::Inject(name))]),
         ConsoleLine::Macro(name) => {
-            lines::check_macro(state, &name, last_word)?;
+            macros::check(state, &name, last_word)?;
             let lines = state.config.macros.get(&name).cloned().unwrap_or_default();
             for line in lines.into_iter().rev() {
                 state.pending.push_front(line);

@@ -5,9 +5,8 @@ use std::collections::BTreeMap;
 use super::brief;
 use crate::app::State;
 use crate::app::console::PlainAnswer;
-use crate::app::state::{
-    Hangar, HelpLine, NoticeLine, Session, command_help, parse_ranges, ranges,
-};
+use crate::app::state::{Hangar, HelpLine, NoticeLine, Session, command_help};
+use crate::language::{parse_ranges, ranges};
 use crate::ledger::{EntryId, LedgerEntry};
 use crate::mission::{ObjectiveProgress, ObjectiveState, ShownContact, Trust};
 use crate::notice::Notice;

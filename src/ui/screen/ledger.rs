@@ -6,7 +6,7 @@ use ratatui::text::{Line, Span};
 
 use crate::app::State;
 use crate::app::action::Action;
-use crate::app::state::{parse_ranges, ranges};
+use crate::language::{parse_ranges, ranges};
 use crate::ledger::{LedgerEntry, LedgerRow};
 use crate::text;
 use crate::text::Text;

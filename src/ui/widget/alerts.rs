@@ -7,7 +7,8 @@ use ratatui::text::{Line, Span};
 
 use crate::app::State;
 use crate::app::action::Action;
-use crate::app::state::{Pressing, ranges};
+use crate::app::state::Pressing;
+use crate::language::ranges;
 use crate::text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;

@@ -9,7 +9,8 @@ use ratatui::text::{Line, Span};
 
 use crate::app::State;
 use crate::app::action::Action;
-use crate::app::state::{Session, ranges};
+use crate::app::state::Session;
+use crate::language::ranges;
 use crate::ledger::{LedgerEntry, LedgerRow, RowState};
 use crate::text;
 use crate::text::Text;

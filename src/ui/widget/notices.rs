@@ -5,7 +5,8 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use crate::app::State;
-use crate::app::state::{NoticeLine, Session, ranges};
+use crate::app::state::{NoticeLine, Session};
+use crate::language::ranges;
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;

@@ -4,8 +4,9 @@ use std::collections::BTreeMap;
 
 use crate::app::State;
 use crate::app::room::Room;
-use crate::app::state::{ParameterSetting, ranges};
+use crate::app::state::ParameterSetting;
 use crate::commands::{Act, Command, Order, ParameterCommand};
+use crate::language::ranges;
 use crate::ledger::{EntryId, LedgerRow, RowState};
 use crate::parameters::ParameterType;
 use crate::text;

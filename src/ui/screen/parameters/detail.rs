@@ -8,7 +8,7 @@ use ratatui::text::{Line, Span};
 
 use super::{Row, edited};
 use crate::app::State;
-use crate::app::state::ranges;
+use crate::language::ranges;
 use crate::parameters::shown;
 use crate::text;
 use crate::text::Text;

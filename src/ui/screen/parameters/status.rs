@@ -7,7 +7,7 @@ use ratatui::text::{Line, Span};
 use crate::app::State;
 use crate::app::action::Action;
 use crate::app::room::parameters::{Other, Row, extra};
-use crate::app::state::ranges;
+use crate::language::ranges;
 use crate::parameters::{Fetching, ParameterSnapshot};
 use crate::text;
 use crate::text::Text;

@@ -8,7 +8,7 @@ use ratatui::text::Line;
 use super::{mission_title, put_wrapped};
 use crate::app::State;
 use crate::app::room::workshop::{Stand, bill, mission};
-use crate::app::state::ranges;
+use crate::language::ranges;
 use crate::text;
 use crate::ui::look::Look;
 use crate::ui::theme::Role;

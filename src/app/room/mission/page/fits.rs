@@ -1,7 +1,7 @@
 //! What the vehicles carry, and the areas of the mission.
 
 use super::Page;
-use crate::app::state::ranges;
+use crate::language::ranges;
 use crate::mission::{AreaKind, FitListing};
 use crate::text;
 use crate::text::Text;

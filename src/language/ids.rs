@@ -1,6 +1,6 @@
 //! Sets of vehicles as people write them: `1-4,7`.
 
-use crate::language::Targets;
+use super::Targets;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{HIGHEST_VEHICLE, VehicleId};
