@@ -5,9 +5,11 @@ use ratatui::Frame;
 use crate::app::State;
 use crate::app::state::{Overlay, SMALLEST};
 use crate::config::Symbols;
+use crate::ui::panel::Panel;
 
 pub mod ascii;
 mod look;
+mod panel;
 mod screen;
 mod theme;
 mod widget;
@@ -27,23 +29,29 @@ fn draw_all(state: &State, look: &Look, frame: &mut Frame<'_>) {
     let area = frame.area();
     frame.buffer_mut().set_style(area, look.style(Role::Text));
     if area.width < SMALLEST.0 || area.height < SMALLEST.1 {
-        screen::small::draw(state, look, area, frame.buffer_mut());
+        screen::small::draw(state, Panel::new(look, area), frame.buffer_mut());
         return;
     }
-    let body = widget::header::draw(state, look, area, frame.buffer_mut());
+    let body = widget::header::draw(state, Panel::new(look, area), frame.buffer_mut());
     let buffer = frame.buffer_mut();
-    screen::draw(state, look, body, buffer);
-    widget::footer::draw(state, look, area, buffer);
+    screen::draw(state, Panel::new(look, body), buffer);
+    widget::footer::draw(state, Panel::new(look, area), buffer);
     let cursor = match &state.overlay {
         None => None,
-        Some(Overlay::Palette(line)) => {
-            Some(widget::palette::draw(state, line, look, area, buffer))
-        }
-        Some(Overlay::Prompt(prompt)) => {
-            Some(widget::prompt::draw(state, prompt, look, area, buffer))
-        }
+        Some(Overlay::Palette(line)) => Some(widget::palette::draw(
+            state,
+            line,
+            Panel::new(look, area),
+            buffer,
+        )),
+        Some(Overlay::Prompt(prompt)) => Some(widget::prompt::draw(
+            state,
+            prompt,
+            Panel::new(look, area),
+            buffer,
+        )),
         Some(other) => {
-            widget::overlay::draw(state, other, look, area, buffer);
+            widget::overlay::draw(state, other, Panel::new(look, area), buffer);
             None
         }
     };

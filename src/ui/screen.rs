@@ -1,11 +1,10 @@
 //! One file per room of the console.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 
-use super::look::Look;
 use crate::app::State;
 use crate::app::room_list::{Room, for_each_room};
+use crate::ui::panel::Panel;
 
 pub mod debrief;
 pub mod fly;
@@ -25,9 +24,9 @@ pub mod workshop;
 macro_rules! declare_drawing {
     ($($(#[$about:meta])* $Room:ident, $module:ident, $name:literal, $key:literal, $Model:ty;)+) => {
         /// Draws the room that is shown.
-        pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+        pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
             match state.room {
-                $(Room::$Room => $module::draw(state, look, area, buffer),)+
+                $(Room::$Room => $module::draw(state, panel, buffer),)+
             }
         }
     };

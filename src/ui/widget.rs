@@ -5,9 +5,7 @@ use std::time::Duration;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
-use ratatui::widgets::{Block, Clear, Widget};
 
-use super::look::Look;
 use super::theme::Role;
 use crate::ledger::RowState;
 use crate::scoring::Medal;
@@ -31,56 +29,6 @@ pub mod prompt;
 pub mod swarm;
 pub mod telemetry;
 pub mod urgent;
-
-/// Draws a rule with a title along the top of `area` and returns what is left below it.
-pub fn titled(title: &str, look: &Look, area: Rect, buffer: &mut Buffer) -> Rect {
-    let Some(mut x) = put(
-        buffer,
-        area,
-        0,
-        &Line::styled("── ", look.style(Role::Border)),
-    ) else {
-        return area;
-    };
-    let right = area.right();
-    let title = clip(title, usize::from(area.width.saturating_sub(4)));
-    x = buffer
-        .set_stringn(
-            x,
-            area.y,
-            title,
-            usize::from(right - x),
-            look.style(Role::Title),
-        )
-        .0;
-    if x < right {
-        let rest = "─".repeat(usize::from(right - x).saturating_sub(1));
-        buffer.set_stringn(
-            x + 1,
-            area.y,
-            rest,
-            usize::from(right - x),
-            look.style(Role::Border),
-        );
-    }
-    below(area, 1)
-}
-
-/// Clears a box in the middle of things, draws its frame and returns its inside.
-pub fn boxed(title: &str, role: Role, look: &Look, area: Rect, buffer: &mut Buffer) -> Rect {
-    Clear.render(area, buffer);
-    buffer.set_style(area, look.style(Role::Text));
-    let block = Block::bordered()
-        .border_style(look.style(role))
-        .title(Span::styled(format!(" {title} "), look.style(Role::Title)));
-    let inner = block.inner(area);
-    block.render(area, buffer);
-    Rect {
-        x: inner.x + 1,
-        width: inner.width.saturating_sub(2),
-        ..inner
-    }
-}
 
 /// A box of a size in the middle of an area, made smaller where it does not fit.
 pub fn centred(width: u16, height: u16, area: Rect) -> Rect {

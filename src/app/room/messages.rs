@@ -21,7 +21,7 @@ use crate::wire::Anatomy;
 mod pin;
 mod tree;
 
-pub use pin::{GRAPH_SPAN, Pin};
+pub use pin::{GRAPH_SPAN, Pin, PinExtent};
 pub use tree::{Branch, Node};
 
 /// Graphs that fit below the fields.

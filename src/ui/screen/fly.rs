@@ -5,6 +5,7 @@ use ratatui::layout::Rect;
 
 use crate::app::State;
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::widget::{
     alerts, below, columns, ledger, map, mission, notices, swarm, telemetry, upper, urgent,
 };
@@ -27,58 +28,53 @@ const NOTICES_MOST: u16 = 10;
 /// Rows that the ledger keeps below a map.
 const LEDGER_LEAST: u16 = 6;
 
-pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
-    alerts::draw(state, look, upper(area, alerts::height(state)), buffer);
-    let area = below(area, alerts::height(state));
-    urgent::draw(state, look, upper(area, urgent::height(state)), buffer);
-    let area = below(area, urgent::height(state));
+pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
+    alerts::draw(state, panel.upper(alerts::height(state)), buffer);
+    let below_alerts = panel.below(alerts::height(state));
+    urgent::draw(state, below_alerts.upper(urgent::height(state)), buffer);
+    let body = below_alerts.below(urgent::height(state));
     // Never more than half of the screen.
-    let wanted = swarm::height(state, look, area.width);
-    let rows = wanted.min(usize::from(area.height / 2)) as u16;
-    swarm::draw(state, look, upper(area, rows), buffer);
-    draw_panes(state, look, below(area, rows), buffer);
+    let wanted = swarm::height(state, body.look, body.area.width);
+    let rows = wanted.min(usize::from(body.area.height / 2)) as u16;
+    swarm::draw(state, body.upper(rows), buffer);
+    draw_panes(state, body.below(rows), buffer);
 }
 
 /// Draws what is below the table: where telemetry and mission leave rows free, the notices take them.
-fn draw_panes(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let mut middle = side_height(state, look, area.width).max(area.height / 2);
-    if area.width > SIDE_WIDTH + MAP_LEAST.0 {
+fn draw_panes(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
+    let mut middle = side_height(state, panel.look, panel.area.width).max(panel.area.height / 2);
+    if panel.area.width > SIDE_WIDTH + MAP_LEAST.0 {
         // The rows are worth more to the map than to old notices.
-        middle = middle.max(area.height.saturating_sub(NOTICES_MOST));
+        middle = middle.max(panel.area.height.saturating_sub(NOTICES_MOST));
     }
-    let bottom = area.height.saturating_sub(middle);
+    let bottom = panel.area.height.saturating_sub(middle);
     let panes = if bottom < NOTICES_LEAST {
-        area
+        panel.area
     } else {
-        notices::draw(state, look, below(area, middle), buffer);
-        upper(area, middle)
+        notices::draw(state, panel.below(middle), buffer);
+        upper(panel.area, middle)
     };
-    let log = draw_side(state, look, panes, buffer);
+    let log = draw_side(state, panel.at(panes), buffer);
     let notices_too = bottom < NOTICES_LEAST;
-    let log = draw_map(state, look, (log, notices_too), buffer);
+    let log = draw_map(state, panel.at(log), notices_too, buffer);
     if notices_too {
         let rows = log.height / 2;
-        ledger::draw(state, look, upper(log, rows), buffer);
-        notices::draw(state, look, below(log, rows), buffer);
+        ledger::draw(state, panel.at(upper(log, rows)), buffer);
+        notices::draw(state, panel.at(below(log, rows)), buffer);
     } else {
-        ledger::draw(state, look, log, buffer);
+        ledger::draw(state, panel.at(log), buffer);
     }
 }
 
 /// Draws the map where there is room for it, and returns what is left below it.
-fn draw_map(
-    state: &State,
-    look: &Look,
-    (area, notices_too): (Rect, bool),
-    buffer: &mut Buffer,
-) -> Rect {
+fn draw_map(state: &State, panel: Panel<'_>, notices_too: bool, buffer: &mut Buffer) -> Rect {
     let logs = if notices_too { 2 } else { 1 } * LEDGER_LEAST;
-    let rows = area.height.saturating_sub(logs);
-    if area.width < MAP_LEAST.0 || rows < MAP_LEAST.1 {
-        return area;
+    let rows = panel.area.height.saturating_sub(logs);
+    if panel.area.width < MAP_LEAST.0 || rows < MAP_LEAST.1 {
+        return panel.area;
     }
-    map::draw(state, look, upper(area, rows), buffer);
-    below(area, rows)
+    map::draw(state, panel.upper(rows), buffer);
+    below(panel.area, rows)
 }
 
 /// Rows that telemetry and mission need.
@@ -94,24 +90,24 @@ fn side_height(state: &State, look: &Look, width: u16) -> u16 {
 }
 
 /// Draws telemetry and mission and returns what is left beside them.
-fn draw_side(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) -> Rect {
-    let side = columns(area, 0, SIDE_WIDTH);
-    let log = columns(area, SIDE_WIDTH + 1, area.width);
+fn draw_side(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
+    let side = columns(panel.area, 0, SIDE_WIDTH);
+    let log = columns(panel.area, SIDE_WIDTH + 1, panel.area.width);
     let Some(progress) = &state.session.mission else {
-        telemetry::draw(state, look, side, buffer);
+        telemetry::draw(state, panel.at(side), buffer);
         return log;
     };
-    if area.width >= THREE_COLUMNS {
-        telemetry::draw(state, look, side, buffer);
-        mission::draw(state, look, columns(log, 0, MISSION_WIDTH), buffer);
+    if panel.area.width >= THREE_COLUMNS {
+        telemetry::draw(state, panel.at(side), buffer);
+        mission::draw(state, panel.at(columns(log, 0, MISSION_WIDTH)), buffer);
         return columns(log, MISSION_WIDTH + 1, log.width);
     }
     let left = side
         .height
-        .saturating_sub(mission::height(progress, side.width, look));
-    let most = telemetry::height(state, look, side.width).max(TELEMETRY_LEAST);
+        .saturating_sub(mission::height(progress, side.width, panel.look));
+    let most = telemetry::height(state, panel.look, side.width).max(TELEMETRY_LEAST);
     let rows = left.clamp(TELEMETRY_LEAST, most);
-    telemetry::draw(state, look, upper(side, rows), buffer);
-    mission::draw(state, look, below(side, rows), buffer);
+    telemetry::draw(state, panel.at(upper(side, rows)), buffer);
+    mission::draw(state, panel.at(below(side, rows)), buffer);
     log
 }

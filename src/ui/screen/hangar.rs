@@ -11,8 +11,9 @@ use crate::app::room::hangar::under_cursor;
 use crate::app::state::{Hangar, Instance, SitlStage};
 use crate::text;
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{aligned, below, clip, put, row_of, titled, upper, wrap};
+use crate::ui::widget::{aligned, below, clip, put, row_of, wrap};
 
 /// Columns of the bar, of the one beside a name that needs the room, and of the words.
 const BAR: usize = 12;
@@ -23,61 +24,61 @@ const FIGURES: usize = 32;
 /// Columns of a host at most.
 const HOST: usize = 24;
 
-pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let Some(hangar) = &state.session.hangar else {
-        return empty(look, area, buffer);
+        return empty(panel, buffer);
     };
     if state.rooms.hangar.opened
         && let Some(instance) = under_cursor(state)
     {
-        let page = (hangar.output(instance), state.rooms.hangar.back);
-        return draw_output(instance, page, look, area, buffer);
+        let output = hangar.output(instance);
+        return draw_output(instance, output, state.rooms.hangar.back, panel, buffer);
     }
-    let list = draw_list(state, hangar, look, area, buffer);
+    let list = draw_list(state, hangar, panel, buffer);
     if let Some(instance) = under_cursor(state) {
-        draw_detail(state, instance, look, list, buffer);
+        draw_detail(state, instance, panel.at(list), buffer);
     }
 }
 
-fn empty(look: &Look, area: Rect, buffer: &mut Buffer) {
-    let inner = titled(&look.say("room-hangar"), look, area, buffer);
-    let lines = wrap(&look.say("hangar-none"), usize::from(inner.width));
+fn empty(panel: Panel<'_>, buffer: &mut Buffer) {
+    let inner = panel.titled(&panel.say("room-hangar"), buffer);
+    let lines = wrap(&panel.say("hangar-none"), usize::from(inner.width));
     for (row, line) in lines.into_iter().enumerate() {
         put(
             buffer,
             inner,
             row as u16,
-            &Line::styled(line, look.style(Role::Muted)),
+            &Line::styled(line, panel.style(Role::Muted)),
         );
     }
 }
 
 /// Draws the processes and returns what is left below.
-fn draw_list(state: &State, hangar: &Hangar, look: &Look, area: Rect, buffer: &mut Buffer) -> Rect {
+fn draw_list(state: &State, hangar: &Hangar, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
     let ready = text!(
         "hangar-ready",
         ready = hangar.ready(),
         count = hangar.expected
     );
-    let title = format!("{}: {}", look.say("room-hangar"), look.text(&ready));
-    let most = area.height.saturating_sub(8).max(4);
+    let title = format!("{}: {}", panel.say("room-hangar"), panel.text(&ready));
+    let most = panel.area.height.saturating_sub(8).max(4);
     let rows = (hangar.instances.len().max(1) as u16 + 3).min(most);
-    let inner = titled(&title, look, upper(area, rows), buffer);
+    let inner = panel.upper(rows).titled(&title, buffer);
     let columns = Columns::new(hangar, inner.width);
     put(
         buffer,
         inner,
         0,
-        &Line::styled(heading(columns, look), look.style(Role::Muted)),
+        &Line::styled(heading(columns, panel.look), panel.style(Role::Muted)),
     );
     let inner = below(inner, 1);
     if hangar.instances.is_empty() {
         let (text, role) = match &hangar.fault {
-            Some(fault) => (look.text(fault), Role::Danger),
-            None => (look.say("hangar-opening"), Role::Muted),
+            Some(fault) => (panel.text(fault), Role::Danger),
+            None => (panel.say("hangar-opening"), Role::Muted),
         };
         // The whole room is left for it.
-        let inner = below(area, 2);
+        let inner = below(panel.area, 2);
         for (row, line) in wrap(&text, usize::from(inner.width))
             .into_iter()
             .enumerate()
@@ -86,7 +87,7 @@ fn draw_list(state: &State, hangar: &Hangar, look: &Look, area: Rect, buffer: &m
                 buffer,
                 inner,
                 row as u16,
-                &Line::styled(line, look.style(role)),
+                &Line::styled(line, panel.style(role)),
             );
         }
     }
@@ -96,12 +97,17 @@ fn draw_list(state: &State, hangar: &Hangar, look: &Look, area: Rect, buffer: &m
     let first = first.min(hangar.instances.len().saturating_sub(room));
     let shown = hangar.instances.iter().enumerate().skip(first).take(room);
     for (row, (at, instance)) in shown.enumerate() {
-        put(buffer, inner, row as u16, &line(instance, columns, look));
+        put(
+            buffer,
+            inner,
+            row as u16,
+            &line(instance, columns, panel.look),
+        );
         if at == cursor {
-            buffer.set_style(row_of(inner, row as u16), look.style(Role::Cursor));
+            buffer.set_style(row_of(inner, row as u16), panel.style(Role::Cursor));
         }
     }
-    below(area, rows)
+    below(panel.area, rows)
 }
 
 /// Columns of the host and of the bar.
@@ -191,19 +197,19 @@ fn role(stage: SitlStage, has_crashed: bool) -> Role {
 }
 
 /// What ails a process, and the end of what it has printed.
-fn draw_detail(state: &State, instance: &Instance, look: &Look, area: Rect, buffer: &mut Buffer) {
+fn draw_detail(state: &State, instance: &Instance, panel: Panel<'_>, buffer: &mut Buffer) {
     let hangar = state.session.hangar.as_ref();
     let output = hangar.map_or(&[][..], |hangar| hangar.output(instance));
-    let title = look.text(&text!("hangar-vehicle", vehicle = instance.vehicle));
-    let inner = titled(&title, look, area, buffer);
+    let title = panel.text(&text!("hangar-vehicle", vehicle = instance.vehicle));
+    let inner = panel.titled(&title, buffer);
     let width = usize::from(inner.width);
     let mut lines: Vec<(String, Style)> = Vec::new();
     let wrapped = |text: &str, role| {
-        let style = look.style(role);
+        let style = panel.style(role);
         wrap(text, width).into_iter().map(move |line| (line, style))
     };
     if let Some(fault) = &instance.fault {
-        let fault = look.text(&text!("hangar-fault", reason = fault.as_str()));
+        let fault = panel.text(&text!("hangar-fault", reason = fault.as_str()));
         lines.extend(wrapped(&fault, Role::Danger));
     }
     if let Some(hint) = &instance.hint {
@@ -215,14 +221,14 @@ fn draw_detail(state: &State, instance: &Instance, look: &Look, area: Rect, buff
             restart = state.key(Action::RestartProcess),
             stop = state.key(Action::StopProcess)
         );
-        lines.extend(wrapped(&look.text(&what), Role::Text));
+        lines.extend(wrapped(&panel.text(&what), Role::Text));
     }
-    let place = look.text(&where_kept(instance, output));
+    let place = panel.text(&where_kept(instance, output));
     lines.extend(wrapped(&place, Role::Muted));
     let room = usize::from(inner.height).saturating_sub(lines.len());
     let skipped = output.len().saturating_sub(room);
     let output = output.iter().skip(skipped);
-    lines.extend(output.map(|line| (line.clone(), look.style(Role::Text))));
+    lines.extend(output.map(|line| (line.clone(), panel.style(Role::Text))));
     for (row, (line, style)) in lines.into_iter().enumerate() {
         put(
             buffer,
@@ -245,18 +251,18 @@ fn where_kept(instance: &Instance, output: &[String]) -> text::Text {
 /// The output on the whole screen, ending so many lines before its end.
 fn draw_output(
     instance: &Instance,
-    (output, back): (&[String], usize),
-    look: &Look,
-    area: Rect,
+    output: &[String],
+    back: usize,
+    panel: Panel<'_>,
     buffer: &mut Buffer,
 ) {
-    let title = look.text(&text!("hangar-output-of", vehicle = instance.vehicle));
-    let inner = titled(&title, look, area, buffer);
+    let title = panel.text(&text!("hangar-output-of", vehicle = instance.vehicle));
+    let inner = panel.titled(&title, buffer);
     let width = usize::from(inner.width);
-    let place = wrap(&look.text(&where_kept(instance, output)), width);
+    let place = wrap(&panel.text(&where_kept(instance, output)), width);
     let above = place.len() as u16;
     for (row, line) in place.into_iter().enumerate() {
-        let line = Line::styled(line, look.style(Role::Muted));
+        let line = Line::styled(line, panel.style(Role::Muted));
         put(buffer, inner, row as u16, &line);
     }
     let inner = below(inner, above);

@@ -12,6 +12,7 @@ use crate::notice::sanitised;
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{below, clip, columns, put, width};
 
@@ -26,54 +27,58 @@ const TEXT_WIDTH: u16 = 88;
 const FACTS_WIDTH: u16 = 50;
 
 /// Draws who trains here, the list with its cursor, and a text about the line under it.
-pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let mut area = draw_heads(state, look, area, buffer);
-    draw_trainee(state, look, area, buffer);
-    area = below(area, 1);
-    list::draw(state, look, columns(area, 1, LIST_WIDTH), buffer);
-    let rest = columns(area, LIST_WIDTH + 3, area.width);
-    let rest = columns(rest, 0, rest.width.saturating_sub(1));
+pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
+    let trainee = panel.at(draw_heads(state, panel, buffer));
+    draw_trainee(state, trainee, buffer);
+    let body = trainee.below(1);
+    list::draw(state, body.columns(1, LIST_WIDTH), buffer);
+    let before = LIST_WIDTH + 3;
+    let rest = columns(
+        body.area,
+        before,
+        body.area.width.saturating_sub(before + 1),
+    );
     let facts = rest.width.saturating_sub(TEXT_WIDTH + 3);
     if state.career.is_some() && facts >= FACTS_WIDTH {
         let text = columns(rest, 0, TEXT_WIDTH);
         let beside = columns(rest, TEXT_WIDTH + 3, facts.min(TEXT_WIDTH));
-        about::draw(state, look, (text, Some(beside)), buffer);
+        about::draw(state, panel.at(text), Some(beside), buffer);
     } else {
         let text = columns(rest, 0, rest.width.min(TEXT_WIDTH));
-        about::draw(state, look, (text, None), buffer);
+        about::draw(state, panel.at(text), None, buffer);
     }
 }
 
 /// What goes on, if anything does; returns what is left below it.
-fn draw_heads(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) -> Rect {
+fn draw_heads(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
     let Some(activity) = &state.session.activity else {
-        return area;
+        return panel.area;
     };
     let running = text!(
         "home-running",
         session = activity.title(),
         key = state.key(Action::Show(Room::Fly))
     );
-    let line = format!(" {}", look.text(&running));
-    let line = Line::styled(line, look.style(Role::Accent));
-    put(buffer, area, 0, &line);
-    below(area, 1)
+    let line = format!(" {}", panel.text(&running));
+    let line = Line::styled(line, panel.style(Role::Accent));
+    put(buffer, panel.area, 0, &line);
+    below(panel.area, 1)
 }
 
 /// Who trains here, what they have, and what to do next.
-fn draw_trainee(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+fn draw_trainee(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let Some(career) = &state.career else {
         let line = Line::from(vec![
             Span::styled(
-                format!(" {}", look.text(&state.key(Action::Profiles))),
-                look.style(Role::Key),
+                format!(" {}", panel.text(&state.key(Action::Profiles))),
+                panel.style(Role::Key),
             ),
             Span::styled(
-                format!(" {}", look.say("home-nobody")),
-                look.style(Role::Muted),
+                format!(" {}", panel.say("home-nobody")),
+                panel.style(Role::Muted),
             ),
         ]);
-        put(buffer, area, 0, &line);
+        put(buffer, panel.area, 0, &line);
         return;
     };
     let standing = &career.standing;
@@ -86,18 +91,18 @@ fn draw_trainee(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let line = Line::from(vec![
         Span::styled(
             format!(" {}", sanitised(&career.name)),
-            look.style(Role::Title),
+            panel.style(Role::Title),
         ),
-        Span::raw(format!("   {}", look.text(&figures))),
+        Span::raw(format!("   {}", panel.text(&figures))),
     ]);
-    let left = usize::from(area.width).saturating_sub(line.width() + 4);
-    let end = put(buffer, area, 0, &line).unwrap_or(area.x);
+    let left = usize::from(panel.area.width).saturating_sub(line.width() + 4);
+    let end = put(buffer, panel.area, 0, &line).unwrap_or(panel.area.x);
     // Where the whole advice does not fit, the mission matters most.
-    let words: Vec<String> = advice(career).iter().map(|it| look.text(it)).collect();
+    let words: Vec<String> = advice(career).iter().map(|it| panel.text(it)).collect();
     let shown = words.iter().find(|text| width(text) <= left);
     if let Some(text) = shown.or(words.last()) {
-        let place = columns(area, end + 3 - area.x, left as u16);
-        let line = Line::styled(clip(text, left), look.style(Role::Accent));
+        let place = columns(panel.area, end + 3 - panel.area.x, left as u16);
+        let line = Line::styled(clip(text, left), panel.style(Role::Accent));
         put(buffer, place, 0, &line);
     }
 }

@@ -1,7 +1,6 @@
 //! Every command so far, and what became of it with each vehicle.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use crate::app::State;
@@ -11,11 +10,10 @@ use crate::ledger::{LedgerEntry, LedgerRow};
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::ledger::{entry_role, summary};
-use crate::ui::widget::{
-    aligned, below, clip, clock, columns, put, row_of, row_role, titled, upper, wrap,
-};
+use crate::ui::widget::{aligned, below, clip, clock, put, row_of, row_role, wrap};
 
 /// From this width on the rows of a command stand beside the list.
 const BESIDE: u16 = 150;
@@ -30,52 +28,50 @@ const OUTCOME_LEAST: usize = 24;
 const STATE_WIDTH: usize = 16;
 
 /// Draws the list, and the rows of the command under the cursor.
-pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let room = &state.rooms.ledger;
-    let entry = room.under_cursor();
-    let entry = entry.and_then(|id| state.session.ledger.entry(id));
-    let Some(entry) = entry else {
-        draw_list(state, look, area, buffer);
+    let chosen = room.under_cursor();
+    let Some(entry) = chosen.and_then(|id| state.session.ledger.entry(id)) else {
+        draw_list(state, panel, buffer);
         return;
     };
     if room.opened {
-        draw_rows(state, entry, look, area, buffer);
-    } else if area.width >= BESIDE {
-        let half = area.width * 3 / 5;
-        draw_list(state, look, columns(area, 0, half), buffer);
+        draw_rows(state, entry, panel, buffer);
+    } else if panel.area.width >= BESIDE {
+        let half = panel.area.width * 3 / 5;
+        draw_list(state, panel.columns(0, half), buffer);
         draw_rows(
             state,
             entry,
-            look,
-            columns(area, half + 1, area.width),
+            panel.columns(half + 1, panel.area.width),
             buffer,
         );
     } else {
         // A third of the screen at most: the rest is one key away.
-        let wanted = 2 + lines(entry, look, usize::from(area.width)).len() as u16;
-        let rows = wanted.clamp(4, (area.height / 3).max(4));
-        let list = area.height.saturating_sub(rows);
-        draw_list(state, look, upper(area, list), buffer);
-        draw_rows(state, entry, look, below(area, list), buffer);
+        let wanted = 2 + lines(entry, panel.look, usize::from(panel.area.width)).len() as u16;
+        let rows = wanted.clamp(4, (panel.area.height / 3).max(4));
+        let list = panel.area.height.saturating_sub(rows);
+        draw_list(state, panel.upper(list), buffer);
+        draw_rows(state, entry, panel.below(list), buffer);
     }
 }
 
-fn draw_list(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+fn draw_list(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let room = &state.rooms.ledger;
-    let inner = titled(&title(state, look), look, area, buffer);
+    let inner = panel.titled(&title(state, panel.look), buffer);
     let width = usize::from(inner.width);
-    put(buffer, inner, 0, &headings(look, width));
+    put(buffer, inner, 0, &headings(panel.look, width));
     let list = below(inner, 1);
     if room.shown().is_empty() {
         let nothing = if state.session.ledger.entries().len() == 0 {
-            look.text(&text!(
+            panel.text(&text!(
                 "commands-none",
                 key = state.key(Action::CommandLine)
             ))
         } else {
-            look.text(&text!("commands-none-fit", key = state.key(Action::Escape)))
+            panel.text(&text!("commands-none-fit", key = state.key(Action::Escape)))
         };
-        let line = Line::styled(format!("  {nothing}"), look.style(Role::Muted));
+        let line = Line::styled(format!("  {nothing}"), panel.style(Role::Muted));
         put(buffer, list, 0, &line);
         return;
     }
@@ -90,10 +86,10 @@ fn draw_list(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
         let Some(entry) = state.session.ledger.entry(id) else {
             continue;
         };
-        let line = entry_line(entry, state, (at == place, width), look);
+        let line = entry_line(entry, state, at == place, width, panel.look);
         put(buffer, list, row as u16, &line);
         if at == place {
-            buffer.set_style(row_of(list, row as u16), look.style(Role::Cursor));
+            buffer.set_style(row_of(list, row as u16), panel.style(Role::Cursor));
         }
     }
 }
@@ -160,7 +156,8 @@ fn headings(look: &Look, width: usize) -> Line<'static> {
 fn entry_line(
     entry: &LedgerEntry,
     state: &State,
-    (under_cursor, width): (bool, usize),
+    under_cursor: bool,
+    width: usize,
     look: &Look,
 ) -> Line<'static> {
     let (line, outcome) = split(width);
@@ -198,11 +195,11 @@ fn seconds(time_s: f64) -> String {
 }
 
 /// Draws what became of one command with each vehicle, what went wrong first.
-fn draw_rows(state: &State, entry: &LedgerEntry, look: &Look, area: Rect, buffer: &mut Buffer) {
+fn draw_rows(state: &State, entry: &LedgerEntry, panel: Panel<'_>, buffer: &mut Buffer) {
     let time = clock(state.session.time(entry.at));
     let title = format!("{time} {}", entry.line);
-    let inner = titled(&title, look, area, buffer);
-    let lines = lines(entry, look, usize::from(inner.width));
+    let inner = panel.titled(&title, buffer);
+    let lines = lines(entry, panel.look, usize::from(inner.width));
     let rows = usize::from(inner.height);
     let scroll = if state.rooms.ledger.opened {
         state.rooms.ledger.scroll
@@ -216,17 +213,17 @@ fn draw_rows(state: &State, entry: &LedgerEntry, look: &Look, area: Rect, buffer
     }
     if hidden > 0 && rows > 0 {
         let last = row_of(inner, rows as u16 - 1);
-        let text = look.text(&text!(
+        let text = panel.text(&text!(
             "commands-more",
             count = hidden + 1,
             key = state.key(Action::Submit)
         ));
-        let text = aligned(&text, usize::from(last.width), false);
+        let filled = aligned(&text, usize::from(last.width), false);
         put(
             buffer,
             last,
             0,
-            &Line::styled(text, look.style(Role::Muted)),
+            &Line::styled(filled, panel.style(Role::Muted)),
         );
     }
 }
@@ -244,8 +241,9 @@ fn lines(entry: &LedgerEntry, look: &Look, width: usize) -> Vec<Line<'static>> {
 /// One vehicle: its state, its answer, its tries, and the reason in full.
 fn row_lines(row: &LedgerRow, look: &Look, width: usize) -> Vec<Line<'static>> {
     let muted = look.style(Role::Muted);
-    let answer = row.answered_after;
-    let answer = answer.map_or("-".to_owned(), |time| seconds(time.as_secs_f64()));
+    let answer = row
+        .answered_after
+        .map_or("-".to_owned(), |time| seconds(time.as_secs_f64()));
     let state = aligned(&look.text(&row.state.text()), STATE_WIDTH, false);
     let tries = text!("commands-sent-times", count = row.tries);
     let head = Line::from(vec![
@@ -257,8 +255,8 @@ fn row_lines(row: &LedgerRow, look: &Look, width: usize) -> Vec<Line<'static>> {
             muted,
         ),
     ]);
-    let reason = row.explanation.as_ref().map(|text| look.text(text));
-    let reason = reason.unwrap_or_default();
+    let explanation = row.explanation.as_ref().map(|text| look.text(text));
+    let reason = explanation.unwrap_or_default();
     let free = width.saturating_sub(head.width() + 1);
     if reason.is_empty() {
         return vec![head];
@@ -270,7 +268,9 @@ fn row_lines(row: &LedgerRow, look: &Look, width: usize) -> Vec<Line<'static>> {
         return vec![line];
     }
     let indent = " ".repeat(7);
-    let reasons = wrap(&reason, width.saturating_sub(indent.len())).into_iter();
-    let reasons = reasons.map(|text| Line::from(vec![Span::raw(indent.clone()), said(text)]));
-    std::iter::once(head).chain(reasons).collect()
+    let reasons = wrap(&reason, width.saturating_sub(indent.len()));
+    let below_head = reasons
+        .into_iter()
+        .map(|text| Line::from(vec![Span::raw(indent.clone()), said(text)]));
+    std::iter::once(head).chain(below_head).collect()
 }

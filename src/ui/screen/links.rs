@@ -13,9 +13,10 @@ use crate::doctor::{LinkFinding, Weight};
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::curve::{self, Curve};
-use crate::ui::widget::{below, clip, columns, put, row_of, titled, upper, wrap};
+use crate::ui::widget::{below, clip, columns, put, row_of, upper, wrap};
 
 /// Columns of a label.
 const LABEL: usize = 16;
@@ -24,31 +25,31 @@ const LOSSES_SHOWN: usize = 5;
 /// Rows of a history curve.
 const CURVE_ROWS: u16 = 2;
 
-pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let links = &state.session.links;
     if links.is_empty() {
-        let inner = titled(&look.say("room-links"), look, area, buffer);
-        let line = Line::styled(look.say("links-none"), look.style(Role::Muted));
+        let inner = panel.titled(&panel.say("room-links"), buffer);
+        let line = Line::styled(panel.say("links-none"), panel.style(Role::Muted));
         put(buffer, inner, 0, &line);
         return;
     }
     let cursor = state.rooms.links.cursor.min(links.len() - 1);
     let wanted = links.len() as u16 + 2;
-    let rows = wanted.min((area.height / 3).max(4));
-    draw_list(state, cursor, look, upper(area, rows), buffer);
-    let rest = below(area, rows);
-    let rest = draw_doctor(state, cursor, look, rest, buffer);
-    draw_link(state, cursor, look, rest, buffer);
+    let rows = wanted.min((panel.area.height / 3).max(4));
+    draw_list(state, cursor, panel.upper(rows), buffer);
+    let rest = below(panel.area, rows);
+    let rest = draw_doctor(state, cursor, panel.at(rest), buffer);
+    draw_link(state, cursor, panel.at(rest), buffer);
 }
 
 /// The lines of all links.
-fn draw_list(state: &State, cursor: usize, look: &Look, area: Rect, buffer: &mut Buffer) {
+fn draw_list(state: &State, cursor: usize, panel: Panel<'_>, buffer: &mut Buffer) {
     let links = &state.session.links;
-    let room = usize::from(area.height.saturating_sub(2));
+    let room = usize::from(panel.area.height.saturating_sub(2));
     let first = cursor
         .saturating_sub(room / 2)
         .min(links.len().saturating_sub(room));
-    let mut title = look.say("room-links");
+    let mut title = panel.say("room-links");
     if links.len() > room {
         let last = first + room;
         let part = text!(
@@ -57,33 +58,33 @@ fn draw_list(state: &State, cursor: usize, look: &Look, area: Rect, buffer: &mut
             last = last,
             count = links.len()
         );
-        title = format!("{title} {}", look.text(&part));
+        title = format!("{title} {}", panel.text(&part));
     }
-    let inner = titled(&title, look, area, buffer);
+    let inner = panel.titled(&title, buffer);
     let name_width = usize::from(inner.width).saturating_sub(46);
     let head = format!(
         "{:>3} {:name_width$} {:>8} {:>8} {:>6}  {}",
         "#",
-        look.say("links-address"),
-        look.say("links-in"),
-        look.say("links-out"),
-        look.say("links-lost"),
-        look.say("links-state")
+        panel.say("links-address"),
+        panel.say("links-in"),
+        panel.say("links-out"),
+        panel.say("links-lost"),
+        panel.say("links-state")
     );
     put(
         buffer,
         inner,
         0,
-        &Line::styled(head, look.style(Role::Muted)),
+        &Line::styled(head, panel.style(Role::Muted)),
     );
     let inner = below(inner, 1);
     let rows = usize::from(inner.height);
     for (row, (at, link)) in links.iter().enumerate().skip(first).take(rows).enumerate() {
         let worst = state.session.findings.iter().find(|it| it.link == at);
-        let line = list_line(at, link, worst, name_width, look);
+        let line = list_line(at, link, worst, name_width, panel.look);
         put(buffer, inner, row as u16, &line);
         if at == cursor {
-            buffer.set_style(row_of(inner, row as u16), look.style(Role::Cursor));
+            buffer.set_style(row_of(inner, row as u16), panel.style(Role::Cursor));
         }
     }
 }
@@ -131,42 +132,42 @@ fn signed(weight: Weight) -> (&'static str, Role) {
 }
 
 /// What the doctor says of a link; returns what is left below.
-fn draw_doctor(state: &State, link: usize, look: &Look, area: Rect, buffer: &mut Buffer) -> Rect {
-    let inner = titled(&look.say("links-doctor"), look, area, buffer);
+fn draw_doctor(state: &State, link: usize, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
+    let inner = panel.titled(&panel.say("links-doctor"), buffer);
     let width = usize::from(inner.width).saturating_sub(2);
     let mine = state.session.findings.iter().filter(|it| it.link == link);
     let mut row = 0;
     for finding in mine {
         let (sign, role) = signed(finding.cause.weight());
-        let says = format!("{}: {}", look.say(sign), look.text(&finding.cause.says()));
-        let advice = look.text(&finding.advice());
+        let says = format!("{}: {}", panel.say(sign), panel.text(&finding.cause.says()));
+        let advice = panel.text(&finding.advice());
         let advice = wrap(&advice, width).into_iter().filter(|it| !it.is_empty());
         let lines = wrap(&says, width).into_iter().map(|line| (line, role));
         for (line, role) in lines.chain(advice.map(|line| (format!("  {line}"), Role::Text))) {
-            put(buffer, inner, row, &Line::styled(line, look.style(role)));
+            put(buffer, inner, row, &Line::styled(line, panel.style(role)));
             row += 1;
         }
     }
     if row == 0 {
-        let line = Line::styled(look.say("doctor-listening"), look.style(Role::Muted));
+        let line = Line::styled(panel.say("doctor-listening"), panel.style(Role::Muted));
         put(buffer, inner, 0, &line);
     }
     below(inner, row.max(1))
 }
 
 /// Everything that a link counts, and what it carried lately.
-fn draw_link(state: &State, at: usize, look: &Look, area: Rect, buffer: &mut Buffer) {
+fn draw_link(state: &State, at: usize, panel: Panel<'_>, buffer: &mut Buffer) {
     let link = &state.session.links[at];
-    let inner = titled(&format!("{} {}", at + 1, link.name), look, area, buffer);
-    let lines = counters(link, look);
+    let inner = panel.titled(&format!("{} {}", at + 1, link.name), buffer);
+    let lines = counters(link, panel.look);
     let mut row = 0;
     for (label, words) in lines {
-        let label = look.text(&label);
+        let label = panel.text(&label);
         let wrapped = wrap(&words, usize::from(inner.width).saturating_sub(LABEL + 1));
         for (count, line) in wrapped.into_iter().enumerate() {
             let label = if count == 0 { label.as_str() } else { "" };
             let line = Line::from(vec![
-                Span::styled(format!("{label:LABEL$} "), look.style(Role::Muted)),
+                Span::styled(format!("{label:LABEL$} "), panel.style(Role::Muted)),
                 Span::raw(line),
             ]);
             put(buffer, inner, row, &line);
@@ -174,7 +175,7 @@ fn draw_link(state: &State, at: usize, look: &Look, area: Rect, buffer: &mut Buf
         }
     }
     if let Some(history) = state.rooms.links.history.get(at) {
-        draw_history(history, look, below(inner, row), buffer);
+        draw_history(history, panel.at(below(inner, row)), buffer);
     }
 }
 
@@ -241,38 +242,38 @@ fn losses(link: &LinkSummary) -> String {
     }
 }
 
-fn draw_history(history: &History, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let half = area.width / 2;
+fn draw_history(history: &History, panel: Panel<'_>, buffer: &mut Buffer) {
+    let half = panel.area.width / 2;
     let sides = [
         (text!("links-in"), &history.bytes_in, 0),
         (text!("links-out"), &history.bytes_out, half),
     ];
     for (label, values, from) in sides {
         let most = values.iter().copied().fold(0.0, f64::max);
-        let title = look.text(&text!(
+        let title = panel.text(&text!(
             "links-history",
             way = label,
             most = format!("{most:.0}"),
             seconds = HISTORY_S
         ));
-        let side = columns(area, from, half.saturating_sub(1));
+        let side = columns(panel.area, from, half.saturating_sub(1));
         let title = clip(&title, side.width.into());
         put(
             buffer,
             side,
             0,
-            &Line::styled(title, look.style(Role::Muted)),
+            &Line::styled(title, panel.style(Role::Muted)),
         );
-        let area = upper(below(side, 1), CURVE_ROWS.max(side.height.min(8) / 2));
-        let values = spread(values, curve::steps(area.width, look.symbols));
-        let style = look.style(Role::Accent);
+        let plot = upper(below(side, 1), CURVE_ROWS.max(side.height.min(8) / 2));
+        let values = spread(values, curve::steps(plot.width, panel.look.symbols));
+        let style = panel.style(Role::Accent);
         let curve = Curve {
             values: &values,
             low: 0.0,
             high: most.max(1.0),
             style,
         };
-        curve::draw(&curve, look.symbols, area, buffer);
+        curve::draw(&curve, panel.look.symbols, plot, buffer);
     }
 }
 

@@ -1,7 +1,6 @@
 //! The room of the map: the canvas, its cursor, and what there is to say of the place under it.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use crate::app::State;
@@ -9,15 +8,16 @@ use crate::app::room::map::LEGEND_WIDTH;
 use crate::geo::{LatLon, Viewport};
 use crate::text::figure;
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::map::{draw as draw_map, draw_legend, length};
 use crate::ui::widget::{below, columns, put, row_of, upper, urgent};
 
-pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let map = &state.rooms.map;
-    let pane = upper(area, area.height.saturating_sub(1));
+    let pane = upper(panel.area, panel.area.height.saturating_sub(1));
     let (pane, legend) = if map.shows_legend(state.size) {
-        let width = area.width.saturating_sub(LEGEND_WIDTH);
+        let width = panel.area.width.saturating_sub(LEGEND_WIDTH);
         (
             columns(pane, 0, width),
             columns(pane, width + 1, LEGEND_WIDTH),
@@ -25,39 +25,44 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     } else {
         (pane, columns(pane, 0, 0))
     };
-    draw_map(state, look, pane, buffer);
+    draw_map(state, panel.at(pane), buffer);
     if legend.width > 0 {
-        draw_legend(state, look, legend, buffer);
+        draw_legend(state, panel.at(legend), buffer);
     }
     let canvas = below(pane, 1);
     // Over the land in the north: a map that moved with every alert could not be read.
-    urgent::draw(state, look, upper(canvas, urgent::height(state)), buffer);
+    urgent::draw(
+        state,
+        panel.at(upper(canvas, urgent::height(state))),
+        buffer,
+    );
     if let Some(view) = map.view((canvas.width, canvas.height)) {
         let cursor = map.pointed(&view);
-        draw_cursor(&view, cursor, look, canvas, buffer);
-        let whole = place_line(state, look, cursor, true);
-        let line = if whole.width() > usize::from(area.width) {
-            place_line(state, look, cursor, false)
+        draw_cursor(&view, cursor, panel.at(canvas), buffer);
+        let whole = place_line(state, panel.look, cursor, true);
+        let line = if whole.width() > usize::from(panel.area.width) {
+            place_line(state, panel.look, cursor, false)
         } else {
             whole
         };
         put(
             buffer,
-            row_of(area, area.height.saturating_sub(1)),
+            row_of(panel.area, panel.area.height.saturating_sub(1)),
             0,
             &line,
         );
     }
 }
 
-fn draw_cursor(view: &Viewport, cursor: LatLon, look: &Look, area: Rect, buffer: &mut Buffer) {
+fn draw_cursor(view: &Viewport, cursor: LatLon, panel: Panel<'_>, buffer: &mut Buffer) {
     let cell = view.cell(cursor);
-    let found = cell.and_then(|(column, row)| buffer.cell_mut((area.x + column, area.y + row)));
+    let found =
+        cell.and_then(|(column, row)| buffer.cell_mut((panel.area.x + column, panel.area.y + row)));
     if let Some(cell) = found {
         if cell.symbol() == " " {
             cell.set_char('┼');
         }
-        cell.set_style(look.style(Role::Cursor));
+        cell.set_style(panel.style(Role::Cursor));
     }
 }
 

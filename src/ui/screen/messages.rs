@@ -3,7 +3,6 @@
 use std::time::Duration;
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use crate::app::State;
@@ -11,8 +10,9 @@ use crate::app::room::messages::{Branch, Messages, Node};
 use crate::inspector::{Direction, FrameSource, MessageTally, Rate, name_of, read};
 use crate::text;
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{below, clip, columns, put, row_of, titled, upper};
+use crate::ui::widget::{below, clip, columns, put, row_of, upper};
 use crate::wire::Anatomy;
 
 mod fields;
@@ -24,44 +24,44 @@ const WIDE_TREE: u16 = 62;
 /// From this width on, the tree is wide.
 const WIDE: u16 = 112;
 
-pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let room = &state.rooms.messages;
-    let tree_width = if area.width >= WIDE {
+    let tree_width = if panel.area.width >= WIDE {
         WIDE_TREE
     } else {
         NARROW_TREE
     };
     let branches = room.branches();
-    draw_tree(room, &branches, look, columns(area, 0, tree_width), buffer);
-    let right = columns(area, tree_width + 1, area.width);
+    draw_tree(room, &branches, panel.columns(0, tree_width), buffer);
+    let right = columns(panel.area, tree_width + 1, panel.area.width);
     let graphs = graph::height(room, right.height);
     let top = upper(right, right.height - graphs);
-    fields::draw(state, room.selected_in(&branches), look, top, buffer);
-    graph::draw(room, look, below(right, top.height), buffer);
+    fields::draw(state, room.selected_in(&branches), panel.at(top), buffer);
+    graph::draw(room, panel.at(below(right, top.height)), buffer);
 }
 
-fn draw_tree(room: &Messages, branches: &[Branch], look: &Look, area: Rect, buffer: &mut Buffer) {
-    let inner = titled(&tree_title(room, look), look, area, buffer);
-    let is_wide = area.width >= WIDE_TREE;
-    let head = heading(is_wide, inner.width, look);
+fn draw_tree(room: &Messages, branches: &[Branch], panel: Panel<'_>, buffer: &mut Buffer) {
+    let inner = panel.titled(&tree_title(room, panel.look), buffer);
+    let is_wide = panel.area.width >= WIDE_TREE;
+    let head = heading(is_wide, inner.width, panel.look);
     put(
         buffer,
         inner,
         0,
-        &Line::styled(head, look.style(Role::Muted)),
+        &Line::styled(head, panel.style(Role::Muted)),
     );
     let inner = below(inner, 1);
     if branches.is_empty() {
         let text = if room.filter.is_empty() {
-            look.say("messages-none")
+            panel.say("messages-none")
         } else {
-            look.say("messages-none-found")
+            panel.say("messages-none-found")
         };
         put(
             buffer,
             inner,
             0,
-            &Line::styled(text, look.style(Role::Muted)),
+            &Line::styled(text, panel.style(Role::Muted)),
         );
         return;
     }
@@ -70,7 +70,7 @@ fn draw_tree(room: &Messages, branches: &[Branch], look: &Look, area: Rect, buff
     let middle = cursor.saturating_sub(rows / 2);
     let first = middle.min(branches.len().saturating_sub(rows));
     for (row, branch) in branches.iter().skip(first).take(rows).enumerate() {
-        let line = tree_line(room, branch, is_wide, inner.width, look);
+        let line = tree_line(room, branch, is_wide, inner.width, panel.look);
         put(buffer, inner, row as u16, &line);
         if first + row == cursor {
             let role = if room.field.is_some() {
@@ -78,7 +78,7 @@ fn draw_tree(room: &Messages, branches: &[Branch], look: &Look, area: Rect, buff
             } else {
                 Role::Cursor
             };
-            buffer.set_style(row_of(inner, row as u16), look.style(role));
+            buffer.set_style(row_of(inner, row as u16), panel.style(role));
         }
     }
 }

@@ -1,7 +1,6 @@
 //! The mission's brief, objectives and rules.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use ratatui::text::Line;
 
 use crate::app::State;
@@ -11,31 +10,35 @@ use crate::app::room::mission::{self, PageLine, Tone, visible};
 use crate::app::state::Room;
 use crate::notice::sanitised;
 use crate::text;
-use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{below, columns, put, row_of, titled, upper};
+use crate::ui::widget::{below, columns, put, row_of, upper};
 
 /// Draws the lines from the first one shown on; the last page stays full.
-pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let pages = mission::columns(state, &look.locale, area.width);
+pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
+    let pages = mission::columns(state, &panel.look.locale, panel.area.width);
     if pages.is_empty() {
         let line = Line::styled(
-            format!(" {}", look.say("mission-none")),
-            look.style(Role::Muted),
+            format!(" {}", panel.say("mission-none")),
+            panel.style(Role::Muted),
         );
-        put(buffer, below(area, 1), 0, &line);
+        put(buffer, below(panel.area, 1), 0, &line);
         return;
     }
     let longest = pages.iter().map(Vec::len).max().unwrap_or(0);
-    let rows = visible(longest, area.height);
+    let rows = visible(longest, panel.area.height);
     let last = longest.saturating_sub(rows);
     let first = state.rooms.mission.scroll.min(last);
-    let width = area.width / pages.len() as u16;
+    let width = panel.area.width / pages.len() as u16;
     for (at, page) in pages.iter().enumerate() {
         let left = at as u16 * width + 1;
-        let here = columns(upper(area, rows as u16), left, width.saturating_sub(2));
+        let here = columns(
+            upper(panel.area, rows as u16),
+            left,
+            width.saturating_sub(2),
+        );
         for (row, line) in page.iter().skip(first).take(rows).enumerate() {
-            draw_line(line, look, row_of(here, row as u16), buffer);
+            draw_line(line, panel.at(row_of(here, row as u16)), buffer);
         }
     }
     if longest > rows {
@@ -48,19 +51,19 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
                 .keymap
                 .keys(Action::UP_AND_DOWN, Place::In(Room::Mission))
         );
-        let line = Line::styled(format!(" {}", look.text(&shown)), look.style(Role::Muted));
-        put(buffer, area, rows as u16, &line);
+        let line = Line::styled(format!(" {}", panel.text(&shown)), panel.style(Role::Muted));
+        put(buffer, panel.area, rows as u16, &line);
     }
 }
 
-fn draw_line(line: &PageLine, look: &Look, place: Rect, buffer: &mut Buffer) {
+fn draw_line(line: &PageLine, panel: Panel<'_>, buffer: &mut Buffer) {
     let text = sanitised(&line.text);
     if line.tone == Tone::Title {
-        titled(&text, look, place, buffer);
+        panel.titled(&text, buffer);
         return;
     }
-    let style = look.style(tone_role(line.tone));
-    put(buffer, place, 0, &Line::styled(text, style));
+    let style = panel.style(tone_role(line.tone));
+    put(buffer, panel.area, 0, &Line::styled(text, style));
 }
 
 /// The role of a tone.

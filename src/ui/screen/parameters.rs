@@ -2,18 +2,17 @@
 //! what the parameter under the cursor is on every vehicle that a new value would go to.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
-use ratatui::text::{Line, Span};
+use ratatui::text::Line;
 
 use crate::app::State;
 use crate::app::action::Action;
 use crate::app::room::parameters::{Edit, Row, coming, cursor_row, outcome, rows};
+use crate::ui::panel::Panel;
 
 use crate::commands::is_written_so;
 use crate::ledger::RowState;
 use crate::text;
 use crate::text::Text;
-use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::ui::widget::{below, put, row_of, upper};
 use crate::vehicle::VehicleId;
@@ -27,29 +26,41 @@ const STATUS_ROWS: u16 = 2;
 /// The list keeps at least so many rows.
 const LIST_LEAST: u16 = 8;
 
-pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let Some(vehicle) = state.session.cursor else {
-        let line = Line::styled(look.say("parameters-no-vehicle"), look.style(Role::Muted));
-        put(buffer, below(area, 1), 0, &line);
+        let line = Line::styled(panel.say("parameters-no-vehicle"), panel.style(Role::Muted));
+        put(buffer, below(panel.area, 1), 0, &line);
         return;
     };
     let rows = rows(state);
-    let (status, rest) = (upper(area, STATUS_ROWS), below(area, STATUS_ROWS));
-    status::draw(state, vehicle, (&rows, look), status, buffer);
+    let (status, rest) = (
+        upper(panel.area, STATUS_ROWS),
+        below(panel.area, STATUS_ROWS),
+    );
+    status::draw(state, vehicle, &rows, panel.at(status), buffer);
     let at = cursor_row(state, &rows);
     let Some(row) = rows.get(at) else {
-        return draw_nothing(state, vehicle, look, rest, buffer);
+        return draw_nothing(state, vehicle, panel.at(rest), buffer);
     };
-    let told = detail::lines(state, vehicle, row, (look, usize::from(area.width)));
+    let told = detail::lines(state, vehicle, row, panel);
     let most = rest.height.saturating_sub(LIST_LEAST);
     let list_rows = rest.height - most.min(told.len() as u16 + 1);
     let list = upper(rest, list_rows);
-    list::draw(state, vehicle, (&rows, at), look, list, buffer);
-    detail::draw(row.name, &told, look, below(rest, list_rows), buffer);
+    list::draw(
+        state,
+        &list::ShownRows {
+            vehicle,
+            rows: &rows,
+            at,
+        },
+        panel.at(list),
+        buffer,
+    );
+    detail::draw(row.name, &told, panel.at(below(rest, list_rows)), buffer);
 }
 
 /// Why the list is empty.
-fn draw_nothing(state: &State, vehicle: VehicleId, look: &Look, area: Rect, buffer: &mut Buffer) {
+fn draw_nothing(state: &State, vehicle: VehicleId, panel: Panel<'_>, buffer: &mut Buffer) {
     let room = &state.rooms.parameters;
     let known = room.lists.get(&vehicle);
     let text = if known.is_none_or(|known| known.list.is_empty()) {
@@ -67,8 +78,8 @@ fn draw_nothing(state: &State, vehicle: VehicleId, look: &Look, area: Rect, buff
             key = state.key(Action::ChangedParameters)
         )
     };
-    let line = Line::styled(format!(" {}", look.text(&text)), look.style(Role::Muted));
-    put(buffer, row_of(area, 1), 0, &line);
+    let line = Line::styled(format!(" {}", panel.text(&text)), panel.style(Role::Muted));
+    put(buffer, row_of(panel.area, 1), 0, &line);
 }
 
 /// What became of a value that was asked for, in a word and its colour, and why: of a failure, and of a value that the
@@ -93,15 +104,4 @@ fn edited(
     let became_other = now.is_some_and(|now| !is_written_so(now, edit.value));
     let is_told = row.state.is_failure() || row.state == RowState::Done && became_other;
     Some((word, role, row.explanation.clone().filter(|_| is_told)))
-}
-
-/// A text filled up to a width, or cut to it.
-fn cell(text: &str, width: usize, right: bool) -> String {
-    let text = crate::ui::widget::clip(text, width);
-    let blanks = " ".repeat(width.saturating_sub(Span::raw(&text).width()));
-    if right {
-        blanks + &text
-    } else {
-        text + &blanks
-    }
 }

@@ -11,8 +11,9 @@ use crate::app::state::Career;
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{below, columns, put, titled, upper, wrap};
+use crate::ui::widget::{below, columns, put, upper, wrap};
 
 mod scores;
 mod skills;
@@ -29,39 +30,45 @@ struct Subject<'a> {
 }
 
 /// Draws who it is about, and the pane that was chosen, or all where there is room.
-pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let Some(career) = &state.career else {
-        return draw_nobody(state, look, area, buffer);
+        return draw_nobody(state, panel, buffer);
     };
     let subject = Subject {
         state,
         career,
-        look,
+        look: panel.look,
     };
-    draw_summary(&subject, area, buffer);
-    let area = below(area, 2);
-    if !shows_all(state.size) && !shows_all((area.width, area.height + 4)) {
+    draw_summary(&subject, panel.area, buffer);
+    let panel = panel.below(2);
+    if !shows_all(state.size) && !shows_all((panel.area.width, panel.area.height + 4)) {
         match state.rooms.standing.pane {
-            Pane::Skills => skills::draw(&subject, area, buffer),
-            Pane::Scores => scores::draw(&subject, area, buffer),
-            Pane::Wealth => wealth::draw(&subject, area, buffer),
+            Pane::Skills => skills::draw(&subject, panel.area, buffer),
+            Pane::Scores => scores::draw(&subject, panel.area, buffer),
+            Pane::Wealth => wealth::draw(&subject, panel.area, buffer),
         }
         return;
     }
-    let top = upper(area, area.height.saturating_sub(WEALTH_ROWS + 1));
-    let half = area.width / 2;
+    let top = upper(
+        panel.area,
+        panel.area.height.saturating_sub(WEALTH_ROWS + 1),
+    );
+    let half = panel.area.width / 2;
     let left = columns(top, 0, half.saturating_sub(1));
     skills::draw(&subject, left, buffer);
-    scores::draw(&subject, columns(top, half + 1, area.width), buffer);
-    wealth::draw(&subject, below(area, top.height + 1), buffer);
+    scores::draw(&subject, columns(top, half + 1, panel.area.width), buffer);
+    wealth::draw(&subject, below(panel.area, top.height + 1), buffer);
 }
 
-fn draw_nobody(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let text = look.text(&text!("standing-nobody", key = state.key(Action::Profiles)));
-    let lines = wrap(&text, usize::from(area.width.saturating_sub(2)).min(80));
+fn draw_nobody(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
+    let text = panel.text(&text!("standing-nobody", key = state.key(Action::Profiles)));
+    let lines = wrap(
+        &text,
+        usize::from(panel.area.width.saturating_sub(2)).min(80),
+    );
     for (row, line) in lines.into_iter().enumerate() {
-        let line = Line::styled(format!(" {line}"), look.style(Role::Muted));
-        put(buffer, below(area, 1), row as u16, &line);
+        let line = Line::styled(format!(" {line}"), panel.style(Role::Muted));
+        put(buffer, below(panel.area, 1), row as u16, &line);
     }
 }
 
@@ -110,7 +117,7 @@ impl Subject<'_> {
         } else {
             ""
         };
-        titled(&format!("{mark}{title}"), self.look, area, buffer)
+        Panel::new(self.look, area).titled(&format!("{mark}{title}"), buffer)
     }
 
     /// Whether the cursor is in a pane.

@@ -11,9 +11,10 @@ use crate::app::state::Room;
 use crate::app::state::Session;
 use crate::text;
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::telemetry::last_known;
-use crate::ui::widget::{below, columns, put, titled, upper};
+use crate::ui::widget::{below, columns, put, upper};
 use crate::vehicle::Vehicle;
 
 mod curves;
@@ -51,33 +52,33 @@ struct Subject<'a> {
 }
 
 /// Draws the vehicle under the cursor.
-pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let Some(vehicle) = state.session.under_cursor() else {
-        let line = Line::styled(look.say("vehicle-none"), look.style(Role::Muted));
-        put(buffer, below(area, 1), 0, &line);
+        let line = Line::styled(panel.say("vehicle-none"), panel.style(Role::Muted));
+        put(buffer, below(panel.area, 1), 0, &line);
         return;
     };
     let subject = Subject {
         vehicle,
         state,
-        look,
+        look: panel.look,
     };
-    let is_whole = area.width >= WHOLE.0 && area.height >= WHOLE.1;
+    let is_whole = panel.area.width >= WHOLE.0 && panel.area.height >= WHOLE.1;
     let page = state.rooms.vehicle.page % PAGES;
-    draw_name(&subject, (!is_whole).then_some(page), area, buffer);
-    let mut area = below(area, 1);
-    if let Some(line) = last_known(vehicle, state, look) {
-        put(buffer, area, 0, &line);
-        area = below(area, 1);
+    draw_name(&subject, (!is_whole).then_some(page), panel.area, buffer);
+    let mut body = panel.below(1);
+    if let Some(line) = last_known(vehicle, state, panel.look) {
+        put(buffer, body.area, 0, &line);
+        body = body.below(1);
     }
     match page {
-        _ if is_whole => draw_whole(&subject, area, buffer),
-        0 => draw_flight(&subject, area, buffer),
-        1 => draw_condition(&subject, area, buffer),
-        _ => draw_reports(&subject, area, buffer),
+        _ if is_whole => draw_whole(&subject, body.area, buffer),
+        0 => draw_flight(&subject, body.area, buffer),
+        1 => draw_condition(&subject, body.area, buffer),
+        _ => draw_reports(&subject, body.area, buffer),
     }
     if vehicle.link.lost {
-        buffer.set_style(area, look.style(Role::Muted));
+        buffer.set_style(body.area, panel.style(Role::Muted));
     }
 }
 
@@ -177,7 +178,7 @@ fn draw_reports(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
 /// The horizon above the heading tape.
 fn draw_attitude(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     let look = subject.look;
-    let inner = titled(&look.say("vehicle-attitude"), look, area, buffer);
+    let inner = Panel::new(look, area).titled(&look.say("vehicle-attitude"), buffer);
     let Some(attitude) = &subject.vehicle.attitude else {
         put(
             buffer,
@@ -190,7 +191,7 @@ fn draw_attitude(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     // An odd number of rows, so that the horizon can lie in the row of the vehicle itself.
     let rows = inner.height.saturating_sub(TAPE_ROWS + 1);
     let view = upper(inner, rows - u16::from(rows > 0 && rows.is_multiple_of(2)));
-    horizon::draw(attitude, look, view, buffer);
+    horizon::draw(attitude, Panel::new(look, view), buffer);
     // Adding zero turns a rounded -0 into +0, which does not flicker.
     let [roll, pitch] = [attitude.roll_deg, attitude.pitch_deg].map(|deg| deg.round() + 0.0);
     let angles = text!(
@@ -201,5 +202,5 @@ fn draw_attitude(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     let angles = Line::styled(look.text(&angles), look.style(Role::Text)).centered();
     let rest = below(inner, view.height);
     row::centred(buffer, rest, &angles);
-    tape::draw(attitude.yaw_deg, look, below(rest, 1), buffer);
+    tape::draw(attitude.yaw_deg, Panel::new(look, below(rest, 1)), buffer);
 }

@@ -9,6 +9,7 @@ use crate::app::State;
 use crate::app::room::workshop::{Page, Pane, View, WIDE};
 use crate::text;
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{below, columns, put, row_of, upper, wrap};
 use crate::workshop::Measure;
@@ -33,61 +34,61 @@ const FIGURES_ROWS: u16 = Measure::ALL.len() as u16 + 1;
 /// Rows of what speaks against a design, where something follows below.
 const FINDINGS_ROWS: u16 = 10;
 
-pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     match state.rooms.workshop.page {
-        Page::Bench if area.width >= WIDE => draw_wide(state, look, area, buffer),
-        Page::Bench => draw_narrow(state, look, area, buffer),
-        Page::Designs => shelf::draw(state, look, area, buffer),
-        Page::Compare => compare::draw(state, look, area, buffer),
-        Page::Fleet => fleet::draw(state, look, area, buffer),
+        Page::Bench if panel.area.width >= WIDE => draw_wide(state, panel, buffer),
+        Page::Bench => draw_narrow(state, panel, buffer),
+        Page::Designs => shelf::draw(state, panel, buffer),
+        Page::Compare => compare::draw(state, panel, buffer),
+        Page::Fleet => fleet::draw(state, panel, buffer),
     }
 }
 
 /// Everything at a time, in three columns.
-fn draw_wide(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let slots_width = area.width * SLOTS_PERCENT / 100;
-    let middle = area.width - slots_width - WIDE_FIGURES - 2;
-    let left = columns(area, 0, slots_width);
+fn draw_wide(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
+    let slots_width = panel.area.width * SLOTS_PERCENT / 100;
+    let middle = panel.area.width - slots_width - WIDE_FIGURES - 2;
+    let left = columns(panel.area, 0, slots_width);
     let slots = state.rooms.workshop.bench.rows().len() as u16 + 2;
-    let slots = slots.min(area.height.saturating_sub(FINDINGS_ROWS));
-    slots::draw(state, look, upper(left, slots), buffer);
-    findings::draw(state, look, below(left, slots), buffer);
-    parts::draw(state, look, columns(area, slots_width + 1, middle), buffer);
-    let right = columns(area, slots_width + middle + 2, WIDE_FIGURES);
-    figures::draw(state, look, upper(right, FIGURES_ROWS + 1), buffer);
+    let slots = slots.min(panel.area.height.saturating_sub(FINDINGS_ROWS));
+    slots::draw(state, panel.at(upper(left, slots)), buffer);
+    findings::draw(state, panel.at(below(left, slots)), buffer);
+    parts::draw(state, panel.columns(slots_width + 1, middle), buffer);
+    let right = columns(panel.area, slots_width + middle + 2, WIDE_FIGURES);
+    figures::draw(state, panel.at(upper(right, FIGURES_ROWS + 1)), buffer);
     let rest = below(right, FIGURES_ROWS + 1);
     let half = rest.height / 2;
-    chart::draw(state, look, upper(rest, half), buffer);
-    mission::draw(state, look, below(rest, half), buffer);
+    chart::draw(state, panel.at(upper(rest, half)), buffer);
+    mission::draw(state, panel.at(below(rest, half)), buffer);
 }
 
 /// The lists to the left, and what the user wants to see to the right.
-fn draw_narrow(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+fn draw_narrow(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let room = &state.rooms.workshop;
-    let width = area.width * 45 / 100;
-    let left = columns(area, 0, width);
-    let right = columns(area, width + 1, area.width - width - 1);
-    if area.height >= TALL {
+    let width = panel.area.width * 45 / 100;
+    let left = columns(panel.area, 0, width);
+    let right = columns(panel.area, width + 1, panel.area.width - width - 1);
+    if panel.area.height >= TALL {
         let slots = room.bench.rows().len() as u16 + 2;
-        let slots = slots.min(area.height / 2);
-        slots::draw(state, look, upper(left, slots), buffer);
-        parts::draw(state, look, below(left, slots), buffer);
+        let slots = slots.min(panel.area.height / 2);
+        slots::draw(state, panel.at(upper(left, slots)), buffer);
+        parts::draw(state, panel.at(below(left, slots)), buffer);
     } else if room.pane == Pane::Slots {
-        slots::draw(state, look, left, buffer);
+        slots::draw(state, panel.at(left), buffer);
     } else {
-        parts::draw(state, look, left, buffer);
+        parts::draw(state, panel.at(left), buffer);
     }
-    let is_tall = area.height >= TALL;
+    let is_tall = panel.area.height >= TALL;
     let (figures, rest) = if is_tall || room.view == View::Figures {
         (upper(right, FIGURES_ROWS), below(right, FIGURES_ROWS))
     } else {
         (upper(right, 0), right)
     };
-    figures::draw(state, look, figures, buffer);
+    figures::draw(state, panel.at(figures), buffer);
     match room.view {
-        View::Figures => findings::draw(state, look, rest, buffer),
-        View::Polar | View::Payload => chart::draw(state, look, rest, buffer),
-        View::Mission => mission::draw(state, look, rest, buffer),
+        View::Figures => findings::draw(state, panel.at(rest), buffer),
+        View::Polar | View::Payload => chart::draw(state, panel.at(rest), buffer),
+        View::Mission => mission::draw(state, panel.at(rest), buffer),
     }
 }
 

@@ -1,7 +1,6 @@
 //! The line of alerts: the worst that nobody has taken note of.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use ratatui::style::Modifier;
 use ratatui::text::{Line, Span};
 
@@ -11,6 +10,7 @@ use crate::app::state::Pressing;
 use crate::language::ranges;
 use crate::text;
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{clip, put, severity_role, short_clock, width};
 
@@ -20,25 +20,26 @@ pub fn height(state: &State) -> u16 {
 }
 
 /// Draws the line, if anything presses.
-pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let Some(pressing) = state.session.alarms.pressing() else {
         return;
     };
     let clock = short_clock(state.session.time(pressing.first.since));
-    let hint = look.text(&text!(
+    let hint = panel.text(&text!(
         "alert-acknowledge-hint",
         key = state.key(Action::Acknowledge)
     ));
-    let room = usize::from(area.width).saturating_sub(width(&hint) + 4);
-    let text = clip(&words(&pressing, &clock, look), room);
-    let style = look
+    let room = usize::from(panel.area.width).saturating_sub(width(&hint) + 4);
+    let text = clip(&words(&pressing, &clock, panel.look), room);
+    let style = panel
+        .look
         .style(severity_role(pressing.first.alert.severity))
         .add_modifier(Modifier::BOLD);
     let line = Line::from(vec![
         Span::styled(format!("! {text}"), style),
-        Span::styled(format!("  {hint}"), look.style(Role::Muted)),
+        Span::styled(format!("  {hint}"), panel.style(Role::Muted)),
     ]);
-    put(buffer, area, 0, &line);
+    put(buffer, panel.area, 0, &line);
 }
 
 fn words(pressing: &Pressing<'_>, clock: &str, look: &Look) -> String {

@@ -1,12 +1,11 @@
 //! A chart of bars with lines across it: values one by one against marks.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use ratatui::style::Style;
 use ratatui::text::Line;
 
 use super::{aligned, columns, put, width};
-use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 
 /// Eighths of a cell.
@@ -35,19 +34,19 @@ pub struct Bars<'a> {
 }
 
 /// Draws the chart: names of lines at the left, labels in the last row.
-pub fn draw(chart: &Bars<'_>, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let rows = area.height.saturating_sub(1);
+pub fn draw(chart: &Bars<'_>, panel: Panel<'_>, buffer: &mut Buffer) {
+    let rows = panel.area.height.saturating_sub(1);
     if rows == 0 {
         return;
     }
     let names = chart.lines.iter().map(|(_, name)| width(name)).max();
     let names = names.map_or(0, |names| names + 1);
-    let plot = columns(area, names as u16, area.width);
+    let plot = columns(panel.area, names as u16, panel.area.width);
     for (value, name) in chart.lines {
         let row = chart.row(*value, rows);
-        let muted = look.style(Role::Muted);
+        let muted = panel.style(Role::Muted);
         let name = Line::styled(aligned(name, names, false), muted);
-        put(buffer, area, row, &name);
+        put(buffer, panel.area, row, &name);
         let rule = "┄".repeat(usize::from(plot.width));
         put(buffer, plot, row, &Line::styled(rule, muted));
     }
@@ -84,7 +83,10 @@ impl Bars<'_> {
 
 #[cfg(test)]
 mod tests {
+    use ratatui::layout::Rect;
+
     use super::*;
+    use crate::ui::look::Look;
 
     fn drawn(values: &[f64], lines: &[(f64, String)], width: u16) -> Vec<String> {
         let bars: Vec<Bar> = values
@@ -102,7 +104,7 @@ mod tests {
             lines,
             most: 1000.0,
         };
-        draw(&chart, &Look::default(), area, &mut buffer);
+        draw(&chart, Panel::new(&Look::default(), area), &mut buffer);
         let rows = buffer.content.chunks(usize::from(width));
         let line = |row: &[ratatui::buffer::Cell]| -> String {
             let cells = row.iter().map(ratatui::buffer::Cell::symbol);

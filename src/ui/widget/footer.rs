@@ -1,7 +1,6 @@
 //! The last line: what is being typed, else what the console has to say, else what the keys do.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use crate::app::State;
@@ -11,6 +10,7 @@ use crate::app::room;
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{below, put, severity_role, width as width_of};
 
@@ -18,9 +18,14 @@ use crate::ui::widget::{below, put, severity_role, width as width_of};
 const COMMANDS: &[&str] = &["arm", "takeoff ", "goto ", "mode ", "hold", "land", "rtl"];
 
 /// Draws the footer into the last row of the screen.
-pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let row = below(area, area.height.saturating_sub(1));
-    put(buffer, row, 0, &line(state, look, usize::from(area.width)));
+pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
+    let row = below(panel.area, panel.area.height.saturating_sub(1));
+    put(
+        buffer,
+        row,
+        0,
+        &line(state, panel.look, usize::from(panel.area.width)),
+    );
 }
 
 fn line<'a>(state: &'a State, look: &Look, width: usize) -> Line<'a> {

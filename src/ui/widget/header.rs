@@ -10,46 +10,47 @@ use crate::app::state::Room;
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{clip, clock, columns, put, width};
+use crate::ui::widget::{clip, clock, columns, put, upper, width};
 
 /// Draws the header and returns the area between it and the footer.
-pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) -> Rect {
-    let header = Rect { height: 1, ..area };
-    buffer.set_style(header, look.style(Role::Header));
-    let name = format!(" {} ", look.text(&state.room.title()).to_uppercase());
+pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
+    let header = upper(panel.area, 1);
+    buffer.set_style(header, panel.style(Role::Header));
+    let name = format!(" {} ", panel.text(&state.room.title()).to_uppercase());
     let activity = state.session.activity.as_ref();
-    let title = activity.map_or_else(String::new, |activity| look.text(&activity.title()));
-    let room = usize::from(area.width);
+    let title = activity.map_or_else(String::new, |activity| panel.text(&activity.title()));
+    let room = usize::from(panel.area.width);
     let paused = if state.session.paused {
-        format!(" {} ", look.say("header-paused"))
+        format!(" {} ", panel.say("header-paused"))
     } else {
         String::new()
     };
     let left = width(&name) + width(&paused) + 1;
     // The figures give way to the title as long as they lose no meaning by it.
     let fits = |right: &String| left + width(&title) + 3 + width(right) < room;
-    let long = right_part(state, look, false);
+    let long = right_part(state, panel.look, false);
     let right = if fits(&long) {
         long
     } else {
-        right_part(state, look, true)
+        right_part(state, panel.look, true)
     };
     let title = clip(&title, room.saturating_sub(left + width(&right) + 4));
-    let bold = look.style(Role::Header).add_modifier(Modifier::BOLD);
+    let bold = panel.style(Role::Header).add_modifier(Modifier::BOLD);
     let line = Line::from(vec![
         Span::styled(name, bold),
-        Span::styled(paused, look.style(Role::Cursor)),
+        Span::styled(paused, panel.style(Role::Cursor)),
         Span::raw(format!(" {title}")),
     ]);
     put(buffer, header, 0, &line);
-    let start = area.width.saturating_sub(width(&right) as u16 + 1);
-    let place = columns(header, start, area.width);
+    let start = panel.area.width.saturating_sub(width(&right) as u16 + 1);
+    let place = columns(header, start, panel.area.width);
     put(buffer, place, 0, &Line::raw(right));
     Rect {
-        y: area.y + 1,
-        height: area.height.saturating_sub(2),
-        ..area
+        y: panel.area.y + 1,
+        height: panel.area.height.saturating_sub(2),
+        ..panel.area
     }
 }
 

@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use ratatui::style::Style;
 use ratatui::text::{Line, Span};
 
@@ -15,16 +14,17 @@ use crate::ledger::{LedgerEntry, LedgerRow, RowState};
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{clip, clock, put, row_role, titled, wrap};
+use crate::ui::widget::{clip, clock, put, row_role, wrap};
 use crate::vehicle::VehicleId;
 
 /// Columns before what became of a command.
 const INDENT: usize = 2;
 
 /// Draws the newest entries that fit.
-pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let inner = titled(&look.say("commands-pane"), look, area, buffer);
+pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
+    let inner = panel.titled(&panel.say("commands-pane"), buffer);
     let rows = usize::from(inner.height);
     let width = usize::from(inner.width);
     let mut blocks: Vec<Vec<Line<'_>>> = Vec::new();
@@ -33,13 +33,13 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
         if used >= rows {
             break;
         }
-        let mut block = entry_lines(entry, &state.session, width, look);
+        let mut block = entry_lines(entry, &state.session, width, panel.look);
         cut(&mut block, rows - used, width);
         used += block.len();
         blocks.push(block);
     }
     if blocks.is_empty() {
-        let text = look.text(&text!(
+        let text = panel.text(&text!(
             "commands-none",
             key = state.key(Action::CommandLine)
         ));
@@ -47,7 +47,7 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
             buffer,
             inner,
             0,
-            &Line::styled(text, look.style(Role::Muted)),
+            &Line::styled(text, panel.style(Role::Muted)),
         );
     }
     for (row, line) in blocks.iter().rev().flatten().enumerate() {

@@ -13,47 +13,42 @@ use crate::app::keymap::Place;
 use crate::app::state::Log;
 use crate::text;
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{boxed, put, row_of};
+use crate::ui::widget::{put, row_of};
 
 /// Draws them, with the entry under the cursor marked and in sight.
-pub fn draw(
-    state: &State,
-    (log, cursor): (Log, Option<usize>),
-    look: &Look,
-    area: Rect,
-    buffer: &mut Buffer,
-) {
+pub fn draw(state: &State, log: Log, cursor: Option<usize>, panel: Panel<'_>, buffer: &mut Buffer) {
     let count = state.log_length(log);
     let cursor = cursor.unwrap_or(count).min(count.saturating_sub(1));
     let name = match log {
-        Log::Notices => look.say("fly-notices"),
+        Log::Notices => panel.say("fly-notices"),
     };
     let place = if count == 0 {
         String::new()
     } else {
         let text = text!("fly-place", at = cursor + 1, count = count);
-        format!("{}   ", look.text(&text))
+        format!("{}   ", panel.text(&text))
     };
     let keys = text!(
         "fly-log-keys",
         scroll = state.keymap.keys(Action::UP_AND_DOWN, Place::Reader),
         key = state.keymap.key(Action::Escape, Place::Reader)
     );
-    let title = format!("{name}   {place}{}", look.text(&keys));
-    let inner = boxed(&title, Role::Accent, look, area, buffer);
+    let title = format!("{name}   {place}{}", panel.text(&keys));
+    let inner = panel.boxed(&title, Role::Accent, buffer);
     let rows = usize::from(inner.height);
     // Every entry has a line at least: more of them than rows on either side cannot be seen.
     let near = cursor.saturating_sub(rows)..(cursor + rows + 1).min(count);
     let before = cursor - near.start;
-    let blocks = blocks(state, log, near, usize::from(inner.width), look);
+    let blocks = blocks(state, log, near, usize::from(inner.width), panel.look);
     if blocks.is_empty() {
-        let text = look.say("fly-nothing-yet");
+        let text = panel.say("fly-nothing-yet");
         put(
             buffer,
             inner,
             0,
-            &Line::styled(text, look.style(Role::Muted)),
+            &Line::styled(text, panel.style(Role::Muted)),
         );
     }
     let above: usize = blocks.iter().take(before).map(Vec::len).sum();
@@ -67,7 +62,7 @@ pub fn draw(
     for (row, (at, line)) in lines.iter().enumerate().skip(first).take(rows).enumerate() {
         put(buffer, inner, row as u16, line);
         if marked.contains(&at) {
-            buffer.set_style(row_of(inner, row as u16), look.style(Role::Cursor));
+            buffer.set_style(row_of(inner, row as u16), panel.style(Role::Cursor));
         }
         if at == marked.start {
             // Seen without colour too, in the free column beside the frame.
@@ -93,7 +88,7 @@ fn blocks<'a>(
         Log::Notices => {
             let notices = state.notices.lines().skip(which.start).take(count);
             notices
-                .map(|notice| notices::lines(notice, session, (width, usize::MAX), look))
+                .map(|notice| notices::lines(notice, session, width, usize::MAX, look))
                 .collect()
         }
     }

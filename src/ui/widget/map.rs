@@ -9,8 +9,9 @@ use crate::app::room::map::Aim;
 use crate::geo::Viewport;
 use crate::text;
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{below, centred, put, row_of, titled, wrap};
+use crate::ui::widget::{below, centred, put, row_of, wrap};
 
 mod canvas;
 mod finds;
@@ -24,14 +25,14 @@ pub use legend::{draw as draw_legend, length};
 pub use truth::draw as draw_truth;
 
 /// Draws the map as a pane with a title.
-pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let inner = below(area, 1);
+pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
+    let inner = below(panel.area, 1);
     let Some(view) = state.rooms.map.view((inner.width, inner.height)) else {
-        titled(&look.say("map-title"), look, area, buffer);
-        return draw_nowhere(look, inner, buffer);
+        panel.titled(&panel.say("map-title"), buffer);
+        return draw_nowhere(panel.at(inner), buffer);
     };
-    let outside = draw_view(state, look, &view, inner, buffer);
-    titled(&title(state, look, outside), look, area, buffer);
+    let outside = draw_view(state, panel.look, &view, inner, buffer);
+    panel.titled(&title(state, panel.look, outside), buffer);
 }
 
 fn title(state: &State, look: &Look, outside: usize) -> String {
@@ -67,16 +68,16 @@ fn draw_view(
     legend::draw_scale(look, view, area, buffer);
     if let Some((_, field)) = field {
         let last = row_of(area, area.height.saturating_sub(1));
-        heat::draw_scale(field, look, last, buffer);
+        heat::draw_scale(field, Panel::new(look, last), buffer);
     }
     outside
 }
 
-fn draw_nowhere(look: &Look, area: Rect, buffer: &mut Buffer) {
-    let lines = wrap(&look.say("map-nowhere"), usize::from(area.width));
-    let middle = centred(area.width, lines.len() as u16, area);
+fn draw_nowhere(panel: Panel<'_>, buffer: &mut Buffer) {
+    let lines = wrap(&panel.say("map-nowhere"), usize::from(panel.area.width));
+    let middle = centred(panel.area.width, lines.len() as u16, panel.area);
     for (row, line) in lines.into_iter().enumerate() {
-        let line = Line::styled(line, look.style(Role::Muted)).centered();
+        let line = Line::styled(line, panel.style(Role::Muted)).centered();
         put(buffer, middle, row as u16, &line);
     }
 }

@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use ratatui::style::Style;
 use ratatui::text::{Line, Span};
 use unicode_width::UnicodeWidthStr as _;
@@ -14,8 +13,9 @@ use crate::mission::{Cell, ObjectiveProgress, ObjectiveState, Progress, Trust};
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{below, clip, clock, columns, put, titled, wrap};
+use crate::ui::widget::{below, clip, clock, columns, put, wrap};
 use crate::vehicle::Vehicle;
 
 /// Columns between two readings.
@@ -33,7 +33,7 @@ pub fn height(progress: &Progress, width: u16, look: &Look) -> u16 {
     (1 + progress.objectives.len() + readings + counts(progress).len() + grid + hint) as u16
 }
 
-pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let Some(progress) = &state.session.mission else {
         return;
     };
@@ -44,31 +44,31 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
         limit = clock(progress.limit),
         score = score.map_or("-".to_owned(), |score| score.to_string())
     );
-    let mut rest = titled(&look.text(&title), look, area, buffer);
+    let mut rest = panel.titled(&panel.text(&title), buffer);
     let width = usize::from(rest.width);
     let objectives = progress
         .objectives
         .iter()
-        .map(|objective| objective_line(objective, width, look));
-    let readings = readings(progress, width, look);
+        .map(|objective| objective_line(objective, width, panel.look));
+    let readings = readings(progress, width, panel.look);
     let counts = counts(progress).into_iter().map(|text| {
-        let words = clip(&look.text(&text), width);
-        Line::styled(words, look.style(Role::Muted))
+        let words = clip(&panel.text(&text), width);
+        Line::styled(words, panel.style(Role::Muted))
     });
     for line in objectives.chain(readings).chain(counts) {
         put(buffer, rest, 0, &line);
         rest = below(rest, 1);
     }
     if let Some(grid) = Grid::of(&progress.cells) {
-        grid.draw(state, look, rest, buffer);
+        grid.draw(state, panel.at(rest), buffer);
         rest = below(rest, grid.rows() as u16);
     }
-    for line in hint_lines(progress, width, look) {
+    for line in hint_lines(progress, width, panel.look) {
         put(
             buffer,
             rest,
             0,
-            &Line::styled(line, look.style(Role::Accent)),
+            &Line::styled(line, panel.style(Role::Accent)),
         );
         rest = below(rest, 1);
     }
@@ -214,27 +214,27 @@ impl<'a> Grid<'a> {
     }
 
     /// A cell shows its name until it has been sampled, then what was found there.
-    fn draw(&self, state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
-        let fits = area.width / self.columns.max(1) as u16;
+    fn draw(&self, state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
+        let fits = panel.area.width / self.columns.max(1) as u16;
         let width = fits.min(CELL_WIDTH);
-        if width < 3 || area.height == 0 {
+        if width < 3 || panel.area.height == 0 {
             return;
         }
-        let mut rows = area.height;
+        let mut rows = panel.area.height;
         if self.rows() > usize::from(rows) {
             rows -= 1;
-            let text = look.say("mission-more-cells");
+            let text = panel.say("mission-more-cells");
             put(
                 buffer,
-                area,
+                panel.area,
                 rows,
-                &Line::styled(text, look.style(Role::Muted)),
+                &Line::styled(text, panel.style(Role::Muted)),
             );
         }
         for &(row, column, cell) in &self.cells {
             if row < usize::from(rows) {
-                let here = columns(area, column as u16 * width, width);
-                let (text, style) = Self::cell(cell, state, look);
+                let here = columns(panel.area, column as u16 * width, width);
+                let (text, style) = Self::cell(cell, state, panel.look);
                 let text = clip(&text, usize::from(width) - 1);
                 put(buffer, here, row as u16, &Line::styled(text, style));
             }

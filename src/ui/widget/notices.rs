@@ -1,7 +1,6 @@
 //! The notice pane, newest last.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use crate::app::State;
@@ -10,8 +9,9 @@ use crate::language::ranges;
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{aligned, clip, clock, put, severity_role, titled, wrap};
+use crate::ui::widget::{aligned, clip, clock, put, severity_role, wrap};
 use crate::vehicle::Severity;
 
 /// Columns of a severity.
@@ -20,14 +20,14 @@ const SEVERITY_WIDTH: usize = 5;
 const MOST_LINES: usize = 2;
 
 /// Draws the newest notices that fit.
-pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let inner = titled(&look.say("fly-notices"), look, area, buffer);
+pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
+    let inner = panel.titled(&panel.say("fly-notices"), buffer);
     let rows = usize::from(inner.height);
     let width = usize::from(inner.width);
     let mut blocks: Vec<Vec<Line<'_>>> = Vec::new();
     let mut used = 0;
     for notice in state.notices.lines().rev() {
-        let mut block = lines(notice, &state.session, (width, MOST_LINES), look);
+        let mut block = lines(notice, &state.session, width, MOST_LINES, panel.look);
         if used + block.len() > rows && used > 0 {
             break;
         }
@@ -44,7 +44,8 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
 pub fn lines<'a>(
     line: &NoticeLine,
     session: &Session,
-    (width, most): (usize, usize),
+    width: usize,
+    most: usize,
     look: &Look,
 ) -> Vec<Line<'a>> {
     let notice = &line.notice;
@@ -84,9 +85,9 @@ fn texts(line: &NoticeLine, width: usize, most: usize, look: &Look) -> Vec<Strin
     if lines.len() > most && !whole {
         // What is cut off must not take the count with it.
         let rest = lines.drain(most - 1..).collect::<Vec<_>>().join(" ");
-        let rest = rest.strip_suffix(&count).unwrap_or(&rest);
-        let rest = clip(rest, width.saturating_sub(count.len()));
-        lines.push(format!("{rest}{count}"));
+        let uncounted = rest.strip_suffix(&count).unwrap_or(&rest);
+        let last = clip(uncounted, width.saturating_sub(count.len()));
+        lines.push(format!("{last}{count}"));
     }
     lines
 }

@@ -10,36 +10,39 @@ use crate::app::keymap::Place;
 use crate::app::state::{Confirm, HelpLine, Overlay, SHORT_USAGE, help_lines};
 use crate::text;
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{boxed, centred, clip, put, wrap};
+use crate::ui::widget::{centred, clip, put, wrap};
 
 /// Columns that one column of help takes.
 const HELP_COLUMN: u16 = 74;
 
 /// Draws an overlay; those with a text cursor have files of their own.
-pub fn draw(state: &State, overlay: &Overlay, look: &Look, area: Rect, buffer: &mut Buffer) {
+pub fn draw(state: &State, overlay: &Overlay, panel: Panel<'_>, buffer: &mut Buffer) {
     match overlay {
-        Overlay::Confirm(question) => draw_confirm(question, look, area, buffer),
+        Overlay::Confirm(question) => draw_confirm(question, panel, buffer),
         Overlay::Profiles { cursor } => {
-            super::profiles::draw(state, *cursor, look, area, buffer);
+            super::profiles::draw(state, *cursor, panel, buffer);
         }
-        Overlay::Help { scroll } => draw_help(state, *scroll, look, area, buffer),
+        Overlay::Help { scroll } => draw_help(state, *scroll, panel, buffer),
         Overlay::Log { log, cursor } => {
-            super::log::draw(state, (*log, *cursor), look, area, buffer);
+            super::log::draw(state, *log, *cursor, panel, buffer);
         }
         Overlay::Palette(_) | Overlay::Prompt(_) => {}
     }
 }
 
-fn draw_confirm(question: &Confirm, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let place = centred(64, 8, area);
-    let inner = boxed(&look.say("ask-sure"), Role::Danger, look, place, buffer);
+fn draw_confirm(question: &Confirm, panel: Panel<'_>, buffer: &mut Buffer) {
+    let place = centred(64, 8, panel.area);
+    let inner = panel
+        .at(place)
+        .boxed(&panel.say("ask-sure"), Role::Danger, buffer);
     let width = usize::from(inner.width);
     let text = format!(
         "{} - {} {}",
-        look.text(&question.question),
-        look.say("ask-type"),
-        look.text(&question.wanted())
+        panel.text(&question.question),
+        panel.say("ask-type"),
+        panel.text(&question.wanted())
     );
     let mut row = 0;
     for line in wrap(&text, width).into_iter().take(3) {
@@ -47,41 +50,43 @@ fn draw_confirm(question: &Confirm, look: &Look, area: Rect, buffer: &mut Buffer
             buffer,
             inner,
             row,
-            &Line::styled(line, look.style(Role::Danger)),
+            &Line::styled(line, panel.style(Role::Danger)),
         );
         row += 1;
     }
-    let reason = clip(&look.text(&question.reason), width);
+    let reason = clip(&panel.text(&question.reason), width);
     put(buffer, inner, row, &Line::raw(reason));
     let typed = if question.cancelled {
-        let text = look.say("ask-taken-back");
-        Line::styled(text, look.style(Role::Warning))
+        let text = panel.say("ask-taken-back");
+        Line::styled(text, panel.style(Role::Warning))
     } else {
         Line::from(vec![
-            Span::styled(": ", look.style(Role::Key)),
+            Span::styled(": ", panel.style(Role::Key)),
             Span::raw(format!("{}_", question.typed)),
             Span::styled(
-                format!("   {}", look.say("ask-else")),
-                look.style(Role::Muted),
+                format!("   {}", panel.say("ask-else")),
+                panel.style(Role::Muted),
             ),
         ])
     };
     put(buffer, inner, row + 2, &typed);
 }
 
-fn draw_help(state: &State, scroll: usize, look: &Look, area: Rect, buffer: &mut Buffer) {
+fn draw_help(state: &State, scroll: usize, panel: Panel<'_>, buffer: &mut Buffer) {
     let title = text!(
         "help-title",
         scroll = state.keymap.keys(Action::UP_AND_DOWN, Place::Reader),
         key = state.keymap.key(Action::Escape, Place::Reader)
     );
-    let lines = help_lines(&state.keymap, state.room, &look.locale);
+    let lines = help_lines(&state.keymap, state.room, &panel.look.locale);
     let place = centred(
-        (area.width / HELP_COLUMN).max(1) * HELP_COLUMN + 6,
-        area.height - 2,
-        area,
+        (panel.area.width / HELP_COLUMN).max(1) * HELP_COLUMN + 6,
+        panel.area.height - 2,
+        panel.area,
     );
-    let inner = boxed(&look.text(&title), Role::Accent, look, place, buffer);
+    let inner = panel
+        .at(place)
+        .boxed(&panel.text(&title), Role::Accent, buffer);
     let columns = usize::from((inner.width / HELP_COLUMN).max(1));
     let rows = usize::from(inner.height);
     let first = scroll.min(lines.len().saturating_sub(rows * columns));
@@ -98,7 +103,12 @@ fn draw_help(state: &State, scroll: usize, look: &Look, area: Rect, buffer: &mut
             width: HELP_COLUMN.min(inner.right() - x),
             ..inner
         };
-        put(buffer, here, (at % rows) as u16, &help_line(line, look));
+        put(
+            buffer,
+            here,
+            (at % rows) as u16,
+            &help_line(line, panel.look),
+        );
     }
 }
 

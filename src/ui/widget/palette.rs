@@ -15,8 +15,9 @@ use crate::language::Completion;
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{below, boxed, clip, put, row_of, wrap};
+use crate::ui::widget::{below, clip, put, row_of, wrap};
 
 /// Rows of the box: frame, line, mark, message, choices.
 const HEIGHT: u16 = 13;
@@ -29,29 +30,25 @@ const LONGEST_WORD: usize = 24;
 const PROMPT: u16 = 2;
 
 /// Draws the box above the footer and returns where the terminal's cursor belongs.
-pub fn draw(
-    state: &State,
-    palette: &Palette,
-    look: &Look,
-    area: Rect,
-    buffer: &mut Buffer,
-) -> Position {
+pub fn draw(state: &State, palette: &Palette, panel: Panel<'_>, buffer: &mut Buffer) -> Position {
     let place = Rect {
-        y: area.bottom().saturating_sub(HEIGHT + 1),
+        y: panel.area.bottom().saturating_sub(HEIGHT + 1),
         height: HEIGHT,
-        ..area
+        ..panel.area
     };
     let title = format!(
         "{} {}",
-        look.say("palette-title"),
-        look.text(&palette.recipients)
+        panel.say("palette-title"),
+        panel.text(&palette.recipients)
     );
-    let inner = boxed(title.trim_end(), Role::Accent, look, place, buffer);
+    let inner = panel
+        .at(place)
+        .boxed(title.trim_end(), Role::Accent, buffer);
     let fault = palette.fault.as_ref();
-    let (cursor, scroll) = draw_line(&palette.input, fault, look, inner, buffer);
+    let (cursor, scroll) = draw_line(&palette.input, fault, panel.at(inner), buffer);
     let mut rest = below(inner, 1);
     if let Some(fault) = fault {
-        draw_carets(palette.input.value(), fault, scroll, (look, rest), buffer);
+        draw_carets(palette.input.value(), fault, scroll, panel.at(rest), buffer);
         rest = below(rest, 1);
     }
     let grammar = text!(
@@ -59,11 +56,16 @@ pub fn draw(
         complete = state.keymap.key(Action::Complete, Place::Prompt),
         older = state.keymap.key(Action::Older, Place::Prompt)
     );
-    for line in explanation(palette, &grammar, usize::from(indented(rest).width), look) {
+    for line in explanation(
+        palette,
+        &grammar,
+        usize::from(indented(rest).width),
+        panel.look,
+    ) {
         put(buffer, indented(rest), 0, &line);
         rest = below(rest, 1);
     }
-    draw_choices(palette, look, below(rest, 1), buffer);
+    draw_choices(palette, panel.at(below(rest, 1)), buffer);
     cursor
 }
 
@@ -103,20 +105,24 @@ fn explanation(palette: &Palette, grammar: &Text, width: usize, look: &Look) -> 
 pub fn draw_line(
     input: &Input,
     fault: Option<&Diagnostic>,
-    look: &Look,
-    area: Rect,
+    panel: Panel<'_>,
     buffer: &mut Buffer,
 ) -> (Position, usize) {
     let text = Rect {
-        height: 1.min(area.height),
-        ..indented(area)
+        height: 1.min(panel.area.height),
+        ..indented(panel.area)
     };
     let scroll = input.visual_scroll(usize::from(text.width).saturating_sub(1).max(1));
-    put(buffer, area, 0, &Line::styled(": ", look.style(Role::Key)));
+    put(
+        buffer,
+        panel.area,
+        0,
+        &Line::styled(": ", panel.style(Role::Key)),
+    );
     let (before, wrong, after) = parts(input.value(), fault);
     let line = Line::from(vec![
         Span::raw(before),
-        Span::styled(wrong, look.style(Role::Error)),
+        Span::styled(wrong, panel.style(Role::Error)),
         Span::raw(after),
     ]);
     Paragraph::new(line)
@@ -148,7 +154,7 @@ fn draw_carets(
     line: &str,
     fault: &Diagnostic,
     scroll: usize,
-    (look, area): (&Look, Rect),
+    panel: Panel<'_>,
     buffer: &mut Buffer,
 ) {
     let (before, wrong, _) = parts(line, Some(fault));
@@ -158,13 +164,16 @@ fn draw_carets(
         " ".repeat(start),
         "^".repeat(Span::raw(wrong).width().max(1))
     );
-    let line = Line::styled(carets, look.style(Role::Danger));
-    put(buffer, indented(area), 0, &line);
+    let line = Line::styled(carets, panel.style(Role::Danger));
+    put(buffer, indented(panel.area), 0, &line);
 }
 
-fn draw_choices(palette: &Palette, look: &Look, area: Rect, buffer: &mut Buffer) {
+fn draw_choices(palette: &Palette, panel: Panel<'_>, buffer: &mut Buffer) {
     let choices = &palette.completions;
-    let (rows, width) = (usize::from(area.height), usize::from(area.width));
+    let (rows, width) = (
+        usize::from(panel.area.height),
+        usize::from(panel.area.width),
+    );
     // The chosen one is the last row once the list has to scroll.
     let first = palette
         .chosen
@@ -183,7 +192,7 @@ fn draw_choices(palette: &Palette, look: &Look, area: Rect, buffer: &mut Buffer)
         .take(rows)
         .map(|(at, choice)| {
             let is_chosen = palette.chosen == Some(at);
-            choice_lines(choice, is_chosen, (name_width, width), look)
+            choice_lines(choice, is_chosen, name_width, width, panel.look)
         })
         .collect();
     // Each in full where there is room for all, else a line for each.
@@ -192,13 +201,13 @@ fn draw_choices(palette: &Palette, look: &Look, area: Rect, buffer: &mut Buffer)
             block.truncate(1);
         }
     }
-    let mut rest = area;
+    let mut rest = panel.area;
     for (at, block) in blocks.into_iter().enumerate() {
         let is_chosen = palette.chosen == Some(first + at);
         for line in block {
             put(buffer, rest, 0, &line);
             if is_chosen {
-                buffer.set_style(row_of(rest, 0), look.style(Role::Cursor));
+                buffer.set_style(row_of(rest, 0), panel.style(Role::Cursor));
             }
             rest = below(rest, 1);
         }
@@ -209,15 +218,16 @@ fn draw_choices(palette: &Palette, look: &Look, area: Rect, buffer: &mut Buffer)
 fn choice_lines<'a>(
     choice: &'a Completion,
     is_chosen: bool,
-    (name_width, width): (usize, usize),
+    name_width: usize,
+    width: usize,
     look: &Look,
 ) -> Vec<Line<'a>> {
     let mut mark = if is_chosen { "> " } else { "  " };
     let mut name = clip(&choice.text, name_width);
     // A verb without arguments has its name for a usage: once is enough.
     let said = format!("{}: ", choice.text);
-    let hint = look.text(&choice.hint);
-    let hint = hint.strip_prefix(&said).unwrap_or(&hint);
+    let explained = look.text(&choice.hint);
+    let hint = explained.strip_prefix(&said).unwrap_or(&explained);
     let room = width.saturating_sub(name_width + 4);
     let mut lines = Vec::new();
     for text in wrap(hint, room) {

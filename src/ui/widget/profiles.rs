@@ -1,7 +1,6 @@
 //! The list of who trains here.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use ratatui::text::Line;
 
 use crate::app::State;
@@ -11,8 +10,9 @@ use crate::app::state::Trainee;
 use crate::notice::sanitised;
 use crate::text;
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{boxed, centred, clip, put, row_of};
+use crate::ui::widget::{centred, clip, put, row_of};
 
 /// Columns of the list.
 const WIDTH: u16 = 60;
@@ -20,17 +20,17 @@ const WIDTH: u16 = 60;
 const FRAME: u16 = 4;
 
 /// Draws the list with its cursor.
-pub fn draw(state: &State, cursor: usize, look: &Look, area: Rect, buffer: &mut Buffer) {
+pub fn draw(state: &State, cursor: usize, panel: Panel<'_>, buffer: &mut Buffer) {
     let trainees = state.trainees();
     let height = (trainees.len() as u16).saturating_add(FRAME);
-    let place = centred(WIDTH, height.min(area.height.saturating_sub(2)), area);
-    let inner = boxed(
-        &look.say("profiles-title"),
-        Role::Accent,
-        look,
-        place,
-        buffer,
+    let place = centred(
+        WIDTH,
+        height.min(panel.area.height.saturating_sub(2)),
+        panel.area,
     );
+    let inner = panel
+        .at(place)
+        .boxed(&panel.say("profiles-title"), Role::Accent, buffer);
     let rows = usize::from(inner.height.saturating_sub(2));
     let first = cursor.saturating_sub(rows.saturating_sub(1));
     for (row, at) in (first..trainees.len()).take(rows).enumerate() {
@@ -38,15 +38,15 @@ pub fn draw(state: &State, cursor: usize, look: &Look, area: Rect, buffer: &mut 
         let (trainee, under_cursor) = (&trainees[at], at == cursor);
         let mark = if under_cursor { '>' } else { ' ' };
         let now = if state.is_training(trainee) {
-            look.say("profiles-now")
+            panel.say("profiles-now")
         } else {
             String::new()
         };
-        let text = format!("{mark} {}  {now}", name(trainee, look));
+        let text = format!("{mark} {}  {now}", name(trainee, panel.look));
         let text = clip(&text, usize::from(inner.width));
         put(buffer, inner, row, &Line::raw(text));
         if under_cursor {
-            buffer.set_style(row_of(inner, row), look.style(Role::Cursor));
+            buffer.set_style(row_of(inner, row), panel.style(Role::Cursor));
         }
     }
     let keys = text!(
@@ -55,7 +55,7 @@ pub fn draw(state: &State, cursor: usize, look: &Look, area: Rect, buffer: &mut 
         submit = state.keymap.key(Action::Submit, Place::List),
         escape = state.keymap.key(Action::Escape, Place::List)
     );
-    let keys = Line::styled(look.text(&keys), look.style(Role::Muted));
+    let keys = Line::styled(panel.text(&keys), panel.style(Role::Muted));
     put(buffer, inner, inner.height.saturating_sub(1), &keys);
 }
 

@@ -13,8 +13,9 @@ use crate::language::ranges;
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{below, boxed, centred, put, wrap};
+use crate::ui::widget::{below, centred, put, wrap};
 
 const EXAMPLES: &[(&str, &str)] = &[
     ("tcp:127.0.0.1:5760", "prompt-connect-tcp"),
@@ -31,43 +32,33 @@ const FAULT_ROWS: usize = 3;
 const BOTTOM_HEIGHT: u16 = 5;
 
 /// Draws the prompt and returns where the terminal's cursor belongs.
-pub fn draw(
-    state: &State,
-    prompt: &Prompt,
-    look: &Look,
-    area: Rect,
-    buffer: &mut Buffer,
-) -> Position {
+pub fn draw(state: &State, prompt: &Prompt, panel: Panel<'_>, buffer: &mut Buffer) -> Position {
     let place = match prompt.purpose {
-        Purpose::Connect => centred(WIDTH, HEIGHT + long_fault(prompt, look), area),
+        Purpose::Connect => centred(WIDTH, HEIGHT + long_fault(prompt, panel.look), panel.area),
         // What the line is about stays in sight.
-        _ => at_the_bottom(area),
+        _ => at_the_bottom(panel.area),
     };
-    let inner = boxed(
-        &title(&prompt.purpose, look),
-        Role::Accent,
-        look,
-        place,
-        buffer,
-    );
-    let (cursor, _) = draw_line(&prompt.input, None, look, inner, buffer);
+    let inner = panel
+        .at(place)
+        .boxed(&title(&prompt.purpose, panel.look), Role::Accent, buffer);
+    let (cursor, _) = draw_line(&prompt.input, None, panel.at(inner), buffer);
     let mut row = 1;
-    let fault = prompt.fault.as_ref().map(|fault| look.text(fault));
+    let fault = prompt.fault.as_ref().map(|fault| panel.text(fault));
     let fault = wrap(&fault.unwrap_or_default(), usize::from(inner.width));
     for line in fault {
         put(
             buffer,
             inner,
             row,
-            &Line::styled(line, look.style(Role::Danger)),
+            &Line::styled(line, panel.style(Role::Danger)),
         );
         row += 1;
     }
     match prompt.purpose {
-        Purpose::Connect => draw_examples(state, look, below(inner, row + 1), buffer),
+        Purpose::Connect => draw_examples(state, panel.at(below(inner, row + 1)), buffer),
         _ if prompt.fault.is_none() => {
-            let text = look.text(&advice(state, &prompt.purpose));
-            let text = Line::styled(text, look.style(Role::Muted));
+            let text = panel.text(&advice(state, &prompt.purpose));
+            let text = Line::styled(text, panel.style(Role::Muted));
             put(buffer, inner, 1, &text);
         }
         _ => {}
@@ -148,15 +139,15 @@ fn at_the_bottom(area: Rect) -> Rect {
     }
 }
 
-fn draw_examples(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+fn draw_examples(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     for (row, (address, meaning)) in EXAMPLES.iter().enumerate() {
         let line = Line::from(vec![
             Span::raw(format!("{address:28}")),
-            Span::styled(look.say(meaning), look.style(Role::Muted)),
+            Span::styled(panel.say(meaning), panel.style(Role::Muted)),
         ]);
-        put(buffer, area, row as u16, &line);
+        put(buffer, panel.area, row as u16, &line);
     }
-    let text = look.text(&text!(
+    let text = panel.text(&text!(
         "prompt-connect-several",
         submit = submit(state),
         escape = escape(state)
@@ -164,8 +155,8 @@ fn draw_examples(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let row = EXAMPLES.len() as u16 + 1;
     put(
         buffer,
-        area,
+        panel.area,
         row,
-        &Line::styled(text, look.style(Role::Muted)),
+        &Line::styled(text, panel.style(Role::Muted)),
     );
 }

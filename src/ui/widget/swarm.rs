@@ -14,8 +14,9 @@ use crate::language::ranges;
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{aligned, below, clip, put, titled, width, wrap};
+use crate::ui::widget::{aligned, below, clip, columns, put, width, wrap};
 use crate::vehicle::VehicleId;
 
 mod cells;
@@ -66,39 +67,39 @@ fn waiting_lines(state: &State, look: &Look, width: u16) -> Vec<(String, Role)> 
     lines
 }
 
-fn draw_lines(lines: Vec<(String, Role)>, look: &Look, area: Rect, buffer: &mut Buffer) {
+fn draw_lines(lines: Vec<(String, Role)>, panel: Panel<'_>, buffer: &mut Buffer) {
     for (row, (text, role)) in lines.into_iter().enumerate() {
-        let line = Line::styled(text, look.style(role));
-        put(buffer, area, row as u16, &line);
+        let line = Line::styled(text, panel.style(role));
+        put(buffer, panel.area, row as u16, &line);
     }
 }
 
-pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let session = &state.session;
     let fly = &state.rooms.fly;
-    let rows = usize::from(area.height.saturating_sub(2));
+    let rows = usize::from(panel.area.height.saturating_sub(2));
     // The cursor stays in the middle while the list scrolls under it.
     let first = fly
         .row_of(session.cursor)
         .saturating_sub(rows / 2)
         .min(fly.rows().len().saturating_sub(rows));
-    let room = usize::from(area.width).saturating_sub(6);
-    let inner = titled(&title(state, (first, rows), look, room), look, area, buffer);
-    let words = Words::new(look);
-    let columns = layout::columns(state, &words, look, inner.width.saturating_sub(MARKS));
-    draw_titles(&columns, look, inner, buffer);
+    let head = columns(panel.area, 0, panel.area.width.saturating_sub(6));
+    let inner = panel.titled(&title(state, first, rows, panel.at(head)), buffer);
+    let words = Words::new(panel.look);
+    let columns = layout::columns(state, &words, panel.look, inner.width.saturating_sub(MARKS));
+    draw_titles(&columns, panel.at(inner), buffer);
     let list = below(inner, 1);
     if session.vehicles.is_empty() {
-        let lines = waiting_lines(state, look, area.width);
-        draw_lines(lines, look, list, buffer);
+        let lines = waiting_lines(state, panel.look, panel.area.width);
+        draw_lines(lines, panel.at(list), buffer);
     } else if fly.rows().is_empty() {
         let text = text!(
             "fly-none-fit",
             filter = &fly.filter,
             key = state.key(Action::Escape)
         );
-        let line = (format!("  {}", look.text(&text)), Role::Muted);
-        draw_lines(vec![line], look, list, buffer);
+        let line = (format!("  {}", panel.text(&text)), Role::Muted);
+        draw_lines(vec![line], panel.at(list), buffer);
     }
     let seen = fly.rows().iter().skip(first).take(rows);
     for (at, &id) in seen.enumerate() {
@@ -107,37 +108,45 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
             height: 1,
             ..list
         };
-        draw_vehicle((id, state, &words), &columns, (look, line), buffer);
+        if let Some(vehicle) = session.vehicles.get(&id) {
+            let row = Row {
+                vehicle,
+                state,
+                words: &words,
+                selected: session.selection.contains(&id),
+            };
+            draw_vehicle(&row, &columns, panel.at(line), buffer);
+        }
     }
 }
 
 /// What the rule above the table says: how many are shown, in which order, and who is selected.
-fn title(state: &State, (first, rows): (usize, usize), look: &Look, room: usize) -> String {
+fn title(state: &State, first: usize, rows: usize, panel: Panel<'_>) -> String {
     let session = &state.session;
     let fly = &state.rooms.fly;
     let (shown, all) = (fly.rows().len(), session.vehicles.len());
-    let mut parts = vec![look.say("fly-swarm")];
+    let mut parts = vec![panel.say("fly-swarm")];
     if shown > rows {
         let last = (first + rows).min(shown);
         let text = text!("fly-rows", first = first + 1, last = last, count = shown);
-        parts.push(look.text(&text));
+        parts.push(panel.text(&text));
     }
     if !fly.filter.is_empty() {
         let filter = clip(&fly.filter, 24);
         let text = text!("fly-filtered", shown = shown, all = all, filter = filter);
-        parts.push(look.text(&text));
+        parts.push(panel.text(&text));
     }
     let sort = sorted_by(state);
     if sort != TableSort::BY_ID {
         let mark = if sort.reversed { "-" } else { "" };
         let title = Text::joined("", vec![mark.into(), sort.column.title()]);
-        parts.push(look.text(&text!("fly-by", column = title)));
+        parts.push(panel.text(&text!("fly-by", column = title)));
     }
     if !session.selection.is_empty() {
         let used: usize = parts.iter().map(|part| width(part) + 2).sum();
         parts.push(clip(
-            &selected(state, look),
-            room.saturating_sub(used).max(24),
+            &selected(state, panel.look),
+            panel.width().saturating_sub(used).max(24),
         ));
     }
     parts.join("  ")
@@ -150,9 +159,11 @@ fn selected(state: &State, look: &Look) -> String {
     let whole = |members: &[VehicleId]| {
         !members.is_empty() && members.iter().all(|id| selection.contains(id))
     };
-    let groups = session.groups.iter();
-    let groups = groups.filter(|(_, members)| whole(members));
-    let groups: Vec<String> = groups.map(|(name, _)| format!(" @{name}")).collect();
+    let named = session.groups.iter();
+    let groups: Vec<String> = named
+        .filter(|(_, members)| whole(members))
+        .map(|(name, _)| format!(" @{name}"))
+        .collect();
     let hidden = hidden(state, selection);
     let vehicles = format!("{}{}", ranges(selection.iter().copied()), groups.concat());
     look.text(&if hidden > 0 {
@@ -177,46 +188,31 @@ fn hidden(state: &State, selection: &Selection) -> usize {
     selection.len() - shown.filter(|id| selection.contains(id)).count()
 }
 
-fn draw_titles(columns: &[Shown], look: &Look, area: Rect, buffer: &mut Buffer) {
-    let titles = columns.iter();
-    let titles = titles.map(|it| aligned(&it.title, usize::from(it.width), it.right));
-    let line = format!("   {}", titles.collect::<Vec<_>>().join(" "));
-    let line = Line::styled(line, look.style(Role::Muted));
-    put(buffer, area, 0, &line);
+fn draw_titles(columns: &[Shown], panel: Panel<'_>, buffer: &mut Buffer) {
+    let titles: Vec<String> = columns
+        .iter()
+        .map(|it| aligned(&it.title, usize::from(it.width), it.right))
+        .collect();
+    let line = Line::styled(format!("   {}", titles.join(" ")), panel.style(Role::Muted));
+    put(buffer, panel.area, 0, &line);
 }
 
-fn draw_vehicle(
-    (id, state, words): (VehicleId, &State, &Words),
-    columns: &[Shown],
-    (look, area): (&Look, Rect),
-    buffer: &mut Buffer,
-) {
-    let session = &state.session;
-    let Some(vehicle) = session.vehicles.get(&id) else {
-        return;
-    };
-    let under_cursor = session.cursor == Some(id);
-    let selected = session.selection.contains(&id);
-    let row = Row {
-        vehicle,
-        state,
-        words,
-        selected,
-    };
+fn draw_vehicle(row: &Row<'_>, columns: &[Shown], panel: Panel<'_>, buffer: &mut Buffer) {
+    let under_cursor = row.state.session.cursor == Some(row.vehicle.id);
     let cursor_mark = if under_cursor { ">" } else { " " };
-    let selection_mark = if selected { "*" } else { " " };
+    let selection_mark = if row.selected { "*" } else { " " };
     let mut line = Line::from(vec![
         Span::raw(cursor_mark),
-        Span::styled(selection_mark, look.style(Role::Selected)),
+        Span::styled(selection_mark, panel.style(Role::Selected)),
     ]);
     for shown in columns {
         let room = usize::from(shown.width);
-        let (text, role) = cell(shown.column, &row, (look, room));
+        let (text, role) = cell(shown.column, row, panel.look, room);
         let text = format!(" {}", aligned(&text, room, shown.right));
-        line.push_span(Span::styled(text, look.style(role)));
+        line.push_span(Span::styled(text, panel.style(role)));
     }
-    put(buffer, area, 0, &line);
+    put(buffer, panel.area, 0, &line);
     if under_cursor {
-        buffer.set_style(area, look.style(Role::Cursor));
+        buffer.set_style(panel.area, panel.style(Role::Cursor));
     }
 }

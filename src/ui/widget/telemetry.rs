@@ -1,7 +1,6 @@
 //! What the vehicle under the cursor says, the most needed lines first.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use super::swarm::since;
@@ -10,8 +9,9 @@ use crate::app::state::{Session, Standing};
 use crate::text;
 use crate::text::{Text, figure};
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{aligned, below, put, severity_role, titled, wrap};
+use crate::ui::widget::{aligned, below, put, severity_role, wrap};
 use crate::vehicle::{EkfFlags, Grade, LandedState, Vehicle};
 
 /// Columns of the labels.
@@ -42,20 +42,23 @@ pub fn last_known(vehicle: &Vehicle, state: &State, look: &Look) -> Option<Line<
 }
 
 /// Draws as many lines as fit; a vehicle in trouble says so first, in full.
-pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let Some(vehicle) = state.session.under_cursor() else {
-        titled(&look.say("telemetry-title"), look, area, buffer);
+        panel.titled(&panel.say("telemetry-title"), buffer);
         return;
     };
     let name = Session::name(vehicle);
-    let title = look.text(&text!(
+    let title = panel.text(&text!(
         "telemetry-vehicle",
         vehicle = vehicle.id,
         name = name
     ));
-    let mut inner = titled(&title, look, area, buffer);
-    let alerts = alert_lines(vehicle, state, look, usize::from(inner.width));
-    for line in alerts.into_iter().chain(last_known(vehicle, state, look)) {
+    let mut inner = panel.titled(&title, buffer);
+    let alerts = alert_lines(vehicle, state, panel.look, usize::from(inner.width));
+    for line in alerts
+        .into_iter()
+        .chain(last_known(vehicle, state, panel.look))
+    {
         put(buffer, inner, 0, &line);
         inner = below(inner, 1);
     }
@@ -67,10 +70,10 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
         Role::Text
     };
     for (row, (label, text)) in lines.take(usize::from(inner.height)).enumerate() {
-        let label = aligned(&look.say(label), LABEL_WIDTH, false);
+        let label = aligned(&panel.say(label), LABEL_WIDTH, false);
         let line = Line::from(vec![
-            Span::styled(label, look.style(Role::Muted)),
-            Span::styled(look.text(&text), look.style(role)),
+            Span::styled(label, panel.style(Role::Muted)),
+            Span::styled(panel.text(&text), panel.style(role)),
         ]);
         put(buffer, inner, row as u16, &line);
     }

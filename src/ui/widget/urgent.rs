@@ -2,7 +2,6 @@
 //! It has the whole width, so that no word of it is cut off.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use ratatui::text::Line;
 
 use crate::app::State;
@@ -10,7 +9,7 @@ use crate::mission::Progress;
 use crate::scoring::AlertLevel;
 use crate::text;
 use crate::text::Text;
-use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{clip, put, row_of};
 
@@ -25,19 +24,19 @@ pub fn height(state: &State) -> u16 {
 }
 
 /// Draws it, the most urgent first.
-pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     for (row, (text, role)) in lines(state).into_iter().enumerate() {
-        let here = row_of(area, row as u16);
-        let words = clip(&look.text(&text), usize::from(area.width));
+        let here = row_of(panel.area, row as u16);
+        let words = clip(&panel.text(&text), usize::from(panel.area.width));
         // Where it lies over something else, nothing of that is to be read between its words.
         buffer.set_stringn(
             here.x,
             here.y,
             " ".repeat(usize::from(here.width)),
             usize::from(here.width),
-            look.style(role),
+            panel.style(role),
         );
-        put(buffer, here, 0, &Line::styled(words, look.style(role)));
+        put(buffer, here, 0, &Line::styled(words, panel.style(role)));
     }
 }
 

@@ -30,6 +30,14 @@ pub struct Pin {
     pub dropped: u64,
 }
 
+/// The least, the greatest and the newest value of the last minute.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PinExtent {
+    pub low: f64,
+    pub high: f64,
+    pub now: f64,
+}
+
 impl Pin {
     pub(super) fn take(&mut self, seen: &LinkTraffic) {
         self.now = seen.now;
@@ -52,14 +60,14 @@ impl Pin {
         }
     }
 
-    /// The least, the greatest and the newest value of the last minute.
-    pub fn extent(&self) -> Option<(f64, f64, f64)> {
+    /// `None` while no value has come.
+    pub fn extent(&self) -> Option<PinExtent> {
         let (_, now) = self.points.back()?;
         let values = || self.points.iter().map(|(_, value)| *value);
-        Some((
-            values().fold(f64::INFINITY, f64::min),
-            values().fold(f64::NEG_INFINITY, f64::max),
-            *now,
-        ))
+        Some(PinExtent {
+            low: values().fold(f64::INFINITY, f64::min),
+            high: values().fold(f64::NEG_INFINITY, f64::max),
+            now: *now,
+        })
     }
 }

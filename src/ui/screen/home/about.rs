@@ -13,9 +13,10 @@ use crate::scoring::Medal;
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::screen::mission::tone_role;
 use crate::ui::theme::Role;
-use crate::ui::widget::{aligned, below, clip, columns, put, reflow, titled, upper, width, wrap};
+use crate::ui::widget::{aligned, below, clip, columns, put, reflow, upper, width, wrap};
 
 /// Lines that can be given as they stand, up to the one that takes a while.
 const FIRST_CLIMB: [&str; 3] = ["all guided", "all arm", "all takeoff 20"];
@@ -29,34 +30,30 @@ type KeyHint = (String, String);
 
 /// Draws the text with the keys below it; what the mission means to the career stands beside it, or between them where
 /// there is no room beside.
-pub(super) fn draw(
-    state: &State,
-    look: &Look,
-    (area, beside): (Rect, Option<Rect>),
-    buffer: &mut Buffer,
-) {
+pub(super) fn draw(state: &State, panel: Panel<'_>, beside: Option<Rect>, buffer: &mut Buffer) {
     let Some(item) = items(state).get(state.rooms.home.cursor).copied() else {
         return;
     };
-    let inner = titled(&name(state, item, look), look, area, buffer);
-    let keys = key_lines(&keys(state, item, look), usize::from(inner.width), look);
+    let inner = panel.titled(&name(state, item, panel.look), buffer);
+    let keys = key_lines(
+        &keys(state, item, panel.look),
+        usize::from(inner.width),
+        panel.look,
+    );
     let facts_width = beside.unwrap_or(inner).width;
-    let facts = fact_lines(state, item, look, usize::from(facts_width));
+    let facts = fact_lines(state, item, panel.look, usize::from(facts_width));
     let mut below_text = vec![Vec::new(), keys];
     if let Some(beside) = beside.filter(|_| !facts.is_empty()) {
-        let inner = titled(&look.say("home-career"), look, beside, buffer);
+        let inner = panel.at(beside).titled(&panel.say("home-career"), buffer);
         draw_lines(&facts, inner, buffer);
     } else if !facts.is_empty() {
         below_text.insert(0, facts);
     } else if let Some(best) = best_words(state, item) {
-        let line = Line::styled(look.text(&best), look.style(Role::Accent));
+        let line = Line::styled(panel.text(&best), panel.style(Role::Accent));
         below_text.insert(0, vec![line]);
     }
-    let below_text: Vec<Vec<Line<'_>>> = below_text
-        .into_iter()
-        .filter(|lines| !lines.is_empty())
-        .collect();
-    draw_text(&about(state, item, look), &below_text, inner, buffer);
+    below_text.retain(|lines| !lines.is_empty());
+    draw_text(&about(state, item, panel.look), &below_text, inner, buffer);
 }
 
 /// Draws the text and the groups of lines below it, with blank lines between. Where there is no room for all of it,

@@ -1,7 +1,6 @@
 //! The list: missions by tier with how far the trainee has come with each, then everything else.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use ratatui::text::Line;
 
 use super::name;
@@ -10,8 +9,9 @@ use crate::app::room::home::{HomeItem, items};
 use crate::app::state::Career;
 use crate::campaign::MissionStage;
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{aligned, put, row_of, stars, titled, width};
+use crate::ui::widget::{aligned, below, put, row_of, stars, width};
 
 /// Headings of the missions by difficulty.
 const TIERS: [&str; 4] = ["home-tier-0", "home-tier-1", "home-tier-2", "home-tier-3"];
@@ -40,11 +40,11 @@ enum Sign {
 }
 
 /// Draws the list with its cursor in sight.
-pub(super) fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+pub(super) fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let cursor = state.rooms.home.cursor;
-    let lines = lines(state, look);
+    let lines = lines(state, panel.look);
     let cursor_line = lines.iter().position(|(at, _)| *at == Some(cursor));
-    let inner = titled("sortie", look, area, buffer);
+    let inner = panel.titled("sortie", buffer);
     let rows = usize::from(inner.height);
     let middle = cursor_line.unwrap_or(0).saturating_sub(rows / 2);
     let first = middle.min(lines.len().saturating_sub(rows));
@@ -53,27 +53,34 @@ pub(super) fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) 
     for (row, (at, text)) in lines.into_iter().skip(first).take(rows).enumerate() {
         let row = row as u16;
         let Some(at) = at else {
-            let heading = Line::styled(text, look.style(Role::Muted));
+            let heading = Line::styled(text, panel.style(Role::Muted));
             put(buffer, inner, row, &heading);
             continue;
         };
-        let (line, role) = item_line(state, items[at], (&text, at == cursor), look, inner.width);
-        put(buffer, inner, row, &Line::styled(line, look.style(role)));
+        let (line, role) = item_line(
+            state,
+            items[at],
+            &text,
+            at == cursor,
+            panel.look,
+            inner.width.into(),
+        );
+        put(buffer, inner, row, &Line::styled(line, panel.style(role)));
         if at == cursor {
-            buffer.set_style(row_of(inner, row), look.style(Role::Cursor));
+            buffer.set_style(row_of(inner, row), panel.style(Role::Cursor));
         }
     }
     if state.career.is_some() && count + SIGNS.len() < rows {
-        draw_signs(look, inner, count as u16 + 1, buffer);
+        draw_signs(panel.at(below(inner, count as u16 + 1)), buffer);
     }
 }
 
 /// What the signs mean, where there is room for it.
-fn draw_signs(look: &Look, area: Rect, first: u16, buffer: &mut Buffer) {
+fn draw_signs(panel: Panel<'_>, buffer: &mut Buffer) {
     for (row, (sign, meaning)) in SIGNS.into_iter().enumerate() {
-        let text = format!("  {} {}", sign.symbol(), look.say(meaning));
-        let line = Line::styled(text, look.style(Role::Muted));
-        put(buffer, area, first + row as u16, &line);
+        let text = format!("  {} {}", sign.symbol(), panel.say(meaning));
+        let line = Line::styled(text, panel.style(Role::Muted));
+        put(buffer, panel.area, row as u16, &line);
     }
 }
 
@@ -117,9 +124,10 @@ impl Sign {
 fn item_line(
     state: &State,
     item: HomeItem,
-    (text, under_cursor): (&str, bool),
+    text: &str,
+    under_cursor: bool,
     look: &Look,
-    columns: u16,
+    columns: usize,
 ) -> (String, Role) {
     let cursor = if under_cursor { '>' } else { ' ' };
     let (sign, best) = match (item, &state.career) {
@@ -132,10 +140,10 @@ fn item_line(
         _ => (None, String::new()),
     };
     let mark = sign.map_or(' ', Sign::symbol);
-    let room = usize::from(columns).saturating_sub(3 + width(&best));
+    let room = columns.saturating_sub(3 + width(&best));
     let role = sign.map_or(Role::Text, Sign::role);
-    let text = aligned(text, room, false);
-    (format!("{cursor}{mark}{text}{best}"), role)
+    let name = aligned(text, room, false);
+    (format!("{cursor}{mark}{name}{best}"), role)
 }
 
 /// The best score of the flights that count, with its medal in stars; before the first one, the sign in a word.

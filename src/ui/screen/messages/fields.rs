@@ -1,7 +1,6 @@
 //! What the message under the cursor says: field by field, or byte by byte.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use super::{age, hertz};
@@ -13,8 +12,9 @@ use crate::inspector::{
 };
 use crate::text;
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{below, clip, put, row_of, titled, wrap};
+use crate::ui::widget::{below, clip, put, row_of, wrap};
 use crate::wire::Anatomy;
 use mavlink::MavlinkVersion;
 
@@ -28,20 +28,19 @@ type Row = (Option<usize>, Line<'static>);
 pub(super) fn draw(
     state: &State,
     selected: Option<Selected<'_>>,
-    look: &Look,
-    area: Rect,
+    panel: Panel<'_>,
     buffer: &mut Buffer,
 ) {
     let room = &state.rooms.messages;
     let Some(selected) = selected else {
-        draw_hint(state, look, area, buffer);
+        draw_hint(state, panel, buffer);
         return;
     };
     let Selected {
         key, tally, now, ..
     } = selected;
     let title = format!("{} ({})", name_of(key.message), key.message);
-    let inner = titled(&title, look, area, buffer);
+    let inner = panel.titled(&title, buffer);
     let Some(frame) = Anatomy::of(&tally.last) else {
         return;
     };
@@ -58,30 +57,30 @@ pub(super) fn draw(
         buffer,
         inner,
         0,
-        &Line::raw(clip(&look.text(&figures), width)),
+        &Line::raw(clip(&panel.text(&figures), width)),
     );
     let dress = Line::styled(
-        clip(&dress(key, &frame, tally, look), width),
-        look.style(Role::Muted),
+        clip(&dress(key, &frame, tally, panel.look), width),
+        panel.style(Role::Muted),
     );
     put(buffer, inner, 1, &dress);
     let inner = below(inner, 2);
     if room.hex {
-        draw_bytes(tally, look, inner, buffer);
+        draw_bytes(tally, panel.at(inner), buffer);
         return;
     }
     let reading = read(&frame);
     if reading.values.is_empty() {
-        draw_undecoded(&reading, tally, look, inner, buffer);
+        draw_undecoded(&reading, tally, panel.at(inner), buffer);
         return;
     }
-    let rows = rows(room, selected, &reading, look, inner.width.into());
-    draw_rows(&rows, room.field, look, inner, buffer);
+    let rows = rows(room, selected, &reading, panel.look, inner.width.into());
+    draw_rows(&rows, room.field, panel.at(inner), buffer);
 }
 
 /// What there is to know while no message is under the cursor.
-fn draw_hint(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let inner = titled(&look.say("messages-fields"), look, area, buffer);
+fn draw_hint(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
+    let inner = panel.titled(&panel.say("messages-fields"), buffer);
     let hint = text!(
         "messages-hint",
         open = state.key(Action::Submit),
@@ -93,16 +92,16 @@ fn draw_hint(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
         pause = state.key(Action::Pause),
         fold = state.key(Action::FoldAll)
     );
-    let mut lines = wrap(&look.text(&hint), usize::from(inner.width));
+    let mut lines = wrap(&panel.text(&hint), usize::from(inner.width));
     let traffic = state.rooms.messages.traffic.iter();
     let censuses = traffic.filter_map(|link| link.census.as_ref());
     let uncounted: u64 = censuses.map(Census::uncounted).sum();
     if uncounted > 0 {
         let text = text!("messages-uncounted", count = uncounted);
-        lines.extend(wrap(&look.text(&text), usize::from(inner.width)));
+        lines.extend(wrap(&panel.text(&text), usize::from(inner.width)));
     }
     for (row, line) in lines.into_iter().enumerate() {
-        let line = Line::styled(line, look.style(Role::Muted));
+        let line = Line::styled(line, panel.style(Role::Muted));
         put(buffer, inner, row as u16, &line);
     }
 }
@@ -132,24 +131,24 @@ fn dress(key: TallyKey, frame: &Anatomy<'_>, tally: &MessageTally, look: &Look) 
     ))
 }
 
-fn draw_rows(rows: &[Row], field: Option<usize>, look: &Look, area: Rect, buffer: &mut Buffer) {
+fn draw_rows(rows: &[Row], field: Option<usize>, panel: Panel<'_>, buffer: &mut Buffer) {
     let is_cursor = |row: &Row| row.0.is_some() && row.0 == field;
     let cursor = rows.iter().position(is_cursor).unwrap_or(0);
-    let height = usize::from(area.height);
+    let height = usize::from(panel.area.height);
     let middle = cursor.saturating_sub(height / 2);
     let first = middle.min(rows.len().saturating_sub(height));
     for (at, row) in rows.iter().skip(first).take(height).enumerate() {
-        put(buffer, area, at as u16, &row.1);
+        put(buffer, panel.area, at as u16, &row.1);
         if is_cursor(row) {
-            buffer.set_style(row_of(area, at as u16), look.style(Role::Cursor));
+            buffer.set_style(row_of(panel.area, at as u16), panel.style(Role::Cursor));
         }
     }
     let hidden = rows.len().saturating_sub(first + height);
     if hidden > 0 && height > 0 {
-        let more = look.text(&text!("messages-more", count = hidden));
-        let place = row_of(area, area.height - 1);
+        let more = panel.text(&text!("messages-more", count = hidden));
+        let place = row_of(panel.area, panel.area.height - 1);
         let x = place.right().saturating_sub(more.chars().count() as u16);
-        buffer.set_string(x, place.y, more, look.style(Role::Muted));
+        buffer.set_string(x, place.y, more, panel.style(Role::Muted));
     }
 }
 
@@ -213,31 +212,30 @@ fn words(value: &FieldReading, look: &Look) -> (String, Role) {
 fn draw_undecoded(
     reading: &MessageReading,
     tally: &MessageTally,
-    look: &Look,
-    area: Rect,
+    panel: Panel<'_>,
     buffer: &mut Buffer,
 ) {
     let reason = if reading.name.is_some() {
-        look.say("messages-other-layout")
+        panel.say("messages-other-layout")
     } else {
-        look.say("messages-unknown-id")
+        panel.say("messages-unknown-id")
     };
     let mut row = 0;
-    for line in wrap(&reason, usize::from(area.width)) {
+    for line in wrap(&reason, usize::from(panel.area.width)) {
         put(
             buffer,
-            area,
+            panel.area,
             row,
-            &Line::styled(line, look.style(Role::Warning)),
+            &Line::styled(line, panel.style(Role::Warning)),
         );
         row += 1;
     }
-    draw_bytes(tally, look, below(area, row), buffer);
+    draw_bytes(tally, panel.below(row), buffer);
 }
 
 /// The last frame byte by byte.
-fn draw_bytes(tally: &MessageTally, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let per_line = if area.width >= 72 { 16 } else { 8 };
+fn draw_bytes(tally: &MessageTally, panel: Panel<'_>, buffer: &mut Buffer) {
+    let per_line = if panel.area.width >= 72 { 16 } else { 8 };
     for (row, bytes) in tally.last.chunks(per_line).enumerate() {
         let mut hex = String::new();
         for byte in bytes {
@@ -256,10 +254,10 @@ fn draw_bytes(tally: &MessageTally, look: &Look, area: Rect, buffer: &mut Buffer
             .collect();
         let offset = format!("{:03x}", row * per_line);
         let line = Line::from(vec![
-            Span::styled(offset, look.style(Role::Muted)),
+            Span::styled(offset, panel.style(Role::Muted)),
             Span::raw(format!("{hex:width$} ", width = per_line * 3)),
-            Span::styled(text, look.style(Role::Muted)),
+            Span::styled(text, panel.style(Role::Muted)),
         ]);
-        put(buffer, area, row as u16, &line);
+        put(buffer, panel.area, row as u16, &line);
     }
 }

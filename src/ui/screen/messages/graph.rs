@@ -1,16 +1,16 @@
 //! The fields that are drawn as graphs.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use crate::app::room::messages::{GRAPH_SPAN, Messages, Pin};
+use crate::app::room::messages::{GRAPH_SPAN, Messages, Pin, PinExtent};
 use crate::inspector::figure;
 use crate::text;
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::curve::{self, Curve};
-use crate::ui::widget::{below, clip, put, titled, upper};
+use crate::ui::widget::{below, clip, put};
 
 /// Rows of one graph with its title, where there is room for more than the least.
 const COMFORTABLE: u16 = 6;
@@ -26,66 +26,65 @@ pub(super) fn height(room: &Messages, available: u16) -> u16 {
 }
 
 /// Draws as many as fit, the newest ones first of all.
-pub(super) fn draw(room: &Messages, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let fitting = (area.height / LEAST).max(1);
+pub(super) fn draw(room: &Messages, panel: Panel<'_>, buffer: &mut Buffer) {
+    let fitting = (panel.area.height / LEAST).max(1);
     let shown = room.pins.len().min(fitting.into());
-    let mut area = area;
+    let mut rest = panel;
     for (at, pin) in room.pins.iter().skip(room.pins.len() - shown).enumerate() {
-        let rows = area.height / (shown - at) as u16;
-        draw_pin(pin, look, upper(area, rows), buffer);
-        area = below(area, rows);
+        let rows = rest.area.height / (shown - at) as u16;
+        draw_pin(pin, rest.upper(rows), buffer);
+        rest = rest.below(rows);
     }
 }
 
-fn draw_pin(pin: &Pin, look: &Look, area: Rect, buffer: &mut Buffer) {
+fn draw_pin(pin: &Pin, panel: Panel<'_>, buffer: &mut Buffer) {
     let source = pin.key.source;
     let title = format!(
         "{}/{} {} {}",
         source.system, source.component, pin.title, pin.unit
     );
-    let inner = titled(title.trim_end(), look, area, buffer);
-    let Some((low, high, now)) = pin.extent() else {
+    let inner = panel.titled(title.trim_end(), buffer);
+    let Some(extent) = pin.extent() else {
         put(
             buffer,
             inner,
             0,
-            &Line::styled("-", look.style(Role::Muted)),
+            &Line::styled("-", panel.style(Role::Muted)),
         );
         return;
     };
     let fits = |text: &String| Span::raw(text).width() <= usize::from(inner.width);
-    let whole = figures(pin, (low, high, now), 5, look);
-    let figures = if fits(&whole) {
+    let whole = figures(pin, extent, 5, panel.look);
+    let fitting = if fits(&whole) {
         whole
     } else {
-        figures(pin, (low, high, now), 3, look)
+        figures(pin, extent, 3, panel.look)
     };
-    let figures = clip(&figures, inner.width.into());
     put(
         buffer,
         inner,
         0,
-        &Line::styled(figures, look.style(Role::Muted)),
+        &Line::styled(clip(&fitting, inner.width.into()), panel.style(Role::Muted)),
     );
-    let area = below(inner, 1);
-    let values = columns(pin, curve::steps(area.width, look.symbols));
-    let style = look.style(Role::Accent);
+    let plot = below(inner, 1);
+    let values = columns(pin, curve::steps(plot.width, panel.look.symbols));
+    let style = panel.style(Role::Accent);
     let curve = Curve {
         values: &values,
-        low,
-        high,
+        low: extent.low,
+        high: extent.high,
         style,
     };
-    curve::draw(&curve, look.symbols, area, buffer);
+    curve::draw(&curve, panel.look.symbols, plot, buffer);
 }
 
 /// The newest value, and the least and the greatest that are drawn, in so many digits.
-fn figures(pin: &Pin, (low, high, now): (f64, f64, f64), digits: i32, look: &Look) -> String {
+fn figures(pin: &Pin, extent: PinExtent, digits: i32, look: &Look) -> String {
     let mut figures = look.text(&text!(
         "messages-extent",
-        now = figure(now, digits),
-        low = figure(low, digits),
-        high = figure(high, digits),
+        now = figure(extent.now, digits),
+        low = figure(extent.low, digits),
+        high = figure(extent.high, digits),
         seconds = GRAPH_SPAN.as_secs()
     ));
     if pin.dropped > 0 {

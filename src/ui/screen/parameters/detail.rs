@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use super::{Row, edited};
@@ -12,9 +11,9 @@ use crate::language::ranges;
 use crate::parameters::shown;
 use crate::text;
 use crate::text::Text;
-use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{put, titled, wrap};
+use crate::ui::widget::{put, wrap};
 use crate::vehicle::VehicleId;
 
 /// Vehicles with the same value and outcome share a line; more lines than this are not drawn anyway.
@@ -25,7 +24,7 @@ pub fn lines(
     state: &State,
     vehicle: VehicleId,
     row: &Row<'_>,
-    (look, width): (&Look, usize),
+    panel: Panel<'_>,
 ) -> Vec<Line<'static>> {
     let mut vehicles = state.addressed();
     if !vehicles.contains(&vehicle) {
@@ -44,16 +43,16 @@ pub fn lines(
     }
     let lines = groups
         .into_iter()
-        .flat_map(|(standing, ids)| standing.lines(&ids, (look, width)));
+        .flat_map(|(standing, ids)| standing.lines(&ids, panel));
     lines.take(MOST_LINES).collect()
 }
 
 /// Draws them below a rule with the parameter's name.
-pub fn draw(name: &str, lines: &[Line<'static>], look: &Look, area: Rect, buffer: &mut Buffer) {
-    if area.height == 0 {
+pub fn draw(name: &str, lines: &[Line<'static>], panel: Panel<'_>, buffer: &mut Buffer) {
+    if panel.area.height == 0 {
         return;
     }
-    let inner = titled(name, look, area, buffer);
+    let inner = panel.titled(name, buffer);
     for (row, line) in lines.iter().enumerate() {
         put(buffer, inner, row as u16, line);
     }
@@ -89,29 +88,29 @@ impl Standing {
         format!("{:?} {:?} {:?}", self.value, self.before, self.asked)
     }
 
-    fn lines(self, ids: &[VehicleId], (look, width): (&Look, usize)) -> Vec<Line<'static>> {
+    fn lines(self, ids: &[VehicleId], panel: Panel<'_>) -> Vec<Line<'static>> {
         let value = self.value.unwrap_or_else(|| "-".to_owned());
         let mut spans = vec![
             Span::styled(
                 format!(" {}  ", ranges(ids.iter().copied())),
-                look.style(Role::Selected),
+                panel.style(Role::Selected),
             ),
-            Span::styled(value, look.style(Role::Text)),
+            Span::styled(value, panel.style(Role::Text)),
         ];
         if let Some(before) = self.before {
-            let text = look.text(&text!("parameters-before", value = before));
-            spans.push(Span::styled(format!("  {text}"), look.style(Role::Muted)));
+            let text = panel.text(&text!("parameters-before", value = before));
+            spans.push(Span::styled(format!("  {text}"), panel.style(Role::Muted)));
         }
         let mut reason = None;
         if let Some((text, role, why)) = self.asked {
-            let text = format!("   {}", look.text(&text));
-            spans.push(Span::styled(text, look.style(role)));
+            let text = format!("   {}", panel.text(&text));
+            spans.push(Span::styled(text, panel.style(role)));
             reason = why;
         }
         let mut lines = vec![Line::from(spans)];
         if let Some(reason) = reason {
-            let wrapped = wrap(&look.text(&reason), width.saturating_sub(6));
-            let style = look.style(Role::Muted);
+            let wrapped = wrap(&panel.text(&reason), panel.width().saturating_sub(6));
+            let style = panel.style(Role::Muted);
             let told = wrapped.into_iter().take(2);
             lines.extend(told.map(|line| Line::styled(format!("     {line}"), style)));
         }

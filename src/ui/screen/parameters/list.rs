@@ -1,17 +1,17 @@
 //! The list: a line per parameter.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use super::{Row, cell, edited};
+use super::{Row, edited};
 use crate::app::State;
 use crate::app::room::parameters::Comparison;
 use crate::parameters::{ListedParameter, ParameterFinding, is_same, is_the_vehicles_own, shown};
 use crate::text;
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{below, put, row_of};
+use crate::ui::widget::{aligned, put, row_of};
 use crate::vehicle::VehicleId;
 
 /// Columns of a name: as many as its field has on the wire.
@@ -23,42 +23,43 @@ const STATE: usize = 24;
 /// Columns of a type.
 const KIND: usize = 6;
 
+/// The rows of one vehicle's list, with the place of the cursor in them.
+pub struct ShownRows<'a> {
+    pub vehicle: VehicleId,
+    pub rows: &'a [Row<'a>],
+    pub at: usize,
+}
+
 /// Draws the heading and as many lines around the cursor as fit.
-pub fn draw(
-    state: &State,
-    vehicle: VehicleId,
-    (rows, at): (&[Row<'_>], usize),
-    look: &Look,
-    area: Rect,
-    buffer: &mut Buffer,
-) {
-    let others = others(state, vehicle, area.width);
-    let heading = heading(state, &others, look);
+pub fn draw(state: &State, shown: &ShownRows<'_>, panel: Panel<'_>, buffer: &mut Buffer) {
+    let ShownRows { vehicle, rows, at } = *shown;
+    let others = others(state, vehicle, panel.area.width);
+    let heading = heading(state, &others, panel.look);
     put(
         buffer,
-        area,
+        panel.area,
         0,
-        &Line::styled(heading, look.style(Role::Title)),
+        &Line::styled(heading, panel.style(Role::Title)),
     );
-    let area = below(area, 1);
-    let visible = usize::from(area.height);
+    let list = panel.below(1).area;
+    let visible = usize::from(list.height);
     let top = at
         .saturating_sub(visible / 2)
         .min(rows.len().saturating_sub(visible));
     for (line, (index, row)) in rows.iter().enumerate().skip(top).take(visible).enumerate() {
-        let place = row_of(area, line as u16);
-        let mut drawn = line_of(state, vehicle, row, (index == at, look));
+        let place = row_of(list, line as u16);
+        let mut drawn = line_of(state, vehicle, row, index == at, panel.look);
         if !others.is_empty() {
             let is_compared = state.rooms.parameters.comparison.is_some();
             let gap = columns_used(is_compared).saturating_sub(drawn.width());
             drawn.push_span(Span::raw(" ".repeat(gap)));
         }
         for &id in &others {
-            drawn.push_span(value_of(state, id, row, look));
+            drawn.push_span(value_of(state, id, row, panel.look));
         }
         put(buffer, place, 0, &drawn);
         if index == at {
-            buffer.set_style(place, look.style(Role::Cursor));
+            buffer.set_style(place, panel.style(Role::Cursor));
         }
     }
 }
@@ -68,15 +69,17 @@ fn heading(state: &State, others: &[VehicleId], look: &Look) -> String {
         None => ("", "parameters-column-before"),
         Some(_) => ("    ", "parameters-column-other"),
     };
-    let numbers = others.iter().map(|id| cell(&format!("#{id}"), VALUE, true));
-    let numbers: Vec<String> = numbers.collect();
+    let numbers: Vec<String> = others
+        .iter()
+        .map(|id| aligned(&format!("#{id}"), VALUE, true))
+        .collect();
     format!(
         "  {mark}{} {} {} {} {} {}",
-        cell(&look.say("parameters-column-name"), NAME, false),
-        cell(&look.say("parameters-column-value"), VALUE, true),
-        cell(&look.say("parameters-column-type"), KIND, false),
-        cell(&look.say(second), VALUE, true),
-        cell(&look.say("parameters-column-state"), STATE, false),
+        aligned(&look.say("parameters-column-name"), NAME, false),
+        aligned(&look.say("parameters-column-value"), VALUE, true),
+        aligned(&look.say("parameters-column-type"), KIND, false),
+        aligned(&look.say(second), VALUE, true),
+        aligned(&look.say("parameters-column-state"), STATE, false),
         numbers.join(" "),
     )
 }
@@ -85,7 +88,8 @@ fn line_of<'a>(
     state: &State,
     vehicle: VehicleId,
     row: &Row<'a>,
-    (is_under_cursor, look): (bool, &Look),
+    is_under_cursor: bool,
+    look: &Look,
 ) -> Line<'a> {
     let comparison = state.rooms.parameters.comparison.as_ref();
     let mut spans = vec![Span::raw(if is_under_cursor { "> " } else { "  " })];
@@ -107,14 +111,14 @@ fn line_of<'a>(
         Role::Text
     };
     spans.extend([
-        Span::styled(cell(row.name, NAME, false), look.style(Role::Text)),
+        Span::styled(aligned(row.name, NAME, false), look.style(Role::Text)),
         Span::styled(
-            format!(" {} ", cell(&value, VALUE, true)),
+            format!(" {} ", aligned(&value, VALUE, true)),
             look.style(value_role),
         ),
-        Span::styled(cell(kind, KIND, false), look.style(Role::Muted)),
+        Span::styled(aligned(kind, KIND, false), look.style(Role::Muted)),
         Span::styled(
-            format!(" {} ", cell(&second.unwrap_or_default(), VALUE, true)),
+            format!(" {} ", aligned(&second.unwrap_or_default(), VALUE, true)),
             look.style(Role::Text),
         ),
     ]);
@@ -150,7 +154,7 @@ fn value_of(state: &State, id: VehicleId, row: &Row<'_>, look: &Look) -> Span<'s
     let sign = if is_equal { ' ' } else { '*' };
     let text = value.map_or_else(|| "-".to_owned(), shown);
     Span::styled(
-        format!("{}{sign}", cell(&text, VALUE, true)),
+        format!("{}{sign}", aligned(&text, VALUE, true)),
         look.style(role),
     )
 }

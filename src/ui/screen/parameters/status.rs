@@ -1,7 +1,6 @@
 //! Above the list: whose it is, how much has come, what narrows it.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use crate::app::State;
@@ -12,8 +11,9 @@ use crate::parameters::{Fetching, ParameterSnapshot};
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{clip, put, titled};
+use crate::ui::widget::{clip, put};
 use crate::vehicle::VehicleId;
 
 /// Columns of the progress bar.
@@ -23,8 +23,8 @@ const BAR: usize = 20;
 pub fn draw(
     state: &State,
     vehicle: VehicleId,
-    (rows, look): (&[Row<'_>], &Look),
-    area: Rect,
+    rows: &[Row<'_>],
+    panel: Panel<'_>,
     buffer: &mut Buffer,
 ) {
     let title = match &state.rooms.parameters.comparison {
@@ -35,17 +35,17 @@ pub fn draw(
             other = named(&comparison.with)
         ),
     };
-    let inner = titled(&look.text(&title), look, area, buffer);
+    let inner = panel.titled(&panel.text(&title), buffer);
     let is_lost = state
         .session
         .vehicles
         .get(&vehicle)
         .is_some_and(|it| it.link.lost);
     let known = state.rooms.parameters.lists.get(&vehicle);
-    let mut spans = progress(state, known, is_lost, look);
+    let mut spans = progress(state, known, is_lost, panel.look);
     for (text, role) in remarks(state, rows) {
-        spans.push(Span::styled("   ", look.style(Role::Text)));
-        spans.push(Span::styled(look.text(&text), look.style(role)));
+        spans.push(Span::styled("   ", panel.style(Role::Text)));
+        spans.push(Span::styled(panel.text(&text), panel.style(role)));
     }
     put(buffer, inner, 0, &Line::from(spans));
 }

@@ -10,9 +10,10 @@ use crate::campaign::{Offer, Stake, Try};
 use crate::mission::Listing;
 use crate::scoring::{Medal, Medals};
 use crate::text;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::bars::{Bar, Bars, draw as draw_bars};
-use crate::ui::widget::{aligned, below, put, row_of, stars, titled, upper};
+use crate::ui::widget::{aligned, below, put, row_of, stars, upper};
 
 /// Rows of the chart at least, with its title and its axis.
 const CHART: u16 = 12;
@@ -72,7 +73,7 @@ fn line(subject: &Subject<'_>, offer: &Offer, room: usize) -> String {
 fn draw_chart(subject: &Subject<'_>, offer: &Offer, area: Rect, buffer: &mut Buffer) {
     let look = subject.look;
     let title = text!("standing-chart", mission = offer.title.clone());
-    let inner = titled(&look.text(&title), look, area, buffer);
+    let inner = Panel::new(look, area).titled(&look.text(&title), buffer);
     let mut missions = subject.state.missions.iter();
     let listing = missions.find(|listing| listing.id == offer.id);
     let tries = subject.career.growth.tries(&offer.id);
@@ -91,7 +92,7 @@ fn draw_chart(subject: &Subject<'_>, offer: &Offer, area: Rect, buffer: &mut Buf
         lines: &lines,
         most: PERFECT,
     };
-    draw_bars(&chart, look, inner, buffer);
+    draw_bars(&chart, Panel::new(look, inner), buffer);
 }
 
 /// The points that medals need.

@@ -8,8 +8,9 @@ use super::{Subject, days};
 use crate::app::room::standing::Pane;
 use crate::campaign::{Mastery, Skill, SkillMove};
 use crate::text;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{aligned, below, clip, put, row_of, titled, width};
+use crate::ui::widget::{aligned, below, clip, put, row_of, width};
 
 /// Columns of a skill's name, of its bar, and of where its owner stands with it.
 const NAME: usize = 34;
@@ -27,7 +28,7 @@ pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     for (row, skill) in Skill::ALL.iter().copied().enumerate() {
         let under_cursor = row == cursor;
         let row = row as u16;
-        let line = line(subject, skill, (under_cursor, name));
+        let line = line(subject, skill, under_cursor, name);
         put(buffer, inner, row, &line);
         if under_cursor && subject.has_cursor(Pane::Skills) {
             buffer.set_style(row_of(inner, row), look.style(Role::Cursor));
@@ -42,7 +43,7 @@ pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     );
 }
 
-fn line(subject: &Subject<'_>, skill: Skill, (under_cursor, name): (bool, usize)) -> Line<'static> {
+fn line(subject: &Subject<'_>, skill: Skill, under_cursor: bool, name: usize) -> Line<'static> {
     let (look, day) = (subject.look, subject.career.day);
     let known = subject.career.standing.skill(skill);
     let chance = known.chance(day);
@@ -87,11 +88,11 @@ fn line(subject: &Subject<'_>, skill: Skill, (under_cursor, name): (bool, usize)
 fn draw_moves(subject: &Subject<'_>, skill: Skill, area: Rect, buffer: &mut Buffer) {
     let look = subject.look;
     let title = text!("standing-why", skill = skill.title());
-    let inner = titled(&look.text(&title), look, below(area, 1), buffer);
+    let inner = Panel::new(look, below(area, 1)).titled(&look.text(&title), buffer);
     let moves = subject.career.growth.moves(skill);
     if moves.is_empty() {
-        let text = look.say("standing-why-nothing");
-        let text = clip(&text, usize::from(inner.width));
+        let nothing = look.say("standing-why-nothing");
+        let text = clip(&nothing, usize::from(inner.width));
         put(
             buffer,
             inner,

@@ -8,9 +8,10 @@ use super::Subject;
 use crate::app::room::standing::Pane;
 use crate::campaign::Wealth;
 use crate::text;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::curve::{self, Curve};
-use crate::ui::widget::{below, columns, put, titled, upper};
+use crate::ui::widget::{below, columns, put, upper};
 
 /// Columns of the figures beside a curve.
 const FIGURES: u16 = 10;
@@ -72,7 +73,7 @@ fn draw_curve(
         what = look.say(title),
         now = format!("{now:.0}")
     );
-    let inner = titled(&look.text(&title), look, area, buffer);
+    let inner = Panel::new(look, area).titled(&look.text(&title), buffer);
     let high = values.iter().copied().fold(1.0, f64::max);
     let plot = columns(inner, FIGURES, inner.width);
     let steps = curve::steps(plot.width, look.symbols);

@@ -8,8 +8,9 @@ use super::row::{filled, number};
 use super::{Subject, spark};
 use crate::app::state::{Channel, History, Window};
 use crate::text;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{below, columns, put, titled};
+use crate::ui::widget::{below, columns, put, upper};
 
 /// Columns of the label, of a number, and of the unit.
 const LABEL: usize = 12;
@@ -58,7 +59,7 @@ pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     let (state, look) = (subject.state, subject.look);
     let window = state.rooms.vehicle.window;
     let title = text!("vehicle-curves", seconds = window.seconds());
-    let inner = titled(&look.text(&title), look, area, buffer);
+    let inner = Panel::new(look, area).titled(&look.text(&title), buffer);
     let numbers = 2 * (NUMBER + 1);
     let heads = format!(
         "{:>NUMBER$} {:>NUMBER$}",
@@ -75,18 +76,15 @@ pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     let rows = (inner.height / CURVES.len() as u16).max(1);
     let history = state.session.histories.of(subject.vehicle.id);
     for (at, curve) in CURVES.iter().enumerate() {
-        let strip = below(inner, at as u16 * rows);
-        let strip = Rect {
-            height: strip.height.min(rows),
-            ..strip
-        };
-        draw_curve(subject, (curve, window), history, strip, buffer);
+        let strip = upper(below(inner, at as u16 * rows), rows);
+        draw_curve(subject, curve, window, history, strip, buffer);
     }
 }
 
 fn draw_curve(
     subject: &Subject<'_>,
-    (curve, window): (&Curve, Window),
+    curve: &Curve,
+    window: Window,
     history: Option<&History>,
     area: Rect,
     buffer: &mut Buffer,
@@ -108,12 +106,18 @@ fn draw_curve(
     let width = area.width.saturating_sub(left + figures);
     if let (Some(history), Some((low, high))) = (history, range) {
         let readings: Vec<_> = history.readings(curve.channel, window).collect();
-        let shown = (low, high.max(low + curve.least_span));
-        let size = (usize::from(width), usize::from(area.height));
-        let rows = spark::rows(&readings, window.samples(), shown, size, look.symbols);
+        let shown = low..=high.max(low + curve.least_span);
+        let plot = columns(area, left, width);
+        let rows = spark::rows(
+            &readings,
+            window.samples(),
+            &shown,
+            plot.as_size(),
+            look.symbols,
+        );
         for (row, text) in rows.into_iter().enumerate() {
             let line = Line::styled(text, look.style(Role::Accent));
-            put(buffer, columns(area, left, width), row as u16, &line);
+            put(buffer, plot, row as u16, &line);
         }
     }
     let [least, most] = [range.map(|(low, _)| low), range.map(|(_, high)| high)]

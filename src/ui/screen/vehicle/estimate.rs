@@ -8,8 +8,9 @@ use super::Subject;
 use super::row::{UNKNOWN, bar, filled, grade_word, labelled, number};
 use crate::text;
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{put, titled};
+use crate::ui::widget::put;
 use crate::vehicle::{EkfFlags, Grade};
 
 /// Columns of a value that a word follows.
@@ -24,7 +25,7 @@ const FULL_VIBRATION: f32 = 75.0;
 /// Draws the readings with a word for each.
 pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     let look = subject.look;
-    let inner = titled(&look.say("vehicle-estimate"), look, area, buffer);
+    let inner = Panel::new(look, area).titled(&look.say("vehicle-estimate"), buffer);
     let rows = gps(subject)
         .into_iter()
         .chain(filter(subject))

@@ -1,10 +1,10 @@
 //! The attitude indicator: where the ground is, as seen from the vehicle.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Position, Rect};
 
 use crate::config::Symbols;
-use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::vehicle::Attitude;
 
@@ -70,38 +70,38 @@ impl View {
 }
 
 /// Draws the horizon over the whole area, and the vehicle in its middle.
-pub fn draw(attitude: &Attitude, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let view = View::new(attitude, area.height);
-    for y in 0..area.height {
-        for x in 0..area.width {
-            let (symbol, role) = cell(&view, look.symbols, (x, y), area);
-            buffer[(area.x + x, area.y + y)]
+pub fn draw(attitude: &Attitude, panel: Panel<'_>, buffer: &mut Buffer) {
+    let view = View::new(attitude, panel.area.height);
+    for y in 0..panel.area.height {
+        for x in 0..panel.area.width {
+            let (symbol, role) = cell(&view, panel.look.symbols, Position { x, y }, panel.area);
+            buffer[(panel.area.x + x, panel.area.y + y)]
                 .set_char(symbol)
-                .set_style(look.style(role));
+                .set_style(panel.style(role));
         }
     }
-    draw_vehicle(look, area, buffer);
+    draw_vehicle(panel, buffer);
 }
 
 /// The wings and the nose of the vehicle itself, which do not move.
-fn draw_vehicle(look: &Look, area: Rect, buffer: &mut Buffer) {
-    let mark = match look.symbols {
+fn draw_vehicle(panel: Panel<'_>, buffer: &mut Buffer) {
+    let mark = match panel.look.symbols {
         Symbols::Ascii => "--< + >--",
         Symbols::Block | Symbols::Braille => "━━┥ + ┝━━",
     };
     let width = mark.chars().count() as u16;
-    if area.width < width || area.height == 0 {
+    if panel.area.width < width || panel.area.height == 0 {
         return;
     }
     let (x, y) = (
-        area.x + (area.width - width) / 2,
-        area.y + (area.height - 1) / 2,
+        panel.area.x + (panel.area.width - width) / 2,
+        panel.area.y + (panel.area.height - 1) / 2,
     );
-    buffer.set_string(x, y, mark, look.style(Role::Title));
+    buffer.set_string(x, y, mark, panel.style(Role::Title));
 }
 
 /// What a cell shows.
-fn cell(view: &View, symbols: Symbols, (x, y): (u16, u16), area: Rect) -> (char, Role) {
+fn cell(view: &View, symbols: Symbols, place: Position, area: Rect) -> (char, Role) {
     let (columns, rows) = match symbols {
         Symbols::Braille => (2, 4),
         Symbols::Block => (1, 2),
@@ -111,8 +111,8 @@ fn cell(view: &View, symbols: Symbols, (x, y): (u16, u16), area: Rect) -> (char,
     let mut seen = [[Seen::Sky; 4]; 2];
     for (column, dots) in seen.iter_mut().enumerate().take(columns) {
         for (row, dot_seen) in dots.iter_mut().enumerate().take(rows) {
-            let across = f64::from(x) + (column as f64 + 0.5) / columns as f64;
-            let down = f64::from(y) + (row as f64 + 0.5) * dot;
+            let across = f64::from(place.x) + (column as f64 + 0.5) / columns as f64;
+            let down = f64::from(place.y) + (row as f64 + 0.5) * dot;
             let right = (across - f64::from(area.width) / 2.0) / 2.0;
             *dot_seen = view.at(right, view.half_height - down, dot);
         }

@@ -7,8 +7,9 @@ use ratatui::text::{Line, Span};
 use super::Subject;
 use super::row::bar;
 use crate::text;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{columns, put, titled};
+use crate::ui::widget::{columns, put};
 
 /// Pulses between which a bar is empty and full, in microseconds.
 const SHORTEST_US: f32 = 1000.0;
@@ -22,14 +23,14 @@ pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     let half = area.width / 2;
     let left = columns(area, 0, half);
     let right = columns(area, half + 1, area.width);
-    let inner = titled(&look.say("vehicle-outputs"), look, left, buffer);
+    let inner = Panel::new(look, left).titled(&look.say("vehicle-outputs"), buffer);
     draw_pulses(subject, &vehicle.servos_us, inner, buffer);
     let rc = vehicle.rc;
     let title = match rc.and_then(|rc| rc.rssi) {
         Some(rssi) => look.text(&text!("vehicle-rc-rssi", rssi = u32::from(rssi))),
         None => "RC".to_owned(),
     };
-    let inner = titled(&title, look, right, buffer);
+    let inner = Panel::new(look, right).titled(&title, buffer);
     let channels = rc.map_or([0; 18], |rc| rc.channels_us);
     draw_pulses(subject, &channels, inner, buffer);
 }

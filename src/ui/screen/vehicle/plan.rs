@@ -10,8 +10,9 @@ use crate::commands::command_name;
 use crate::geo::LatLon;
 use crate::text;
 use crate::text::Text;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{below, put, titled, upper};
+use crate::ui::widget::{below, put, upper};
 use crate::vehicle::{HeightFrame, Plan, PlanItem, Transfer, Vehicle};
 
 /// Rows of fence and rally points.
@@ -33,7 +34,7 @@ pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
         )),
         _ => look.say("vehicle-plan"),
     };
-    let inner = titled(&title, look, area, buffer);
+    let inner = Panel::new(look, area).titled(&title, buffer);
     let items = upper(inner, inner.height.saturating_sub(OTHERS));
     match stored.content.as_deref() {
         Some(plan) if !plan.flown().is_empty() => draw_items(subject, plan, items, buffer),

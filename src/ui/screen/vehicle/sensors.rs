@@ -6,8 +6,9 @@ use ratatui::text::{Line, Span};
 
 use super::Subject;
 use super::row::filled;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{columns, put, titled};
+use crate::ui::widget::{columns, put};
 use crate::vehicle::Health;
 
 /// Least columns of one entry.
@@ -60,7 +61,7 @@ enum Condition {
 /// Draws what is fitted, what is wrong first.
 pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     let look = subject.look;
-    let inner = titled(&look.say("vehicle-sensors"), look, area, buffer);
+    let inner = Panel::new(look, area).titled(&look.say("vehicle-sensors"), buffer);
     let Some(health) = subject.vehicle.health else {
         put(
             buffer,

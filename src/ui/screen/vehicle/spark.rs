@@ -1,5 +1,9 @@
 //! A curve of a few rows out of a list of readings.
 
+use std::ops::RangeInclusive;
+
+use ratatui::layout::Size;
+
 use crate::config::Symbols;
 
 /// Levels of one row, from nothing to full.
@@ -12,10 +16,11 @@ const LETTERS: [char; 9] = [' ', '_', '.', '-', '-', '=', '+', '*', '#'];
 pub fn rows(
     readings: &[Option<f32>],
     samples: usize,
-    range: (f32, f32),
-    (width, height): (usize, usize),
+    range: &RangeInclusive<f32>,
+    size: Size,
     symbols: Symbols,
 ) -> Vec<String> {
+    let (width, height) = (usize::from(size.width), usize::from(size.height));
     let levels = if symbols == Symbols::Ascii {
         LETTERS
     } else {
@@ -40,7 +45,8 @@ pub fn rows(
 }
 
 /// How high a value stands: at least one step, so that it is told from a gap.
-fn step(value: f32, (low, high): (f32, f32), steps: usize) -> usize {
+fn step(value: f32, range: &RangeInclusive<f32>, steps: usize) -> usize {
+    let (low, high) = (*range.start(), *range.end());
     let share = if high > low {
         ((value - low) / (high - low)).clamp(0.0, 1.0)
     } else {
@@ -73,7 +79,8 @@ mod tests {
     #[test]
     fn a_curve_rises_from_left_to_right_and_shows_gaps() {
         let readings = [Some(0.0), None, Some(5.0), Some(10.0)];
-        let curve = |height, symbols| rows(&readings, 4, (0.0, 10.0), (4, height), symbols);
+        let curve =
+            |height, symbols| rows(&readings, 4, &(0.0..=10.0), Size::new(4, height), symbols);
         assert_eq!(curve(1, Symbols::Block), ["▁ ▅█"]);
         assert_eq!(curve(2, Symbols::Block), ["  ▁█", "▁ ██"]);
         assert_eq!(curve(1, Symbols::Ascii), ["_ =#"]);
@@ -83,7 +90,7 @@ mod tests {
     fn a_young_curve_ends_at_the_right_and_a_flat_one_lies_low() {
         let readings = [Some(3.0), Some(3.0)];
         assert_eq!(
-            rows(&readings, 8, (3.0, 3.0), (8, 1), Symbols::Block),
+            rows(&readings, 8, &(3.0..=3.0), Size::new(8, 1), Symbols::Block),
             ["      ▁▁"]
         );
     }

@@ -13,8 +13,9 @@ use crate::geo::LatLon;
 use crate::text;
 use crate::text::figure;
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{clock, put, severity_role, titled, wrap};
+use crate::ui::widget::{clock, put, severity_role, wrap};
 use crate::vehicle::{Battery, LandedState, Vehicle};
 
 /// Nearer than this there is no direction to speak of, in metres.
@@ -29,7 +30,7 @@ type Entry = (&'static str, String, Role);
 /// Draws as many rows as fit.
 pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     let look = subject.look;
-    let inner = titled(&look.say("vehicle-state"), look, area, buffer);
+    let inner = Panel::new(look, area).titled(&look.say("vehicle-state"), buffer);
     let width = usize::from(inner.width).saturating_sub(LABEL);
     let mut row = 0;
     for (id, value, role) in entries(subject) {

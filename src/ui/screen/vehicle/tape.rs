@@ -1,11 +1,10 @@
 //! The heading tape: a strip of the compass that moves past a mark.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use ratatui::text::Line;
 
 use crate::config::Symbols;
-use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::put;
 
@@ -18,22 +17,22 @@ const STROKE_EVERY_DEG: i32 = 15;
 const POINTS: [(i32, &str); 4] = [(0, "N"), (90, "E"), (180, "S"), (270, "W")];
 
 /// Draws three rows: numbers, strokes, and the heading under its mark.
-pub fn draw(heading_deg: f32, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let width = usize::from(area.width);
-    let (numbers, strokes) = strip(heading_deg, width, look.symbols);
+pub fn draw(heading_deg: f32, panel: Panel<'_>, buffer: &mut Buffer) {
+    let width = usize::from(panel.area.width);
+    let (numbers, strokes) = strip(heading_deg, width, panel.look.symbols);
     put(
         buffer,
-        area,
+        panel.area,
         0,
-        &Line::styled(numbers, look.style(Role::Text)),
+        &Line::styled(numbers, panel.style(Role::Text)),
     );
     put(
         buffer,
-        area,
+        panel.area,
         1,
-        &Line::styled(strokes, look.style(Role::Muted)),
+        &Line::styled(strokes, panel.style(Role::Muted)),
     );
-    let mark = match look.symbols {
+    let mark = match panel.look.symbols {
         Symbols::Ascii => '^',
         Symbols::Block | Symbols::Braille => '▲',
     };
@@ -41,9 +40,9 @@ pub fn draw(heading_deg: f32, look: &Look, area: Rect, buffer: &mut Buffer) {
     let line = format!("{}{value}", " ".repeat(width / 2));
     put(
         buffer,
-        area,
+        panel.area,
         2,
-        &Line::styled(line, look.style(Role::Title)),
+        &Line::styled(line, panel.style(Role::Title)),
     );
 }
 

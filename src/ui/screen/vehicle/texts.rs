@@ -6,8 +6,9 @@ use ratatui::text::{Line, Span};
 
 use super::Subject;
 use crate::notice::sanitised;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{clock, put, severity_role, titled, wrap};
+use crate::ui::widget::{clock, put, severity_role, wrap};
 use crate::vehicle::Severity;
 
 /// Columns of the time before a text.
@@ -16,7 +17,7 @@ const TIME: usize = 6;
 /// Draws the last texts, newest below.
 pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     let (state, look) = (subject.state, subject.look);
-    let inner = titled(&look.say("vehicle-texts"), look, area, buffer);
+    let inner = Panel::new(look, area).titled(&look.say("vehicle-texts"), buffer);
     let width = usize::from(inner.width).saturating_sub(TIME);
     let mut lines: Vec<Line<'static>> = Vec::new();
     for text in &subject.vehicle.texts {

@@ -1,17 +1,16 @@
 //! Power by speed, or hover time by payload, as a curve.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use ratatui::text::Line;
 
 use crate::app::State;
 use crate::app::room::workshop::View;
 use crate::text;
 use crate::text::Text;
-use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::curve::{self, Curve, steps};
-use crate::ui::widget::{aligned, below, columns, put, titled, upper, wrap};
+use crate::ui::widget::{aligned, below, columns, put, upper, wrap};
 
 /// Columns of the figures beside the curve.
 const LABELS: u16 = 7;
@@ -19,7 +18,7 @@ const LABELS: u16 = 7;
 const LEAST: u16 = 3;
 
 /// Draws the curve that is wanted.
-pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let room = &state.rooms.workshop;
     let is_payload = room.view == View::Payload;
     let title = if is_payload {
@@ -27,7 +26,7 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     } else {
         "workshop-polar"
     };
-    let inner = titled(&look.say(title), look, area, buffer);
+    let inner = panel.titled(&panel.say(title), buffer);
     let points: Vec<(f64, f64)> = if is_payload {
         let minutes = room.bench.endurance().iter();
         minutes.map(|(kg, seconds)| (*kg, seconds / 60.0)).collect()
@@ -36,7 +35,7 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     };
     let about = about(state, is_payload);
     let words = wrap(
-        &look.text(&about),
+        &panel.text(&about),
         usize::from(inner.width.saturating_sub(1)),
     );
     let below_curve = words.len() as u16 + 1;
@@ -47,17 +46,17 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     };
     let plot = upper(inner, inner.height.saturating_sub(below_curve));
     let rest = if points.len() > 1 && plot.height >= LEAST {
-        draw_curve(&points, units, (look, plot), buffer);
+        draw_curve(&points, units.1, panel.at(plot), buffer);
         below(inner, plot.height)
     } else {
         inner
     };
     if points.len() > 1 && plot.height >= LEAST {
-        draw_axis(&points, units.0, (look, rest), buffer);
+        draw_axis(&points, units.0, panel.at(rest), buffer);
     }
     let rest = below(rest, 1);
     for (row, line) in words.into_iter().enumerate() {
-        let line = Line::styled(format!(" {line}"), look.style(Role::Muted));
+        let line = Line::styled(format!(" {line}"), panel.style(Role::Muted));
         put(buffer, rest, row as u16, &line);
     }
 }
@@ -81,44 +80,39 @@ fn about(state: &State, is_payload: bool) -> Text {
     }
 }
 
-fn draw_curve(
-    points: &[(f64, f64)],
-    (_, unit): (&str, &str),
-    (look, area): (&Look, Rect),
-    buffer: &mut Buffer,
-) {
+fn draw_curve(points: &[(f64, f64)], unit: &str, panel: Panel<'_>, buffer: &mut Buffer) {
     let high = points.iter().map(|point| point.1).fold(0.0, f64::max);
-    for (row, value) in [(0, high), (area.height - 1, 0.0)] {
+    for (row, value) in [(0, high), (panel.area.height - 1, 0.0)] {
         let label = aligned(&format!("{value:.0} {unit}"), usize::from(LABELS) - 1, true);
         put(
             buffer,
-            area,
+            panel.area,
             row,
-            &Line::styled(label, look.style(Role::Muted)),
+            &Line::styled(label, panel.style(Role::Muted)),
         );
     }
-    let place = columns(area, LABELS, area.width.saturating_sub(LABELS));
-    let values: Vec<Option<f64>> = spread(points, steps(place.width, look.symbols));
+    let place = columns(panel.area, LABELS, panel.area.width.saturating_sub(LABELS));
+    let values: Vec<Option<f64>> = spread(points, steps(place.width, panel.look.symbols));
     let curve = Curve {
         values: &values,
         low: 0.0,
         high,
-        style: look.style(Role::Accent),
+        style: panel.style(Role::Accent),
     };
-    curve::draw(&curve, look.symbols, place, buffer);
+    curve::draw(&curve, panel.look.symbols, place, buffer);
 }
 
-fn draw_axis(points: &[(f64, f64)], unit: &str, (look, area): (&Look, Rect), buffer: &mut Buffer) {
+fn draw_axis(points: &[(f64, f64)], unit: &str, panel: Panel<'_>, buffer: &mut Buffer) {
     let last = points.last().map_or(0.0, |point| point.0);
     let end = format!("{last:.1} {unit}");
-    let room = area.width.saturating_sub(LABELS + 1);
+    let room = panel.area.width.saturating_sub(LABELS + 1);
     let end = aligned(&end, usize::from(room), true);
     let line = format!("{}0{end}", " ".repeat(usize::from(LABELS)));
     put(
         buffer,
-        area,
+        panel.area,
         0,
-        &Line::styled(line, look.style(Role::Muted)),
+        &Line::styled(line, panel.style(Role::Muted)),
     );
 }
 

@@ -1,7 +1,6 @@
 //! Another design beside the one on the bench: parts, figures, and what changes from the other one to this one.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use super::change;
@@ -9,8 +8,9 @@ use crate::app::State;
 use crate::app::room::workshop::rows;
 use crate::text::Text;
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{aligned, put, titled};
+use crate::ui::widget::{aligned, put};
 use crate::workshop::{Design, Measure, PartSlot};
 
 /// Columns of names, of a design's parts at most, and of a change.
@@ -19,21 +19,21 @@ const WIDEST: usize = 60;
 const CHANGE: usize = 12;
 
 /// Draws the table from its first line on.
-pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let room = &state.rooms.workshop;
-    let inner = titled(&look.say("bench-comparison"), look, area, buffer);
+    let inner = panel.titled(&panel.say("bench-comparison"), buffer);
     let Some((other, sheet)) = &room.compared else {
         return;
     };
     let column = usize::from(inner.width).saturating_sub(NAME + CHANGE + 3) / 2;
     let table = Table {
-        look,
+        look: panel.look,
         column: column.min(WIDEST),
     };
-    let name = |design: &Design| look.text(&Text::verbatim(design.name.clone()));
+    let name = |design: &Design| panel.text(&Text::verbatim(design.name.clone()));
     let design = room.bench.design();
     let mut lines = vec![table.line(
-        &look.say("bench-compared"),
+        &panel.say("bench-compared"),
         [&name(other), &name(design)],
         None,
         Role::Title,
@@ -44,7 +44,7 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
         let changed = before.zip(after).and_then(|(a, b)| change(measure, a, b));
         let values = [shown(before), shown(after)];
         lines.push(table.line(
-            &look.text(&measure.name()),
+            &panel.text(&measure.name()),
             [&values[0], &values[1]],
             changed,
             Role::Text,

@@ -1,15 +1,14 @@
 //! What the design can do, and what the part under the cursor would make of it.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use super::change;
 use crate::app::State;
 use crate::app::room::workshop::Pane;
-use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{aligned, put, titled};
+use crate::ui::widget::{aligned, put};
 use crate::workshop::{Measure, Sheet};
 
 /// Columns of the values and of a change.
@@ -17,8 +16,8 @@ const VALUES: usize = 15;
 const CHANGE: usize = 8;
 
 /// Draws a line for each measure.
-pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
-    if area.height == 0 {
+pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
+    if panel.area.height == 0 {
         return;
     }
     let room = &state.rooms.workshop;
@@ -31,49 +30,44 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
         Some(_) => "bench-figures-change",
         None => "workshop-figures",
     };
-    let inner = titled(&look.say(title), look, area, buffer);
+    let inner = panel.titled(&panel.say(title), buffer);
     for (row, measure) in Measure::ALL.into_iter().enumerate() {
-        let sheets = (room.bench.sheet(), candidate);
-        let line = line(measure, sheets, (look, usize::from(inner.width)));
+        let line = line(measure, room.bench.sheet(), candidate, panel.at(inner));
         put(buffer, inner, row as u16, &line);
     }
 }
 
 /// Name, value, and the value with another sheet's change.
-fn line(
-    measure: Measure,
-    (now, then): (&Sheet, Option<&Sheet>),
-    (look, width): (&Look, usize),
-) -> Line<'static> {
+fn line(measure: Measure, now: &Sheet, then: Option<&Sheet>, panel: Panel<'_>) -> Line<'static> {
     let before = measure.of(now);
     let after = then.map(|sheet| measure.of(sheet));
     let changed = before
         .zip(after.flatten())
         .and_then(|(before, after)| change(measure, before, after));
     let value = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |it| measure.figure(it));
-    let values = match after {
+    let figures = match after {
         Some(after) if changed.is_some() || before.is_some() != after.is_some() => {
             format!("{} → {}", value(before), value(after))
         }
         _ => value(before),
     };
     let values = if before.or(after.flatten()).is_some() {
-        format!("{values} {}", measure.unit())
+        format!("{figures} {}", measure.unit())
     } else {
-        values
+        figures
     };
     let (change, role) = changed.unwrap_or_else(|| (String::new(), Role::Text));
     let name = aligned(
-        &look.text(&measure.name()),
-        width.saturating_sub(VALUES + CHANGE + 2),
+        &panel.text(&measure.name()),
+        panel.width().saturating_sub(VALUES + CHANGE + 2),
         false,
     );
     Line::from(vec![
-        Span::styled(format!(" {name}"), look.style(Role::Muted)),
+        Span::styled(format!(" {name}"), panel.style(Role::Muted)),
         Span::raw(aligned(values.trim_end(), VALUES, true)),
         Span::styled(
             format!(" {}", aligned(&change, CHANGE, true)),
-            look.style(role),
+            panel.style(role),
         ),
     ])
 }

@@ -1,7 +1,6 @@
 //! What speaks against the design, and what of it may not be flown yet.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use super::put_wrapped;
@@ -10,17 +9,17 @@ use crate::app::action::Action;
 use crate::app::room::workshop::{Licence, lacking, licence};
 use crate::text;
 use crate::text::Text;
-use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{columns, titled};
+use crate::ui::widget::columns;
 use crate::workshop::{DesignFinding, FindingKind, FindingSeverity};
 
 /// Draws a sentence for each, faults first.
-pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
-    if area.height < 2 {
+pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
+    if panel.area.height < 2 {
         return;
     }
-    let inner = titled(&look.say("workshop-findings"), look, area, buffer);
+    let inner = panel.titled(&panel.say("workshop-findings"), buffer);
     let inner = columns(inner, 1, inner.width.saturating_sub(1));
     let bench = &state.rooms.workshop.bench;
     let is_missing = |it: &&DesignFinding| it.kind == FindingKind::Missing;
@@ -29,19 +28,19 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let mut texts: Vec<(String, Style)> = Vec::new();
     if !missing.is_empty() {
         let text = text!("bench-missing", slots = Text::joined(", ", missing));
-        let text = format!("x {}", look.text(&text));
-        texts.push((text, look.style(Role::Danger)));
+        let text = format!("x {}", panel.text(&text));
+        texts.push((text, panel.style(Role::Danger)));
     }
     for finding in bench.findings().iter().filter(|it| !is_missing(it)) {
         let (mark, role) = match finding.severity() {
             FindingSeverity::Fault => ('x', Role::Danger),
             FindingSeverity::Warning => ('!', Role::Warning),
         };
-        let text = format!("{mark} {}", look.text(&finding.text));
-        texts.push((text, look.style(role)));
+        let text = format!("{mark} {}", panel.text(&finding.text));
+        texts.push((text, panel.style(role)));
     }
     if texts.is_empty() {
-        texts.push((look.say("workshop-none"), look.style(Role::Ok)));
+        texts.push((panel.say("workshop-none"), panel.style(Role::Ok)));
     }
     for part in lacking(state, bench.design()) {
         let text = match licence(state, part) {
@@ -58,8 +57,8 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
             }
             Licence::Held => continue,
         };
-        let text = format!("$ {}", look.text(&text));
-        texts.push((text, look.style(Role::Accent)));
+        let text = format!("$ {}", panel.text(&text));
+        texts.push((text, panel.style(Role::Accent)));
     }
     put_wrapped(&texts, inner, buffer);
 }

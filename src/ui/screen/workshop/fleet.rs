@@ -1,7 +1,6 @@
 //! The seats of a mission's fleet, and what is chosen for them.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use super::{first_shown, mission, mission_title, show_cursor};
@@ -10,8 +9,9 @@ use crate::app::room::workshop::{Seat, WIDE, seats};
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{aligned, below, columns, put, row_of, titled, upper};
+use crate::ui::widget::{aligned, below, columns, put, row_of, upper};
 
 /// Columns of a seat's number and of a drone's price.
 const NUMBER: usize = 8;
@@ -20,21 +20,24 @@ const PRICE: usize = 10;
 const LIST: u16 = 70;
 
 /// Draws the seats, and beside or below them what the mission needs.
-pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let chosen = crate::app::room::workshop::mission(state);
     let all = chosen.map_or_else(Vec::new, |mission| seats(state, mission));
-    let (list, needs) = if area.width >= WIDE {
-        let rest = area.width - LIST - 1;
-        (columns(area, 0, LIST), columns(area, LIST + 1, rest))
+    let (list, needs) = if panel.area.width >= WIDE {
+        let rest = panel.area.width - LIST - 1;
+        (
+            columns(panel.area, 0, LIST),
+            columns(panel.area, LIST + 1, rest),
+        )
     } else {
-        let rows = (all.len() as u16 + 4).min(area.height / 2 + 1);
-        (upper(area, rows), below(area, rows))
+        let rows = (all.len() as u16 + 4).min(panel.area.height / 2 + 1);
+        (upper(panel.area, rows), below(panel.area, rows))
     };
-    let title = text!("bench-fleet", mission = mission_title(state, look));
-    let inner = titled(&look.text(&title), look, list, buffer);
+    let title = text!("bench-fleet", mission = mission_title(state, panel.look));
+    let inner = panel.at(list).titled(&panel.text(&title), buffer);
     let name = state.rooms.workshop.bench.design().name.clone();
-    let on_bench = look.text(&text!("bench-fleet-about", name = name));
-    let line = Line::styled(format!(" {on_bench}"), look.style(Role::Muted));
+    let on_bench = panel.text(&text!("bench-fleet-about", name = name));
+    let line = Line::styled(format!(" {on_bench}"), panel.style(Role::Muted));
     put(buffer, inner, 0, &line);
     let inner = below(inner, 2);
     let cursor = state.rooms.workshop.seat.min(all.len().saturating_sub(1));
@@ -42,12 +45,12 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     let shown = all.iter().enumerate().skip(first);
     for (at, seat) in shown.take(usize::from(inner.height)) {
         let place = row_of(inner, (at - first) as u16);
-        put(buffer, place, 0, &line_of(*seat, look, inner.width));
+        put(buffer, place, 0, &line_of(*seat, panel.look, inner.width));
         if at == cursor {
-            show_cursor(look, true, place, buffer);
+            show_cursor(panel.look, true, place, buffer);
         }
     }
-    mission::draw(state, look, columns(needs, 0, LIST), buffer);
+    mission::draw(state, panel.at(columns(needs, 0, LIST)), buffer);
 }
 
 fn line_of(seat: Seat<'_>, look: &Look, width: u16) -> Line<'static> {

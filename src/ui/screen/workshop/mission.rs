@@ -10,19 +10,19 @@ use crate::app::State;
 use crate::app::room::workshop::{Stand, bill, mission};
 use crate::language::ranges;
 use crate::text;
-use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{aligned, below, columns, put, titled, width};
+use crate::ui::widget::{aligned, below, columns, put, width};
 
 /// Draws the mission's budget and needs.
-pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
-    if area.height < 2 {
+pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
+    if panel.area.height < 2 {
         return;
     }
-    let inner = titled(&mission_title(state, look), look, area, buffer);
+    let inner = panel.titled(&mission_title(state, panel.look), buffer);
     let inner = columns(inner, 1, inner.width.saturating_sub(1));
     let Some(mission) = mission(state) else {
-        let text = (look.say("bench-choose-mission"), look.style(Role::Muted));
+        let text = (panel.say("bench-choose-mission"), panel.style(Role::Muted));
         put_wrapped(&[text], inner, buffer);
         return;
     };
@@ -40,45 +40,45 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
     };
     let seats = text!("bench-seats", count = mission.vehicles);
     let texts: Vec<(String, Style)> = vec![
-        (look.text(&seats), look.style(Role::Text)),
-        (look.text(&budget), look.style(role)),
+        (panel.text(&seats), panel.style(Role::Text)),
+        (panel.text(&budget), panel.style(role)),
     ];
     let mut rest = put_wrapped(&texts, inner, buffer);
     let groups = state.rooms.workshop.fit.iter().flat_map(|fit| &fit.groups);
     for (seats, stands) in groups {
         let seats = text!("workshop-fit-seats", seats = ranges(seats.iter().copied()));
-        let heading = (look.text(&seats), look.style(Role::Title));
+        let heading = (panel.text(&seats), panel.style(Role::Title));
         rest = put_wrapped(&[heading], rest, buffer);
         for stand in stands {
-            rest = draw_stand(stand, look, rest, buffer);
+            rest = draw_stand(stand, panel.at(rest), buffer);
         }
     }
 }
 
 /// What is needed with what there is: on one line, or the figures below where that is too long.
-fn draw_stand(stand: &Stand, look: &Look, area: Rect, buffer: &mut Buffer) -> Rect {
+fn draw_stand(stand: &Stand, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
     let line = &stand.line;
     let (mark, role) = match (line.met, line.is_block) {
         (true, _) => ('✓', Role::Ok),
         (false, true) => ('x', Role::Danger),
         (false, false) => ('!', Role::Warning),
     };
-    let what = format!("{mark} {}", look.text(&line.what));
-    let has = look.text(&line.has);
+    let what = format!("{mark} {}", panel.text(&line.what));
+    let has = panel.text(&line.has);
     let has = match &stand.before {
-        Some(before) => format!("{} → {has}", look.text(before)),
+        Some(before) => format!("{} → {has}", panel.text(before)),
         None => has,
     };
-    let figures = format!("{has} / {}", look.text(&line.required));
-    let columns = usize::from(area.width);
-    let style = look.style(role);
+    let figures = format!("{has} / {}", panel.text(&line.required));
+    let columns = usize::from(panel.area.width);
+    let style = panel.style(role);
     let room = columns.saturating_sub(width(&what));
     if width(&figures) < room {
         let figures = aligned(&figures, room, true);
-        put(buffer, area, 0, &Line::styled(what + &figures, style));
-        return below(area, 1);
+        put(buffer, panel.area, 0, &Line::styled(what + &figures, style));
+        return below(panel.area, 1);
     }
-    let rest = put_wrapped(&[(what, style)], area, buffer);
+    let rest = put_wrapped(&[(what, style)], panel.area, buffer);
     let figures = aligned(&figures, columns, true);
     put(buffer, rest, 0, &Line::styled(figures, style));
     below(rest, 1)

@@ -1,7 +1,6 @@
 //! The parts for the slot under the cursor, and what each would change.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use ratatui::style::Style;
 use ratatui::text::{Line, Span};
 
@@ -11,8 +10,9 @@ use crate::app::action::Action;
 use crate::app::room::workshop::{Candidate, Licence, Pane, licence};
 use crate::text;
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{aligned, below, columns, put, row_of, titled, upper, wrap};
+use crate::ui::widget::{aligned, below, columns, put, row_of, upper, wrap};
 use crate::workshop::{Measure, PartSlot, Sheet};
 
 /// Columns of what a part would cost, or why it cannot be had.
@@ -27,13 +27,18 @@ const LONG_NAME: usize = 34;
 const DETAIL: u16 = 5;
 
 /// Draws the list, and below it what there is to know about the part under the cursor.
-pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let bench = &state.rooms.workshop.bench;
-    let layout = Layout::new(state, area.width);
-    let mut inner = titled(&layout.title(bench.slot(), look), look, area, buffer);
+    let layout = Layout::new(state, panel.area.width);
+    let mut inner = panel.titled(&layout.title(bench.slot(), panel.look), buffer);
     if layout.shown.len() > 1 {
-        let style = look.style(Role::Muted);
-        put(buffer, inner, 0, &Line::styled(layout.heading(look), style));
+        let style = panel.style(Role::Muted);
+        put(
+            buffer,
+            inner,
+            0,
+            &Line::styled(layout.heading(panel.look), style),
+        );
         inner = below(inner, 1);
     }
     let candidates = bench.candidates();
@@ -48,16 +53,16 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
             buffer,
             place,
             0,
-            &layout.line(state, candidate, bench.sheet(), look),
+            &layout.line(state, candidate, bench.sheet(), panel.look),
         );
         if at == cursor {
             let has_keys = state.rooms.workshop.pane == Pane::Parts;
-            show_cursor(look, has_keys, place, buffer);
+            show_cursor(panel.look, has_keys, place, buffer);
         }
     }
     if let Some(candidate) = bench.candidate() {
         let place = columns(below(inner, list.height), 1, inner.width.saturating_sub(1));
-        draw_detail(state, candidate, look, place, buffer);
+        draw_detail(state, candidate, panel.at(place), buffer);
     }
 }
 
@@ -196,7 +201,7 @@ fn short(licence: &Licence, look: &Look) -> (String, Role) {
 }
 
 /// The part's whole name, what it costs, whether it may be flown, and why it does not fit.
-fn draw_detail(state: &State, candidate: &Candidate, look: &Look, area: Rect, buffer: &mut Buffer) {
+fn draw_detail(state: &State, candidate: &Candidate, panel: Panel<'_>, buffer: &mut Buffer) {
     let part = candidate.part;
     let whole = text!(
         "bench-part",
@@ -204,10 +209,10 @@ fn draw_detail(state: &State, candidate: &Candidate, look: &Look, area: Rect, bu
         mass = format!("{:.0}", part.mass_g),
         price = part.credits
     );
-    let mut texts: Vec<(String, Style)> = vec![(look.text(&whole), look.style(Role::Title))];
+    let mut texts: Vec<(String, Style)> = vec![(panel.text(&whole), panel.style(Role::Title))];
     if let Some(reason) = &candidate.misfit {
         let reason = text!("bench-misfit", reason = reason.clone());
-        texts.push((look.text(&reason), look.style(Role::Danger)));
+        texts.push((panel.text(&reason), panel.style(Role::Danger)));
     }
     let held = match licence(state, part) {
         Licence::Held => None,
@@ -218,17 +223,18 @@ fn draw_detail(state: &State, candidate: &Candidate, look: &Look, area: Rect, bu
         )),
         Licence::Locked(mission) => Some(text!("bench-locked-by", mission = mission)),
     };
-    texts.extend(held.map(|held| (look.text(&held), look.style(Role::Accent))));
+    texts.extend(held.map(|held| (panel.text(&held), panel.style(Role::Accent))));
     if candidate.on_board > 0 {
         let text = text!("bench-on-board", count = candidate.on_board);
-        texts.push((look.text(&text), look.style(Role::Muted)));
+        texts.push((panel.text(&text), panel.style(Role::Muted)));
     }
     if part.slot() == PartSlot::Radio {
-        texts.push((look.say("bench-radio"), look.style(Role::Muted)));
+        texts.push((panel.say("bench-radio"), panel.style(Role::Muted)));
     }
-    let rows = |(text, _): &(String, Style)| wrap(text, usize::from(area.width)).len();
-    while texts.iter().map(rows).sum::<usize>() > usize::from(area.height) && texts.len() > 2 {
+    let rows = |(text, _): &(String, Style)| wrap(text, usize::from(panel.area.width)).len();
+    while texts.iter().map(rows).sum::<usize>() > usize::from(panel.area.height) && texts.len() > 2
+    {
         texts.pop();
     }
-    put_wrapped(&texts, area, buffer);
+    put_wrapped(&texts, panel.area, buffer);
 }

@@ -1,7 +1,6 @@
 //! All designs, own ones first.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use ratatui::text::Line;
 
 use super::{first_shown, show_cursor};
@@ -9,8 +8,9 @@ use crate::app::State;
 use crate::app::room::workshop::{Stored, stored};
 use crate::text::Text;
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{aligned, below, clip, put, row_of, titled};
+use crate::ui::widget::{aligned, below, clip, put, row_of};
 
 /// Columns of whose a design is, of mass and price.
 const WHOSE: usize = 10;
@@ -18,11 +18,11 @@ const MASS: usize = 9;
 const PRICE: usize = 10;
 const NAME: usize = 28;
 
-pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let inner = titled(&look.say("bench-designs"), look, area, buffer);
+pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
+    let inner = panel.titled(&panel.say("bench-designs"), buffer);
     let all = stored(state);
     if all.is_empty() {
-        let line = Line::styled(look.say("bench-no-designs"), look.style(Role::Muted));
+        let line = Line::styled(panel.say("bench-no-designs"), panel.style(Role::Muted));
         put(buffer, inner, 0, &line);
         return;
     }
@@ -33,9 +33,9 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
         if place.height == 0 {
             break;
         }
-        put(buffer, place, 0, &line(*stored, look, inner.width));
+        put(buffer, place, 0, &line(*stored, panel.look, inner.width));
         if at == cursor {
-            show_cursor(look, true, place, buffer);
+            show_cursor(panel.look, true, place, buffer);
         }
     }
 }

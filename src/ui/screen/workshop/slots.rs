@@ -1,7 +1,6 @@
 //! What is built in, slot by slot.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use super::{first_shown, show_cursor};
@@ -9,8 +8,9 @@ use crate::app::State;
 use crate::app::room::workshop::{Pane, SlotRow, is_saved};
 use crate::text::Text;
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{aligned, put, row_of, titled};
+use crate::ui::widget::{aligned, put, row_of};
 use crate::workshop::{Design, FindingSeverity, PartSlot};
 
 /// Columns of a slot's name.
@@ -22,15 +22,15 @@ const ROOMY: usize = 50;
 const MASS: usize = 8;
 const PRICE: usize = 8;
 
-pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
+pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let room = &state.rooms.workshop;
-    let name = look.text(&Text::verbatim(room.bench.design().name.clone()));
+    let name = panel.text(&Text::verbatim(room.bench.design().name.clone()));
     let title = if is_saved(state) {
         name
     } else {
-        format!("{name} ({})", look.say("bench-not-saved"))
+        format!("{name} ({})", panel.say("bench-not-saved"))
     };
-    let inner = titled(&title, look, area, buffer);
+    let inner = panel.titled(&title, buffer);
     let rows = room.bench.rows();
     let cursor = room.bench.row();
     let first = first_shown(cursor, rows.len(), inner.height);
@@ -48,9 +48,14 @@ pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
             wide,
             width,
         };
-        put(buffer, place, 0, &line.drawn(room.bench.design(), look));
+        put(
+            buffer,
+            place,
+            0,
+            &line.drawn(room.bench.design(), panel.look),
+        );
         if at == cursor {
-            show_cursor(look, room.pane == Pane::Slots, place, buffer);
+            show_cursor(panel.look, room.pane == Pane::Slots, place, buffer);
         }
     }
 }

@@ -2,11 +2,10 @@
 //! ASCII.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 
 use crate::config::Symbols;
 use crate::geo::{DOTS_ACROSS, DOTS_DOWN};
-use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 
 /// The bits of a braille pattern, by row and column of the dot.
@@ -119,15 +118,15 @@ impl Canvas {
     }
 
     /// Puts the dots into a buffer; cells without any stay as they are.
-    pub fn draw(&self, look: &Look, area: Rect, buffer: &mut Buffer) {
-        for (row, cells) in
-            (area.y..area.bottom()).zip(self.cells.chunks(usize::from(self.columns.max(1))))
+    pub fn draw(&self, panel: Panel<'_>, buffer: &mut Buffer) {
+        for (row, cells) in (panel.area.y..panel.area.bottom())
+            .zip(self.cells.chunks(usize::from(self.columns.max(1))))
         {
-            for (column, &(mask, role)) in (area.x..area.right()).zip(cells) {
+            for (column, &(mask, role)) in (panel.area.x..panel.area.right()).zip(cells) {
                 if mask != 0 {
                     let cell = &mut buffer[(column, row)];
                     cell.set_char(glyph(mask, self.symbols));
-                    cell.set_style(look.style(role));
+                    cell.set_style(panel.style(role));
                 }
             }
         }
@@ -182,7 +181,10 @@ fn glyph(mask: u8, symbols: Symbols) -> char {
 mod tests {
     use proptest::prelude::*;
 
+    use ratatui::layout::Rect;
+
     use super::*;
+    use crate::ui::look::Look;
 
     fn shown(symbols: Symbols, line: [(f64, f64); 2]) -> String {
         let mut canvas = Canvas::new((4, 2), symbols);
@@ -190,7 +192,7 @@ mod tests {
         let look = Look::default();
         let area = Rect::new(0, 0, canvas.columns, canvas.rows);
         let mut buffer = Buffer::empty(area);
-        canvas.draw(&look, area, &mut buffer);
+        canvas.draw(Panel::new(&look, area), &mut buffer);
         let rows = buffer.content.chunks(usize::from(canvas.columns));
         let line =
             |row: &[ratatui::buffer::Cell]| row.iter().map(ratatui::buffer::Cell::symbol).collect();

@@ -13,6 +13,7 @@ use crate::app::room::map::{Sketch, SketchKind, leg, sketches};
 use crate::geo::{DOTS_ACROSS, LatLon, Outline, Viewport};
 use crate::mission::{Ground, MoverKind};
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::vehicle::VehicleId;
 
@@ -82,7 +83,7 @@ pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mu
     if let Some(mark) = map.mark {
         canvas.line(view.dot(mark), view.dot(map.pointed(view)), RULER);
     }
-    canvas.draw(look, area, buffer);
+    canvas.draw(Panel::new(look, area), buffer);
     for label in readable(labels, &vehicle_cells(state, view)) {
         let (column, row) = label.cell;
         let width = area.width.saturating_sub(column);

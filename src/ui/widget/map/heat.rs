@@ -8,6 +8,7 @@ use crate::app::room::map::SampleField;
 use crate::config::Symbols;
 use crate::geo::{DOTS_ACROSS, DOTS_DOWN, Viewport};
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::put;
 
@@ -38,30 +39,30 @@ pub fn draw(field: &SampleField, look: &Look, view: &Viewport, area: Rect, buffe
 }
 
 /// Explains the shades: each with the largest value that it stands for.
-pub fn draw_scale(field: &SampleField, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let shades = shades(look.symbols);
+pub fn draw_scale(field: &SampleField, panel: Panel<'_>, buffer: &mut Buffer) {
+    let shades = shades(panel.look.symbols);
     let top = field.top();
-    let name = format!("{} ", look.text(&field.name));
-    let mut spans = vec![Span::styled(name, look.style(Role::Muted))];
+    let name = format!("{} ", panel.text(&field.name));
+    let mut spans = vec![Span::styled(name, panel.style(Role::Muted))];
     for (at, shade) in shades.iter().enumerate() {
         // Nine digits need no nine numbers.
         if shades.len() > SHADES.len() && at % 4 != 0 {
             continue;
         }
         let value = top * (at + 1) as f64 / shades.len() as f64;
-        spans.push(Span::styled(shade.to_string(), look.style(Role::Warning)));
+        spans.push(Span::styled(shade.to_string(), panel.style(Role::Warning)));
         spans.push(Span::styled(
             format!(" {}  ", figure(value)),
-            look.style(Role::Muted),
+            panel.style(Role::Muted),
         ));
     }
-    spans.push(Span::styled(field.unit, look.style(Role::Muted)));
+    spans.push(Span::styled(field.unit, panel.style(Role::Muted)));
     let line = Line::from(spans);
-    let width = (line.width() as u16).min(area.width);
+    let width = (line.width() as u16).min(panel.area.width);
     let right = Rect {
-        x: area.right() - width,
+        x: panel.area.right() - width,
         width,
-        ..area
+        ..panel.area
     };
     put(buffer, right, 0, &line);
 }

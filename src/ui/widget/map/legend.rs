@@ -15,8 +15,9 @@ use crate::app::room::map::SketchKind::{
 use crate::app::room::map::{leg, sketches};
 use crate::geo::{Viewport, scale_bar};
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{boxed, put, upper};
+use crate::ui::widget::put;
 
 /// Columns of the scale bar at most.
 const LONGEST_BAR: u16 = 24;
@@ -60,15 +61,12 @@ pub fn length(metres: f64) -> String {
 }
 
 /// Explains the signs, those that are on the map.
-pub fn draw(state: &State, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let lines = lines(state, look);
-    let inner = boxed(
-        &look.say("map-legend"),
-        Role::Border,
-        look,
-        upper(area, lines.len() as u16 + 2),
-        buffer,
-    );
+pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
+    let lines = lines(state, panel.look);
+    let inner =
+        panel
+            .upper(lines.len() as u16 + 2)
+            .boxed(&panel.say("map-legend"), Role::Border, buffer);
     for (row, line) in lines.iter().enumerate() {
         put(buffer, inner, row as u16, line);
     }

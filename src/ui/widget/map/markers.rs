@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Position, Rect};
 use ratatui::style::Style;
 
 use crate::app::State;
@@ -73,7 +73,7 @@ fn markers(state: &State, look: &Look, view: &Viewport) -> (Vec<Marker>, usize) 
             continue;
         };
         match view.cell(global.at_point) {
-            Some(cell) => markers.push(marker(vehicle, cell, state, look)),
+            Some(cell) => markers.push(marker(vehicle, cell.into(), state, look)),
             None => outside += 1,
         }
     }
@@ -121,7 +121,7 @@ impl Chosen {
     }
 }
 
-fn marker(vehicle: &Vehicle, (column, row): (u16, u16), state: &State, look: &Look) -> Marker {
+fn marker(vehicle: &Vehicle, cell: Position, state: &State, look: &Look) -> Marker {
     let selected = state.session.selection.contains(&vehicle.id);
     let alarm = state
         .session
@@ -144,8 +144,8 @@ fn marker(vehicle: &Vehicle, (column, row): (u16, u16), state: &State, look: &Lo
     };
     Marker {
         id: vehicle.id,
-        column,
-        row,
+        column: cell.x,
+        row: cell.y,
         sign: sign(vehicle, look.symbols),
         marks,
         role,

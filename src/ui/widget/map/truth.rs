@@ -11,8 +11,9 @@ use super::legend::draw_scale;
 use crate::geo::{Extent, LatLon, Outline, Viewport};
 use crate::scoring::{ObjectReport, SquareReport, TruthReport};
 use crate::ui::look::Look;
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{below, put, titled, upper, wrap};
+use crate::ui::widget::{below, put, upper, wrap};
 
 /// Stands for the mission's origin: a report tells no more of places than metres from there.
 const ORIGIN: LatLon = LatLon::new(0.0, 0.0);
@@ -33,24 +34,24 @@ const PAD: Sign = ('H', Role::Title, "map-legend-home");
 const SIGNS: [Sign; 7] = [FOUND, MISSED, OVER, UNASKED, DECOY, FALSE, PAD];
 
 /// Draws the map as a pane with a title; the signs that are on it are explained below it.
-pub fn draw(truth: &TruthReport, look: &Look, area: Rect, buffer: &mut Buffer) {
-    let inner = titled(&look.say("truth-title"), look, area, buffer);
+pub fn draw(truth: &TruthReport, panel: Panel<'_>, buffer: &mut Buffer) {
+    let inner = panel.titled(&panel.say("truth-title"), buffer);
     let Some(extent) = Extent::around(places(truth)) else {
-        let line = Line::styled(look.say("truth-none"), look.style(Role::Muted));
+        let line = Line::styled(panel.say("truth-none"), panel.style(Role::Muted));
         put(buffer, inner, 0, &line);
         return;
     };
     let labels = labels(truth);
-    let legend = legend(truth, &labels, look, usize::from(inner.width));
+    let legend = legend(truth, &labels, panel.look, usize::from(inner.width));
     let rows = inner.height.saturating_sub(legend.len() as u16);
     let extent = extent.with_margin(EDGE.0, EDGE.1);
     let size = (inner.width, rows);
     let view = Viewport::new(extent.centre(), extent.zoom(size), size);
     let canvas_area = upper(inner, rows);
     for square in &truth.squares {
-        shade(square, look, &view, canvas_area, buffer);
+        shade(square, panel.look, &view, canvas_area, buffer);
     }
-    let mut canvas = Canvas::new(size, look.symbols);
+    let mut canvas = Canvas::new(size, panel.look.symbols);
     for gap in &truth.gaps {
         let corners = Outline::square(place(gap.at), gap.side_m).corners();
         outline(&corners, &view, &mut canvas, GAP);
@@ -61,14 +62,14 @@ pub fn draw(truth: &TruthReport, look: &Look, area: Rect, buffer: &mut Buffer) {
             canvas.line(ends[0], ends[1], TRAIL);
         }
     }
-    canvas.draw(look, canvas_area, buffer);
+    canvas.draw(panel.at(canvas_area), buffer);
     for ((sign, role, _), at) in labels {
         if let Some((column, row)) = view.cell(place(at)) {
             let at = (canvas_area.x + column, canvas_area.y + row);
-            buffer.set_string(at.0, at.1, sign.to_string(), look.style(role));
+            buffer.set_string(at.0, at.1, sign.to_string(), panel.style(role));
         }
     }
-    draw_scale(look, &view, canvas_area, buffer);
+    draw_scale(panel.look, &view, canvas_area, buffer);
     for (row, line) in legend.into_iter().enumerate() {
         put(buffer, below(inner, rows), row as u16, &line);
     }

@@ -85,7 +85,7 @@ pub struct Row<'a> {
 }
 
 /// What a vehicle has in a column of a width.
-pub fn cell(column: Column, row: &Row<'_>, (look, width): (&Look, usize)) -> Cell {
+pub fn cell(column: Column, row: &Row<'_>, look: &Look, width: usize) -> Cell {
     let session = &row.state.session;
     let number = |decimals: usize| {
         let value = column.number(row.vehicle, session);

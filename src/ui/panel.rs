@@ -1,0 +1,115 @@
+//! A part of the screen.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::Style;
+use ratatui::text::{Line, Span};
+use ratatui::widgets::{Block, Clear, Widget as _};
+
+use super::look::Look;
+use super::theme::Role;
+use super::widget::{below, clip, columns, put, upper};
+use crate::text::Text;
+
+/// A part of the screen, and how things are shown in it.
+#[derive(Debug, Clone, Copy)]
+pub struct Panel<'a> {
+    pub look: &'a Look,
+    pub area: Rect,
+}
+
+impl<'a> Panel<'a> {
+    pub fn new(look: &'a Look, area: Rect) -> Self {
+        Self { look, area }
+    }
+
+    /// Another part of the screen, shown in the same way.
+    pub fn at(self, area: Rect) -> Self {
+        Self { area, ..self }
+    }
+
+    /// Its first rows.
+    pub fn upper(self, rows: u16) -> Self {
+        self.at(upper(self.area, rows))
+    }
+
+    /// What is left of it below its first rows.
+    pub fn below(self, rows: u16) -> Self {
+        self.at(below(self.area, rows))
+    }
+
+    /// Some of its columns, counted from its left edge.
+    pub fn columns(self, from: u16, width: u16) -> Self {
+        self.at(columns(self.area, from, width))
+    }
+
+    /// Width in columns.
+    pub fn width(self) -> usize {
+        usize::from(self.area.width)
+    }
+
+    /// The style of a role.
+    pub fn style(self, role: Role) -> Style {
+        self.look.style(role)
+    }
+
+    /// A text in words that are safe to show on one line.
+    pub fn text(self, text: &Text) -> String {
+        self.look.text(text)
+    }
+
+    /// A message without arguments in words. It may have several lines.
+    pub fn say(self, id: &str) -> String {
+        self.look.say(id)
+    }
+
+    /// Draws a rule with a title along its top and returns what is left below it.
+    pub fn titled(self, title: &str, buffer: &mut Buffer) -> Rect {
+        let Some(mut x) = put(
+            buffer,
+            self.area,
+            0,
+            &Line::styled("── ", self.style(Role::Border)),
+        ) else {
+            return self.area;
+        };
+        let right = self.area.right();
+        let title = clip(title, usize::from(self.area.width.saturating_sub(4)));
+        x = buffer
+            .set_stringn(
+                x,
+                self.area.y,
+                title,
+                usize::from(right - x),
+                self.style(Role::Title),
+            )
+            .0;
+        if x < right {
+            let rest = "─".repeat(usize::from(right - x).saturating_sub(1));
+            buffer.set_stringn(
+                x + 1,
+                self.area.y,
+                rest,
+                usize::from(right - x),
+                self.style(Role::Border),
+            );
+        }
+        below(self.area, 1)
+    }
+
+    /// Clears a box in the middle of things, draws its frame and returns its inside.
+    pub fn boxed(self, title: &str, role: Role, buffer: &mut Buffer) -> Rect {
+        Clear.render(self.area, buffer);
+        buffer.set_style(self.area, self.style(Role::Text));
+        let block = Block::bordered()
+            .border_style(self.style(role))
+            .title(Span::styled(format!(" {title} "), self.style(Role::Title)));
+        let inner = block.inner(self.area);
+        block.render(self.area, buffer);
+        Rect {
+            x: inner.x + 1,
+            width: inner.width.saturating_sub(2),
+            ..inner
+        }
+    }
+}
