@@ -54,7 +54,7 @@ impl Console {
         wanted: Stake,
         seed: Option<u64>,
     ) -> AttemptTerms<'a> {
-        let career = self.app.state().career.as_ref();
+        let career = self.app.state().career();
         AttemptTerms {
             mission,
             wanted,
