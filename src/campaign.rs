@@ -30,7 +30,7 @@ pub use attempt::{
 };
 pub use course::{LockReason, MissionCourse, MissionStage, Offer};
 pub use daily::daily_seed;
-use daily::exam_seed;
+pub use daily::exam_seed;
 pub use economy::{STARTER_PARTS, licence_price};
 pub use growth::{Growth, SkillMove, Try, Wealth};
 pub use knowledge::{Knowledge, Mastery};
@@ -42,7 +42,7 @@ pub use wear::{FlownDesign, wear};
 
 use serde::{Deserialize, Serialize};
 
-use crate::scoring::Medal;
+use crate::scoring::{FlownBy, Medal};
 
 /// Something that a career keeps for good.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -69,6 +69,9 @@ pub struct CareerFlight {
     pub vehicles: u8,
     /// What it was flown for.
     pub stake: Stake,
+    /// What gave the commands; `None` in careers that are older than this.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub flown_by: Option<FlownBy>,
     /// The day on which it ended, in days since 1970 (UTC).
     pub day: i64,
     /// The score, 0 to 1000.

@@ -7,7 +7,7 @@ use std::fmt::Write as _;
 use unicode_width::UnicodeWidthStr as _;
 
 use crate::notice::sanitised;
-use crate::scoring::{FlightBackend, ObjectiveReport, Report};
+use crate::scoring::{FlightBackend, FlownBy, MissionFile, ObjectiveReport, Report};
 use crate::text;
 use crate::text::{Locale, Text, wrap};
 
@@ -126,8 +126,34 @@ impl DebriefPage<'_> {
         );
         let line = format!(" {}", self.locale.text(&spent));
         self.line(&line);
+        self.origin(report);
         self.said_before(report);
         self.gap();
+    }
+
+    /// What gave the commands, and a mission that is not the one of the course.
+    fn origin(&mut self, report: &Report) {
+        let flown_by = report.flown_by.map(|flown_by| match flown_by {
+            FlownBy::Hand => text!("debrief-by-hand"),
+            FlownBy::Script => text!("debrief-by-script"),
+            FlownBy::BundledPilot => text!("debrief-by-bundled-pilot"),
+        });
+        let mission_file = report.mission_file.and_then(|file| match file {
+            MissionFile::Course | MissionFile::Own => None,
+            MissionFile::OtherRevision => Some(text!(
+                "debrief-other-revision",
+                mission = &report.mission,
+                revision = report.revision
+            )),
+            MissionFile::Altered => Some(text!(
+                "debrief-altered-mission",
+                mission = &report.mission,
+                revision = report.revision
+            )),
+        });
+        for text in flown_by.into_iter().chain(mission_file) {
+            self.wrapped(" ", &text);
+        }
     }
 
     /// The try, what hints took, and what the trainee had said before launch.

@@ -95,6 +95,10 @@ const ROW_SPACING_M: f64 = 6.0;
 /// What stands in a hint for the name of the next cell to sample.
 pub(crate) const NEXT_CELL: &str = "{next_cell}";
 
+/// What the parameters begin with that a flight which counts does not let be set: they change the world, or take away
+/// what makes the task hard or keeps it safe.
+const PROTECTED: [&str; 5] = ["SIM_", "BATT_", "FENCE_", "FS_", "ARMING_"];
+
 /// A mission, read and checked.
 #[derive(Debug)]
 pub struct Mission {
@@ -134,6 +138,8 @@ pub struct Mission {
     pub clues: Vec<Clue>,
     /// How it is scored.
     pub scoring: scoring::ScoreRules,
+    /// Protected parameters that may be set all the same.
+    pub open_parameters: Vec<String>,
     pub(crate) origin: Origin,
     pub(crate) weather: weather::Weather,
     pub(crate) pads: Vec<Point>,
@@ -236,6 +242,14 @@ impl Mission {
             }
         }
         self
+    }
+
+    /// Whether a flight that counts may set a parameter.
+    pub fn lets_set(&self, parameter: &str) -> bool {
+        let is_same = |open: &String| open.eq_ignore_ascii_case(parameter);
+        let name = parameter.to_ascii_uppercase();
+        let is_protected = PROTECTED.iter().any(|prefix| name.starts_with(prefix));
+        !is_protected || self.open_parameters.iter().any(is_same)
     }
 
     /// The same as an exam: nobody advises, and time does not stand still.

@@ -117,6 +117,10 @@ impl Operator {
     ) -> Vec<Dispatch> {
         match &order.act {
             Act::Command(command) => {
+                let flight = scene.flight.as_deref();
+                if let Some(reason) = flight.and_then(|flight| flight.refusal(command)) {
+                    return refused(entry, order, &reason, scene.now);
+                }
                 let (mut work, vehicles) = self.assign(entry, order, &scene);
                 work.extend(vehicles.into_iter().map(|vehicle| {
                     let command = VehicleCommand::new(entry, order.verb, command.clone());
@@ -199,6 +203,24 @@ fn done_by_mission(
         .map(|row| Dispatch::Row(RowUpdate { at: now, ..row }))
         .chain(refusal)
         .collect()
+}
+
+/// Refuses an order for all its vehicles.
+fn refused(entry: EntryId, order: &Order, reason: &Text, now: Duration) -> Vec<Dispatch> {
+    let row = |&vehicle: &VehicleId| {
+        Dispatch::Row(RowUpdate {
+            entry,
+            vehicle,
+            state: RowState::Refused,
+            tries: 0,
+            at: now,
+            explanation: Some(reason.clone()),
+        })
+    };
+    let mut work: Vec<Dispatch> = order.targets.iter().map(row).collect();
+    let parts = vec![order.line.as_str().into(), reason.clone()];
+    work.push(Dispatch::Refused(Text::joined(": ", parts)));
+    work
 }
 
 fn no_mission(entry: EntryId, vehicle: VehicleId) -> RowUpdate {

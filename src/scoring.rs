@@ -25,9 +25,9 @@ pub use component::{Component, ComponentScore, Weights};
 pub use gate::Gate;
 pub use hints::HintsUsed;
 pub use report::{
-    AlertReport, ComponentReport, EventKind, EventReport, FlightBackend, GoalReport, HintReport,
-    LedgerReport, ObjectiveReport, PredictionReport, Report, RowReport, ScoreGrade, TryReport,
-    UseReport, rounded,
+    AlertReport, ComponentReport, EventKind, EventReport, FlightBackend, FlownBy, GoalReport,
+    HintReport, LedgerReport, MissionFile, ObjectiveReport, PredictionReport, Report, RowReport,
+    ScoreGrade, TryReport, UseReport, rounded,
 };
 pub use safety::{SafetyEvent, SafetyKind, SafetyLog, safety_value};
 pub use swarm::{SwarmFigures, SwarmTimes};

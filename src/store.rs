@@ -13,6 +13,7 @@ use std::{fs, io};
 use crate::campaign::{MissionCourse, Offer};
 use crate::diagnostic::Diagnostic;
 use crate::mission::{Mission, meant};
+use crate::scoring::{FlownBy, MissionFile, Report};
 use crate::text;
 use crate::text::Text;
 use crate::workshop::Design;
@@ -274,25 +275,63 @@ pub fn missions() -> Vec<Source> {
     merged("file-mission", MISSIONS, "missions", "toml")
 }
 
-/// Whether a mission is one of those that everybody flies, and not a file of the same id.
-pub fn is_of_course(mission: &Mission) -> bool {
-    let mut missions = missions().into_iter();
-    missions.any(|source| source.text == mission.source)
+/// The missions of the course, by name: the embedded ones, and those that the user's folder adds. A file with the id of
+/// an embedded mission adds nothing; it is flown for practice. Files that cannot be read are left out.
+fn course_missions() -> Vec<Mission> {
+    let is_embedded = |id: &str| MISSIONS.iter().any(|(name, _)| *name == id);
+    let mut sources: BTreeMap<String, Source> = MISSIONS
+        .iter()
+        .map(|&(name, text)| (name.to_owned(), embedded(name, "toml", text)))
+        .collect();
+    for source in missions() {
+        if !is_embedded(source.stem()) {
+            sources.insert(source.stem().to_owned(), source);
+        }
+    }
+    let mut known: Vec<Mission> = Vec::new();
+    for (name, source) in sources {
+        let Ok(mission) = Mission::parse(&source.text) else {
+            continue;
+        };
+        // The first of an id is the one that its id finds.
+        let stands_in = is_embedded(&mission.id) && mission.id != name;
+        if !stands_in && known.iter().all(|other| other.id != mission.id) {
+            known.push(mission);
+        }
+    }
+    known
+}
+
+/// How the text of a mission compares with the mission of the course that has its id.
+pub fn mission_file(mission: &Mission) -> MissionFile {
+    let known = course_missions();
+    match known.iter().find(|of_course| of_course.id == mission.id) {
+        None => MissionFile::Own,
+        Some(of_course) if of_course.source == mission.source => MissionFile::Course,
+        Some(of_course) if of_course.rev != mission.rev => MissionFile::OtherRevision,
+        Some(_) => MissionFile::Altered,
+    }
+}
+
+/// Adds to a report what the flight itself does not know: the drill for its mission, and how the mission compares with
+/// that of the course.
+pub fn complete(report: &mut Report, mission: &Mission) {
+    report.drill = drill_of(&report.mission);
+    report.mission_file = Some(mission_file(mission));
+}
+
+/// What a pilot script's text makes of a flight.
+pub fn script_kind(pilot: &Source) -> FlownBy {
+    if PILOTS.iter().any(|(_, text)| *text == pilot.text) {
+        FlownBy::BundledPilot
+    } else {
+        FlownBy::Script
+    }
 }
 
 /// The missions that a career consists of, by name; those that cannot be read are left out.
 pub fn course() -> MissionCourse {
-    let mut offers: Vec<Offer> = Vec::new();
-    for mission in missions()
-        .iter()
-        .filter_map(|it| Mission::parse(&it.text).ok())
-    {
-        // The first of an id is the one that its id finds.
-        if offers.iter().all(|known| known.id != mission.id) {
-            offers.push(Offer::of(&mission));
-        }
-    }
-    MissionCourse::new(offers)
+    MissionCourse::new(course_missions().iter().map(Offer::of).collect::<Vec<_>>())
 }
 
 /// The themes of the user's folder.

@@ -7,6 +7,7 @@ ask-restart = RESTART the mission
 ask-abandon = ABANDON the mission
 ask-abandon-reason = the debrief counts what has been reached so far
 ask-mission-lost = the mission is not over; it would not count
+ask-exam-ends = the exam is not over; it ends here, and what you have flown counts
 ask-armed = { $count ->
     [one] 1 vehicle is armed
    *[other] { $count } vehicles are armed

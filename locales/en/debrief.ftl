@@ -35,6 +35,11 @@ debrief-nothing = Nothing that would bring another point.
 debrief-good = good
 
 # What the trainee had said before launch.
+debrief-by-hand = Flown by hand
+debrief-by-script = Flown by a script: practice
+debrief-by-bundled-pilot = Flown by a pilot script that comes with sortie: practice
+debrief-other-revision = The mission is not of the course's revision (r{ $revision } of { $mission } was flown): scores do not compare.
+debrief-altered-mission = The mission file differs from { $mission } r{ $revision } of the course: scores do not compare.
 debrief-try = Try { $attempt }   Hints { $count } (x{ $factor })
 debrief-predicted-right = You predicted { $predicted }: exactly that.
 debrief-predicted-less = You predicted { $predicted }: { $by } less than you got.

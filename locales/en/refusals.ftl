@@ -20,6 +20,7 @@ refused-no-parameter = not sent: the vehicle has no parameter { $name }
 refused-no-parameter-but = not sent: the vehicle has no parameter { $name }; did you mean { $nearest }?
 refused-neither-parameter = not sent: the vehicle answers neither to { $name } nor to { $other }
 refused-neither-parameter-but = not sent: the vehicle answers neither to { $name } nor to { $other }; did you mean { $nearest }?
+refused-protected-parameter = { $parameter } is part of the task: it can be set in practice only
 refused-value = { $name } stayed { $value }, it did not take { $wanted }
 
 reason-no-orbit = this autopilot cannot orbit; mode CIRCLE can

@@ -35,6 +35,11 @@ debrief-nothing = Немає нічого, що дало б ще бал.
 debrief-good = добре
 
 # Що сказано перед вильотом.
+debrief-by-hand = Політ виконано власноруч
+debrief-by-script = Політ виконав скрипт: тренування
+debrief-by-bundled-pilot = Політ виконав скрипт із комплекту sortie: тренування
+debrief-other-revision = Версія завдання не та, що в курсі (літали { $mission } r{ $revision }): бали не порівнюються.
+debrief-altered-mission = Файл завдання відрізняється від { $mission } r{ $revision } з курсу: бали не порівнюються.
 debrief-try = Спроба { $attempt }   Підказки { $count } (x{ $factor })
 debrief-predicted-right = Ви передбачили { $predicted }: саме стільки й вийшло.
 debrief-predicted-less = Ви передбачили { $predicted }: на { $by } менше, ніж вийшло.

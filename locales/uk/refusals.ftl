@@ -20,6 +20,7 @@ refused-no-parameter = не надіслано: апарат не має пар�
 refused-no-parameter-but = не надіслано: апарат не має параметра { $name }; може, { $nearest }?
 refused-neither-parameter = не надіслано: апарат не знає ні { $name }, ні { $other }
 refused-neither-parameter-but = не надіслано: апарат не знає ні { $name }, ні { $other }; може, { $nearest }?
+refused-protected-parameter = { $parameter } — частина завдання: змінювати можна лише в тренувальному польоті
 refused-value = у { $name } лишилося { $value }, значення { $wanted } не прийнято
 
 reason-no-orbit = цей автопілот не вміє літати колом; це вміє режим CIRCLE

@@ -78,14 +78,10 @@ macro_rules! declare_models {
         /// What every room remembers. It survives leaving the room.
         #[derive(Debug, Clone, Default)]
         pub struct Rooms {
-            $($(#[$about])* pub(in crate::app) $module: $Model,)+
+            $($(#[$about])* pub $module: $Model,)+
         }
 
         impl Rooms {
-            $($(#[$about])* pub fn $module(&self) -> &$Model {
-                &self.$module
-            })+
-
             /// Forgets what belongs to the session that has ended.
             pub fn forget_session(&mut self) {
                 $(self.$module.forget_session();)+

@@ -31,7 +31,6 @@ mod overlay;
 mod profiles;
 mod session;
 mod time;
-mod views;
 
 use super::Setup;
 pub use super::keymap::Keymap;
@@ -64,55 +63,55 @@ const ACKNOWLEDGEMENT_LIFE: Duration = Duration::from_secs(4);
 /// The whole console; `R` is what its rooms remember.
 #[derive(Debug, Clone)]
 pub struct State<R> {
-    pub(in crate::app) now: Duration,
+    pub now: Duration,
     /// The room that is shown.
-    pub(in crate::app) room: Room,
+    pub room: Room,
     /// What every room remembers.
-    pub(in crate::app) rooms: R,
+    pub rooms: R,
     /// What lies over it.
-    pub(in crate::app) overlay: Option<Overlay>,
+    pub overlay: Option<Overlay>,
     /// What is being flown.
-    pub(in crate::app) session: Session,
+    pub session: Session,
     /// The vehicle list that is being typed, `3-9`; empty if none.
-    pub(in crate::app) typed: String,
+    pub typed: String,
     /// What the user has set.
-    pub(in crate::app) config: Config,
+    pub config: Config,
     /// The words of the language in use.
-    pub(in crate::app) locale: Arc<Locale>,
+    pub locale: Arc<Locale>,
     /// Lines of a macro that wait for the answer to a question.
-    pub(in crate::app) pending: VecDeque<String>,
-    pub(in crate::app) notices: NoticeLog,
+    pub pending: VecDeque<String>,
+    pub notices: NoticeLog,
     /// The missions on offer.
-    pub(in crate::app) missions: Vec<MissionListing>,
+    pub missions: Vec<MissionListing>,
     /// The trainee's tries at them as they are now, by the mission's id, oldest first.
-    pub(in crate::app) tries: BTreeMap<String, Vec<TryReport>>,
+    pub tries: BTreeMap<String, Vec<TryReport>>,
     /// Who trains here; nobody whose flights are kept, if there is none.
-    pub(in crate::app) career: Option<Career>,
+    pub career: Option<Career>,
     /// What the last flight brought to it; nothing once another session has started.
-    pub(in crate::app) reward: Option<Reward>,
+    pub reward: Option<Reward>,
     /// The names of everybody who has a profile here.
-    pub(in crate::app) profiles: Vec<String>,
+    pub profiles: Vec<String>,
     /// The drones that were chosen for missions, by the mission's id: one for all seats or one each. Where there are
     /// none, the mission lends its own.
-    pub(in crate::app) fleets: BTreeMap<String, Vec<Design>>,
+    pub fleets: BTreeMap<String, Vec<Design>>,
     /// The designs that everybody has.
-    pub(in crate::app) stock: Vec<Design>,
+    pub stock: Vec<Design>,
     /// The names of the themes on offer.
-    pub(in crate::app) themes: Vec<String>,
+    pub themes: Vec<String>,
     /// The name of the theme in use.
-    pub(in crate::app) theme: String,
+    pub theme: String,
     /// What the keys do.
-    pub(in crate::app) keymap: Keymap,
+    pub keymap: Keymap,
     /// Lines given before, oldest first.
-    pub(in crate::app) history: VecDeque<String>,
+    pub history: VecDeque<String>,
     /// Columns and rows of the terminal.
-    pub(in crate::app) size: (u16, u16),
+    pub size: (u16, u16),
     /// Whether ArduPilot's SITL could be started.
-    pub(in crate::app) has_ardupilot: bool,
+    pub has_ardupilot: bool,
     /// Whether rooms are drawn; the plain console has none.
-    pub(in crate::app) has_rooms: bool,
+    pub has_rooms: bool,
     /// What the line to the terminal carries in bytes per second, while it cannot keep up.
-    pub(in crate::app) slow_line: Option<u32>,
+    pub slow_line: Option<u32>,
     /// The last answer of the console itself.
     message: Option<Message>,
     revision: u64,

@@ -5,7 +5,9 @@ use super::{
     exam_seed,
 };
 use crate::mission::Mission;
-use crate::scoring::TryReport;
+use crate::scoring::{FlownBy, MissionFile, TryReport};
+use crate::text;
+use crate::text::Text;
 use crate::workshop::{Design, Part};
 
 /// The seed of the first try where nobody chooses one and no flights are kept.
@@ -55,8 +57,10 @@ pub struct AttemptTrainee<'a> {
 /// What a try is flown with.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AttemptMeans {
-    /// Whether the mission is the one that everybody flies, and not a file of the same id.
-    pub is_of_course: bool,
+    /// How the mission compares with that of the course.
+    pub mission_file: MissionFile,
+    /// What gives the commands.
+    pub flown_by: FlownBy,
     /// Whether the airframes are replaced by files of the user.
     pub has_own_airframes: bool,
     /// Simulated seconds per second.
@@ -68,8 +72,12 @@ pub struct AttemptMeans {
 pub enum PracticeReason {
     /// The user has chosen the seed of a graded flight.
     ChosenSeed,
-    /// The mission is none of the course.
-    OtherMission,
+    /// A pilot script, or a pipe, gives the commands.
+    Script,
+    /// The course has no such mission.
+    OwnMission,
+    /// The mission's text is not that of the course.
+    AlteredMission,
     /// The trainee may not fly the mission yet.
     Locked(Vec<LockReason>),
     /// Parts of a design are not the trainee's.
@@ -136,6 +144,35 @@ impl Attempt {
     }
 }
 
+impl PracticeReason {
+    /// The reason in words.
+    pub fn text(&self) -> Text {
+        match self {
+            Self::ChosenSeed => text!("practice-seed"),
+            Self::Script => text!("practice-script"),
+            Self::OwnMission => text!("practice-own-mission"),
+            Self::AlteredMission => text!("practice-altered-mission"),
+            Self::Locked(reasons) => {
+                let reasons = reasons.iter().map(LockReason::text).collect();
+                text!("practice-locked", why = Text::joined("; ", reasons))
+            }
+            Self::MissingParts { design, parts } => {
+                let parts = parts.iter().map(|(part, _)| part.name()).collect();
+                let parts = Text::joined(", ", parts);
+                text!("practice-parts", design = design.as_str(), parts = parts)
+            }
+            Self::OwnAirframes => text!("practice-airframes"),
+            Self::SlowMotion => text!("practice-slow"),
+        }
+    }
+
+    /// Why a flight is for practice, in a sentence.
+    pub fn sentence(reasons: &[Self]) -> Text {
+        let reasons = reasons.iter().map(Self::text).collect();
+        text!("launch-practice", why = Text::joined("; ", reasons))
+    }
+}
+
 impl AttemptTerms<'_> {
     /// How the first try counts, and its layout.
     pub fn decide(&self) -> Attempt {
@@ -164,7 +201,7 @@ impl AttemptTerms<'_> {
 
     fn reasons_of(&self, trainee: &AttemptTrainee<'_>) -> Vec<PracticeReason> {
         let Some(offer) = trainee.course.offer(&self.mission.id) else {
-            return vec![PracticeReason::OtherMission];
+            return vec![PracticeReason::OwnMission];
         };
         let mut reasons = Vec::new();
         let stage = trainee.course.stage(offer, trainee.standing, self.day);
@@ -174,12 +211,23 @@ impl AttemptTerms<'_> {
         let fleet = self.mission.fleet().iter();
         reasons.extend(fleet.filter_map(|design| trainee.missing_parts(design)));
         let AttemptMeans {
-            is_of_course,
+            mission_file,
+            flown_by,
             has_own_airframes,
             speedup,
         } = self.means;
         let is_slow = speedup < 1.0;
-        reasons.extend((!is_of_course).then_some(PracticeReason::OtherMission));
+        reasons.extend(match mission_file {
+            MissionFile::Course => None,
+            MissionFile::Own => Some(PracticeReason::OwnMission),
+            MissionFile::OtherRevision | MissionFile::Altered => {
+                Some(PracticeReason::AlteredMission)
+            }
+        });
+        reasons.extend(match flown_by {
+            FlownBy::Hand => None,
+            FlownBy::Script | FlownBy::BundledPilot => Some(PracticeReason::Script),
+        });
         reasons.extend(has_own_airframes.then_some(PracticeReason::OwnAirframes));
         reasons.extend(is_slow.then_some(PracticeReason::SlowMotion));
         reasons

@@ -15,6 +15,7 @@ impl CareerFlight {
             // One that was given up before any drone was heard counts as well.
             vehicles: u8::try_from(report.vehicles).unwrap_or(u8::MAX).max(1),
             stake,
+            flown_by: report.flown_by,
             day,
             score: report.score,
             passed: report.passed,

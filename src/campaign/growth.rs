@@ -136,6 +136,7 @@ mod tests {
             what: Text::default(),
         });
         CareerEntry::Flight(CareerFlight {
+            flown_by: None,
             mission: mission.to_owned(),
             drill_of: None,
             tier: 1,

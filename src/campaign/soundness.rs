@@ -83,6 +83,7 @@ mod tests {
             reward: 100_000,
             vehicles: 1,
             stake: Stake::Graded,
+            flown_by: None,
             day: 20_000,
             score: 1000,
             passed: true,

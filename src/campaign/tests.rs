@@ -66,6 +66,7 @@ fn flight(course: &MissionCourse, mission: &str, score: u16, day: i64) -> Career
         reward: offer.credits,
         vehicles: offer.vehicles,
         stake: Stake::Graded,
+        flown_by: None,
         day,
         score,
         passed: score >= 550,

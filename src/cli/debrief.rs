@@ -69,7 +69,8 @@ pub(super) fn debrief(
             report.revision,
         );
     }
-    report.drill = store::drill_of(&report.mission);
+    let flown = stored.head.flown().map_err(faulty)?;
+    store::complete(&mut report, &flown);
     if options.json {
         say!("{}", serde_json::to_string_pretty(&report)?)?;
     } else {

@@ -13,6 +13,7 @@ use super::{Failure, parse_speedup, runtime};
 use crate::console::{self, ConsoleOptions, Opening, Preferences};
 use crate::hangar::VehicleBackend;
 use crate::link::Address;
+use crate::scoring::FlownBy;
 use crate::store::{History, Runs};
 use crate::terminal::Environment;
 use crate::text;
@@ -154,6 +155,7 @@ fn options(opening: Opening, settings: CliSettings) -> Result<ConsoleOptions, Fa
         vehicles: VEHICLES,
         seed: None,
         speedup: 1.0,
+        flown_by: FlownBy::Hand,
         look: look(&settings),
         preferences: Preferences {
             history: folders.map(|folders| History::within(&folders.state)),
@@ -177,7 +179,16 @@ fn open(options: ConsoleOptions, plain: bool) -> Result<ExitCode, Failure> {
     let runtime = runtime()?;
     let outcome = runtime.block_on(async {
         if plain {
-            Box::pin(console::plain::run(options, std::io::stdin().is_terminal())).await
+            let flown_by = if std::io::stdin().is_terminal() {
+                FlownBy::Hand
+            } else {
+                FlownBy::Script
+            };
+            Box::pin(console::plain::run(ConsoleOptions {
+                flown_by,
+                ..options
+            }))
+            .await
         } else {
             Box::pin(console::run(options)).await.map(|()| true)
         }

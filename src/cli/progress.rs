@@ -4,7 +4,7 @@ use std::time::{Duration, UNIX_EPOCH};
 
 use super::table::{Side, TextTable};
 use crate::campaign::{CareerProgress, MissionState, Stake};
-use crate::scoring::Medal;
+use crate::scoring::{FlownBy, Medal};
 use crate::store::{PastRun, utc};
 use crate::text;
 use crate::text::{Locale, Text};
@@ -101,6 +101,7 @@ pub(super) fn runs(runs: &[PastRun], locale: &Locale) -> TextTable {
         (text!("progress-medal"), Side::Left),
         (text!("progress-passed"), Side::Left),
         (text!("progress-stake"), Side::Left),
+        (text!("progress-flown-by"), Side::Left),
         (text!("progress-seed"), Side::Right),
         (text!("progress-recording"), Side::Left),
     ];
@@ -118,6 +119,11 @@ pub(super) fn runs(runs: &[PastRun], locale: &Locale) -> TextTable {
             medal(run.flight.medal, locale),
             locale.text(&passed),
             locale.text(&stake(run.flight.stake)),
+            run.flight
+                .flown_by
+                .map(flown_by)
+                .map(|text| locale.text(&text))
+                .unwrap_or_default(),
             run.seed.to_string(),
             run.recording.clone().unwrap_or_default(),
         ]);
@@ -130,6 +136,14 @@ fn state(state: MissionState) -> Text {
         MissionState::Locked => text!("mission-state-locked"),
         MissionState::Open => text!("mission-state-open"),
         MissionState::Passed => text!("mission-state-passed"),
+    }
+}
+
+fn flown_by(flown_by: FlownBy) -> Text {
+    match flown_by {
+        FlownBy::Hand => text!("flown-by-hand"),
+        FlownBy::Script => text!("flown-by-script"),
+        FlownBy::BundledPilot => text!("flown-by-bundled-pilot"),
     }
 }
 

@@ -22,6 +22,7 @@ use crate::hangar::VehicleBackend;
 use crate::language::{Context, Script};
 use crate::mission::record::Occasion;
 use crate::mission::{Mission, Report};
+use crate::scoring::FlownBy;
 use crate::store::{self, Runs, Source, StoreError, day_of, utc};
 use crate::text;
 use crate::text::Locale;
@@ -61,10 +62,10 @@ pub(super) struct RunArguments {
     #[arg(long)]
     seed: Option<u64>,
     /// Fly the seed of the day (UTC), which everybody has in common.
-    #[arg(long, conflicts_with_all = ["seed", "exam"])]
-    daily: bool,
-    /// Fly the seed of the exam, without hints and pauses.
     #[arg(long, conflicts_with = "seed")]
+    daily: bool,
+    /// Refused: exams are flown by hand.
+    #[arg(long, hide = true)]
     exam: bool,
     /// Simulated seconds per second, or `max`: as fast as the embedded simulator can, as fast as all of ArduPilot's
     /// SITL processes keep together (20 on a processor of its own).
@@ -90,9 +91,7 @@ pub(super) struct RunArguments {
 impl RunArguments {
     /// How the flight is to count. Without a profile nothing counts, and with one, a layout that was chosen is practice.
     fn wanted(&self, is_kept: bool) -> Stake {
-        if self.exam {
-            Stake::Exam
-        } else if self.daily {
+        if self.daily {
             Stake::Daily
         } else if self.seed.is_none() && is_kept {
             Stake::Graded
@@ -160,14 +159,20 @@ struct RunResultDocument<'a> {
 pub(super) fn run(options: &RunArguments, settings: &CliSettings) -> Result<ExitCode, Failure> {
     let started = Instant::now();
     let locale = Locale::new(settings.language());
+    if options.exam {
+        return Err(trainee::invalid(&text!("exam-by-hand"), &locale));
+    }
     let loaded = load_mission(&options.mission)?;
     let mission = options.designs.equip(loaded, settings)?;
-    let script = load_script(&options.pilot, &mission)?;
+    let pilot = store::pilot(&options.pilot).map_err(|error| invalid(&error))?;
+    let flown_by = store::script_kind(&pilot);
+    let script = script_of(&pilot, &mission)?;
     let backend = options.backend.choose(settings)?;
     let mut trainee = RunTrainee::named(settings, &locale)?;
     let request = RunRequest {
         options,
         backend: &backend,
+        flown_by,
         trainee: trainee.as_ref(),
         locale: &locale,
     };
@@ -179,7 +184,7 @@ pub(super) fn run(options: &RunArguments, settings: &CliSettings) -> Result<Exit
         script,
     };
     let mut report = flight.fly(&backend, options.speedup, &mut recorder)?;
-    report.drill = store::drill_of(&report.mission);
+    store::complete(&mut report, &flown);
     report.backend = backend.kind();
     let outcome = trainee
         .as_mut()
@@ -207,6 +212,7 @@ pub(super) fn run(options: &RunArguments, settings: &CliSettings) -> Result<Exit
 struct RunRequest<'a, 'l> {
     options: &'a RunArguments,
     backend: &'a VehicleBackend,
+    flown_by: FlownBy,
     trainee: Option<&'a RunTrainee<'l>>,
     locale: &'l Locale,
 }
@@ -223,7 +229,8 @@ impl<'l> RunRequest<'_, 'l> {
             seed: options.seed,
             trainee: self.trainee.map(RunTrainee::of_attempt),
             means: AttemptMeans {
-                is_of_course: store::is_of_course(&mission),
+                mission_file: store::mission_file(&mission),
+                flown_by: self.flown_by,
                 has_own_airframes: !self.backend.airframes.is_empty(),
                 speedup: options.speedup.least(),
             },
@@ -238,7 +245,7 @@ impl<'l> RunRequest<'_, 'l> {
             let reasons = terms.practice_reasons();
             trainee.admit(&mission, &reasons)?;
             if attempt.is_reduced() {
-                trainee.tell_practice(&mission, &reasons);
+                trainee.tell_practice(&reasons);
             }
         }
         Ok((Arc::new(mission), attempt))
@@ -260,6 +267,7 @@ impl<'l> RunRequest<'_, 'l> {
             occasion: Occasion {
                 when: utc(SystemTime::now()),
                 backend: self.backend.kind(),
+                flown_by: self.flown_by,
                 profile: self.trainee.map(|trainee| trainee.name().to_owned()),
                 stake: attempt.stake,
             },
@@ -346,8 +354,12 @@ pub(in crate::cli) fn load_script(
     path_or_name: &str,
     mission: &Mission,
 ) -> Result<Script, Failure> {
-    let source = store::pilot(path_or_name).map_err(|error| invalid(&error))?;
-    read_script(&source.text, mission).map_err(|faults| explain(&source, &faults))
+    let pilot = store::pilot(path_or_name).map_err(|error| invalid(&error))?;
+    script_of(&pilot, mission)
+}
+
+fn script_of(pilot: &Source, mission: &Mission) -> Result<Script, Failure> {
+    read_script(&pilot.text, mission).map_err(|faults| explain(pilot, &faults))
 }
 
 /// A pilot script for a mission: only its vehicles and its places are known.

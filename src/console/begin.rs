@@ -11,10 +11,13 @@ use super::career::today;
 use super::session::{RunningSession, SessionBackend, SessionPlan};
 use crate::app::effect::Launch;
 use crate::app::event::{Event, SessionEvent};
-use crate::campaign::{Attempt, AttemptMeans, AttemptTerms, AttemptTrainee, Stake, mission_for};
+use crate::campaign::{
+    Attempt, AttemptMeans, AttemptTerms, AttemptTrainee, PracticeReason, Stake, mission_for,
+};
 use crate::link::{Address, AddressError};
 use crate::mission::Mission;
 use crate::mission::record::Occasion;
+use crate::scoring::FlownBy;
 use crate::store;
 use crate::text;
 use crate::text::Text;
@@ -40,10 +43,15 @@ impl Console {
         wanted: Stake,
         seed: Option<u64>,
     ) -> Result<(), Text> {
+        if wanted == Stake::Exam && self.options.flown_by != FlownBy::Hand {
+            return Err(text!("exam-by-hand"));
+        }
         let chosen = seed.or(self.options.seed);
-        self.attempt = self.terms(&mission, wanted, chosen).decide();
+        let terms = self.terms(&mission, wanted, chosen);
+        let reasons = terms.practice_reasons();
+        self.attempt = terms.decide();
         self.start(SessionPlan::Mission(mission)).await?;
-        self.tell_practice();
+        self.tell_practice(&reasons);
         Ok(())
     }
 
@@ -54,7 +62,7 @@ impl Console {
         wanted: Stake,
         seed: Option<u64>,
     ) -> AttemptTerms<'a> {
-        let career = self.app.state().career();
+        let career = self.app.state().career.as_ref();
         AttemptTerms {
             mission,
             wanted,
@@ -64,7 +72,8 @@ impl Console {
                 course: &career.course,
             }),
             means: AttemptMeans {
-                is_of_course: store::is_of_course(mission),
+                mission_file: store::mission_file(mission),
+                flown_by: self.options.flown_by,
                 has_own_airframes: !self.options.backend.airframes.is_empty(),
                 speedup: self.options.speedup,
             },
@@ -73,10 +82,10 @@ impl Console {
         }
     }
 
-    fn tell_practice(&mut self) {
+    fn tell_practice(&mut self, reasons: &[PracticeReason]) {
         let is_kept = self.trainee().is_some();
         if is_kept && self.attempt.is_reduced() {
-            self.post(Event::Answer(text!("launch-practice")));
+            self.post(Event::Answer(PracticeReason::sentence(reasons)));
         }
     }
 
@@ -111,10 +120,27 @@ impl Console {
     /// Ends the session. Its processes may take a while: `ending` is waited for before the next session or the end.
     pub(super) fn end_session(&mut self) {
         self.go_on();
+        self.end_exam();
         if let Some(running) = self.running.take() {
             self.ending = running.ending();
             // Another console may have stored flights meanwhile.
             self.show_career();
+        }
+    }
+
+    /// An exam that is left ends there: what was flown of it counts.
+    fn end_exam(&mut self) {
+        let Some(running) = &mut self.running else {
+            return;
+        };
+        if !running.is_exam() {
+            return;
+        }
+        running.abandon();
+        // What happens at the end belongs to a session that is no longer shown.
+        drop(running.fly(self.clock.now(), &self.app.state().session));
+        if let Some(finished) = running.take_finished() {
+            self.settle(&finished);
         }
     }
 
@@ -141,6 +167,7 @@ impl Console {
             runs: self.options.preferences.runs.clone(),
             occasion: Occasion {
                 stake: self.attempt.stake,
+                flown_by: self.options.flown_by,
                 profile: self.trainee().map(str::to_owned),
                 ..Occasion::default()
             },

@@ -121,6 +121,7 @@ impl Console {
 
 #[cfg(test)]
 mod tests {
+    use crate::scoring::FlownBy;
     use std::time::Duration;
 
     use super::*;
@@ -132,6 +133,7 @@ mod tests {
 
     fn console() -> Console {
         let options = ConsoleOptions {
+            flown_by: FlownBy::Hand,
             opening: Opening::Home,
             backend: VehicleBackend::default(),
             ardupilot: None,
@@ -158,7 +160,7 @@ mod tests {
         assert!(!console.bell, "nothing is taken in meanwhile");
         console.take_in().await;
         assert!(console.bell);
-        assert_eq!(console.app.state().notices().lines().len(), 2);
+        assert_eq!(console.app.state().notices.lines().len(), 2);
     }
 
     #[test]

@@ -8,6 +8,7 @@ use crate::config::Config;
 use crate::hangar::{SitlSource, VehicleBackend};
 use crate::link::Address;
 use crate::mission::Mission;
+use crate::scoring::FlownBy;
 use crate::store::{History, Runs};
 use crate::text::Text;
 use crate::ui::{Look, Themes};
@@ -36,6 +37,8 @@ pub struct ConsoleOptions {
     pub seed: Option<u64>,
     /// Simulated seconds per second.
     pub speedup: f64,
+    /// What gives the commands: a person, or a pipe.
+    pub flown_by: FlownBy,
     /// What it looks like.
     pub look: Look,
     /// What its user has set.

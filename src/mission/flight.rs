@@ -13,11 +13,13 @@ use super::objective::{ObjectiveScene, ObjectiveStanding};
 use super::record::Recorder;
 use super::survey::Surveys;
 use super::world::World;
-use super::{Mission, TICK};
+use super::{Mission, Stake, TICK};
+use crate::commands::{Command, ParameterCommand};
 use crate::ledger::Ledger;
 use crate::notice::Notice;
-use crate::scoring::{EventKind, Report, VehicleUse};
+use crate::scoring::{EventKind, FlownBy, Report, VehicleUse};
 use crate::text;
+use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId, Vehicles};
 
 mod clues;
@@ -76,6 +78,8 @@ pub struct Flight {
     pledge: Pledge,
     journal: FlightJournal,
     recorder: Option<Box<Recorder>>,
+    flown_by: Option<FlownBy>,
+    stake: Stake,
 }
 
 impl Flight {
@@ -100,9 +104,31 @@ impl Flight {
             pledge: Pledge::default(),
             journal: FlightJournal::default(),
             recorder: None,
+            flown_by: None,
+            stake: Stake::Practice,
             world,
             mission,
         }
+    }
+
+    /// Says what the flight is for; without it, it is practice.
+    pub fn set_stake(&mut self, stake: Stake) {
+        self.stake = stake;
+    }
+
+    /// Why the mission refuses a command to a vehicle, if it does: in a flight that counts, the world, the battery, the
+    /// fence and the failsafes are part of the task.
+    pub fn refusal(&self, command: &Command) -> Option<Text> {
+        let Command::Parameter(ParameterCommand::Set { name, .. }) = command else {
+            return None;
+        };
+        let is_refused = self.stake != Stake::Practice && !self.mission.lets_set(name);
+        is_refused.then(|| text!("refused-protected-parameter", parameter = name.as_str()))
+    }
+
+    /// Says what gives the commands.
+    pub fn set_flown_by(&mut self, flown_by: Option<FlownBy>) {
+        self.flown_by = flown_by;
     }
 
     /// Says which try of the trainee's it is, from 1, before it begins: on the first one, hints are free.

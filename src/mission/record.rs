@@ -20,7 +20,7 @@ use super::{Mission, Stake, TICK};
 use crate::commands::Deed;
 use crate::language;
 use crate::ledger::{EntryId, Ledger, LedgerEntry, LedgerRow, Risk, RowState};
-use crate::scoring::{FlightBackend, Medal, Report};
+use crate::scoring::{FlightBackend, FlownBy, Medal, Report};
 use crate::vehicle::{VehicleId, Vehicles};
 use crate::verb::Verb;
 use crate::workshop::Design;
@@ -47,6 +47,9 @@ pub struct Head {
     /// Which try it was, from 1.
     pub attempt: u32,
     pub backend: FlightBackend,
+    /// What gave the commands; `None` in records that are older than this.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub flown_by: Option<FlownBy>,
     /// When it began, in UTC: `2026-11-20T14:03:22Z`.
     pub when: String,
     /// Whose flight it was: the name of a profile, where there is one.
@@ -73,6 +76,7 @@ impl Head {
             seed,
             attempt,
             backend: occasion.backend,
+            flown_by: Some(occasion.flown_by),
             when: occasion.when.clone(),
             profile: occasion.profile.clone(),
             stake: occasion.stake,
@@ -89,6 +93,8 @@ pub struct Occasion {
     /// The time of day when it begins, in UTC: `2026-11-20T14:03:22Z`.
     pub when: String,
     pub backend: FlightBackend,
+    /// What gives the commands.
+    pub flown_by: FlownBy,
     /// The profile of who flies, by name, if there is one.
     pub profile: Option<String>,
     /// What it is flown for.

@@ -4,7 +4,9 @@ use super::*;
 use crate::commands::Setpoint;
 use crate::geo::LatLon;
 use crate::ledger::Ledger;
+use crate::mission::{Flight, Mission, Stake};
 use crate::vehicle::Vehicle;
+use std::sync::Arc;
 
 const FLEET: [VehicleId; 3] = [1, 2, 3];
 
@@ -121,4 +123,56 @@ fn steering_that_is_not_delivered_comes_again_until_it_is_void() {
             .conduct(&vehicles(), Duration::from_secs(10))
             .is_empty()
     );
+}
+
+/// The states of the rows that `2 param set NAME 0` gets in a flight.
+fn setting(name: &str, stake: Stake, rules: &str) -> Vec<RowState> {
+    let source = include_str!("../../missions/00-first-flight.toml");
+    let source = source.replacen("[rules]\n", &format!("[rules]\n{rules}\n"), 1);
+    let mission = Mission::parse(&source).expect("no faults");
+    let mut flight = Flight::new(Arc::new(mission), 1);
+    flight.set_stake(stake);
+    let order = read(&format!("2 param set {name} 0")).expect("a good line");
+    let mut ledger = Ledger::new();
+    let entry = ledger.open(Duration::ZERO, order.given(), &order.targets);
+    let scene = OperatorScene {
+        now: Duration::ZERO,
+        vehicles: &vehicles(),
+        flight: Some(&mut flight),
+    };
+    let work = Operator::default().carry_out(entry, &order, scene);
+    let rows = work.into_iter().filter_map(|work| match work {
+        Dispatch::Row(row) => Some(row.state),
+        Dispatch::Command(..)
+        | Dispatch::Steer(..)
+        | Dispatch::Notice(_)
+        | Dispatch::Refused(_) => None,
+    });
+    rows.collect()
+}
+
+#[test]
+fn a_flight_that_counts_keeps_the_world_and_the_safety_net_as_they_are() {
+    for name in [
+        "SIM_WIND_SPD",
+        "sim_wind_spd",
+        "BATT_CAPACITY",
+        "FENCE_ENABLE",
+        "FS_THR_ENABLE",
+    ] {
+        assert_eq!(
+            setting(name, Stake::Graded, ""),
+            [RowState::Refused],
+            "{name}"
+        );
+        assert_eq!(
+            setting(name, Stake::Exam, ""),
+            [RowState::Refused],
+            "{name}"
+        );
+        assert_eq!(setting(name, Stake::Practice, ""), [], "{name}");
+    }
+    assert_eq!(setting("WPNAV_SPEED", Stake::Graded, ""), []);
+    let open = "parameters = ['SIM_WIND_SPD']";
+    assert_eq!(setting("SIM_WIND_SPD", Stake::Graded, open), []);
 }

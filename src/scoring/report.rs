@@ -12,7 +12,7 @@ use crate::text::Text;
 mod kind;
 mod row_state;
 
-pub use kind::{EventKind, FlightBackend, ScoreGrade};
+pub use kind::{EventKind, FlightBackend, FlownBy, MissionFile, ScoreGrade};
 
 /// A flight's result with every point explained. The order of the fields is the order in the JSON document.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -25,6 +25,12 @@ pub struct Report {
     pub seed: u64,
     /// What flew; the shell sets it where it was not the embedded simulator.
     pub backend: FlightBackend,
+    /// What gave the commands; `None` where that is not known, as in old records.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub flown_by: Option<FlownBy>,
+    /// How the mission compares with that of the course; set by the shell.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mission_file: Option<MissionFile>,
     /// Whether all mandatory objectives were met.
     pub passed: bool,
     /// 0 to 1000.

@@ -1,16 +1,23 @@
 //! From a finished flight to what a career keeps of it; and runs that a killed program has recorded but not stored.
 //!
 //! A run's record is written line by line, its end last; only then the profile gets it. What lies between is made up for
-//! at the next start: a finished record that names a profile and that the profile does not have is scored again and stored.
+//! at the next start: a finished record that names a profile and that the profile does not have is scored again and
+//! stored. So is the record of an exam that was left: the exam counts as ended there.
+//!
+//! A record is a file that anybody may have written. What it was flown for holds only as far as the career allows it:
+//! the mission is that of the course and open to the trainee, and an exam has its seed. Anything else is practice.
 
 use std::path::Path;
 use std::time::{SystemTime, UNIX_EPOCH};
 
-use super::runs::{ENDING, outline, run_id};
+use super::runs::{ENDING, is_flown, outline, run_id};
 use super::{Profile, ProfileError, Profiles, RunEntry, Runs, read_run, utc};
-use crate::campaign::{CareerFlight, Stake, day_and_stake};
+use crate::campaign::{
+    AttemptMeans, AttemptTerms, AttemptTrainee, CareerFlight, CareerStanding, PracticeReason,
+    Stake, day_and_stake,
+};
 use crate::mission::Mission;
-use crate::mission::record::Stored;
+use crate::mission::record::{Head, Stored};
 use crate::scoring::Report;
 use crate::text;
 use crate::text::Text;
@@ -58,21 +65,41 @@ impl RunEntry {
 }
 
 /// A run that was finished and recorded, but not stored.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Recovery {
     pub profile: String,
     pub mission: String,
     /// What it was scored.
     pub score: u16,
+    /// Whether it is an exam that was left before its end.
+    pub is_left_exam: bool,
+    /// Why it counts for less than the record says, if it does.
+    pub reduced: Vec<PracticeReason>,
 }
 
 impl Recovery {
     pub fn text(&self) -> Text {
-        text!(
-            "profiles-recovered",
-            profile = self.profile.as_str(),
-            mission = self.mission.as_str(),
-            score = self.score
+        let recovered = if self.is_left_exam {
+            text!(
+                "profiles-left-exam",
+                profile = self.profile.as_str(),
+                mission = self.mission.as_str(),
+                score = self.score
+            )
+        } else {
+            text!(
+                "profiles-recovered",
+                profile = self.profile.as_str(),
+                mission = self.mission.as_str(),
+                score = self.score
+            )
+        };
+        if self.reduced.is_empty() {
+            return recovered;
+        }
+        Text::joined(
+            ". ",
+            vec![recovered, PracticeReason::sentence(&self.reduced)],
         )
     }
 }
@@ -89,8 +116,9 @@ pub fn open_profiles(data: &Path) -> Result<(Profiles, Vec<Text>), ProfileError>
     Ok((profiles, told))
 }
 
-/// Stores the finished runs of a folder that name a profile and that no profile has, each once, whoever else is at it.
-/// Where none is missing, only names are read, and the first and last line of records that are nobody's.
+/// Stores the finished runs of a folder that name a profile and that no profile has, and the exams that were left; each
+/// once, also when several consoles start together. Where none is missing, only the names of files are read, and the
+/// first and last lines of records without a profile.
 ///
 /// # Errors
 /// The database cannot be read or written; what was stored until then stays.
@@ -99,41 +127,116 @@ pub fn recover(profiles: &mut Profiles, runs: &Runs) -> Result<Vec<Recovery>, Pr
     let everybody = profiles.list()?;
     let mut recovered = Vec::new();
     for path in others {
-        let Some((profile, run)) = left_behind(&path, &everybody) else {
+        let Some(left) = LeftRun::read(&path, &everybody) else {
             continue;
         };
-        if profiles.store(profile, &run)? {
+        let standing = CareerStanding::of(&profiles.history(left.profile)?);
+        let reduced = left.practice_reasons(&standing);
+        let run = left.entry(!reduced.is_empty());
+        if profiles.store(left.profile, &run)? {
             recovered.push(Recovery {
-                profile: profile.name.clone(),
+                profile: left.profile.name.clone(),
                 mission: run.flight.mission,
                 score: run.flight.score,
+                is_left_exam: left.is_left_exam,
+                reduced,
             });
         }
     }
     Ok(recovered)
 }
 
-/// What a recorded run means to the one whose it is; `None` if it is nobody's, or has no end. A profile that was made
-/// later has only the name in common with whoever flew it.
-fn left_behind<'a>(path: &Path, everybody: &'a [Profile]) -> Option<(&'a Profile, RunEntry)> {
-    let (head, end) = outline(path).ok()?;
-    end?;
-    let name = head.profile.as_deref()?;
-    let profile = everybody
-        .iter()
-        .find(|it| it.name.eq_ignore_ascii_case(name) && it.since <= head.when)?;
-    let when = path.metadata().and_then(|file| file.modified()).ok()?;
-    let stored = Stored::read(&read_run(path).ok()?).ok()?;
-    stored.end()?;
-    let report = stored.rescore().ok()?.report;
-    let mission = stored.head.flown().ok()?;
-    let landing = Landing {
-        id: run_id(path).to_owned(),
-        is_recorded: true,
-        when,
-        stake: head.stake,
-    };
-    Some((profile, RunEntry::of(&mission, &report, landing)))
+/// A recorded run that its trainee's profile does not have.
+struct LeftRun<'a> {
+    profile: &'a Profile,
+    head: Head,
+    mission: Mission,
+    report: Report,
+    landing: Landing,
+    is_left_exam: bool,
+}
+
+impl<'a> LeftRun<'a> {
+    /// Reads a record; `None` if it names none of these profiles, or is not over. A profile that is younger than the
+    /// record has only the name in common with the one that flew it.
+    fn read(path: &Path, everybody: &'a [Profile]) -> Option<Self> {
+        let (head, end) = outline(path).ok()?;
+        let is_left_exam = end.is_none() && head.stake == Stake::Exam && !is_flown(path);
+        if end.is_none() && !is_left_exam {
+            return None;
+        }
+        let name = head.profile.as_deref()?;
+        let profile = everybody
+            .iter()
+            .find(|it| it.name.eq_ignore_ascii_case(name) && it.since <= head.when)?;
+        let when = path.metadata().and_then(|file| file.modified()).ok()?;
+        let stored = Stored::read(&read_run(path).ok()?).ok()?;
+        if !is_left_exam {
+            stored.end()?;
+        }
+        let mut report = stored.rescore().ok()?.report;
+        let mission = stored.head.flown().ok()?;
+        super::complete(&mut report, &mission);
+        let landing = Landing {
+            id: run_id(path).to_owned(),
+            is_recorded: true,
+            when,
+            stake: head.stake,
+        };
+        Some(Self {
+            profile,
+            head,
+            mission,
+            report,
+            landing,
+            is_left_exam,
+        })
+    }
+
+    /// Why it counts for practice only, although the record says more.
+    fn practice_reasons(&self, standing: &CareerStanding) -> Vec<PracticeReason> {
+        if self.head.stake == Stake::Practice {
+            return Vec::new();
+        }
+        let course = super::course();
+        let terms = AttemptTerms {
+            mission: &self.mission,
+            wanted: self.head.stake,
+            seed: None,
+            trainee: Some(AttemptTrainee {
+                standing,
+                course: &course,
+            }),
+            means: AttemptMeans {
+                mission_file: super::mission_file(&self.mission),
+                // Records that are older than this field counted as they say.
+                flown_by: self.head.flown_by.unwrap_or_default(),
+                has_own_airframes: false,
+                speedup: 1.0,
+            },
+            day: day_of(self.landing.when),
+            random: None,
+        };
+        let mut reasons = terms.practice_reasons();
+        let has_other_seed =
+            self.head.stake == Stake::Exam && terms.decide().seed != self.head.seed;
+        reasons.extend(has_other_seed.then_some(PracticeReason::ChosenSeed));
+        reasons
+    }
+
+    /// What its profile keeps of it.
+    fn entry(&self, is_reduced: bool) -> RunEntry {
+        let stake = if is_reduced {
+            Stake::Practice
+        } else {
+            self.landing.stake
+        };
+        let landing = Landing {
+            stake,
+            ..self.landing.clone()
+        };
+        RunEntry::of(&self.mission, &self.report, landing)
+    }
 }
 
 #[cfg(test)]

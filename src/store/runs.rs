@@ -100,7 +100,12 @@ impl Runs {
             match private.open(&path) {
                 Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
                 Err(error) => return Err(unwritable(&path, error)),
-                Ok(file) => return Ok(RunFile { file, path, len: 0 }),
+                Ok(file) => {
+                    // It tells other consoles that the run is still flown (`is_flown`). Where files cannot be locked,
+                    // a run that was left cannot be told from one that is flown, and stays as it is.
+                    drop(file.try_lock());
+                    return Ok(RunFile { file, path, len: 0 });
+                }
             }
         }
         Err(unwritable(
@@ -207,6 +212,12 @@ impl RunFile {
     pub fn id(&self) -> &str {
         run_id(&self.path)
     }
+}
+
+/// Whether a run may still be flown: the console that flies it holds a lock on its file.
+pub(super) fn is_flown(path: &Path) -> bool {
+    let free = File::open(path).is_ok_and(|file| file.try_lock_shared().is_ok());
+    !free
 }
 
 /// The id of a run by its file.

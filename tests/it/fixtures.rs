@@ -9,8 +9,8 @@ use sortie::mission::{
     Progress, Reading,
 };
 use sortie::scoring::{
-    ComponentReport, EventKind, EventReport, FlightBackend, ObjectiveReport, Report, ScoreGrade,
-    SwarmFigures, TruthReport,
+    ComponentReport, EventKind, EventReport, FlightBackend, FlownBy, MissionFile, ObjectiveReport,
+    Report, ScoreGrade, SwarmFigures, TruthReport,
 };
 use sortie::vehicle::{
     Attitude, Battery, Ekf, EkfFlags, FixType, GlobalPosition, Gps, Health, Heartbeat, LandedState,
@@ -214,6 +214,8 @@ pub fn report() -> Report {
         revision: 1,
         seed: 1,
         backend: FlightBackend::Embedded,
+        flown_by: Some(FlownBy::Hand),
+        mission_file: Some(MissionFile::Course),
         passed: true,
         score: 837,
         medal: None,

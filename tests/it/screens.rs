@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use sortie::app::event::{Event, LinkEvent, SessionEvent};
 use sortie::app::state::{Activity, LinkSummary};
+use sortie::campaign::Stake;
 use sortie::ledger::RowState;
 use sortie::text::Language;
 use sortie::vehicle::{Severity, Vehicle};
@@ -67,6 +68,7 @@ fn busy_in(language: Language) -> Console {
     console.start(Activity::Mission {
         id: "m01".to_owned(),
         title: "Air sample at the yard".into(),
+        stake: Stake::Graded,
     });
     console.press("F");
     let mut lost: Vehicle = fixtures::airborne(3, 120.0, 31.5);

@@ -29,30 +29,16 @@ const TRUTH_LEAST: u16 = 60;
 
 #[derive(Debug, Clone)]
 pub struct Debrief {
-    pub(in crate::app) report: Box<Report>,
+    pub report: Box<Report>,
     /// The first line shown.
-    pub(in crate::app) scroll: usize,
+    pub scroll: usize,
     /// Whether the truth is shown on a map, where there is no room for it beside the text.
-    pub(in crate::app) map: bool,
+    pub map: bool,
     /// When it opened: keys that were meant for the flight must not close it.
-    pub(in crate::app) since: Duration,
+    pub since: Duration,
 }
 
 impl Debrief {
-    pub fn report(&self) -> &Report {
-        &self.report
-    }
-
-    /// The first line shown.
-    pub fn scroll(&self) -> usize {
-        self.scroll
-    }
-
-    /// Whether the truth is shown on a map, where there is no room for it beside the text.
-    pub fn shows_map(&self) -> bool {
-        self.map
-    }
-
     /// The result as text, with what the flight brought to a career, line by line, in the words of a language.
     pub fn lines(&self, reward: Option<&Reward>, locale: &Locale) -> Vec<String> {
         let reward = reward.map_or_else(Vec::new, Reward::lines);

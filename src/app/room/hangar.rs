@@ -14,28 +14,11 @@ use crate::vehicle::{Severity, VehicleId};
 #[derive(Debug, Clone, Default)]
 pub struct Hangar {
     /// The place of the process under the cursor.
-    pub(in crate::app) cursor: usize,
+    pub cursor: usize,
     /// Whether its output has the whole screen.
-    pub(in crate::app) opened: bool,
+    pub opened: bool,
     /// How many lines before the newest the output ends.
-    pub(in crate::app) back: usize,
-}
-
-impl Hangar {
-    /// The place of the process under the cursor.
-    pub fn cursor(&self) -> usize {
-        self.cursor
-    }
-
-    /// Whether its output has the whole screen.
-    pub fn is_opened(&self) -> bool {
-        self.opened
-    }
-
-    /// How many lines before the newest the output ends.
-    pub fn back(&self) -> usize {
-        self.back
-    }
+    pub back: usize,
 }
 
 /// The process under the cursor.

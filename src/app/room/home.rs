@@ -20,14 +20,7 @@ pub use facts::{Fact, facts, unlocked};
 #[derive(Debug, Clone, Default)]
 pub struct Home {
     /// The line under the cursor: the missions first, then the other [`HomeItem`]s.
-    pub(in crate::app) cursor: usize,
-}
-
-impl Home {
-    /// The line under the cursor: the missions first, then the other [`HomeItem`]s.
-    pub fn cursor(&self) -> usize {
-        self.cursor
-    }
+    pub cursor: usize,
 }
 
 /// What the home screen offers.

@@ -34,23 +34,23 @@ const OTHER_ROWS: u16 = 4;
 #[derive(Debug, Clone, Default)]
 pub struct Map {
     /// What the view holds on to.
-    pub(in crate::app) aim: Aim,
+    pub aim: Aim,
     /// The place that the cursor points at; `None` is the middle of the view.
-    pub(in crate::app) cursor: Option<LatLon>,
+    pub cursor: Option<LatLon>,
     /// Where the ruler begins.
-    pub(in crate::app) mark: Option<LatLon>,
+    pub mark: Option<LatLon>,
     /// Whether the legend is wanted; `None` leaves it to the size of the terminal.
-    pub(in crate::app) legend: Option<bool>,
+    pub legend: Option<bool>,
     /// Whether the ways of the vehicles are left out.
-    pub(in crate::app) trails_hidden: bool,
+    pub trails_hidden: bool,
     /// Which of the sensors is drawn, counted round.
-    pub(in crate::app) sensor: usize,
+    pub sensor: usize,
     /// Where each vehicle has been.
-    pub(in crate::app) trails: BTreeMap<VehicleId, Trail>,
+    pub trails: BTreeMap<VehicleId, Trail>,
     /// What the sensors have shown.
-    pub(in crate::app) samples: Samples,
+    pub samples: Samples,
     /// The piece of the earth with everything in it.
-    pub(in crate::app) overview: Overview,
+    pub overview: Overview,
 }
 
 /// What the view holds on to.
@@ -69,46 +69,6 @@ pub enum Aim {
 pub type Size = (u16, u16);
 
 impl Map {
-    /// What the view holds on to.
-    pub fn aim(&self) -> Aim {
-        self.aim
-    }
-
-    /// The place that the cursor points at; `None` is the middle of the view.
-    pub fn cursor(&self) -> Option<LatLon> {
-        self.cursor
-    }
-
-    /// Where the ruler begins.
-    pub fn mark(&self) -> Option<LatLon> {
-        self.mark
-    }
-
-    /// Whether the legend is wanted; `None` leaves it to the size of the terminal.
-    pub fn legend(&self) -> Option<bool> {
-        self.legend
-    }
-
-    /// Whether the ways of the vehicles are left out.
-    pub fn hides_trails(&self) -> bool {
-        self.trails_hidden
-    }
-
-    /// Where each vehicle has been.
-    pub fn trails(&self) -> &BTreeMap<VehicleId, Trail> {
-        &self.trails
-    }
-
-    /// What the sensors have shown.
-    pub fn samples(&self) -> &Samples {
-        &self.samples
-    }
-
-    /// The piece of the earth with everything in it.
-    pub fn overview(&self) -> &Overview {
-        &self.overview
-    }
-
     /// The map of another session: what has been seen is gone, what the user wants to see stays.
     #[must_use]
     pub fn for_next_session(&self) -> Self {

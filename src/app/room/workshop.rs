@@ -38,68 +38,22 @@ pub use shelf::{Stored, heard, is_saved, lay, stored};
 #[derive(Debug, Clone, Default)]
 pub struct Workshop {
     /// What lies on the bench.
-    pub(in crate::app) bench: Bench,
-    pub(in crate::app) page: Page,
+    pub bench: Bench,
+    pub page: Page,
     /// Which list of the bench has the cursor.
-    pub(in crate::app) pane: Pane,
+    pub pane: Pane,
     /// What is shown beside the lists.
-    pub(in crate::app) view: View,
+    pub view: View,
     /// The line under the cursor of the list of designs.
-    pub(in crate::app) shelf: usize,
+    pub shelf: usize,
     /// The seat under the cursor.
-    pub(in crate::app) seat: usize,
+    pub seat: usize,
     /// The first line of the comparison.
-    pub(in crate::app) scroll: usize,
+    pub scroll: usize,
     /// What the bench is compared with.
-    pub(in crate::app) compared: Option<(Design, Sheet)>,
+    pub compared: Option<(Design, Sheet)>,
     /// How the bench stands to what the mission needs.
-    pub(in crate::app) fit: Option<Fit>,
-}
-
-impl Workshop {
-    /// What lies on the bench.
-    pub fn bench(&self) -> &Bench {
-        &self.bench
-    }
-
-    pub fn page(&self) -> Page {
-        self.page
-    }
-
-    /// Which list of the bench has the cursor.
-    pub fn pane(&self) -> Pane {
-        self.pane
-    }
-
-    /// What is shown beside the lists.
-    pub fn view(&self) -> View {
-        self.view
-    }
-
-    /// The line under the cursor of the list of designs.
-    pub fn shelf(&self) -> usize {
-        self.shelf
-    }
-
-    /// The seat under the cursor.
-    pub fn seat(&self) -> usize {
-        self.seat
-    }
-
-    /// The first line of the comparison.
-    pub fn scroll(&self) -> usize {
-        self.scroll
-    }
-
-    /// What the bench is compared with.
-    pub fn compared(&self) -> Option<&(Design, Sheet)> {
-        self.compared.as_ref()
-    }
-
-    /// How the bench stands to what the mission needs.
-    pub fn fit(&self) -> Option<&Fit> {
-        self.fit.as_ref()
-    }
+    pub fit: Option<Fit>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

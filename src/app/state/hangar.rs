@@ -79,38 +79,18 @@ impl Instance {
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Hangar {
     /// They, in the order of their vehicles.
-    pub(in crate::app) instances: Vec<Instance>,
+    pub instances: Vec<Instance>,
     /// How many there are to be.
-    pub(in crate::app) expected: usize,
+    pub expected: usize,
     /// Why they could not be started.
-    pub(in crate::app) fault: Option<Text>,
+    pub fault: Option<Text>,
     /// What the process that is looked at has printed.
-    pub(in crate::app) printed: Option<(VehicleId, Vec<String>)>,
+    pub printed: Option<(VehicleId, Vec<String>)>,
     /// Whether all have been ready at once: from then on it is flown.
-    pub(in crate::app) begun: bool,
+    pub begun: bool,
 }
 
 impl Hangar {
-    /// They, in the order of their vehicles.
-    pub fn instances(&self) -> &[Instance] {
-        &self.instances
-    }
-
-    /// How many there are to be.
-    pub fn expected(&self) -> usize {
-        self.expected
-    }
-
-    /// Why they could not be started.
-    pub fn fault(&self) -> Option<&Text> {
-        self.fault.as_ref()
-    }
-
-    /// Whether all have been ready at once: from then on it is flown.
-    pub fn has_begun(&self) -> bool {
-        self.begun
-    }
-
     /// The one of a vehicle.
     pub fn of(&self, vehicle: VehicleId) -> Option<&Instance> {
         let mut all = self.instances.iter();

@@ -11,7 +11,7 @@ use crate::doctor::{Cause, LinkFinding, Weight};
 use crate::geo::LatLon;
 use crate::language::Groups;
 use crate::ledger::{EntryId, Given, Ledger, LedgerEntry, LedgerRow};
-use crate::mission::{Area, Listing, Progress};
+use crate::mission::{Area, Listing, Progress, Stake};
 use crate::swarm::Path;
 use crate::text;
 use crate::text::Text;
@@ -20,49 +20,49 @@ use crate::vehicle::{Vehicle, VehicleClass, VehicleId, Vehicles};
 #[derive(Debug, Clone, Default)]
 pub struct Session {
     /// What is being done; `None` between sessions.
-    pub(in crate::app) activity: Option<Activity>,
+    pub activity: Option<Activity>,
     /// The room that it begins in once its vehicles are there.
-    pub(in crate::app) first_room: Room,
+    pub first_room: Room,
     /// When it began, on the program's clock.
-    pub(in crate::app) began_at: Duration,
+    pub began_at: Duration,
     /// The vehicles, as their telemetry said last.
-    pub(in crate::app) vehicles: Vehicles,
+    pub vehicles: Vehicles,
     /// What their readings were.
-    pub(in crate::app) histories: Histories,
+    pub histories: Histories,
     /// The vehicles that commands go to; none selected means the one under the cursor.
-    pub(in crate::app) selection: Selection,
+    pub selection: Selection,
     /// The vehicle under the cursor.
-    pub(in crate::app) cursor: Option<VehicleId>,
+    pub cursor: Option<VehicleId>,
     /// What is wrong with them.
-    pub(in crate::app) alarms: Alarms,
+    pub alarms: Alarms,
     /// All commands of the session.
-    pub(in crate::app) ledger: Ledger,
+    pub ledger: Ledger,
     /// The links, in the order of their addresses.
-    pub(in crate::app) links: Vec<LinkSummary>,
+    pub links: Vec<LinkSummary>,
     /// The processes that simulate the vehicles, where there are any.
-    pub(in crate::app) hangar: Option<Hangar>,
+    pub hangar: Option<Hangar>,
     /// The mission that is flown, if one is.
-    pub(in crate::app) listing: Option<Box<Listing>>,
+    pub listing: Option<Box<Listing>>,
     /// What the link doctor has found, worst first.
-    pub(in crate::app) findings: Vec<LinkFinding>,
+    pub findings: Vec<LinkFinding>,
     /// Findings that were told already, by link and name.
-    pub(in crate::app) told: BTreeSet<(usize, &'static str)>,
+    pub told: BTreeSet<(usize, &'static str)>,
     /// The mission's progress, if one is flown.
-    pub(in crate::app) mission: Option<Progress>,
+    pub mission: Option<Progress>,
     /// How late it was in the mission.
-    pub(in crate::app) mission_time: MissionTime,
+    pub mission_time: MissionTime,
     /// Whether the mission is over: its debrief is there.
-    pub(in crate::app) over: bool,
+    pub over: bool,
     /// Whether it stands still.
-    pub(in crate::app) paused: bool,
+    pub paused: bool,
     /// The groups that commands may name.
-    pub(in crate::app) groups: Groups,
+    pub groups: Groups,
     /// The places that commands may name.
-    pub(in crate::app) places: BTreeMap<String, LatLon>,
+    pub places: BTreeMap<String, LatLon>,
     /// The areas of the mission that are known from the start.
-    pub(in crate::app) areas: Vec<Area>,
+    pub areas: Vec<Area>,
     /// What vehicles that do something together are going to fly.
-    pub(in crate::app) paths: Vec<Path>,
+    pub paths: Vec<Path>,
     /// The entries of the ledger that were under way when the newest for the vehicle was opened, and that one.
     recent: BTreeMap<VehicleId, Vec<EntryId>>,
     /// Whether the user has put the cursor somewhere.
@@ -73,7 +73,12 @@ pub struct Session {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Activity {
     /// A mission with the given id.
-    Mission { id: String, title: Text },
+    Mission {
+        id: String,
+        title: Text,
+        /// What it is flown for.
+        stake: Stake,
+    },
     /// Simulated vehicles without a task.
     Free,
     /// Vehicles elsewhere.

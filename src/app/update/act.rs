@@ -5,8 +5,10 @@ use crate::app::State;
 use crate::app::action::Action;
 use crate::app::effect::{Effect, SessionEffect};
 use crate::app::room::{self, Room, RoomRequest, fly};
+use crate::app::state::Activity;
 use crate::app::state::{Consequence, Log, Overlay, Session};
 use crate::language::{parse_ranges, ranges};
+use crate::mission::Stake;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
@@ -150,7 +152,12 @@ pub fn loss(state: &State) -> Option<Text> {
         return None;
     }
     match (state.session.mission.is_some(), state.session.armed()) {
-        (true, _) => Some(text!("ask-mission-lost")),
+        (true, _) => Some(match session.activity {
+            Some(Activity::Mission {
+                stake: Stake::Exam, ..
+            }) => text!("ask-exam-ends"),
+            _ => text!("ask-mission-lost"),
+        }),
         (false, 0) => None,
         (false, armed) => Some(text!("ask-armed", count = armed)),
     }

@@ -11,7 +11,8 @@ const FORMATION: &str = include_str!("../../../missions/02-formation.toml");
 
 const STAKES: [Stake; 4] = [Stake::Graded, Stake::Practice, Stake::Exam, Stake::Daily];
 const USUAL: AttemptMeans = AttemptMeans {
-    is_of_course: true,
+    mission_file: MissionFile::Course,
+    flown_by: FlownBy::Hand,
     has_own_airframes: false,
     speedup: 1.0,
 };
@@ -85,7 +86,19 @@ fn what_others_cannot_fly_is_practice_for_a_reason() {
         ..USUAL
     };
     let file = AttemptMeans {
-        is_of_course: false,
+        mission_file: MissionFile::Own,
+        ..USUAL
+    };
+    let altered = AttemptMeans {
+        mission_file: MissionFile::Altered,
+        ..USUAL
+    };
+    let script = AttemptMeans {
+        flown_by: FlownBy::Script,
+        ..USUAL
+    };
+    let bundled = AttemptMeans {
+        flown_by: FlownBy::BundledPilot,
         ..USUAL
     };
     let chosen = AttemptTerms {
@@ -95,7 +108,10 @@ fn what_others_cannot_fly_is_practice_for_a_reason() {
     for (terms, reason) in [
         (flown_with(frame), PracticeReason::OwnAirframes),
         (flown_with(slow), PracticeReason::SlowMotion),
-        (flown_with(file), PracticeReason::OtherMission),
+        (flown_with(file), PracticeReason::OwnMission),
+        (flown_with(altered), PracticeReason::AlteredMission),
+        (flown_with(script), PracticeReason::Script),
+        (flown_with(bundled), PracticeReason::Script),
         (chosen, PracticeReason::ChosenSeed),
     ] {
         assert_eq!(terms.decide().stake, Stake::Practice, "{reason:?}");
@@ -120,7 +136,7 @@ fn a_locked_mission_and_one_of_nobodys_course_are_practice() {
         }),
         ..trainee.terms(Stake::Exam)
     };
-    assert_eq!(strange.practice_reasons(), [PracticeReason::OtherMission]);
+    assert_eq!(strange.practice_reasons(), [PracticeReason::OwnMission]);
     assert!(locked.decide().is_reduced() && strange.decide().is_reduced());
 }
 
@@ -157,7 +173,7 @@ proptest! {
         seed in prop::option::of(any::<u64>()),
         random in prop::option::of(any::<u64>()),
         (is_known, is_locked) in any::<(bool, bool)>(),
-        (is_of_course, has_own_airframes) in any::<(bool, bool)>(),
+        (is_of_course, is_by_hand, has_own_airframes) in any::<(bool, bool, bool)>(),
         speedup in 0.1_f64..4.0,
         day in 0_i64..40_000,
     ) {
@@ -167,14 +183,19 @@ proptest! {
             mission: if is_locked { &newcomer.locked } else { &newcomer.open },
             seed,
             trainee: usual.trainee.filter(|_| is_known),
-            means: AttemptMeans { is_of_course, has_own_airframes, speedup },
+            means: AttemptMeans {
+                mission_file: if is_of_course { MissionFile::Course } else { MissionFile::Altered },
+                flown_by: if is_by_hand { FlownBy::Hand } else { FlownBy::Script },
+                has_own_airframes,
+                speedup,
+            },
             day,
             random,
             ..usual
         };
         let first = terms.decide();
         let is_fair = !is_known
-            || !is_locked && is_of_course && !has_own_airframes && speedup >= 1.0;
+            || !is_locked && is_of_course && is_by_hand && !has_own_airframes && speedup >= 1.0;
         let is_free = wanted != Stake::Graded || seed.is_none();
         let expected = if is_fair && is_free { wanted } else { Stake::Practice };
         prop_assert_eq!((first.stake, first.wanted), (expected, wanted));

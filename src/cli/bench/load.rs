@@ -10,6 +10,7 @@ use serde::Serialize;
 
 use super::super::{Failure, runtime};
 use crate::console::{self, ConsoleOptions, Opening, Preferences};
+use crate::scoring::FlownBy;
 use crate::ui::Look;
 
 /// The vehicles are on their way by now.
@@ -51,6 +52,7 @@ struct LoadMark {
 
 pub(in crate::cli) fn load(options: &LoadArguments) -> Result<ExitCode, Failure> {
     let console = ConsoleOptions {
+        flown_by: FlownBy::Hand,
         backend: crate::hangar::VehicleBackend::default(),
         ardupilot: None,
         opening: Opening::Free,

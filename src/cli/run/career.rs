@@ -128,7 +128,9 @@ impl<'a> RunTrainee<'a> {
                     return Err(self.refuse_parts(design, parts));
                 }
                 PracticeReason::ChosenSeed
-                | PracticeReason::OtherMission
+                | PracticeReason::Script
+                | PracticeReason::OwnMission
+                | PracticeReason::AlteredMission
                 | PracticeReason::OwnAirframes
                 | PracticeReason::SlowMotion => {}
             }
@@ -137,12 +139,8 @@ impl<'a> RunTrainee<'a> {
     }
 
     /// Says that a flight counts as practice, although more was wanted.
-    pub fn tell_practice(&self, mission: &Mission, reasons: &[PracticeReason]) {
-        let text = if reasons.contains(&PracticeReason::OtherMission) {
-            text!("profile-own-mission", mission = mission.id.as_str())
-        } else {
-            text!("launch-practice")
-        };
+    pub fn tell_practice(&self, reasons: &[PracticeReason]) {
+        let text = PracticeReason::sentence(reasons);
         tell!("sortie: {}", self.locale.text(&text));
     }
 

@@ -63,6 +63,8 @@ impl<'a> RunRecorder<'a> {
     /// Makes a flight ready for it.
     pub fn prepare(&self, flight: &mut Flight) {
         flight.set_attempt(self.plan.attempt);
+        flight.set_flown_by(Some(self.plan.occasion.flown_by));
+        flight.set_stake(self.plan.occasion.stake);
         if self.file.is_some() {
             flight.start_record(&self.plan.occasion);
         }

@@ -33,6 +33,8 @@ impl Logbook {
         earlier: Vec<TryReport>,
     ) -> Self {
         flight.set_attempt(next_try(&earlier));
+        flight.set_flown_by(Some(occasion.flown_by));
+        flight.set_stake(occasion.stake);
         let when = utc(SystemTime::now());
         let mission = flight.mission().id.clone();
         let file = runs.begin(&mission, &when);

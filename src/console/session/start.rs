@@ -151,6 +151,7 @@ impl RunningSession {
             ..started(Activity::Mission {
                 id: mission.id.clone(),
                 title: titled(&mission, &backend.occasion),
+                stake: backend.occasion.stake,
             })
         })
     }

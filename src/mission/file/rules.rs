@@ -1,6 +1,8 @@
 //! `[rules]`: what everybody has to keep to.
 
-use crate::mission::format::{FileTable, flag, number};
+use toml::Spanned;
+
+use crate::mission::format::{FileTable, flag, list, number, text};
 
 const USUAL_MAX_HEIGHT_M: f64 = 120.0;
 const USUAL_RESERVE_PERCENT: f64 = 20.0;
@@ -11,6 +13,7 @@ pub(super) struct RuleSet {
     pub land_reserve_percent: f64,
     pub separation_m: Option<f64>,
     pub pausable: bool,
+    pub open_parameters: Vec<String>,
 }
 
 impl RuleSet {
@@ -21,6 +24,7 @@ impl RuleSet {
             land_reserve_percent: USUAL_RESERVE_PERCENT,
             separation_m: None,
             pausable: true,
+            open_parameters: Vec::new(),
         }
     }
 }
@@ -44,5 +48,16 @@ pub(super) fn rules(table: &mut FileTable<'_>) -> Option<RuleSet> {
              and the like keep (2 m at least), which is 5 m otherwise",
         ),
         pausable: table.or("pause", flag(), usual.pausable, "whether it may be paused"),
+        open_parameters: table
+            .may(
+                "parameters",
+                list(text("name of a parameter"), 1, 64),
+                "parameters that may be set although they change the simulation, battery, fence or failsafes, which a flight \
+             that counts refuses otherwise",
+            )
+            .unwrap_or_default()
+            .into_iter()
+            .map(Spanned::into_inner)
+            .collect(),
     })
 }

@@ -10,6 +10,7 @@ impl Flight {
     /// drones of the head are the flight's own.
     pub fn start_record(&mut self, occasion: &Occasion) {
         let head = Head::of(&self.mission, self.seed, self.clues.attempt(), occasion);
+        self.flown_by = Some(occasion.flown_by);
         self.recorder = Some(Box::new(Recorder::new(&head)));
     }
 

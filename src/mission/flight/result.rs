@@ -57,6 +57,8 @@ pub(super) fn report(flight: &Flight, ledger: &Ledger) -> Report {
         revision: mission.rev,
         seed: flight.seed,
         backend: FlightBackend::Embedded,
+        flown_by: flight.flown_by,
+        mission_file: None,
         passed: flight.ended == Some(super::Outcome::Passed),
         score: score.points,
         medal: score

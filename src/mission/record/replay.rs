@@ -87,6 +87,7 @@ impl Stored {
         let mission = self.head.flown()?;
         let mut flight = Flight::new(Arc::new(mission), self.head.seed);
         flight.set_attempt(self.head.attempt);
+        flight.set_flown_by(self.head.flown_by);
         let mut replay = Replay {
             flight,
             vehicles: BTreeMap::new(),
@@ -96,6 +97,10 @@ impl Stored {
         };
         for line in &self.lines {
             replay.take(line);
+        }
+        // An exam that was left ended where its record does.
+        if self.end().is_none() && self.head.stake == Stake::Exam {
+            replay.flight.abandon();
         }
         let mut report = replay.flight.report(&replay.ledger);
         report.backend = self.head.backend;

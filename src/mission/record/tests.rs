@@ -3,11 +3,12 @@ use crate::commands::Goal;
 use crate::geo::LatLon;
 use crate::mission::fake::Pilot;
 use crate::mission::fake::{do_nothing, fly_the_cells};
-use crate::scoring::FlightBackend;
+use crate::scoring::{FlightBackend, FlownBy};
 use crate::vehicle::{Unheard, Vehicle};
 
 fn occasion(stake: Stake) -> Occasion {
     Occasion {
+        flown_by: FlownBy::Hand,
         when: "2026-11-20T14:03:22Z".to_owned(),
         backend: FlightBackend::Embedded,
         profile: None,

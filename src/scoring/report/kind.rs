@@ -67,6 +67,35 @@ impl fmt::Display for FlightBackend {
     }
 }
 
+/// What gave the commands of a flight.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, strum::Display)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+pub enum FlownBy {
+    /// A person at a console.
+    #[default]
+    Hand,
+    /// A pilot script, or lines from a pipe.
+    Script,
+    /// A pilot script that comes with the program.
+    BundledPilot,
+}
+
+/// How the text of a mission compares with the mission of the course that has its id.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, strum::Display)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+pub enum MissionFile {
+    /// It is the mission of the course.
+    Course,
+    /// It is of another revision than that of the course.
+    OtherRevision,
+    /// It is of the same revision as that of the course, and says something else.
+    Altered,
+    /// The course has no mission of this id.
+    Own,
+}
+
 /// The grade of a score, the best first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum ScoreGrade {

@@ -4,11 +4,12 @@ use std::sync::Arc;
 use std::time::{Duration, UNIX_EPOCH};
 
 use super::*;
-use crate::campaign::{CareerEntry, CareerStanding, Evidence};
+use crate::campaign::{CareerEntry, CareerStanding, Evidence, exam_seed};
 use crate::exercise::Exercise;
 use crate::language::{Context, Script};
 use crate::mission::record::Occasion;
-use crate::scoring::FlightBackend;
+use crate::scoring::{FlightBackend, FlownBy};
+use crate::store::RunFile;
 use crate::workshop::part;
 
 const BEGUN: &str = "2026-11-20T14:03:22Z";
@@ -30,6 +31,7 @@ fn recorded(
     let mut exercise = Exercise::new(Arc::clone(&mission), 1, script, Vec::new());
     let mut file = runs.begin(&mission.id, BEGUN).expect("writable");
     exercise.flight_mut().start_record(&Occasion {
+        flown_by: FlownBy::Hand,
         when: BEGUN.to_owned(),
         backend: FlightBackend::Embedded,
         profile: profile.map(str::to_owned),
@@ -159,4 +161,72 @@ fn own_drones_wear_and_lent_ones_do_not() {
     assert_eq!((own.airframes.len(), own.recording), (1, None));
     let standing = CareerStanding::of(&[CareerEntry::Flight(own.flight)]);
     assert!(standing.credits() < 500);
+}
+
+/// Begins the record of an exam of drill d00 with a seed, and returns it with a few seconds of flight in it.
+fn exam(runs: &Runs, seed: u64) -> RunFile {
+    let source = include_str!("../../../missions/drills/d00-arm-and-hover.toml");
+    let mission = Arc::new(Mission::parse(source).expect("no faults").for_exam());
+    let script = Script::parse("all guided\nall arm\n", &Context::default()).expect("two commands");
+    let mut exercise = Exercise::new(Arc::clone(&mission), seed, script, Vec::new());
+    let mut file = runs.begin(&mission.id, BEGUN).expect("writable");
+    exercise.flight_mut().start_record(&Occasion {
+        flown_by: FlownBy::Hand,
+        when: BEGUN.to_owned(),
+        backend: FlightBackend::Embedded,
+        profile: Some("Anna".to_owned()),
+        stake: Stake::Exam,
+    });
+    while exercise.now() < Duration::from_secs(12) {
+        exercise.step();
+    }
+    let record = exercise.flight_mut().take_record();
+    file.append(&record).expect("writable");
+    file
+}
+
+#[test]
+fn an_exam_that_was_left_counts_as_ended_there_once_nobody_flies_it() {
+    let data = tempfile::tempdir().expect("a folder");
+    let runs = Runs::within(data.path());
+    let mut profiles = profiles(data.path());
+    let anna = profiles.create("Anna", BEGUN).expect("new");
+    let flown = exam(&runs, exam_seed("d00-arm-and-hover", 1));
+    assert_eq!(recover(&mut profiles, &runs).expect("writable"), []);
+    drop(flown);
+    let recovered = recover(&mut profiles, &runs).expect("writable");
+    assert_eq!(recovered.len(), 1);
+    assert!(recovered[0].is_left_exam && recovered[0].reduced.is_empty());
+    let stored = profiles.runs(&anna).expect("readable");
+    assert_eq!(
+        (stored[0].flight.stake, stored[0].flight.passed),
+        (Stake::Exam, false)
+    );
+    assert_eq!(recover(&mut profiles, &runs).expect("writable"), []);
+}
+
+#[test]
+fn a_record_counts_for_no_more_than_the_career_allows() {
+    let data = tempfile::tempdir().expect("a folder");
+    let runs = Runs::within(data.path());
+    let mut profiles = profiles(data.path());
+    let anna = profiles.create("Anna", BEGUN).expect("new");
+    // An exam on a seed that no exam has; a mission that somebody has rewritten.
+    drop(exam(&runs, 1));
+    let (id, ..) = recorded(&runs, Some("Anna"), true);
+    let path = runs.folder().join(format!("{id}{ENDING}"));
+    let whole = fs::read_to_string(&path).expect("just written");
+    let rewritten = whole.replacen("ceiling = 30", "ceiling = 31", 1);
+    assert_ne!(whole, rewritten);
+    fs::write(&path, rewritten).expect("writable");
+    let mut recovered = recover(&mut profiles, &runs).expect("writable");
+    recovered.sort_by_key(|one| !one.is_left_exam);
+    let reduced: Vec<&[PracticeReason]> = recovered.iter().map(|one| &one.reduced[..]).collect();
+    let expected: [&[PracticeReason]; 2] = [
+        &[PracticeReason::ChosenSeed],
+        &[PracticeReason::AlteredMission],
+    ];
+    assert_eq!(reduced, expected);
+    let stored = profiles.runs(&anna).expect("readable");
+    assert!(stored.iter().all(|run| run.flight.stake == Stake::Practice));
 }

@@ -50,6 +50,7 @@ fn run_with(report: Report, id: &str, mission: &str, score: u16) -> RunEntry {
         id: id.to_owned(),
         when: WHEN.to_owned(),
         flight: CareerFlight {
+            flown_by: None,
             mission: mission.to_owned(),
             drill_of: None,
             tier: 1,

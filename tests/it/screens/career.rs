@@ -2,6 +2,7 @@
 
 use sortie::app::event::{CareerEvent, SessionEvent};
 use sortie::app::state::{Activity, Career};
+use sortie::campaign::Stake;
 use sortie::campaign::{CareerStanding, Reward};
 use sortie::config::Symbols;
 use sortie::text::Language;
@@ -116,6 +117,7 @@ fn the_debrief_tells_what_the_flight_has_brought() {
     console.start(Activity::Mission {
         id: "01-air-sample".to_owned(),
         title: "Air sample".into(),
+        stake: Stake::Graded,
     });
     console.hear(SessionEvent::MissionEnded(Box::new(fixtures::report())));
     assert!(!at_end(&console).contains("CAREER"));

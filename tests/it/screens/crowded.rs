@@ -5,6 +5,7 @@ use std::time::Duration;
 use sortie::app::effect::{Effect, SessionEffect};
 use sortie::app::event::SessionEvent;
 use sortie::app::state::Activity;
+use sortie::campaign::Stake;
 use sortie::config::Symbols;
 use sortie::geo::Outline;
 use sortie::mission::{
@@ -101,6 +102,7 @@ fn crowded() -> Console {
     console.start(Activity::Mission {
         id: "m01".to_owned(),
         title: "Air sample at the yard".into(),
+        stake: Stake::Graded,
     });
     for id in 1..=3 {
         console.vehicle(fixtures::airborne(id, 20.0 * f64::from(id), 20.0));

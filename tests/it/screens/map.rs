@@ -8,6 +8,7 @@ use ratatui::backend::TestBackend;
 use sortie::app::event::{SessionEvent, Started, TerminalEvent};
 use sortie::app::room::map::{SketchKind, sketches};
 use sortie::app::state::Activity;
+use sortie::campaign::Stake;
 use sortie::config::Symbols;
 use sortie::geo::Outline;
 use sortie::mission::{Area, AreaKind, Mission};
@@ -51,6 +52,7 @@ pub fn surveyed() -> Console {
         activity: Activity::Mission {
             id: "m01".to_owned(),
             title: "Air sample at the yard".into(),
+            stake: Stake::Graded,
         },
         places: [("street".to_owned(), fixtures::HOME.moved(0.0, -40.0))].into(),
         areas: areas.clone(),
@@ -258,9 +260,9 @@ fn a_mission_tells_its_areas_and_nothing_of_its_hazards() {
 fn sensors_on_the_ground_leave_no_samples() {
     let mut console = Console::flying(1);
     console.hear(SessionEvent::Mission(Box::new(fixtures::progress())));
-    assert_eq!(console.state().rooms().map().samples().fields().len(), 0);
+    assert_eq!(console.state().rooms.map.samples.fields().len(), 0);
     console.vehicle(fixtures::airborne(1, 0.0, 20.0));
     console.hear(SessionEvent::Mission(Box::new(fixtures::progress())));
-    let map = console.state().rooms().map();
+    let map = &console.state().rooms.map;
     assert_eq!(map.field().map(|(name, _)| name), Some("co"));
 }

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use sortie::app::event::{SessionEvent, TerminalEvent};
 use sortie::app::state::{Activity, Room};
+use sortie::campaign::Stake;
 use sortie::mission::Mission;
 use sortie::text::{Language, Locale};
 
@@ -26,6 +27,7 @@ fn flying() -> Console {
     console.start(Activity::Mission {
         id: "m01".to_owned(),
         title: "Air sample at the yard".into(),
+        stake: Stake::Graded,
     });
     console.vehicle(fixtures::airborne(1, 20.0, 20.1));
     let mut progress = fixtures::progress();
@@ -86,15 +88,15 @@ fn scrolling_ends_with_the_last_line_and_comes_back_at_once() {
 fn enter_flies_the_mission_that_was_read_and_escape_leads_back() {
     let mut console = shipped(Language::English);
     console.press("B").press("esc");
-    assert_eq!(console.state().room(), Room::Home);
+    assert_eq!(console.state().room, Room::Home);
     console.press("B").press("enter");
     assert_eq!(console.effects.len(), 1, "{:?}", console.effects);
     let mut console = flying();
-    assert_eq!(console.state().room(), Room::Mission);
+    assert_eq!(console.state().room, Room::Mission);
     console.press("enter");
     assert!(console.effects.is_empty(), "{:?}", console.effects);
     console.press("esc");
-    assert_eq!(console.state().room(), Room::Fly);
+    assert_eq!(console.state().room, Room::Fly);
 }
 
 #[test]
@@ -109,7 +111,7 @@ fn the_home_screen_says_that_a_session_goes_on() {
     let mut console = flying();
     console.press("H");
     check("home_running", &mut console, &SIZES[..1]);
-    assert_eq!(console.press("F").state().room(), Room::Fly);
+    assert_eq!(console.press("F").state().room, Room::Fly);
 }
 
 #[test]
@@ -120,7 +122,7 @@ fn a_debrief_follows_the_language_and_stays_until_the_next_session() {
     console.at(2).give("set lang uk");
     assert!(console.screen(80, 24).contains("ПЕРЕБІГ"));
     console.at(300).press("h");
-    assert_eq!(console.state().room(), Room::Home);
+    assert_eq!(console.state().room, Room::Home);
     assert!(console.press("D").screen(80, 24).contains("ПЕРЕБІГ"));
     console.start(Activity::Free);
     assert!(!console.press("D").screen(80, 24).contains("ПЕРЕБІГ"));
