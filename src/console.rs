@@ -284,12 +284,12 @@ impl Console {
             screen.notify(&note)?;
         }
         let slow = screen.slow_bytes_per_s().map(|rate| rate as u32);
-        if slow != self.app.state().slow_line {
+        if slow != self.app.state().slow_line() {
             self.feed(TerminalEvent::SlowLine(slow)).await;
         }
         self.drawn = Some(self.app.state().revision());
-        self.look.locale = Arc::clone(&self.app.state().locale);
-        self.look.symbols = self.app.state().config.symbols.unwrap_or_default();
+        self.look.locale = Arc::clone(self.app.state().locale());
+        self.look.symbols = self.app.state().config().symbols.unwrap_or_default();
         screen.draw(|frame| ui::draw(self.app.state(), &self.look, frame))
     }
 
@@ -342,7 +342,7 @@ impl Console {
         }
         // The mission sees what has just been collected.
         let flown = match &mut self.running {
-            Some(running) => running.fly(now, &self.app.state().session),
+            Some(running) => running.fly(now, self.app.state().session()),
             None => Vec::new(),
         };
         for event in flown {
@@ -360,7 +360,7 @@ impl Console {
 
     async fn conduct(&mut self, now: Duration) {
         let events = match &mut self.running {
-            Some(running) => running.conduct(now, &self.app.state().session.vehicles),
+            Some(running) => running.conduct(now, self.app.state().session().vehicles()),
             None => Vec::new(),
         };
         for event in events {
@@ -375,7 +375,7 @@ impl Console {
             return;
         };
         if row.state.is_final()
-            && let Some(entry) = self.app.state().session.ledger.entry(row.entry)
+            && let Some(entry) = self.app.state().session().ledger().entry(row.entry)
         {
             let (vehicle, line, state) = (row.vehicle, &entry.line, row.state);
             tracing::info!("vehicle {vehicle}: {line}: {state}");

@@ -57,8 +57,9 @@
 //!
 //! # Invariants
 //! - Pure modules have no clock, no randomness of their own, no files and no sockets: `now` and seeds are arguments.
-//! - Only [`app::App::update`] changes what the console shows. The shell reads the state, and feeds every event through
-//!   one queue, so that no effect is dropped.
+//! - Only [`app::App::update`] changes what the console shows: the fields of [`app::State`] and of its parts are private
+//!   to [`app`], and everything else reads them through methods.
+//! - The shell feeds every event through one queue, and carries out every effect that comes of it.
 //! - The same [`session`] runs in the console's tasks and in the lock step of an exercise, and the same [`operator`]
 //!   carries out the orders of both.
 //! - State goes through `watch`, occurrences through bounded `mpsc`, shutdown through a cancellation token.

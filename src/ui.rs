@@ -36,7 +36,7 @@ fn draw_all(state: &State, look: &Look, frame: &mut Frame<'_>) {
     let buffer = frame.buffer_mut();
     screen::draw(state, Panel::new(look, body), buffer);
     widget::footer::draw(state, Panel::new(look, area), buffer);
-    let cursor = match &state.overlay {
+    let cursor = match state.overlay() {
         None => None,
         Some(Overlay::Palette(line)) => Some(widget::palette::draw(
             state,

@@ -78,10 +78,14 @@ macro_rules! declare_models {
         /// What every room remembers. It survives leaving the room.
         #[derive(Debug, Clone, Default)]
         pub struct Rooms {
-            $($(#[$about])* pub $module: $Model,)+
+            $($(#[$about])* pub(in crate::app) $module: $Model,)+
         }
 
         impl Rooms {
+            $($(#[$about])* pub fn $module(&self) -> &$Model {
+                &self.$module
+            })+
+
             /// Forgets what belongs to the session that has ended.
             pub fn forget_session(&mut self) {
                 $(self.$module.forget_session();)+

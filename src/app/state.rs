@@ -31,6 +31,7 @@ mod overlay;
 mod profiles;
 mod session;
 mod time;
+mod views;
 
 use super::Setup;
 pub use super::keymap::Keymap;
@@ -63,55 +64,55 @@ const ACKNOWLEDGEMENT_LIFE: Duration = Duration::from_secs(4);
 /// The whole console; `R` is what its rooms remember.
 #[derive(Debug, Clone)]
 pub struct State<R> {
-    pub now: Duration,
+    pub(in crate::app) now: Duration,
     /// The room that is shown.
-    pub room: Room,
+    pub(in crate::app) room: Room,
     /// What every room remembers.
-    pub rooms: R,
+    pub(in crate::app) rooms: R,
     /// What lies over it.
-    pub overlay: Option<Overlay>,
+    pub(in crate::app) overlay: Option<Overlay>,
     /// What is being flown.
-    pub session: Session,
+    pub(in crate::app) session: Session,
     /// The vehicle list that is being typed, `3-9`; empty if none.
-    pub typed: String,
+    pub(in crate::app) typed: String,
     /// What the user has set.
-    pub config: Config,
+    pub(in crate::app) config: Config,
     /// The words of the language in use.
-    pub locale: Arc<Locale>,
+    pub(in crate::app) locale: Arc<Locale>,
     /// Lines of a macro that wait for the answer to a question.
-    pub pending: VecDeque<String>,
-    pub notices: NoticeLog,
+    pub(in crate::app) pending: VecDeque<String>,
+    pub(in crate::app) notices: NoticeLog,
     /// The missions on offer.
-    pub missions: Vec<MissionListing>,
+    pub(in crate::app) missions: Vec<MissionListing>,
     /// The trainee's tries at them as they are now, by the mission's id, oldest first.
-    pub tries: BTreeMap<String, Vec<TryReport>>,
+    pub(in crate::app) tries: BTreeMap<String, Vec<TryReport>>,
     /// Who trains here; nobody whose flights are kept, if there is none.
-    pub career: Option<Career>,
+    pub(in crate::app) career: Option<Career>,
     /// What the last flight brought to it; nothing once another session has started.
-    pub reward: Option<Reward>,
+    pub(in crate::app) reward: Option<Reward>,
     /// The names of everybody who has a profile here.
-    pub profiles: Vec<String>,
+    pub(in crate::app) profiles: Vec<String>,
     /// The drones that were chosen for missions, by the mission's id: one for all seats or one each. Where there are
     /// none, the mission lends its own.
-    pub fleets: BTreeMap<String, Vec<Design>>,
+    pub(in crate::app) fleets: BTreeMap<String, Vec<Design>>,
     /// The designs that everybody has.
-    pub stock: Vec<Design>,
+    pub(in crate::app) stock: Vec<Design>,
     /// The names of the themes on offer.
-    pub themes: Vec<String>,
+    pub(in crate::app) themes: Vec<String>,
     /// The name of the theme in use.
-    pub theme: String,
+    pub(in crate::app) theme: String,
     /// What the keys do.
-    pub keymap: Keymap,
+    pub(in crate::app) keymap: Keymap,
     /// Lines given before, oldest first.
-    pub history: VecDeque<String>,
+    pub(in crate::app) history: VecDeque<String>,
     /// Columns and rows of the terminal.
-    pub size: (u16, u16),
+    pub(in crate::app) size: (u16, u16),
     /// Whether ArduPilot's SITL could be started.
-    pub has_ardupilot: bool,
+    pub(in crate::app) has_ardupilot: bool,
     /// Whether rooms are drawn; the plain console has none.
-    pub has_rooms: bool,
+    pub(in crate::app) has_rooms: bool,
     /// What the line to the terminal carries in bytes per second, while it cannot keep up.
-    pub slow_line: Option<u32>,
+    pub(in crate::app) slow_line: Option<u32>,
     /// The last answer of the console itself.
     message: Option<Message>,
     revision: u64,

@@ -62,7 +62,7 @@ impl Console {
         wanted: Stake,
         seed: Option<u64>,
     ) -> AttemptTerms<'a> {
-        let career = self.app.state().career.as_ref();
+        let career = self.app.state().career();
         AttemptTerms {
             mission,
             wanted,
@@ -138,7 +138,7 @@ impl Console {
         }
         running.abandon();
         // What happens at the end belongs to a session that is no longer shown.
-        drop(running.fly(self.clock.now(), &self.app.state().session));
+        drop(running.fly(self.clock.now(), self.app.state().session()));
         if let Some(finished) = running.take_finished() {
             self.settle(&finished);
         }

@@ -160,7 +160,7 @@ mod tests {
         assert!(!console.bell, "nothing is taken in meanwhile");
         console.take_in().await;
         assert!(console.bell);
-        assert_eq!(console.app.state().notices.lines().len(), 2);
+        assert_eq!(console.app.state().notices().lines().len(), 2);
     }
 
     #[test]

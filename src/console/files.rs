@@ -32,12 +32,12 @@ impl Console {
 
     /// Writes a line that is new in the history to its file. A folder on a slow disk holds up nothing.
     pub(super) fn keep_line(&mut self) {
-        let newest = self.app.state().history.back();
+        let newest = self.app.state().last_line();
         let Some(history) = self.options.preferences.history.clone() else {
             return;
         };
-        if let Some(line) = newest.filter(|line| self.kept.as_ref() != Some(*line)) {
-            let line = line.clone();
+        if let Some(line) = newest.filter(|line| self.kept.as_deref() != Some(*line)) {
+            let line = line.to_owned();
             self.kept = Some(line.clone());
             tokio::task::spawn_blocking(move || {
                 if let Err(error) = history.add(&line) {

@@ -12,7 +12,7 @@ impl Console {
     /// Carries out an order whose entry is open already, and posts what comes of it.
     pub(super) fn order(&mut self, entry: EntryId, order: &Order) {
         let now = self.clock.now();
-        let vehicles = &self.app.state().session.vehicles;
+        let vehicles = self.app.state().session().vehicles();
         let events: Vec<Event> = match &mut self.running {
             Some(running) => running.carry_out(entry, order, vehicles, now),
             None => order

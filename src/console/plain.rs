@@ -131,7 +131,7 @@ struct Plain {
 
 impl Plain {
     fn greet(&mut self) {
-        if let Some(activity) = &self.console.app.state().session.activity {
+        if let Some(activity) = self.console.app.state().session().activity() {
             self.say(&activity.title());
         }
         self.say(&text!("plain-greeting"));
@@ -147,7 +147,9 @@ impl Plain {
 
     fn is_over(&self) -> bool {
         let state = self.console.app.state();
-        self.console.over || state.rooms.debrief.is_some() || state.session.activity.is_none()
+        self.console.over
+            || state.rooms().debrief().is_some()
+            || state.session().activity().is_none()
     }
 
     /// Whether the next line can be carried out.
@@ -161,9 +163,9 @@ impl Plain {
             return;
         };
         let state = self.console.app.state();
-        let (session, now) = (&state.session, state.now);
-        let all_heard = session.vehicles.len() >= self.expected;
-        let waited_for_all = now.saturating_sub(session.began_at) >= HEARD_PATIENCE;
+        let (session, now) = (state.session(), state.now());
+        let all_heard = session.vehicles().len() >= self.expected;
+        let waited_for_all = now.saturating_sub(session.began_at()) >= HEARD_PATIENCE;
         let is_there = (all_heard || waited_for_all) && !session.is_starting();
         let waited = patience.is_over(is_there, now);
         if is_there && (waited || end::is_ready(session)) {
@@ -172,7 +174,7 @@ impl Plain {
     }
 
     fn is_idle(&self) -> bool {
-        let mut entries = self.console.app.state().session.ledger.entries();
+        let mut entries = self.console.app.state().session().ledger().entries();
         self.pilot.is_none() && entries.all(crate::ledger::LedgerEntry::is_final)
     }
 
@@ -183,7 +185,7 @@ impl Plain {
         self.console.notes.clear();
         self.hold();
         self.look_for_ready();
-        let now = self.console.app.state().now;
+        let now = self.console.app.state().now();
         if now.saturating_sub(self.said_at) >= NEWS_EVERY {
             self.said_at = now;
             self.tell_news();
@@ -214,15 +216,15 @@ impl Plain {
     fn hold(&mut self) {
         let Some(pilot) = &mut self.pilot else { return };
         let state = self.console.app.state();
-        let session = &state.session;
-        let findings = session.mission.as_ref().map(|progress| &progress.findings);
+        let session = state.session();
+        let findings = session.mission().map(|progress| &progress.findings);
         let none = Findings::default();
         let seen = Seen {
-            vehicles: &session.vehicles,
-            ledger: &session.ledger,
+            vehicles: session.vehicles(),
+            ledger: session.ledger(),
             findings: findings.unwrap_or(&none),
         };
-        let events = pilot.step(state.now, seen);
+        let events = pilot.step(state.now(), seen);
         if !events.is_empty() {
             self.pilot = None;
         }
@@ -250,8 +252,8 @@ impl Plain {
     }
 
     async fn take_text(&mut self, line: &str) {
-        if let Some(Overlay::Confirm(question)) = &self.console.app.state().overlay {
-            let answer = question.answer.clone();
+        if let Some(Overlay::Confirm(question)) = self.console.app.state().overlay() {
+            let answer = question.answer().to_owned();
             self.answer(&answer, line).await;
         } else if !line.is_empty() && !line.starts_with('#') {
             if !self.is_person {
@@ -286,23 +288,23 @@ impl Plain {
             self.failed |= message.severity <= Severity::Error;
             texts.push(message.text.clone());
         }
-        match &state.overlay {
+        match state.overlay() {
             Some(Overlay::Confirm(question)) => texts.push(text!(
                 "plain-asks",
-                question = &question.question,
-                reason = &question.reason,
+                question = question.question(),
+                reason = question.reason(),
                 answer = question.wanted()
             )),
             Some(Overlay::Palette(palette)) => {
-                self.failed |= palette.fault.is_some();
-                texts.extend(palette.fault.iter().map(explained));
+                self.failed |= palette.fault().is_some();
+                texts.extend(palette.fault().into_iter().map(explained));
             }
             _ => {}
         }
         // A line that leads to another room has nothing to show here.
-        if state.session.activity.is_some()
-            && state.rooms.debrief.is_none()
-            && state.room != Room::Fly
+        if state.session().activity().is_some()
+            && state.rooms().debrief().is_none()
+            && state.room() != Room::Fly
         {
             texts.push(text!("plain-no-room"));
         }
@@ -365,7 +367,10 @@ impl Plain {
 
     async fn end_of_input(&mut self) {
         self.ended = true;
-        if matches!(self.console.app.state().overlay, Some(Overlay::Confirm(_))) {
+        if matches!(
+            self.console.app.state().overlay(),
+            Some(Overlay::Confirm(_))
+        ) {
             self.console.feed(key(KeyCode::Esc)).await;
             self.tell_outcome().await;
         }
@@ -373,7 +378,7 @@ impl Plain {
 
     /// Ends what is left at the end of the input: a mission gets its debrief.
     async fn abandon(&mut self) {
-        if self.console.app.state().session.mission.is_some() {
+        if self.console.app.state().session().mission().is_some() {
             self.console.abandon();
             self.console.tick().await;
         } else {
@@ -393,12 +398,12 @@ impl Plain {
             self.say(&text);
         }
         let is_mission = matches!(self.console.options.opening, Opening::Mission(_));
-        let failed = self.failed || end::has_failures(&self.console.app.state().session.ledger);
+        let failed = self.failed || end::has_failures(self.console.app.state().session().ledger());
         let mut passed = !is_mission && (self.is_person || !failed);
         let state = self.console.app.state();
-        if let Some(debrief) = &state.rooms.debrief {
-            passed = debrief.report.passed;
-            for line in debrief.lines(state.reward.as_ref(), &state.locale) {
+        if let Some(debrief) = state.rooms().debrief() {
+            passed = debrief.report().passed;
+            for line in debrief.lines(state.reward(), state.locale()) {
                 self.say(&Text::from(line.as_str()));
             }
         }

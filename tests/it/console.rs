@@ -24,12 +24,18 @@ mod pause;
 mod swarm;
 
 fn selection(console: &Console) -> Vec<u16> {
-    console.state().session.selection.iter().copied().collect()
+    console
+        .state()
+        .session()
+        .selection()
+        .iter()
+        .copied()
+        .collect()
 }
 
 fn palette_line(console: &Console) -> String {
-    match &console.state().overlay {
-        Some(Overlay::Palette(palette)) => palette.input.value().to_owned(),
+    match console.state().overlay() {
+        Some(Overlay::Palette(palette)) => palette.input().value().to_owned(),
         other => panic!("the command line is not open: {other:?}"),
     }
 }
@@ -41,8 +47,8 @@ fn a_line_with_targets_goes_to_exactly_those() {
     assert_eq!(console.sent_to(), [2, 3]);
     let entry = console
         .state()
-        .session
-        .ledger
+        .session()
+        .ledger()
         .entries()
         .next()
         .expect("an entry");
@@ -58,8 +64,8 @@ fn a_line_without_targets_goes_to_the_selection_else_to_the_cursor() {
     assert_eq!(console.sent_to(), [1, 4, 5]);
     let entry = console
         .state()
-        .session
-        .ledger
+        .session()
+        .ledger()
         .entries()
         .next_back()
         .expect("an entry");
@@ -112,7 +118,7 @@ fn keys_that_nobody_can_see_the_effect_of_do_nothing() {
     console.give("all arm").press("*").press("j");
     console.hear(TerminalEvent::Paste("1 arm".to_owned()));
     assert!(console.effects.is_empty() && selection(&console).is_empty());
-    assert_eq!(console.state().session.cursor, Some(1));
+    assert_eq!(console.state().session().cursor(), Some(1));
     console.hear(large).press("1");
     assert!(console.effects.is_empty(), "it does not come back");
     console.press("esc").press(":").write("1 arm").hear(small);
@@ -146,14 +152,14 @@ fn the_home_screen_starts_what_is_under_the_cursor() {
         [Effect::Session(SessionEffect::Connect(addresses))]
     );
     assert!(
-        console.state().overlay.is_some(),
+        console.state().overlay().is_some(),
         "the prompt waits for the outcome"
     );
     console.start(Activity::Connected {
         addresses: Vec::new(),
     });
-    assert!(console.state().overlay.is_none());
-    assert!(console.state().room == Room::Fly);
+    assert!(console.state().overlay().is_none());
+    assert!(console.state().room() == Room::Fly);
 }
 
 #[test]
@@ -172,11 +178,11 @@ fn what_would_be_lost_is_asked_about() {
         console.press("y").effects,
         [Effect::Session(SessionEffect::Leave)]
     );
-    assert!(console.state().room == Room::Home);
-    assert!(console.state().session.vehicles.is_empty());
+    assert!(console.state().room() == Room::Home);
+    assert!(console.state().session().vehicles().is_empty());
     console.vehicle(fixtures::parked(1));
     assert!(
-        console.state().session.vehicles.is_empty(),
+        console.state().session().vehicles().is_empty(),
         "late telemetry belongs to nobody"
     );
 }
@@ -188,7 +194,7 @@ fn keys_meant_for_the_flight_do_not_close_the_debrief() {
         .at(100)
         .hear(SessionEvent::MissionEnded(Box::new(fixtures::report())));
     assert!(console.press("h").effects.is_empty());
-    assert!(console.state().room == Room::Debrief);
+    assert!(console.state().room() == Room::Debrief);
     let footer = "keys work in a moment";
     assert!(console.screen(80, 24).contains(footer));
     let before = console.state().revision();
@@ -220,7 +226,7 @@ fn only_visible_changes_move_the_revision() {
     console.hear(Event::Tick {
         now: std::time::Duration::from_millis(5400),
     });
-    let same = Arc::clone(&console.state().session.vehicles[&1]);
+    let same = Arc::clone(&console.state().session().vehicles()[&1]);
     console.hear(Event::Vehicle(VehicleEvent::Telemetry(same)));
     assert_eq!(console.state().revision(), before);
     console.at(6);
@@ -233,9 +239,9 @@ fn the_cursor_begins_on_the_first_vehicle_and_stays_where_it_was_put() {
     console
         .vehicle(fixtures::parked(4))
         .vehicle(fixtures::parked(2));
-    assert_eq!(console.state().session.cursor, Some(2));
+    assert_eq!(console.state().session().cursor(), Some(2));
     console.press("j").vehicle(fixtures::parked(1));
-    assert_eq!(console.state().session.cursor, Some(4));
+    assert_eq!(console.state().session().cursor(), Some(4));
 }
 
 #[test]
@@ -258,7 +264,7 @@ proptest::proptest! {
             console.press(key);
             let effects = std::mem::take(&mut console.effects);
             if effects.contains(&Effect::Session(SessionEffect::Leave)) {
-                proptest::prop_assert!(console.state().session.activity.is_none());
+                proptest::prop_assert!(console.state().session().activity().is_none());
             }
             proptest::prop_assert!(!effects.iter().any(is_kill), "killed without its question");
         }

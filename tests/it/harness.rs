@@ -157,20 +157,20 @@ impl Console {
         state: RowState,
         explanation: Option<Text>,
     ) -> &mut Self {
-        let newest = self.state().session.ledger.entries().len() as u32 - 1;
+        let newest = self.state().session().ledger().entries().len() as u32 - 1;
         self.hear(VehicleEvent::Row(RowUpdate {
             entry: EntryId(newest),
             vehicle,
             state,
             tries: 1,
-            at: self.state().now,
+            at: self.state().now(),
             explanation,
         }))
     }
 
     pub fn notice(&mut self, severity: Severity, vehicle: Option<u16>, text: &str) -> &mut Self {
         self.hear(Event::Notice(Notice {
-            at: self.state().now,
+            at: self.state().now(),
             vehicle,
             severity,
             kind: vehicle.map(|_| AlertKind::of_status_text(text)),
@@ -191,7 +191,7 @@ impl Console {
         let backend = TestBackend::new(width, height);
         let mut terminal = Terminal::new(backend).expect("a test terminal");
         let look = Look {
-            locale: Arc::clone(&self.state().locale),
+            locale: Arc::clone(self.state().locale()),
             ..Look::default()
         };
         terminal

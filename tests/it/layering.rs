@@ -3,6 +3,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use sortie::app::room::Room;
 use sources::{ModuleSource, blanked, modules, paths, uses, without_tests};
 
 mod sources;
@@ -215,6 +216,53 @@ fn screens_see_only_the_state_of_the_app() {
             }
         }
     }
+}
+
+/// What the state consists of: its own parts, and what each room remembers.
+const STATE_PARTS: &[(&str, &str)] = &[
+    ("src/app/state.rs", "State"),
+    ("src/app/state/session.rs", "Session"),
+    ("src/app/state/overlay.rs", "Palette"),
+    ("src/app/state/overlay.rs", "Confirm"),
+    ("src/app/state/overlay.rs", "Prompt"),
+    ("src/app/state/notices.rs", "NoticeLog"),
+    ("src/app/state/alarms.rs", "Alarms"),
+    ("src/app/state/hangar.rs", "Hangar"),
+    ("src/app/room.rs", "Rooms"),
+    ("src/app/room/home.rs", "Home"),
+    ("src/app/room/fly.rs", "Fly"),
+    ("src/app/room/vehicle.rs", "Vehicle"),
+    ("src/app/room/map.rs", "Map"),
+    ("src/app/room/ledger.rs", "Ledger"),
+    ("src/app/room/messages.rs", "Messages"),
+    ("src/app/room/links.rs", "Links"),
+    ("src/app/room/hangar.rs", "Hangar"),
+    ("src/app/room/parameters.rs", "Parameters"),
+    ("src/app/room/mission.rs", "Mission"),
+    ("src/app/room/debrief.rs", "Debrief"),
+    ("src/app/room/standing.rs", "Standing"),
+    ("src/app/room/workshop.rs", "Workshop"),
+];
+
+/// With private fields the compiler sees to it that nothing outside of `app` changes the state.
+#[test]
+fn the_fields_of_the_state_are_private_to_the_app() {
+    let app = top_level().remove("app").unwrap_or_default();
+    for (file, name) in STATE_PARTS {
+        let module = app.iter().find(|it| it.file == *file).expect(file);
+        let declaration = format!("pub struct {name}");
+        let mut after_name = module.code.split(&declaration).skip(1);
+        let rest = after_name.find(|it| !it.starts_with(is_word)).expect(name);
+        let (fields, _) = rest.split_once('}').expect(name);
+        assert!(
+            !fields.contains(" pub "),
+            "{file}: {name} has a public field"
+        );
+    }
+    let of_rooms = STATE_PARTS
+        .iter()
+        .filter(|(file, _)| file.starts_with("src/app/room/"));
+    assert_eq!(of_rooms.count(), Room::ALL.len(), "a room is not listed");
 }
 
 /// [`sortie::app::App`] owns the state; what its update returns must not get lost.

@@ -29,16 +29,30 @@ const TRUTH_LEAST: u16 = 60;
 
 #[derive(Debug, Clone)]
 pub struct Debrief {
-    pub report: Box<Report>,
+    pub(in crate::app) report: Box<Report>,
     /// The first line shown.
-    pub scroll: usize,
+    pub(in crate::app) scroll: usize,
     /// Whether the truth is shown on a map, where there is no room for it beside the text.
-    pub map: bool,
+    pub(in crate::app) map: bool,
     /// When it opened: keys that were meant for the flight must not close it.
-    pub since: Duration,
+    pub(in crate::app) since: Duration,
 }
 
 impl Debrief {
+    pub fn report(&self) -> &Report {
+        &self.report
+    }
+
+    /// The first line shown.
+    pub fn scroll(&self) -> usize {
+        self.scroll
+    }
+
+    /// Whether the truth is shown on a map, where there is no room for it beside the text.
+    pub fn shows_map(&self) -> bool {
+        self.map
+    }
+
     /// The result as text, with what the flight brought to a career, line by line, in the words of a language.
     pub fn lines(&self, reward: Option<&Reward>, locale: &Locale) -> Vec<String> {
         let reward = reward.map_or_else(Vec::new, Reward::lines);

@@ -33,7 +33,7 @@ const SORTS: &[Column] = &[
 #[derive(Debug, Clone, Default)]
 pub struct Fly {
     /// What the rows have to fit, as it was written.
-    pub filter: String,
+    pub(in crate::app) filter: String,
     /// The vehicles in the table, in the order of their rows.
     rows: Vec<VehicleId>,
     /// What they were ordered by last.
@@ -42,6 +42,11 @@ pub struct Fly {
 }
 
 impl Fly {
+    /// What the rows have to fit, as it was written.
+    pub fn filter_text(&self) -> &str {
+        &self.filter
+    }
+
     /// The vehicles in the table, in the order of their rows.
     pub fn rows(&self) -> &[VehicleId] {
         &self.rows

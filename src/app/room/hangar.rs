@@ -14,11 +14,28 @@ use crate::vehicle::{Severity, VehicleId};
 #[derive(Debug, Clone, Default)]
 pub struct Hangar {
     /// The place of the process under the cursor.
-    pub cursor: usize,
+    pub(in crate::app) cursor: usize,
     /// Whether its output has the whole screen.
-    pub opened: bool,
+    pub(in crate::app) opened: bool,
     /// How many lines before the newest the output ends.
-    pub back: usize,
+    pub(in crate::app) back: usize,
+}
+
+impl Hangar {
+    /// The place of the process under the cursor.
+    pub fn cursor(&self) -> usize {
+        self.cursor
+    }
+
+    /// Whether its output has the whole screen.
+    pub fn is_opened(&self) -> bool {
+        self.opened
+    }
+
+    /// How many lines before the newest the output ends.
+    pub fn back(&self) -> usize {
+        self.back
+    }
 }
 
 /// The process under the cursor.

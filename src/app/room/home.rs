@@ -20,7 +20,14 @@ pub use facts::{Fact, facts, unlocked};
 #[derive(Debug, Clone, Default)]
 pub struct Home {
     /// The line under the cursor: the missions first, then the other [`HomeItem`]s.
-    pub cursor: usize,
+    pub(in crate::app) cursor: usize,
+}
+
+impl Home {
+    /// The line under the cursor: the missions first, then the other [`HomeItem`]s.
+    pub fn cursor(&self) -> usize {
+        self.cursor
+    }
 }
 
 /// What the home screen offers.

@@ -14,15 +14,15 @@ use crate::text::Text;
 #[derive(Debug, Clone, Default)]
 pub struct Ledger {
     /// What the commands have to contain, as it was written.
-    pub filter: String,
+    pub(in crate::app) filter: String,
     /// How they have to have ended.
-    pub outcome: Outcome,
+    pub(in crate::app) outcome: Outcome,
     /// The command under the cursor; `None` is the newest, also when newer ones come.
-    pub cursor: Option<EntryId>,
+    pub(in crate::app) cursor: Option<EntryId>,
     /// Whether the rows of the command under the cursor have the whole screen.
-    pub opened: bool,
+    pub(in crate::app) opened: bool,
     /// The first of these rows that is shown.
-    pub scroll: usize,
+    pub(in crate::app) scroll: usize,
     /// The commands that fit, oldest first.
     shown: Vec<EntryId>,
     /// Whether something has happened since they were looked for.
@@ -74,6 +74,31 @@ impl Outcome {
 }
 
 impl Ledger {
+    /// What the commands have to contain, as it was written.
+    pub fn filter_text(&self) -> &str {
+        &self.filter
+    }
+
+    /// How they have to have ended.
+    pub fn outcome(&self) -> Outcome {
+        self.outcome
+    }
+
+    /// The command under the cursor; `None` is the newest, also when newer ones come.
+    pub fn cursor(&self) -> Option<EntryId> {
+        self.cursor
+    }
+
+    /// Whether the rows of the command under the cursor have the whole screen.
+    pub fn is_opened(&self) -> bool {
+        self.opened
+    }
+
+    /// The first of these rows that is shown.
+    pub fn scroll(&self) -> usize {
+        self.scroll
+    }
+
     /// The commands that fit, oldest first.
     pub fn shown(&self) -> &[EntryId] {
         &self.shown

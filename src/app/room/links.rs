@@ -15,18 +15,30 @@ pub const HISTORY_S: usize = 60;
 #[derive(Debug, Clone, Default)]
 pub struct Links {
     /// The link under the cursor.
-    pub cursor: usize,
+    pub(in crate::app) cursor: usize,
     /// What every link has carried, one value a second.
-    pub history: Vec<History>,
+    pub(in crate::app) history: Vec<History>,
 }
 
 /// What a link has carried lately, newest last.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct History {
     /// Bytes per second received.
-    pub bytes_in: VecDeque<f64>,
+    pub(in crate::app) bytes_in: VecDeque<f64>,
     /// Bytes per second sent.
-    pub bytes_out: VecDeque<f64>,
+    pub(in crate::app) bytes_out: VecDeque<f64>,
+}
+
+impl History {
+    /// Bytes per second received.
+    pub fn bytes_in(&self) -> &VecDeque<f64> {
+        &self.bytes_in
+    }
+
+    /// Bytes per second sent.
+    pub fn bytes_out(&self) -> &VecDeque<f64> {
+        &self.bytes_out
+    }
 }
 
 const HINTS: &[KeyHint] = &[
@@ -55,6 +67,16 @@ impl RoomModel for Links {
 }
 
 impl Links {
+    /// The link under the cursor.
+    pub fn cursor(&self) -> usize {
+        self.cursor
+    }
+
+    /// What every link has carried, one value a second.
+    pub fn histories(&self) -> &[History] {
+        &self.history
+    }
+
     /// Takes in how the links are doing; to be called once a second.
     pub fn note(&mut self, links: &[LinkSummary]) {
         self.history.resize(links.len(), History::default());

@@ -34,23 +34,23 @@ const OTHER_ROWS: u16 = 4;
 #[derive(Debug, Clone, Default)]
 pub struct Map {
     /// What the view holds on to.
-    pub aim: Aim,
+    pub(in crate::app) aim: Aim,
     /// The place that the cursor points at; `None` is the middle of the view.
-    pub cursor: Option<LatLon>,
+    pub(in crate::app) cursor: Option<LatLon>,
     /// Where the ruler begins.
-    pub mark: Option<LatLon>,
+    pub(in crate::app) mark: Option<LatLon>,
     /// Whether the legend is wanted; `None` leaves it to the size of the terminal.
-    pub legend: Option<bool>,
+    pub(in crate::app) legend: Option<bool>,
     /// Whether the ways of the vehicles are left out.
-    pub trails_hidden: bool,
+    pub(in crate::app) trails_hidden: bool,
     /// Which of the sensors is drawn, counted round.
-    pub sensor: usize,
+    pub(in crate::app) sensor: usize,
     /// Where each vehicle has been.
-    pub trails: BTreeMap<VehicleId, Trail>,
+    pub(in crate::app) trails: BTreeMap<VehicleId, Trail>,
     /// What the sensors have shown.
-    pub samples: Samples,
+    pub(in crate::app) samples: Samples,
     /// The piece of the earth with everything in it.
-    pub overview: Overview,
+    pub(in crate::app) overview: Overview,
 }
 
 /// What the view holds on to.
@@ -69,6 +69,46 @@ pub enum Aim {
 pub type Size = (u16, u16);
 
 impl Map {
+    /// What the view holds on to.
+    pub fn aim(&self) -> Aim {
+        self.aim
+    }
+
+    /// The place that the cursor points at; `None` is the middle of the view.
+    pub fn cursor(&self) -> Option<LatLon> {
+        self.cursor
+    }
+
+    /// Where the ruler begins.
+    pub fn mark(&self) -> Option<LatLon> {
+        self.mark
+    }
+
+    /// Whether the legend is wanted; `None` leaves it to the size of the terminal.
+    pub fn legend(&self) -> Option<bool> {
+        self.legend
+    }
+
+    /// Whether the ways of the vehicles are left out.
+    pub fn hides_trails(&self) -> bool {
+        self.trails_hidden
+    }
+
+    /// Where each vehicle has been.
+    pub fn trails(&self) -> &BTreeMap<VehicleId, Trail> {
+        &self.trails
+    }
+
+    /// What the sensors have shown.
+    pub fn samples(&self) -> &Samples {
+        &self.samples
+    }
+
+    /// The piece of the earth with everything in it.
+    pub fn overview(&self) -> &Overview {
+        &self.overview
+    }
+
     /// The map of another session: what has been seen is gone, what the user wants to see stays.
     #[must_use]
     pub fn for_next_session(&self) -> Self {

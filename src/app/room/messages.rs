@@ -31,21 +31,21 @@ const MOST_PINS: usize = 4;
 #[derive(Debug, Clone, Default)]
 pub struct Messages {
     /// The links as they were looked at last.
-    pub traffic: Vec<LinkTraffic>,
+    pub(in crate::app) traffic: Vec<LinkTraffic>,
     /// Whether the picture stands still.
-    pub paused: bool,
+    pub(in crate::app) paused: bool,
     /// Only messages whose name or number contains this are shown.
-    pub filter: String,
+    pub(in crate::app) filter: String,
     /// What the messages of a component are ordered by.
-    pub sort: Sort,
+    pub(in crate::app) sort: Sort,
     /// The line under the cursor; `None` is the first.
-    pub cursor: Option<Node>,
+    pub(in crate::app) cursor: Option<Node>,
     /// The field under the cursor, while the fields have it.
-    pub field: Option<usize>,
+    pub(in crate::app) field: Option<usize>,
     /// Whether the last frame is shown byte by byte.
-    pub hex: bool,
+    pub(in crate::app) hex: bool,
     /// The fields that are drawn as graphs.
-    pub pins: Vec<Pin>,
+    pub(in crate::app) pins: Vec<Pin>,
     /// Branches that are not as they are by default: open ones closed, closed ones opened.
     turned: BTreeSet<Node>,
 }
@@ -189,6 +189,46 @@ impl Sort {
 }
 
 impl Messages {
+    /// The links as they were looked at last.
+    pub fn traffic(&self) -> &[LinkTraffic] {
+        &self.traffic
+    }
+
+    /// Whether the picture stands still.
+    pub fn is_paused(&self) -> bool {
+        self.paused
+    }
+
+    /// Only messages whose name or number contains this are shown.
+    pub fn filter_text(&self) -> &str {
+        &self.filter
+    }
+
+    /// What the messages of a component are ordered by.
+    pub fn sort(&self) -> Sort {
+        self.sort
+    }
+
+    /// The line under the cursor; `None` is the first.
+    pub fn cursor(&self) -> Option<Node> {
+        self.cursor
+    }
+
+    /// The field under the cursor, while the fields have it.
+    pub fn field(&self) -> Option<usize> {
+        self.field
+    }
+
+    /// Whether the last frame is shown byte by byte.
+    pub fn shows_hex(&self) -> bool {
+        self.hex
+    }
+
+    /// The fields that are drawn as graphs.
+    pub fn pins(&self) -> &[Pin] {
+        &self.pins
+    }
+
     /// Takes a look at the links in.
     pub fn take(&mut self, traffic: Vec<LinkTraffic>) {
         for (link, seen) in traffic.iter().enumerate() {

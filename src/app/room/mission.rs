@@ -17,12 +17,22 @@ pub use page::{PageLine, Tone, columns};
 #[derive(Debug, Clone, Default)]
 pub struct Mission {
     /// The first line shown.
-    pub scroll: usize,
+    pub(in crate::app) scroll: usize,
     /// The hints that the mission has given so far, oldest first.
-    pub hints: Vec<Text>,
+    pub(in crate::app) hints: Vec<Text>,
 }
 
 impl Mission {
+    /// The first line shown.
+    pub fn scroll(&self) -> usize {
+        self.scroll
+    }
+
+    /// The hints that the mission has given so far, oldest first.
+    pub fn hints(&self) -> &[Text] {
+        &self.hints
+    }
+
     /// Keeps the hint of a mission's progress, if it is a new one.
     pub fn hear(&mut self, progress: &Progress) {
         if let Some(hint) = &progress.hint

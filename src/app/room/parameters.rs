@@ -37,19 +37,19 @@ pub use rows::{Row, coming, extra, rows};
 #[derive(Debug, Clone, Default)]
 pub struct Parameters {
     /// What is known of each vehicle's parameters.
-    pub lists: BTreeMap<VehicleId, ParameterSnapshot>,
+    pub(in crate::app) lists: BTreeMap<VehicleId, ParameterSnapshot>,
     /// The name under the cursor; where it is not shown, the next one is.
-    pub cursor: String,
+    pub(in crate::app) cursor: String,
     /// Only names with these letters are shown.
-    pub filter: String,
+    pub(in crate::app) filter: String,
     /// Only what has changed, or was to be changed, is shown.
-    pub changed_only: bool,
+    pub(in crate::app) changed_only: bool,
     /// What the list is compared with.
-    pub comparison: Option<Comparison>,
+    pub(in crate::app) comparison: Option<Comparison>,
     /// The newest value that was asked of each vehicle for each parameter.
-    pub edits: BTreeMap<VehicleId, BTreeMap<String, Edit>>,
+    pub(in crate::app) edits: BTreeMap<VehicleId, BTreeMap<String, Edit>>,
     /// Values that are being set one after the other.
-    pub batch: Option<Batch>,
+    pub(in crate::app) batch: Option<Batch>,
     /// Vehicles whose lists are to come anew.
     anew: BTreeSet<VehicleId>,
     /// Vehicles that were asked and have not begun yet, with the time.
@@ -57,6 +57,36 @@ pub struct Parameters {
 }
 
 impl Parameters {
+    /// What is known of each vehicle's parameters.
+    pub fn lists(&self) -> &BTreeMap<VehicleId, ParameterSnapshot> {
+        &self.lists
+    }
+
+    /// The name under the cursor; where it is not shown, the next one is.
+    pub fn cursor(&self) -> &str {
+        &self.cursor
+    }
+
+    /// Only names with these letters are shown.
+    pub fn filter_text(&self) -> &str {
+        &self.filter
+    }
+
+    /// Only what has changed, or was to be changed, is shown.
+    pub fn shows_changed_only(&self) -> bool {
+        self.changed_only
+    }
+
+    /// What the list is compared with.
+    pub fn comparison(&self) -> Option<&Comparison> {
+        self.comparison.as_ref()
+    }
+
+    /// Values that are being set one after the other.
+    pub fn batch(&self) -> Option<&Batch> {
+        self.batch.as_ref()
+    }
+
     /// A parameter of a vehicle, if it is known.
     pub fn get(&self, vehicle: VehicleId, name: &str) -> Option<&ListedParameter> {
         self.lists.get(&vehicle)?.list.get(name)

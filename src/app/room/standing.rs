@@ -20,11 +20,28 @@ const WIDE: (u16, u16) = (140, 40);
 #[derive(Debug, Clone, Default)]
 pub struct Standing {
     /// The pane that the cursor is in.
-    pub pane: Pane,
+    pub(in crate::app) pane: Pane,
     /// The line under the cursor in the list of skills.
-    pub skill: usize,
+    pub(in crate::app) skill: usize,
     /// The line under the cursor in the list of missions.
-    pub mission: usize,
+    pub(in crate::app) mission: usize,
+}
+
+impl Standing {
+    /// The pane that the cursor is in.
+    pub fn pane(&self) -> Pane {
+        self.pane
+    }
+
+    /// The line under the cursor in the list of skills.
+    pub fn skill(&self) -> usize {
+        self.skill
+    }
+
+    /// The line under the cursor in the list of missions.
+    pub fn mission(&self) -> usize {
+        self.mission
+    }
 }
 
 /// What is shown; small screens show one at a time.

@@ -13,9 +13,21 @@ use crate::app::state::Window;
 #[derive(Debug, Clone, Default)]
 pub struct Vehicle {
     /// How far back its curves reach.
-    pub window: Window,
+    pub(in crate::app) window: Window,
     /// Which page is shown where the screen is too small for everything at once; it is counted round.
-    pub page: usize,
+    pub(in crate::app) page: usize,
+}
+
+impl Vehicle {
+    /// How far back its curves reach.
+    pub fn window(&self) -> Window {
+        self.window
+    }
+
+    /// Which page is shown where the screen is too small for everything at once; it is counted round.
+    pub fn page(&self) -> usize {
+        self.page
+    }
 }
 
 const HINTS: &[KeyHint] = &[

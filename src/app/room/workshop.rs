@@ -38,22 +38,68 @@ pub use shelf::{Stored, heard, is_saved, lay, stored};
 #[derive(Debug, Clone, Default)]
 pub struct Workshop {
     /// What lies on the bench.
-    pub bench: Bench,
-    pub page: Page,
+    pub(in crate::app) bench: Bench,
+    pub(in crate::app) page: Page,
     /// Which list of the bench has the cursor.
-    pub pane: Pane,
+    pub(in crate::app) pane: Pane,
     /// What is shown beside the lists.
-    pub view: View,
+    pub(in crate::app) view: View,
     /// The line under the cursor of the list of designs.
-    pub shelf: usize,
+    pub(in crate::app) shelf: usize,
     /// The seat under the cursor.
-    pub seat: usize,
+    pub(in crate::app) seat: usize,
     /// The first line of the comparison.
-    pub scroll: usize,
+    pub(in crate::app) scroll: usize,
     /// What the bench is compared with.
-    pub compared: Option<(Design, Sheet)>,
+    pub(in crate::app) compared: Option<(Design, Sheet)>,
     /// How the bench stands to what the mission needs.
-    pub fit: Option<Fit>,
+    pub(in crate::app) fit: Option<Fit>,
+}
+
+impl Workshop {
+    /// What lies on the bench.
+    pub fn bench(&self) -> &Bench {
+        &self.bench
+    }
+
+    pub fn page(&self) -> Page {
+        self.page
+    }
+
+    /// Which list of the bench has the cursor.
+    pub fn pane(&self) -> Pane {
+        self.pane
+    }
+
+    /// What is shown beside the lists.
+    pub fn view(&self) -> View {
+        self.view
+    }
+
+    /// The line under the cursor of the list of designs.
+    pub fn shelf(&self) -> usize {
+        self.shelf
+    }
+
+    /// The seat under the cursor.
+    pub fn seat(&self) -> usize {
+        self.seat
+    }
+
+    /// The first line of the comparison.
+    pub fn scroll(&self) -> usize {
+        self.scroll
+    }
+
+    /// What the bench is compared with.
+    pub fn compared(&self) -> Option<&(Design, Sheet)> {
+        self.compared.as_ref()
+    }
+
+    /// How the bench stands to what the mission needs.
+    pub fn fit(&self) -> Option<&Fit> {
+        self.fit.as_ref()
+    }
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

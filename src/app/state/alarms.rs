@@ -42,7 +42,7 @@ pub struct Alarms {
     standing: BTreeMap<VehicleId, Vec<Standing>>,
     bell: Bell,
     /// The vehicles whose processes have ended.
-    pub down: BTreeSet<VehicleId>,
+    pub(in crate::app) down: BTreeSet<VehicleId>,
     /// The kinds that stay silent.
     muted: Vec<AlertKind>,
 }

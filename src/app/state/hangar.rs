@@ -79,18 +79,38 @@ impl Instance {
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Hangar {
     /// They, in the order of their vehicles.
-    pub instances: Vec<Instance>,
+    pub(in crate::app) instances: Vec<Instance>,
     /// How many there are to be.
-    pub expected: usize,
+    pub(in crate::app) expected: usize,
     /// Why they could not be started.
-    pub fault: Option<Text>,
+    pub(in crate::app) fault: Option<Text>,
     /// What the process that is looked at has printed.
-    pub printed: Option<(VehicleId, Vec<String>)>,
+    pub(in crate::app) printed: Option<(VehicleId, Vec<String>)>,
     /// Whether all have been ready at once: from then on it is flown.
-    pub begun: bool,
+    pub(in crate::app) begun: bool,
 }
 
 impl Hangar {
+    /// They, in the order of their vehicles.
+    pub fn instances(&self) -> &[Instance] {
+        &self.instances
+    }
+
+    /// How many there are to be.
+    pub fn expected(&self) -> usize {
+        self.expected
+    }
+
+    /// Why they could not be started.
+    pub fn fault(&self) -> Option<&Text> {
+        self.fault.as_ref()
+    }
+
+    /// Whether all have been ready at once: from then on it is flown.
+    pub fn has_begun(&self) -> bool {
+        self.begun
+    }
+
     /// The one of a vehicle.
     pub fn of(&self, vehicle: VehicleId) -> Option<&Instance> {
         let mut all = self.instances.iter();

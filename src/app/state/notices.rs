@@ -29,10 +29,15 @@ pub struct NoticeLine {
 pub struct NoticeLog {
     lines: VecDeque<NoticeLine>,
     /// Notices that the shell could not deliver in time.
-    pub dropped: u64,
+    pub(in crate::app) dropped: u64,
 }
 
 impl NoticeLog {
+    /// Notices that the shell could not deliver in time.
+    pub fn dropped(&self) -> u64 {
+        self.dropped
+    }
+
     /// Adds a notice. One that says the same as a line of a moment ago joins that line, unless its vehicle has said
     /// something else since: the order of what one vehicle says stays readable. The line keeps its time and place.
     pub fn push(&mut self, notice: Notice) {

@@ -45,25 +45,62 @@ pub enum Log {
 #[derive(Debug, Clone, Default)]
 pub struct Palette {
     /// The line and its cursor.
-    pub input: Input,
+    pub(in crate::app) input: Input,
     /// What could stand at the cursor, best first.
-    pub completions: Vec<Completion>,
+    pub(in crate::app) completions: Vec<Completion>,
     /// The completion that Tab has put in.
-    pub chosen: Option<usize>,
+    pub(in crate::app) chosen: Option<usize>,
     /// To whom the line goes as it stands; empty where it goes to nobody.
-    pub recipients: Text,
+    pub(in crate::app) recipients: Text,
     /// The usage of the verb, or what comes next.
-    pub hint: Option<Text>,
+    pub(in crate::app) hint: Option<Text>,
     /// What Enter would do with the line as it stands; `None` while it is not complete.
-    pub outcome: Option<Text>,
+    pub(in crate::app) outcome: Option<Text>,
     /// What is wrong with a word that has been finished, or was when the line was given.
-    pub fault: Option<Diagnostic>,
+    pub(in crate::app) fault: Option<Diagnostic>,
     /// The line before Tab was pressed first.
-    pub before_tab: String,
+    pub(in crate::app) before_tab: String,
     /// Which line of the history is shown, counted from the newest.
-    pub history_at: Option<usize>,
+    pub(in crate::app) history_at: Option<usize>,
     /// The line that was being written before the history was looked through.
-    pub draft: String,
+    pub(in crate::app) draft: String,
+}
+
+impl Palette {
+    /// The line and its cursor.
+    pub fn input(&self) -> &Input {
+        &self.input
+    }
+
+    /// What could stand at the cursor, best first.
+    pub fn completions(&self) -> &[Completion] {
+        &self.completions
+    }
+
+    /// The completion that Tab has put in.
+    pub fn chosen(&self) -> Option<usize> {
+        self.chosen
+    }
+
+    /// To whom the line goes as it stands; empty where it goes to nobody.
+    pub fn recipients(&self) -> &Text {
+        &self.recipients
+    }
+
+    /// The usage of the verb, or what comes next.
+    pub fn hint(&self) -> Option<&Text> {
+        self.hint.as_ref()
+    }
+
+    /// What Enter would do with the line as it stands; `None` while it is not complete.
+    pub fn outcome(&self) -> Option<&Text> {
+        self.outcome.as_ref()
+    }
+
+    /// What is wrong with a word that has been finished, or was when the line was given.
+    pub fn fault(&self) -> Option<&Diagnostic> {
+        self.fault.as_ref()
+    }
 }
 
 /// A question that only its answer confirms; any other key takes the thing back. Keys after a wrong one are
@@ -71,19 +108,44 @@ pub struct Palette {
 #[derive(Debug, Clone)]
 pub struct Confirm {
     /// What would happen, and to whom: `KILL vehicles 1 3 5`.
-    pub question: Text,
+    pub(in crate::app) question: Text,
     /// Why it is asked.
-    pub reason: Text,
+    pub(in crate::app) reason: Text,
     /// What has to be typed.
-    pub answer: String,
+    pub(in crate::app) answer: String,
     /// What has been typed of it.
-    pub typed: String,
+    pub(in crate::app) typed: String,
     /// Whether a wrong key has taken the thing back.
-    pub cancelled: bool,
-    pub then: Consequence,
+    pub(in crate::app) cancelled: bool,
+    pub(in crate::app) then: Consequence,
 }
 
 impl Confirm {
+    /// What would happen, and to whom: `KILL vehicles 1 3 5`.
+    pub fn question(&self) -> &Text {
+        &self.question
+    }
+
+    /// Why it is asked.
+    pub fn reason(&self) -> &Text {
+        &self.reason
+    }
+
+    /// What has to be typed.
+    pub fn answer(&self) -> &str {
+        &self.answer
+    }
+
+    /// What has been typed of it.
+    pub fn typed(&self) -> &str {
+        &self.typed
+    }
+
+    /// Whether a wrong key has taken the thing back.
+    pub fn is_cancelled(&self) -> bool {
+        self.cancelled
+    }
+
     /// What has to be typed, and what it is where that is not plain.
     pub fn wanted(&self) -> Text {
         match self.then {
@@ -137,14 +199,29 @@ const AGAIN: u8 = 2;
 #[derive(Debug, Clone)]
 pub struct Prompt {
     /// What it is for.
-    pub purpose: Purpose,
+    pub(in crate::app) purpose: Purpose,
     /// The line and its cursor.
-    pub input: Input,
+    pub(in crate::app) input: Input,
     /// What was wrong with it.
-    pub fault: Option<Text>,
+    pub(in crate::app) fault: Option<Text>,
 }
 
 impl Prompt {
+    /// What it is for.
+    pub fn purpose(&self) -> &Purpose {
+        &self.purpose
+    }
+
+    /// The line and its cursor.
+    pub fn input(&self) -> &Input {
+        &self.input
+    }
+
+    /// What was wrong with it.
+    pub fn fault(&self) -> Option<&Text> {
+        self.fault.as_ref()
+    }
+
     pub fn new(purpose: Purpose) -> Self {
         Self {
             purpose,

@@ -20,49 +20,49 @@ use crate::vehicle::{Vehicle, VehicleClass, VehicleId, Vehicles};
 #[derive(Debug, Clone, Default)]
 pub struct Session {
     /// What is being done; `None` between sessions.
-    pub activity: Option<Activity>,
+    pub(in crate::app) activity: Option<Activity>,
     /// The room that it begins in once its vehicles are there.
-    pub first_room: Room,
+    pub(in crate::app) first_room: Room,
     /// When it began, on the program's clock.
-    pub began_at: Duration,
+    pub(in crate::app) began_at: Duration,
     /// The vehicles, as their telemetry said last.
-    pub vehicles: Vehicles,
+    pub(in crate::app) vehicles: Vehicles,
     /// What their readings were.
-    pub histories: Histories,
+    pub(in crate::app) histories: Histories,
     /// The vehicles that commands go to; none selected means the one under the cursor.
-    pub selection: Selection,
+    pub(in crate::app) selection: Selection,
     /// The vehicle under the cursor.
-    pub cursor: Option<VehicleId>,
+    pub(in crate::app) cursor: Option<VehicleId>,
     /// What is wrong with them.
-    pub alarms: Alarms,
+    pub(in crate::app) alarms: Alarms,
     /// All commands of the session.
-    pub ledger: Ledger,
+    pub(in crate::app) ledger: Ledger,
     /// The links, in the order of their addresses.
-    pub links: Vec<LinkSummary>,
+    pub(in crate::app) links: Vec<LinkSummary>,
     /// The processes that simulate the vehicles, where there are any.
-    pub hangar: Option<Hangar>,
+    pub(in crate::app) hangar: Option<Hangar>,
     /// The mission that is flown, if one is.
-    pub listing: Option<Box<Listing>>,
+    pub(in crate::app) listing: Option<Box<Listing>>,
     /// What the link doctor has found, worst first.
-    pub findings: Vec<LinkFinding>,
+    pub(in crate::app) findings: Vec<LinkFinding>,
     /// Findings that were told already, by link and name.
-    pub told: BTreeSet<(usize, &'static str)>,
+    pub(in crate::app) told: BTreeSet<(usize, &'static str)>,
     /// The mission's progress, if one is flown.
-    pub mission: Option<Progress>,
+    pub(in crate::app) mission: Option<Progress>,
     /// How late it was in the mission.
-    pub mission_time: MissionTime,
+    pub(in crate::app) mission_time: MissionTime,
     /// Whether the mission is over: its debrief is there.
-    pub over: bool,
+    pub(in crate::app) over: bool,
     /// Whether it stands still.
-    pub paused: bool,
+    pub(in crate::app) paused: bool,
     /// The groups that commands may name.
-    pub groups: Groups,
+    pub(in crate::app) groups: Groups,
     /// The places that commands may name.
-    pub places: BTreeMap<String, LatLon>,
+    pub(in crate::app) places: BTreeMap<String, LatLon>,
     /// The areas of the mission that are known from the start.
-    pub areas: Vec<Area>,
+    pub(in crate::app) areas: Vec<Area>,
     /// What vehicles that do something together are going to fly.
-    pub paths: Vec<Path>,
+    pub(in crate::app) paths: Vec<Path>,
     /// The entries of the ledger that were under way when the newest for the vehicle was opened, and that one.
     recent: BTreeMap<VehicleId, Vec<EntryId>>,
     /// Whether the user has put the cursor somewhere.

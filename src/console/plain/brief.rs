@@ -9,7 +9,7 @@ pub(super) fn lines(state: &State) -> Vec<Text> {
     let Some(mission) = state.flown_mission() else {
         return Vec::new();
     };
-    let brief = state.locale.text(&mission.brief);
+    let brief = state.locale().text(&mission.brief);
     let objectives = mission.objectives.iter().map(objective);
     let paragraphs = brief.lines().map(Text::from);
     paragraphs

@@ -31,15 +31,17 @@ impl Patience {
 
 /// Whether the vehicles, which have to be started first, do not start.
 pub(super) fn cannot_start(state: &State) -> bool {
-    let hangar = state.session.hangar.as_ref();
-    hangar.filter(|hangar| !hangar.begun).is_some_and(|hangar| {
-        hangar.fault.is_some() || hangar.instances.iter().any(Instance::has_crashed)
-    })
+    let hangar = state.session().hangar();
+    hangar
+        .filter(|hangar| !hangar.has_begun())
+        .is_some_and(|hangar| {
+            hangar.fault().is_some() || hangar.instances().iter().any(Instance::has_crashed)
+        })
 }
 
 /// Whether every vehicle can be armed, or is already.
 pub(super) fn is_ready(session: &Session) -> bool {
-    let mut vehicles = session.vehicles.values();
+    let mut vehicles = session.vehicles().values();
     vehicles.all(|vehicle| vehicle.ready_to_arm() || vehicle.armed())
 }
 
@@ -51,8 +53,8 @@ pub(super) fn has_failures(ledger: &Ledger) -> bool {
 
 /// Whether a mission is about to end by itself: all of it is reached, and everybody is down.
 pub(super) fn is_as_good_as_passed(state: &State) -> bool {
-    let session = &state.session;
-    let mission = session.mission.as_ref();
+    let session = state.session();
+    let mission = session.mission();
     mission.is_some_and(|mission| {
         let mut objectives = mission.objectives.iter();
         session.armed() == 0 && objectives.all(|one| one.state == ObjectiveState::Met)

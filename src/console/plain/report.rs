@@ -50,12 +50,11 @@ impl PlainReport {
     /// How far the vehicles' processes are, while they are waited for.
     fn new_stages(&mut self, state: &State) -> Option<Text> {
         let hangar = state
-            .session
-            .hangar
-            .as_ref()
-            .filter(|hangar| !hangar.begun)?;
+            .session()
+            .hangar()
+            .filter(|hangar| !hangar.has_begun())?;
         let stages = stages(hangar);
-        let is_new = !hangar.instances.is_empty() && self.stages.as_ref() != Some(&stages);
+        let is_new = !hangar.instances().is_empty() && self.stages.as_ref() != Some(&stages);
         is_new.then(|| {
             self.stages = Some(stages.clone());
             text!("hangar-plain-stages", stages = stages)
@@ -66,26 +65,27 @@ impl PlainReport {
         let mut texts = Vec::new();
         let said = self.notice.as_ref();
         let is_new = |line: &&NoticeLine| said.is_none_or(|(notice, _)| *notice != line.notice);
-        let mut lines: Vec<&NoticeLine> = state.notices.lines().rev().take_while(is_new).collect();
+        let mut lines: Vec<&NoticeLine> =
+            state.notices().lines().rev().take_while(is_new).collect();
         lines.reverse();
         if let Some((notice, count)) = &mut self.notice {
-            let closed = !lines.is_empty() || state.now.saturating_sub(notice.at) > FOLD_TIME;
-            let mut known = state.notices.lines().rev();
+            let closed = !lines.is_empty() || state.now().saturating_sub(notice.at) > FOLD_TIME;
+            let mut known = state.notices().lines().rev();
             let line = known.find(|line| line.notice == *notice);
             if let Some(line) = line.filter(|line| closed && line.count > *count) {
-                texts.push(notice_text(line, &state.session));
+                texts.push(notice_text(line, state.session()));
                 *count = line.count;
             }
         }
         for line in lines {
-            texts.push(notice_text(line, &state.session));
+            texts.push(notice_text(line, state.session()));
             self.notice = Some((line.notice.clone(), line.count));
         }
         texts
     }
 
     fn ended_commands(&mut self, state: &State) -> Vec<Text> {
-        let ledger = &state.session.ledger;
+        let ledger = state.session().ledger();
         for entry in ledger.entries().rev() {
             if self.next.is_some_and(|next| entry.id < next) {
                 break;
@@ -109,14 +109,18 @@ impl PlainReport {
     }
 
     fn new_contacts(&mut self, state: &State) -> Vec<Text> {
-        let contacts = state.session.mission.iter().flat_map(|it| &it.contacts);
+        let contacts = state
+            .session()
+            .mission()
+            .into_iter()
+            .flat_map(|it| &it.contacts);
         let texts: Vec<Text> = contacts.skip(self.contacts).map(contact_text).collect();
         self.contacts += texts.len();
         texts
     }
 
     fn decided_objectives(&mut self, state: &State) -> Vec<Text> {
-        let Some(mission) = &state.session.mission else {
+        let Some(mission) = state.session().mission() else {
             return Vec::new();
         };
         let mut texts = Vec::new();
@@ -138,7 +142,7 @@ impl PlainReport {
 /// The stages of processes, vehicles that are equally far together.
 fn stages(hangar: &Hangar) -> Text {
     let mut together: Vec<(Text, Vec<VehicleId>)> = Vec::new();
-    for instance in &hangar.instances {
+    for instance in hangar.instances() {
         let says = instance.says();
         match together.iter_mut().find(|(known, _)| *known == says) {
             Some((_, vehicles)) => vehicles.push(instance.vehicle),
@@ -154,7 +158,7 @@ fn stages(hangar: &Hangar) -> Text {
 
 /// The vehicles' processes, on demand.
 fn hangar(state: &State) -> Vec<Text> {
-    match &state.session.hangar {
+    match state.session().hangar() {
         Some(hangar) => vec![stages(hangar)],
         None => vec![text!("hangar-plain-none")],
     }
@@ -223,7 +227,7 @@ fn objective_text(objective: &ObjectiveProgress) -> Text {
 }
 
 fn objectives(state: &State) -> Vec<Text> {
-    let Some(mission) = &state.session.mission else {
+    let Some(mission) = state.session().mission() else {
         return vec![text!("mission-none")];
     };
     let mut texts: Vec<Text> = mission.objectives.iter().map(objective_text).collect();
@@ -253,7 +257,7 @@ fn contact_text(contact: &ShownContact) -> Text {
 
 /// What detectors have found, and what the trainee has reported.
 fn contacts(state: &State) -> Vec<Text> {
-    let Some(mission) = &state.session.mission else {
+    let Some(mission) = state.session().mission() else {
         return vec![text!("mission-none")];
     };
     let marks = text!("mission-marks-count", count = mission.marks.len());
@@ -263,14 +267,19 @@ fn contacts(state: &State) -> Vec<Text> {
 
 /// How vehicles are: those that are named, else those that a command would go to, else all.
 fn status(state: &State, targets: &str) -> Vec<Text> {
-    let vehicles = &state.session.vehicles;
+    let vehicles = state.session().vehicles();
     let all = || vehicles.keys().copied().collect::<Vec<VehicleId>>();
     let ids = match targets {
         "all" => all(),
-        "" if state.session.selection.is_empty() => all(),
+        "" if state.session().selection().is_empty() => all(),
         "" => state.addressed(),
         _ => match targets.strip_prefix('@') {
-            Some(group) => state.session.groups.get(group).cloned().unwrap_or_default(),
+            Some(group) => state
+                .session()
+                .groups()
+                .get(group)
+                .cloned()
+                .unwrap_or_default(),
             None => match parse_ranges(targets) {
                 Ok(ids) => ids,
                 Err(fault) => return vec![fault],
@@ -314,7 +323,7 @@ fn vehicle_text(vehicle: &Vehicle, state: &State) -> Text {
     {
         parts.push(text!("plain-battery", percent = left));
     }
-    if let Some(alert) = state.session.alert(vehicle, state.now) {
+    if let Some(alert) = state.session().alert(vehicle, state.now()) {
         parts.push(alert.text);
     }
     text!(
@@ -325,15 +334,15 @@ fn vehicle_text(vehicle: &Vehicle, state: &State) -> Text {
 }
 
 fn ledger(state: &State) -> Vec<Text> {
-    let entries = state.session.ledger.entries();
+    let entries = state.session().ledger().entries();
     let skipped = entries.len().saturating_sub(LISTED);
     entries.skip(skipped).map(outcome).collect()
 }
 
 /// How the links are doing, and what ails them.
 fn links(state: &State) -> Vec<Text> {
-    let session = &state.session;
-    let links = session.links.iter().map(|link| {
+    let session = state.session();
+    let links = session.links().iter().map(|link| {
         text!(
             "plain-link",
             name = &link.name,
@@ -343,17 +352,17 @@ fn links(state: &State) -> Vec<Text> {
             lost = link.lost.iter().map(|(_, count)| count).sum::<u64>(),
         )
     });
-    let findings = session.findings.iter();
+    let findings = session.findings().iter();
     let ailments = findings.flat_map(|finding| [finding.cause.says(), finding.advice()]);
     links.chain(ailments).collect()
 }
 
 fn notices(state: &State) -> Vec<Text> {
-    let lines = state.notices.lines();
+    let lines = state.notices().lines();
     let skipped = lines.len().saturating_sub(LISTED);
     let lines = lines.skip(skipped);
     lines
-        .map(|line| notice_text(line, &state.session))
+        .map(|line| notice_text(line, state.session()))
         .collect()
 }
 
@@ -379,7 +388,7 @@ fn help(state: &State) -> Vec<Text> {
         text!("plain-help-contacts"),
         text!("plain-help-wait"),
     ];
-    let general = command_help(&state.locale)
+    let general = command_help(state.locale())
         .into_iter()
         .map(|line| match line {
             HelpLine::Title(title) => title.into(),

@@ -7,7 +7,7 @@ use std::time::Duration;
 use super::RunningSession;
 use super::logbook::Logbook;
 use crate::app::event::{Event, SessionEvent};
-use crate::app::state::{Session as Shown, SitlStage};
+use crate::app::state::{Hangar, Session as Shown, SitlStage};
 use crate::exercise::{FlightDriver, FlightPace};
 use crate::mission::record::Occasion;
 use crate::mission::{Clock, Demand, Flight, Mission, Pledge, Stake};
@@ -95,14 +95,14 @@ impl MissionRun {
         let mut events = self.note_losses(now, shown);
         while let Some(tick) = self.driver.tick(until) {
             let flight = self.driver.flight_mut();
-            let said = flight.step(tick, &shown.vehicles, &shown.ledger);
+            let said = flight.step(tick, shown.vehicles(), shown.ledger());
             events.extend(heard(said, now));
         }
         events.extend(self.keep_record(now));
         events.push(SessionEvent::Mission(Box::new(self.driver.flight().progress())).into());
         if self.driver.is_over() {
             self.ended = true;
-            let mut report = self.driver.flight_mut().close(&shown.ledger);
+            let mut report = self.driver.flight_mut().close(shown.ledger());
             events.extend(self.keep_record(now));
             store::complete(&mut report, self.driver.flight().mission());
             report.backend = self.backend;
@@ -144,7 +144,7 @@ impl MissionRun {
         if !self.driver.has_begun() {
             return Vec::new();
         }
-        let instances = shown.hangar.iter().flat_map(|hangar| &hangar.instances);
+        let instances = shown.hangar().map_or(&[][..], Hangar::instances).iter();
         let ended = instances.filter(|instance| instance.stage == SitlStage::Ended);
         let mut events = Vec::new();
         for instance in ended {
@@ -152,7 +152,7 @@ impl MissionRun {
                 let said = self
                     .driver
                     .flight_mut()
-                    .lose(instance.vehicle, &shown.vehicles);
+                    .lose(instance.vehicle, shown.vehicles());
                 events.extend(heard(said, now));
             }
         }
@@ -164,15 +164,15 @@ impl MissionRun {
         if !shown.is_starting() {
             let wanted = self.driver.flight().mission().vehicles;
             self.driver
-                .begin_when_heard(now, shown.vehicles.len() >= wanted);
+                .begin_when_heard(now, shown.vehicles().len() >= wanted);
         }
         // A vehicle that boots runs at another speed.
         let flies = |id| {
-            let hangar = shown.hangar.as_ref();
+            let hangar = shown.hangar();
             let instance = hangar.and_then(|hangar| hangar.of(id));
             instance.is_some_and(|instance| instance.stage == SitlStage::Ready)
         };
-        let vehicles = shown.vehicles.iter().filter(|(id, _)| flies(**id));
+        let vehicles = shown.vehicles().iter().filter(|(id, _)| flies(**id));
         let clocks = vehicles.map(|(&id, vehicle)| (id, vehicle.clock_ms()));
         self.driver.advance(now, clocks)
     }
@@ -213,7 +213,7 @@ impl RunningSession {
         // What a vehicle cannot be told before it is heard waits until it is.
         tell_demands(
             &mut mission_run.wanted,
-            |vehicle| shown.vehicles.contains_key(&vehicle),
+            |vehicle| shown.vehicles().contains_key(&vehicle),
             |demand| self.fleet.carry_out(demand.vehicle, demand.want).is_ok(),
         );
         events

@@ -12,7 +12,7 @@ use crate::ui::widget::{below, centred, columns, put};
 
 /// Draws the text from the first line shown on; the last page stays full.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
-    let Some(debrief) = &state.rooms.debrief else {
+    let Some(debrief) = state.rooms().debrief() else {
         let line = Line::styled(panel.say("debrief-none"), panel.style(Role::Muted));
         put(buffer, below(panel.area, 1), 0, &line);
         return;
@@ -20,9 +20,9 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let beside = debrief.is_beside(panel.area.width);
     if beside {
         let truth = columns(panel.area, TEXT_WIDTH + 1, panel.area.width);
-        draw_truth(&debrief.report.truth, panel.at(truth), buffer);
-    } else if debrief.map {
-        return draw_truth(&debrief.report.truth, panel, buffer);
+        draw_truth(&debrief.report().truth, panel.at(truth), buffer);
+    } else if debrief.shows_map() {
+        return draw_truth(&debrief.report().truth, panel, buffer);
     }
     let page = if beside {
         columns(panel.area, 0, TEXT_WIDTH)
@@ -30,8 +30,8 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         panel.area
     };
     let (lines, scroll) = (
-        debrief.lines(state.reward.as_ref(), &panel.look.locale),
-        debrief.scroll,
+        debrief.lines(state.reward(), &panel.look.locale),
+        debrief.scroll(),
     );
     let column = centred(TEXT_WIDTH, page.height, page);
     let rows = usize::from(column.height);

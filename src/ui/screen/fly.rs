@@ -80,7 +80,7 @@ fn draw_map(state: &State, panel: Panel<'_>, notices_too: bool, buffer: &mut Buf
 /// Rows that telemetry and mission need.
 fn side_height(state: &State, look: &Look, width: u16) -> u16 {
     let telemetry = telemetry::height(state, look, SIDE_WIDTH).max(TELEMETRY_LEAST);
-    match &state.session.mission {
+    match state.session().mission() {
         Some(progress) if width >= THREE_COLUMNS => {
             telemetry.max(mission::height(progress, MISSION_WIDTH, look))
         }
@@ -93,7 +93,7 @@ fn side_height(state: &State, look: &Look, width: u16) -> u16 {
 fn draw_side(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
     let side = columns(panel.area, 0, SIDE_WIDTH);
     let log = columns(panel.area, SIDE_WIDTH + 1, panel.area.width);
-    let Some(progress) = &state.session.mission else {
+    let Some(progress) = state.session().mission() else {
         telemetry::draw(state, panel.at(side), buffer);
         return log;
     };

@@ -25,14 +25,20 @@ const FIGURES: usize = 32;
 const HOST: usize = 24;
 
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
-    let Some(hangar) = &state.session.hangar else {
+    let Some(hangar) = state.session().hangar() else {
         return empty(panel, buffer);
     };
-    if state.rooms.hangar.opened
+    if state.rooms().hangar().is_opened()
         && let Some(instance) = under_cursor(state)
     {
         let output = hangar.output(instance);
-        return draw_output(instance, output, state.rooms.hangar.back, panel, buffer);
+        return draw_output(
+            instance,
+            output,
+            state.rooms().hangar().back(),
+            panel,
+            buffer,
+        );
     }
     let list = draw_list(state, hangar, panel, buffer);
     if let Some(instance) = under_cursor(state) {
@@ -58,11 +64,11 @@ fn draw_list(state: &State, hangar: &Hangar, panel: Panel<'_>, buffer: &mut Buff
     let ready = text!(
         "hangar-ready",
         ready = hangar.ready(),
-        count = hangar.expected
+        count = hangar.expected()
     );
     let title = format!("{}: {}", panel.say("room-hangar"), panel.text(&ready));
     let most = panel.area.height.saturating_sub(8).max(4);
-    let rows = (hangar.instances.len().max(1) as u16 + 3).min(most);
+    let rows = (hangar.instances().len().max(1) as u16 + 3).min(most);
     let inner = panel.upper(rows).titled(&title, buffer);
     let columns = Columns::new(hangar, inner.width);
     put(
@@ -72,8 +78,8 @@ fn draw_list(state: &State, hangar: &Hangar, panel: Panel<'_>, buffer: &mut Buff
         &Line::styled(heading(columns, panel.look), panel.style(Role::Muted)),
     );
     let inner = below(inner, 1);
-    if hangar.instances.is_empty() {
-        let (text, role) = match &hangar.fault {
+    if hangar.instances().is_empty() {
+        let (text, role) = match hangar.fault() {
             Some(fault) => (panel.text(fault), Role::Danger),
             None => (panel.say("hangar-opening"), Role::Muted),
         };
@@ -91,11 +97,11 @@ fn draw_list(state: &State, hangar: &Hangar, panel: Panel<'_>, buffer: &mut Buff
             );
         }
     }
-    let cursor = state.rooms.hangar.cursor;
+    let cursor = state.rooms().hangar().cursor();
     let room = usize::from(inner.height);
     let first = cursor.saturating_sub(room / 2);
-    let first = first.min(hangar.instances.len().saturating_sub(room));
-    let shown = hangar.instances.iter().enumerate().skip(first).take(room);
+    let first = first.min(hangar.instances().len().saturating_sub(room));
+    let shown = hangar.instances().iter().enumerate().skip(first).take(room);
     for (row, (at, instance)) in shown.enumerate() {
         put(
             buffer,
@@ -121,7 +127,7 @@ impl Columns {
     /// What is left; services are to be told apart, at the bar's expense.
     fn new(hangar: &Hangar, width: u16) -> Self {
         let left = |bar| usize::from(width).saturating_sub(4 + bar + 1 + WORDS + 1 + FIGURES + 1);
-        let longest = hangar.instances.iter().filter_map(host_name);
+        let longest = hangar.instances().iter().filter_map(host_name);
         let longest = longest.map(|name| name.chars().count()).max();
         let bar = match longest {
             Some(longest) if longest > left(BAR) => SHORT_BAR,
@@ -198,7 +204,7 @@ fn role(stage: SitlStage, has_crashed: bool) -> Role {
 
 /// What ails a process, and the end of what it has printed.
 fn draw_detail(state: &State, instance: &Instance, panel: Panel<'_>, buffer: &mut Buffer) {
-    let hangar = state.session.hangar.as_ref();
+    let hangar = state.session().hangar();
     let output = hangar.map_or(&[][..], |hangar| hangar.output(instance));
     let title = panel.text(&text!("hangar-vehicle", vehicle = instance.vehicle));
     let inner = panel.titled(&title, buffer);

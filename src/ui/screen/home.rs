@@ -39,7 +39,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         body.area.width.saturating_sub(before + 1),
     );
     let facts = rest.width.saturating_sub(TEXT_WIDTH + 3);
-    if state.career.is_some() && facts >= FACTS_WIDTH {
+    if state.career().is_some() && facts >= FACTS_WIDTH {
         let text = columns(rest, 0, TEXT_WIDTH);
         let beside = columns(rest, TEXT_WIDTH + 3, facts.min(TEXT_WIDTH));
         about::draw(state, panel.at(text), Some(beside), buffer);
@@ -51,7 +51,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 
 /// What goes on, if anything does; returns what is left below it.
 fn draw_heads(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
-    let Some(activity) = &state.session.activity else {
+    let Some(activity) = state.session().activity() else {
         return panel.area;
     };
     let running = text!(
@@ -67,7 +67,7 @@ fn draw_heads(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
 
 /// Who trains here, what they have, and what to do next.
 fn draw_trainee(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
-    let Some(career) = &state.career else {
+    let Some(career) = state.career() else {
         let line = Line::from(vec![
             Span::styled(
                 format!(" {}", panel.text(&state.key(Action::Profiles))),
@@ -127,7 +127,7 @@ fn advice(career: &Career) -> Vec<Text> {
 
 fn name(state: &State, item: HomeItem, look: &Look) -> String {
     match item {
-        HomeItem::Mission(at) => look.text(&state.missions[at].title),
+        HomeItem::Mission(at) => look.text(&state.missions()[at].title),
         HomeItem::Free => look.say("home-free"),
         HomeItem::ArduPilot => look.say("home-ardupilot"),
         HomeItem::Connect => look.say("home-connect"),

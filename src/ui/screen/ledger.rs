@@ -29,13 +29,13 @@ const STATE_WIDTH: usize = 16;
 
 /// Draws the list, and the rows of the command under the cursor.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
-    let room = &state.rooms.ledger;
+    let room = state.rooms().ledger();
     let chosen = room.under_cursor();
-    let Some(entry) = chosen.and_then(|id| state.session.ledger.entry(id)) else {
+    let Some(entry) = chosen.and_then(|id| state.session().ledger().entry(id)) else {
         draw_list(state, panel, buffer);
         return;
     };
-    if room.opened {
+    if room.is_opened() {
         draw_rows(state, entry, panel, buffer);
     } else if panel.area.width >= BESIDE {
         let half = panel.area.width * 3 / 5;
@@ -57,13 +57,13 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 }
 
 fn draw_list(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
-    let room = &state.rooms.ledger;
+    let room = state.rooms().ledger();
     let inner = panel.titled(&title(state, panel.look), buffer);
     let width = usize::from(inner.width);
     put(buffer, inner, 0, &headings(panel.look, width));
     let list = below(inner, 1);
     if room.shown().is_empty() {
-        let nothing = if state.session.ledger.entries().len() == 0 {
+        let nothing = if state.session().ledger().entries().len() == 0 {
             panel.text(&text!(
                 "commands-none",
                 key = state.key(Action::CommandLine)
@@ -83,7 +83,7 @@ fn draw_list(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         .min(room.shown().len().saturating_sub(rows));
     let seen = room.shown().iter().enumerate().skip(first).take(rows);
     for (row, (at, &id)) in seen.enumerate() {
-        let Some(entry) = state.session.ledger.entry(id) else {
+        let Some(entry) = state.session().ledger().entry(id) else {
             continue;
         };
         let line = entry_line(entry, state, at == place, width, panel.look);
@@ -95,11 +95,11 @@ fn draw_list(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 }
 
 fn title(state: &State, look: &Look) -> String {
-    let room = &state.rooms.ledger;
-    let all = state.session.ledger.entries().len();
+    let room = state.rooms().ledger();
+    let all = state.session().ledger().entries().len();
     let shown = room.shown().len();
     let mut parts = vec![text!("commands-pane")];
-    let vehicles = parse_ranges(&room.filter);
+    let vehicles = parse_ranges(room.filter_text());
     if shown > 0 && vehicles.is_err() {
         parts.push(text!("fly-place", at = room.place() + 1, count = shown));
     }
@@ -111,8 +111,8 @@ fn title(state: &State, look: &Look) -> String {
             shown = shown,
             all = all
         ));
-    } else if !room.filter.is_empty() {
-        let filter = clip(&room.filter, 24);
+    } else if !room.filter_text().is_empty() {
+        let filter = clip(room.filter_text(), 24);
         parts.push(text!(
             "fly-filtered",
             shown = shown,
@@ -120,8 +120,8 @@ fn title(state: &State, look: &Look) -> String {
             filter = filter
         ));
     }
-    parts.extend(room.outcome.title());
-    if room.cursor.is_none() && shown > 0 {
+    parts.extend(room.outcome().title());
+    if room.cursor().is_none() && shown > 0 {
         parts.push(text!("commands-follows"));
     }
     look.text(&Text::joined("  ", parts))
@@ -163,7 +163,7 @@ fn entry_line(
     let (line, outcome) = split(width);
     let muted = look.style(Role::Muted);
     let mark = if under_cursor { "> " } else { "  " };
-    let time = clock(state.session.time(entry.at));
+    let time = clock(state.session().time(entry.at));
     let slowest = entry.rows.iter().filter_map(|row| row.answered_after).max();
     let answer = slowest.map_or("-".to_owned(), |time| seconds(time.as_secs_f64()));
     let tries = entry.rows.iter().map(|row| row.tries).max().unwrap_or(0);
@@ -196,13 +196,13 @@ fn seconds(time_s: f64) -> String {
 
 /// Draws what became of one command with each vehicle, what went wrong first.
 fn draw_rows(state: &State, entry: &LedgerEntry, panel: Panel<'_>, buffer: &mut Buffer) {
-    let time = clock(state.session.time(entry.at));
+    let time = clock(state.session().time(entry.at));
     let title = format!("{time} {}", entry.line);
     let inner = panel.titled(&title, buffer);
     let lines = lines(entry, panel.look, usize::from(inner.width));
     let rows = usize::from(inner.height);
-    let scroll = if state.rooms.ledger.opened {
-        state.rooms.ledger.scroll
+    let scroll = if state.rooms().ledger().is_opened() {
+        state.rooms().ledger().scroll()
     } else {
         0
     };

@@ -26,14 +26,14 @@ const LOSSES_SHOWN: usize = 5;
 const CURVE_ROWS: u16 = 2;
 
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
-    let links = &state.session.links;
+    let links = state.session().links();
     if links.is_empty() {
         let inner = panel.titled(&panel.say("room-links"), buffer);
         let line = Line::styled(panel.say("links-none"), panel.style(Role::Muted));
         put(buffer, inner, 0, &line);
         return;
     }
-    let cursor = state.rooms.links.cursor.min(links.len() - 1);
+    let cursor = state.rooms().links().cursor().min(links.len() - 1);
     let wanted = links.len() as u16 + 2;
     let rows = wanted.min((panel.area.height / 3).max(4));
     draw_list(state, cursor, panel.upper(rows), buffer);
@@ -44,7 +44,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 
 /// The lines of all links.
 fn draw_list(state: &State, cursor: usize, panel: Panel<'_>, buffer: &mut Buffer) {
-    let links = &state.session.links;
+    let links = state.session().links();
     let room = usize::from(panel.area.height.saturating_sub(2));
     let first = cursor
         .saturating_sub(room / 2)
@@ -80,7 +80,7 @@ fn draw_list(state: &State, cursor: usize, panel: Panel<'_>, buffer: &mut Buffer
     let inner = below(inner, 1);
     let rows = usize::from(inner.height);
     for (row, (at, link)) in links.iter().enumerate().skip(first).take(rows).enumerate() {
-        let worst = state.session.findings.iter().find(|it| it.link == at);
+        let worst = state.session().findings().iter().find(|it| it.link == at);
         let line = list_line(at, link, worst, name_width, panel.look);
         put(buffer, inner, row as u16, &line);
         if at == cursor {
@@ -135,7 +135,11 @@ fn signed(weight: Weight) -> (&'static str, Role) {
 fn draw_doctor(state: &State, link: usize, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
     let inner = panel.titled(&panel.say("links-doctor"), buffer);
     let width = usize::from(inner.width).saturating_sub(2);
-    let mine = state.session.findings.iter().filter(|it| it.link == link);
+    let mine = state
+        .session()
+        .findings()
+        .iter()
+        .filter(|it| it.link == link);
     let mut row = 0;
     for finding in mine {
         let (sign, role) = signed(finding.cause.weight());
@@ -157,7 +161,7 @@ fn draw_doctor(state: &State, link: usize, panel: Panel<'_>, buffer: &mut Buffer
 
 /// Everything that a link counts, and what it carried lately.
 fn draw_link(state: &State, at: usize, panel: Panel<'_>, buffer: &mut Buffer) {
-    let link = &state.session.links[at];
+    let link = &state.session().links()[at];
     let inner = panel.titled(&format!("{} {}", at + 1, link.name), buffer);
     let lines = counters(link, panel.look);
     let mut row = 0;
@@ -174,7 +178,7 @@ fn draw_link(state: &State, at: usize, panel: Panel<'_>, buffer: &mut Buffer) {
             row += 1;
         }
     }
-    if let Some(history) = state.rooms.links.history.get(at) {
+    if let Some(history) = state.rooms().links().histories().get(at) {
         draw_history(history, panel.at(below(inner, row)), buffer);
     }
 }
@@ -245,8 +249,8 @@ fn losses(link: &LinkSummary) -> String {
 fn draw_history(history: &History, panel: Panel<'_>, buffer: &mut Buffer) {
     let half = panel.area.width / 2;
     let sides = [
-        (text!("links-in"), &history.bytes_in, 0),
-        (text!("links-out"), &history.bytes_out, half),
+        (text!("links-in"), history.bytes_in(), 0),
+        (text!("links-out"), history.bytes_out(), half),
     ];
     for (label, values, from) in sides {
         let most = values.iter().copied().fold(0.0, f64::max);

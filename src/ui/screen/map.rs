@@ -14,9 +14,9 @@ use crate::ui::widget::map::{draw as draw_map, draw_legend, length};
 use crate::ui::widget::{below, columns, put, row_of, upper, urgent};
 
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
-    let map = &state.rooms.map;
+    let map = state.rooms().map();
     let pane = upper(panel.area, panel.area.height.saturating_sub(1));
-    let (pane, legend) = if map.shows_legend(state.size) {
+    let (pane, legend) = if map.shows_legend(state.size()) {
         let width = panel.area.width.saturating_sub(LEGEND_WIDTH);
         (
             columns(pane, 0, width),
@@ -77,8 +77,8 @@ fn place_line(state: &State, look: &Look, cursor: LatLon, with_home: bool) -> Li
         "{:.6} {:.6}   ",
         cursor.lat_deg, cursor.lon_deg
     ))];
-    let vehicle = state.session.under_cursor();
-    let homes = state.session.vehicles.values().find_map(|it| it.home);
+    let vehicle = state.session().under_cursor();
+    let homes = state.session().vehicles().values().find_map(|it| it.home);
     if let Some(home) = vehicle.and_then(|it| it.home).or(homes)
         && with_home
     {
@@ -98,7 +98,7 @@ fn place_line(state: &State, look: &Look, cursor: LatLon, with_home: bool) -> Li
             way(global.at_point)
         )));
     }
-    if let Some(mark) = state.rooms.map.mark {
+    if let Some(mark) = state.rooms().map().mark() {
         spans.push(muted("map-ruler"));
         spans.push(Span::styled(way(mark), look.style(Role::Key)));
     }

@@ -25,7 +25,7 @@ const WIDE_TREE: u16 = 62;
 const WIDE: u16 = 112;
 
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
-    let room = &state.rooms.messages;
+    let room = state.rooms().messages();
     let tree_width = if panel.area.width >= WIDE {
         WIDE_TREE
     } else {
@@ -52,7 +52,7 @@ fn draw_tree(room: &Messages, branches: &[Branch], panel: Panel<'_>, buffer: &mu
     );
     let inner = below(inner, 1);
     if branches.is_empty() {
-        let text = if room.filter.is_empty() {
+        let text = if room.filter_text().is_empty() {
             panel.say("messages-none")
         } else {
             panel.say("messages-none-found")
@@ -73,7 +73,7 @@ fn draw_tree(room: &Messages, branches: &[Branch], panel: Panel<'_>, buffer: &mu
         let line = tree_line(room, branch, is_wide, inner.width, panel.look);
         put(buffer, inner, row as u16, &line);
         if first + row == cursor {
-            let role = if room.field.is_some() {
+            let role = if room.field().is_some() {
                 Role::Selected
             } else {
                 Role::Cursor
@@ -84,11 +84,11 @@ fn draw_tree(room: &Messages, branches: &[Branch], panel: Panel<'_>, buffer: &mu
 }
 
 fn tree_title(room: &Messages, look: &Look) -> String {
-    let mut title = look.text(&room.sort.title());
-    if !room.filter.is_empty() {
-        title = format!("/{}  {title}", room.filter);
+    let mut title = look.text(&room.sort().title());
+    if !room.filter_text().is_empty() {
+        title = format!("/{}  {title}", room.filter_text());
     }
-    if room.paused {
+    if room.is_paused() {
         title = format!("{}  {title}", look.say("messages-paused"));
     }
     title
@@ -153,7 +153,7 @@ fn tree_line(
 
 /// What a line of the tree is called.
 fn label(room: &Messages, node: Node, look: &Look) -> String {
-    let traffic = room.traffic.get(node.link());
+    let traffic = room.traffic().get(node.link());
     match node {
         Node::Link(link) => {
             let name = traffic.map_or("", |traffic| &traffic.name);
@@ -184,7 +184,7 @@ fn label(room: &Messages, node: Node, look: &Look) -> String {
 
 /// What a component says it is, by its last heartbeat.
 fn kind(room: &Messages, link: usize, source: FrameSource) -> String {
-    let census = room.traffic.get(link).and_then(|it| it.census.as_ref());
+    let census = room.traffic().get(link).and_then(|it| it.census.as_ref());
     let heartbeat = census.and_then(|census| census.of(source).find(|(id, _)| *id == 0));
     let kind = |tally: &MessageTally| {
         let reading = read(&Anatomy::of(&tally.last)?);

@@ -28,7 +28,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let longest = pages.iter().map(Vec::len).max().unwrap_or(0);
     let rows = visible(longest, panel.area.height);
     let last = longest.saturating_sub(rows);
-    let first = state.rooms.mission.scroll.min(last);
+    let first = state.rooms().mission().scroll().min(last);
     let width = panel.area.width / pages.len() as u16;
     for (at, page) in pages.iter().enumerate() {
         let left = at as u16 * width + 1;
@@ -48,7 +48,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
             last = (first + rows).min(longest),
             count = longest,
             key = state
-                .keymap
+                .keymap()
                 .keys(Action::UP_AND_DOWN, Place::In(Room::Mission))
         );
         let line = Line::styled(format!(" {}", panel.text(&shown)), panel.style(Role::Muted));

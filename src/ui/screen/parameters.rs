@@ -27,7 +27,7 @@ const STATUS_ROWS: u16 = 2;
 const LIST_LEAST: u16 = 8;
 
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
-    let Some(vehicle) = state.session.cursor else {
+    let Some(vehicle) = state.session().cursor() else {
         let line = Line::styled(panel.say("parameters-no-vehicle"), panel.style(Role::Muted));
         put(buffer, below(panel.area, 1), 0, &line);
         return;
@@ -61,13 +61,13 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 
 /// Why the list is empty.
 fn draw_nothing(state: &State, vehicle: VehicleId, panel: Panel<'_>, buffer: &mut Buffer) {
-    let room = &state.rooms.parameters;
-    let known = room.lists.get(&vehicle);
+    let room = state.rooms().parameters();
+    let known = room.lists().get(&vehicle);
     let text = if known.is_none_or(|known| known.list.is_empty()) {
         text!("parameters-none-yet")
-    } else if !room.filter.is_empty() {
+    } else if !room.filter_text().is_empty() {
         text!("parameters-none-fit", key = state.key(Action::Escape))
-    } else if let Some(comparison) = &room.comparison {
+    } else if let Some(comparison) = room.comparison() {
         match coming(state, vehicle, &comparison.with) {
             Some(_) => text!("parameters-none-differ-yet"),
             None => text!("parameters-none-differ", key = state.key(Action::Escape)),

@@ -23,7 +23,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     ));
     let keys = panel.text(&text!(
         "small-keys",
-        key = state.keymap.key(Action::Quit, Place::Anywhere)
+        key = state.keymap().key(Action::Quit, Place::Anywhere)
     ));
     let lines = wrap(&format!("{text}\n{keys}"), usize::from(panel.area.width));
     let middle = centred(panel.area.width, lines.len() as u16, panel.area);

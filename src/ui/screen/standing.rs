@@ -31,7 +31,7 @@ struct Subject<'a> {
 
 /// Draws who it is about, and the pane that was chosen, or all where there is room.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
-    let Some(career) = &state.career else {
+    let Some(career) = state.career() else {
         return draw_nobody(state, panel, buffer);
     };
     let subject = Subject {
@@ -41,8 +41,8 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     };
     draw_summary(&subject, panel.area, buffer);
     let panel = panel.below(2);
-    if !shows_all(state.size) && !shows_all((panel.area.width, panel.area.height + 4)) {
-        match state.rooms.standing.pane {
+    if !shows_all(state.size()) && !shows_all((panel.area.width, panel.area.height + 4)) {
+        match state.rooms().standing().pane() {
             Pane::Skills => skills::draw(&subject, panel.area, buffer),
             Pane::Scores => scores::draw(&subject, panel.area, buffer),
             Pane::Wealth => wealth::draw(&subject, panel.area, buffer),
@@ -112,7 +112,7 @@ fn draw_summary(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
 impl Subject<'_> {
     /// A pane's rule with its title; the one that the cursor is in has a mark.
     fn pane(&self, pane: Pane, title: &str, area: Rect, buffer: &mut Buffer) -> Rect {
-        let mark = if self.state.rooms.standing.pane == pane {
+        let mark = if self.state.rooms().standing().pane() == pane {
             "> "
         } else {
             ""
@@ -122,7 +122,7 @@ impl Subject<'_> {
 
     /// Whether the cursor is in a pane.
     fn has_cursor(&self, pane: Pane) -> bool {
-        self.state.rooms.standing.pane == pane
+        self.state.rooms().standing().pane() == pane
     }
 }
 

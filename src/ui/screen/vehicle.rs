@@ -53,7 +53,7 @@ struct Subject<'a> {
 
 /// Draws the vehicle under the cursor.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
-    let Some(vehicle) = state.session.under_cursor() else {
+    let Some(vehicle) = state.session().under_cursor() else {
         let line = Line::styled(panel.say("vehicle-none"), panel.style(Role::Muted));
         put(buffer, below(panel.area, 1), 0, &line);
         return;
@@ -64,7 +64,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         look: panel.look,
     };
     let is_whole = panel.area.width >= WHOLE.0 && panel.area.height >= WHOLE.1;
-    let page = state.rooms.vehicle.page % PAGES;
+    let page = state.rooms().vehicle().page() % PAGES;
     draw_name(&subject, (!is_whole).then_some(page), panel.area, buffer);
     let mut body = panel.below(1);
     if let Some(line) = last_known(vehicle, state, panel.look) {
@@ -84,11 +84,11 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 
 /// Which vehicle it is, and what the keys of the room do.
 fn draw_name(subject: &Subject<'_>, page: Option<usize>, area: Rect, buffer: &mut Buffer) {
-    let (session, look) = (&subject.state.session, subject.look);
+    let (session, look) = (subject.state.session(), subject.look);
     let place = look.text(&text!(
         "vehicle-place",
-        row = subject.state.rooms.fly.row_of(session.cursor) + 1,
-        count = session.vehicles.len()
+        row = subject.state.rooms().fly().row_of(session.cursor()) + 1,
+        count = session.vehicles().len()
     ));
     let mut line = Line::from(vec![
         Span::styled(
@@ -97,7 +97,7 @@ fn draw_name(subject: &Subject<'_>, page: Option<usize>, area: Rect, buffer: &mu
         ),
         Span::styled(format!("  {place}"), look.style(Role::Muted)),
     ]);
-    let keymap = &subject.state.keymap;
+    let keymap = subject.state.keymap();
     let key = |actions| look.text(&keymap.keys(actions, Place::In(Room::Vehicle)));
     let mut keys = vec![(
         key(&[Action::PreviousVehicle, Action::NextVehicle]),
@@ -105,7 +105,7 @@ fn draw_name(subject: &Subject<'_>, page: Option<usize>, area: Rect, buffer: &mu
     )];
     let window = text!(
         "vehicle-key-window",
-        seconds = subject.state.rooms.vehicle.window.seconds()
+        seconds = subject.state.rooms().vehicle().window().seconds()
     );
     keys.push((key(&[Action::Window]), look.text(&window)));
     if let Some(page) = page {

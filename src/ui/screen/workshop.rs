@@ -35,7 +35,7 @@ const FIGURES_ROWS: u16 = Measure::ALL.len() as u16 + 1;
 const FINDINGS_ROWS: u16 = 10;
 
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
-    match state.rooms.workshop.page {
+    match state.rooms().workshop().page() {
         Page::Bench if panel.area.width >= WIDE => draw_wide(state, panel, buffer),
         Page::Bench => draw_narrow(state, panel, buffer),
         Page::Designs => shelf::draw(state, panel, buffer),
@@ -49,7 +49,7 @@ fn draw_wide(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let slots_width = panel.area.width * SLOTS_PERCENT / 100;
     let middle = panel.area.width - slots_width - WIDE_FIGURES - 2;
     let left = columns(panel.area, 0, slots_width);
-    let slots = state.rooms.workshop.bench.rows().len() as u16 + 2;
+    let slots = state.rooms().workshop().bench().rows().len() as u16 + 2;
     let slots = slots.min(panel.area.height.saturating_sub(FINDINGS_ROWS));
     slots::draw(state, panel.at(upper(left, slots)), buffer);
     findings::draw(state, panel.at(below(left, slots)), buffer);
@@ -64,28 +64,28 @@ fn draw_wide(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 
 /// The lists to the left, and what the user wants to see to the right.
 fn draw_narrow(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
-    let room = &state.rooms.workshop;
+    let room = state.rooms().workshop();
     let width = panel.area.width * 45 / 100;
     let left = columns(panel.area, 0, width);
     let right = columns(panel.area, width + 1, panel.area.width - width - 1);
     if panel.area.height >= TALL {
-        let slots = room.bench.rows().len() as u16 + 2;
+        let slots = room.bench().rows().len() as u16 + 2;
         let slots = slots.min(panel.area.height / 2);
         slots::draw(state, panel.at(upper(left, slots)), buffer);
         parts::draw(state, panel.at(below(left, slots)), buffer);
-    } else if room.pane == Pane::Slots {
+    } else if room.pane() == Pane::Slots {
         slots::draw(state, panel.at(left), buffer);
     } else {
         parts::draw(state, panel.at(left), buffer);
     }
     let is_tall = panel.area.height >= TALL;
-    let (figures, rest) = if is_tall || room.view == View::Figures {
+    let (figures, rest) = if is_tall || room.view() == View::Figures {
         (upper(right, FIGURES_ROWS), below(right, FIGURES_ROWS))
     } else {
         (upper(right, 0), right)
     };
     figures::draw(state, panel.at(figures), buffer);
-    match room.view {
+    match room.view() {
         View::Figures => findings::draw(state, panel.at(rest), buffer),
         View::Polar | View::Payload => chart::draw(state, panel.at(rest), buffer),
         View::Mission => mission::draw(state, panel.at(rest), buffer),

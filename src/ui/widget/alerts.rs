@@ -16,15 +16,15 @@ use crate::ui::widget::{clip, put, severity_role, short_clock, width};
 
 /// Rows that the line takes: none while nothing presses.
 pub fn height(state: &State) -> u16 {
-    u16::from(state.session.alarms.pressing().is_some())
+    u16::from(state.session().alarms().pressing().is_some())
 }
 
 /// Draws the line, if anything presses.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
-    let Some(pressing) = state.session.alarms.pressing() else {
+    let Some(pressing) = state.session().alarms().pressing() else {
         return;
     };
-    let clock = short_clock(state.session.time(pressing.first.since));
+    let clock = short_clock(state.session().time(pressing.first.since));
     let hint = panel.text(&text!(
         "alert-acknowledge-hint",
         key = state.key(Action::Acknowledge)

@@ -30,10 +30,10 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 
 fn line<'a>(state: &'a State, look: &Look, width: usize) -> Line<'a> {
     let muted = |text: String| Span::styled(text, look.style(Role::Muted));
-    if !state.typed.is_empty() {
+    if !state.typed().is_empty() {
         return Line::from(vec![
             muted(format!(" {} ", look.say("footer-vehicles"))),
-            Span::styled(state.typed.as_str(), look.style(Role::Selected)),
+            Span::styled(state.typed(), look.style(Role::Selected)),
             muted(format!("_  {}", look.text(&list_keys(state)))),
         ]);
     }
@@ -47,7 +47,10 @@ fn line<'a>(state: &'a State, look: &Look, width: usize) -> Line<'a> {
     let mut spans = vec![Span::raw(" ")];
     let mut used = 1;
     for hint in room::hints(state) {
-        let Some(key) = state.keymap.hint_label(hint.keys, Place::In(state.room)) else {
+        let Some(key) = state
+            .keymap()
+            .hint_label(hint.keys, Place::In(state.room()))
+        else {
             continue;
         };
         let what = look.say(hint.about);
@@ -63,9 +66,9 @@ fn line<'a>(state: &'a State, look: &Look, width: usize) -> Line<'a> {
 
 /// What can be done with the list of vehicles that is being typed.
 fn list_keys(state: &State) -> Text {
-    let place = Place::In(state.room);
+    let place = Place::In(state.room());
     let commands = COMMANDS.iter();
-    let commands = commands.filter_map(|words| state.keymap.label(&Meaning::words(words), place));
+    let commands = commands.filter_map(|words| state.keymap().label(&Meaning::words(words), place));
     text!(
         "footer-list",
         submit = state.key(Action::Submit),

@@ -18,11 +18,11 @@ use crate::ui::widget::{clip, clock, columns, put, upper, width};
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
     let header = upper(panel.area, 1);
     buffer.set_style(header, panel.style(Role::Header));
-    let name = format!(" {} ", panel.text(&state.room.title()).to_uppercase());
-    let activity = state.session.activity.as_ref();
+    let name = format!(" {} ", panel.text(&state.room().title()).to_uppercase());
+    let activity = state.session().activity();
     let title = activity.map_or_else(String::new, |activity| panel.text(&activity.title()));
     let room = usize::from(panel.area.width);
-    let paused = if state.session.paused {
+    let paused = if state.session().is_paused() {
         format!(" {} ", panel.say("header-paused"))
     } else {
         String::new()
@@ -57,11 +57,11 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
 /// The figures; in a few letters where there is little room.
 fn right_part(state: &State, look: &Look, short: bool) -> String {
     let mut parts = Vec::new();
-    if let Some(bytes_per_s) = state.slow_line {
+    if let Some(bytes_per_s) = state.slow_line() {
         let rate = format!("{:.1}", f64::from(bytes_per_s) / 1000.0);
         parts.push(text!("terminal-slow", rate = rate));
     }
-    let dropped = state.notices.dropped;
+    let dropped = state.notices().dropped();
     if dropped > 0 {
         parts.push(if short {
             text!("header-dropped-short", count = dropped)
@@ -69,25 +69,25 @@ fn right_part(state: &State, look: &Look, short: bool) -> String {
             text!("header-dropped", count = dropped)
         });
     }
-    if let Some(pressing) = state.session.alarms.pressing()
-        && state.room != Room::Fly
-        && !state.session.over
+    if let Some(pressing) = state.session().alarms().pressing()
+        && state.room() != Room::Fly
+        && !state.session().is_over()
     {
         // The flight screen has a line of its own for it.
         let count = pressing.vehicles.len() + pressing.others;
         parts.push(text!("alert-header", count = count));
     }
-    if let Some(progress) = &state.session.mission
+    if let Some(progress) = state.session().mission()
         && let Some(alert) = progress.alerts.first()
-        && !matches!(state.room, Room::Fly | Room::Map)
-        && !state.session.over
+        && !matches!(state.room(), Room::Fly | Room::Map)
+        && !state.session().is_over()
     {
         // These two rooms tell what it is about.
         let seconds = alert.remaining.as_secs();
         parts.push(text!("mission-alert-short", seconds = seconds));
     }
-    if state.room != Room::Home || state.session.activity.is_some() {
-        let (armed, all) = (state.session.armed(), state.session.vehicles.len());
+    if state.room() != Room::Home || state.session().activity().is_some() {
+        let (armed, all) = (state.session().armed(), state.session().vehicles().len());
         parts.push(if short {
             text!("header-armed-short", armed = armed, all = all)
         } else {
@@ -99,13 +99,13 @@ fn right_part(state: &State, look: &Look, short: bool) -> String {
         });
         parts.push(links(state, short));
     }
-    parts.push(clock(state.session.time(state.now)).into());
+    parts.push(clock(state.session().time(state.now())).into());
     look.text(&Text::joined("   ", parts))
 }
 
 fn links(state: &State, short: bool) -> Text {
-    let links = &state.session.links;
-    match links.as_slice() {
+    let links = state.session().links();
+    match links {
         [] => text!("header-no-link"),
         // A long address is cut rather than the word that matters.
         [link] => {

@@ -29,11 +29,11 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let width = usize::from(inner.width);
     let mut blocks: Vec<Vec<Line<'_>>> = Vec::new();
     let mut used = 0;
-    for entry in state.session.ledger.entries().rev() {
+    for entry in state.session().ledger().entries().rev() {
         if used >= rows {
             break;
         }
-        let mut block = entry_lines(entry, &state.session, width, panel.look);
+        let mut block = entry_lines(entry, state.session(), width, panel.look);
         cut(&mut block, rows - used, width);
         used += block.len();
         blocks.push(block);

@@ -32,8 +32,8 @@ pub fn draw(state: &State, log: Log, cursor: Option<usize>, panel: Panel<'_>, bu
     };
     let keys = text!(
         "fly-log-keys",
-        scroll = state.keymap.keys(Action::UP_AND_DOWN, Place::Reader),
-        key = state.keymap.key(Action::Escape, Place::Reader)
+        scroll = state.keymap().keys(Action::UP_AND_DOWN, Place::Reader),
+        key = state.keymap().key(Action::Escape, Place::Reader)
     );
     let title = format!("{name}   {place}{}", panel.text(&keys));
     let inner = panel.boxed(&title, Role::Accent, buffer);
@@ -82,11 +82,11 @@ fn blocks<'a>(
     width: usize,
     look: &Look,
 ) -> Vec<Vec<Line<'a>>> {
-    let session = &state.session;
+    let session = state.session();
     let count = which.len();
     match log {
         Log::Notices => {
-            let notices = state.notices.lines().skip(which.start).take(count);
+            let notices = state.notices().lines().skip(which.start).take(count);
             notices
                 .map(|notice| notices::lines(notice, session, width, usize::MAX, look))
                 .collect()

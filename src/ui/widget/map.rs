@@ -27,7 +27,7 @@ pub use truth::draw as draw_truth;
 /// Draws the map as a pane with a title.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let inner = below(panel.area, 1);
-    let Some(view) = state.rooms.map.view((inner.width, inner.height)) else {
+    let Some(view) = state.rooms().map().view((inner.width, inner.height)) else {
         panel.titled(&panel.say("map-title"), buffer);
         return draw_nowhere(panel.at(inner), buffer);
     };
@@ -36,9 +36,9 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 }
 
 fn title(state: &State, look: &Look, outside: usize) -> String {
-    let aim = state.rooms.map.aim;
+    let aim = state.rooms().map().aim();
     let mut title = vec![look.say("map-title")];
-    match (aim, state.session.cursor) {
+    match (aim, state.session().cursor()) {
         (Aim::All, _) => title.push(look.say("map-all")),
         (Aim::Vehicle(..), Some(id)) => {
             title.push(look.text(&text!("map-follows", vehicle = id)));
@@ -59,7 +59,7 @@ fn draw_view(
     area: Rect,
     buffer: &mut Buffer,
 ) -> usize {
-    let field = state.rooms.map.field();
+    let field = state.rooms().map().field();
     if let Some((_, field)) = field {
         heat::draw(field, look, view, area, buffer);
     }

@@ -34,7 +34,7 @@ pub fn height(progress: &Progress, width: u16, look: &Look) -> u16 {
 }
 
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
-    let Some(progress) = &state.session.mission else {
+    let Some(progress) = state.session().mission() else {
         return;
     };
     let score = progress.score_so_far;
@@ -249,7 +249,7 @@ impl<'a> Grid<'a> {
                     north.abs().max(east.abs()) < cell.side_m / 2.0
                 })
         };
-        let here = state.session.vehicles.values().find(over);
+        let here = state.session().vehicles().values().find(over);
         let style = look.style(match (here, cell.sampled) {
             (Some(_), _) => Role::Cursor,
             (None, true) => Role::Ok,

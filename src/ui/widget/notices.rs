@@ -26,8 +26,8 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let width = usize::from(inner.width);
     let mut blocks: Vec<Vec<Line<'_>>> = Vec::new();
     let mut used = 0;
-    for notice in state.notices.lines().rev() {
-        let mut block = lines(notice, &state.session, width, MOST_LINES, panel.look);
+    for notice in state.notices().lines().rev() {
+        let mut block = lines(notice, state.session(), width, MOST_LINES, panel.look);
         if used + block.len() > rows && used > 0 {
             break;
         }

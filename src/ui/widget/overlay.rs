@@ -40,7 +40,7 @@ fn draw_confirm(question: &Confirm, panel: Panel<'_>, buffer: &mut Buffer) {
     let width = usize::from(inner.width);
     let text = format!(
         "{} - {} {}",
-        panel.text(&question.question),
+        panel.text(question.question()),
         panel.say("ask-type"),
         panel.text(&question.wanted())
     );
@@ -54,15 +54,15 @@ fn draw_confirm(question: &Confirm, panel: Panel<'_>, buffer: &mut Buffer) {
         );
         row += 1;
     }
-    let reason = clip(&panel.text(&question.reason), width);
+    let reason = clip(&panel.text(question.reason()), width);
     put(buffer, inner, row, &Line::raw(reason));
-    let typed = if question.cancelled {
+    let typed = if question.is_cancelled() {
         let text = panel.say("ask-taken-back");
         Line::styled(text, panel.style(Role::Warning))
     } else {
         Line::from(vec![
             Span::styled(": ", panel.style(Role::Key)),
-            Span::raw(format!("{}_", question.typed)),
+            Span::raw(format!("{}_", question.typed())),
             Span::styled(
                 format!("   {}", panel.say("ask-else")),
                 panel.style(Role::Muted),
@@ -75,10 +75,10 @@ fn draw_confirm(question: &Confirm, panel: Panel<'_>, buffer: &mut Buffer) {
 fn draw_help(state: &State, scroll: usize, panel: Panel<'_>, buffer: &mut Buffer) {
     let title = text!(
         "help-title",
-        scroll = state.keymap.keys(Action::UP_AND_DOWN, Place::Reader),
-        key = state.keymap.key(Action::Escape, Place::Reader)
+        scroll = state.keymap().keys(Action::UP_AND_DOWN, Place::Reader),
+        key = state.keymap().key(Action::Escape, Place::Reader)
     );
-    let lines = help_lines(&state.keymap, state.room, &panel.look.locale);
+    let lines = help_lines(state.keymap(), state.room(), &panel.look.locale);
     let place = centred(
         (panel.area.width / HELP_COLUMN).max(1) * HELP_COLUMN + 6,
         panel.area.height - 2,

@@ -39,22 +39,28 @@ pub fn draw(state: &State, palette: &Palette, panel: Panel<'_>, buffer: &mut Buf
     let title = format!(
         "{} {}",
         panel.say("palette-title"),
-        panel.text(&palette.recipients)
+        panel.text(palette.recipients())
     );
     let inner = panel
         .at(place)
         .boxed(title.trim_end(), Role::Accent, buffer);
-    let fault = palette.fault.as_ref();
-    let (cursor, scroll) = draw_line(&palette.input, fault, panel.at(inner), buffer);
+    let fault = palette.fault();
+    let (cursor, scroll) = draw_line(palette.input(), fault, panel.at(inner), buffer);
     let mut rest = below(inner, 1);
     if let Some(fault) = fault {
-        draw_carets(palette.input.value(), fault, scroll, panel.at(rest), buffer);
+        draw_carets(
+            palette.input().value(),
+            fault,
+            scroll,
+            panel.at(rest),
+            buffer,
+        );
         rest = below(rest, 1);
     }
     let grammar = text!(
         "palette-grammar",
-        complete = state.keymap.key(Action::Complete, Place::Prompt),
-        older = state.keymap.key(Action::Older, Place::Prompt)
+        complete = state.keymap().key(Action::Complete, Place::Prompt),
+        older = state.keymap().key(Action::Older, Place::Prompt)
     );
     for line in explanation(
         palette,
@@ -71,22 +77,22 @@ pub fn draw(state: &State, palette: &Palette, panel: Panel<'_>, buffer: &mut Buf
 
 /// What is wrong, how the verb is written, and what Enter would do.
 fn explanation(palette: &Palette, grammar: &Text, width: usize, look: &Look) -> Vec<Line<'static>> {
-    let fault = palette.fault.as_ref().map(|fault| {
+    let fault = palette.fault().map(|fault| {
         let said = match &fault.help {
             Some(help) => format!("{} - {}", look.text(&fault.message), look.text(help)),
             None => look.text(&fault.message),
         };
         // A word of many lines would leave no room for what is wrong with it.
-        let (_, wrong, _) = parts(palette.input.value(), Some(fault));
+        let (_, wrong, _) = parts(palette.input().value(), Some(fault));
         match clip(wrong, LONGEST_WORD) {
             whole if whole == wrong => said,
             cut => said.replace(wrong, &cut),
         }
     });
-    let hint = palette.hint.as_ref().map(|hint| look.text(hint));
+    let hint = palette.hint().map(|hint| look.text(hint));
     // A wrong line without a verb is not helped by the grammar.
     let hint = hint.or_else(|| fault.is_none().then(|| look.text(grammar)));
-    let outcome = palette.outcome.as_ref().map(|text| look.text(text));
+    let outcome = palette.outcome().map(|text| look.text(text));
     let parts = [
         (fault.as_deref(), FAULT_ROWS, Role::Danger),
         (hint.as_deref(), HINT_ROWS, Role::Muted),
@@ -169,14 +175,14 @@ fn draw_carets(
 }
 
 fn draw_choices(palette: &Palette, panel: Panel<'_>, buffer: &mut Buffer) {
-    let choices = &palette.completions;
+    let choices = palette.completions();
     let (rows, width) = (
         usize::from(panel.area.height),
         usize::from(panel.area.width),
     );
     // The chosen one is the last row once the list has to scroll.
     let first = palette
-        .chosen
+        .chosen()
         .map_or(0, |chosen| (chosen + 1).saturating_sub(rows));
     let widest = choices
         .iter()
@@ -191,7 +197,7 @@ fn draw_choices(palette: &Palette, panel: Panel<'_>, buffer: &mut Buffer) {
         .skip(first)
         .take(rows)
         .map(|(at, choice)| {
-            let is_chosen = palette.chosen == Some(at);
+            let is_chosen = palette.chosen() == Some(at);
             choice_lines(choice, is_chosen, name_width, width, panel.look)
         })
         .collect();
@@ -203,7 +209,7 @@ fn draw_choices(palette: &Palette, panel: Panel<'_>, buffer: &mut Buffer) {
     }
     let mut rest = panel.area;
     for (at, block) in blocks.into_iter().enumerate() {
-        let is_chosen = palette.chosen == Some(first + at);
+        let is_chosen = palette.chosen() == Some(first + at);
         for line in block {
             put(buffer, rest, 0, &line);
             if is_chosen {

@@ -51,9 +51,9 @@ pub fn draw(state: &State, cursor: usize, panel: Panel<'_>, buffer: &mut Buffer)
     }
     let keys = text!(
         "profiles-keys",
-        scroll = state.keymap.keys(Action::UP_AND_DOWN, Place::List),
-        submit = state.keymap.key(Action::Submit, Place::List),
-        escape = state.keymap.key(Action::Escape, Place::List)
+        scroll = state.keymap().keys(Action::UP_AND_DOWN, Place::List),
+        submit = state.keymap().key(Action::Submit, Place::List),
+        escape = state.keymap().key(Action::Escape, Place::List)
     );
     let keys = Line::styled(panel.text(&keys), panel.style(Role::Muted));
     put(buffer, inner, inner.height.saturating_sub(1), &keys);

@@ -33,17 +33,17 @@ const BOTTOM_HEIGHT: u16 = 5;
 
 /// Draws the prompt and returns where the terminal's cursor belongs.
 pub fn draw(state: &State, prompt: &Prompt, panel: Panel<'_>, buffer: &mut Buffer) -> Position {
-    let place = match prompt.purpose {
+    let place = match prompt.purpose() {
         Purpose::Connect => centred(WIDTH, HEIGHT + long_fault(prompt, panel.look), panel.area),
         // What the line is about stays in sight.
         _ => at_the_bottom(panel.area),
     };
     let inner = panel
         .at(place)
-        .boxed(&title(&prompt.purpose, panel.look), Role::Accent, buffer);
-    let (cursor, _) = draw_line(&prompt.input, None, panel.at(inner), buffer);
+        .boxed(&title(prompt.purpose(), panel.look), Role::Accent, buffer);
+    let (cursor, _) = draw_line(prompt.input(), None, panel.at(inner), buffer);
     let mut row = 1;
-    let fault = prompt.fault.as_ref().map(|fault| panel.text(fault));
+    let fault = prompt.fault().map(|fault| panel.text(fault));
     let fault = wrap(&fault.unwrap_or_default(), usize::from(inner.width));
     for line in fault {
         put(
@@ -54,10 +54,10 @@ pub fn draw(state: &State, prompt: &Prompt, panel: Panel<'_>, buffer: &mut Buffe
         );
         row += 1;
     }
-    match prompt.purpose {
+    match prompt.purpose() {
         Purpose::Connect => draw_examples(state, panel.at(below(inner, row + 1)), buffer),
-        _ if prompt.fault.is_none() => {
-            let text = panel.text(&advice(state, &prompt.purpose));
+        _ if prompt.fault().is_none() => {
+            let text = panel.text(&advice(state, prompt.purpose()));
             let text = Line::styled(text, panel.style(Role::Muted));
             put(buffer, inner, 1, &text);
         }
@@ -68,7 +68,7 @@ pub fn draw(state: &State, prompt: &Prompt, panel: Panel<'_>, buffer: &mut Buffe
 
 /// The rows that a reason takes beyond those there are for it anyway.
 fn long_fault(prompt: &Prompt, look: &Look) -> u16 {
-    let fault = prompt.fault.as_ref().map(|fault| look.text(fault));
+    let fault = prompt.fault().map(|fault| look.text(fault));
     let lines = wrap(&fault.unwrap_or_default(), usize::from(WIDTH) - 4).len();
     lines.saturating_sub(FAULT_ROWS) as u16
 }
@@ -122,11 +122,11 @@ fn advice(state: &State, purpose: &Purpose) -> Text {
 }
 
 fn submit(state: &State) -> Text {
-    state.keymap.key(Action::Submit, Place::Prompt)
+    state.keymap().key(Action::Submit, Place::Prompt)
 }
 
 fn escape(state: &State) -> Text {
-    state.keymap.key(Action::Escape, Place::Prompt)
+    state.keymap().key(Action::Escape, Place::Prompt)
 }
 
 /// A box over the last lines of the room.

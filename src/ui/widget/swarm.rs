@@ -32,7 +32,7 @@ const MARKS: u16 = 2;
 /// Rows that the table would like to have: a rule, the titles, and a row for each vehicle, or what there is to know
 /// while there is none. A filter leaves the table as large as it was.
 pub fn height(state: &State, look: &Look, width: u16) -> usize {
-    let rows = match state.session.vehicles.len() {
+    let rows = match state.session().vehicles().len() {
         0 => waiting_lines(state, look, width).len(),
         count => count,
     };
@@ -43,8 +43,8 @@ pub fn height(state: &State, look: &Look, width: u16) -> usize {
 fn waiting_lines(state: &State, look: &Look, width: u16) -> Vec<(String, Role)> {
     let waiting = format!("  {}", look.say("fly-waiting"));
     let mut lines = vec![(waiting, Role::Muted)];
-    let session = &state.session;
-    for link in &session.links {
+    let session = state.session();
+    for link in session.links() {
         let reason = look.text(link.error.as_ref().unwrap_or(&link.state));
         let role = if link.error.is_some() {
             Role::Warning
@@ -75,12 +75,12 @@ fn draw_lines(lines: Vec<(String, Role)>, panel: Panel<'_>, buffer: &mut Buffer)
 }
 
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
-    let session = &state.session;
-    let fly = &state.rooms.fly;
+    let session = state.session();
+    let fly = state.rooms().fly();
     let rows = usize::from(panel.area.height.saturating_sub(2));
     // The cursor stays in the middle while the list scrolls under it.
     let first = fly
-        .row_of(session.cursor)
+        .row_of(session.cursor())
         .saturating_sub(rows / 2)
         .min(fly.rows().len().saturating_sub(rows));
     let head = columns(panel.area, 0, panel.area.width.saturating_sub(6));
@@ -89,13 +89,13 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let columns = layout::columns(state, &words, panel.look, inner.width.saturating_sub(MARKS));
     draw_titles(&columns, panel.at(inner), buffer);
     let list = below(inner, 1);
-    if session.vehicles.is_empty() {
+    if session.vehicles().is_empty() {
         let lines = waiting_lines(state, panel.look, panel.area.width);
         draw_lines(lines, panel.at(list), buffer);
     } else if fly.rows().is_empty() {
         let text = text!(
             "fly-none-fit",
-            filter = &fly.filter,
+            filter = fly.filter_text(),
             key = state.key(Action::Escape)
         );
         let line = (format!("  {}", panel.text(&text)), Role::Muted);
@@ -108,12 +108,12 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
             height: 1,
             ..list
         };
-        if let Some(vehicle) = session.vehicles.get(&id) {
+        if let Some(vehicle) = session.vehicles().get(&id) {
             let row = Row {
                 vehicle,
                 state,
                 words: &words,
-                selected: session.selection.contains(&id),
+                selected: session.selection().contains(&id),
             };
             draw_vehicle(&row, &columns, panel.at(line), buffer);
         }
@@ -122,17 +122,17 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 
 /// What the rule above the table says: how many are shown, in which order, and who is selected.
 fn title(state: &State, first: usize, rows: usize, panel: Panel<'_>) -> String {
-    let session = &state.session;
-    let fly = &state.rooms.fly;
-    let (shown, all) = (fly.rows().len(), session.vehicles.len());
+    let session = state.session();
+    let fly = state.rooms().fly();
+    let (shown, all) = (fly.rows().len(), session.vehicles().len());
     let mut parts = vec![panel.say("fly-swarm")];
     if shown > rows {
         let last = (first + rows).min(shown);
         let text = text!("fly-rows", first = first + 1, last = last, count = shown);
         parts.push(panel.text(&text));
     }
-    if !fly.filter.is_empty() {
-        let filter = clip(&fly.filter, 24);
+    if !fly.filter_text().is_empty() {
+        let filter = clip(fly.filter_text(), 24);
         let text = text!("fly-filtered", shown = shown, all = all, filter = filter);
         parts.push(panel.text(&text));
     }
@@ -142,7 +142,7 @@ fn title(state: &State, first: usize, rows: usize, panel: Panel<'_>) -> String {
         let title = Text::joined("", vec![mark.into(), sort.column.title()]);
         parts.push(panel.text(&text!("fly-by", column = title)));
     }
-    if !session.selection.is_empty() {
+    if !session.selection().is_empty() {
         let used: usize = parts.iter().map(|part| width(part) + 2).sum();
         parts.push(clip(
             &selected(state, panel.look),
@@ -154,12 +154,12 @@ fn title(state: &State, first: usize, rows: usize, panel: Panel<'_>) -> String {
 
 /// How many are selected, which groups that are, and who.
 fn selected(state: &State, look: &Look) -> String {
-    let session = &state.session;
-    let selection = &session.selection;
+    let session = state.session();
+    let selection = session.selection();
     let whole = |members: &[VehicleId]| {
         !members.is_empty() && members.iter().all(|id| selection.contains(id))
     };
-    let named = session.groups.iter();
+    let named = session.groups().iter();
     let groups: Vec<String> = named
         .filter(|(_, members)| whole(members))
         .map(|(name, _)| format!(" @{name}"))
@@ -180,8 +180,8 @@ fn selected(state: &State, look: &Look) -> String {
 
 /// How many selected vehicles the filter hides.
 fn hidden(state: &State, selection: &Selection) -> usize {
-    let fly = &state.rooms.fly;
-    if fly.filter.is_empty() {
+    let fly = state.rooms().fly();
+    if fly.filter_text().is_empty() {
         return 0;
     }
     let shown = fly.rows().iter();
@@ -198,7 +198,7 @@ fn draw_titles(columns: &[Shown], panel: Panel<'_>, buffer: &mut Buffer) {
 }
 
 fn draw_vehicle(row: &Row<'_>, columns: &[Shown], panel: Panel<'_>, buffer: &mut Buffer) {
-    let under_cursor = row.state.session.cursor == Some(row.vehicle.id);
+    let under_cursor = row.state.session().cursor() == Some(row.vehicle.id);
     let cursor_mark = if under_cursor { ">" } else { " " };
     let selection_mark = if row.selected { "*" } else { " " };
     let mut line = Line::from(vec![

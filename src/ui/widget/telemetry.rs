@@ -21,7 +21,7 @@ const MOST_ALERTS: usize = 3;
 
 /// Rows that the pane would like to have.
 pub fn height(state: &State, look: &Look, width: u16) -> u16 {
-    let Some(vehicle) = state.session.under_cursor() else {
+    let Some(vehicle) = state.session().under_cursor() else {
         return 1;
     };
     let alerts = alert_lines(vehicle, state, look, usize::from(width)).len();
@@ -34,7 +34,7 @@ pub fn height(state: &State, look: &Look, width: u16) -> u16 {
 pub fn last_known(vehicle: &Vehicle, state: &State, look: &Look) -> Option<Line<'static>> {
     let link = vehicle.link;
     let silent = state
-        .now
+        .now()
         .saturating_sub(link.last_heard.unwrap_or_default());
     let text = text!("vehicle-last-known", seconds = silent.as_secs());
     link.lost
@@ -43,7 +43,7 @@ pub fn last_known(vehicle: &Vehicle, state: &State, look: &Look) -> Option<Line<
 
 /// Draws as many lines as fit; a vehicle in trouble says so first, in full.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
-    let Some(vehicle) = state.session.under_cursor() else {
+    let Some(vehicle) = state.session().under_cursor() else {
         panel.titled(&panel.say("telemetry-title"), buffer);
         return;
     };
@@ -81,12 +81,12 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 
 /// What is wrong with it and since when, the worst first.
 fn alert_lines(vehicle: &Vehicle, state: &State, look: &Look, width: usize) -> Vec<Line<'static>> {
-    let session = &state.session;
-    let mut alerts: Vec<&Standing> = session.alarms.of(vehicle.id).collect();
-    alerts.sort_by_key(|one| (session.alarms.is_calm(one), one.alert.severity));
+    let session = state.session();
+    let mut alerts: Vec<&Standing> = session.alarms().of(vehicle.id).collect();
+    alerts.sort_by_key(|one| (session.alarms().is_calm(one), one.alert.severity));
     let told = alerts.into_iter().take(MOST_ALERTS);
     let lines = told.flat_map(|one| {
-        let role = if session.alarms.is_calm(one) {
+        let role = if session.alarms().is_calm(one) {
             Role::Muted
         } else {
             severity_role(one.alert.severity)
@@ -279,7 +279,7 @@ fn link(vehicle: &Vehicle, state: &State) -> Text {
     let link = &vehicle.link;
     let quality = if link.lost {
         let heard = link.last_heard.unwrap_or_default();
-        let silent = state.now.saturating_sub(heard);
+        let silent = state.now().saturating_sub(heard);
         text!("telemetry-link-lost", seconds = silent.as_secs())
     } else {
         format!("{} %", link.percent()).into()

@@ -41,9 +41,9 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 }
 
 fn lines(state: &State) -> Vec<(Text, Role)> {
-    let progress = state.session.mission.as_ref();
+    let progress = state.session().mission();
     let mut lines = match progress {
-        Some(progress) if !state.session.over => all(progress),
+        Some(progress) if !state.session().is_over() => all(progress),
         _ => return Vec::new(),
     };
     if lines.len() > MOST {

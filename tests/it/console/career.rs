@@ -84,7 +84,7 @@ fn a_locked_mission_is_not_flown_in_any_way_and_says_why() {
         go_to(&mut console, "01-air-sample");
         console.press(key);
         assert!(console.effects.is_empty(), "{key}: {:?}", console.effects);
-        assert!(console.state().overlay.is_none(), "{key}");
+        assert!(console.state().overlay().is_none(), "{key}");
         assert_eq!(
             said(&console),
             "Air sample is locked: pass First flight",
@@ -128,6 +128,14 @@ fn starter() -> Design {
     Design::from_toml(starter).expect("it is good")
 }
 
+/// For how many missions drones were chosen.
+fn fleets(console: &Console) -> usize {
+    let missions = console.state().missions().iter();
+    missions
+        .filter(|mission| !console.state().fleet(&mission.id).is_empty())
+        .count()
+}
+
 /// A trainee who has chosen a design for the mission under the cursor.
 fn with_a_fleet(career: Career) -> Console {
     let mut console = Console::set_up(|setup| {
@@ -136,7 +144,7 @@ fn with_a_fleet(career: Career) -> Console {
     });
     console.hear(CareerEvent::Career(Some(Box::new(career))));
     console.press("W").press("f").press("enter");
-    assert_eq!(console.state().fleets.len(), 1);
+    assert_eq!(fleets(&console), 1);
     console
 }
 
@@ -152,7 +160,7 @@ fn practice_is_flown_with_the_fleet_that_was_chosen() {
 
 #[test]
 fn a_trainee_is_met_in_their_language_until_they_choose_another() {
-    let language = |console: &Console| console.state().locale.language();
+    let language = |console: &Console| console.state().locale().language();
     let ukrainian = |name: &str| Career {
         language: Some(Language::Ukrainian),
         name: name.to_owned(),
@@ -187,10 +195,10 @@ fn an_exam_that_would_end_a_flight_says_so() {
     console.press("H").press("e");
     let screen = console.screen(80, 24);
     assert!(screen.contains("mission"), "{screen}");
-    let Some(Overlay::Confirm(question)) = &console.state().overlay else {
+    let Some(Overlay::Confirm(question)) = console.state().overlay() else {
         panic!("{screen}");
     };
-    let reason = question.reason.to_string();
+    let reason = question.reason().to_string();
     assert!(
         reason.contains("no hints, no pause") && reason.contains(';'),
         "{reason}"
@@ -212,7 +220,7 @@ fn profiles_are_chosen_made_and_left() {
     );
     // The one that holds now is under the cursor, and taking it changes nothing.
     console.press("u").press("enter");
-    assert!(console.effects.is_empty() && console.state().overlay.is_none());
+    assert!(console.effects.is_empty() && console.state().overlay().is_none());
     console.press("u").press("j").press("enter");
     assert_eq!(
         console.effects,
@@ -221,7 +229,7 @@ fn profiles_are_chosen_made_and_left() {
     console.press("u").press("end").press("enter");
     assert_eq!(console.effects, [Effect::Career(CareerEffect::Leave)]);
     console.press("u").press("esc");
-    assert!(console.effects.is_empty() && console.state().overlay.is_none());
+    assert!(console.effects.is_empty() && console.state().overlay().is_none());
     console.press("u").press("end").press("k").press("enter");
     console.write("  ").press("enter");
     assert!(console.effects.is_empty(), "a name has letters");
@@ -247,8 +255,8 @@ fn the_prompt_for_a_name_stays_with_the_reason_until_there_is_a_profile() {
     console.hear(Event::Failed("there is one already".into()));
     let screen = console.screen(80, 24);
     assert!(screen.contains("there is one already"), "{screen}");
-    let is_prompt = |console: &Console| match &console.state().overlay {
-        Some(Overlay::Prompt(prompt)) => prompt.purpose == Purpose::NewProfile,
+    let is_prompt = |console: &Console| match console.state().overlay() {
+        Some(Overlay::Prompt(prompt)) => *prompt.purpose() == Purpose::NewProfile,
         _ => false,
     };
     assert!(is_prompt(&console));
@@ -263,7 +271,7 @@ fn nobody_takes_over_a_flight() {
     let mut console = trained_by(career());
     in_flight(&mut console);
     console.press("H").press("u");
-    assert!(console.state().overlay.is_none());
+    assert!(console.state().overlay().is_none());
     assert!(
         said(&console).contains("end it first"),
         "{}",
@@ -271,16 +279,16 @@ fn nobody_takes_over_a_flight() {
     );
     console.hear(SessionEvent::MissionEnded(Box::new(fixtures::report())));
     console.at(5).press("H").press("u");
-    assert!(console.state().overlay.is_some(), "it is over");
+    assert!(console.state().overlay().is_some(), "it is over");
 }
 
 #[test]
 fn what_was_chosen_for_missions_goes_with_who_chose_it() {
     let mut console = with_a_fleet(career());
     console.hear(CareerEvent::Career(Some(Box::new(career()))));
-    assert_eq!(console.state().fleets.len(), 1);
+    assert_eq!(fleets(&console), 1);
     console.hear(CareerEvent::Career(None));
-    assert!(console.state().fleets.is_empty());
+    assert_eq!(fleets(&console), 0);
 }
 
 #[test]
@@ -296,7 +304,7 @@ fn advice_goes_round_and_is_kept() {
         };
         let mut console = trained_by(career);
         console.press("T");
-        assert_eq!(console.state().room, Room::Standing);
+        assert_eq!(console.state().room(), Room::Standing);
         console.press("a");
         assert_eq!(
             console.effects,
@@ -362,9 +370,9 @@ fn a_flight_under_way_hears_of_it_in_every_room() {
     console.hear(CareerEvent::Career(Some(Box::new(career))));
     in_flight(&mut console);
     console.hear(SessionEvent::Mission(Box::new(fixtures::progress())));
-    let progress = console.state().session.mission.as_ref();
+    let progress = console.state().session().mission();
     assert_eq!(progress.expect("it is flown").hint, None);
-    assert!(console.state().rooms.mission.hints.is_empty());
+    assert!(console.state().rooms().mission().hints().is_empty());
 }
 
 #[test]
@@ -408,7 +416,7 @@ fn credits_are_left_as_long_as_the_best_flight_is_not_perfect() {
 fn a_mission_of_ones_own_progress_is_found_on_the_home_screen() {
     let mut console = trained_by(career());
     console.press("T").press("tab").press("j").press("enter");
-    assert_eq!(console.state().room, Room::Home);
+    assert_eq!(console.state().room(), Room::Home);
     // The second line is the drill: it is flown from its mission.
     assert_eq!(under_cursor(&console), "01-air-sample");
 }

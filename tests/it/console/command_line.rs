@@ -9,10 +9,10 @@ use crate::fixtures;
 use crate::harness::Console;
 
 fn fault_word(console: &Console) -> String {
-    match &console.state().overlay {
+    match console.state().overlay() {
         Some(Overlay::Palette(palette)) => {
-            let fault = palette.fault.as_ref().expect("a fault");
-            palette.input.value()[fault.span.clone()].to_owned()
+            let fault = palette.fault().expect("a fault");
+            palette.input().value()[fault.span.clone()].to_owned()
         }
         other => panic!("the command line is not open: {other:?}"),
     }
@@ -49,7 +49,7 @@ fn a_dangerous_verb_wants_the_number_of_its_targets() {
         console.press("3");
         assert!(console.effects.is_empty(), "no is no after {wrong}");
         console.press("esc").press("esc");
-        assert!(console.state().overlay.is_none(), "{wrong}");
+        assert!(console.state().overlay().is_none(), "{wrong}");
     }
     let mut console = Console::flying(12);
     console.give("all kill").press("1");
@@ -65,7 +65,7 @@ fn keys_after_a_wrong_answer_reach_nothing_until_enter_or_escape() {
         assert!(console.screen(80, 24).contains("Enter or Esc goes on"));
         console.press(end);
         assert!(console.effects.is_empty());
-        assert!(console.state().overlay.is_none(), "{end}");
+        assert!(console.state().overlay().is_none(), "{end}");
         assert!(selection(&console).is_empty());
         console.write("2").press("enter");
         assert_eq!(selection(&console), [2], "keys work again after {end}");
@@ -86,7 +86,7 @@ fn a_question_of_yes_or_no_takes_n_at_once() {
     let mut console = Console::flying(1);
     console.vehicle(fixtures::airborne(1, 0.0, 10.0));
     console.press("ctrl-c").press("n");
-    assert!(console.state().overlay.is_none() && console.effects.is_empty());
+    assert!(console.state().overlay().is_none() && console.effects.is_empty());
 }
 
 #[test]
@@ -107,19 +107,18 @@ fn a_wrong_line_stays_with_the_wrong_word_marked() {
         console.press("esc");
     }
     assert!(
-        console.state().history.is_empty(),
+        console.state().last_line().is_none(),
         "a line that did nothing is not history"
     );
-    assert_eq!(console.state().session.ledger.entries().len(), 0);
+    assert_eq!(console.state().session().ledger().entries().len(), 0);
 }
 
 #[test]
 fn a_finished_word_that_is_wrong_is_marked_while_the_line_is_written() {
-    let fault = |console: &Console| match &console.state().overlay {
+    let fault = |console: &Console| match console.state().overlay() {
         Some(Overlay::Palette(palette)) => palette
-            .fault
-            .as_ref()
-            .map(|fault| palette.input.value()[fault.span.clone()].to_owned()),
+            .fault()
+            .map(|fault| palette.input().value()[fault.span.clone()].to_owned()),
         other => panic!("the command line is not open: {other:?}"),
     };
     let mut console = Console::flying(4);
@@ -158,11 +157,11 @@ fn no_line_is_marked_on_the_way_to_a_right_one() {
         console.press(":");
         for c in line.chars() {
             console.press(&c.to_string());
-            let Some(Overlay::Palette(palette)) = &console.state().overlay else {
+            let Some(Overlay::Palette(palette)) = console.state().overlay() else {
                 panic!("the command line has closed");
             };
-            let written = palette.input.value();
-            assert_eq!(palette.fault, None, "{written}");
+            let written = palette.input().value();
+            assert_eq!(palette.fault(), None, "{written}");
         }
     }
 }

@@ -26,7 +26,7 @@ fn commanded() -> Console {
 }
 
 fn shown(console: &Console) -> Vec<u32> {
-    let shown = console.state().rooms.ledger.shown().iter();
+    let shown = console.state().rooms().ledger().shown().iter();
     shown.map(|id| id.0).collect()
 }
 
@@ -35,7 +35,7 @@ fn the_room_tells_each_command_and_each_vehicle_of_the_one_under_the_cursor() {
     let mut console = commanded();
     for key in ["c", "C"] {
         console.press("F").press(key);
-        assert!(console.state().room == Room::Ledger, "{key}");
+        assert!(console.state().room() == Room::Ledger, "{key}");
     }
     let screen = console.press("home").screen(120, 40);
     for part in [
@@ -49,7 +49,7 @@ fn the_room_tells_each_command_and_each_vehicle_of_the_one_under_the_cursor() {
     let reason = "arm refused: PreArm: Need Position Estimate";
     assert!(screen.contains(reason), "{screen}");
     console.press("F").give("ledger");
-    assert!(console.state().room == Room::Ledger);
+    assert!(console.state().room() == Room::Ledger);
 }
 
 #[test]
@@ -92,17 +92,17 @@ fn commands_are_filtered_by_vehicle_verb_and_outcome() {
 fn the_list_follows_the_newest_until_the_cursor_moves() {
     let mut console = commanded();
     console.press("C").give("2 hold").at(13);
-    assert_eq!(console.state().rooms.ledger.place(), 3);
+    assert_eq!(console.state().rooms().ledger().place(), 3);
     console.press("k").give("3 hold").at(14);
     assert_eq!(
-        console.state().rooms.ledger.place(),
+        console.state().rooms().ledger().place(),
         2,
         "it stays on its command"
     );
     console.press("end").give("1 hold").at(15);
-    assert_eq!(console.state().rooms.ledger.place(), 5);
+    assert_eq!(console.state().rooms().ledger().place(), 5);
     console.press("F").press("C");
-    assert_eq!(console.state().rooms.ledger.place(), 5);
+    assert_eq!(console.state().rooms().ledger().place(), 5);
 }
 
 #[test]
@@ -114,13 +114,13 @@ fn esc_takes_back_what_was_opened_then_the_filter_then_leaves() {
         .press("C")
         .press("o")
         .press("enter");
-    assert!(console.state().rooms.ledger.opened);
+    assert!(console.state().rooms().ledger().is_opened());
     console.press("esc");
-    assert!(!console.state().rooms.ledger.opened && shown(&console) == [0]);
+    assert!(!console.state().rooms().ledger().is_opened() && shown(&console) == [0]);
     assert_eq!(shown(console.press("esc")).len(), 3);
-    assert!(console.press("esc").state().room == Room::Fly);
+    assert!(console.press("esc").state().room() == Room::Fly);
     assert_eq!(
-        console.state().session.selection.len(),
+        console.state().session().selection().len(),
         2,
         "the selection is none of its business"
     );
@@ -142,7 +142,7 @@ fn thousands_of_commands_with_a_filter_stay_quick() {
             vehicle: 1,
             state: RowState::Done,
             tries: 1,
-            at: console.state().now,
+            at: console.state().now(),
             explanation: None,
         }));
     }

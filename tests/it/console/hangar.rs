@@ -85,7 +85,7 @@ fn ready() -> Console {
 fn last_notice(console: &Console) -> (Severity, Option<u16>, String) {
     let line = console
         .state()
-        .notices
+        .notices()
         .lines()
         .next_back()
         .expect("a notice");
@@ -96,10 +96,10 @@ fn last_notice(console: &Console) -> (Severity, Option<u16>, String) {
 #[test]
 fn a_session_opens_in_the_hangar_and_goes_on_when_all_are_ready() {
     let mut console = starting(Activity::Free, 2);
-    assert_eq!(console.state().room, Room::Hangar);
+    assert_eq!(console.state().room(), Room::Hangar);
     hear(&mut console, vec![instance(1, SitlStage::Ready)]);
     assert_eq!(
-        console.state().room,
+        console.state().room(),
         Room::Hangar,
         "the other is not even there"
     );
@@ -110,14 +110,14 @@ fn a_session_opens_in_the_hangar_and_goes_on_when_all_are_ready() {
             instance(2, SitlStage::Position),
         ],
     );
-    assert_eq!(console.state().room, Room::Hangar);
+    assert_eq!(console.state().room(), Room::Hangar);
     console.at(7);
     hear(
         &mut console,
         vec![instance(1, SitlStage::Ready), instance(2, SitlStage::Ready)],
     );
-    assert_eq!(console.state().room, Room::Fly);
-    assert_eq!(console.state().session.began_at.as_secs(), 7);
+    assert_eq!(console.state().room(), Room::Fly);
+    assert_eq!(console.state().session().began_at().as_secs(), 7);
     assert_eq!(last_notice(&console).2, "all 2 vehicles are ready to arm");
 }
 
@@ -126,7 +126,7 @@ fn who_has_gone_elsewhere_stays_there() {
     let mut console = starting(Activity::Free, 1);
     console.press("P");
     hear(&mut console, vec![instance(1, SitlStage::Ready)]);
-    assert_eq!(console.state().room, Room::Parameters);
+    assert_eq!(console.state().room(), Room::Parameters);
 }
 
 #[test]
@@ -140,7 +140,7 @@ fn escape_cancels_what_has_not_begun_without_a_question() {
     hear(&mut console, vec![instance(1, SitlStage::Process)]);
     console.press("esc");
     assert_eq!(console.effects, [Effect::Session(SessionEffect::Leave)]);
-    assert_eq!(console.state().room, Room::Home);
+    assert_eq!(console.state().room(), Room::Home);
 }
 
 #[test]
@@ -180,16 +180,21 @@ fn a_crash_is_told_with_the_last_line_and_leads_to_its_restart() {
         text.contains("G, then r") && text.contains("hangar restart 2"),
         "{text}"
     );
-    let worst = console.state().session.alarms.worst(2).expect("it alarms");
+    let worst = console
+        .state()
+        .session()
+        .alarms()
+        .worst(2)
+        .expect("it alarms");
     assert_eq!(worst.alert.kind, AlertKind::Process);
     assert_eq!(console.effects, [Effect::Terminal(TerminalEffect::Bell)]);
-    let count = console.state().notices.lines().len();
+    let count = console.state().notices().lines().len();
     hear(
         &mut console,
         vec![instance(1, SitlStage::Ready), crashed(2)],
     );
     assert_eq!(
-        console.state().notices.lines().len(),
+        console.state().notices().lines().len(),
         count,
         "it is told once"
     );
@@ -218,8 +223,8 @@ fn a_crash_is_told_with_the_last_line_and_leads_to_its_restart() {
     assert!(
         console
             .state()
-            .session
-            .alarms
+            .session()
+            .alarms()
             .of(2)
             .all(|one| one.alert.kind != AlertKind::Process)
     );
@@ -311,12 +316,12 @@ fn an_armed_vehicle_is_not_restarted_or_ended_without_a_question() {
     for (key, line) in [("r", "hangar restart 1"), ("x", "hangar stop 1")] {
         console.press("G").press(key);
         assert!(
-            matches!(console.state().overlay, Some(Overlay::Confirm(_))),
+            matches!(console.state().overlay(), Some(Overlay::Confirm(_))),
             "{key}"
         );
         console.press("n").give(line);
         assert!(
-            matches!(console.state().overlay, Some(Overlay::Confirm(_))),
+            matches!(console.state().overlay(), Some(Overlay::Confirm(_))),
             "{line}"
         );
         console.press("n");
@@ -342,7 +347,7 @@ fn the_mission_does_not_wait_for_one_that_was_ended() {
     );
     console.press("j").press("x");
     hear(&mut console, vec![instance(1, SitlStage::Ready)]);
-    assert_eq!(console.state().room, Room::Fly);
+    assert_eq!(console.state().room(), Room::Fly);
 }
 
 #[test]
@@ -358,7 +363,7 @@ fn lines_about_processes_that_are_not_there_are_explained() {
         .to_string();
     assert_eq!(said, "there is no process of vehicle 9");
     console.give("hangar");
-    assert_eq!(console.state().room, Room::Hangar);
+    assert_eq!(console.state().room(), Room::Hangar);
 }
 
 #[test]
@@ -388,7 +393,7 @@ fn output_opens_and_scrolls() {
         "{screen}"
     );
     console.press("esc");
-    assert_eq!(console.state().room, Room::Hangar);
+    assert_eq!(console.state().room(), Room::Hangar);
     console.press("esc");
-    assert_eq!(console.state().room, Room::Fly);
+    assert_eq!(console.state().room(), Room::Fly);
 }

@@ -30,7 +30,10 @@ fn a_dangerous_line_asks_and_a_line_that_cannot_be_given_stays() {
     let mut console = flying("[fly]\nz = \"1-3 kill\"\nx = \"@red arm\"\n");
     console.press("z");
     assert!(console.effects.is_empty());
-    assert!(matches!(console.state().overlay, Some(Overlay::Confirm(_))));
+    assert!(matches!(
+        console.state().overlay(),
+        Some(Overlay::Confirm(_))
+    ));
     assert_eq!(console.press("3").sent_to(), [1, 2, 3]);
     console.press("x");
     assert!(console.effects.is_empty());

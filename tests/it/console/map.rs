@@ -17,12 +17,12 @@ fn on_the_map() -> Console {
         rows: 40,
     });
     console.press("M").press("z");
-    assert_eq!(console.state().room, Room::Map);
+    assert_eq!(console.state().room(), Room::Map);
     console
 }
 
 fn pointed(console: &Console) -> LatLon {
-    let map = &console.state().rooms.map;
+    let map = console.state().rooms().map();
     let view = map.view(map.canvas((120, 40))).expect("a view");
     map.pointed(&view)
 }
@@ -62,7 +62,7 @@ fn goto_is_written_with_the_place_under_the_cursor_and_sent_only_by_enter() {
         console.vehicle(fixtures::airborne(id, 0.0, 20.0));
     }
     console.write("2-3");
-    assert_eq!(console.state().typed, "2-3", "`-` belongs to the list");
+    assert_eq!(console.state().typed(), "2-3", "`-` belongs to the list");
     console.press("enter");
     assert_eq!(selection(&console), [2, 3]);
     console.press("home").press("g");
@@ -75,32 +75,39 @@ fn goto_is_written_with_the_place_under_the_cursor_and_sent_only_by_enter() {
 #[test]
 fn enter_takes_the_vehicle_nearest_to_the_cursor_and_tab_the_next_one() {
     let mut console = on_the_map();
-    assert_eq!(console.state().session.cursor, Some(1));
+    assert_eq!(console.state().session().cursor(), Some(1));
     console.press("tab").press("tab");
-    assert_eq!(console.state().session.cursor, Some(3));
+    assert_eq!(console.state().session().cursor(), Some(3));
     let third = fixtures::HOME.moved(0.0, 15.0);
     assert!(pointed(&console).distance_m(third) < 0.01);
     console.press("tab").press("tab");
-    assert_eq!(console.state().session.cursor, Some(1), "round and round");
+    assert_eq!(
+        console.state().session().cursor(),
+        Some(1),
+        "round and round"
+    );
     console.press("shift-tab");
-    assert_eq!(console.state().session.cursor, Some(4));
+    assert_eq!(console.state().session().cursor(), Some(4));
     for _ in 0..60 {
         console.press("h");
     }
-    assert_eq!(console.press("enter").state().session.cursor, Some(1));
+    assert_eq!(console.press("enter").state().session().cursor(), Some(1));
 }
 
 #[test]
 fn the_ruler_begins_and_ends_with_one_key() {
     let mut console = on_the_map();
     console.press("end").press("u");
-    let mark = console.state().rooms.map.mark.expect("a mark");
+    let mark = console.state().rooms().map().mark().expect("a mark");
     console.press("l").press("l");
     assert!(console.screen(120, 40).contains("ruler"));
     assert!(mark.distance_m(pointed(&console)) > 0.5);
     console.press("esc");
-    assert_eq!(console.state().rooms.map.mark, None);
-    assert_eq!(console.press("u").press("u").state().rooms.map.mark, None);
+    assert_eq!(console.state().rooms().map().mark(), None);
+    assert_eq!(
+        console.press("u").press("u").state().rooms().map().mark(),
+        None
+    );
 }
 
 #[test]
@@ -110,16 +117,19 @@ fn a_followed_vehicle_stays_in_view_until_the_cursor_leads_away() {
     for metre in 0..300 {
         console.vehicle(fixtures::airborne(1, f64::from(metre), 20.0));
     }
-    let map = &console.state().rooms.map;
-    assert!(matches!(map.aim, Aim::Vehicle(..)));
+    let map = console.state().rooms().map();
+    assert!(matches!(map.aim(), Aim::Vehicle(..)));
     let view = map.view(map.canvas((120, 40))).expect("a view");
     let place = fixtures::HOME.moved(299.0, 5.0);
     let (column, row) = view.cell(place).expect("in view");
     assert!((28..58).contains(&column) && (12..24).contains(&row));
     assert!(console.screen(120, 40).contains("follows 1"));
     console.press("f");
-    assert!(matches!(console.state().rooms.map.aim, Aim::Place(..)));
-    assert_eq!(console.press("z").state().rooms.map.aim, Aim::All);
+    assert!(matches!(
+        console.state().rooms().map().aim(),
+        Aim::Place(..)
+    ));
+    assert_eq!(console.press("z").state().rooms().map().aim(), Aim::All);
 }
 
 #[test]
@@ -132,16 +142,19 @@ fn the_room_is_as_it_was_left_and_a_new_session_sees_nothing_of_the_old_one() {
         .press("u")
         .press("w")
         .press("i");
-    let before = console.state().rooms.map.clone();
+    let before = console.state().rooms().map().clone();
     console.press("F").press("M");
-    let map = &console.state().rooms.map;
-    assert_eq!((map.aim, map.mark), (before.aim, before.mark));
-    assert!(map.trails_hidden && map.legend.is_some() && !map.trails.is_empty());
+    let map = console.state().rooms().map();
+    assert_eq!((map.aim(), map.mark()), (before.aim(), before.mark()));
+    assert!(map.hides_trails() && map.legend().is_some() && !map.trails().is_empty());
     console.start(sortie::app::state::Activity::Free);
-    let map = &console.state().rooms.map;
-    assert_eq!((map.aim, map.mark, map.cursor), (Aim::All, None, None));
-    assert!(map.trails.is_empty() && map.overview.frame().is_none());
-    assert!(map.trails_hidden, "what the user wants to see stays");
+    let map = console.state().rooms().map();
+    assert_eq!(
+        (map.aim(), map.mark(), map.cursor()),
+        (Aim::All, None, None)
+    );
+    assert!(map.trails().is_empty() && map.overview().frame().is_none());
+    assert!(map.hides_trails(), "what the user wants to see stays");
 }
 
 #[test]

@@ -7,9 +7,9 @@ use super::palette_line;
 use crate::harness::Console;
 
 fn offered(console: &Console) -> Vec<String> {
-    match &console.state().overlay {
+    match console.state().overlay() {
         Some(sortie::app::state::Overlay::Palette(palette)) => {
-            let texts = palette.completions.iter();
+            let texts = palette.completions().iter();
             texts.map(|choice| choice.text.clone()).collect()
         }
         other => panic!("the command line is not open: {other:?}"),
@@ -18,9 +18,9 @@ fn offered(console: &Console) -> Vec<String> {
 
 /// What is wrong with the line that is being written.
 fn fault(console: &Console) -> String {
-    match &console.state().overlay {
+    match console.state().overlay() {
         Some(sortie::app::state::Overlay::Palette(palette)) => {
-            let fault = palette.fault.as_ref().expect("the line is wrong");
+            let fault = palette.fault().expect("the line is wrong");
             fault.message.to_string()
         }
         other => panic!("the command line is not open: {other:?}"),
@@ -56,7 +56,7 @@ fn what_a_line_means_is_searched_in_the_language_of_the_screens() {
     console.give("set lang uk").press(":").write("карта");
     assert_eq!(offered(&console), ["show map"]);
     console.press("tab").press("enter");
-    assert_eq!(console.state().room, Room::Map);
+    assert_eq!(console.state().room(), Room::Map);
 }
 
 #[test]
@@ -70,7 +70,7 @@ fn arguments_of_the_consoles_own_verbs_complete() {
     assert_eq!(palette_line(&console), "set lang uk ");
     console.press("enter");
     assert_eq!(
-        console.state().config.lang,
+        console.state().config().lang,
         Some(sortie::text::Language::Ukrainian)
     );
 }
@@ -87,27 +87,27 @@ fn a_macro_gives_its_lines_in_order() {
     console.give("macro up");
     let given: Vec<String> = console
         .state()
-        .session
-        .ledger
+        .session()
+        .ledger()
         .entries()
         .map(|entry| entry.line.clone())
         .collect();
     assert_eq!(given, ["all guided", "all arm"]);
-    assert_eq!(console.state().room, Room::Map);
+    assert_eq!(console.state().room(), Room::Map);
 }
 
 #[test]
 fn a_macro_waits_for_the_answer_to_a_question_and_no_means_none_of_the_rest() {
     let lines = ["1 kill", "2 arm"].map(str::to_owned);
     let mut console = with_macros([("m", lines.to_vec())]);
-    let given = |console: &Console| console.state().session.ledger.entries().len();
+    let given = |console: &Console| console.state().session().ledger().entries().len();
     console.give("macro m");
     assert_eq!(given(&console), 0);
     console.press("1");
     assert_eq!(given(&console), 2);
     console.give("macro m").press("n").press("esc");
     assert_eq!(given(&console), 2);
-    assert!(console.state().pending.is_empty());
+    assert!(!console.state().is_in_macro());
 }
 
 #[test]
@@ -124,7 +124,7 @@ fn a_macro_that_calls_itself_ends_and_one_that_is_wrong_shows_where() {
     );
     console.give("macro w");
     assert_eq!(palette_line(&console), "macro w");
-    assert_eq!(console.state().session.ledger.entries().len(), 0);
+    assert_eq!(console.state().session().ledger().entries().len(), 0);
 }
 
 #[test]
@@ -140,7 +140,11 @@ fn a_macro_with_a_wrong_line_sends_none_of_its_lines() {
         let inner = vec!["fly nowhere".to_owned()];
         let mut console = with_macros([("inner", inner), ("up", lines.to_vec())]);
         console.give("macro up");
-        assert_eq!(console.state().session.ledger.entries().len(), 0, "{line}");
+        assert_eq!(
+            console.state().session().ledger().entries().len(),
+            0,
+            "{line}"
+        );
         let fault = fault(&console);
         assert!(fault.contains("the macro `"), "{fault}");
         assert!(fault.contains(reason), "{fault}");
@@ -152,7 +156,7 @@ fn a_macro_may_use_what_its_own_lines_make() {
     let lines = ["group new 1", "@new guided", "select 1", "arm"].map(str::to_owned);
     let mut console = with_macros([("up", lines.to_vec())]);
     console.give("macro up");
-    assert_eq!(console.state().session.ledger.entries().len(), 2);
+    assert_eq!(console.state().session().ledger().entries().len(), 2);
 }
 
 #[test]

@@ -164,7 +164,7 @@ fn the_commands_and_the_notices_can_be_looked_back_through() {
         assert!(sees(console.press("end"), 59));
         assert!(!sees(console.press("home").press("j"), 59));
         console.press("esc");
-        assert!(console.state().overlay.is_none());
+        assert!(console.state().overlay().is_none());
     }
     console
         .press("n")

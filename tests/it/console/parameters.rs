@@ -77,7 +77,7 @@ fn row(console: &mut Console, entry: u32, vehicle: u16, state: RowState) {
         vehicle,
         state,
         tries: 1,
-        at: console.state().now,
+        at: console.state().now(),
         explanation: None,
     }));
 }
@@ -108,7 +108,10 @@ fn the_room_asks_for_the_list_that_is_looked_at_and_for_few_at_a_time() {
     assert_eq!(console.at(2).effects, [Effect::FetchParameters(vec![1])]);
     assert!(console.at(3).effects.is_empty(), "it was asked");
     console.press("*");
-    assert!(console.state().session.selection.is_empty(), "a mark here");
+    assert!(
+        console.state().session().selection().is_empty(),
+        "a mark here"
+    );
     console.give("select 1-9");
     assert_eq!(
         console.at(4).effects,
@@ -134,7 +137,7 @@ fn r_asks_again_for_a_list_that_is_there() {
 fn names_are_found_by_letters_and_the_cursor_stays_on_its_name() {
     let mut console = in_the_room(1);
     console.press("end").press("up");
-    assert_eq!(console.state().rooms.parameters.cursor, "WPNAV_ACCEL");
+    assert_eq!(console.state().rooms().parameters().cursor(), "WPNAV_ACCEL");
     console.press("/").write("acc");
     assert_eq!(names(&console), ["INS_ACCOFFS_X", "WPNAV_ACCEL"]);
     let shown = rows(console.state());
@@ -152,7 +155,7 @@ fn a_new_value_goes_the_way_of_every_command_and_shows_what_became_of_it() {
     console.press("ctrl-u").write("640").press("enter");
     let set = ("WPNAV_SPEED".to_owned(), 640.0, vec![2, 3]);
     assert_eq!(settings(&console.effects), [set]);
-    let entry = console.state().session.ledger.entries().next_back();
+    let entry = console.state().session().ledger().entries().next_back();
     assert_eq!(
         entry.map(|entry| entry.line.as_str()),
         Some("2-3 param set WPNAV_SPEED 640")
@@ -186,13 +189,13 @@ fn what_the_type_cannot_hold_stays_in_the_prompt() {
     ] {
         console.press("ctrl-u").write(value).press("enter");
         assert!(console.effects.is_empty(), "{value}");
-        let Some(Overlay::Prompt(prompt)) = &console.state().overlay else {
+        let Some(Overlay::Prompt(prompt)) = console.state().overlay() else {
             panic!("the prompt is gone after {value}");
         };
-        assert_eq!(prompt.fault.as_ref().expect("a fault").to_string(), reason);
+        assert_eq!(prompt.fault().expect("a fault").to_string(), reason);
     }
     console.press("esc");
-    assert!(console.state().overlay.is_none());
+    assert!(console.state().overlay().is_none());
 }
 
 #[test]
@@ -201,10 +204,10 @@ fn a_list_is_saved_when_it_is_whole_and_never_over_another_file_unasked() {
     console.press("P");
     console.give("params save x.parm");
     assert!(console.effects.is_empty());
-    let Some(Overlay::Palette(palette)) = &console.state().overlay else {
+    let Some(Overlay::Palette(palette)) = console.state().overlay() else {
         panic!("the line stays");
     };
-    let fault = palette.fault.as_ref().expect("a fault");
+    let fault = palette.fault().expect("a fault");
     assert_eq!(fault.message.to_string(), "no parameters have come yet");
     console.press("esc");
     arrives(&mut console, 1, list(1.0, 1000.0));
@@ -303,7 +306,7 @@ fn what_became_of_a_value_is_said_on_the_last_line_once_all_have_answered() {
             vehicle,
             state,
             tries: 1,
-            at: console.state().now,
+            at: console.state().now(),
             explanation: Some(reason.into()),
         }));
         said(&console)
@@ -377,7 +380,7 @@ fn a_faulty_file_is_told_with_line_and_column_and_changes_nothing() {
         said(&console),
         "bad.parm:2:13: ANGLE_MAX;45 has no value (nothing was loaded)"
     );
-    assert!(console.state().rooms.parameters.comparison.is_none());
+    assert!(console.state().rooms().parameters().comparison().is_none());
 }
 
 #[test]
@@ -393,11 +396,11 @@ fn vehicles_are_compared_with_each_other() {
     let set = ("WPNAV_SPEED".to_owned(), 500.0, vec![1]);
     assert_eq!(settings(&console.effects), [set]);
     console.press("d").write("9").press("enter");
-    let Some(Overlay::Prompt(prompt)) = &console.state().overlay else {
+    let Some(Overlay::Prompt(prompt)) = console.state().overlay() else {
         panic!("the prompt stays");
     };
     assert_eq!(
-        prompt.fault.as_ref().expect("a fault").to_string(),
+        prompt.fault().expect("a fault").to_string(),
         "there is no vehicle 9"
     );
 }
@@ -406,16 +409,16 @@ fn vehicles_are_compared_with_each_other() {
 fn names_of_parameters_complete_on_the_command_line() {
     let mut console = in_the_room(1);
     console.press("F").press(":").write("param set WPN");
-    let Some(Overlay::Palette(palette)) = &console.state().overlay else {
+    let Some(Overlay::Palette(palette)) = console.state().overlay() else {
         panic!("the line is open");
     };
     let texts: Vec<&str> = palette
-        .completions
+        .completions()
         .iter()
         .map(|it| it.text.as_str())
         .collect();
     assert_eq!(texts, ["WPNAV_ACCEL", "WPNAV_SPEED"]);
-    assert_eq!(palette.completions[1].hint.to_string(), "= 1000");
+    assert_eq!(palette.completions()[1].hint.to_string(), "= 1000");
 }
 
 #[test]
@@ -434,13 +437,13 @@ fn the_list_survives_leaving_the_room_and_not_the_session() {
         .press("enter")
         .press("F")
         .press("P");
-    assert_eq!(console.state().room, Room::Parameters);
+    assert_eq!(console.state().room(), Room::Parameters);
     assert_eq!(names(&console), ["WPNAV_ACCEL", "WPNAV_SPEED"]);
     console.give("leave").press("y");
-    assert!(console.state().rooms.parameters.lists.is_empty());
+    assert!(console.state().rooms().parameters().lists().is_empty());
     arrives(&mut console, 1, list(1.0, 1.0));
     assert!(
-        console.state().rooms.parameters.lists.is_empty(),
+        console.state().rooms().parameters().lists().is_empty(),
         "what comes late belongs to nobody"
     );
 }

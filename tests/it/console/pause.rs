@@ -2,6 +2,7 @@
 
 use sortie::app::effect::{Effect, Launch, SessionEffect};
 use sortie::app::event::{SessionEvent, Started};
+use sortie::app::room::debrief::Debrief;
 use sortie::app::state::{Activity, Overlay, Room};
 use sortie::campaign::Stake;
 use sortie::scoring::EventReport;
@@ -77,14 +78,14 @@ fn commands_are_refused_while_it_is_paused_and_the_line_stays() {
     console.hear(SessionEvent::Paused(true));
     for line in ["1 rtl", "1 mark", "1 predict 800"] {
         assert!(console.give(line).effects.is_empty(), "{line}");
-        let Some(Overlay::Palette(palette)) = &console.state().overlay else {
+        let Some(Overlay::Palette(palette)) = console.state().overlay() else {
             panic!("the line is gone: {line}");
         };
-        let fault = palette.fault.as_ref().expect("it says why");
+        let fault = palette.fault().expect("it says why");
         assert!(fault.message.to_string().contains("paused"), "{line}");
         console.press("esc");
     }
-    assert_eq!(console.state().session.ledger.entries().len(), 0);
+    assert_eq!(console.state().session().ledger().entries().len(), 0);
     console.hear(SessionEvent::Paused(false));
     assert_eq!(console.give("1 rtl").sent_to(), [1]);
 }
@@ -125,21 +126,21 @@ fn what_cannot_be_paused_says_why() {
 fn a_mission_begins_with_its_brief_and_once_more_in_flight() {
     let mut console = Console::new();
     console.start(mission());
-    assert_eq!(console.state().room, Room::Mission);
+    assert_eq!(console.state().room(), Room::Mission);
     let screen = console.screen(80, 24);
     for words in ["before launch", "predict 800", "goal time 200s"] {
         assert!(screen.contains(words), "{words}: {screen}");
     }
-    assert_eq!(console.press("enter").state().room, Room::Fly);
+    assert_eq!(console.press("enter").state().room(), Room::Fly);
     console.start(mission());
     assert_eq!(
-        console.state().room,
+        console.state().room(),
         Room::Fly,
         "who flies it again knows it"
     );
     let mut free = Console::new();
     free.start(Activity::Free);
-    assert_eq!(free.state().room, Room::Fly);
+    assert_eq!(free.state().room(), Room::Fly);
 }
 
 #[test]
@@ -188,7 +189,10 @@ fn keys_of_the_brief_end_and_repeat_the_mission_after_a_question() {
     ] {
         let mut console = flying();
         console.press("B").press(key);
-        assert!(matches!(console.state().overlay, Some(Overlay::Confirm(_))));
+        assert!(matches!(
+            console.state().overlay(),
+            Some(Overlay::Confirm(_))
+        ));
         assert_eq!(console.press("y").effects, [effect]);
     }
 }
@@ -240,9 +244,19 @@ fn tab_goes_through_the_sections_of_the_debrief_and_round() {
         seen.iter().any(|line| line.contains("OBJECTIVES")),
         "{seen:?}"
     );
-    let there = console.state().rooms.debrief.as_ref().map(|it| it.scroll);
+    let there = console
+        .state()
+        .rooms()
+        .debrief()
+        .as_ref()
+        .map(Debrief::scroll);
     console.press("tab").press("shift-tab");
-    let back = console.state().rooms.debrief.as_ref().map(|it| it.scroll);
+    let back = console
+        .state()
+        .rooms()
+        .debrief()
+        .as_ref()
+        .map(Debrief::scroll);
     assert_eq!(there, back);
 }
 
@@ -290,7 +304,7 @@ fn times_in_a_mission_are_those_of_the_mission() {
     let at = |s| {
         console
             .state()
-            .session
+            .session()
             .time(std::time::Duration::from_secs(s))
             .as_secs()
     };

@@ -10,7 +10,7 @@ use crate::fixtures;
 use crate::harness::Console;
 
 fn rows(console: &Console) -> Vec<u16> {
-    console.state().rooms.fly.rows().to_vec()
+    console.state().rooms().fly().rows().to_vec()
 }
 
 fn charged(id: u16, percent: u8) -> Vehicle {
@@ -42,7 +42,10 @@ fn the_table_is_ordered_by_any_column_in_either_direction() {
     console.press("s");
     assert!(message(&console).contains("ordered by alert"));
     console.give("sort colour");
-    assert!(matches!(console.state().overlay, Some(Overlay::Palette(_))));
+    assert!(matches!(
+        console.state().overlay(),
+        Some(Overlay::Palette(_))
+    ));
     assert!(
         console
             .screen(120, 40)
@@ -72,11 +75,11 @@ fn the_cursor_keeps_its_vehicle_when_the_order_changes() {
     let mut console = Console::flying(30);
     console.vehicle(charged(30, 5));
     console.press("j").press("j");
-    assert_eq!(console.state().session.cursor, Some(3));
+    assert_eq!(console.state().session().cursor(), Some(3));
     console.give("sort -id");
-    assert_eq!(console.state().session.cursor, Some(3));
-    assert_eq!(console.press("j").state().session.cursor, Some(2));
-    assert_eq!(console.press("home").state().session.cursor, Some(30));
+    assert_eq!(console.state().session().cursor(), Some(3));
+    assert_eq!(console.press("j").state().session().cursor(), Some(2));
+    assert_eq!(console.press("home").state().session().cursor(), Some(30));
 }
 
 #[test]
@@ -89,7 +92,7 @@ fn typing_filters_and_what_fits_nothing_is_counted() {
     assert_eq!(rows(&console), [7, 8, 9, 10, 11, 12], "at every key");
     assert!(console.screen(80, 24).contains("6 of 12 fit \"arm\""));
     assert_eq!(
-        console.state().session.cursor,
+        console.state().session().cursor(),
         Some(7),
         "on something shown"
     );
@@ -108,7 +111,7 @@ fn typing_filters_and_what_fits_nothing_is_counted() {
         selection(&console).is_empty(),
         "Esc takes the selection first"
     );
-    assert_eq!(console.press("esc").state().rooms.fly.rows().len(), 12);
+    assert_eq!(console.press("esc").state().rooms().fly().rows().len(), 12);
 }
 
 #[test]
@@ -120,7 +123,7 @@ fn a_vehicle_under_the_cursor_stays_in_sight_while_the_filter_is_kept() {
         console.vehicle(fixtures::airborne(id, 0.0, 10.0));
     }
     assert_eq!(rows(console.at(7)), [2]);
-    assert_eq!(console.state().session.cursor, Some(2));
+    assert_eq!(console.state().session().cursor(), Some(2));
     console.vehicle(fixtures::parked(9));
     assert_eq!(rows(&console), [2, 9], "what is new is there at once");
 }
@@ -185,14 +188,10 @@ fn a_long_wrong_word_leaves_room_for_what_is_wrong_with_it() {
     console.give(&format!("1 {}", "x".repeat(300)));
     let screen = console.screen(80, 24);
     assert!(screen.contains("xxx…`"), "{screen}");
-    let fault = console
-        .state()
-        .overlay
-        .as_ref()
-        .and_then(|overlay| match overlay {
-            Overlay::Palette(palette) => palette.fault.as_ref(),
-            _ => None,
-        });
+    let fault = console.state().overlay().and_then(|overlay| match overlay {
+        Overlay::Palette(palette) => palette.fault(),
+        _ => None,
+    });
     let said = fault.expect("a fault").message.to_string();
     let end = said.rsplit('`').next().expect("words after it").trim();
     assert!(screen.contains(end), "{end:?}: {screen}");

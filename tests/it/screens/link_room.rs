@@ -73,7 +73,7 @@ fn the_room_of_links_names_the_cause_and_what_to_try() {
     console.press("F").press("L");
     shows(&console, &["the link is not open"]);
     console.press("F").give("links");
-    assert_eq!(console.state().room, Room::Links);
+    assert_eq!(console.state().room(), Room::Links);
 }
 
 #[test]
@@ -100,7 +100,7 @@ fn a_finding_is_told_once_when_no_vehicle_has_come_for_five_seconds() {
         true,
     )]));
     let findings = || LinkEvent::Findings(vec![finding(0, Way::UdpIn, Cause::Nothing)]);
-    let told = |console: &Console| console.state().notices.lines().len();
+    let told = |console: &Console| console.state().notices().lines().len();
     console.at(4).hear(findings());
     assert_eq!(told(&console), 0, "too early");
     shows(&console, &["link doctor: nothing arrives at all"]);
@@ -132,7 +132,7 @@ fn a_vehicle_that_does_not_hear_us_is_told_at_any_time() {
             Cause::OneWay(1),
         )]));
     }
-    let lines = console.state().notices.lines();
+    let lines = console.state().notices().lines();
     assert_eq!(lines.len(), 1);
     shows(&console, &["never answers"]);
 }

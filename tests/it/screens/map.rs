@@ -260,9 +260,9 @@ fn a_mission_tells_its_areas_and_nothing_of_its_hazards() {
 fn sensors_on_the_ground_leave_no_samples() {
     let mut console = Console::flying(1);
     console.hear(SessionEvent::Mission(Box::new(fixtures::progress())));
-    assert_eq!(console.state().rooms.map.samples.fields().len(), 0);
+    assert_eq!(console.state().rooms().map().samples().fields().len(), 0);
     console.vehicle(fixtures::airborne(1, 0.0, 20.0));
     console.hear(SessionEvent::Mission(Box::new(fixtures::progress())));
-    let map = &console.state().rooms.map;
+    let map = console.state().rooms().map();
     assert_eq!(map.field().map(|(name, _)| name), Some("co"));
 }

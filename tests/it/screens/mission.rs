@@ -88,15 +88,15 @@ fn scrolling_ends_with_the_last_line_and_comes_back_at_once() {
 fn enter_flies_the_mission_that_was_read_and_escape_leads_back() {
     let mut console = shipped(Language::English);
     console.press("B").press("esc");
-    assert_eq!(console.state().room, Room::Home);
+    assert_eq!(console.state().room(), Room::Home);
     console.press("B").press("enter");
     assert_eq!(console.effects.len(), 1, "{:?}", console.effects);
     let mut console = flying();
-    assert_eq!(console.state().room, Room::Mission);
+    assert_eq!(console.state().room(), Room::Mission);
     console.press("enter");
     assert!(console.effects.is_empty(), "{:?}", console.effects);
     console.press("esc");
-    assert_eq!(console.state().room, Room::Fly);
+    assert_eq!(console.state().room(), Room::Fly);
 }
 
 #[test]
@@ -111,7 +111,7 @@ fn the_home_screen_says_that_a_session_goes_on() {
     let mut console = flying();
     console.press("H");
     check("home_running", &mut console, &SIZES[..1]);
-    assert_eq!(console.press("F").state().room, Room::Fly);
+    assert_eq!(console.press("F").state().room(), Room::Fly);
 }
 
 #[test]
@@ -122,7 +122,7 @@ fn a_debrief_follows_the_language_and_stays_until_the_next_session() {
     console.at(2).give("set lang uk");
     assert!(console.screen(80, 24).contains("ПЕРЕБІГ"));
     console.at(300).press("h");
-    assert_eq!(console.state().room, Room::Home);
+    assert_eq!(console.state().room(), Room::Home);
     assert!(console.press("D").screen(80, 24).contains("ПЕРЕБІГ"));
     console.start(Activity::Free);
     assert!(!console.press("D").screen(80, 24).contains("ПЕРЕБІГ"));

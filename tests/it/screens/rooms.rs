@@ -27,7 +27,7 @@ fn drawn(console: &Console, (width, height): (u16, u16), theme: Theme) -> Buffer
     let mut terminal = Terminal::new(TestBackend::new(width, height)).expect("a test terminal");
     let look = Look {
         theme,
-        locale: Arc::clone(&console.state().locale),
+        locale: Arc::clone(console.state().locale()),
         ..Look::default()
     };
     terminal

@@ -151,7 +151,7 @@ fn room() -> Console {
         console.hear(sortie::app::event::Event::Tick { now });
     }
     console.press("V");
-    assert_eq!(console.state().room, Room::Vehicle);
+    assert_eq!(console.state().room(), Room::Vehicle);
     console
 }
 

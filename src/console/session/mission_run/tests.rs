@@ -1,7 +1,9 @@
 //! Missions that begin late, lose vehicles, and have a fleet that does not keep up.
 
 use super::*;
-use crate::app::state::{Activity, Hangar, Instance};
+use crate::app::event::{ProcessEvent, Started, VehicleEvent};
+use crate::app::state::{Activity, Instance};
+use crate::app::{App, Setup};
 use crate::mission::Mission;
 use crate::session::Want;
 use crate::text;
@@ -18,12 +20,39 @@ fn flight() -> Flight {
     Flight::new(Mission::parse(FORMATION).expect("it is good").into(), 1)
 }
 
-fn shown(heard: &[u8]) -> Shown {
-    let mut shown = Shown::new(Activity::Free, [].into());
-    for &id in heard {
-        shown.insert(Vehicle::new(id, 1).into());
+/// What the console shows of a session.
+struct Console(App);
+
+impl Console {
+    /// A session whose vehicles are simulated by so many processes, where there are any.
+    fn start(processes: Option<usize>, heard: &[u8]) -> Self {
+        let mut console = Self(App::new(Setup::default()));
+        console.hear(SessionEvent::Started(Box::new(Started {
+            activity: Activity::Free,
+            mission: None,
+            places: [].into(),
+            areas: Vec::new(),
+            processes,
+        })));
+        for &id in heard {
+            console.hear(VehicleEvent::Telemetry(Vehicle::new(id, 1).into()));
+        }
+        console
     }
-    shown
+
+    fn hear(&mut self, event: impl Into<Event>) {
+        // There is no terminal that could ring.
+        let _effects = self.0.update(event);
+    }
+
+    fn session(&self) -> &Shown {
+        self.0.state().session()
+    }
+}
+
+/// A session without processes.
+fn shown(heard: &[u8]) -> Shown {
+    Console::start(None, heard).session().clone()
 }
 
 fn instance(vehicle: VehicleId, stage: SitlStage) -> Instance {
@@ -80,19 +109,14 @@ fn a_vehicle_that_is_never_heard_does_not_hold_a_mission_up_for_ever() {
 #[test]
 fn a_vehicle_whose_process_has_ended_is_lost_to_the_mission_once() {
     let mut run = MissionRun::of_processes(flight(), 1.0);
-    let mut shown = shown(&[1, 2, 3]);
-    shown.hangar = Some(Hangar {
-        instances: (1..=3).map(|id| instance(id, SitlStage::Ready)).collect(),
-        expected: 3,
-        begun: true,
-        ..Hangar::default()
-    });
-    assert!(lost(&run.fly(s(1), &shown)).is_empty());
-    if let Some(hangar) = &mut shown.hangar {
-        hangar.instances[1] = instance(2, SitlStage::Ended);
-    }
-    assert_eq!(lost(&run.fly(s(2), &shown)), [2]);
-    assert!(lost(&run.fly(s(3), &shown)).is_empty());
+    let mut console = Console::start(Some(3), &[1, 2, 3]);
+    let mut instances: Vec<Instance> = (1..=3).map(|id| instance(id, SitlStage::Ready)).collect();
+    console.hear(ProcessEvent::Instances(instances.clone()));
+    assert!(lost(&run.fly(s(1), console.session())).is_empty());
+    instances[1] = instance(2, SitlStage::Ended);
+    console.hear(ProcessEvent::Instances(instances));
+    assert_eq!(lost(&run.fly(s(2), console.session())), [2]);
+    assert!(lost(&run.fly(s(3), console.session())).is_empty());
 }
 
 fn demand(vehicle: VehicleId, value: f64) -> Demand {

@@ -31,7 +31,7 @@ type KeyHint = (String, String);
 /// Draws the text with the keys below it; what the mission means to the career stands beside it, or between them where
 /// there is no room beside.
 pub(super) fn draw(state: &State, panel: Panel<'_>, beside: Option<Rect>, buffer: &mut Buffer) {
-    let Some(item) = items(state).get(state.rooms.home.cursor).copied() else {
+    let Some(item) = items(state).get(state.rooms().home().cursor()).copied() else {
         return;
     };
     let inner = panel.titled(&name(state, item, panel.look), buffer);
@@ -104,7 +104,7 @@ fn fact_lines(state: &State, item: HomeItem, look: &Look, columns: usize) -> Vec
     let HomeItem::Mission(at) = item else {
         return Vec::new();
     };
-    let facts = facts(state, &state.missions[at]);
+    let facts = facts(state, &state.missions()[at]);
     let names: Vec<String> = facts.iter().map(|fact| look.text(&fact.name)).collect();
     let indent = names.iter().map(|name| width(name)).max().unwrap_or(0) + 2;
     let mut lines = Vec::new();
@@ -127,11 +127,11 @@ fn keys(state: &State, item: HomeItem, look: &Look) -> Vec<KeyHint> {
     let HomeItem::Mission(at) = item else {
         return keys;
     };
-    let mission = &state.missions[at];
+    let mission = &state.missions()[at];
     if state.lock(&mission.id).is_some() {
         keys.clear();
     }
-    if state.session.activity.is_none() {
+    if state.session().activity().is_none() {
         let rules = look.say("home-mission-rules");
         keys.push((key(Action::Show(Room::Mission)), rules));
     }
@@ -146,7 +146,7 @@ fn keys(state: &State, item: HomeItem, look: &Look) -> Vec<KeyHint> {
         );
         keys.push((key(Action::Drill), look.text(&about)));
     }
-    if state.career.is_some() {
+    if state.career().is_some() {
         for (action, what) in [
             (Action::Daily, "home-daily"),
             (Action::Exam, "home-exam"),
@@ -180,10 +180,10 @@ fn best_words(state: &State, item: HomeItem) -> Option<Text> {
     let HomeItem::Mission(at) = item else {
         return None;
     };
-    let id = &state.missions[at].id;
+    let id = &state.missions()[at].id;
     let best = state.best_try(id)?;
     let medal = best.medal.map_or(text!("debrief-no-medal"), Medal::title);
-    let count = state.tries.get(id).map_or(0, Vec::len);
+    let count = state.tries(id).len();
     Some(text!(
         "home-best",
         score = best.score?,
@@ -194,7 +194,7 @@ fn best_words(state: &State, item: HomeItem) -> Option<Text> {
 
 fn about(state: &State, item: HomeItem, look: &Look) -> String {
     match item {
-        HomeItem::Mission(at) => look.locale.text(&state.missions[at].brief),
+        HomeItem::Mission(at) => look.locale.text(&state.missions()[at].brief),
         HomeItem::Free => {
             let (about, first) = (
                 look.say("home-free-about"),

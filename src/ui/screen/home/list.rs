@@ -41,7 +41,7 @@ enum Sign {
 
 /// Draws the list with its cursor in sight.
 pub(super) fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
-    let cursor = state.rooms.home.cursor;
+    let cursor = state.rooms().home().cursor();
     let lines = lines(state, panel.look);
     let cursor_line = lines.iter().position(|(at, _)| *at == Some(cursor));
     let inner = panel.titled("sortie", buffer);
@@ -70,7 +70,7 @@ pub(super) fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
             buffer.set_style(row_of(inner, row), panel.style(Role::Cursor));
         }
     }
-    if state.career.is_some() && count + SIGNS.len() < rows {
+    if state.career().is_some() && count + SIGNS.len() < rows {
         draw_signs(panel.at(below(inner, count as u16 + 1)), buffer);
     }
 }
@@ -130,13 +130,13 @@ fn item_line(
     columns: usize,
 ) -> (String, Role) {
     let cursor = if under_cursor { '>' } else { ' ' };
-    let (sign, best) = match (item, &state.career) {
+    let (sign, best) = match (item, state.career()) {
         (HomeItem::Mission(at), Some(career)) => {
-            let id = &state.missions[at].id;
+            let id = &state.missions()[at].id;
             let sign = Sign::of(career, id);
             (Some(sign), career_best(career, id, sign, look))
         }
-        (HomeItem::Mission(at), None) => (None, recorded_best(state, &state.missions[at].id)),
+        (HomeItem::Mission(at), None) => (None, recorded_best(state, &state.missions()[at].id)),
         _ => (None, String::new()),
     };
     let mark = sign.map_or(' ', Sign::symbol);
@@ -172,7 +172,7 @@ fn lines(state: &State, look: &Look) -> Vec<(Option<usize>, String)> {
     let mut lines = Vec::new();
     let items = items(state);
     let tier = |item: &HomeItem| match item {
-        HomeItem::Mission(at) => Some(state.missions[*at].tier),
+        HomeItem::Mission(at) => Some(state.missions()[*at].tier),
         _ => None,
     };
     let (least, most) = (
@@ -207,7 +207,11 @@ fn listed(state: &State, item: HomeItem, look: &Look) -> String {
     let HomeItem::Mission(at) = item else {
         return name;
     };
-    let number = state.missions[at].id.split('-').next().unwrap_or_default();
+    let number = state.missions()[at]
+        .id
+        .split('-')
+        .next()
+        .unwrap_or_default();
     if number.is_empty() || !number.chars().all(|c| c.is_ascii_digit()) {
         return name;
     }

@@ -31,7 +31,7 @@ pub(super) fn draw(
     panel: Panel<'_>,
     buffer: &mut Buffer,
 ) {
-    let room = &state.rooms.messages;
+    let room = state.rooms().messages();
     let Some(selected) = selected else {
         draw_hint(state, panel, buffer);
         return;
@@ -65,7 +65,7 @@ pub(super) fn draw(
     );
     put(buffer, inner, 1, &dress);
     let inner = below(inner, 2);
-    if room.hex {
+    if room.shows_hex() {
         draw_bytes(tally, panel.at(inner), buffer);
         return;
     }
@@ -75,7 +75,7 @@ pub(super) fn draw(
         return;
     }
     let rows = rows(room, selected, &reading, panel.look, inner.width.into());
-    draw_rows(&rows, room.field, panel.at(inner), buffer);
+    draw_rows(&rows, room.field(), panel.at(inner), buffer);
 }
 
 /// What there is to know while no message is under the cursor.
@@ -93,7 +93,7 @@ fn draw_hint(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         fold = state.key(Action::FoldAll)
     );
     let mut lines = wrap(&panel.text(&hint), usize::from(inner.width));
-    let traffic = state.rooms.messages.traffic.iter();
+    let traffic = state.rooms().messages().traffic().iter();
     let censuses = traffic.filter_map(|link| link.census.as_ref());
     let uncounted: u64 = censuses.map(Census::uncounted).sum();
     if uncounted > 0 {
@@ -163,7 +163,7 @@ fn rows(
     let lengths = reading.values.iter().map(|value| value.name.len() + 1);
     let name_width = lengths.filter(|len| *len <= width / 2).max().unwrap_or(0);
     let mine = |field: usize| (selected.link, selected.key, field);
-    let pins = room.pins.iter().map(|pin| (pin.link, pin.key, pin.field));
+    let pins = room.pins().iter().map(|pin| (pin.link, pin.key, pin.field));
     let is_pinned = |field: usize| pins.clone().any(|pin| pin == mine(field));
     let mut rows = Vec::new();
     for (field, value) in reading.values.iter().enumerate() {

@@ -18,7 +18,7 @@ const LEAST: u16 = 4;
 
 /// Rows that the graphs take of the pane.
 pub(super) fn height(room: &Messages, available: u16) -> u16 {
-    let count = room.pins.len() as u16;
+    let count = room.pins().len() as u16;
     let wanted = count * COMFORTABLE;
     wanted
         .min((available / 2).max(LEAST * count.min(1)))
@@ -28,9 +28,14 @@ pub(super) fn height(room: &Messages, available: u16) -> u16 {
 /// Draws as many as fit, the newest ones first of all.
 pub(super) fn draw(room: &Messages, panel: Panel<'_>, buffer: &mut Buffer) {
     let fitting = (panel.area.height / LEAST).max(1);
-    let shown = room.pins.len().min(fitting.into());
+    let shown = room.pins().len().min(fitting.into());
     let mut rest = panel;
-    for (at, pin) in room.pins.iter().skip(room.pins.len() - shown).enumerate() {
+    for (at, pin) in room
+        .pins()
+        .iter()
+        .skip(room.pins().len() - shown)
+        .enumerate()
+    {
         let rows = rest.area.height / (shown - at) as u16;
         draw_pin(pin, rest.upper(rows), buffer);
         rest = rest.below(rows);

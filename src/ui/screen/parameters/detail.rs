@@ -67,7 +67,7 @@ struct Standing {
 
 impl Standing {
     fn of(state: &State, vehicle: VehicleId, name: &str) -> Self {
-        let room = &state.rooms.parameters;
+        let room = state.rooms().parameters();
         let known = room.get(vehicle, name);
         let changed = known.filter(|known| known.is_changed());
         let asked = room.edit(vehicle, name).and_then(|edit| {

@@ -50,7 +50,7 @@ pub fn draw(state: &State, shown: &ShownRows<'_>, panel: Panel<'_>, buffer: &mut
         let place = row_of(list, line as u16);
         let mut drawn = line_of(state, vehicle, row, index == at, panel.look);
         if !others.is_empty() {
-            let is_compared = state.rooms.parameters.comparison.is_some();
+            let is_compared = state.rooms().parameters().comparison().is_some();
             let gap = columns_used(is_compared).saturating_sub(drawn.width());
             drawn.push_span(Span::raw(" ".repeat(gap)));
         }
@@ -65,7 +65,7 @@ pub fn draw(state: &State, shown: &ShownRows<'_>, panel: Panel<'_>, buffer: &mut
 }
 
 fn heading(state: &State, others: &[VehicleId], look: &Look) -> String {
-    let (mark, second) = match state.rooms.parameters.comparison {
+    let (mark, second) = match state.rooms().parameters().comparison() {
         None => ("", "parameters-column-before"),
         Some(_) => ("    ", "parameters-column-other"),
     };
@@ -91,7 +91,7 @@ fn line_of<'a>(
     is_under_cursor: bool,
     look: &Look,
 ) -> Line<'a> {
-    let comparison = state.rooms.parameters.comparison.as_ref();
+    let comparison = state.rooms().parameters().comparison();
     let mut spans = vec![Span::raw(if is_under_cursor { "> " } else { "  " })];
     if let Some(comparison) = comparison {
         spans.push(mark(comparison, row, look));
@@ -134,9 +134,9 @@ fn columns_used(is_compared: bool) -> usize {
 
 /// The other vehicles that a value would be set on, as many as there is room for.
 fn others(state: &State, vehicle: VehicleId, width: u16) -> Vec<VehicleId> {
-    let is_compared = state.rooms.parameters.comparison.is_some();
+    let is_compared = state.rooms().parameters().comparison().is_some();
     let free = usize::from(width).saturating_sub(columns_used(is_compared));
-    let selected = state.session.selection.iter().copied();
+    let selected = state.session().selection().iter().copied();
     selected
         .filter(|id| *id != vehicle)
         .take(free / (VALUE + 1))
@@ -145,7 +145,11 @@ fn others(state: &State, vehicle: VehicleId, width: u16) -> Vec<VehicleId> {
 
 /// The value on another vehicle; one that is not the same stands out.
 fn value_of(state: &State, id: VehicleId, row: &Row<'_>, look: &Look) -> Span<'static> {
-    let value = state.rooms.parameters.get(id, row.name).map(|it| it.value);
+    let value = state
+        .rooms()
+        .parameters()
+        .get(id, row.name)
+        .map(|it| it.value);
     let is_equal = match (value, row.now) {
         (Some(value), Some(now)) => is_same(value, now.value),
         (value, now) => value.is_none() && now.is_none(),
@@ -176,7 +180,7 @@ fn standing(
     row: &Row<'_>,
     look: &Look,
 ) -> Option<Span<'static>> {
-    let edit = state.rooms.parameters.edit(vehicle, row.name);
+    let edit = state.rooms().parameters().edit(vehicle, row.name);
     let now = row.now.map(|known| known.value);
     let asked = edit.and_then(|edit| Some((edit, edited(state, edit, vehicle, now)?)));
     let (text, role) = match (asked, row.finding) {

@@ -27,7 +27,7 @@ pub fn draw(
     panel: Panel<'_>,
     buffer: &mut Buffer,
 ) {
-    let title = match &state.rooms.parameters.comparison {
+    let title = match state.rooms().parameters().comparison() {
         None => text!("parameters-title", vehicle = vehicle),
         Some(comparison) => text!(
             "parameters-title-compared",
@@ -37,11 +37,11 @@ pub fn draw(
     };
     let inner = panel.titled(&panel.text(&title), buffer);
     let is_lost = state
-        .session
-        .vehicles
+        .session()
+        .vehicles()
         .get(&vehicle)
         .is_some_and(|it| it.link.lost);
-    let known = state.rooms.parameters.lists.get(&vehicle);
+    let known = state.rooms().parameters().lists().get(&vehicle);
     let mut spans = progress(state, known, is_lost, panel.look);
     for (text, role) in remarks(state, rows) {
         spans.push(Span::styled("   ", panel.style(Role::Text)));
@@ -117,13 +117,13 @@ fn bar(received: usize, count: usize, look: &Look) -> [Span<'static>; 3] {
 
 /// What narrows the list and what is going on.
 fn remarks(state: &State, rows: &[Row<'_>]) -> Vec<(Text, Role)> {
-    let room = &state.rooms.parameters;
+    let room = state.rooms().parameters();
     let mut remarks = Vec::new();
-    if let Some(batch) = &room.batch {
+    if let Some(batch) = room.batch() {
         let left = batch.left();
         remarks.push((text!("parameters-setting", count = left), Role::Warning));
     }
-    if let Some(comparison) = &room.comparison {
+    if let Some(comparison) = room.comparison() {
         let findings = || rows.iter().filter_map(|row| Some((row.name, row.finding?)));
         let is_marked = |(name, finding): &(&str, _)| comparison.is_marked(name, *finding);
         let (count, marked) = (findings().count(), findings().filter(is_marked).count());
@@ -134,15 +134,15 @@ fn remarks(state: &State, rows: &[Row<'_>]) -> Vec<(Text, Role)> {
             remarks.push((text!("parameters-hidden", count = hidden), Role::Muted));
         }
     }
-    if !room.filter.is_empty() {
-        let filter = clip(&room.filter, 16);
+    if !room.filter_text().is_empty() {
+        let filter = clip(room.filter_text(), 16);
         let text = text!("parameters-filter", filter = filter, count = rows.len());
         remarks.push((text, Role::Accent));
     }
-    if room.changed_only && room.comparison.is_none() {
+    if room.shows_changed_only() && room.comparison().is_none() {
         remarks.push((text!("parameters-only-changed"), Role::Accent));
     }
-    if state.session.selection.len() > 1 {
+    if state.session().selection().len() > 1 {
         let vehicles = ranges(state.addressed());
         remarks.push((
             text!("parameters-sets-on", vehicles = vehicles),

@@ -35,7 +35,7 @@ pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
         put(buffer, inner, 0, &line);
         return;
     };
-    let cursor = subject.state.rooms.standing.mission.min(last);
+    let cursor = subject.state.rooms().standing().mission().min(last);
     let rows = usize::from(inner.height).min(flown.len());
     let first = cursor.saturating_sub(rows / 2).min(flown.len() - rows);
     for (row, at) in (first..flown.len()).take(rows).enumerate() {
@@ -74,7 +74,7 @@ fn draw_chart(subject: &Subject<'_>, offer: &Offer, area: Rect, buffer: &mut Buf
     let look = subject.look;
     let title = text!("standing-chart", mission = offer.title.clone());
     let inner = Panel::new(look, area).titled(&look.text(&title), buffer);
-    let mut missions = subject.state.missions.iter();
+    let mut missions = subject.state.missions().iter();
     let listing = missions.find(|listing| listing.id == offer.id);
     let tries = subject.career.growth.tries(&offer.id);
     let bars: Vec<Bar> = tries

@@ -23,7 +23,7 @@ const REST: usize = 54;
 pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     let look = subject.look;
     let inner = subject.pane(Pane::Skills, &look.say("standing-skills"), area, buffer);
-    let cursor = subject.state.rooms.standing.skill;
+    let cursor = subject.state.rooms().standing().skill();
     let name = usize::from(inner.width).saturating_sub(REST).min(NAME);
     for (row, skill) in Skill::ALL.iter().copied().enumerate() {
         let under_cursor = row == cursor;

@@ -57,7 +57,7 @@ const fn curve(
 /// Draws every channel with what it is now, its curve, and the least and most within the window.
 pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     let (state, look) = (subject.state, subject.look);
-    let window = state.rooms.vehicle.window;
+    let window = state.rooms().vehicle().window();
     let title = text!("vehicle-curves", seconds = window.seconds());
     let inner = Panel::new(look, area).titled(&look.text(&title), buffer);
     let numbers = 2 * (NUMBER + 1);
@@ -74,7 +74,7 @@ pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
         &Line::styled(format!(" {heads}"), look.style(Role::Muted)),
     );
     let rows = (inner.height / CURVES.len() as u16).max(1);
-    let history = state.session.histories.of(subject.vehicle.id);
+    let history = state.session().histories().of(subject.vehicle.id);
     for (at, curve) in CURVES.iter().enumerate() {
         let strip = upper(below(inner, at as u16 * rows), rows);
         draw_curve(subject, curve, window, history, strip, buffer);

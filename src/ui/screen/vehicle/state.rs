@@ -97,7 +97,7 @@ fn mode(vehicle: &Vehicle, look: &Look) -> Entry {
 /// What is wrong, else whether it may be armed.
 fn ready(subject: &Subject<'_>) -> Entry {
     let (vehicle, look) = (subject.vehicle, subject.look);
-    if let Some(alert) = subject.state.session.alert(vehicle, subject.state.now) {
+    if let Some(alert) = subject.state.session().alert(vehicle, subject.state.now()) {
         // All reasons not to arm, where that is what is wrong.
         let text = if alert.kind == AlertKind::Prearm && !vehicle.prearm.is_empty() {
             vehicle.prearm.join("; ")
@@ -209,7 +209,7 @@ fn target(vehicle: &Vehicle, look: &Look) -> String {
 
 /// For how long it is armed, or was in its last flight.
 fn flight(subject: &Subject<'_>) -> Entry {
-    let history = subject.state.session.histories.of(subject.vehicle.id);
+    let history = subject.state.session().histories().of(subject.vehicle.id);
     let time = history.map(History::armed_for).filter(|it| !it.is_zero());
     match time.map(clock) {
         Some(time) if !subject.vehicle.armed() => {
@@ -233,7 +233,7 @@ fn link(subject: &Subject<'_>) -> Entry {
     if link.lost {
         let silent = subject
             .state
-            .now
+            .now()
             .saturating_sub(link.last_heard.unwrap_or_default());
         let text = text!("vehicle-link-lost", seconds = silent.as_secs());
         return (ID, look.text(&text), Role::Danger);

@@ -21,7 +21,7 @@ pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     let width = usize::from(inner.width).saturating_sub(TIME);
     let mut lines: Vec<Line<'static>> = Vec::new();
     for text in &subject.vehicle.texts {
-        let time = clock(state.session.time(text.at));
+        let time = clock(state.session().time(text.at));
         let style = look.style(severity_role(text.severity));
         let said = format!(
             "{} ({})",

@@ -19,8 +19,8 @@ const LEAST: u16 = 3;
 
 /// Draws the curve that is wanted.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
-    let room = &state.rooms.workshop;
-    let is_payload = room.view == View::Payload;
+    let room = state.rooms().workshop();
+    let is_payload = room.view() == View::Payload;
     let title = if is_payload {
         "bench-payload"
     } else {
@@ -28,10 +28,10 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     };
     let inner = panel.titled(&panel.say(title), buffer);
     let points: Vec<(f64, f64)> = if is_payload {
-        let minutes = room.bench.endurance().iter();
+        let minutes = room.bench().endurance().iter();
         minutes.map(|(kg, seconds)| (*kg, seconds / 60.0)).collect()
     } else {
-        room.bench.polar().to_vec()
+        room.bench().polar().to_vec()
     };
     let about = about(state, is_payload);
     let words = wrap(
@@ -63,7 +63,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 
 /// What to read off the curve.
 fn about(state: &State, is_payload: bool) -> Text {
-    let Some(figures) = &state.rooms.workshop.bench.sheet().figures else {
+    let Some(figures) = &state.rooms().workshop().bench().sheet().figures else {
         return text!("bench-no-curve");
     };
     if is_payload {

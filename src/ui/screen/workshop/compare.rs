@@ -20,9 +20,9 @@ const CHANGE: usize = 12;
 
 /// Draws the table from its first line on.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
-    let room = &state.rooms.workshop;
+    let room = state.rooms().workshop();
     let inner = panel.titled(&panel.say("bench-comparison"), buffer);
-    let Some((other, sheet)) = &room.compared else {
+    let Some((other, sheet)) = room.compared() else {
         return;
     };
     let column = usize::from(inner.width).saturating_sub(NAME + CHANGE + 3) / 2;
@@ -31,7 +31,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         column: column.min(WIDEST),
     };
     let name = |design: &Design| panel.text(&Text::verbatim(design.name.clone()));
-    let design = room.bench.design();
+    let design = room.bench().design();
     let mut lines = vec![table.line(
         &panel.say("bench-compared"),
         [&name(other), &name(design)],
@@ -39,7 +39,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         Role::Title,
     )];
     for measure in Measure::ALL {
-        let (before, after) = (measure.of(sheet), measure.of(room.bench.sheet()));
+        let (before, after) = (measure.of(sheet), measure.of(room.bench().sheet()));
         let shown = |value: Option<f64>| value.map_or("-".to_owned(), |it| measure.shown(it));
         let changed = before.zip(after).and_then(|(a, b)| change(measure, a, b));
         let values = [shown(before), shown(after)];
@@ -54,7 +54,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         lines.extend(table.slot(slot, other, design));
     }
     let room_for = usize::from(inner.height);
-    let first = room.scroll.min(lines.len().saturating_sub(room_for));
+    let first = room.scroll().min(lines.len().saturating_sub(room_for));
     for (row, line) in lines.into_iter().skip(first).take(room_for).enumerate() {
         put(buffer, inner, row as u16, &line);
     }

@@ -20,11 +20,11 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     if panel.area.height == 0 {
         return;
     }
-    let room = &state.rooms.workshop;
+    let room = state.rooms().workshop();
     let candidate = room
-        .bench
+        .bench()
         .candidate()
-        .filter(|_| room.pane == Pane::Parts)
+        .filter(|_| room.pane() == Pane::Parts)
         .map(|candidate| &candidate.sheet);
     let title = match candidate {
         Some(_) => "bench-figures-change",
@@ -32,7 +32,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     };
     let inner = panel.titled(&panel.say(title), buffer);
     for (row, measure) in Measure::ALL.into_iter().enumerate() {
-        let line = line(measure, room.bench.sheet(), candidate, panel.at(inner));
+        let line = line(measure, room.bench().sheet(), candidate, panel.at(inner));
         put(buffer, inner, row as u16, &line);
     }
 }

@@ -21,7 +21,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
     let inner = panel.titled(&panel.say("workshop-findings"), buffer);
     let inner = columns(inner, 1, inner.width.saturating_sub(1));
-    let bench = &state.rooms.workshop.bench;
+    let bench = state.rooms().workshop().bench();
     let is_missing = |it: &&DesignFinding| it.kind == FindingKind::Missing;
     let missing = bench.findings().iter().filter(is_missing);
     let missing: Vec<Text> = missing.map(|it| it.slot.name()).collect();

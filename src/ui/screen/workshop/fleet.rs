@@ -35,12 +35,16 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     };
     let title = text!("bench-fleet", mission = mission_title(state, panel.look));
     let inner = panel.at(list).titled(&panel.text(&title), buffer);
-    let name = state.rooms.workshop.bench.design().name.clone();
+    let name = state.rooms().workshop().bench().design().name.clone();
     let on_bench = panel.text(&text!("bench-fleet-about", name = name));
     let line = Line::styled(format!(" {on_bench}"), panel.style(Role::Muted));
     put(buffer, inner, 0, &line);
     let inner = below(inner, 2);
-    let cursor = state.rooms.workshop.seat.min(all.len().saturating_sub(1));
+    let cursor = state
+        .rooms()
+        .workshop()
+        .seat()
+        .min(all.len().saturating_sub(1));
     let first = first_shown(cursor, all.len(), inner.height);
     let shown = all.iter().enumerate().skip(first);
     for (at, seat) in shown.take(usize::from(inner.height)) {

@@ -44,7 +44,12 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         (panel.text(&budget), panel.style(role)),
     ];
     let mut rest = put_wrapped(&texts, inner, buffer);
-    let groups = state.rooms.workshop.fit.iter().flat_map(|fit| &fit.groups);
+    let groups = state
+        .rooms()
+        .workshop()
+        .fit()
+        .into_iter()
+        .flat_map(|fit| &fit.groups);
     for (seats, stands) in groups {
         let seats = text!("workshop-fit-seats", seats = ranges(seats.iter().copied()));
         let heading = (panel.text(&seats), panel.style(Role::Title));

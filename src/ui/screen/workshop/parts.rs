@@ -28,7 +28,7 @@ const DETAIL: u16 = 5;
 
 /// Draws the list, and below it what there is to know about the part under the cursor.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
-    let bench = &state.rooms.workshop.bench;
+    let bench = state.rooms().workshop().bench();
     let layout = Layout::new(state, panel.area.width);
     let mut inner = panel.titled(&layout.title(bench.slot(), panel.look), buffer);
     if layout.shown.len() > 1 {
@@ -56,7 +56,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
             &layout.line(state, candidate, bench.sheet(), panel.look),
         );
         if at == cursor {
-            let has_keys = state.rooms.workshop.pane == Pane::Parts;
+            let has_keys = state.rooms().workshop().pane() == Pane::Parts;
             show_cursor(panel.look, has_keys, place, buffer);
         }
     }
@@ -77,9 +77,9 @@ struct Layout {
 
 impl Layout {
     fn new(state: &State, columns: u16) -> Self {
-        let bench = &state.rooms.workshop.bench;
+        let bench = state.rooms().workshop().bench();
         let width = usize::from(columns);
-        let licence = if state.career.is_some() { LICENCE } else { 0 };
+        let licence = if state.career().is_some() { LICENCE } else { 0 };
         let flies = |sheet: &Sheet| sheet.figures.is_some();
         let has_figures =
             flies(bench.sheet()) || bench.candidates().iter().any(|it| flies(&it.sheet));

@@ -26,7 +26,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         put(buffer, inner, 0, &line);
         return;
     }
-    let cursor = state.rooms.workshop.shelf.min(all.len() - 1);
+    let cursor = state.rooms().workshop().shelf().min(all.len() - 1);
     let first = first_shown(cursor, all.len(), inner.height);
     for (at, stored) in all.iter().enumerate().skip(first) {
         let place = row_of(below(inner, (at - first) as u16), 0);

@@ -23,22 +23,22 @@ const MASS: usize = 8;
 const PRICE: usize = 8;
 
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
-    let room = &state.rooms.workshop;
-    let name = panel.text(&Text::verbatim(room.bench.design().name.clone()));
+    let room = state.rooms().workshop();
+    let name = panel.text(&Text::verbatim(room.bench().design().name.clone()));
     let title = if is_saved(state) {
         name
     } else {
         format!("{name} ({})", panel.say("bench-not-saved"))
     };
     let inner = panel.titled(&title, buffer);
-    let rows = room.bench.rows();
-    let cursor = room.bench.row();
+    let rows = room.bench().rows();
+    let cursor = room.bench().row();
     let first = first_shown(cursor, rows.len(), inner.height);
     let shown = rows.iter().enumerate().skip(first);
     for (at, row) in shown.take(usize::from(inner.height)) {
         let place = row_of(inner, (at - first) as u16);
         let is_first = at == 0 || rows[at - 1].slot != row.slot;
-        let severity = room.bench.severity(row.slot).filter(|_| is_first);
+        let severity = room.bench().severity(row.slot).filter(|_| is_first);
         let width = usize::from(inner.width);
         let wide = width >= ROOMY;
         let line = Row {
@@ -52,10 +52,10 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
             buffer,
             place,
             0,
-            &line.drawn(room.bench.design(), panel.look),
+            &line.drawn(room.bench().design(), panel.look),
         );
         if at == cursor {
-            show_cursor(panel.look, room.pane == Pane::Slots, place, buffer);
+            show_cursor(panel.look, room.pane() == Pane::Slots, place, buffer);
         }
     }
 }

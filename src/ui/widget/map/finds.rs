@@ -18,7 +18,7 @@ pub const SIGNS: [(Trust, char, Role, &str); 3] = [
 
 /// The words for what has been found and reported. A report that is a contact's has that one's name.
 pub fn labels(state: &State, look: &Look, view: &Viewport) -> Vec<Label> {
-    let Some(progress) = &state.session.mission else {
+    let Some(progress) = state.session().mission() else {
         return Vec::new();
     };
     let mut labels = Vec::new();
@@ -49,7 +49,7 @@ pub fn labels(state: &State, look: &Look, view: &Viewport) -> Vec<Label> {
 
 /// Whether any contact or report is trusted so far.
 pub fn has(state: &State, trust: Trust) -> bool {
-    let progress = state.session.mission.as_ref();
+    let progress = state.session().mission();
     progress.is_some_and(|progress| {
         let mut contacts = progress.contacts.iter();
         contacts.any(|contact| contact.trust == trust)

@@ -79,8 +79,8 @@ pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mu
     draw_homes(state, view, &mut labels);
     draw_movers(state, view, &mut canvas, &mut labels);
     labels.extend(finds::labels(state, look, view));
-    let map = &state.rooms.map;
-    if let Some(mark) = map.mark {
+    let map = state.rooms().map();
+    if let Some(mark) = map.mark() {
         canvas.line(view.dot(mark), view.dot(map.pointed(view)), RULER);
     }
     canvas.draw(Panel::new(look, area), buffer);
@@ -100,7 +100,7 @@ pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mu
 
 /// What vehicles will cover: their signs, and brackets or numbers beside them.
 fn vehicle_cells(state: &State, view: &Viewport) -> BTreeSet<(u16, u16)> {
-    let vehicles = state.session.vehicles.values();
+    let vehicles = state.session().vehicles().values();
     let places = vehicles.filter_map(|vehicle| view.cell(vehicle.global?.at_point));
     places
         .flat_map(|(column, row)| (column.saturating_sub(1)..=column + 2).map(move |at| (row, at)))
@@ -137,7 +137,11 @@ fn readable(labels: Vec<Label>, vehicles: &BTreeSet<(u16, u16)>) -> Vec<Label> {
 
 /// The cells of surveys: their names until they are sampled, then what was found.
 fn draw_cells(state: &State, view: &Viewport, canvas: &mut Canvas, labels: &mut Vec<Label>) {
-    let cells = state.session.mission.iter().flat_map(|it| &it.cells);
+    let cells = state
+        .session()
+        .mission()
+        .into_iter()
+        .flat_map(|it| &it.cells);
     for cell in cells {
         outline(
             &Outline::square(cell.centre, cell.side_m).corners(),
@@ -163,7 +167,7 @@ fn draw_cells(state: &State, view: &Viewport, canvas: &mut Canvas, labels: &mut 
 
 /// The ground that has burnt as far as it was seen: the edges that its squares do not share.
 fn draw_mapped(state: &State, view: &Viewport, canvas: &mut Canvas) {
-    let Some(progress) = &state.session.mission else {
+    let Some(progress) = state.session().mission() else {
         return;
     };
     let Some(first) = progress.mapped.first() else {
@@ -221,16 +225,19 @@ pub fn outline(corners: &[LatLon], view: &Viewport, canvas: &mut Canvas, stroke:
 
 /// Trails and the lines to targets.
 fn draw_ways(state: &State, view: &Viewport, canvas: &mut Canvas, labels: &mut Vec<Label>) {
-    let session = &state.session;
-    let map = &state.rooms.map;
-    let many = session.vehicles.len() > MANY;
-    let chosen = |id: VehicleId| session.cursor == Some(id) || session.selection.contains(&id);
+    let session = state.session();
+    let map = state.rooms().map();
+    let many = session.vehicles().len() > MANY;
+    let chosen = |id: VehicleId| session.cursor() == Some(id) || session.selection().contains(&id);
     let shown = session
-        .vehicles
+        .vehicles()
         .values()
         .filter(|it| !many || chosen(it.id));
     for vehicle in shown.take(MANY) {
-        let trail = map.trails.get(&vehicle.id).filter(|_| !map.trails_hidden);
+        let trail = map
+            .trails()
+            .get(&vehicle.id)
+            .filter(|_| !map.hides_trails());
         if let Some(trail) = trail {
             for pair in trail.points().windows(2) {
                 canvas.line(view.dot(pair[0]), view.dot(pair[1]), TRAIL);
@@ -253,23 +260,23 @@ fn draw_ways(state: &State, view: &Viewport, canvas: &mut Canvas, labels: &mut V
 
 /// Homes and named places; of several in one cell only the first.
 fn draw_homes(state: &State, view: &Viewport, labels: &mut Vec<Label>) {
-    let session = &state.session;
+    let session = state.session();
     let mut homes: Vec<(u16, u16)> = session
-        .vehicles
+        .vehicles()
         .values()
         .filter_map(|vehicle| view.cell(vehicle.home?.at_point))
         .collect();
     homes.sort_unstable();
     homes.dedup();
     // Cells and contacts have been drawn already.
-    let mission = session.mission.iter();
+    let mission = session.mission().into_iter();
     let cells = mission.clone().flat_map(|it| &it.cells);
     let contacts = mission.flat_map(|it| &it.contacts);
     let cells = cells.map(|cell| cell.name.as_str());
     let drawn: BTreeSet<&str> = cells
         .chain(contacts.map(|contact| contact.name.as_str()))
         .collect();
-    let places = session.places.iter();
+    let places = session.places().iter();
     for (name, &place) in places.filter(|(name, _)| !drawn.contains(name.as_str())) {
         let cell = view.cell(place).filter(|cell| !homes.contains(cell));
         labels.extend(cell.map(|cell| Label {
@@ -287,7 +294,11 @@ fn draw_homes(state: &State, view: &Viewport, labels: &mut Vec<Label>) {
 
 /// People, aircraft and drones of others, with what has to be kept clear around them.
 fn draw_movers(state: &State, view: &Viewport, canvas: &mut Canvas, labels: &mut Vec<Label>) {
-    let movers = state.session.mission.iter().flat_map(|it| &it.movers);
+    let movers = state
+        .session()
+        .mission()
+        .into_iter()
+        .flat_map(|it| &it.movers);
     for mover in movers {
         let (letter, role) = match mover.kind {
             MoverKind::Person => ('P', Role::Warning),

@@ -97,7 +97,7 @@ fn lines(state: &State, look: &Look) -> Vec<Line<'static>> {
         .iter()
         .filter(|(trust, ..)| finds::has(state, *trust));
     let finds = finds.map(|(_, sign, role, id)| (format!("{sign}c1"), *role, *id));
-    let movers = state.session.mission.as_ref();
+    let movers = state.session().mission();
     let movers = movers.is_some_and(|it| !it.movers.is_empty());
     let movers = movers.then(|| ("P A U".to_owned(), Role::Danger, "map-legend-movers"));
     let strokes = strokes(state).into_iter().filter(|(shown, ..)| *shown);
@@ -108,13 +108,13 @@ fn lines(state: &State, look: &Look) -> Vec<Line<'static>> {
 
 /// The kinds of lines, and whether there are any on the map.
 fn strokes(state: &State) -> [(bool, Stroke, &'static str); 14] {
-    let map = &state.rooms.map;
+    let map = state.rooms().map();
     let sketches = sketches(state);
     let has = |kind| sketches.iter().any(|sketch| sketch.kind == kind);
-    let trails = !map.trails_hidden && !map.trails.is_empty();
-    let mut vehicles = state.session.vehicles.values();
+    let trails = !map.hides_trails() && !map.trails().is_empty();
+    let mut vehicles = state.session().vehicles().values();
     let targets = vehicles.any(|vehicle| leg(vehicle).is_some());
-    let mission = state.session.mission.as_ref();
+    let mission = state.session().mission();
     let burnt = mission.is_some_and(|it| !it.mapped.is_empty());
     [
         (burnt, BURNT, "map-legend-burnt"),
@@ -130,6 +130,6 @@ fn strokes(state: &State) -> [(bool, Stroke, &'static str); 14] {
         (has(Plan), stroke(Plan), "map-legend-plan"),
         (has(Rally), stroke(Rally), "map-legend-rally"),
         (has(Course), stroke(Course), "map-legend-course"),
-        (map.mark.is_some(), RULER, "map-legend-ruler"),
+        (map.mark().is_some(), RULER, "map-legend-ruler"),
     ]
 }

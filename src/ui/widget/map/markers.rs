@@ -36,7 +36,7 @@ struct Marker {
 /// Draws the vehicles that are in view; returns how many others have a place.
 pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mut Buffer) -> usize {
     let (mut markers, outside) = markers(state, look, view);
-    let cursor = state.session.cursor;
+    let cursor = state.session().cursor();
     let under_cursor = markers.iter().position(|it| Some(it.id) == cursor);
     let chosen = under_cursor.map(|at| Chosen::new(markers.swap_remove(at), &mut markers));
     markers.sort_by_key(|it| (it.row, it.column, it.id));
@@ -68,7 +68,7 @@ pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mu
 fn markers(state: &State, look: &Look, view: &Viewport) -> (Vec<Marker>, usize) {
     let mut markers = Vec::new();
     let mut outside = 0;
-    for vehicle in state.session.vehicles.values() {
+    for vehicle in state.session().vehicles().values() {
         let Some(global) = vehicle.global else {
             continue;
         };
@@ -122,10 +122,10 @@ impl Chosen {
 }
 
 fn marker(vehicle: &Vehicle, cell: Position, state: &State, look: &Look) -> Marker {
-    let selected = state.session.selection.contains(&vehicle.id);
+    let selected = state.session().selection().contains(&vehicle.id);
     let alarm = state
-        .session
-        .alert(vehicle, state.now)
+        .session()
+        .alert(vehicle, state.now())
         .filter(|alert| alert.severity <= Severity::Warning);
     let lost = vehicle.link.lost;
     let mut marks = String::new();

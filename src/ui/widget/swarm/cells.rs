@@ -86,7 +86,7 @@ pub struct Row<'a> {
 
 /// What a vehicle has in a column of a width.
 pub fn cell(column: Column, row: &Row<'_>, look: &Look, width: usize) -> Cell {
-    let session = &row.state.session;
+    let session = row.state.session();
     let number = |decimals: usize| {
         let value = column.number(row.vehicle, session);
         value.map_or_else(unknown, |value| (figure(value, decimals), Role::Text))
@@ -157,7 +157,7 @@ fn armed(row: &Row<'_>) -> Cell {
 
 /// Whether it lies broken, whatever its arming checks say.
 fn has_crashed(row: &Row<'_>) -> bool {
-    let mut alerts = row.state.session.alarms.of(row.vehicle.id);
+    let mut alerts = row.state.session().alarms().of(row.vehicle.id);
     alerts.any(|one| one.alert.kind == AlertKind::Crash)
 }
 
@@ -224,7 +224,7 @@ fn item(vehicle: &Vehicle) -> Cell {
 }
 
 fn command(row: &Row<'_>, look: &Look, room: usize) -> Cell {
-    let Some((entry, line)) = row.state.session.latest(row.vehicle.id) else {
+    let Some((entry, line)) = row.state.session().latest(row.vehicle.id) else {
         return (String::new(), Role::Muted);
     };
     let state = match line.state {
@@ -241,11 +241,11 @@ fn command(row: &Row<'_>, look: &Look, room: usize) -> Cell {
 
 /// The worst alert and since when; a mark before it until somebody has taken note.
 fn alert(row: &Row<'_>, look: &Look, room: usize) -> Cell {
-    let session = &row.state.session;
-    let Some(one) = session.alarms.worst(row.vehicle.id) else {
+    let session = row.state.session();
+    let Some(one) = session.alarms().worst(row.vehicle.id) else {
         return (String::new(), Role::Text);
     };
-    let calm = session.alarms.is_calm(one);
+    let calm = session.alarms().is_calm(one);
     let is_serious = one.alert.severity <= Severity::Error;
     let mark = if is_serious && !calm { "!" } else { "" };
     let role = if calm {

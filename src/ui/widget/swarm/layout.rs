@@ -80,7 +80,7 @@ const fn form(column: Column, title: &'static str, width: u16, rank: u8, right: 
 
 /// The columns that fit into a width: those that the user has chosen, else by rank.
 pub fn columns(state: &State, words: &Words, look: &Look, room: u16) -> Vec<Shown> {
-    let chosen = &state.config.table.columns;
+    let chosen = &state.config().table.columns;
     let (mut columns, left) = if chosen.is_empty() {
         by_rank(state, words, look, room)
     } else {
@@ -118,7 +118,7 @@ fn in_order(chosen: &[Column], words: &Words, look: &Look, room: u16) -> (Vec<Sh
 }
 
 fn by_rank(state: &State, words: &Words, look: &Look, room: u16) -> (Vec<Shown>, u16) {
-    let has_groups = !state.session.groups.is_empty();
+    let has_groups = !state.session().groups().is_empty();
     let is_offered =
         |form: &&Form| form.rank < ASKED && (has_groups || form.column != Column::Group);
     let mut by_rank: Vec<(u8, Shown)> = FORMS

@@ -74,7 +74,7 @@ fn what_waited_too_long_to_be_sent_is_given_again() {
         vehicle: 1,
         state: RowState::TimedOut,
         tries: 0,
-        at: console.state().now,
+        at: console.state().now(),
         explanation: None,
     }));
     for (entry, name) in [(3, "WPNAV_SPEED"), (4, "WPNAV_ACCEL")] {
