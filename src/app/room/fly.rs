@@ -227,7 +227,7 @@ pub fn heard(state: &mut State, id: VehicleId) {
     let filter = VehicleFilter::new(&state.rooms.fly.filter);
     let fits = |state: &State| {
         let vehicle = state.session.vehicles.get(&id);
-        vehicle.is_some_and(|vehicle| filter.fits(vehicle, &state.session))
+        vehicle.is_some_and(|vehicle| filter.fits(vehicle, &state.session, &state.locale))
     };
     if filter.is_empty() || fits(state) {
         let by_id = sorted_by(state) == TableSort::BY_ID;
@@ -301,7 +301,9 @@ fn arrange(state: &mut State) {
     let filter = VehicleFilter::new(&fly.filter);
     let held = session.cursor.filter(|id| fly.rows.contains(id));
     let shown = session.vehicles.values().filter(|vehicle| {
-        held == Some(vehicle.id) || filter.is_empty() || filter.fits(vehicle, session)
+        held == Some(vehicle.id)
+            || filter.is_empty()
+            || filter.fits(vehicle, session, &state.locale)
     });
     fly.rows = shown.map(|vehicle| vehicle.id).collect();
     if sort.column == Column::Id {

@@ -1,12 +1,13 @@
 //! Which vehicles are meant: words that all have to fit.
 //!
 //! A word fits a vehicle by its number (`3`, `1-4,7`), its group (`@red`), a figure (`bat<30`), or because something
-//! that is said of it begins so: what it is, mode, `armed`, `ready`, `air`, the words of its alerts, and `alert` for
-//! any of them. `!` before a word turns it round.
+//! that is known of it begins so: what it is, mode, `armed`, `ready`, `air`, the kinds of its alerts and their words in
+//! the language of the screen, and `alert` for any of them. `!` before a word turns it round.
 
-use super::Session;
+use super::{Alert, Session};
 use crate::config::Column;
 use crate::language::parse_ranges;
+use crate::text::Locale;
 use crate::vehicle::{LandedState, Vehicle, VehicleId};
 
 /// What a filter asks for.
@@ -43,8 +44,10 @@ impl VehicleFilter {
     }
 
     /// Whether a vehicle fits.
-    pub fn fits(&self, vehicle: &Vehicle, session: &Session) -> bool {
-        self.0.iter().all(|term| term.fits(vehicle, session))
+    pub fn fits(&self, vehicle: &Vehicle, session: &Session, locale: &Locale) -> bool {
+        self.0
+            .iter()
+            .all(|term| term.fits(vehicle, session, locale))
     }
 }
 
@@ -69,7 +72,7 @@ impl FilterTerm {
         Some(Self { negated, test })
     }
 
-    fn fits(&self, vehicle: &Vehicle, session: &Session) -> bool {
+    fn fits(&self, vehicle: &Vehicle, session: &Session, locale: &Locale) -> bool {
         let figure = |column: Column| column.number(vehicle, session);
         let fits = match &self.test {
             Test::Ids(ids) => ids.binary_search(&vehicle.id).is_ok(),
@@ -79,10 +82,7 @@ impl FilterTerm {
             }
             Test::Below(column, limit) => figure(*column).is_some_and(|value| value < *limit),
             Test::Above(column, limit) => figure(*column).is_some_and(|value| value > *limit),
-            Test::Word(start) => {
-                let said = said(vehicle, session).to_lowercase();
-                said.split_whitespace().any(|word| word.starts_with(start))
-            }
+            Test::Word(start) => says(start, vehicle, session, locale),
         };
         fits != self.negated
     }
@@ -100,44 +100,53 @@ fn comparison(word: &str) -> Option<Test> {
     })
 }
 
-/// All that is said of a vehicle in words.
-fn said(vehicle: &Vehicle, session: &Session) -> String {
-    let mut said = String::from(Session::class(vehicle));
-    let mut add = |word: &str| {
-        said.push(' ');
-        said.push_str(word);
+/// Whether something that is known of a vehicle begins with `start`, which is in small letters.
+fn says(start: &str, vehicle: &Vehicle, session: &Session, locale: &Locale) -> bool {
+    let begins = |word: &str| word.to_lowercase().starts_with(start);
+    let mode = vehicle.mode().map(|mode| mode.to_string());
+    begins(Session::class(vehicle))
+        || mode.is_some_and(|mode| mode.split_whitespace().any(begins))
+        || states(vehicle).any(begins)
+        || session
+            .alarms
+            .of(vehicle.id)
+            .any(|one| says_alert(start, &one.alert, locale))
+}
+
+/// Whether an alert is of a kind whose name begins with `start`, or a word of its text does, as the screen shows it.
+fn says_alert(start: &str, alert: &Alert, locale: &Locale) -> bool {
+    ["alert", alert.kind.name()]
+        .iter()
+        .any(|name| name.starts_with(start))
+        || locale
+            .text(&alert.text)
+            .to_lowercase()
+            .split_whitespace()
+            .any(|word| word.starts_with(start))
+}
+
+/// The words of the grammar for the state that a vehicle is in.
+fn states(vehicle: &Vehicle) -> impl Iterator<Item = &'static str> {
+    let arming: &[&str] = match vehicle.heartbeat {
+        None => &[],
+        Some(_) if vehicle.armed() => &["armed"],
+        Some(_) if vehicle.ready_to_arm() => &["safe", "disarmed", "ready"],
+        Some(_) => &["safe", "disarmed"],
     };
-    if let Some(mode) = vehicle.mode() {
-        add(&mode.to_string());
-    }
-    if vehicle.heartbeat.is_some() {
-        add(if vehicle.armed() {
-            "armed"
-        } else {
-            "safe disarmed"
-        });
-        if !vehicle.armed() && vehicle.ready_to_arm() {
-            add("ready");
-        }
-    }
-    match vehicle.landed {
-        LandedState::Undefined => {}
-        LandedState::OnGround => add("ground"),
-        LandedState::InAir => add("air"),
-        LandedState::Takeoff => add("air takeoff"),
-        LandedState::Landing => add("air landing"),
-    }
-    for one in session.alarms.of(vehicle.id) {
-        add("alert");
-        add(one.alert.kind.name());
-        add(&one.alert.text.to_string());
-    }
-    said
+    let landed: &[&str] = match vehicle.landed {
+        LandedState::Undefined => &[],
+        LandedState::OnGround => &["ground"],
+        LandedState::InAir => &["air"],
+        LandedState::Takeoff => &["air", "takeoff"],
+        LandedState::Landing => &["air", "landing"],
+    };
+    arming.iter().chain(landed).copied()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::text::Language;
     use crate::vehicle::Battery;
 
     fn session() -> Session {
@@ -166,9 +175,17 @@ mod tests {
         session
     }
 
+    fn found(text: &str, session: &Session, locale: &Locale) -> Vec<VehicleId> {
+        let filter = VehicleFilter::new(text);
+        let vehicles = session.vehicles.values();
+        let fitting = vehicles.filter(|vehicle| filter.fits(vehicle, session, locale));
+        fitting.map(|vehicle| vehicle.id).collect()
+    }
+
     #[test]
     fn every_word_has_to_fit() {
         let session = session();
+        let locale = Locale::default();
         let cases: &[(&str, &[VehicleId])] = &[
             ("", &[1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12]),
             ("1", &[1]),
@@ -185,11 +202,17 @@ mod tests {
             ("nonsense", &[]),
         ];
         for (text, expected) in cases {
-            let filter = VehicleFilter::new(text);
-            let found = session.vehicles.values();
-            let found = found.filter(|vehicle| filter.fits(vehicle, &session));
-            let found: Vec<_> = found.map(|vehicle| vehicle.id).collect();
-            assert_eq!(&found, expected, "{text}");
+            assert_eq!(&found(text, &session, &locale), expected, "{text}");
         }
+    }
+
+    #[test]
+    fn alerts_are_found_by_their_kind_and_by_the_words_that_the_screen_shows() {
+        let session = session();
+        let ukrainian = Locale::new(Language::Ukrainian);
+        for word in ["link-lost", "без", "ALERT bat>30"] {
+            assert_eq!(found(word, &session, &ukrainian), [12], "{word}");
+        }
+        assert!(found("lost", &session, &ukrainian).is_empty());
     }
 }
