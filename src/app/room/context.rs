@@ -8,8 +8,8 @@ impl State {
     /// Runs `work` with what the grammar has to know: groups, places, vehicles.
     pub fn with_context<T>(&self, work: impl FnOnce(&Context<'_>) -> T) -> T {
         let vehicles: Vec<VehicleId> = self.session.vehicles.keys().copied().collect();
-        let areas = self.session.areas.iter();
-        let areas = areas
+        let named = self.session.areas.iter();
+        let areas = named
             .map(|area| (area.name.clone(), area.outline.clone()))
             .collect();
         let first = self.addressed().first().copied();

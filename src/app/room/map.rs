@@ -139,7 +139,7 @@ impl Map {
 
     /// Moves the cursor by cells, from the middle if it is out of sight; the view moves along by a part of its
     /// size when the cursor comes to its edge.
-    pub fn step(&mut self, size: Size, (right, down): (i32, i32)) {
+    pub fn step(&mut self, size: Size, right: i32, down: i32) {
         let Some(view) = self.view(size) else {
             return;
         };
@@ -281,7 +281,7 @@ mod tests {
     #[test]
     fn without_any_place_there_is_no_view_and_no_key_fails() {
         let mut map = Map::default();
-        map.step(SIZE, (1, 0));
+        map.step(SIZE, 1, 0);
         map.zoom(SIZE, true);
         map.follow(SIZE, HOME);
         assert!(map.view(SIZE).is_none());
@@ -318,8 +318,8 @@ mod tests {
             let mut map = map();
             for (right, down, key) in steps {
                 match key {
-                    0 => map.step(SIZE, (right.signum(), down.signum())),
-                    1 => map.step(SIZE, (right, down)),
+                    0 => map.step(SIZE, right.signum(), down.signum()),
+                    1 => map.step(SIZE, right, down),
                     _ => {
                         let before = map.view(SIZE).expect("a view");
                         let cursor = map.pointed(&before);

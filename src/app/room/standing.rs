@@ -67,7 +67,7 @@ impl Pane {
 }
 
 /// Whether a screen of this size shows all panes.
-pub fn shows_all((width, height): (u16, u16)) -> bool {
+pub fn shows_all(width: u16, height: u16) -> bool {
     width >= WIDE.0 && height >= WIDE.1
 }
 

@@ -200,9 +200,12 @@ fn fading(old: Standing, now: Duration) -> Option<Standing> {
 /// When a condition began: a link is lost since something was heard last.
 fn began(vehicle: &Vehicle, now: Duration) -> impl Fn(AlertKind) -> Duration {
     let last_heard = vehicle.link.last_heard;
-    move |kind| match kind {
-        AlertKind::LinkLost => last_heard.unwrap_or(now),
-        _ => now,
+    move |kind| {
+        if kind == AlertKind::LinkLost {
+            last_heard.unwrap_or(now)
+        } else {
+            now
+        }
     }
 }
 

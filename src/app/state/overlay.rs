@@ -150,7 +150,9 @@ impl Confirm {
     pub fn wanted(&self) -> Text {
         match self.then {
             Consequence::Order(_) => text!("ask-how-many", answer = &self.answer),
-            _ => self.answer.as_str().into(),
+            Consequence::Effect(_) | Consequence::Parameters(_) | Consequence::Design(_) => {
+                self.answer.as_str().into()
+            }
         }
     }
 }

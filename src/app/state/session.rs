@@ -116,8 +116,9 @@ impl Session {
     pub fn open(&mut self, at: Duration, given: Given<'_>, targets: &[VehicleId]) -> EntryId {
         let entry = self.ledger.open(at, given, targets);
         for &id in targets {
-            let under_way =
-                |&known: &EntryId| row(&self.ledger, known, id).is_some_and(|at| !is_over(at));
+            let under_way = |&known: &EntryId| {
+                row(&self.ledger, known, id).is_some_and(|(_, row)| !row.state.is_final())
+            };
             let recent = self.recent.entry(id).or_default();
             recent.retain(under_way);
             recent.push(entry);
@@ -131,7 +132,7 @@ impl Session {
         let found = |&id: &EntryId| row(&self.ledger, id, vehicle);
         let mut newest_first = recent.iter().rev().filter_map(found);
         newest_first
-            .find(|&at| !is_over(at))
+            .find(|(_, row)| !row.state.is_final())
             .or_else(|| recent.last().and_then(found))
     }
 
@@ -165,8 +166,8 @@ impl Session {
 
     /// The most serious thing that is wrong with a vehicle now, if anything is.
     pub fn alert(&self, vehicle: &Vehicle, now: Duration) -> Option<Alert> {
-        let process = self.alarms.down.contains(&vehicle.id);
-        let process = process.then(super::alert::process_ended);
+        let is_down = self.alarms.down.contains(&vehicle.id);
+        let process = is_down.then(super::alert::process_ended);
         process
             .into_iter()
             .chain(alert(vehicle, now))
@@ -217,8 +218,4 @@ fn row(ledger: &Ledger, entry: EntryId, vehicle: VehicleId) -> Option<(&LedgerEn
     let entry = ledger.entry(entry)?;
     let row = entry.rows.iter().find(|row| row.vehicle == vehicle)?;
     Some((entry, row))
-}
-
-fn is_over((_, row): (&LedgerEntry, &LedgerRow)) -> bool {
-    row.state.is_final()
 }

@@ -59,7 +59,7 @@ fn tell(state: &mut State, finding: &LinkFinding) {
         return;
     }
     let link = state.session.links.get(finding.link);
-    let link = link.map_or_else(String::new, |link| link.name.clone());
+    let name = link.map_or_else(String::new, |link| link.name.clone());
     let notice = Notice {
         at: state.now,
         vehicle: None,
@@ -67,7 +67,7 @@ fn tell(state: &mut State, finding: &LinkFinding) {
         kind: None,
         text: text!(
             "doctor-notice",
-            link = link,
+            link = name,
             finding = finding.cause.says(),
             advice = finding.advice()
         ),

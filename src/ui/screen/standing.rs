@@ -41,7 +41,8 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     };
     draw_summary(&subject, panel.area, buffer);
     let panel = panel.below(2);
-    if !shows_all(state.size()) && !shows_all((panel.area.width, panel.area.height + 4)) {
+    let (width, height) = state.size();
+    if !shows_all(width, height) && !shows_all(panel.area.width, panel.area.height + 4) {
         match state.rooms().standing().pane() {
             Pane::Skills => skills::draw(&subject, panel.area, buffer),
             Pane::Scores => scores::draw(&subject, panel.area, buffer),

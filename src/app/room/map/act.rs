@@ -102,7 +102,7 @@ impl RoomModel for Map {
 
 fn go(state: &mut State, size: Size, step: Step) {
     let vehicle = state.session.under_cursor();
-    let way = match step {
+    let (right, down) = match step {
         Step::Left => (-1, 0),
         Step::Right => (1, 0),
         Step::Up => (0, -1),
@@ -120,7 +120,7 @@ fn go(state: &mut State, size: Size, step: Step) {
             };
         }
     };
-    state.rooms.map.step(size, way);
+    state.rooms.map.step(size, right, down);
 }
 
 /// Puts the cursor on a place; the view moves there if it has to.

@@ -102,9 +102,10 @@ pub fn tell(state: &mut State, entry: EntryId) {
     if state.room != Room::Parameters || is_of_batch {
         return;
     }
-    let severity = match row.state {
-        RowState::Done => Severity::Info,
-        _ => Severity::Warning,
+    let severity = if row.state == RowState::Done {
+        Severity::Info
+    } else {
+        Severity::Warning
     };
     let text = fate(row, &known.rows);
     state.say(severity, text);
@@ -114,8 +115,8 @@ pub fn tell(state: &mut State, entry: EntryId) {
 fn fate(row: &LedgerRow, all: &[LedgerRow]) -> Text {
     let why = |row: &LedgerRow| row.explanation.as_ref().map(|text| text.regarding(""));
     let fared_so = |other: &&LedgerRow| other.state == row.state && why(other) == why(row);
-    let alike = all.iter().filter(fared_so).map(|row| row.vehicle);
-    let alike: Vec<VehicleId> = alike.collect();
+    let those = all.iter().filter(fared_so);
+    let alike: Vec<VehicleId> = those.map(|row| row.vehicle).collect();
     let (count, vehicles) = (alike.len(), ranges(alike));
     let why = row.explanation.as_ref().map(|it| it.regarding(&vehicles));
     let text = match (row.state, why) {

@@ -27,7 +27,11 @@ pub struct Bench {
 }
 
 /// A design as it was, with the name under which it is kept.
-type Kept = (Design, Option<String>);
+#[derive(Debug, Clone)]
+struct Kept {
+    design: Design,
+    origin: Option<String>,
+}
 
 /// A line of the list of slots: parts of one kind in one slot.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -210,7 +214,7 @@ impl Bench {
         }
         self.row = 0;
         self.part = None;
-        self.lay((design, origin), air);
+        self.lay(Kept { design, origin }, air);
         self.find_part();
     }
 
@@ -233,7 +237,7 @@ impl Bench {
         }
         self.remember();
         let origin = self.origin.take();
-        self.lay((design, origin), air);
+        self.lay(Kept { design, origin }, air);
         true
     }
 
@@ -246,12 +250,15 @@ impl Bench {
     }
 
     fn kept(&self) -> Kept {
-        (self.design.clone(), self.origin.clone())
+        Kept {
+            design: self.design.clone(),
+            origin: self.origin.clone(),
+        }
     }
 
-    fn lay(&mut self, (design, origin): Kept, air: Air) {
+    fn lay(&mut self, kept: Kept, air: Air) {
         let slot = self.slot();
-        (self.design, self.origin) = (design, origin);
+        (self.design, self.origin) = (kept.design, kept.origin);
         // The slots below have moved by as many lines as a payload came or went.
         let rows = self.rows();
         if rows.get(self.row).is_none_or(|row| row.slot != slot) {
