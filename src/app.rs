@@ -98,6 +98,6 @@ impl App {
     /// Takes in what happened and returns what the shell has to do.
     #[must_use = "the shell has to carry the effects out"]
     pub fn update(&mut self, event: impl Into<Event>) -> Vec<Effect> {
-        update::update(&mut self.state, event.into())
+        update::update(&mut self.state, event.into()).into_vec()
     }
 }

@@ -70,6 +70,48 @@ pub enum Effect {
     Terminal(TerminalEffect),
 }
 
+/// What the shell has to do after an event, in this order.
+#[derive(Debug, Default, Clone, PartialEq)]
+#[must_use = "the shell has to carry the effects out"]
+pub struct Effects(Vec<Effect>);
+
+impl Effects {
+    pub fn none() -> Self {
+        Self::default()
+    }
+
+    pub fn into_vec(self) -> Vec<Effect> {
+        self.0
+    }
+}
+
+impl From<Effect> for Effects {
+    fn from(effect: Effect) -> Self {
+        Self(vec![effect])
+    }
+}
+
+impl FromIterator<Effect> for Effects {
+    fn from_iter<I: IntoIterator<Item = Effect>>(effects: I) -> Self {
+        Self(effects.into_iter().collect())
+    }
+}
+
+impl Extend<Effect> for Effects {
+    fn extend<I: IntoIterator<Item = Effect>>(&mut self, effects: I) {
+        self.0.extend(effects);
+    }
+}
+
+impl IntoIterator for Effects {
+    type Item = Effect;
+    type IntoIter = std::vec::IntoIter<Effect>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.0.into_iter()
+    }
+}
+
 /// A file to read or to write. Paths are as the user wrote them.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum FileEffect {

@@ -1,7 +1,7 @@
 //! The one function that changes the state.
 
 use super::State;
-use super::effect::{Effect, FileKind};
+use super::effect::{Effects, FileKind};
 use super::event::{
     CareerEvent, Event, FileEvent, LinkEvent, ProcessEvent, SessionEvent, TerminalEvent,
     VehicleEvent,
@@ -27,7 +27,7 @@ mod swarm;
 mod telemetry;
 
 /// Takes in what happened and says what the shell has to do.
-pub fn update(state: &mut State, event: Event) -> Vec<Effect> {
+pub fn update(state: &mut State, event: Event) -> Effects {
     let (room, had_overlay) = (state.room, state.overlay.is_some());
     let said = state.message().cloned();
     let mut effects = react(state, event);
@@ -50,7 +50,7 @@ fn stay_with_vehicles(state: &mut State) {
     }
 }
 
-fn react(state: &mut State, event: Event) -> Vec<Effect> {
+fn react(state: &mut State, event: Event) -> Effects {
     match event {
         Event::Tick { now } => {
             telemetry::tick(state, now);
@@ -68,10 +68,10 @@ fn react(state: &mut State, event: Event) -> Vec<Effect> {
         Event::Answer(text) => telemetry::answer(state, text),
         Event::Failed(text) => telemetry::failed(state, text),
     }
-    Vec::new()
+    Effects::none()
 }
 
-fn terminal(state: &mut State, event: TerminalEvent) -> Vec<Effect> {
+fn terminal(state: &mut State, event: TerminalEvent) -> Effects {
     state.touch();
     match event {
         TerminalEvent::Key(key) => return keys::press(state, key),
@@ -81,7 +81,7 @@ fn terminal(state: &mut State, event: TerminalEvent) -> Vec<Effect> {
         TerminalEvent::Told => told(state),
         TerminalEvent::SlowLine(bytes_per_s) => state.slow_line = bytes_per_s,
     }
-    Vec::new()
+    Effects::none()
 }
 
 /// What the last line and the overlays say was told in lines.
@@ -95,12 +95,12 @@ fn told(state: &mut State) {
     }
 }
 
-fn vehicle(state: &mut State, event: VehicleEvent) -> Vec<Effect> {
+fn vehicle(state: &mut State, event: VehicleEvent) -> Effects {
     match event {
         // Many vehicles report often: the screen changes only where a snapshot is another one.
         VehicleEvent::Telemetry(vehicle) => {
             telemetry::vehicle(state, vehicle);
-            return Vec::new();
+            return Effects::none();
         }
         VehicleEvent::Parameters { vehicle, snapshot } => {
             parameters::arrived(state, vehicle, snapshot);
@@ -112,7 +112,7 @@ fn vehicle(state: &mut State, event: VehicleEvent) -> Vec<Effect> {
         VehicleEvent::Paths(paths) => state.session.paths = paths,
     }
     state.touch();
-    Vec::new()
+    Effects::none()
 }
 
 fn link(state: &mut State, event: LinkEvent) {
@@ -163,7 +163,7 @@ fn career(state: &mut State, event: CareerEvent) {
     }
 }
 
-fn file(state: &mut State, event: FileEvent) -> Vec<Effect> {
+fn file(state: &mut State, event: FileEvent) -> Effects {
     state.touch();
     match event {
         FileEvent::Read { kind, path, text } => match kind {
@@ -173,5 +173,5 @@ fn file(state: &mut State, event: FileEvent) -> Vec<Effect> {
         FileEvent::Written { path } => files::written(state, &path),
         FileEvent::Exists { kind, path, text } => return files::exists(state, kind, path, text),
     }
-    Vec::new()
+    Effects::none()
 }

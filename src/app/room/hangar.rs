@@ -2,7 +2,7 @@
 
 use crate::app::State;
 use crate::app::action::Action;
-use crate::app::effect::{Effect, HangarDeed, SessionEffect};
+use crate::app::effect::{Effect, Effects, HangarDeed, SessionEffect};
 use crate::app::keymap::{ENTER, ESCAPE, KeyHint, KeyRow, does, hint, key};
 use crate::app::room::{Room, RoomModel, RoomRequest, hints};
 use crate::app::state::{Consequence, Instance, SitlStage};
@@ -126,7 +126,7 @@ fn requested(state: &mut State, deed: HangarDeed, vehicle: VehicleId) -> Vec<Roo
 }
 
 /// Has a vehicle's process started again or ended; asks while the vehicle is armed.
-pub fn order(state: &mut State, deed: HangarDeed, vehicle: VehicleId) -> Vec<Effect> {
+pub fn order(state: &mut State, deed: HangarDeed, vehicle: VehicleId) -> Effects {
     let instance = state
         .session
         .hangar
@@ -137,7 +137,7 @@ pub fn order(state: &mut State, deed: HangarDeed, vehicle: VehicleId) -> Vec<Eff
             Severity::Warning,
             text!("hangar-no-process", vehicle = vehicle),
         );
-        return Vec::new();
+        return Effects::none();
     };
     let runs = instance.stage < SitlStage::Stopping;
     let known = state.session.vehicles.get(&vehicle);
@@ -156,10 +156,10 @@ pub fn order(state: &mut State, deed: HangarDeed, vehicle: VehicleId) -> Vec<Eff
             text!("hangar-ask-armed"),
             Consequence::Effect(effect),
         );
-        return Vec::new();
+        return Effects::none();
     }
     state.say(Severity::Notice, done);
-    vec![effect]
+    Effects::from(effect)
 }
 
 /// What is asked before a deed, and what is said of it.

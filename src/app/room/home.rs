@@ -2,7 +2,7 @@
 
 use crate::app::State;
 use crate::app::action::Action;
-use crate::app::effect::{Effect, Launch, SessionEffect};
+use crate::app::effect::{Effect, Effects, Launch, SessionEffect};
 use crate::app::keymap::{ENTER, KeyHint, KeyRow, does, hint, key};
 use crate::app::room::{Room, RoomModel, RoomRequest, hints};
 use crate::app::state::Purpose;
@@ -190,13 +190,15 @@ pub fn practice(state: &State, mission: &str, entered: &str) -> Result<Launch, T
 ///
 /// # Errors
 /// There is no address.
-pub fn connect(state: &mut State, entered: &str) -> Result<Vec<Effect>, Text> {
+pub fn connect(state: &mut State, entered: &str) -> Result<Effects, Text> {
     let addresses: Vec<String> = entered.split_whitespace().map(str::to_owned).collect();
     if addresses.is_empty() {
         return Err(text!("home-connect-empty"));
     }
     state.prompt(Purpose::Connect, entered);
-    Ok(vec![Effect::Session(SessionEffect::Connect(addresses))])
+    Ok(Effects::from(Effect::Session(SessionEffect::Connect(
+        addresses,
+    ))))
 }
 
 fn enter(state: &mut State, item: HomeItem) -> Vec<RoomRequest> {

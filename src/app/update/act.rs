@@ -3,7 +3,7 @@
 use super::{mission, order, palette, profiles};
 use crate::app::State;
 use crate::app::action::Action;
-use crate::app::effect::{Effect, SessionEffect};
+use crate::app::effect::{Effect, Effects, SessionEffect};
 use crate::app::room::{self, Room, RoomRequest, fly};
 use crate::app::state::Activity;
 use crate::app::state::{Consequence, Log, Overlay, Session};
@@ -16,7 +16,7 @@ use crate::vehicle::{Severity, VehicleId};
 /// Characters of the longest vehicle list that is typed.
 const LONGEST_LIST: usize = 60;
 
-pub fn act(state: &mut State, action: Action) -> Vec<Effect> {
+pub fn act(state: &mut State, action: Action) -> Effects {
     if let Some(requests) = room::act(state, action) {
         return requested(state, requests);
     }
@@ -27,8 +27,12 @@ pub fn act(state: &mut State, action: Action) -> Vec<Effect> {
         Action::Notices => look_back(state, Log::Notices),
         Action::Brief => brief(state),
         Action::Move(step) => fly::move_cursor(state, step),
-        Action::Toggle | Action::SelectAll | Action::Invert => pick(state, action),
-        Action::Erase => drop(state.typed.pop()),
+        Action::Toggle => toggle(state),
+        Action::SelectAll => select_all(state),
+        Action::Invert => invert(state),
+        Action::Erase => {
+            state.typed.pop();
+        }
         Action::Submit => submit(state),
         Action::Escape => escape(state),
         Action::Again => return mission::restart(state, false),
@@ -41,25 +45,25 @@ pub fn act(state: &mut State, action: Action) -> Vec<Effect> {
         // Only prompts and single rooms know the others.
         _ => {}
     }
-    Vec::new()
+    Effects::none()
 }
 
 /// Does what a room asks for.
-fn requested(state: &mut State, requests: Vec<RoomRequest>) -> Vec<Effect> {
-    let mut effects = Vec::new();
+fn requested(state: &mut State, requests: Vec<RoomRequest>) -> Effects {
+    let mut effects = Effects::none();
     for request in requests {
         effects.extend(match request {
-            RoomRequest::Effect(effect) => vec![effect],
+            RoomRequest::Effect(effect) => Effects::from(effect),
             RoomRequest::EndSession { question, effect } => guarded(state, question, effect),
             RoomRequest::Fly(launch) => mission::start(state, launch),
             RoomRequest::Exam(mission) => mission::start_exam(state, &mission),
             RoomRequest::Write(line) => {
                 open_palette(state, &line);
-                Vec::new()
+                Effects::none()
             }
             RoomRequest::Show(room) => {
                 show(state, room);
-                Vec::new()
+                Effects::none()
             }
             RoomRequest::Leave => leave(state),
             RoomRequest::Quit => quit(state),
@@ -85,7 +89,7 @@ pub fn brief(state: &mut State) {
 }
 
 /// Leaves the program; asks first where something would be lost.
-pub fn quit(state: &mut State) -> Vec<Effect> {
+pub fn quit(state: &mut State) -> Effects {
     if loss(state).is_none() && !room::workshop::is_saved(state) {
         let name = state.rooms.workshop.bench.design().name.clone();
         let reason = text!("bench-ask-quit-reason", name = name);
@@ -95,7 +99,7 @@ pub fn quit(state: &mut State) -> Vec<Effect> {
 }
 
 /// Has the shell do something that ends the session; asks first where something would be lost.
-pub fn guarded(state: &mut State, question: Text, effect: Effect) -> Vec<Effect> {
+pub fn guarded(state: &mut State, question: Text, effect: Effect) -> Effects {
     match loss(state) {
         Some(reason) => ask(state, question, reason, effect),
         None => order::carry_out(state, Consequence::Effect(effect)),
@@ -103,7 +107,7 @@ pub fn guarded(state: &mut State, question: Text, effect: Effect) -> Vec<Effect>
 }
 
 /// Leaves the session; asks first where something would be lost.
-pub fn leave(state: &mut State) -> Vec<Effect> {
+pub fn leave(state: &mut State) -> Effects {
     guarded(
         state,
         text!("ask-leave"),
@@ -126,11 +130,11 @@ pub fn select(state: &mut State, ids: &[VehicleId]) {
     let known = |id: &VehicleId| state.session.vehicles.contains_key(id);
     let (there, missing): (Vec<VehicleId>, Vec<VehicleId>) = ids.iter().partition(|id| known(id));
     if !missing.is_empty() {
-        let missing = ranges(missing);
+        let vehicles = ranges(missing);
         let text = if there.is_empty() {
-            text!("select-missing-all", vehicles = missing)
+            text!("select-missing-all", vehicles = vehicles)
         } else {
-            text!("select-missing", vehicles = missing)
+            text!("select-missing", vehicles = vehicles)
         };
         state.say(Severity::Warning, text);
         if there.is_empty() {
@@ -164,9 +168,9 @@ pub fn loss(state: &State) -> Option<Text> {
 }
 
 /// Asks before an effect.
-pub fn ask(state: &mut State, question: Text, reason: Text, effect: Effect) -> Vec<Effect> {
+pub fn ask(state: &mut State, question: Text, reason: Text, effect: Effect) -> Effects {
     state.ask(question, reason, Consequence::Effect(effect));
-    Vec::new()
+    Effects::none()
 }
 
 /// Opens the command line. A vehicle list that was being typed becomes the targets of the line.
@@ -180,23 +184,27 @@ pub fn open_palette(state: &mut State, words: &str) {
     palette::open(state, line);
 }
 
-fn pick(state: &mut State, action: Action) {
+/// Selects the vehicle under the cursor, or takes it out of the selection.
+fn toggle(state: &mut State) {
     let session = &mut state.session;
-    // What a filter hides is never selected unseen.
-    let all = state.rooms.fly.rows().iter().copied();
-    match action {
-        Action::SelectAll => session.selection = all.collect(),
-        Action::Invert => {
-            session.selection = all.filter(|id| !session.selection.contains(id)).collect();
-        }
-        _ => {
-            if let Some(id) = session.cursor
-                && !session.selection.remove(&id)
-            {
-                session.selection.insert(id);
-            }
-        }
+    if let Some(id) = session.cursor
+        && !session.selection.remove(&id)
+    {
+        session.selection.insert(id);
     }
+}
+
+/// Selects what the table shows: what a filter hides is never selected unseen.
+fn select_all(state: &mut State) {
+    state.session.selection = state.rooms.fly.rows().iter().copied().collect();
+}
+
+/// Selects the others of those that the table shows.
+fn invert(state: &mut State) {
+    let shown = state.rooms.fly.rows().iter().copied();
+    let selected = &state.session.selection;
+    let others = shown.filter(|id| !selected.contains(id)).collect();
+    state.session.selection = others;
 }
 
 /// A character of a vehicle list; it begins with a number.

@@ -2,15 +2,15 @@
 
 use super::order;
 use crate::app::State;
-use crate::app::effect::Effect;
+use crate::app::effect::Effects;
 use crate::app::room::parameters::setting_line;
-use crate::app::state::{Consequence, ParameterSetting};
+use crate::app::state::ParameterSetting;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
 
 /// Begins to set values; what another batch has not sent yet is added to.
-pub fn begin(state: &mut State, settings: Vec<ParameterSetting>) -> Vec<Effect> {
+pub fn begin(state: &mut State, settings: Vec<ParameterSetting>) -> Effects {
     let room = &mut state.rooms.parameters;
     if let Some(comparison) = &mut room.comparison {
         let names = settings.iter().map(|setting| setting.name.clone());
@@ -22,19 +22,20 @@ pub fn begin(state: &mut State, settings: Vec<ParameterSetting>) -> Vec<Effect> 
 }
 
 /// Counts what has ended and gives what may go out now. Call it when a row of the ledger has changed.
-pub fn advance(state: &mut State) -> Vec<Effect> {
+pub fn advance(state: &mut State) -> Effects {
     let Some(mut batch) = state.rooms.parameters.batch.take() else {
-        return Vec::new();
+        return Effects::none();
     };
     batch.count(&state.session.ledger, &state.rooms.parameters);
-    let mut effects = Vec::new();
+    let mut effects = Effects::none();
     while let Some(setting) = batch.take_next() {
-        match give(state, &setting_line(&setting)).as_deref() {
-            Ok([effect @ Effect::Order { entry, .. }]) => {
-                batch.sent(*entry, setting);
-                effects.push(effect.clone());
+        match order::prepare(state, &setting_line(&setting)) {
+            Ok(order) => {
+                let sent = order::send(state, order);
+                batch.sent(sent.entry, setting);
+                effects.extend([sent.effect]);
             }
-            _ => batch.not_sent(&setting),
+            Err(_) => batch.not_sent(&setting),
         }
     }
     match batch.result() {
@@ -59,7 +60,7 @@ pub fn advance(state: &mut State) -> Vec<Effect> {
 ///
 /// # Errors
 /// There is nobody to give it to.
-pub fn give(state: &mut State, line: &str) -> Result<Vec<Effect>, Text> {
+pub fn give(state: &mut State, line: &str) -> Result<Effects, Text> {
     let order = order::prepare(state, line).map_err(|fault| fault.message)?;
-    Ok(order::carry_out(state, Consequence::Order(order)))
+    Ok(Effects::from(order::send(state, order).effect))
 }

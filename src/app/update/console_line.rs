@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::{act, macros, mission, swarm};
 use crate::app::State;
 use crate::app::console::{BareLine, ConsoleLine, ParamsDeed};
-use crate::app::effect::{CareerEffect, Effect, SessionEffect, TerminalEffect};
+use crate::app::effect::{CareerEffect, Effect, Effects, SessionEffect, TerminalEffect};
 use crate::app::room::{Room, hangar, parameters};
 use crate::app::setting::Setting;
 use crate::app::state::{Log, Overlay};
@@ -20,11 +20,7 @@ use crate::vehicle::{Severity, VehicleId};
 ///
 /// # Errors
 /// A word of it names what there is not.
-pub fn carry_out(
-    state: &mut State,
-    line: &str,
-    own: ConsoleLine,
-) -> Result<Vec<Effect>, Diagnostic> {
+pub fn carry_out(state: &mut State, line: &str, own: ConsoleLine) -> Result<Effects, Diagnostic> {
     let last_word = words(line).pop().map_or(0..0, |word| word.span);
     let at_last_word = |text: Text| Diagnostic::new(last_word.clone(), text);
     match own {
@@ -62,7 +58,9 @@ pub fn carry_out(
         ConsoleLine::Inject(_) if state.session.paused => {
             return Err(at_last_word(text!("pause-refuses")));
         }
-        ConsoleLine::Inject(name) => return Ok(vec![Effect::Session(SessionEffect::Inject(name))]),
+        ConsoleLine::Inject(name) => {
+            return Ok(Effects::from(Effect::Session(SessionEffect::Inject(name))));
+        }
         ConsoleLine::Macro(name) => {
             macros::check(state, &name, last_word)?;
             let lines = state.config.macros.get(&name).cloned().unwrap_or_default();
@@ -73,7 +71,7 @@ pub fn carry_out(
         ConsoleLine::Set(setting) => return Ok(set(state, &setting)),
         ConsoleLine::Bare(line) => return Ok(bare(state, line)),
     }
-    Ok(Vec::new())
+    Ok(Effects::none())
 }
 
 /// The vehicles that a word names; nothing means those that a command would go to.
@@ -99,18 +97,18 @@ pub fn targeted(state: &State, word: &str) -> Result<Vec<VehicleId>, Text> {
 }
 
 /// Takes a setting over.
-fn set(state: &mut State, setting: &Setting) -> Vec<Effect> {
+fn set(state: &mut State, setting: &Setting) -> Effects {
     setting.apply(&mut state.config);
     match setting {
         Setting::Theme(name) => {
             state.theme.clone_from(name);
-            vec![Effect::Terminal(TerminalEffect::SetTheme(name.clone()))]
+            Effects::from(Effect::Terminal(TerminalEffect::SetTheme(name.clone())))
         }
-        Setting::Fps(fps) => vec![Effect::Terminal(TerminalEffect::SetFps(*fps))],
+        Setting::Fps(fps) => Effects::from(Effect::Terminal(TerminalEffect::SetFps(*fps))),
         Setting::Lang(language) => {
             if !state.speak(*language) {
                 state.say(Severity::Warning, text!("setting-lang-ascii"));
-                return Vec::new();
+                return Effects::none();
             }
             let is_kept = state.career.is_some();
             let keep = is_kept.then_some(Effect::Career(CareerEffect::SetLanguage(*language)));
@@ -118,13 +116,13 @@ fn set(state: &mut State, setting: &Setting) -> Vec<Effect> {
         }
         Setting::Symbols(Symbols::Ascii) => {
             state.locale = Arc::default();
-            Vec::new()
+            Effects::none()
         }
-        Setting::Symbols(_) | Setting::Bell(_) | Setting::Notify(_) => Vec::new(),
+        Setting::Symbols(_) | Setting::Bell(_) | Setting::Notify(_) => Effects::none(),
     }
 }
 
-fn params(state: &mut State, deed: ParamsDeed) -> Result<Vec<Effect>, Text> {
+fn params(state: &mut State, deed: ParamsDeed) -> Result<Effects, Text> {
     match deed {
         ParamsDeed::Save(path) => return parameters::save(state, &path),
         ParamsDeed::Compare(other) => return parameters::load(state, &other),
@@ -132,10 +130,10 @@ fn params(state: &mut State, deed: ParamsDeed) -> Result<Vec<Effect>, Text> {
         ParamsDeed::Show => {}
     }
     act::show(state, Room::Parameters);
-    Ok(Vec::new())
+    Ok(Effects::none())
 }
 
-fn bare(state: &mut State, line: BareLine) -> Vec<Effect> {
+fn bare(state: &mut State, line: BareLine) -> Effects {
     match line {
         BareLine::Help => state.overlay = Some(Overlay::Help { scroll: 0 }),
         BareLine::Links => act::show(state, Room::Links),
@@ -149,7 +147,7 @@ fn bare(state: &mut State, line: BareLine) -> Vec<Effect> {
         BareLine::Leave => return act::leave(state),
         BareLine::Quit => return act::quit(state),
     }
-    Vec::new()
+    Effects::none()
 }
 
 fn group(state: &mut State, name: String, ids: Vec<VehicleId>) -> Result<(), Text> {

@@ -2,7 +2,7 @@
 
 use super::act;
 use crate::app::State;
-use crate::app::effect::{Effect, FileEffect, FileKind};
+use crate::app::effect::{Effect, Effects, FileEffect, FileKind};
 use crate::text;
 use crate::vehicle::Severity;
 
@@ -11,7 +11,7 @@ pub fn written(state: &mut State, path: &str) {
 }
 
 /// A file exists already: it is replaced only if the user agrees.
-pub fn exists(state: &mut State, kind: FileKind, path: String, text: String) -> Vec<Effect> {
+pub fn exists(state: &mut State, kind: FileKind, path: String, text: String) -> Effects {
     let question = text!("parameters-ask-replace", path = &path);
     let reason = text!("parameters-ask-replace-reason");
     let effect = FileEffect::Write {

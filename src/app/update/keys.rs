@@ -7,7 +7,7 @@ use super::{act, order, palette, profiles, prompt};
 use crate::app::State;
 use crate::app::action::Action;
 use crate::app::console;
-use crate::app::effect::Effect;
+use crate::app::effect::{Effect, Effects};
 use crate::app::keymap::{Meaning, Place};
 use crate::app::state::{Confirm, Overlay, help_lines};
 use crate::language::{Word, words};
@@ -16,9 +16,9 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
 
-pub fn press(state: &mut State, key: KeyEvent) -> Vec<Effect> {
+pub fn press(state: &mut State, key: KeyEvent) -> Effects {
     if key.kind == KeyEventKind::Release {
-        return Vec::new();
+        return Effects::none();
     }
     if state.is_too_small() {
         return unseen(state, key);
@@ -46,10 +46,10 @@ pub fn resize(state: &mut State, columns: u16, rows: u16) {
 }
 
 /// A key while nothing can be seen: only leaving works, and without a question.
-fn unseen(state: &State, key: KeyEvent) -> Vec<Effect> {
+fn unseen(state: &State, key: KeyEvent) -> Effects {
     match state.keymap.action(key, Place::Anywhere) {
-        Some(Action::Quit) => vec![Effect::Quit],
-        _ => Vec::new(),
+        Some(Action::Quit) => Effects::from(Effect::Quit),
+        _ => Effects::none(),
     }
 }
 
@@ -115,16 +115,16 @@ fn insert(input: &mut Input, text: &str) {
     }
 }
 
-fn on_screen(state: &mut State, key: KeyEvent) -> Vec<Effect> {
+fn on_screen(state: &mut State, key: KeyEvent) -> Effects {
     if state.is_deaf() {
-        return Vec::new();
+        return Effects::none();
     }
     let meaning = state.keymap.resolve(key, Place::In(state.room));
     match meaning.cloned() {
         Some(Meaning::Do(action)) => act::act(state, action),
         Some(Meaning::Write(words)) => {
             act::open_palette(state, &words);
-            Vec::new()
+            Effects::none()
         }
         Some(Meaning::Give(line)) => {
             let line = addressed(state, &line);
@@ -134,9 +134,9 @@ fn on_screen(state: &mut State, key: KeyEvent) -> Vec<Effect> {
             if let KeyCode::Char(c) = key.code {
                 act::type_ids(state, c);
             }
-            Vec::new()
+            Effects::none()
         }
-        None => Vec::new(),
+        None => Effects::none(),
     }
 }
 
@@ -154,7 +154,7 @@ fn addressed(state: &mut State, line: &str) -> String {
 /// Only the exact answer confirms. Any other key means no: Enter, Esc and `n` at once; `:` opens the command line
 /// as everywhere; after another character the question stays, cancelled, and swallows what follows, or a line that
 /// was begun without looking would be taken as keys of the screen below.
-fn confirm(state: &mut State, mut question: Confirm, key: KeyEvent) -> Vec<Effect> {
+fn confirm(state: &mut State, mut question: Confirm, key: KeyEvent) -> Effects {
     let control = key.modifiers.contains(KeyModifiers::CONTROL);
     let opens = state.keymap.action(key, Place::Anywhere) == Some(Action::CommandLine);
     match key.code {
@@ -180,7 +180,7 @@ fn confirm(state: &mut State, mut question: Confirm, key: KeyEvent) -> Vec<Effec
             state.overlay = Some(Overlay::Confirm(question));
         }
     }
-    Vec::new()
+    Effects::none()
 }
 
 fn refuse(state: &mut State, question: &Confirm) {
@@ -192,9 +192,9 @@ fn cancelled(question: &Confirm) -> Text {
     text!("ask-cancelled", question = &question.question)
 }
 
-fn read(state: &mut State, mut reader: Overlay, key: KeyEvent) -> Vec<Effect> {
+fn read(state: &mut State, mut reader: Overlay, key: KeyEvent) -> Effects {
     match state.keymap.action(key, Place::Reader) {
-        Some(Action::Escape) => return Vec::new(),
+        Some(Action::Escape) => return Effects::none(),
         Some(Action::Move(step)) => {
             if let Overlay::Log { log, cursor } = &mut reader {
                 let count = state.log_length(*log);
@@ -211,5 +211,5 @@ fn read(state: &mut State, mut reader: Overlay, key: KeyEvent) -> Vec<Effect> {
         _ => {}
     }
     state.overlay = Some(reader);
-    Vec::new()
+    Effects::none()
 }

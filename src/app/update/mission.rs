@@ -3,7 +3,7 @@
 use super::act::{ask, guarded, loss};
 use crate::app::State;
 use crate::app::action::Action;
-use crate::app::effect::{Effect, Launch, SessionEffect};
+use crate::app::effect::{Effect, Effects, Launch, SessionEffect};
 use crate::app::state::Activity;
 use crate::campaign::Stake;
 use crate::text;
@@ -11,7 +11,7 @@ use crate::text::Text;
 use crate::vehicle::Severity;
 
 /// Lets the session stand still, or go on where it does.
-pub fn turn(state: &mut State) -> Vec<Effect> {
+pub fn turn(state: &mut State) -> Effects {
     if state.session.paused {
         go_on(state)
     } else {
@@ -20,23 +20,23 @@ pub fn turn(state: &mut State) -> Vec<Effect> {
 }
 
 /// Lets the session stand still, where that is possible; says why where it is not.
-pub fn pause(state: &mut State) -> Vec<Effect> {
+pub fn pause(state: &mut State) -> Effects {
     match obstacle(state) {
         Some(reason) => {
             state.say(Severity::Notice, reason);
-            Vec::new()
+            Effects::none()
         }
-        None => vec![Effect::Session(SessionEffect::Pause)],
+        None => Effects::from(Effect::Session(SessionEffect::Pause)),
     }
 }
 
 /// Lets the session go on.
-pub fn go_on(state: &mut State) -> Vec<Effect> {
+pub fn go_on(state: &mut State) -> Effects {
     if state.session.paused {
-        return vec![Effect::Session(SessionEffect::Continue)];
+        return Effects::from(Effect::Session(SessionEffect::Continue));
     }
     state.say(Severity::Notice, text!("pause-is-none"));
-    Vec::new()
+    Effects::none()
 }
 
 /// It stands still from now on, or goes on.
@@ -60,16 +60,18 @@ fn obstacle(state: &State) -> Option<Text> {
         _ if session.paused => Some(text!("pause-is-one")),
         _ if session.hangar.is_some() => Some(text!("pause-not-processes")),
         Some(Activity::Connected { .. }) => Some(text!("pause-not-real")),
-        _ => forbidden().then(|| text!("pause-not-allowed")),
+        Some(Activity::Mission { .. } | Activity::Free) => {
+            forbidden().then(|| text!("pause-not-allowed"))
+        }
     }
 }
 
 /// Starts a mission, after a question where something would be lost. One that is locked for the trainee is not
 /// started.
-pub fn start(state: &mut State, launch: Launch) -> Vec<Effect> {
+pub fn start(state: &mut State, launch: Launch) -> Effects {
     if let Some(reason) = state.lock(&launch.mission) {
         state.say(Severity::Warning, reason);
-        return Vec::new();
+        return Effects::none();
     }
     guarded(
         state,
@@ -79,10 +81,10 @@ pub fn start(state: &mut State, launch: Launch) -> Vec<Effect> {
 }
 
 /// Starts the exam of a mission, after a question: it is not like other flights.
-pub fn start_exam(state: &mut State, mission: &str) -> Vec<Effect> {
+pub fn start_exam(state: &mut State, mission: &str) -> Effects {
     if let Some(reason) = state.lock(mission) {
         state.say(Severity::Warning, reason);
-        return Vec::new();
+        return Effects::none();
     }
     let reason = match loss(state) {
         Some(lost) => Text::joined("; ", vec![lost, text!("ask-exam-reason")]),
@@ -102,20 +104,20 @@ pub fn start_exam(state: &mut State, mission: &str) -> Vec<Effect> {
 
 /// Flies the same mission again, `alike` if chance is to play the same again; asks first where something would be
 /// lost.
-pub fn restart(state: &mut State, alike: bool) -> Vec<Effect> {
+pub fn restart(state: &mut State, alike: bool) -> Effects {
     if state.flown_mission().is_none() {
         state.say(Severity::Notice, text!("mission-none"));
-        return Vec::new();
+        return Effects::none();
     }
     let effect = Effect::Session(SessionEffect::Restart { alike });
     guarded(state, text!("ask-restart"), effect)
 }
 
 /// Ends the mission, after a question.
-pub fn abandon(state: &mut State) -> Vec<Effect> {
+pub fn abandon(state: &mut State) -> Effects {
     if state.session.mission.is_none() || state.session.over {
         state.say(Severity::Notice, text!("mission-none"));
-        return Vec::new();
+        return Effects::none();
     }
     let reason = text!("ask-abandon-reason");
     ask(

@@ -3,7 +3,7 @@
 use super::{act, batch};
 use crate::app::State;
 use crate::app::action::Action;
-use crate::app::effect::{Effect, SessionEffect};
+use crate::app::effect::{Effect, Effects, SessionEffect};
 use crate::app::keymap::Place;
 use crate::app::lines;
 use crate::app::room::{Room, parameters, workshop};
@@ -11,7 +11,7 @@ use crate::app::state::{Confirm, Consequence, Overlay};
 use crate::commands::{Act, Deed, Order};
 use crate::diagnostic::Diagnostic;
 use crate::language::{Meaning, Statement, ranges};
-use crate::ledger::{LedgerEntry, RowUpdate};
+use crate::ledger::{EntryId, LedgerEntry, RowUpdate};
 use crate::operator::{first_word, read_order};
 use crate::text;
 use crate::text::Text;
@@ -76,7 +76,7 @@ pub fn announced(state: &State, order: &Order) -> Text {
 }
 
 /// Sends a command off, or asks before a dangerous one.
-pub fn give(state: &mut State, order: Order) -> Vec<Effect> {
+pub fn give(state: &mut State, order: Order) -> Effects {
     if order.verb.danger == Danger::None {
         return carry_out(state, Consequence::Order(order));
     }
@@ -100,34 +100,48 @@ pub fn give(state: &mut State, order: Order) -> Vec<Effect> {
         cancelled: false,
         then: Consequence::Order(order),
     }));
-    Vec::new()
+    Effects::none()
 }
 
 /// Does what was confirmed, or needed no question.
-pub fn carry_out(state: &mut State, consequence: Consequence) -> Vec<Effect> {
-    let order = match consequence {
-        Consequence::Order(order) => order,
+pub fn carry_out(state: &mut State, consequence: Consequence) -> Effects {
+    match consequence {
+        Consequence::Order(order) => Effects::from(send(state, order).effect),
         Consequence::Effect(effect) => {
             if effect == Effect::Session(SessionEffect::Leave) {
                 act::go_home(state);
             }
-            return vec![effect];
+            Effects::from(effect)
         }
-        Consequence::Parameters(settings) => return batch::begin(state, settings),
+        Consequence::Parameters(settings) => batch::begin(state, settings),
         Consequence::Design(design) => {
             workshop::lay(state, design);
-            return Vec::new();
+            Effects::none()
         }
-    };
+    }
+}
+
+/// An order that goes out.
+#[must_use = "the shell has to carry the effect out"]
+pub struct SentOrder {
+    pub entry: EntryId,
+    pub effect: Effect,
+}
+
+/// Opens the ledger's entry of an order.
+pub fn send(state: &mut State, order: Order) -> SentOrder {
     let now = state.now;
     let entry = state.session.open(now, order.given(), &order.targets);
     parameters::note_order(state, &order, entry);
     state.rooms.ledger.spoil();
-    vec![Effect::Order { entry, order }]
+    SentOrder {
+        entry,
+        effect: Effect::Order { entry, order },
+    }
 }
 
 /// An order advanced with one vehicle: the ledger takes it over, and what waited for it may follow.
-pub fn advanced(state: &mut State, row: &RowUpdate) -> Vec<Effect> {
+pub fn advanced(state: &mut State, row: &RowUpdate) -> Effects {
     let ledger = &mut state.session.ledger;
     let was_over = ledger.entry(row.entry).is_none_or(LedgerEntry::is_final);
     ledger.apply(row);

@@ -8,7 +8,7 @@ use super::{keys, offer, order};
 use crate::app::State;
 use crate::app::action::Action;
 use crate::app::console;
-use crate::app::effect::Effect;
+use crate::app::effect::Effects;
 use crate::app::keymap::Place;
 use crate::app::state::{Overlay, Palette};
 use crate::diagnostic::Diagnostic;
@@ -30,9 +30,9 @@ pub fn open(state: &mut State, line: String) {
 }
 
 /// A key while the command line is open.
-pub fn key(state: &mut State, mut palette: Palette, key: KeyEvent) -> Vec<Effect> {
+pub fn key(state: &mut State, mut palette: Palette, key: KeyEvent) -> Effects {
     match state.keymap.action(key, Place::Prompt) {
-        Some(Action::Escape) => return Vec::new(),
+        Some(Action::Escape) => return Effects::none(),
         Some(Action::Submit) => return submit(state, palette),
         Some(Action::Complete) => complete(state, palette, true),
         Some(Action::CompleteBack) => complete(state, palette, false),
@@ -47,7 +47,7 @@ pub fn key(state: &mut State, mut palette: Palette, key: KeyEvent) -> Vec<Effect
             }
         }
     }
-    Vec::new()
+    Effects::none()
 }
 
 /// The line has changed: what could stand there now?
@@ -177,7 +177,7 @@ fn browse(state: &mut State, mut palette: Palette, older: bool) {
 }
 
 /// Gives a line as if it had been written; one that is wrong stays on the command line, with what is wrong with it.
-pub fn give(state: &mut State, line: &str) -> Vec<Effect> {
+pub fn give(state: &mut State, line: &str) -> Effects {
     state.hush();
     let palette = Palette {
         input: Input::new(line.to_owned()),
@@ -186,10 +186,10 @@ pub fn give(state: &mut State, line: &str) -> Vec<Effect> {
     submit(state, palette)
 }
 
-fn submit(state: &mut State, palette: Palette) -> Vec<Effect> {
+fn submit(state: &mut State, palette: Palette) -> Effects {
     let line = palette.input.value().to_owned();
     if line.trim().is_empty() {
-        return Vec::new();
+        return Effects::none();
     }
     match carry_out(state, &line) {
         Ok(mut effects) => {
@@ -205,14 +205,14 @@ fn submit(state: &mut State, palette: Palette) -> Vec<Effect> {
             };
             state.pending.clear();
             state.overlay = Some(Overlay::Palette(palette));
-            Vec::new()
+            Effects::none()
         }
     }
 }
 
 /// Gives the lines of a macro that wait, up to one that asks a question or is wrong.
-pub fn go_on(state: &mut State) -> Vec<Effect> {
-    let mut effects = Vec::new();
+pub fn go_on(state: &mut State) -> Effects {
+    let mut effects = Effects::none();
     for _ in 0..MACRO_LINES {
         if state.overlay.is_some() {
             return effects;
@@ -241,7 +241,7 @@ pub fn go_on(state: &mut State) -> Vec<Effect> {
     effects
 }
 
-fn carry_out(state: &mut State, line: &str) -> Result<Vec<Effect>, Diagnostic> {
+fn carry_out(state: &mut State, line: &str) -> Result<Effects, Diagnostic> {
     if let Some(own) = console::parse(line, &state.names()) {
         return console_line::carry_out(state, line, own?);
     }

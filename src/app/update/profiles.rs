@@ -4,7 +4,7 @@ use crossterm::event::KeyEvent;
 
 use crate::app::State;
 use crate::app::action::Action;
-use crate::app::effect::{CareerEffect, Effect};
+use crate::app::effect::{CareerEffect, Effect, Effects};
 use crate::app::keymap::Place;
 use crate::app::room::home;
 use crate::app::state::{Activity, Career, Overlay, Prompt, Purpose, Trainee};
@@ -31,31 +31,31 @@ pub fn open(state: &mut State) {
 }
 
 /// A key while the list is open.
-pub fn key(state: &mut State, cursor: usize, key: KeyEvent) -> Vec<Effect> {
+pub fn key(state: &mut State, cursor: usize, key: KeyEvent) -> Effects {
     let trainees = state.trainees();
     let cursor = match state.keymap.action(key, Place::List) {
-        Some(Action::Escape) => return Vec::new(),
+        Some(Action::Escape) => return Effects::none(),
         Some(Action::Submit) => {
             let trainee = trainees.get(cursor).cloned();
-            return trainee.map_or_else(Vec::new, |trainee| take(state, trainee));
+            return trainee.map_or_else(Effects::none, |trainee| take(state, trainee));
         }
         Some(Action::Move(step)) => step.apply(cursor, trainees.len()),
         _ => cursor,
     };
     state.overlay = Some(Overlay::Profiles { cursor });
-    Vec::new()
+    Effects::none()
 }
 
-fn take(state: &mut State, trainee: Trainee) -> Vec<Effect> {
+fn take(state: &mut State, trainee: Trainee) -> Effects {
     if state.is_training(&trainee) {
-        return Vec::new();
+        return Effects::none();
     }
     match trainee {
-        Trainee::Known(name) => vec![Effect::Career(CareerEffect::Choose(name))],
-        Trainee::Nobody => vec![Effect::Career(CareerEffect::Leave)],
+        Trainee::Known(name) => Effects::from(Effect::Career(CareerEffect::Choose(name))),
+        Trainee::Nobody => Effects::from(Effect::Career(CareerEffect::Leave)),
         Trainee::New => {
             state.overlay = Some(Overlay::Prompt(Prompt::new(Purpose::NewProfile)));
-            Vec::new()
+            Effects::none()
         }
     }
 }
@@ -64,7 +64,7 @@ fn take(state: &mut State, trainee: Trainee) -> Vec<Effect> {
 ///
 /// # Errors
 /// There is no name.
-pub fn created(state: &mut State, entered: &str) -> Result<Vec<Effect>, Text> {
+pub fn created(state: &mut State, entered: &str) -> Result<Effects, Text> {
     let name = entered.trim();
     if name.is_empty() {
         return Err(text!("profiles-nameless"));
@@ -73,7 +73,9 @@ pub fn created(state: &mut State, entered: &str) -> Result<Vec<Effect>, Text> {
         input: entered.into(),
         ..Prompt::new(Purpose::NewProfile)
     }));
-    Ok(vec![Effect::Career(CareerEffect::Create(name.to_owned()))])
+    Ok(Effects::from(Effect::Career(CareerEffect::Create(
+        name.to_owned(),
+    ))))
 }
 
 /// Shows how far the trainee has come. Somebody else, or one more flight, puts the cursor of the home screen on what

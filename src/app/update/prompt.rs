@@ -5,21 +5,21 @@ use crossterm::event::KeyEvent;
 use super::{batch, keys, mission, profiles};
 use crate::app::State;
 use crate::app::action::Action;
-use crate::app::effect::Effect;
+use crate::app::effect::Effects;
 use crate::app::keymap::Place;
 use crate::app::room::{self, home, parameters, workshop};
 use crate::app::state::{Overlay, Prompt, Purpose};
 use crate::text::Text;
 
 /// A key for a line that is asked for.
-pub fn key(state: &mut State, mut prompt: Prompt, key: KeyEvent) -> Vec<Effect> {
+pub fn key(state: &mut State, mut prompt: Prompt, key: KeyEvent) -> Effects {
     let submitted = match state.keymap.action(key, Place::Prompt) {
-        Some(Action::Escape) => return Vec::new(),
+        Some(Action::Escape) => return Effects::none(),
         Some(Action::Submit) => true,
         _ if keys::edit(&mut prompt.input, key) => false,
         _ => {
             state.overlay = Some(Overlay::Prompt(prompt));
-            return Vec::new();
+            return Effects::none();
         }
     };
     prompt.fault = None;
@@ -27,12 +27,12 @@ pub fn key(state: &mut State, mut prompt: Prompt, key: KeyEvent) -> Vec<Effect> 
         let entered = prompt.input.value().to_owned();
         take(state, &prompt.purpose, &entered)
     } else {
-        Ok(Vec::new())
+        Ok(Effects::none())
     };
     let is_wrong = outcome.is_err();
     let effects = outcome.unwrap_or_else(|fault| {
         prompt.fault = Some(fault);
-        Vec::new()
+        Effects::none()
     });
     if !submitted || is_wrong {
         state.overlay = Some(Overlay::Prompt(prompt));
@@ -44,7 +44,7 @@ pub fn key(state: &mut State, mut prompt: Prompt, key: KeyEvent) -> Vec<Effect> 
 ///
 /// # Errors
 /// What is wrong with it; the prompt stays open and says so.
-fn take(state: &mut State, purpose: &Purpose, entered: &str) -> Result<Vec<Effect>, Text> {
+fn take(state: &mut State, purpose: &Purpose, entered: &str) -> Result<Effects, Text> {
     match purpose {
         Purpose::Connect => home::connect(state, entered),
         Purpose::NewProfile => profiles::created(state, entered),
@@ -54,7 +54,7 @@ fn take(state: &mut State, purpose: &Purpose, entered: &str) -> Result<Vec<Effec
         }
         Purpose::Filter(room) => {
             room::filter(state, *room, entered);
-            Ok(Vec::new())
+            Ok(Effects::none())
         }
         Purpose::Parameter { name, vehicles } => {
             let line = parameters::entered(state, name, vehicles, entered)?;

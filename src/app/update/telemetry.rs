@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use crate::alert::AlertKind;
 use crate::app::State;
-use crate::app::effect::{Effect, TerminalEffect};
+use crate::app::effect::{Effect, Effects, TerminalEffect};
 use crate::app::event::Started;
 use crate::app::room::Room;
 use crate::app::room::debrief::Debrief;
@@ -65,7 +65,7 @@ fn watch(state: &mut State) {
 }
 
 /// What makes itself noticed now.
-pub fn signals(state: &mut State) -> Vec<Effect> {
+pub fn signals(state: &mut State) -> Effects {
     let due = state.session.alarms.due(state.now);
     let alerts = &state.config.alerts;
     let ring = (due.ring && alerts.bell).then_some(TerminalEffect::Bell);

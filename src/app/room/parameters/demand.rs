@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use super::Other;
 use crate::app::State;
-use crate::app::effect::Effect;
+use crate::app::effect::{Effect, Effects};
 use crate::app::room::Room;
 use crate::app::state::Overlay;
 use crate::parameters::Fetching;
@@ -16,13 +16,13 @@ const AT_ONCE: usize = 4;
 const BEGIN_WITHIN: Duration = Duration::from_secs(5);
 
 /// Asks for the lists that are wanted and not there. Call it at every tick: it depends on what is shown.
-pub fn wanted(state: &mut State) -> Vec<Effect> {
+pub fn wanted(state: &mut State) -> Effects {
     let now = state.now;
     let candidates = candidates(state);
     let room = &mut state.rooms.parameters;
     room.asked.retain(|_, at| now < *at + BEGIN_WITHIN);
     if candidates.is_empty() {
-        return Vec::new();
+        return Effects::none();
     }
     let vehicles = &state.session.vehicles;
     let is_heard = |id: &VehicleId| vehicles.get(id).is_some_and(|it| !it.link.lost);
@@ -37,13 +37,13 @@ pub fn wanted(state: &mut State) -> Vec<Effect> {
         .take(free)
         .collect();
     if due.is_empty() {
-        return Vec::new();
+        return Effects::none();
     }
     for &id in &due {
         room.asked.insert(id, now);
         room.anew.remove(&id);
     }
-    vec![Effect::FetchParameters(due)]
+    Effects::from(Effect::FetchParameters(due))
 }
 
 /// Vehicles whose lists are wanted and have not been asked for.

@@ -2,7 +2,7 @@
 
 use super::{Comparison, Other};
 use crate::app::State;
-use crate::app::effect::{Effect, FileEffect, FileKind};
+use crate::app::effect::{Effect, Effects, FileEffect, FileKind};
 use crate::app::room::Room;
 use crate::parameters::{self, ParameterList};
 use crate::text;
@@ -13,7 +13,7 @@ use crate::vehicle::{Severity, VehicleId};
 ///
 /// # Errors
 /// There is no name, or nothing to save yet.
-pub fn save(state: &State, path: &str) -> Result<Vec<Effect>, Text> {
+pub fn save(state: &State, path: &str) -> Result<Effects, Text> {
     let path = named(path)?;
     let vehicle = state.session.cursor;
     let known = vehicle.and_then(|id| state.rooms.parameters.lists.get(&id));
@@ -29,25 +29,25 @@ pub fn save(state: &State, path: &str) -> Result<Vec<Effect>, Text> {
     }
     let comment = format!("vehicle {vehicle}, {} parameters", list.len());
     let values = list.iter().map(|(name, parameter)| (name, parameter.value));
-    Ok(vec![Effect::File(FileEffect::Write {
+    Ok(Effects::from(Effect::File(FileEffect::Write {
         kind: FileKind::Parameters,
         path,
         text: parameters::write(&comment, values),
         replace: false,
-    })])
+    })))
 }
 
 /// Has a file, or another vehicle by its number, compared with the vehicle under the cursor.
 ///
 /// # Errors
 /// There is no name, or no such vehicle.
-pub fn load(state: &mut State, entered: &str) -> Result<Vec<Effect>, Text> {
+pub fn load(state: &mut State, entered: &str) -> Result<Effects, Text> {
     let path = named(entered)?;
     let Ok(other) = path.parse::<VehicleId>() else {
-        return Ok(vec![Effect::File(FileEffect::Read {
+        return Ok(Effects::from(Effect::File(FileEffect::Read {
             kind: FileKind::Parameters,
             path,
-        })]);
+        })));
     };
     if !state.session.vehicles.contains_key(&other) {
         return Err(text!("parameters-no-such-vehicle", vehicle = other));
@@ -56,7 +56,7 @@ pub fn load(state: &mut State, entered: &str) -> Result<Vec<Effect>, Text> {
         return Err(text!("parameters-same-vehicle", vehicle = other));
     }
     compare(state, Other::Vehicle(other));
-    Ok(Vec::new())
+    Ok(Effects::none())
 }
 
 /// A file has been read.

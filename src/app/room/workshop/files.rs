@@ -3,7 +3,7 @@
 use super::shelf;
 use crate::app::State;
 use crate::app::action::Action;
-use crate::app::effect::{CareerEffect, Effect, FileEffect, FileKind};
+use crate::app::effect::{CareerEffect, Effect, Effects, FileEffect, FileKind};
 use crate::app::state::{Consequence, Purpose};
 use crate::text;
 use crate::text::Text;
@@ -62,7 +62,7 @@ pub(super) fn ask_import(state: &mut State) {
 ///
 /// # Errors
 /// It is no name.
-pub fn saved_as(state: &mut State, name: &str) -> Result<Vec<Effect>, Text> {
+pub fn saved_as(state: &mut State, name: &str) -> Result<Effects, Text> {
     let design = state.rooms.workshop.bench.design().named(name)?;
     let bench = &mut state.rooms.workshop.bench;
     let origin = bench.origin().map(str::to_owned);
@@ -70,20 +70,22 @@ pub fn saved_as(state: &mut State, name: &str) -> Result<Vec<Effect>, Text> {
     bench.rename(design.clone(), origin);
     if is_other && is_taken(state, &design.name) {
         ask_overwrite(state, design);
-        return Ok(Vec::new());
+        return Ok(Effects::none());
     }
     state.say(
         Severity::Notice,
         text!("bench-saved", name = design.name.as_str()),
     );
-    Ok(vec![Effect::Career(CareerEffect::KeepDesign(design))])
+    Ok(Effects::from(Effect::Career(CareerEffect::KeepDesign(
+        design,
+    ))))
 }
 
 /// Keeps a copy of the design of a name under another one, and goes on with the copy where the bench was copied.
 ///
 /// # Errors
 /// It is no name, or one that is taken.
-pub fn copied(state: &mut State, of: &str, name: &str) -> Result<Vec<Effect>, Text> {
+pub fn copied(state: &mut State, of: &str, name: &str) -> Result<Effects, Text> {
     let bench = &state.rooms.workshop.bench;
     let is_listed = state.rooms.workshop.page == super::Page::Designs;
     let listed = named(state, of).filter(|_| is_listed).cloned();
@@ -99,14 +101,16 @@ pub fn copied(state: &mut State, of: &str, name: &str) -> Result<Vec<Effect>, Te
     }
     let name = copy.name.as_str();
     state.say(Severity::Notice, text!("bench-saved", name = name));
-    Ok(vec![Effect::Career(CareerEffect::KeepDesign(copy))])
+    Ok(Effects::from(Effect::Career(CareerEffect::KeepDesign(
+        copy,
+    ))))
 }
 
 /// Gives a design another name: one of the trainee's own where it is kept, and the bench if it is that one.
 ///
 /// # Errors
 /// It is no name, or one that is taken.
-pub fn renamed(state: &mut State, old: &str, name: &str) -> Result<Vec<Effect>, Text> {
+pub fn renamed(state: &mut State, old: &str, name: &str) -> Result<Effects, Text> {
     let bench = &state.rooms.workshop.bench;
     let is_listed = state.rooms.workshop.page == super::Page::Designs;
     let is_bench = bench.design().name == old;
@@ -123,37 +127,37 @@ pub fn renamed(state: &mut State, old: &str, name: &str) -> Result<Vec<Effect>, 
         state.rooms.workshop.bench.rename(design, origin);
     }
     let Some(kept) = kept.filter(|kept| kept.name != name) else {
-        return Ok(Vec::new());
+        return Ok(Effects::none());
     };
     let design = kept.named(&name)?;
-    Ok(vec![Effect::Career(CareerEffect::RenameDesign {
+    Ok(Effects::from(Effect::Career(CareerEffect::RenameDesign {
         from: kept.name,
         design,
-    })])
+    })))
 }
 
 /// Has the bench written to a file.
 ///
 /// # Errors
 /// There is no name.
-pub fn exported(state: &State, path: &str) -> Result<Vec<Effect>, Text> {
-    Ok(vec![Effect::File(FileEffect::Write {
+pub fn exported(state: &State, path: &str) -> Result<Effects, Text> {
+    Ok(Effects::from(Effect::File(FileEffect::Write {
         kind: FileKind::Design,
         path: path_of(path)?,
         text: state.rooms.workshop.bench.design().to_toml(),
         replace: false,
-    })])
+    })))
 }
 
 /// Has a design read from a file.
 ///
 /// # Errors
 /// There is no name.
-pub fn imported(path: &str) -> Result<Vec<Effect>, Text> {
-    Ok(vec![Effect::File(FileEffect::Read {
+pub fn imported(path: &str) -> Result<Effects, Text> {
+    Ok(Effects::from(Effect::File(FileEffect::Read {
         kind: FileKind::Design,
         path: path_of(path)?,
-    })])
+    })))
 }
 
 /// A file has been read: its design goes onto the bench, or the first fault is told.

@@ -44,7 +44,7 @@ fn career() -> Career {
 }
 
 fn hear(state: &mut State, event: impl Into<Event>) -> Vec<Effect> {
-    update(state, event.into())
+    update(state, event.into()).into_vec()
 }
 
 fn press(state: &mut State, keys: &str) -> Vec<Effect> {
@@ -199,7 +199,7 @@ fn what_lies_on_the_bench_survives_leaving_the_room_and_a_session() {
     let changed = design(&state).clone();
     press(&mut state, "esc");
     assert_eq!(state.room, Room::Home);
-    let left = update(&mut state, TerminalEvent::Line("leave".to_owned()).into());
+    let left = hear(&mut state, TerminalEvent::Line("leave".to_owned()));
     assert_eq!(left, [Effect::Session(SessionEffect::Leave)]);
     press(&mut state, "W");
     assert_eq!(design(&state), &changed);
@@ -263,7 +263,7 @@ fn a_design_is_saved_under_a_name_and_another_of_that_name_only_after_a_question
     );
     let mut after = career();
     after.designs = vec![mine.clone()];
-    let _ = hear(
+    hear(
         &mut state,
         CareerEvent::Career(Some(Box::new(after.clone()))),
     );
@@ -309,7 +309,7 @@ fn without_a_profile_nothing_is_kept_but_files_are_written() {
         })]
     );
     let text = starter().named("Mine").expect("a name").to_toml();
-    let _ = hear(
+    hear(
         &mut state,
         FileEvent::Read {
             kind: FileKind::Design,
@@ -320,7 +320,7 @@ fn without_a_profile_nothing_is_kept_but_files_are_written() {
     assert_eq!(design(&state).name, "Mine");
     let path = "bad.toml".to_owned();
     let text = "schema = 1\nname = \"x\"\nframe = \"none\"\n".to_owned();
-    let _ = hear(
+    hear(
         &mut state,
         FileEvent::Read {
             kind: FileKind::Design,

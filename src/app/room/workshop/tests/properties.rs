@@ -65,7 +65,9 @@ proptest! {
             match key {
                 0 => bench.move_row(Step::Down, air()),
                 1 => bench.move_part(Step::Down),
-                2 => drop(bench.put_in(air())),
+                2 => {
+                    bench.put_in(air());
+                }
                 _ => {
                     let there = bench.rows()[bench.row()].part;
                     if let Some(part) = there {
