@@ -108,6 +108,8 @@ pub struct Mission {
     pub rev: u32,
     /// The file that it was read from.
     pub source: String,
+    /// Where everything stands in it.
+    written: format::WrittenValue,
     /// Its name for people.
     pub title: Text,
     /// What the trainee is told.

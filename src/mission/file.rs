@@ -3,7 +3,7 @@
 
 use toml::de::DeTable;
 
-use super::format::{self, Draft, FileTable, describe, table, tables};
+use super::format::{self, Draft, FileTable, WrittenValue, describe, table, tables};
 use super::hazard::{self, Hazard};
 use super::weather::Weather;
 use super::{Mission, Point};
@@ -38,12 +38,14 @@ const MOST_OBJECTIVES: usize = 50;
 pub(super) fn read(source: &str) -> Result<Mission, Vec<Diagnostic>> {
     let root = DeTable::parse(source).map_err(|error| vec![Diagnostic::from_toml(&error)])?;
     let mut draft = Draft::of(root.get_ref());
+    let written = WrittenValue::of_file(&root);
     let mission = FileTable::read_root(mission, root, &mut draft);
     let mut faults = draft.faults;
     match mission {
         Some(mission) if faults.is_empty() => Ok(Mission {
             untranslated: faults.take_untranslated(),
             source: source.to_owned(),
+            written,
             ..mission
         }),
         _ if faults.is_empty() => Err(vec![Diagnostic::new(0..0, "this is no mission file")]),
@@ -119,6 +121,7 @@ fn mission(file: &mut FileTable<'_>) -> Option<Mission> {
         brief: head.brief,
         untranslated: Vec::new(),
         source: String::new(),
+        written: WrittenValue::default(),
         tier: head.tier,
         tags: head.tags,
         authors: head.authors,

@@ -14,6 +14,7 @@ mod reference;
 mod schema;
 mod table;
 mod value;
+mod written;
 
 #[cfg(test)]
 pub(super) use description::FileTableDescription;
@@ -27,6 +28,7 @@ pub(super) use value::{
     FileValue, ListValue, NamedValue, TextValue, area, flag, gate, heights, list, map, named,
     number, point, rising, seconds, spread, table, tables, text, text_by, time, whole, word,
 };
+pub(super) use written::WrittenValue;
 
 /// Points may lie this far from the origin on each axis; the flat earth of [`crate::geo`] holds no farther.
 pub(super) const POINT_RANGE: f64 = 20_000.0;

@@ -105,6 +105,16 @@ pub(crate) enum Load {
 impl Load {
     pub const ALL: [Self; 4] = [Self::Ball, Self::Spray, Self::Kit, Self::Node];
 
+    /// What mission files call it.
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Ball => "ball",
+            Self::Spray => "spray",
+            Self::Kit => "kit",
+            Self::Node => "node",
+        }
+    }
+
     /// The part of the workshop's catalogue that it is, or is sprayed by.
     pub fn part(self) -> &'static str {
         match self {

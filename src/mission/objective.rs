@@ -14,10 +14,13 @@ use super::survey::{Survey, SurveyPlan};
 use super::world::World;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
+pub(crate) use demands::{DemandedEquipment, DemandedPlaces, DemandedTime, Demands, Equipment};
+pub(crate) use route::GateRoute;
 
 mod arm_time;
 mod coverage;
 mod deliver;
+mod demands;
 mod detect;
 mod dose;
 mod formation;
@@ -76,6 +79,11 @@ pub(crate) trait ObjectiveKind: Debug + Send + Sync {
     /// What it wants to be reported, if anything.
     fn sought(&self) -> Option<Sought> {
         None
+    }
+
+    /// What it demands of the mission; nothing for kinds that any flight can meet.
+    fn demands(&self) -> Demands<'_> {
+        Demands::default()
     }
 
     /// What the places are called that its tracker will know.

@@ -66,6 +66,11 @@ impl Sensor {
         }
     }
 
+    /// The ids of all sensors, in the order of the catalogue.
+    pub fn ids() -> Vec<&'static str> {
+        SENSORS.iter().map(|sensor| sensor.id).collect()
+    }
+
     /// The sensor of an id.
     pub fn by_id(id: &str) -> Option<&'static Self> {
         SENSORS.iter().find(|sensor| sensor.id == id)

@@ -58,6 +58,36 @@ pub(crate) enum ZoneKind {
     CommShadow(Shadow),
 }
 
+impl ZoneKind {
+    /// The height that a fence must not be left above, in metres.
+    pub fn fence_ceiling_m(self) -> Option<f64> {
+        match self {
+            Self::Geofence { ceiling_m } => ceiling_m,
+            Self::Task
+            | Self::NoFly { .. }
+            | Self::GnssJam { .. }
+            | Self::GnssGlitch { .. }
+            | Self::People { .. }
+            | Self::RadioJam { .. }
+            | Self::CommShadow(_) => None,
+        }
+    }
+
+    /// Whether it must not be flown in at any height between two.
+    pub fn forbids_all(self, low_m: f64, high_m: f64) -> bool {
+        match self {
+            Self::NoFly { floor_m, ceiling_m } => floor_m <= low_m && high_m <= ceiling_m,
+            Self::Task
+            | Self::Geofence { .. }
+            | Self::GnssJam { .. }
+            | Self::GnssGlitch { .. }
+            | Self::People { .. }
+            | Self::RadioJam { .. }
+            | Self::CommShadow(_) => false,
+        }
+    }
+}
+
 /// How an area stands in the way of radio.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Shadow {

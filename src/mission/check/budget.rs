@@ -26,7 +26,7 @@ pub(super) fn check(examined: &mut Examined<'_>) {
         let fault = format!(
             "`budget` buys nothing to fly: the cheapest fleet with these sensors and loads costs {least} credits"
         );
-        examined.add(written.span(), fault);
+        examined.add(written.span.clone(), fault);
     }
 }
 

@@ -6,8 +6,8 @@ use crate::mission::event::{Action, Event, Trigger};
 /// Events that wait for one another in a circle, so that none is ever the first.
 pub(super) fn check(examined: &mut Examined<'_>) {
     let events = &examined.mission.events;
-    let entries = examined.entries("events");
-    for (first, entry) in entries.into_iter().enumerate() {
+    let tables = examined.tables("events");
+    for (first, written) in tables.iter().enumerate() {
         let Some(circle) = circle(events, first) else {
             continue;
         };
@@ -15,7 +15,7 @@ pub(super) fn check(examined: &mut Examined<'_>) {
         if circle.iter().any(|&index| index < first) || is_begun(events, &circle) {
             continue;
         }
-        let place = entry.get("after").unwrap_or(entry).span();
+        let place = written.span_of("after");
         let name = |index: &usize| events.get(*index).map(|event| format!("`{}`", event.id));
         let names: Vec<String> = circle.iter().filter_map(name).collect();
         let fault = match names.as_slice() {

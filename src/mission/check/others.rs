@@ -5,12 +5,15 @@ use std::ops::Range;
 
 use toml::de::DeTable;
 
-use super::WrittenEntry;
 use crate::diagnostic::Diagnostic;
-use crate::mission::Mission;
+use crate::mission::format::WrittenValue;
+use crate::mission::{Mission, Unlock};
 
-/// What an unlocked mission is written with.
-const MISSION: &str = "mission:";
+/// A mission that a file names, and where.
+struct NamedMission<'m> {
+    id: &'m str,
+    written: Range<usize>,
+}
 
 impl Mission {
     /// The id that a mission's file gives it, also where the file has faults; `None` of a file that is no mission.
@@ -18,43 +21,47 @@ impl Mission {
         let (root, _) = DeTable::parse_recoverable(source);
         let root = root.get_ref();
         root.get("objectives")?;
-        root.get("id").map(WrittenEntry)?.text().map(str::to_owned)
+        root.get("id")?.get_ref().as_str().map(str::to_owned)
     }
 
     /// References to missions that are not among the known ones, by their ids: what it is a drill of, needs, and
     /// unlocks.
     pub fn unknown_missions(&self, known: &BTreeSet<String>) -> Vec<Diagnostic> {
-        let Ok(root) = DeTable::parse(&self.source) else {
-            return Vec::new();
-        };
-        let named = named(root.get_ref()).into_iter();
-        let unknown = named.filter(|(name, _)| !known.contains(*name));
-        let fault = |(name, place): (&str, Range<usize>)| {
-            let fault = Diagnostic::new(place, format!("there is no mission `{name}`"));
-            fault.with_nearest(name, known.iter().map(String::as_str))
+        let named = self.named_missions().into_iter();
+        let unknown = named.filter(|named| !known.contains(named.id));
+        let fault = |named: NamedMission<'_>| {
+            let fault =
+                Diagnostic::new(named.written, format!("there is no mission `{}`", named.id));
+            fault.with_nearest(named.id, known.iter().map(String::as_str))
         };
         unknown.map(fault).collect()
     }
-}
 
-/// The missions that a file names, with their places, in its order.
-fn named<'m>(root: &'m DeTable<'m>) -> Vec<(&'m str, Range<usize>)> {
-    let at = |section: &str, key: &str| root.get(section).map(WrittenEntry)?.get(key);
-    let items = |section, key| at(section, key).map_or(Vec::new(), WrittenEntry::items);
-    let word = |entry: WrittenEntry<'m>| Some((entry.text()?, entry.span()));
-    let drill = root.get("drill_of").map(WrittenEntry).and_then(word);
-    let needed = items("requires", "missions").into_iter().filter_map(word);
-    let medals = at("requires", "medals").and_then(|entry| entry.0.get_ref().as_table());
-    let medals = medals.into_iter().flatten();
-    let medals = medals.map(|(key, _)| (key.get_ref().as_ref(), key.span()));
-    let unlocked = items("rewards", "unlock").into_iter().filter_map(word);
-    let unlocked = unlocked.filter_map(|(text, place)| Some((text.strip_prefix(MISSION)?, place)));
-    let mut all: Vec<_> = drill
-        .into_iter()
-        .chain(needed)
-        .chain(medals)
-        .chain(unlocked)
-        .collect();
-    all.sort_by_key(|(_, place)| place.start);
-    all
+    /// The missions that the file names, in its order.
+    fn named_missions(&self) -> Vec<NamedMission<'_>> {
+        let named = |id, written| NamedMission { id, written };
+        let value = |section: &str, key: &str| self.written.get(section)?.get(key);
+        let items = |section, key| value(section, key).map_or(&[][..], WrittenValue::items);
+        let drill = self.drill_of.as_deref();
+        let drill = drill.map(|id| named(id, self.written.span_of("drill_of")));
+        let needed = self.requires.missions.iter();
+        let needed = needed.zip(items("requires", "missions"));
+        let medals = self.requires.medals.keys();
+        let medals = medals.filter_map(|id| {
+            let medal = value("requires", "medals")?.get(id)?;
+            Some(named(id, medal.key.clone()))
+        });
+        let unlocked = self.rewards.unlock.iter();
+        let unlocked = unlocked.zip(items("rewards", "unlock"));
+        let unlocked = unlocked.filter_map(|(unlock, written)| match unlock {
+            Unlock::Mission(id) => Some(named(id, written.span.clone())),
+            Unlock::Part(_) | Unlock::Threat(_) => None,
+        });
+        let mut all: Vec<_> = drill.into_iter().collect();
+        all.extend(needed.map(|(id, written)| named(id, written.span.clone())));
+        all.extend(medals);
+        all.extend(unlocked);
+        all.sort_by_key(|named| named.written.start);
+        all
+    }
 }

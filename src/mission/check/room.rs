@@ -2,8 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use super::{Examined, WrittenEntry};
+use super::{Examined, ExaminedObjective};
 use crate::mission::Point;
+use crate::mission::objective::GateRoute;
 use crate::mission::report::distance_m;
 use crate::mission::zone::{Shape, Zone, ZoneKind};
 
@@ -14,23 +15,25 @@ const POINTS_OF_A_CIRCLE: u32 = 16;
 
 pub(super) fn check(examined: &mut Examined<'_>) {
     pads(examined);
-    for objective in examined.entries("objectives") {
-        targets(examined, objective);
-        heights(examined, objective);
-        gates(examined, objective);
+    for objective in examined.objectives() {
+        zone(examined, &objective);
+        places(examined, &objective);
+        heights(examined, &objective);
+        gates(examined, &objective);
     }
 }
 
 /// Each within the fence and apart from the others.
 fn pads(examined: &mut Examined<'_>) {
     let mission = examined.mission;
-    let fleet = examined.section("fleet");
-    let pads = fleet.and_then(|fleet| fleet.get("pads"));
-    let entries = pads.map_or(Vec::new(), WrittenEntry::items);
-    for (index, (&at, entry)) in mission.pads.iter().zip(entries).enumerate() {
+    let written = examined
+        .section("fleet")
+        .map_or(&[][..], |fleet| fleet.items_of("pads"));
+    for (index, (&at, written)) in mission.pads.iter().zip(written).enumerate() {
+        let place = written.span.clone();
         if let Some(what) = obstacle(examined, at, 0.0) {
             let number = index + 1;
-            examined.add(entry.span(), format!("pad {number} lies {what}"));
+            examined.add(place.clone(), format!("pad {number} lies {what}"));
         }
         let before = mission.pads.iter().take(index);
         let near = before.map(|&other| distance_m(at, other));
@@ -40,71 +43,57 @@ fn pads(examined: &mut Examined<'_>) {
             let fault = format!(
                 "this pad is {near_m:.1} m from another one; vehicles must keep {apart_m} m apart"
             );
-            examined.add(entry.span(), fault);
+            examined.add(place, fault);
         }
     }
 }
 
-/// The zone of an objective and the places that it names.
-fn targets(examined: &mut Examined<'_>, objective: WrittenEntry<'_>) {
-    // What is to be protected is not flown to.
-    let guarded = objective.word("kind") == Some("protect");
-    if let Some(entry) = objective.get("zone").filter(|_| !guarded) {
-        let mut zones = examined.mission.zones.iter();
-        let zone = zones.find(|zone| Some(zone.id.as_str()) == entry.text());
-        let fence = zone.and_then(|zone| {
-            let outer = corners(&zone.shape);
-            let fences = fences(examined);
-            let left = |fence: &&Zone| outer.iter().any(|&at| is_beyond(fence, at));
-            fences.into_iter().find(left)
-        });
-        if let (Some(zone), Some(fence)) = (zone, fence) {
-            let fault = format!(
-                "the zone `{}` reaches beyond the fence `{}`",
-                zone.id, fence.id
-            );
-            examined.add(entry.span(), fault);
-        }
+fn zone(examined: &mut Examined<'_>, objective: &ExaminedObjective<'_>) {
+    let Some(zone) = objective.demands.zone else {
+        return;
+    };
+    let outer = corners(&zone.shape);
+    let left = |fence: &&Zone| outer.iter().any(|&at| is_beyond(fence, at));
+    if let Some(fence) = fences(examined).into_iter().find(left) {
+        let fault = format!(
+            "the zone `{}` reaches beyond the fence `{}`",
+            zone.id, fence.id
+        );
+        examined.add(objective.written.span_of("zone"), fault);
     }
-    let named = objective
-        .get("places")
-        .map_or(Vec::new(), WrittenEntry::items);
-    for entry in named.into_iter().chain(objective.get("place")) {
-        let Some(name) = entry.text() else { continue };
-        let at = examined.place(name);
-        if let Some(what) = at.and_then(|at| obstacle(examined, at, 0.0)) {
-            examined.add(entry.span(), format!("the place `{name}` lies {what}"));
+}
+
+fn places(examined: &mut Examined<'_>, objective: &ExaminedObjective<'_>) {
+    let places = objective.demands.places.as_ref();
+    for place in places.map_or(&[][..], |places| places.all) {
+        if let Some(what) = obstacle(examined, place.at, 0.0) {
+            let fault = format!("the place `{}` lies {what}", place.name);
+            examined.add(place.written.clone(), fault);
         }
     }
 }
 
-/// The heights that an objective asks for.
-fn heights(examined: &mut Examined<'_>, objective: WrittenEntry<'_>) {
+fn heights(examined: &mut Examined<'_>, objective: &ExaminedObjective<'_>) {
     let ceiling_m = examined.ceiling_m();
-    let lowest = |entry: &WrittenEntry<'_>| entry.numbers().first().copied();
-    if let Some(entry) = objective.get("heights")
-        && lowest(&entry).is_some_and(|low_m| low_m >= ceiling_m)
-    {
+    let heights_m = objective.demands.heights_m;
+    if heights_m.is_some_and(|[low_m, _]| low_m >= ceiling_m) {
         let fault = format!("all these heights lie above the highest allowed, {ceiling_m} m");
-        examined.add(entry.span(), fault);
+        examined.add(objective.written.span_of("heights"), fault);
     }
 }
 
 /// Gates are flown through as they stand.
-fn gates(examined: &mut Examined<'_>, objective: WrittenEntry<'_>) {
+fn gates(examined: &mut Examined<'_>, objective: &ExaminedObjective<'_>) {
     let ceiling_m = examined.ceiling_m();
-    for gate in objective
-        .get("gates")
-        .map_or(Vec::new(), WrittenEntry::items)
-    {
-        let [east_m, north_m, up_m] = gate.numbers()[..] else {
-            continue;
-        };
+    let route = objective.demands.route;
+    let gates = route.map_or(&[][..], GateRoute::gates);
+    for (index, &[east_m, north_m, up_m]) in gates.iter().enumerate() {
+        let place = objective.written.span_of_item("gates", index);
         if up_m > ceiling_m {
             let fault = format!("this gate lies above the highest height allowed, {ceiling_m} m");
-            examined.add(gate.span(), fault);
+            examined.add(place, fault);
         } else if let Some(what) = obstacle(examined, [east_m, north_m], up_m) {
-            examined.add(gate.span(), format!("this gate lies {what}"));
+            examined.add(place, format!("this gate lies {what}"));
         }
     }
 }
@@ -115,13 +104,8 @@ fn obstacle(examined: &Examined<'_>, at: Point, up_m: f64) -> Option<String> {
         return Some(format!("beyond the fence `{}`", fence.id));
     }
     let mut zones = examined.mission.zones.iter().filter(|zone| zone.active);
-    let forbidden = zones.find(|zone| match zone.kind {
-        ZoneKind::NoFly { floor_m, ceiling_m } => {
-            zone.shape.contains(at) && (floor_m..=ceiling_m).contains(&up_m)
-        }
-        _ => false,
-    });
-    forbidden.map(|zone| format!("in the zone `{}`, where nobody may fly", zone.id))
+    let forbidden = zones.find(|zone| zone.kind.forbids_all(up_m, up_m) && zone.shape.contains(at));
+    forbidden.map(|zone| format!("in the zone `{}`, where flying is forbidden", zone.id))
 }
 
 fn fences<'m>(examined: &Examined<'m>) -> Vec<&'m Zone> {

@@ -1,31 +1,28 @@
 //! Whether what the scoring promises can be earned.
 
-use super::{Examined, WrittenEntry};
+use super::Examined;
 use crate::mission::event::Action;
-use crate::scoring::{Component, Gate};
+use crate::scoring::Component;
 
 pub(super) fn check(examined: &mut Examined<'_>) {
     let Some(scoring) = examined.section("scoring") else {
         return;
     };
-    let gates = scoring
-        .get("gold_requires")
-        .map_or(Vec::new(), WrittenEntry::items);
-    for entry in gates {
-        let gate = entry.text().and_then(|text| Gate::parse(text).ok());
-        if gate.is_some_and(|gate| !gate.can_hold()) {
-            examined.add(entry.span(), "nobody can reach this");
+    let mission = examined.mission;
+    let gates = mission.scoring.gold_requires.iter();
+    for (gate, written) in gates.zip(scoring.items_of("gold_requires")) {
+        if !gate.can_hold() {
+            examined.add(written.span.clone(), "no flight can reach this");
         }
     }
     let weight = scoring.get("weights").and_then(|it| it.get("attention"));
-    let mission = examined.mission;
     let weighs = mission.scoring.weights.of(Component::Attention) > 0.0;
     let mut actions = mission.events.iter().flat_map(|event| &event.actions);
     let asks = |action: &Action| matches!(action, Action::Alert { ok: Some(_), .. });
     let can_be_asked = !mission.may_inject.is_empty() || actions.any(asks);
-    if let Some(entry) = weight.filter(|_| weighs && !can_be_asked) {
+    if let Some(written) = weight.filter(|_| weighs && !can_be_asked) {
         examined.add(
-            entry.span(),
+            written.span.clone(),
             "no alert of this mission has an `ok` to answer it by",
         );
     }

@@ -1,8 +1,9 @@
 //! Whether zones have a shape and an effect, and leave room for what is to be done in them.
 
-use super::{Examined, WrittenEntry};
+use super::{Examined, ExaminedObjective};
 use crate::mission::Point;
 use crate::mission::event::Action;
+use crate::mission::format::WrittenValue;
 use crate::mission::zone::{Shape, Zone, ZoneKind};
 
 /// A zone is looked at in so many points along each side of the rectangle around it.
@@ -12,34 +13,38 @@ const MOST_FORBIDDEN: f64 = 0.9;
 
 pub(super) fn check(examined: &mut Examined<'_>) {
     let mission = examined.mission;
-    for (zone, entry) in mission.zones.iter().zip(examined.entries("zones")) {
-        shape(examined, zone, entry);
-        let needs_radio = matches!(
-            zone.kind,
-            ZoneKind::RadioJam { .. } | ZoneKind::CommShadow(_)
-        );
-        if needs_radio && mission.radio.is_none() {
-            let place = entry.get("kind").unwrap_or(entry).span();
-            let kind = entry.word("kind").unwrap_or_default();
+    for (zone, written) in mission.zones.iter().zip(examined.tables("zones")) {
+        shape(examined, zone, written);
+        let jams = match zone.kind {
+            ZoneKind::RadioJam { .. } => Some("radio_jam"),
+            ZoneKind::CommShadow(_) => Some("comm_shadow"),
+            ZoneKind::Task
+            | ZoneKind::Geofence { .. }
+            | ZoneKind::NoFly { .. }
+            | ZoneKind::GnssJam { .. }
+            | ZoneKind::GnssGlitch { .. }
+            | ZoneKind::People { .. } => None,
+        };
+        if let Some(kind) = jams.filter(|_| mission.radio.is_none()) {
             let fault =
                 format!("a `{kind}` needs the section `radio`: without it nothing is jammed");
-            examined.add(place, fault);
+            examined.add(written.span_of("kind"), fault);
         }
     }
-    for objective in examined.entries("objectives") {
-        forbidden(examined, objective);
+    for objective in examined.objectives() {
+        forbidden(examined, &objective);
     }
 }
 
 /// A polygon whose sides cross has an inside that nobody meant.
-fn shape(examined: &mut Examined<'_>, zone: &Zone, entry: WrittenEntry<'_>) {
+fn shape(examined: &mut Examined<'_>, zone: &Zone, written: &WrittenValue) {
     let Shape::Polygon(corners) = &zone.shape else {
         return;
     };
     let Some((first, second)) = crossing(corners) else {
         return;
     };
-    let place = entry.get("polygon").unwrap_or(entry).span();
+    let place = written.span_of("polygon");
     let side = |from: usize| format!("{} and {}", from + 1, (from + 1) % corners.len() + 1);
     let fault = format!(
         "the polygon crosses itself: its side between corners {} and that between corners {}",
@@ -74,46 +79,31 @@ fn cross(a: Point, b: Point, c: Point, d: Point) -> bool {
     turn(a, b, c) * turn(a, b, d) < 0.0 && turn(c, d, a) * turn(c, d, b) < 0.0
 }
 
-/// The zone of an objective, where nobody may fly over nearly all of it for the whole mission.
-fn forbidden(examined: &mut Examined<'_>, objective: WrittenEntry<'_>) {
-    // What is to be protected is not flown to.
-    let Some(entry) = objective.get("zone") else {
+/// The zone of an objective, nearly all of which is forbidden for the whole mission.
+fn forbidden(examined: &mut Examined<'_>, objective: &ExaminedObjective<'_>) {
+    let Some(zone) = objective.demands.zone else {
         return;
     };
-    if objective.word("kind") == Some("protect") {
-        return;
-    }
     let mission = examined.mission;
-    let mut zones = mission.zones.iter();
-    let Some(zone) = zones.find(|zone| Some(zone.id.as_str()) == entry.text()) else {
-        return;
-    };
-    let heights = objective
-        .get("heights")
-        .map_or(Vec::new(), WrittenEntry::numbers);
-    let low_m = heights.first().copied().unwrap_or(0.0);
-    let high_m = heights.get(1).copied().unwrap_or(f64::INFINITY);
-    let high_m = high_m.min(examined.ceiling_m());
+    let [low_m, highest_m] = objective.demands.heights_m.unwrap_or([0.0, f64::INFINITY]);
+    let high_m = highest_m.min(examined.ceiling_m());
     let is_lifted = |place: usize| {
         let mut actions = mission.events.iter().flat_map(|event| &event.actions);
         actions.any(|action| matches!(action, Action::Zone(index, false) if *index == place))
     };
-    let closes = |(place, other): &(usize, &Zone)| match other.kind {
-        ZoneKind::NoFly { floor_m, ceiling_m } => {
-            other.active && floor_m <= low_m && high_m <= ceiling_m && !is_lifted(*place)
-        }
-        _ => false,
+    let closes = |(place, other): &(usize, &Zone)| {
+        other.active && other.kind.forbids_all(low_m, high_m) && !is_lifted(*place)
     };
     let all = mission.zones.iter().enumerate();
     let closed: Vec<&Zone> = all.filter(closes).map(|(_, zone)| zone).collect();
     if share_within(&zone.shape, &closed) > MOST_FORBIDDEN {
         let names = closed.iter().map(|zone| format!("`{}`", zone.id));
         let fault = format!(
-            "nobody may fly over more than nine tenths of the zone `{}`: {}",
+            "flying is forbidden over more than nine tenths of the zone `{}`: {}",
             zone.id,
             names.collect::<Vec<_>>().join(", ")
         );
-        examined.add(entry.span(), fault);
+        examined.add(objective.written.span_of("zone"), fault);
     }
 }
 

@@ -8,7 +8,7 @@ use crate::mission::format::{
     FileTable, ListValue, NamedValue, list, named, point, table as table_of, whole,
 };
 use crate::mission::ground_truth::Load;
-use crate::mission::sensor::{SENSORS, Sensor};
+use crate::mission::sensor::Sensor;
 use crate::mission::{Outlay, Point};
 
 /// More than a console can fly.
@@ -117,8 +117,7 @@ fn outlay(table: &mut FileTable<'_>, pads: Option<usize>) -> Outlay {
 }
 
 fn sensors() -> ListValue<NamedValue<&'static Sensor>> {
-    let names = || SENSORS.iter().map(|sensor| sensor.id).collect();
-    list(named("sensor", names, Sensor::by_id), 0, usize::MAX)
+    list(named("sensor", Sensor::ids, Sensor::by_id), 0, usize::MAX)
 }
 
 fn vehicle(table: &mut FileTable<'_>) -> Option<Carried> {
@@ -132,13 +131,13 @@ fn vehicle(table: &mut FileTable<'_>) -> Option<Carried> {
 
 fn loads(table: &mut FileTable<'_>) -> Option<BTreeMap<Load, u32>> {
     let keys = [
-        (Load::Ball, "ball", "extinguishing balls"),
-        (Load::Spray, "spray", "seconds of the sprayer"),
-        (Load::Kit, "kit", "kits for people"),
-        (Load::Node, "node", "sensor nodes"),
+        (Load::Ball, "extinguishing balls"),
+        (Load::Spray, "seconds of the sprayer"),
+        (Load::Kit, "kits for people"),
+        (Load::Node, "sensor nodes"),
     ];
-    let counted = keys.into_iter().filter_map(|(load, key, about)| {
-        let count = table.may(key, whole(0, MOST_LOAD, ""), about)?;
+    let counted = keys.into_iter().filter_map(|(load, about)| {
+        let count = table.may(load.id(), whole(0, MOST_LOAD, ""), about)?;
         Some((load, count))
     });
     Some(counted.collect())

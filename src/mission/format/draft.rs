@@ -35,7 +35,7 @@ pub(in crate::mission) struct Draft {
 }
 
 #[derive(Debug, Clone, PartialEq)]
-pub(in crate::mission) struct NamedPlace {
+pub(crate) struct NamedPlace {
     pub name: String,
     pub at: Point,
     /// Where the file names it.
@@ -120,6 +120,15 @@ impl Draft {
         let (names, points): (Vec<String>, Vec<Point>) = named.chain(pads).unzip();
         let index = self.refer("place", name, &names)?;
         Some(points[index])
+    }
+
+    /// The same with its name, and with where it is referred to.
+    pub fn named_place(&mut self, name: &Spanned<String>) -> Option<NamedPlace> {
+        Some(NamedPlace {
+            at: self.place(name)?,
+            name: name.get_ref().clone(),
+            written: name.span(),
+        })
     }
 
     /// Checks that something of this name stands anywhere in the file.

@@ -9,6 +9,7 @@ use super::description::{FileKey, FileTableDescription, KindDescription, Presenc
 use super::draft::Draft;
 use super::value::{self, FileValue};
 use crate::diagnostic::{Diagnostic, nearest};
+use crate::mission::sensor::Sensor;
 use crate::mission::zone::Zone;
 use crate::text::Text;
 
@@ -383,6 +384,22 @@ impl FileTable<'_> {
     pub fn need_task_zone(&mut self) -> Option<Zone> {
         let name = self.need("zone", value::text("id of a task zone"), "where")?;
         self.draft.task_zone(&name)
+    }
+
+    /// A sensor that the fleet carries, by a key.
+    pub fn need_sensor(&mut self, name: &str, about: &'static str) -> Option<&'static Sensor> {
+        let id = self.need(name, value::sensor_id(), about)?;
+        self.draft.fitted_sensor(&id)
+    }
+
+    /// Sensors that the fleet carries, by the key `sensors`, each with its place in the file.
+    pub fn need_sensors(&mut self, about: &'static str) -> Option<Vec<Spanned<&'static Sensor>>> {
+        let ids = self.need("sensors", value::list(value::sensor_id(), 1, 100), about)?;
+        let fitted = ids.iter().filter_map(|id| {
+            let sensor = self.draft.fitted_sensor(id)?;
+            Some(Spanned::new(id.span(), sensor))
+        });
+        Some(fitted.collect())
     }
 
     /// A hazard by a key; its place in the file.

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::{ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
+use super::{DemandedTime, Demands, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
 use crate::mission::format::{FileTable, KindOf, number};
 use crate::mission::skill::Skill;
 use crate::mission::world::World;
@@ -52,6 +52,13 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
 impl ObjectiveKind for ArmTime {
     fn skill(&self, _: usize) -> Option<Skill> {
         Some(Skill::K1)
+    }
+
+    fn demands(&self) -> Demands<'_> {
+        Demands {
+            times: vec![DemandedTime::seconds("within", self.within_s)],
+            ..Demands::default()
+        }
     }
 
     fn start(&self, _: &World) -> Box<dyn Tracker> {

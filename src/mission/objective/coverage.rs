@@ -6,16 +6,14 @@
 
 use toml::Spanned;
 
-use super::{GroundPatch, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
+use super::{Demands, GroundPatch, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
 use crate::mission::craft::Craft;
-use crate::mission::format::{
-    BetterMeasure, FileTable, KindOf, ObjectiveTarget, list, number, text,
-};
+use crate::mission::format::{BetterMeasure, FileTable, KindOf, ObjectiveTarget, number};
 use crate::mission::sensor::Sensor;
 use crate::mission::skill::Skill;
 use crate::mission::weather::Light;
 use crate::mission::world::World;
-use crate::mission::zone::Shape;
+use crate::mission::zone::{Shape, Zone};
 use crate::mission::{Point, TICK};
 use crate::text;
 use crate::text::Text;
@@ -26,6 +24,7 @@ const MOST_CELLS: f64 = 40_000.0;
 
 #[derive(Debug)]
 struct Coverage {
+    zone: Zone,
     grid: CoverageGrid,
     sensors: Vec<&'static Sensor>,
     target: ObjectiveTarget,
@@ -59,35 +58,31 @@ pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
 
 fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     let zone = table.need_task_zone();
-    let sensors = table.need(
-        "sensors",
-        list(text("id of a sensor"), 1, 100),
-        "that find things; the fleet must carry them",
-    );
+    let sensors = table.need_sensors("that find things; the fleet must carry them");
     let cell = number(0.2, 1000.0, "m");
     let side_m = table.need("cell", cell, "side of a cell");
     let target = table.need_target([0.01, 1.0], BetterMeasure::Higher);
-    let sensors = detectors(table, &sensors?);
+    let zone = zone?;
     Some(Box::new(Coverage {
-        grid: grid(table, &zone?.shape, side_m?)?,
-        sensors,
+        sensors: detectors(table, sensors?),
+        grid: grid(table, &zone.shape, side_m?)?,
+        zone,
         target: target?,
     }))
 }
 
-fn detectors(table: &mut FileTable<'_>, names: &[Spanned<String>]) -> Vec<&'static Sensor> {
-    let mut sensors = Vec::new();
-    for name in names {
-        let Some(sensor) = table.draft().fitted_sensor(name) else {
-            continue;
-        };
-        if sensor.detector().is_none() {
-            let fault = format!("`{}` measures where it is, it sweeps nothing", sensor.id);
-            table.draft().faults.add(name.span(), fault);
+fn detectors(
+    table: &mut FileTable<'_>,
+    sensors: Vec<Spanned<&'static Sensor>>,
+) -> Vec<&'static Sensor> {
+    for sensor in &sensors {
+        if sensor.get_ref().detector().is_none() {
+            let id = sensor.get_ref().id;
+            let fault = format!("`{id}` measures where it is, it sweeps nothing");
+            table.draft().faults.add(sensor.span(), fault);
         }
-        sensors.push(sensor);
     }
-    sensors
+    sensors.into_iter().map(Spanned::into_inner).collect()
 }
 
 fn grid(table: &mut FileTable<'_>, shape: &Shape, side_m: f64) -> Option<CoverageGrid> {
@@ -159,6 +154,13 @@ impl CoverageGrid {
 impl ObjectiveKind for Coverage {
     fn skill(&self, _: usize) -> Option<Skill> {
         Some(Skill::K6)
+    }
+
+    fn demands(&self) -> Demands<'_> {
+        Demands {
+            zone: Some(&self.zone),
+            ..Demands::default()
+        }
     }
 
     fn start(&self, _: &World) -> Box<dyn Tracker> {

@@ -1,7 +1,11 @@
 //! `deliver`: bring kits to people while they are of use, or nodes to their places.
 
-use super::{ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker, partial_credit};
+use super::{
+    DemandedEquipment, Demands, Equipment, ObjectiveKind, ObjectiveScene, ObjectiveStanding,
+    Tracker, partial_credit,
+};
 use crate::mission::format::{FileTable, KindOf, whole, word};
+use crate::mission::ground_truth::Load;
 use crate::mission::hazard::{Care, Field};
 use crate::mission::skill::Skill;
 use crate::mission::world::World;
@@ -15,7 +19,14 @@ enum What {
 }
 
 impl What {
-    const WORDS: [(&str, Self); 2] = [("kit", Self::Kit), ("node", Self::Node)];
+    const WORDS: [(&str, Self); 2] = [(Load::Kit.id(), Self::Kit), (Load::Node.id(), Self::Node)];
+
+    fn equipment(self) -> Equipment {
+        match self {
+            Self::Kit => Equipment::AnyOf(&[Load::Kit]),
+            Self::Node => Equipment::AnyOf(&[Load::Node]),
+        }
+    }
 }
 
 #[derive(Debug, Clone)]
@@ -56,6 +67,16 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
 impl ObjectiveKind for Deliver {
     fn skill(&self, vehicles: usize) -> Option<Skill> {
         Some(if vehicles > 1 { Skill::K10 } else { Skill::K3 })
+    }
+
+    fn demands(&self) -> Demands<'_> {
+        Demands {
+            equipment: Some(DemandedEquipment {
+                key: "load",
+                equipment: self.what.equipment(),
+            }),
+            ..Demands::default()
+        }
     }
 
     fn start(&self, _: &World) -> Box<dyn Tracker> {

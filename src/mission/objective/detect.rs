@@ -7,7 +7,10 @@
 
 use std::collections::BTreeSet;
 
-use super::{ObjectiveKind, ObjectiveScene, ObjectiveStanding, Sought, Tracker};
+use super::{
+    DemandedEquipment, Demands, Equipment, ObjectiveKind, ObjectiveScene, ObjectiveStanding,
+    Sought, Tracker,
+};
 use crate::mission::format::{BetterMeasure, FileTable, KindOf, ObjectiveTarget, number};
 use crate::mission::ground_truth::Object;
 use crate::mission::hazard::Field;
@@ -74,6 +77,16 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
 impl ObjectiveKind for Detect {
     fn skill(&self, _: usize) -> Option<Skill> {
         Some(Skill::K7)
+    }
+
+    fn demands(&self) -> Demands<'_> {
+        Demands {
+            equipment: Some(DemandedEquipment {
+                key: "kind",
+                equipment: Equipment::Detector,
+            }),
+            ..Demands::default()
+        }
     }
 
     fn sought(&self) -> Option<Sought> {

@@ -1,7 +1,7 @@
 //! `formation`: the middle of all vehicles goes through gates while each keeps its distance to the nearest other.
 
 use super::route::GateRoute;
-use super::{ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
+use super::{Demands, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
 use crate::mission::craft::Craft;
 use crate::mission::format::{BetterMeasure, FileTable, KindOf, ObjectiveTarget, number, rising};
 use crate::mission::skill::Skill;
@@ -65,6 +65,13 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
 impl ObjectiveKind for FormationObjective {
     fn skill(&self, vehicles: usize) -> Option<Skill> {
         (vehicles > 1).then_some(Skill::K10)
+    }
+
+    fn demands(&self) -> Demands<'_> {
+        Demands {
+            route: Some(&self.route),
+            ..Demands::default()
+        }
     }
 
     fn start(&self, world: &World) -> Box<dyn Tracker> {

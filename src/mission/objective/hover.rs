@@ -1,8 +1,13 @@
 //! `hover`: every vehicle holds its place in the air without a break.
 
-use super::{ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
+use std::slice;
+
+use super::{
+    DemandedPlaces, DemandedTime, Demands, ObjectiveKind, ObjectiveScene, ObjectiveStanding,
+    Tracker,
+};
 use crate::mission::craft::Craft;
-use crate::mission::format::{FileTable, KindOf, heights, number, text};
+use crate::mission::format::{FileTable, KindOf, NamedPlace, heights, number, text};
 use crate::mission::skill::Skill;
 use crate::mission::world::World;
 use crate::mission::{Point, TICK};
@@ -15,7 +20,7 @@ struct Hover {
     radius_m: f64,
     time_s: f64,
     /// Where; `None` wherever the vehicle is.
-    at: Option<Point>,
+    place: Option<NamedPlace>,
 }
 
 #[derive(Debug)]
@@ -47,21 +52,33 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
         text("id of a place"),
         "where; without it, anywhere",
     );
-    let at = place.map(|name| table.draft().place(&name));
+    let place = match place {
+        Some(name) => Some(table.draft().named_place(&name)?),
+        None => None,
+    };
     Some(Box::new(Hover {
         heights_m: heights_m?,
         radius_m: radius_m?,
         time_s: time_s?,
-        at: match at {
-            Some(found) => Some(found?),
-            None => None,
-        },
+        place,
     }))
 }
 
 impl ObjectiveKind for Hover {
     fn skill(&self, _: usize) -> Option<Skill> {
         Some(Skill::K3)
+    }
+
+    fn demands(&self) -> Demands<'_> {
+        Demands {
+            places: self.place.as_ref().map(|place| DemandedPlaces {
+                key: "place",
+                all: slice::from_ref(place),
+            }),
+            heights_m: Some(self.heights_m),
+            times: vec![DemandedTime::seconds("time", self.time_s)],
+            ..Demands::default()
+        }
     }
 
     fn start(&self, _: &World) -> Box<dyn Tracker> {
@@ -81,7 +98,8 @@ impl Hover {
             (hold.around, hold.now_s) = (None, 0.0);
             return;
         };
-        let around = self.at.or(hold.around).unwrap_or(at);
+        let fixed = self.place.as_ref().map(|place| place.at);
+        let around = fixed.or(hold.around).unwrap_or(at);
         if (at[0] - around[0]).hypot(at[1] - around[1]) <= self.radius_m {
             hold.around = Some(around);
             hold.now_s += TICK.as_secs_f64();

@@ -1,9 +1,13 @@
 //! `land_on`: vehicles come down at a place and are disarmed there.
 
-use super::{DOWN_FOR, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
+use std::slice;
+
+use super::{
+    DOWN_FOR, DemandedPlaces, Demands, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker,
+};
 use crate::mission::Point;
 use crate::mission::craft::Craft;
-use crate::mission::format::{FileTable, KindOf, text, whole};
+use crate::mission::format::{FileTable, KindOf, NamedPlace, text, whole};
 use crate::mission::skill::Skill;
 use crate::mission::world::World;
 use crate::text;
@@ -11,8 +15,7 @@ use crate::text::Text;
 
 #[derive(Debug, Clone)]
 struct LandOn {
-    place: String,
-    at: Point,
+    place: NamedPlace,
     radius_m: f64,
     count: usize,
 }
@@ -32,10 +35,8 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
         let fault = format!("`count` must lie between 1 and the {fleet} vehicles of the fleet");
         table.fault_of("count", fault);
     }
-    let place = place?;
     Some(Box::new(LandOn {
-        at: table.draft().place(&place)?,
-        place: place.into_inner(),
+        place: table.draft().named_place(&place?)?,
         radius_m: radius_m?,
         count: count as usize,
     }))
@@ -46,6 +47,16 @@ impl ObjectiveKind for LandOn {
         Some(Skill::K3)
     }
 
+    fn demands(&self) -> Demands<'_> {
+        Demands {
+            places: Some(DemandedPlaces {
+                key: "place",
+                all: slice::from_ref(&self.place),
+            }),
+            ..Demands::default()
+        }
+    }
+
     fn start(&self, _: &World) -> Box<dyn Tracker> {
         Box::new(self.clone())
     }
@@ -53,7 +64,8 @@ impl ObjectiveKind for LandOn {
 
 impl LandOn {
     fn is_there(&self, craft: &Craft) -> bool {
-        let away_m = |at: Point| (at[0] - self.at[0]).hypot(at[1] - self.at[1]);
+        let [east_m, north_m] = self.place.at;
+        let away_m = |at: Point| (at[0] - east_m).hypot(at[1] - north_m);
         craft.is_down() && craft.at.is_some_and(|at| away_m(at) <= self.radius_m)
     }
 }
@@ -76,7 +88,11 @@ impl Tracker for LandOn {
             outlook: None,
             quality_advice: Text::default(),
             target: text!("mission-land-within", radius = radius.as_str()),
-            advice: text!("mission-land-advice", place = &self.place, radius = radius),
+            advice: text!(
+                "mission-land-advice",
+                place = &self.place.name,
+                radius = radius
+            ),
         }
     }
 }

@@ -2,21 +2,21 @@
 
 use std::time::Duration;
 
-use super::{ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
+use super::{DemandedTime, Demands, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
 use crate::mission::TICK;
 use crate::mission::format::{
     BetterMeasure, FileTable, KindOf, LONGEST_S, ObjectiveTarget, number, seconds,
 };
 use crate::mission::skill::Skill;
 use crate::mission::world::World;
-use crate::mission::zone::Shape;
+use crate::mission::zone::Zone;
 use crate::text;
 use crate::text::Text;
 
 /// A link that has to be kept while vehicles work in a zone.
 #[derive(Debug, Clone)]
 struct LinkObjective {
-    shape: Shape,
+    zone: Zone,
     margin_db: f64,
     /// Vehicle seconds in the zone that are asked for.
     needed: Duration,
@@ -38,7 +38,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     let target = table.need_target([0.01, 1.0], BetterMeasure::Higher);
     Some(Box::new(LinkObjective {
         margin_db: margin_db?,
-        shape: zone?.shape,
+        zone: zone?,
         needed: needed?,
         target: target?,
     }))
@@ -47,6 +47,17 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
 impl ObjectiveKind for LinkObjective {
     fn skill(&self, _: usize) -> Option<Skill> {
         Some(Skill::K5)
+    }
+
+    fn demands(&self) -> Demands<'_> {
+        Demands {
+            zone: Some(&self.zone),
+            times: vec![DemandedTime {
+                key: "time",
+                time: self.needed,
+            }],
+            ..Demands::default()
+        }
     }
 
     fn start(&self, _: &World) -> Box<dyn Tracker> {
@@ -75,7 +86,7 @@ impl Tracker for LinkTracker {
         {
             if craft
                 .truly_at()
-                .is_some_and(|at| self.link.shape.contains(at))
+                .is_some_and(|at| self.link.zone.shape.contains(at))
             {
                 self.inside += TICK;
                 let margin_db = scene.margins_db.get(&craft.id);

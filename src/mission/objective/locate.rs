@@ -2,7 +2,10 @@
 //!
 //! How near the reports are is revealed when all vehicles are down or the time is up: else one could ask by reporting.
 
-use super::{ObjectiveKind, ObjectiveScene, ObjectiveStanding, Sought, Tracker, partial_credit};
+use super::{
+    DemandedEquipment, Demands, Equipment, ObjectiveKind, ObjectiveScene, ObjectiveStanding,
+    Sought, Tracker, partial_credit,
+};
 use crate::mission::Point;
 use crate::mission::craft::Craft;
 use crate::mission::format::{FileTable, KindOf, number};
@@ -66,6 +69,16 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
 impl ObjectiveKind for Locate {
     fn skill(&self, _: usize) -> Option<Skill> {
         Some(Skill::K7)
+    }
+
+    fn demands(&self) -> Demands<'_> {
+        Demands {
+            equipment: Some(DemandedEquipment {
+                key: "kind",
+                equipment: Equipment::AnySensor,
+            }),
+            ..Demands::default()
+        }
     }
 
     fn sought(&self) -> Option<Sought> {

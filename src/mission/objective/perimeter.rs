@@ -8,7 +8,7 @@ use std::time::Duration;
 
 use super::{GroundPatch, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
 use crate::mission::format::{
-    FileTable, KindOf, LONGEST_S, ObjectiveTarget, list, number, seconds, text,
+    FileTable, KindOf, LONGEST_S, ObjectiveTarget, list, number, seconds,
 };
 use crate::mission::hazard::{Fire, FireGrid};
 use crate::mission::report::distance_m;
@@ -44,7 +44,7 @@ pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
 
 fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     let hazard = table.need_hazard("of", "a fire");
-    let sensor = table.need("sensor", text("id of a sensor"), "a camera");
+    let sensor = table.need_sensor("sensor", "a camera");
     let times = table.need("times", list(seconds(1.0, LONGEST_S), 1, 1000), "rising");
     let share = number(0.01, 1.0, "");
     let met_at = table.need("target", share, "what is asked for");
@@ -64,7 +64,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     if !times.is_sorted_by(|a, b| a < b) {
         table.fault_of("times", "`times` are seconds that rise, from 1 on");
     }
-    let sensor = table.draft().fitted_sensor(&sensor?)?;
+    let sensor = sensor?;
     if sensor.swath_m(1.0).is_none() {
         table.fault_of("sensor", "the perimeter needs a camera");
     }

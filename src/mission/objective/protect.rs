@@ -1,7 +1,11 @@
 //! `protect`: a zone must not burn. `contain`: less must burn than if nobody did anything.
 
-use super::{ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
+use super::{
+    DemandedEquipment, Demands, Equipment, ObjectiveKind, ObjectiveScene, ObjectiveStanding,
+    Tracker,
+};
 use crate::mission::format::{BetterMeasure, FileTable, KindOf, ObjectiveTarget};
+use crate::mission::ground_truth::Load;
 use crate::mission::hazard::Fire;
 use crate::mission::skill::Skill;
 use crate::mission::world::World;
@@ -65,6 +69,16 @@ impl ObjectiveKind for Protect {
 impl ObjectiveKind for Contain {
     fn skill(&self, vehicles: usize) -> Option<Skill> {
         (vehicles > 1).then_some(Skill::K10)
+    }
+
+    fn demands(&self) -> Demands<'_> {
+        Demands {
+            equipment: Some(DemandedEquipment {
+                key: "kind",
+                equipment: Equipment::AnyOf(&[Load::Ball, Load::Spray]),
+            }),
+            ..Demands::default()
+        }
     }
 
     fn start(&self, _: &World) -> Box<dyn Tracker> {

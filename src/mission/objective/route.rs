@@ -12,7 +12,7 @@ const MOST_GATES: usize = 100;
 
 /// Gates as the mission describes them: east, north and up from the origin.
 #[derive(Debug, Clone)]
-pub(super) struct GateRoute {
+pub(crate) struct GateRoute {
     gates: Vec<[f64; 3]>,
     pub radius_m: f64,
     jitter_m: f64,
@@ -20,7 +20,7 @@ pub(super) struct GateRoute {
 
 impl GateRoute {
     /// Reads the keys of a route.
-    pub fn need(table: &mut FileTable<'_>) -> Option<Self> {
+    pub(super) fn need(table: &mut FileTable<'_>) -> Option<Self> {
         let gates = table.need("gates", list(gate(), 1, MOST_GATES), "in their order");
         let radius_m = table.need_radius();
         let jitter_m = table.or(
@@ -34,6 +34,17 @@ impl GateRoute {
             radius_m: radius_m?,
             jitter_m,
         })
+    }
+
+    /// The gates before the seed moves them.
+    pub fn gates(&self) -> &[[f64; 3]] {
+        &self.gates
+    }
+
+    /// By how much the way to a gate may be shorter than the one to where it is written: gates are passed within their
+    /// radius, and the seed moves them.
+    pub fn slack_m(&self) -> f64 {
+        self.radius_m + self.jitter_m
     }
 
     /// What a gate is called.

@@ -1,11 +1,14 @@
 //! `sample_cells`: carry a sensor slowly enough and for long enough through the cells of a grid.
 
-use super::{ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker, partial_credit};
-use crate::mission::format::{FileTable, KindOf, heights, number, text, whole};
+use super::{
+    DemandedTime, Demands, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker,
+    partial_credit,
+};
+use crate::mission::format::{FileTable, KindOf, heights, number, whole};
 use crate::mission::skill::Skill;
 use crate::mission::survey::{CellPlan, Survey, SurveyPlan, letters};
 use crate::mission::world::World;
-use crate::mission::zone::Shape;
+use crate::mission::zone::{Shape, Zone};
 use crate::text;
 use crate::text::Text;
 
@@ -14,6 +17,7 @@ const MOST_CELLS: usize = 10_000;
 
 #[derive(Debug, Clone)]
 struct SampleCells {
+    zone: Zone,
     plan: SurveyPlan,
     target: usize,
     partial_from: u32,
@@ -27,7 +31,7 @@ pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
 
 fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     let zone = table.need_task_zone();
-    let sensor = table.need("sensor", text("id of a sensor"), "one that measures");
+    let sensor = table.need_sensor("sensor", "one that measures");
     let side_m = table.need("cell", number(1.0, 1000.0, "m"), "side of a cell");
     let dwell_s = table.need("dwell", number(0.1, 600.0, "s"), "in each cell");
     let max_speed_m_s = table.need("max_speed", number(0.1, 100.0, "m/s"), "while sampling");
@@ -39,7 +43,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
         0,
         "where points begin",
     );
-    let cells = match (zone, side_m) {
+    let cells = match (&zone, side_m) {
         (Some(zone), Some(side_m)) => grid(&zone.shape, side_m, table),
         _ => Vec::new(),
     };
@@ -52,13 +56,14 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     if partial_from >= target {
         table.fault_of("target", "`target` must be above `partial_from`");
     }
-    let sensor = table.draft().fitted_sensor(&sensor?)?;
+    let sensor = sensor?;
     let probe = sensor.probe();
     if probe.is_none() {
         let fault = format!("`{}` finds things, it measures nothing", sensor.id);
         table.fault_of("sensor", fault);
     }
     Some(Box::new(SampleCells {
+        zone: zone?,
         plan: SurveyPlan {
             id: table.own_id(),
             cells,
@@ -110,6 +115,19 @@ fn grid(shape: &Shape, side_m: f64, table: &mut FileTable<'_>) -> Vec<CellPlan> 
 impl ObjectiveKind for SampleCells {
     fn skill(&self, _: usize) -> Option<Skill> {
         Some(Skill::K6)
+    }
+
+    fn demands(&self) -> Demands<'_> {
+        let dwell = DemandedTime::seconds("dwell", self.plan.dwell_s);
+        // One after the other.
+        let cells = u32::try_from(self.target).unwrap_or(u32::MAX);
+        Demands {
+            zone: Some(&self.zone),
+            heights_m: Some(self.plan.heights_m),
+            times: vec![dwell],
+            staying: dwell.time.saturating_mul(cells),
+            ..Demands::default()
+        }
     }
 
     fn survey(&self) -> Option<&SurveyPlan> {

@@ -5,7 +5,7 @@
 
 use std::time::Duration;
 
-use super::{ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
+use super::{DemandedTime, Demands, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
 use crate::mission::TICK;
 use crate::mission::format::{
     BetterMeasure, FileTable, KindOf, LONGEST_S, ObjectiveTarget, number, rising, seconds,
@@ -61,6 +61,16 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
 impl ObjectiveKind for Standoff {
     fn skill(&self, _: usize) -> Option<Skill> {
         Some(Skill::K3)
+    }
+
+    fn demands(&self) -> Demands<'_> {
+        Demands {
+            times: vec![DemandedTime {
+                key: "time",
+                time: self.least,
+            }],
+            ..Demands::default()
+        }
     }
 
     fn start(&self, _: &World) -> Box<dyn Tracker> {

@@ -2,9 +2,12 @@
 
 use std::collections::BTreeSet;
 
-use super::{ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker, partial_credit};
+use super::{
+    DemandedPlaces, DemandedTime, Demands, ObjectiveKind, ObjectiveScene, ObjectiveStanding,
+    Tracker, partial_credit,
+};
 use crate::mission::craft::Craft;
-use crate::mission::format::{FileTable, KindOf, heights, list, number, text};
+use crate::mission::format::{FileTable, KindOf, NamedPlace, heights, list, number, text};
 use crate::mission::objective::route::GateRoute;
 use crate::mission::skill::Skill;
 use crate::mission::world::World;
@@ -18,7 +21,10 @@ const ANY_HEIGHT: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
 #[derive(Debug, Clone)]
 struct Visit {
-    stops: Vec<Stop>,
+    places: Vec<NamedPlace>,
+    radius_m: f64,
+    /// `None` where any height will do.
+    heights_m: Option<[f64; 2]>,
     dwell_s: f64,
 }
 
@@ -81,7 +87,7 @@ fn read_visit(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     let heights_m = table.may("heights", heights(), "where; without it, at any height");
     let (places, radius_m) = (places?, radius_m?);
     let mut named = BTreeSet::new();
-    let mut stops = Vec::new();
+    let mut found = Vec::new();
     for name in &places {
         if !named.insert(name.get_ref()) {
             table
@@ -89,22 +95,26 @@ fn read_visit(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
                 .faults
                 .add(name.span(), "this place is named twice");
         }
-        if let Some(at) = table.draft().place(name) {
-            stops.push(Stop {
-                name: name.get_ref().clone(),
-                at,
-                heights_m: heights_m.unwrap_or(ANY_HEIGHT),
-                up_m: None,
-                radius_m,
-            });
-        }
+        found.extend(table.draft().named_place(name));
     }
-    Some(Box::new(Visit { stops, dwell_s }))
+    Some(Box::new(Visit {
+        places: found,
+        radius_m,
+        heights_m,
+        dwell_s,
+    }))
 }
 
 impl ObjectiveKind for Gates {
     fn skill(&self, _: usize) -> Option<Skill> {
         Some(Skill::K3)
+    }
+
+    fn demands(&self) -> Demands<'_> {
+        Demands {
+            route: Some(&self.route),
+            ..Demands::default()
+        }
     }
 
     fn start(&self, world: &World) -> Box<dyn Tracker> {
@@ -130,8 +140,31 @@ impl ObjectiveKind for Visit {
         Some(Skill::K3)
     }
 
+    fn demands(&self) -> Demands<'_> {
+        let dwell = DemandedTime::seconds("dwell", self.dwell_s);
+        let places = u32::try_from(self.places.len()).unwrap_or(u32::MAX);
+        Demands {
+            places: Some(DemandedPlaces {
+                key: "places",
+                all: &self.places,
+            }),
+            heights_m: self.heights_m,
+            times: vec![dwell],
+            staying: dwell.time.saturating_mul(places),
+            ..Demands::default()
+        }
+    }
+
     fn start(&self, _: &World) -> Box<dyn Tracker> {
-        Box::new(Stops::new(self.stops.clone(), false, self.dwell_s))
+        let stop = |place: &NamedPlace| Stop {
+            name: place.name.clone(),
+            at: place.at,
+            heights_m: self.heights_m.unwrap_or(ANY_HEIGHT),
+            up_m: None,
+            radius_m: self.radius_m,
+        };
+        let stops = self.places.iter().map(stop).collect();
+        Box::new(Stops::new(stops, false, self.dwell_s))
     }
 }
 

@@ -1,0 +1,169 @@
+//! Words: free texts, ids, and names out of a list.
+
+use toml::Spanned;
+use toml::de::DeValue;
+
+use super::{FileValue, expected};
+use crate::diagnostic::Diagnostic;
+use crate::mission::format::description::FileShape;
+use crate::mission::format::draft::Draft;
+use crate::mission::sensor::Sensor;
+
+/// See [`text`].
+#[derive(Debug, Clone, Copy)]
+pub(in crate::mission) struct TextValue {
+    form: &'static str,
+    rule: Option<TextRule>,
+    /// All that it can be, for its description; whether it may be that here, the reader says.
+    names: Option<fn() -> Vec<&'static str>>,
+}
+
+/// What a text must be, and the fault of one that is not.
+type TextRule = (fn(&str) -> bool, &'static str);
+
+/// Any text; what it is, where that is not plain.
+pub(in crate::mission) const fn text(form: &'static str) -> TextValue {
+    TextValue {
+        form,
+        rule: None,
+        names: None,
+    }
+}
+
+/// A text that keeps a rule, which its fault says.
+pub(in crate::mission) const fn text_by(
+    form: &'static str,
+    rule: fn(&str) -> bool,
+    fault: &'static str,
+) -> TextValue {
+    TextValue {
+        form,
+        rule: Some((rule, fault)),
+        names: None,
+    }
+}
+
+/// The id of a table.
+pub(in crate::mission::format) const fn id() -> TextValue {
+    text_by(
+        "1 to 32 letters, digits, `-` and `_`",
+        is_id,
+        "an id is 1 to 32 letters, digits, `-` and `_`",
+    )
+}
+
+/// The id of a sensor. Which of them the fleet carries, only the reader knows.
+pub(in crate::mission::format) const fn sensor_id() -> TextValue {
+    TextValue {
+        form: "sensor",
+        rule: None,
+        names: Some(Sensor::ids),
+    }
+}
+
+fn is_id(id: &str) -> bool {
+    let plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
+    (1..=32).contains(&id.len()) && id.chars().all(plain)
+}
+
+impl FileValue for TextValue {
+    type Out = Spanned<String>;
+
+    fn shape(&self) -> FileShape {
+        match self.names {
+            Some(names) => FileShape::Named(self.form, names()),
+            None => FileShape::Text(self.form, None),
+        }
+    }
+
+    fn read(
+        &self,
+        _: &str,
+        written: Spanned<DeValue<'_>>,
+        draft: &mut Draft,
+    ) -> Option<Spanned<String>> {
+        let place = written.span();
+        let text = Spanned::new(place.clone(), draft.faults.read::<String>(written)?);
+        match self.rule {
+            Some((rule, fault)) if !rule(text.get_ref()) => {
+                draft.faults.add(place, fault);
+                None
+            }
+            _ => Some(text),
+        }
+    }
+}
+
+/// See [`word`].
+#[derive(Debug, Clone, Copy)]
+pub(in crate::mission) struct WordValue<T: 'static>(&'static [(&'static str, T)]);
+
+/// One of a few words.
+pub(in crate::mission) const fn word<T>(words: &'static [(&'static str, T)]) -> WordValue<T> {
+    WordValue(words)
+}
+
+impl<T: Copy + PartialEq> FileValue for WordValue<T> {
+    type Out = T;
+
+    fn shape(&self) -> FileShape {
+        FileShape::Words(self.0.iter().map(|(word, _)| *word).collect())
+    }
+
+    fn read(&self, _: &str, written: Spanned<DeValue<'_>>, draft: &mut Draft) -> Option<T> {
+        let place = written.span();
+        let word: String = draft.faults.read(written)?;
+        let found = self.0.iter().find(|(known, _)| *known == word);
+        if found.is_none() {
+            let known: Vec<&str> = self.0.iter().map(|(known, _)| *known).collect();
+            let message = format!("unknown variant `{word}`, {}", expected(&known));
+            let fault = Diagnostic::new(place, message);
+            draft.faults.push(match word.len() {
+                // Of words of one letter, all are equally close.
+                0 | 1 => fault,
+                _ => fault.with_nearest(&word, known),
+            });
+        }
+        found.map(|(_, meant)| *meant)
+    }
+
+    fn show(&self, meant: &T) -> String {
+        let found = self.0.iter().find(|(_, known)| known == meant);
+        found.map_or_else(String::new, |(word, _)| format!("`{word}`"))
+    }
+}
+
+/// See [`named`].
+#[derive(Debug, Clone, Copy)]
+pub(in crate::mission) struct NamedValue<T> {
+    what: &'static str,
+    names: fn() -> Vec<&'static str>,
+    find: fn(&str) -> Option<T>,
+}
+
+/// Something by its name, which is one of many; the names, and how one is found.
+pub(in crate::mission) const fn named<T>(
+    what: &'static str,
+    names: fn() -> Vec<&'static str>,
+    find: fn(&str) -> Option<T>,
+) -> NamedValue<T> {
+    NamedValue { what, names, find }
+}
+
+impl<T> FileValue for NamedValue<T> {
+    type Out = T;
+
+    fn shape(&self) -> FileShape {
+        FileShape::Named(self.what, (self.names)())
+    }
+
+    fn read(&self, _: &str, written: Spanned<DeValue<'_>>, draft: &mut Draft) -> Option<T> {
+        let place = written.span();
+        let name = Spanned::new(place, draft.faults.read::<String>(written)?);
+        let found = (self.find)(name.get_ref());
+        if found.is_none() {
+            draft.faults.unknown(self.what, &name, &(self.names)());
+        }
+        found
+    }
+}

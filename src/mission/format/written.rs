@@ -1,0 +1,84 @@
+//! Where the values of a mission file stand, for faults that show only once all of it has been read.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// The place of a value in a file, and those of its parts.
+#[derive(Debug, Default)]
+pub(in crate::mission) struct WrittenValue {
+    /// Where the value stands.
+    pub span: Range<usize>,
+    /// Where its key stands; empty for items of an array.
+    pub key: Range<usize>,
+    keys: BTreeMap<String, Self>,
+    items: Vec<Self>,
+}
+
+impl WrittenValue {
+    /// A whole file.
+    pub fn of_file(root: &Spanned<DeTable<'_>>) -> Self {
+        Self {
+            span: root.span(),
+            keys: keys(root.get_ref()),
+            ..Self::default()
+        }
+    }
+
+    fn of(value: &Spanned<DeValue<'_>>, key: Range<usize>) -> Self {
+        let (keys, items) = match value.get_ref() {
+            DeValue::Table(table) => (keys(table), Vec::new()),
+            DeValue::Array(array) => {
+                let items = array.iter().map(|item| Self::of(item, Range::default()));
+                (BTreeMap::new(), items.collect())
+            }
+            DeValue::String(_)
+            | DeValue::Integer(_)
+            | DeValue::Float(_)
+            | DeValue::Boolean(_)
+            | DeValue::Datetime(_) => Default::default(),
+        };
+        Self {
+            span: value.span(),
+            key,
+            keys,
+            items,
+        }
+    }
+
+    /// The value of a key, if it is written.
+    pub fn get(&self, key: &str) -> Option<&Self> {
+        self.keys.get(key)
+    }
+
+    /// The items of an array; none for anything else.
+    pub fn items(&self) -> &[Self] {
+        &self.items
+    }
+
+    /// The items of the array that a key has.
+    pub fn items_of(&self, key: &str) -> &[Self] {
+        self.get(key).map_or(&[], Self::items)
+    }
+
+    /// Where the value of a key stands; the place of the whole where the key is not written.
+    pub fn span_of(&self, key: &str) -> Range<usize> {
+        self.get(key).unwrap_or(self).span.clone()
+    }
+
+    /// Where an item of the array of a key stands; the place of the key's value where that is no array.
+    pub fn span_of_item(&self, key: &str, index: usize) -> Range<usize> {
+        let item = self.items_of(key).get(index);
+        item.map_or_else(|| self.span_of(key), |item| item.span.clone())
+    }
+}
+
+fn keys(table: &DeTable<'_>) -> BTreeMap<String, WrittenValue> {
+    let written = table.iter().map(|(key, value)| {
+        let name = key.get_ref().as_ref().to_owned();
+        (name, WrittenValue::of(value, key.span()))
+    });
+    written.collect()
+}
