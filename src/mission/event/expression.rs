@@ -14,15 +14,19 @@ use std::time::Duration;
 use super::scope::Scope;
 use crate::diagnostic::Diagnostic;
 
+mod argument;
 mod ask;
+mod field;
 mod parse;
 #[cfg(test)]
 mod tests;
 mod token;
 
-pub(in crate::mission) use ask::ExpressionNames;
+pub(in crate::mission) use argument::ExpressionNames;
 #[cfg(test)]
-pub(in crate::mission) use ask::{FUNCTIONS, field_names};
+pub(in crate::mission) use ask::FUNCTIONS;
+#[cfg(test)]
+pub(in crate::mission) use field::field_names;
 pub(in crate::mission) use token::LONGEST;
 
 /// A condition: true or false at every moment.

@@ -3,28 +3,14 @@
 use std::ops::Range;
 use std::time::Duration;
 
+use super::argument::{Argument, Given};
+use super::field::{FIELDS, Field};
 use super::parse::Reader;
 use super::token::ExpressionToken;
 use super::{Type, Value};
 use crate::diagnostic::Diagnostic;
 use crate::mission::event::scope::{Scope, Spot};
-use crate::mission::sensor::Sensor;
-use crate::mission::zone::Zone;
 use crate::scoring::AlertLevel;
-use crate::vehicle::VehicleClass;
-
-/// The names that an expression may use.
-#[derive(Debug, Clone, Copy, Default)]
-pub(in crate::mission) struct ExpressionNames<'a> {
-    pub zones: &'a [Zone],
-    /// Ids of objectives, hazards, events, and of who and what events bring.
-    pub objectives: &'a [String],
-    pub hazards: &'a [String],
-    pub events: &'a [String],
-    pub movers: &'a [String],
-    pub sensors: &'a [&'static Sensor],
-    pub vehicles: usize,
-}
 
 /// A function of the language.
 pub(in crate::mission) struct Function {
@@ -32,33 +18,6 @@ pub(in crate::mission) struct Function {
     arguments: &'static [Argument],
     is: Type,
     build: fn(&[Given]) -> Option<Question>,
-}
-
-/// What a function is given.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Argument {
-    Number,
-    Zone,
-    /// A zone, or somebody who is on the way.
-    Place,
-    Objective,
-    Hazard,
-    Sensor,
-    Vehicle,
-    Modes,
-    Level,
-    Event,
-}
-
-/// The same as it was written.
-#[derive(Debug, Clone, PartialEq)]
-enum Given {
-    Number(f64),
-    Index(usize),
-    Name(String),
-    Modes(Vec<String>),
-    Level(AlertLevel),
-    Spot(Spot),
 }
 
 /// Something that is asked.
@@ -90,42 +49,6 @@ pub(super) enum Question {
     Wind,
     Chance(f64),
 }
-
-/// What can be asked of one vehicle.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Field {
-    Airborne,
-    Armed,
-    Lost,
-    Heard,
-    Mode,
-    Battery,
-    Link,
-    Speed,
-    East,
-    North,
-    Height,
-}
-
-/// What can be asked of one vehicle, by name.
-#[cfg(test)]
-pub(in crate::mission) fn field_names() -> impl Iterator<Item = &'static str> {
-    FIELDS.iter().map(|(name, ..)| *name)
-}
-
-const FIELDS: [(&str, Field, Type); 11] = [
-    ("airborne", Field::Airborne, Type::Bool),
-    ("armed", Field::Armed, Type::Bool),
-    ("lost", Field::Lost, Type::Bool),
-    ("heard", Field::Heard, Type::Bool),
-    ("mode", Field::Mode, Type::Text),
-    ("battery", Field::Battery, Type::Number),
-    ("link", Field::Link, Type::Number),
-    ("speed", Field::Speed, Type::Number),
-    ("x", Field::East, Type::Number),
-    ("y", Field::North, Type::Number),
-    ("z", Field::Height, Type::Number),
-];
 
 macro_rules! function {
     ($name:literal, [$($argument:ident),*], $is:ident, $build:expr) => {
@@ -234,8 +157,10 @@ pub(super) fn read(
         let fault = Diagnostic::new(span.clone(), format!("unknown {what} `{name}`"));
         fault.with_nearest(name, names())
     };
-    let function = FUNCTIONS.iter().find(|function| function.name == name);
-    let function = function.ok_or_else(|| unknown("name"))?;
+    let function = FUNCTIONS
+        .iter()
+        .find(|function| function.name == name)
+        .ok_or_else(|| unknown("name"))?;
     let mut given = Vec::new();
     if !function.arguments.is_empty() || reader.takes("(") {
         if !function.arguments.is_empty() {
@@ -267,113 +192,6 @@ pub(super) fn read(
         let message = format!("a vehicle has no `{name}`");
         Err(Diagnostic::new(span, message).with_nearest(&name, fields()))
     }
-}
-
-impl Argument {
-    fn read(self, reader: &mut Reader<'_>) -> Result<Given, Diagnostic> {
-        if self == Self::Modes {
-            return read_modes(reader);
-        }
-        let wanted = self.wanted();
-        let (token, span) = reader.next(wanted)?;
-        match (self, token) {
-            (Self::Number, ExpressionToken::Number(number)) => Ok(Given::Number(number)),
-            (Self::Vehicle, ExpressionToken::Number(number)) => {
-                let last = reader.names.vehicles;
-                let found = (1..=last).find(|index| (number - *index as f64).abs() < 1e-9);
-                found.map(|index| Given::Index(index - 1)).ok_or_else(|| {
-                    let message = format!("the mission has the vehicles 1 to {last}");
-                    Diagnostic::new(span, message)
-                })
-            }
-            (Self::Number | Self::Vehicle, _)
-            | (_, ExpressionToken::Number(_) | ExpressionToken::Sign(_)) => {
-                Err(Diagnostic::new(span, format!("{wanted} is needed here")))
-            }
-            (_, ExpressionToken::Text(name) | ExpressionToken::Name(name)) => {
-                self.named(&name, span, reader.names)
-            }
-        }
-    }
-
-    fn wanted(self) -> &'static str {
-        match self {
-            Self::Number => "a number",
-            Self::Zone => "the id of a zone",
-            Self::Place => "the id of a zone, or of what an event brings",
-            Self::Objective => "the id of an objective",
-            Self::Hazard => "the id of a hazard",
-            Self::Sensor => "a sensor",
-            Self::Vehicle => "the number of a vehicle",
-            Self::Modes => "a list of modes such as ['LAND', 'RTL']",
-            Self::Level => "a level of alerts",
-            Self::Event => "the id of an event",
-        }
-    }
-
-    fn named(
-        self,
-        name: &str,
-        span: Range<usize>,
-        names: &ExpressionNames<'_>,
-    ) -> Result<Given, Diagnostic> {
-        let levels = ["caution", "warning", "critical"];
-        let zones = || names.zones.iter().map(|zone| zone.id.as_str());
-        let known: Vec<&str> = match self {
-            Self::Zone => zones().collect(),
-            Self::Place => zones().chain(ids(names.movers)).collect(),
-            Self::Objective => ids(names.objectives).collect(),
-            Self::Hazard => ids(names.hazards).collect(),
-            Self::Sensor => names.sensors.iter().map(|sensor| sensor.id).collect(),
-            Self::Event => ids(names.events).collect(),
-            _ => levels.to_vec(),
-        };
-        let Some(index) = known.iter().position(|known| *known == name) else {
-            let message = format!("{} is needed here, not `{name}`", self.wanted());
-            return Err(Diagnostic::new(span, message).with_nearest(name, known));
-        };
-        Ok(match self {
-            Self::Sensor => Given::Name(name.to_owned()),
-            Self::Level => Given::Level(match index {
-                0 => AlertLevel::Caution,
-                1 => AlertLevel::Warning,
-                _ => AlertLevel::Critical,
-            }),
-            Self::Place if index >= names.zones.len() => Given::Spot(Spot::Mover(name.to_owned())),
-            Self::Place => Given::Spot(Spot::Zone(index)),
-            _ => Given::Index(index),
-        })
-    }
-}
-
-fn ids(ids: &[String]) -> impl Iterator<Item = &str> {
-    ids.iter().map(String::as_str)
-}
-
-/// `['LAND', 'RTL']`.
-fn read_modes(reader: &mut Reader<'_>) -> Result<Given, Diagnostic> {
-    reader.sign("[")?;
-    let known = || {
-        let modes = VehicleClass::Copter.modes().iter();
-        modes.map(|(_, name)| *name)
-    };
-    let mut modes = Vec::new();
-    loop {
-        let (token, span) = reader.next("a mode")?;
-        let (ExpressionToken::Text(name) | ExpressionToken::Name(name)) = token else {
-            return Err(Diagnostic::new(span, "a mode is needed here"));
-        };
-        if !known().any(|mode| mode.eq_ignore_ascii_case(&name)) {
-            let fault = Diagnostic::new(span, format!("unknown mode `{name}`"));
-            return Err(fault.with_nearest(&name, known()));
-        }
-        modes.push(name);
-        if !reader.takes(",") {
-            break;
-        }
-    }
-    reader.sign("]")?;
-    Ok(Given::Modes(modes))
 }
 
 impl Question {
@@ -419,28 +237,4 @@ impl Question {
 
 fn is_among(mode: &str, modes: &[String]) -> bool {
     modes.iter().any(|among| among.eq_ignore_ascii_case(mode))
-}
-
-impl Field {
-    fn answer(self, vehicle: usize, scope: &Scope<'_>) -> Value {
-        let craft = scope.sight.crafts.get(vehicle);
-        let is = |of: fn(&crate::mission::craft::Craft) -> bool| Value::Bool(craft.is_some_and(of));
-        let number = |value: Option<f64>| Value::Number(value.unwrap_or(f64::NAN));
-        match self {
-            Self::Airborne => is(|craft| craft.airborne),
-            Self::Armed => is(|craft| craft.armed),
-            Self::Lost => is(|craft| craft.lost),
-            Self::Heard => is(|craft| craft.heard),
-            Self::Mode => {
-                let mode = craft.and_then(|craft| scope.mode(craft.id));
-                Value::Text(mode.unwrap_or_default().to_owned())
-            }
-            Self::Battery => number(craft.and_then(|craft| craft.battery_percent)),
-            Self::Link => number(craft.map(|craft| scope.margin_db(craft.id))),
-            Self::Speed => number(craft.map(|craft| craft.speed_m_s)),
-            Self::East => number(craft.and_then(|craft| craft.at).map(|at| at[0])),
-            Self::North => number(craft.and_then(|craft| craft.at).map(|at| at[1])),
-            Self::Height => number(craft.map(|craft| craft.height_m)),
-        }
-    }
 }

@@ -2,7 +2,8 @@
 
 use std::ops::Range;
 
-use super::ask::{self, ExpressionNames, Question};
+use super::argument::ExpressionNames;
+use super::ask::{self, Question};
 use super::token::{ExpressionToken, Placed, tokens};
 use super::{ExpressionNode, Operator, Type};
 use crate::diagnostic::Diagnostic;

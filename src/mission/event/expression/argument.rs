@@ -1,0 +1,174 @@
+//! What the functions of an expression are given: how each sort of argument is read.
+
+use std::ops::Range;
+
+use super::parse::Reader;
+use super::token::ExpressionToken;
+use crate::diagnostic::Diagnostic;
+use crate::mission::event::scope::Spot;
+use crate::mission::sensor::Sensor;
+use crate::mission::zone::Zone;
+use crate::scoring::AlertLevel;
+use crate::vehicle::VehicleClass;
+
+const LEVELS: [(&str, AlertLevel); 3] = [
+    ("caution", AlertLevel::Caution),
+    ("warning", AlertLevel::Warning),
+    ("critical", AlertLevel::Critical),
+];
+
+/// The names that an expression may use.
+#[derive(Debug, Clone, Copy, Default)]
+pub(in crate::mission) struct ExpressionNames<'a> {
+    pub zones: &'a [Zone],
+    /// Ids of objectives, hazards, events, and of who and what events bring.
+    pub objectives: &'a [String],
+    pub hazards: &'a [String],
+    pub events: &'a [String],
+    pub movers: &'a [String],
+    pub sensors: &'a [&'static Sensor],
+    pub vehicles: usize,
+}
+
+/// What a function is given.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Argument {
+    Number,
+    Zone,
+    /// A zone, or somebody who is on the way.
+    Place,
+    Objective,
+    Hazard,
+    Sensor,
+    Vehicle,
+    Modes,
+    Level,
+    Event,
+}
+
+/// The same as it was written.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Given {
+    Number(f64),
+    Index(usize),
+    Name(String),
+    Modes(Vec<String>),
+    Level(AlertLevel),
+    Spot(Spot),
+}
+
+impl Argument {
+    /// Reads one argument of this sort.
+    pub fn read(self, reader: &mut Reader<'_>) -> Result<Given, Diagnostic> {
+        if self == Self::Modes {
+            return read_modes(reader);
+        }
+        let wanted = self.wanted();
+        let (token, span) = reader.next(wanted)?;
+        match (self, token) {
+            (Self::Number, ExpressionToken::Number(number)) => Ok(Given::Number(number)),
+            (Self::Vehicle, ExpressionToken::Number(number)) => {
+                let last = reader.names.vehicles;
+                let found = (1..=last).find(|index| (number - *index as f64).abs() < 1e-9);
+                found.map(|index| Given::Index(index - 1)).ok_or_else(|| {
+                    let message = format!("the mission has the vehicles 1 to {last}");
+                    Diagnostic::new(span, message)
+                })
+            }
+            (_, ExpressionToken::Number(_) | ExpressionToken::Sign(_)) => {
+                Err(Diagnostic::new(span, format!("{wanted} is needed here")))
+            }
+            (_, ExpressionToken::Text(name) | ExpressionToken::Name(name)) => {
+                self.named(&name, span, reader.names)
+            }
+        }
+    }
+
+    fn wanted(self) -> &'static str {
+        match self {
+            Self::Number => "a number",
+            Self::Zone => "the id of a zone",
+            Self::Place => "the id of a zone, or of what an event brings",
+            Self::Objective => "the id of an objective",
+            Self::Hazard => "the id of a hazard",
+            Self::Sensor => "a sensor",
+            Self::Vehicle => "the number of a vehicle",
+            Self::Modes => "a list of modes such as ['LAND', 'RTL']",
+            Self::Level => "a level of alerts",
+            Self::Event => "the id of an event",
+        }
+    }
+
+    /// What a name means as this argument.
+    fn named(
+        self,
+        name: &str,
+        span: Range<usize>,
+        names: &ExpressionNames<'_>,
+    ) -> Result<Given, Diagnostic> {
+        let zones = || names.zones.iter().map(|zone| zone.id.as_str());
+        let place_among = |known: Vec<&str>| {
+            let found = known.iter().position(|known| *known == name);
+            found.ok_or_else(|| {
+                let message = format!("{} is needed here, not `{name}`", self.wanted());
+                Diagnostic::new(span.clone(), message).with_nearest(name, known)
+            })
+        };
+        match self {
+            Self::Zone => place_among(zones().collect()).map(Given::Index),
+            Self::Place => {
+                let place = place_among(zones().chain(ids(names.movers)).collect())?;
+                Ok(Given::Spot(if place < names.zones.len() {
+                    Spot::Zone(place)
+                } else {
+                    Spot::Mover(name.to_owned())
+                }))
+            }
+            Self::Objective => place_among(ids(names.objectives).collect()).map(Given::Index),
+            Self::Hazard => place_among(ids(names.hazards).collect()).map(Given::Index),
+            Self::Event => place_among(ids(names.events).collect()).map(Given::Index),
+            Self::Sensor => {
+                let known = names.sensors.iter().map(|sensor| sensor.id);
+                place_among(known.collect()).map(|_| Given::Name(name.to_owned()))
+            }
+            Self::Level => {
+                let place = place_among(LEVELS.iter().map(|(name, _)| *name).collect())?;
+                Ok(Given::Level(LEVELS[place].1))
+            }
+            Self::Number | Self::Vehicle | Self::Modes => {
+                let message = format!("{} is needed here", self.wanted());
+                Err(Diagnostic::new(span, message))
+            }
+        }
+    }
+}
+
+fn ids(ids: &[String]) -> impl Iterator<Item = &str> {
+    ids.iter().map(String::as_str)
+}
+
+/// Flight modes in a list, such as `['LAND', 'RTL']`.
+fn read_modes(reader: &mut Reader<'_>) -> Result<Given, Diagnostic> {
+    reader.sign("[")?;
+    let known = || {
+        let modes = VehicleClass::Copter.modes().iter();
+        modes.map(|(_, name)| *name)
+    };
+    let mut modes = Vec::new();
+    loop {
+        let (token, span) = reader.next("a mode")?;
+        let (ExpressionToken::Text(name) | ExpressionToken::Name(name)) = token else {
+            return Err(Diagnostic::new(span, "a mode is needed here"));
+        };
+        if !known().any(|mode| mode.eq_ignore_ascii_case(&name)) {
+            let fault = Diagnostic::new(span, format!("unknown mode `{name}`"));
+            return Err(fault.with_nearest(&name, known()));
+        }
+        modes.push(name);
+        if !reader.takes(",") {
+            break;
+        }
+    }
+    reader.sign("]")?;
+    Ok(Given::Modes(modes))
+}
