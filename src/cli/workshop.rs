@@ -13,7 +13,7 @@ use super::settings::CliSettings;
 use crate::mission::Mission;
 use crate::store;
 use crate::text;
-use crate::text::{Locale, Text};
+use crate::text::{Locale, Text, rounded};
 use crate::workshop::{Air, Design, FindingSeverity, Measure, PartSlot, Sheet, parts_for};
 
 /// Options of `sortie workshop`.
@@ -232,9 +232,9 @@ fn show_json(design: &Design, air: Air, locale: &Locale) -> Result<ExitCode, Fai
     let document = serde_json::json!({
         "name": design.name,
         "parts": parts,
-        "mass_kg": rounded(design.mass_kg().into()),
+        "mass_kg": rounded(design.mass_kg(), 3),
         "credits": design.credits(),
-        "figures": rounded(serde_json::to_value(sheet.figures)?),
+        "figures": with_rounded_numbers(serde_json::to_value(sheet.figures)?),
         "findings": findings,
     });
     say!("{}", serde_json::to_string_pretty(&document)?)?;
@@ -328,15 +328,14 @@ fn export(design: &Design, folder: &std::path::Path, locale: &Locale) -> Result<
 }
 
 /// A document with its numbers rounded to thousandths: more is noise of the arithmetic.
-fn rounded(value: Value) -> Value {
+fn with_rounded_numbers(value: Value) -> Value {
     match value {
         Value::Number(number) if number.is_f64() => {
-            let number = number.as_f64().unwrap_or_default();
-            ((number * 1e3).round() / 1e3).into()
+            rounded(number.as_f64().unwrap_or_default(), 3).into()
         }
         Value::Object(map) => map
             .into_iter()
-            .map(|(key, value)| (key, rounded(value)))
+            .map(|(key, value)| (key, with_rounded_numbers(value)))
             .collect(),
         other => other,
     }

@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use serde::{Deserialize, Serialize};
 
-use super::rounded;
+use crate::text::rounded;
 
 /// The operator was at something else when this much passed between two commands.
 const AT_IT: Duration = Duration::from_secs(20);

@@ -28,6 +28,18 @@ pub fn figure(value: impl Into<f64>, decimals: usize) -> String {
     }
 }
 
+/// A number rounded to so many decimals, for documents; 0 for what is not finite.
+pub fn rounded(value: f64, decimals: i32) -> f64 {
+    let scale = 10f64.powi(decimals);
+    let rounded = (value * scale).round() / scale;
+    // Adding zero turns -0.0, which would print its sign, into 0.0.
+    if rounded.is_finite() {
+        rounded + 0.0
+    } else {
+        0.0
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

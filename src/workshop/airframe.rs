@@ -6,6 +6,7 @@ use super::design::{Design, Drive};
 use super::figures::{Air, Figures};
 use super::pack::Pack;
 use super::part::Chemistry;
+use crate::text::rounded;
 
 const GRAVITY_M_S2: f64 = 9.806_65;
 const SEA_LEVEL_DENSITY: f64 = 1.225;
@@ -139,9 +140,4 @@ fn parameters(drive: &Drive<'_>, figures: &Figures, pack: &Pack) -> Vec<(&'stati
         ("ATC_RAT_RLL_I", rate),
         ("ATC_RAT_RLL_D", damping),
     ]
-}
-
-fn rounded(value: f64, digits: i32) -> f64 {
-    let scale = 10f64.powi(digits);
-    (value * scale).round() / scale
 }
