@@ -25,8 +25,7 @@ pub use crate::mission::Skill;
 pub use crate::mission::Stake;
 pub use aids::Aids;
 pub use attempt::{
-    Attempt, AttemptMeans, AttemptTerms, AttemptTrainee, PracticeReason, day_and_stake,
-    mission_for, next_try,
+    Attempt, AttemptMeans, AttemptTerms, AttemptTrainee, PracticeReason, day_and_stake, next_try,
 };
 pub use course::{LockReason, MissionCourse, MissionStage, Offer};
 pub use daily::daily_seed;

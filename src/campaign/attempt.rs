@@ -29,7 +29,7 @@ pub struct Attempt {
 /// What decides how a try counts. Without a trainee nothing is kept, and everything may be flown.
 #[derive(Debug, Clone, Copy)]
 pub struct AttemptTerms<'a> {
-    /// The mission, under the rules of what it is flown for ([`mission_for`]).
+    /// The mission, under the rules of what it is flown for ([`Mission::flown_for`]).
     pub mission: &'a Mission,
     /// How it is to count.
     pub wanted: Stake,
@@ -91,14 +91,6 @@ pub enum PracticeReason {
     OwnAirframes,
     /// Time passes more slowly than in reality.
     SlowMotion,
-}
-
-/// A mission under the rules of what it is flown for: an exam has neither hints nor pauses.
-pub fn mission_for(mission: Mission, wanted: Stake) -> Mission {
-    match wanted {
-        Stake::Exam => mission.for_exam(),
-        Stake::Graded | Stake::Practice | Stake::Daily => mission,
-    }
 }
 
 /// The number of the try that follows these, from 1. A flight that was never finished does not count.

@@ -143,12 +143,18 @@ fn a_part_that_is_missing_twice_is_told_once() {
     let toml = include_str!("../../designs/starter.toml");
     let (load, other) = (part("s_med"), part("s_rgb"));
     let (load, other) = (load.expect("a part"), other.expect("a part"));
-    let design = Design::from_toml(toml).expect("it is good");
-    let design = design.with(load).with(other).with(load);
+    let design = Design::from_toml(toml)
+        .expect("it is good")
+        .with(load)
+        .with(other)
+        .with(load);
     let on_board = design.pieces().filter(|(it, _)| it.id == load.id);
     assert_eq!(on_board.count(), 2, "with another one between them");
-    let missing = standing(&[]).missing_parts(&design, &course());
-    let missing: Vec<&str> = missing.iter().map(|(part, _)| part.id).collect();
+    let missing: Vec<&str> = standing(&[])
+        .missing_parts(&design, &course())
+        .iter()
+        .map(|(part, _)| part.id)
+        .collect();
     assert_eq!(missing, ["s_med", "s_rgb"]);
 }
 

@@ -14,7 +14,7 @@ use super::backend::BackendArguments;
 use super::designs::DesignArguments;
 use super::settings::CliSettings;
 use super::{Failure, parse_speedup, trainee};
-use crate::campaign::{Attempt, AttemptMeans, AttemptTerms, Stake, mission_for};
+use crate::campaign::{Attempt, AttemptMeans, AttemptTerms, Stake};
 use crate::debrief;
 use crate::diagnostic::Diagnostic;
 use crate::exercise::Exercise;
@@ -222,7 +222,7 @@ impl<'l> RunRequest<'_, 'l> {
     fn agree(&self, mission: Mission) -> Result<(Arc<Mission>, Attempt), Failure> {
         let options = self.options;
         let wanted = options.wanted(self.trainee.is_some());
-        let mission = mission_for(mission, wanted);
+        let mission = mission.flown_for(wanted);
         let terms = AttemptTerms {
             mission: &mission,
             wanted,

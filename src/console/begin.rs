@@ -11,9 +11,7 @@ use super::career::today;
 use super::session::{RunningSession, SessionBackend, SessionPlan};
 use crate::app::effect::Launch;
 use crate::app::event::{Event, SessionEvent};
-use crate::campaign::{
-    Attempt, AttemptMeans, AttemptTerms, AttemptTrainee, PracticeReason, Stake, mission_for,
-};
+use crate::campaign::{Attempt, AttemptMeans, AttemptTerms, AttemptTrainee, PracticeReason, Stake};
 use crate::link::{Address, AddressError};
 use crate::mission::Mission;
 use crate::mission::record::Occasion;
@@ -32,7 +30,7 @@ impl Console {
         let equipped = stored
             .with_fleet(launch.fleet.clone())
             .map_err(|reasons| Text::joined("; ", reasons))?;
-        let mission = Arc::new(mission_for(equipped, launch.stake));
+        let mission = Arc::new(equipped.flown_for(launch.stake));
         self.launch(mission, launch.stake, launch.seed).await
     }
 

@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::Mission;
+
 /// How a flight counts.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -16,4 +18,20 @@ pub enum Stake {
     Exam,
     /// With the seed that everybody has in common on a day. It counts once a day: who has seen the layout only practises.
     Daily,
+}
+
+impl Mission {
+    /// The mission under the rules of what it is flown for: an exam has neither advice nor pauses.
+    #[must_use]
+    pub fn flown_for(self, stake: Stake) -> Self {
+        match stake {
+            Stake::Exam => Self {
+                pausable: false,
+                hints: Vec::new(),
+                clues: Vec::new(),
+                ..self
+            },
+            Stake::Graded | Stake::Practice | Stake::Daily => self,
+        }
+    }
 }

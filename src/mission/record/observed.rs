@@ -86,8 +86,12 @@ impl WatchedVehicle {
             battery: vehicle.battery().map(battery),
             said: Vec::new(),
         };
-        let said = self.listener.listen(vehicle).iter();
-        let said = said.map(|text| text.text.clone()).collect();
+        let said = self
+            .listener
+            .listen(vehicle)
+            .iter()
+            .map(|text| text.text.clone())
+            .collect();
         let known = self.known.replace(now.clone());
         let is_first = known.is_none();
         let known = known.unwrap_or_default();

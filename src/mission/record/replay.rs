@@ -7,7 +7,7 @@ use std::time::Duration;
 use super::{End, Head, RecordChange, RecordLine, VERSION};
 use crate::diagnostic::Diagnostic;
 use crate::ledger::{EntryId, Given, Ledger, RowUpdate};
-use crate::mission::{Flight, Mission, Stake, TICK};
+use crate::mission::{Flight, Mission, TICK};
 use crate::scoring::Report;
 use crate::text;
 use crate::text::Text;
@@ -56,8 +56,9 @@ impl Stored {
         };
         let mut since = 0;
         for (index, line) in all.enumerate() {
-            let line = serde_json::from_str(line).ok();
-            let line = line.filter(|line: &RecordLine| line.time().is_none_or(|t| t >= since));
+            let line = serde_json::from_str(line)
+                .ok()
+                .filter(|line: &RecordLine| line.time().is_none_or(|t| t >= since));
             let Some(line) = line.filter(|_| stored.end().is_none()) else {
                 stored.damage = Some(text!("record-damaged", line = index + 2));
                 return Ok(stored);
@@ -125,11 +126,7 @@ impl Head {
             fleet.push(built.map_err(|faults| unreadable(&faults, "design.toml", design))?);
         }
         // What was flown then may be too dear by now.
-        let mission = mission.flown_by(fleet);
-        Ok(match self.stake {
-            Stake::Exam => mission.for_exam(),
-            _ => mission,
-        })
+        Ok(mission.flown_by(fleet).flown_for(self.stake))
     }
 }
 
@@ -194,8 +191,10 @@ impl Replay {
 
     fn change(&mut self, change: &RecordChange, at: Duration) {
         for observed in &change.v {
-            let vehicle = self.vehicles.entry(observed.id());
-            let vehicle = vehicle.or_insert_with(|| Arc::new(observed.vehicle()));
+            let vehicle = self
+                .vehicles
+                .entry(observed.id())
+                .or_insert_with(|| Arc::new(observed.vehicle()));
             observed.apply(Arc::make_mut(vehicle), at);
         }
         for entry in &change.e {

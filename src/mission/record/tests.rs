@@ -141,8 +141,10 @@ fn pauses_and_what_an_instructor_has_happen_are_flown_again() {
     assert_eq!(again.alerts, report.alerts);
     assert_eq!(again.score, report.score);
     for kind in ["{\"pause\"", "{\"inject\""] {
-        let without = text.split_inclusive('\n');
-        let without: String = without.filter(|line| !line.starts_with(kind)).collect();
+        let without: String = text
+            .split_inclusive('\n')
+            .filter(|line| !line.starts_with(kind))
+            .collect();
         assert!(without.len() < text.len(), "{kind} is not in the record");
         assert_ne!(rescored(&without).events, report.events, "{kind}");
     }
@@ -230,13 +232,11 @@ fn built(stake: Stake) -> Pilot {
     let source = include_str!("../../../missions/01-air-sample.toml");
     let design = include_str!("../../../designs/starter.toml");
     let design = Design::from_toml(design).expect("a good design");
-    let mission = Mission::parse(source).expect("it is good");
-    let mission = mission.with_fleet(vec![design]).expect("it may fly");
-    let mission = match stake {
-        Stake::Exam => mission.for_exam(),
-        _ => mission,
-    };
-    let mut pilot = Pilot::flying(mission, 7);
+    let mission = Mission::parse(source)
+        .expect("it is good")
+        .with_fleet(vec![design])
+        .expect("it may fly");
+    let mut pilot = Pilot::flying(mission.flown_for(stake), 7);
     pilot.flight.start_record(&Occasion {
         profile: Some("ada".to_owned()),
         ..occasion(stake)
