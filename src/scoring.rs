@@ -25,10 +25,11 @@ pub use component::{Component, ComponentScore, Weights};
 pub use gate::Gate;
 pub use hints::HintsUsed;
 pub use report::{
-    AlertReport, ComponentReport, EventKind, EventReport, FlightBackend, FlownBy, GoalReport,
-    HintReport, LedgerReport, MissionFile, ObjectiveReport, PredictionReport, Report, RowReport,
-    ScoreGrade, TryReport, UseReport, rounded,
+    AlertReport, ComponentReport, EventKind, EventReport, EventSubject, FlightBackend, FlownBy,
+    GoalReport, HintReport, LedgerReport, MissionFile, ObjectiveReport, PredictionReport, Report,
+    RowReport, ScoreGrade, TryReport, UseReport,
 };
+use safety::SafetyAdvice;
 pub use safety::{SafetyEvent, SafetyKind, SafetyLog, safety_value};
 pub use swarm::{SwarmFigures, SwarmTimes};
 pub use truth::{MarkReport, ObjectReport, SquareReport, TrackReport, TruthReport};
@@ -105,10 +106,21 @@ pub struct ObjectiveFact {
     pub target: Text,
     /// What would have reached it, in words.
     pub advice: Text,
-    /// Quality of its product (map, detections), 0 to 1, with what it came from; `None` where it makes none.
-    pub quality: Option<(f64, Text)>,
-    /// What would make the product better, in words; may be empty.
-    pub quality_advice: Text,
+    /// Its product; `None` where it makes none.
+    pub product: Option<Product>,
+}
+
+/// What an objective has the trainee make: a map, reports.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Product {
+    /// How good it is, 0 to 1.
+    pub quality: f64,
+    /// What the quality comes from, in words.
+    pub words: Text,
+    /// What would make it better, in words; may be empty.
+    pub advice: Text,
+    /// Whether the objective measures it, so that what makes it better reaches the objective.
+    pub is_measured: bool,
 }
 
 /// Everything about a flight that the score depends on.
@@ -120,6 +132,7 @@ pub struct Facts {
     pub elapsed: Duration,
     /// Energy used by all vehicles in Wh; `None` where no vehicle reports it.
     pub energy_wh: Option<f64>,
+    /// The rules that were broken.
     pub safety: Vec<SafetyEvent>,
     /// How the commands went.
     pub commands: CommandTally,
@@ -142,7 +155,7 @@ pub struct Score {
     pub subtotal_tenths: u32,
     /// What hints leave of it, 0.7 to 1.
     pub hint_factor: f64,
-    /// 0 to 1000.
+    /// The points, 0 to 1000.
     pub points: u16,
     /// The medal, if it earned one.
     pub medal: Option<Medal>,
@@ -161,6 +174,7 @@ impl Score {
 /// A flight that did people harm gets no more than this.
 pub const HARM_POINTS: u16 = 300;
 
+/// Scores a flight by its facts.
 pub fn score(rules: &ScoreRules, facts: &Facts) -> Score {
     let components = component::all(rules, facts);
     let tenths: u32 = components.iter().map(|c| c.points_tenths).sum();

@@ -3,7 +3,7 @@
 use super::DebriefPage;
 use super::layout::clock;
 use crate::ledger::RowState;
-use crate::scoring::{AlertReport, EventKind, EventReport, LedgerReport, Report};
+use crate::scoring::{AlertReport, EventKind, EventReport, EventSubject, LedgerReport, Report};
 use crate::text;
 use crate::text::Text;
 
@@ -66,6 +66,8 @@ impl TimelineMark {
 struct TimelineRow {
     at_s: f64,
     mark: TimelineMark,
+    /// The command that was refused, by its place in the report.
+    refused: Option<usize>,
     text: Text,
 }
 
@@ -85,8 +87,9 @@ impl DebriefPage<'_> {
 }
 
 fn rows(report: &Report) -> Vec<TimelineRow> {
-    let is_told = |event: &&EventReport| !report.alerts.iter().any(|alert| is_of(event, alert));
-    let events = report.events.iter().filter(is_told);
+    // The row of an alert tells when it came and how it was answered.
+    let is_own = |event: &&EventReport| !matches!(event.about, Some(EventSubject::Alert(_)));
+    let events = report.events.iter().filter(is_own);
     let mut rows: Vec<TimelineRow> = events.map(event_row).collect();
     rows.extend(report.alerts.iter().map(alert_row));
     if rows.len() + report.ledger.len() <= ROWS {
@@ -96,28 +99,22 @@ fn rows(report: &Report) -> Vec<TimelineRow> {
     together(&rows)
 }
 
-/// A command to many is refused to each of them: one row that says to how many.
+/// A command to many is refused to each of them, perhaps for different reasons: one row for each reason, which says how
+/// many gave it.
 fn together(rows: &[TimelineRow]) -> Vec<TimelineRow> {
-    let same = rows.chunk_by(|a, b| a == b);
+    let refusals = rows.chunk_by(|a, b| a.refused.is_some() && a == b);
     let row = |same: &[TimelineRow]| {
         let first = same.first()?.clone();
-        Some(match same.len() {
-            many @ 2.. if first.mark == TimelineMark::Rejected => TimelineRow {
-                text: text!("debrief-to-many", what = first.text, count = many),
+        Some(if same.len() > 1 {
+            TimelineRow {
+                text: text!("debrief-to-many", what = first.text, count = same.len()),
                 ..first
-            },
-            _ => first,
+            }
+        } else {
+            first
         })
     };
-    same.filter_map(row).collect()
-}
-
-/// Whether an event only says that the alert came, or that it was answered: its row tells both.
-fn is_of(event: &EventReport, alert: &AlertReport) -> bool {
-    event.kind == EventKind::Answer
-        || event.kind == EventKind::Alert
-            && event.text == alert.text
-            && (event.at_s - alert.at_s).abs() < 0.05
+    refusals.filter_map(row).collect()
 }
 
 /// What came and what was done about it, and only then whether that was soon enough.
@@ -142,6 +139,7 @@ fn alert_row(alert: &AlertReport) -> TimelineRow {
     TimelineRow {
         at_s: alert.at_s,
         mark: TimelineMark::Alert,
+        refused: None,
         text,
     }
 }
@@ -168,6 +166,10 @@ fn event_row(event: &EventReport) -> TimelineRow {
     TimelineRow {
         at_s: event.at_s,
         mark,
+        refused: match event.about {
+            Some(EventSubject::Command(command)) => Some(command),
+            Some(EventSubject::Alert(_)) | None => None,
+        },
         text,
     }
 }
@@ -180,6 +182,7 @@ fn command_row(entry: &LedgerReport) -> Option<TimelineRow> {
     Some(TimelineRow {
         at_s: entry.at_s,
         mark: TimelineMark::Command,
+        refused: None,
         text: Text::joined(": ", words),
     })
 }

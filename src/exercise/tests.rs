@@ -112,7 +112,7 @@ fn a_live_flight_scores_as_the_one_in_lock_step() {
                 .ledger
                 .iter()
                 .flat_map(|entry| &entry.rows)
-                .all(|row| !row.failed)
+                .all(|row| !row.state.is_failure())
         );
     }
 }
@@ -200,8 +200,10 @@ fn recorded(seed: u64, until: Option<Duration>) -> (MissionReport, String) {
 fn a_recorded_run_scores_again_to_the_same_document() {
     for (seed, until_s) in [(1, None), (2, None), (3, Some(95))] {
         let (report, text) = recorded(seed, until_s.map(Duration::from_secs));
-        let again = Stored::read(&text).and_then(|stored| stored.rescore());
-        let again = again.expect("a good record").report;
+        let again = Stored::read(&text)
+            .and_then(|stored| stored.rescore())
+            .expect("a good record")
+            .report;
         let document = |report| serde_json::to_string_pretty(report).expect("plain data");
         assert_eq!(document(&again), document(&report), "{seed}");
         let size = text.len();
@@ -231,8 +233,10 @@ fn built(changed: impl Fn(Design) -> Design) -> (MissionReport, String) {
     let source = include_str!("../../missions/01-air-sample.toml");
     let design = Design::from_toml(include_str!("../../designs/starter.toml"));
     let design = changed(design.expect("a good design"));
-    let mission = Mission::parse(source).expect("it is good");
-    let mission = mission.with_fleet(vec![design]).expect("it may fly");
+    let mission = Mission::parse(source)
+        .expect("it is good")
+        .with_fleet(vec![design])
+        .expect("it may fly");
     let (_, script) = self::mission();
     let mut exercise = Exercise::new(Arc::new(mission), 1, script, Vec::new());
     exercise.flight_mut().start_record(&Occasion {

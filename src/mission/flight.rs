@@ -14,6 +14,7 @@ use super::record::Recorder;
 use super::survey::Surveys;
 use super::world::World;
 use super::{Mission, Stake, TICK};
+use crate::alert::AlertKind;
 use crate::commands::{Command, ParameterCommand};
 use crate::ledger::Ledger;
 use crate::notice::Notice;
@@ -43,7 +44,7 @@ mod view;
 use clues::CluesGiven;
 pub use deeds::Pledge;
 use goals::Goals;
-use journal::FlightJournal;
+use journal::{FlightJournal, JournalEntry};
 use loads::{Loads, LoadsScene};
 use orders::OrderCount;
 use search::Search;
@@ -158,7 +159,7 @@ impl Flight {
         self.swarm
             .step(&self.crafts, &self.surveys, ledger, self.elapsed);
         self.surveys.step(&self.crafts, |vehicle, text| {
-            self.journal.tell(Some(vehicle), Severity::Info, text);
+            self.journal.tell(vehicle, Severity::Info, text);
         });
         let standings = self.step_goals();
         self.step_threats(vehicles, &standings);
@@ -177,8 +178,11 @@ impl Flight {
         if let Some(craft) = craft.filter(|craft| !craft.lost && self.ended.is_none()) {
             craft.lost = true;
             let text = text!("mission-vehicle-gone");
-            self.journal
-                .say(EventKind::Alert, Some(id), Severity::Critical, text);
+            self.journal.say(JournalEntry {
+                vehicle: Some(id),
+                alert: Some(AlertKind::Process),
+                ..JournalEntry::new(EventKind::Alert, Severity::Critical, text)
+            });
         }
         self.journal.take()
     }
@@ -205,7 +209,7 @@ impl Flight {
         }
         let text = text!("mission-paused", seconds = lasted.as_secs());
         self.journal
-            .say(EventKind::Pause, None, Severity::Notice, text);
+            .say(JournalEntry::new(EventKind::Pause, Severity::Notice, text));
         self.journal.take().pop()
     }
 

@@ -10,7 +10,8 @@ use std::time::Duration;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    CommandTally, Facts, HintsUsed, ObjectiveFact, ScoreRules, attention, score, utilisation,
+    CommandTally, Facts, HintsUsed, ObjectiveFact, SafetyAdvice, ScoreRules, attention, score,
+    utilisation,
 };
 use crate::text;
 use crate::text::Text;
@@ -25,6 +26,7 @@ const GOOD_QUALITY: f64 = 0.9;
 pub struct Improvement {
     /// The points that it would have brought.
     pub points: u16,
+    /// The advice, in words.
     pub text: Text,
 }
 
@@ -59,8 +61,27 @@ pub fn improvements(rules: &ScoreRules, facts: &Facts) -> Vec<Improvement> {
 
 type Change<'a> = Box<dyn Fn(&mut Facts) + 'a>;
 
+/// What a remedy is about. What is about the same is one remedy.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum RemedyTopic {
+    /// An objective, by its place in the mission.
+    Objective(usize),
+    /// All mandatory objectives that were missed.
+    Mandatory,
+    /// The product of an objective, by its place in the mission.
+    Product(usize),
+    Time,
+    Energy,
+    Safety(SafetyAdvice),
+    Commands,
+    Vehicles,
+    Alerts,
+    Hints,
+}
+
 /// What to do, and how the flight would have gone with it.
 struct Remedy<'a> {
+    topic: RemedyTopic,
     text: Text,
     changes: Vec<Change<'a>>,
 }
@@ -104,12 +125,13 @@ struct Remedies<'a> {
 }
 
 impl<'a> Remedies<'a> {
-    /// Adds a change; one with an advice that is there already belongs to that.
-    fn mend(&mut self, text: Text, change: impl Fn(&mut Facts) + 'a) {
+    /// Adds a change; one about a topic that is there already belongs to that.
+    fn mend(&mut self, topic: RemedyTopic, text: Text, change: impl Fn(&mut Facts) + 'a) {
         let change: Change = Box::new(change);
-        match self.list.iter_mut().find(|remedy| remedy.text == text) {
+        match self.list.iter_mut().find(|remedy| remedy.topic == topic) {
             Some(remedy) => remedy.changes.push(change),
             None => self.list.push(Remedy {
+                topic,
                 text,
                 changes: vec![change],
             }),
@@ -118,11 +140,14 @@ impl<'a> Remedies<'a> {
 
     fn reach_objectives(&mut self) {
         for (index, objective) in self.facts.objectives.iter().enumerate() {
-            // Where the product is what is asked for, one advice is about both.
-            let of_both =
-                better(objective).filter(|_| objective.advice == objective.quality_advice);
-            let text = of_both.unwrap_or_else(|| objective.advice.clone());
-            self.mend(text, move |facts| reach(&mut facts.objectives[index]));
+            let (topic, text) = match Better::of(objective) {
+                // One advice is about both.
+                Some(better) if better.is_measured => (RemedyTopic::Product(index), better.text),
+                _ => (RemedyTopic::Objective(index), objective.advice.clone()),
+            };
+            self.mend(topic, text, move |facts| {
+                reach(&mut facts.objectives[index]);
+            });
         }
     }
 
@@ -137,7 +162,7 @@ impl<'a> Remedies<'a> {
             return;
         }
         let text = text!("scoring-advice-mandatory", objectives = ids.join(", "));
-        self.mend(text, move |facts| {
+        self.mend(RemedyTopic::Mandatory, text, move |facts| {
             for &index in &missed {
                 reach(&mut facts.objectives[index]);
             }
@@ -146,9 +171,11 @@ impl<'a> Remedies<'a> {
 
     fn improve_products(&mut self) {
         for (index, objective) in self.facts.objectives.iter().enumerate() {
-            if let Some(text) = better(objective) {
-                self.mend(text, move |facts| {
-                    facts.objectives[index].quality = Some((GOOD_QUALITY, Text::default()));
+            if let Some(better) = Better::of(objective) {
+                self.mend(RemedyTopic::Product(index), better.text, move |facts| {
+                    if let Some(product) = &mut facts.objectives[index].product {
+                        product.quality = GOOD_QUALITY;
+                    }
                 });
             }
         }
@@ -160,13 +187,13 @@ impl<'a> Remedies<'a> {
             "scoring-be-faster",
             seconds = format!("{:.0}", late.as_secs_f64())
         );
-        self.mend(text, |facts| {
+        self.mend(RemedyTopic::Time, text, |facts| {
             facts.elapsed = facts.elapsed.min(rules.par_time);
         });
         if let Some(used_wh) = self.facts.energy_wh {
             let over = used_wh - rules.par_energy_wh;
             let text = text!("scoring-use-less", energy = format!("{over:.1}"));
-            self.mend(text, move |facts| {
+            self.mend(RemedyTopic::Energy, text, move |facts| {
                 facts.energy_wh = Some(used_wh.min(rules.par_energy_wh));
             });
         }
@@ -175,11 +202,13 @@ impl<'a> Remedies<'a> {
     fn keep_rules(&mut self) {
         let kinds: BTreeSet<_> = self.facts.safety.iter().map(|event| event.kind).collect();
         for kind in kinds {
-            self.mend(kind.advice(), move |facts| {
+            let advice = kind.advice();
+            self.mend(RemedyTopic::Safety(advice), advice.text(), move |facts| {
                 facts.safety.retain(|event| event.kind != kind);
             });
         }
-        self.mend(text!("scoring-advice-commands"), |facts| {
+        let text = text!("scoring-advice-commands");
+        self.mend(RemedyTopic::Commands, text, |facts| {
             facts.commands = CommandTally {
                 given: facts.commands.given,
                 accepted: facts.commands.accepted,
@@ -190,7 +219,7 @@ impl<'a> Remedies<'a> {
 
     fn use_vehicles(&mut self) {
         if let Some(text) = utilisation::advice(&self.facts.usage) {
-            self.mend(text, |facts| {
+            self.mend(RemedyTopic::Vehicles, text, |facts| {
                 let longest = facts.usage.iter().map(|one| one.airborne).max();
                 for one in &mut facts.usage {
                     one.airborne = longest.unwrap_or_default();
@@ -203,7 +232,7 @@ impl<'a> Remedies<'a> {
 
     fn answer_alerts(&mut self) {
         if let Some(text) = attention::advice(&self.facts.alerts) {
-            self.mend(text, |facts| {
+            self.mend(RemedyTopic::Alerts, text, |facts| {
                 for alert in &mut facts.alerts {
                     alert.answered_after = Some(Duration::ZERO);
                 }
@@ -213,7 +242,8 @@ impl<'a> Remedies<'a> {
 
     fn ask_no_hints(&mut self) {
         let count = self.facts.hints.count();
-        self.mend(text!("scoring-advice-hints", count = count), |facts| {
+        let text = text!("scoring-advice-hints", count = count);
+        self.mend(RemedyTopic::Hints, text, |facts| {
             facts.hints = HintsUsed::default();
         });
     }
@@ -225,22 +255,36 @@ fn reach(objective: &mut ObjectiveFact) {
 }
 
 /// What to say about a product that could be better.
-fn better(objective: &ObjectiveFact) -> Option<Text> {
-    let (quality, words) = objective.quality.as_ref()?;
-    if *quality >= GOOD_QUALITY {
-        return None;
+struct Better {
+    text: Text,
+    /// Whether the objective is about the product.
+    is_measured: bool,
+}
+
+impl Better {
+    /// `None` where there is no product, or where it is good.
+    fn of(objective: &ObjectiveFact) -> Option<Self> {
+        let product = objective
+            .product
+            .as_ref()
+            .filter(|product| product.quality < GOOD_QUALITY)?;
+        let from = format!("{:.2}", product.quality);
+        let to = format!("{GOOD_QUALITY:.2}");
+        let (now, how) = (&product.words, &product.advice);
+        let text = if how.is_empty() {
+            text!("scoring-improve-quality", from = from, to = to, now = now)
+        } else {
+            text!(
+                "scoring-improve-quality-how",
+                from = from,
+                to = to,
+                now = now,
+                how = how
+            )
+        };
+        Some(Self {
+            text,
+            is_measured: product.is_measured,
+        })
     }
-    let (from, to) = (format!("{quality:.2}"), format!("{GOOD_QUALITY:.2}"));
-    let how = &objective.quality_advice;
-    Some(if how.is_empty() {
-        text!("scoring-improve-quality", from = from, to = to, now = words)
-    } else {
-        text!(
-            "scoring-improve-quality-how",
-            from = from,
-            to = to,
-            now = words,
-            how = how
-        )
-    })
 }

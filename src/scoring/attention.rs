@@ -15,6 +15,7 @@ pub enum AlertLevel {
     Caution,
     /// It can wait half a minute.
     Warning,
+    /// It has to be answered within seconds.
     Critical,
 }
 
@@ -41,6 +42,7 @@ impl AlertLevel {
 /// One alert that had to be answered.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AlertFact {
+    /// The words of the alert.
     pub text: Text,
     /// How much it mattered.
     pub level: AlertLevel,

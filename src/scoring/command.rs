@@ -89,12 +89,18 @@ pub struct CommandLog {
 pub enum CommandEvent {
     /// Refused or never answered.
     Rejected {
+        /// The command that failed.
+        command: EntryId,
+        /// The vehicle that refused it or never answered.
         vehicle: VehicleId,
         /// The line and the reason.
         text: Text,
     },
     /// Arming was forced or its checks were switched off.
-    Forced { vehicle: VehicleId },
+    Forced {
+        /// The vehicle that was armed.
+        vehicle: VehicleId,
+    },
 }
 
 impl CommandLog {
@@ -149,6 +155,7 @@ impl CommandLog {
             .insert(key, unheard && row.state == RowState::TimedOut);
         let reason = row.explanation.clone().unwrap_or_else(|| row.state.text());
         Some(CommandEvent::Rejected {
+            command: entry.id,
             vehicle: row.vehicle,
             text: Text::joined(": ", vec![entry.line.as_str().into(), reason]),
         })
@@ -164,6 +171,7 @@ impl CommandLog {
             .filter_map(|entry| Some((*self.given_at.get(&entry.id)?, entry)))
     }
 
+    /// Counts the commands of this mission as the ledger is now.
     pub fn tally(&self, ledger: &Ledger) -> CommandTally {
         let mut tally = CommandTally::default();
         let mut last: BTreeMap<(VehicleId, &str), (Duration, bool)> = BTreeMap::new();

@@ -16,10 +16,13 @@ const MISSED_MANDATORY_CAP: f64 = 0.5;
 /// One part of the score.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Component {
+    /// The share of the objectives that was reached.
     Objective,
     /// How good the product is (map, detections).
     Quality,
+    /// How short the flight was, against its par time.
     Time,
+    /// How little energy it used, against its par.
     Energy,
     /// Which rules were kept.
     Safety,
@@ -113,10 +116,11 @@ impl Weights {
 /// One component of a score.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ComponentScore {
+    /// The component.
     pub component: Component,
     /// Its weight after sharing out what does not apply.
     pub weight: f64,
-    /// 0 to 1.
+    /// How well it went, 0 to 1.
     pub value: f64,
     /// Its points, in tenths.
     pub points_tenths: u32,
@@ -211,8 +215,10 @@ fn objective_words(facts: &Facts) -> Text {
 
 /// The mean over all products; `None` where a mission asks for none.
 fn quality(facts: &Facts) -> Option<(f64, Text)> {
-    let all = facts.objectives.iter().filter_map(|o| o.quality.as_ref());
-    let (values, words): (Vec<f64>, Vec<Text>) = all.cloned().unzip();
+    let all = facts.objectives.iter().filter_map(|o| o.product.as_ref());
+    let (values, words): (Vec<f64>, Vec<Text>) = all
+        .map(|product| (product.quality, product.words.clone()))
+        .unzip();
     let sum: f64 = values.iter().sum();
     (!values.is_empty()).then(|| (sum / values.len() as f64, Text::joined(", ", words)))
 }

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{AlertFact, AlertLevel, Improvement, Medal, SwarmFigures, TruthReport, VehicleUse};
 use crate::ledger::RowState;
-use crate::text::Text;
+use crate::text::{Text, rounded};
 
 mod kind;
 mod row_state;
@@ -33,7 +33,7 @@ pub struct Report {
     pub mission_file: Option<MissionFile>,
     /// Whether all mandatory objectives were met.
     pub passed: bool,
-    /// 0 to 1000.
+    /// The points, 0 to 1000.
     pub score: u16,
     /// The medal, if one was earned.
     pub medal: Option<Medal>,
@@ -85,6 +85,7 @@ pub struct Report {
     pub usage: Vec<UseReport>,
     /// How the operator handled the swarm.
     pub swarm: SwarmFigures,
+    /// What the world really was, for the map of the debrief.
     pub truth: TruthReport,
     /// The mission that drills what this one needs, if there is one; set by the shell.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -97,6 +98,7 @@ pub struct Report {
     pub wall_time_s: Option<f64>,
 }
 
+/// How one objective went.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ObjectiveReport {
     /// Its id in the mission file.
@@ -119,13 +121,15 @@ pub struct ObjectiveReport {
 /// One component of the score.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ComponentReport {
+    /// Name of the component.
     pub name: Text,
     /// Its weight after sharing out what does not apply.
     pub weight: f64,
-    /// 0 to 1.
+    /// How well it went, 0 to 1.
     pub value: f64,
     /// Its points of 1000, to a tenth.
     pub points: f64,
+    /// What raised or lowered it, in words.
     pub moved_by: Text,
 }
 
@@ -134,6 +138,7 @@ pub struct ComponentReport {
 pub struct LedgerReport {
     /// Mission time, in seconds.
     pub at_s: f64,
+    /// The line as it was typed.
     pub line: String,
     /// How it went with each vehicle.
     pub rows: Vec<RowReport>,
@@ -141,22 +146,46 @@ pub struct LedgerReport {
 
 /// One vehicle's part in a command.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(into = "RowDocument")]
 pub struct RowReport {
     pub vehicle: u16,
+    /// What became of the command.
     #[serde(with = "row_state")]
     pub state: RowState,
-    /// Whether that is otherwise than the operator wanted.
-    pub failed: bool,
     /// How often it was sent.
     pub tries: u8,
     /// The reason of a refusal, or a remark.
     pub explanation: Option<Text>,
 }
 
+/// A row as documents have it: whether it failed follows from its state, and is written for programs that do not know the
+/// states.
+#[derive(Serialize)]
+struct RowDocument {
+    vehicle: u16,
+    #[serde(with = "row_state")]
+    state: RowState,
+    failed: bool,
+    tries: u8,
+    explanation: Option<Text>,
+}
+
+impl From<RowReport> for RowDocument {
+    fn from(row: RowReport) -> Self {
+        Self {
+            vehicle: row.vehicle,
+            state: row.state,
+            failed: row.state.is_failure(),
+            tries: row.tries,
+            explanation: row.explanation,
+        }
+    }
+}
+
 /// One of the trainee's tries at a mission.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct TryReport {
-    /// Which, from 1.
+    /// Which of the tries it was, from 1.
     pub attempt: u32,
     /// When it began, in UTC: `2026-11-20T14:03:22Z`.
     pub when: String,
@@ -177,8 +206,9 @@ pub struct TryReport {
 pub struct HintReport {
     /// Mission time, in seconds.
     pub at_s: f64,
-    /// 1 to 3.
+    /// How much it gave away, 1 to 3.
     pub level: u8,
+    /// The words of the hint.
     pub text: Text,
 }
 
@@ -194,6 +224,7 @@ pub struct PredictionReport {
 /// A goal of the trainee's own.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct GoalReport {
+    /// The goal in words.
     pub text: Text,
     /// Whether it was reached.
     pub reached: bool,
@@ -208,6 +239,7 @@ pub struct AlertReport {
     pub at_s: f64,
     /// How much it mattered.
     pub level: AlertLevel,
+    /// The words of the alert.
     pub text: Text,
     /// An answer within this time gets everything, in seconds.
     pub limit_s: f64,
@@ -259,6 +291,7 @@ impl From<&AlertFact> for AlertReport {
     }
 }
 
+/// An event of the flight, for the timeline.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct EventReport {
     /// Mission time, in seconds.
@@ -267,17 +300,19 @@ pub struct EventReport {
     pub kind: EventKind,
     /// Which vehicle, where it is about one.
     pub vehicle: Option<u16>,
+    /// What happened, in words.
     pub text: Text,
+    /// What other part of the report tells of the same, if one does.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub about: Option<EventSubject>,
 }
 
-/// A number rounded to `decimals` places; what is not finite becomes 0.
-pub fn rounded(value: f64, decimals: i32) -> f64 {
-    let scale = 10f64.powi(decimals);
-    let rounded = (value * scale).round() / scale;
-    // Adding zero turns -0.0, which would print its sign, into 0.0.
-    if rounded.is_finite() {
-        rounded + 0.0
-    } else {
-        0.0
-    }
+/// A part of a report that an event belongs to. Places are counted from 0.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum EventSubject {
+    /// An alert, by its place in `alerts`.
+    Alert(usize),
+    /// A command, by its place in `ledger`.
+    Command(usize),
 }

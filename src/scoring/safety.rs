@@ -78,22 +78,61 @@ impl SafetyKind {
         matches!(self, Self::Injury | Self::AircraftHit)
     }
 
-    /// How to avoid it, in words.
-    pub fn advice(self) -> Text {
+    /// How to avoid it.
+    pub(super) fn advice(self) -> SafetyAdvice {
         match self {
-            Self::Geofence => text!("scoring-advice-geofence"),
-            Self::TooHigh => text!("scoring-advice-height"),
-            Self::Crash => text!("scoring-advice-crash"),
-            Self::DisarmInFlight => text!("scoring-advice-motors"),
-            Self::ForcedArm => text!("scoring-advice-force"),
-            Self::LowReserve => text!("scoring-advice-reserve"),
-            Self::OffPad => text!("scoring-advice-pad"),
-            Self::BatteryLow | Self::BatteryCritical => text!("scoring-advice-battery"),
-            Self::OtherFailsafe => text!("scoring-advice-failsafe"),
-            Self::NoFly => text!("scoring-advice-no-fly"),
-            Self::Separation | Self::Collision => text!("scoring-advice-separation"),
-            Self::Bubble | Self::AircraftHit => text!("scoring-advice-aircraft"),
-            Self::People | Self::Injury => text!("scoring-advice-people"),
+            Self::Geofence => SafetyAdvice::StayInside,
+            Self::TooHigh => SafetyAdvice::StayBelow,
+            Self::Crash => SafetyAdvice::LandGently,
+            Self::DisarmInFlight => SafetyAdvice::KeepMotorsOn,
+            Self::ForcedArm => SafetyAdvice::KeepChecks,
+            Self::LowReserve => SafetyAdvice::KeepReserve,
+            Self::OffPad => SafetyAdvice::LandOnPad,
+            Self::BatteryLow | Self::BatteryCritical => SafetyAdvice::ReturnEarlier,
+            Self::OtherFailsafe => SafetyAdvice::AvoidFailsafe,
+            Self::NoFly => SafetyAdvice::FlyAround,
+            Self::Separation | Self::Collision => SafetyAdvice::KeepApart,
+            Self::Bubble | Self::AircraftHit => SafetyAdvice::GiveWay,
+            Self::People | Self::Injury => SafetyAdvice::AvoidPeople,
+        }
+    }
+}
+
+/// How to avoid breaking rules; several rules may be kept by the same means.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum SafetyAdvice {
+    StayInside,
+    StayBelow,
+    LandGently,
+    KeepMotorsOn,
+    KeepChecks,
+    KeepReserve,
+    LandOnPad,
+    ReturnEarlier,
+    AvoidFailsafe,
+    FlyAround,
+    KeepApart,
+    GiveWay,
+    AvoidPeople,
+}
+
+impl SafetyAdvice {
+    /// The same in words.
+    pub fn text(self) -> Text {
+        match self {
+            Self::StayInside => text!("scoring-advice-geofence"),
+            Self::StayBelow => text!("scoring-advice-height"),
+            Self::LandGently => text!("scoring-advice-crash"),
+            Self::KeepMotorsOn => text!("scoring-advice-motors"),
+            Self::KeepChecks => text!("scoring-advice-force"),
+            Self::KeepReserve => text!("scoring-advice-reserve"),
+            Self::LandOnPad => text!("scoring-advice-pad"),
+            Self::ReturnEarlier => text!("scoring-advice-battery"),
+            Self::AvoidFailsafe => text!("scoring-advice-failsafe"),
+            Self::FlyAround => text!("scoring-advice-no-fly"),
+            Self::KeepApart => text!("scoring-advice-separation"),
+            Self::GiveWay => text!("scoring-advice-aircraft"),
+            Self::AvoidPeople => text!("scoring-advice-people"),
         }
     }
 }
@@ -101,7 +140,9 @@ impl SafetyKind {
 /// One rule broken once.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SafetyEvent {
+    /// The rule that was broken.
     pub kind: SafetyKind,
+    /// The vehicle that broke it.
     pub vehicle: VehicleId,
     /// Mission time of its beginning.
     pub at: Duration,

@@ -34,15 +34,19 @@ fn objective(fraction: f64, mandatory: bool) -> ObjectiveFact {
         result: Text::default(),
         target: Text::default(),
         advice: "Sample more.".into(),
-        quality: None,
-        quality_advice: Text::default(),
+        product: None,
     }
 }
 
 /// The same with a map of that quality.
 fn with_map(quality: f64, objective: ObjectiveFact) -> ObjectiveFact {
     ObjectiveFact {
-        quality: Some((quality, "map".into())),
+        product: Some(Product {
+            quality,
+            words: "map".into(),
+            advice: Text::default(),
+            is_measured: false,
+        }),
         ..objective
     }
 }

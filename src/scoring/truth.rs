@@ -48,6 +48,7 @@ pub struct ObjectReport {
 /// A report of the trainee's.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct MarkReport {
+    /// Where it was reported.
     pub at: Place,
     /// What it was said to be, if anything.
     pub kind: Option<String>,
@@ -58,6 +59,7 @@ pub struct MarkReport {
 /// The way of a vehicle in the air.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct TrackReport {
+    /// The vehicle that flew it.
     pub vehicle: u16,
     /// Points of its way, at least 5 m apart.
     pub points: Vec<Place>,

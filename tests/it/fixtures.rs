@@ -243,6 +243,7 @@ pub fn report() -> Report {
             kind: EventKind::Objective,
             vehicle: Some(1),
             text: "cell A1 sampled".into(),
+            about: None,
         }],
         title: "Air sample at the yard".into(),
         outcome: "passed".into(),

@@ -26,10 +26,12 @@ pub struct OpenAlert {
 }
 
 impl Alerts {
-    /// Takes down an alert that has to be answered.
-    pub fn raise(&mut self, fact: AlertFact, ok: Expression) {
-        self.open.push((self.facts.len(), ok));
+    /// Takes down an alert that has to be answered; returns its place among the facts.
+    pub fn raise(&mut self, fact: AlertFact, ok: Expression) -> usize {
+        let place = self.facts.len();
+        self.open.push((place, ok));
         self.facts.push(fact);
+        place
     }
 
     /// The conditions that would answer the open ones, in the order of [`Self::answer`].
@@ -37,8 +39,8 @@ impl Alerts {
         self.open.iter().map(|(_, ok)| ok)
     }
 
-    /// Closes those whose condition holds; returns them.
-    pub fn answer(&mut self, holds: &[bool], now: Duration) -> Vec<AlertFact> {
+    /// Closes those whose condition holds; returns their places among the facts.
+    pub fn answer(&mut self, holds: &[bool], now: Duration) -> Vec<usize> {
         let mut answered = Vec::new();
         let mut holds = holds.iter();
         self.open.retain(|(index, _)| {
@@ -46,7 +48,7 @@ impl Alerts {
             if is_answered {
                 let fact = &mut self.facts[*index];
                 fact.answered_after = Some(now.saturating_sub(fact.at));
-                answered.push(fact.clone());
+                answered.push(*index);
             }
             !is_answered
         });

@@ -34,8 +34,14 @@ const PLACES_STREAM: u64 = STREAM - 1;
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum EngineNews {
     Said(Text),
-    Alert(AlertLevel, Text),
-    Answered(AlertFact),
+    Alert {
+        level: AlertLevel,
+        text: Text,
+        /// Its place among the [facts](Engine::alert_facts) where it has to be answered.
+        fact: Option<usize>,
+    },
+    /// The alert of this place among the facts.
+    Answered(usize),
     Broken(VehicleId, Breach),
     Failed(Text),
 }
@@ -182,8 +188,11 @@ impl Engine {
                 })
         });
         let holds: Vec<bool> = holds.collect();
-        let answered = self.alerts.conditions().map(|ok| ok.holds(&scope));
-        let answered: Vec<bool> = answered.collect();
+        let answered: Vec<bool> = self
+            .alerts
+            .conditions()
+            .map(|ok| ok.holds(&scope))
+            .collect();
         for (watch, holds) in self.watches.iter_mut().zip(holds) {
             if holds && !watch.held {
                 watch.due = Some(sight.now);
@@ -243,23 +252,28 @@ impl Engine {
                 ok,
                 within,
             } => {
-                news.push(EngineNews::Alert(*level, text.clone()));
-                let fact = AlertFact {
+                let fact = || AlertFact {
                     text: text.clone(),
                     level: *level,
                     at: sight.now,
                     limit: *within,
                     answered_after: None,
                 };
-                if let Some(ok) = ok {
-                    self.alerts.raise(fact, ok.clone());
-                }
+                let raised = ok.as_ref().map(|ok| self.alerts.raise(fact(), ok.clone()));
+                news.push(EngineNews::Alert {
+                    level: *level,
+                    text: text.clone(),
+                    fact: raised,
+                });
             }
             Action::Weather(change) => {
                 // A newer change takes over where the older one has come to.
                 let same = |drift: &Drift| drift.element() == change.element;
-                let replaced = self.drifts.iter().position(same);
-                let replaced = replaced.map(|index| self.drifts.remove(index));
+                let replaced = self
+                    .drifts
+                    .iter()
+                    .position(same)
+                    .map(|index| self.drifts.remove(index));
                 let drift = Drift::new(*change, weather, sight.now, replaced.as_ref());
                 self.drifts.push(drift);
             }
@@ -279,8 +293,8 @@ impl Engine {
             Victim::One(index) => sight.crafts.get(index).into_iter().collect(),
             Victim::All => sight.crafts.iter().collect(),
             Victim::Chance => {
-                let flying = |craft: &&Craft| craft.airborne && !craft.lost;
-                let flying: Vec<&Craft> = sight.crafts.iter().filter(flying).collect();
+                let flies = |craft: &&Craft| craft.airborne && !craft.lost;
+                let flying: Vec<&Craft> = sight.crafts.iter().filter(flies).collect();
                 let among = if flying.is_empty() {
                     sight.crafts.iter().collect()
                 } else {
@@ -338,8 +352,10 @@ impl Engine {
 
     /// What sensors of a vehicle show instead of the truth.
     pub fn shown(&self, vehicle: VehicleId, sensor: usize, shown: f64, now: Duration) -> f64 {
-        let broken = self.broken.iter();
-        let broken = broken.filter(|broken| broken.vehicle == vehicle);
+        let broken = self
+            .broken
+            .iter()
+            .filter(|broken| broken.vehicle == vehicle);
         broken.fold(shown, |shown, broken| broken.shown(sensor, shown, now))
     }
 

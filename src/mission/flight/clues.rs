@@ -3,11 +3,13 @@
 use std::time::Duration;
 
 use super::Flight;
+use super::journal::JournalEntry;
 use crate::mission::hint::{Clue, next_clue};
 use crate::mission::{ClueProgress, Phase};
 use crate::scoring::{EventKind, HintsUsed};
 use crate::text;
 use crate::text::Text;
+use crate::vehicle::Severity;
 
 /// The clues that were asked for.
 #[derive(Debug)]
@@ -78,7 +80,9 @@ impl Flight {
         );
         let at = self.elapsed;
         self.clues.given.push(GivenClue { at, index });
-        self.journal.record(EventKind::Hint, None, text.clone());
+        let kind = EventKind::Hint;
+        self.journal
+            .record(JournalEntry::new(kind, Severity::Info, text.clone()));
         Ok(text)
     }
 
@@ -98,8 +102,7 @@ impl Flight {
     }
 
     fn next_clue(&self) -> Option<usize> {
-        let given = self.clues.given.iter();
-        let given: Vec<usize> = given.map(|given| given.index).collect();
+        let given: Vec<usize> = self.clues.given.iter().map(|given| given.index).collect();
         let standings = self.standings();
         let is_open = |id: &str| {
             let objectives = self.mission.objectives.iter().zip(&standings);

@@ -1,6 +1,6 @@
 //! How the objectives stand.
 
-use super::journal::FlightJournal;
+use super::journal::{FlightJournal, JournalEntry};
 use crate::mission::objective::{Objective, ObjectiveScene, ObjectiveStanding, Tracker};
 use crate::mission::world::World;
 use crate::scoring::EventKind;
@@ -56,7 +56,8 @@ impl Goals {
             } else {
                 text!("mission-objective-open", objective = title, result = result)
             };
-            journal.say(EventKind::Objective, None, Severity::Notice, text);
+            let kind = EventKind::Objective;
+            journal.say(JournalEntry::new(kind, Severity::Notice, text));
         }
     }
 

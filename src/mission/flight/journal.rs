@@ -2,21 +2,64 @@
 
 use std::time::Duration;
 
+use crate::alert::AlertKind;
+use crate::ledger::EntryId;
 use crate::mission::feedback::Feedback;
 use crate::notice::Notice;
-use crate::scoring::{EventKind, EventReport, SafetyEvent, SafetyKind, SafetyLog, rounded};
-use crate::text::Text;
+use crate::scoring::{EventKind, EventReport, EventSubject, SafetyEvent, SafetyKind, SafetyLog};
+use crate::text::{Text, rounded};
 use crate::vehicle::{Severity, VehicleId};
 
 /// The journal of one flight.
 #[derive(Debug, Default)]
 pub(super) struct FlightJournal {
     now: Duration,
-    events: Vec<EventReport>,
+    events: Vec<JournalEvent>,
     safety: SafetyLog,
     feedback: Feedback,
-    /// What was said and nobody has taken yet.
+    /// What was said and has not been taken yet.
     notices: Vec<Notice>,
+}
+
+/// Something that is said, taken down for the report, or both.
+#[derive(Debug)]
+pub(super) struct JournalEntry {
+    pub kind: EventKind,
+    pub severity: Severity,
+    pub vehicle: Option<VehicleId>,
+    /// The alert that it raises, where it is one of those of vehicles.
+    pub alert: Option<AlertKind>,
+    pub about: Option<JournalSubject>,
+    pub text: Text,
+}
+
+/// What an entry belongs to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum JournalSubject {
+    /// An alert that has to be answered, by its place among those of the flight.
+    Alert(usize),
+    Command(EntryId),
+}
+
+/// Something for the report.
+#[derive(Debug)]
+struct JournalEvent {
+    at: Duration,
+    entry: JournalEntry,
+}
+
+impl JournalEntry {
+    /// An entry about no vehicle.
+    pub fn new(kind: EventKind, severity: Severity, text: Text) -> Self {
+        Self {
+            kind,
+            severity,
+            vehicle: None,
+            alert: None,
+            about: None,
+            text,
+        }
+    }
 }
 
 impl FlightJournal {
@@ -30,47 +73,51 @@ impl FlightJournal {
         self.now
     }
 
-    pub fn tell(&mut self, vehicle: Option<VehicleId>, severity: Severity, text: Text) {
+    /// Says something about a vehicle that is not for the report.
+    pub fn tell(&mut self, vehicle: VehicleId, severity: Severity, text: Text) {
         self.notices.push(Notice {
             at: self.now,
-            vehicle,
+            vehicle: Some(vehicle),
             severity,
             kind: None,
             text,
         });
     }
 
-    /// Tells a human, and takes it down for the report.
-    pub fn say(
-        &mut self,
-        kind: EventKind,
-        vehicle: Option<VehicleId>,
-        severity: Severity,
-        text: Text,
-    ) {
-        self.tell(vehicle, severity, text.clone());
-        self.record(kind, vehicle, text);
+    /// Says something, and takes it down for the report.
+    pub fn say(&mut self, entry: JournalEntry) {
+        self.notices.push(Notice {
+            at: self.now,
+            vehicle: entry.vehicle,
+            severity: entry.severity,
+            kind: entry.alert,
+            text: entry.text.clone(),
+        });
+        self.record(entry);
     }
 
     /// Takes something down for the report.
-    pub fn record(&mut self, kind: EventKind, vehicle: Option<VehicleId>, text: Text) {
-        self.events.push(EventReport {
-            at_s: rounded(self.now.as_secs_f64(), 1),
-            kind,
-            vehicle,
-            text,
+    pub fn record(&mut self, entry: JournalEntry) {
+        self.events.push(JournalEvent {
+            at: self.now,
+            entry,
         });
     }
 
     /// A rule is broken; it is said once, however long that lasts.
     pub fn break_rule(&mut self, kind: SafetyKind, id: VehicleId, text: &Text) {
         if self.safety.note(kind, id, self.now, text) {
-            let severity = if kind.is_loss() {
+            let is_loss = kind.is_loss();
+            let severity = if is_loss {
                 Severity::Critical
             } else {
                 Severity::Warning
             };
-            self.say(EventKind::Rule, Some(id), severity, text.clone());
+            self.say(JournalEntry {
+                vehicle: Some(id),
+                alert: is_loss.then_some(AlertKind::Crash),
+                ..JournalEntry::new(EventKind::Rule, severity, text.clone())
+            });
         }
     }
 
@@ -86,9 +133,20 @@ impl FlightJournal {
         notices
     }
 
-    /// What was taken down, in its order.
-    pub fn events(&self) -> &[EventReport] {
-        &self.events
+    /// What was taken down, in its order; with the place of each command in the report.
+    pub fn events(&self, place_of: impl Fn(EntryId) -> Option<usize>) -> Vec<EventReport> {
+        let subject = |about| match about {
+            JournalSubject::Alert(place) => Some(EventSubject::Alert(place)),
+            JournalSubject::Command(id) => place_of(id).map(EventSubject::Command),
+        };
+        let report = |event: &JournalEvent| EventReport {
+            at_s: rounded(event.at.as_secs_f64(), 1),
+            kind: event.entry.kind,
+            vehicle: event.entry.vehicle,
+            text: event.entry.text.clone(),
+            about: event.entry.about.and_then(subject),
+        };
+        self.events.iter().map(report).collect()
     }
 
     /// The rules that were broken.

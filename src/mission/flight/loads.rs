@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::time::Duration;
 
 use super::deeds::Done;
-use super::journal::FlightJournal;
+use super::journal::{FlightJournal, JournalEntry};
 use crate::mission::craft::Craft;
 use crate::mission::fit::Fit;
 use crate::mission::ground_truth::{Load, LoadEffect, Release};
@@ -170,9 +170,10 @@ impl Loads {
             }
             if self.holds[index].serve(craft) {
                 let text = text!("load-served");
-                scene
-                    .journal
-                    .say(EventKind::Load, Some(craft.id), Severity::Info, text);
+                scene.journal.say(JournalEntry {
+                    vehicle: Some(craft.id),
+                    ..JournalEntry::new(EventKind::Load, Severity::Info, text)
+                });
             }
             if self.holds[index].spray() {
                 if let Some(at) = craft.at.filter(|_| craft.height_m <= SPRAY_UP_TO_M) {
@@ -181,9 +182,10 @@ impl Loads {
                 if self.holds[index].left(Load::Spray) == 0 {
                     self.holds[index].spraying = None;
                     let text = text!("load-empty", load = Load::Spray.name());
-                    scene
-                        .journal
-                        .say(EventKind::Load, Some(craft.id), Severity::Notice, text);
+                    scene.journal.say(JournalEntry {
+                        vehicle: Some(craft.id),
+                        ..JournalEntry::new(EventKind::Load, Severity::Notice, text)
+                    });
                 }
             }
         }
@@ -222,7 +224,10 @@ impl Loads {
         });
         if let Some(effect) = &effect {
             let text = effect.text.clone();
-            scene.journal.record(EventKind::Load, Some(by), text);
+            scene.journal.record(JournalEntry {
+                vehicle: Some(by),
+                ..JournalEntry::new(EventKind::Load, Severity::Info, text)
+            });
         }
         effect
     }
@@ -250,8 +255,10 @@ impl LoadsScene<'_> {
         };
         let readings: Vec<Text> = craft.probes.iter().map(reading).collect();
         let remark = Text::joined(", ", readings);
-        self.journal
-            .record(EventKind::Sample, Some(vehicle), remark.clone());
+        self.journal.record(JournalEntry {
+            vehicle: Some(vehicle),
+            ..JournalEntry::new(EventKind::Sample, Severity::Info, remark.clone())
+        });
         Ok(Some(remark))
     }
 

@@ -2,11 +2,11 @@
 
 use std::time::Duration;
 
-use super::journal::FlightJournal;
+use super::journal::{FlightJournal, JournalEntry, JournalSubject};
 use crate::ledger::{Ledger, LedgerEntry};
 use crate::scoring::{CommandEvent, CommandLog, CommandTally, EventKind, SafetyKind};
 use crate::text;
-use crate::vehicle::Vehicles;
+use crate::vehicle::{Severity, Vehicles};
 
 /// The count of a flight's commands.
 #[derive(Debug, Default)]
@@ -27,9 +27,15 @@ impl OrderCount {
         for event in self.log.step(journal.now(), vehicles, ledger) {
             match event {
                 // The fleet tells the operator about refusals; here they only go on record.
-                CommandEvent::Rejected { vehicle, text } => {
-                    journal.record(EventKind::Rejected, Some(vehicle), text);
-                }
+                CommandEvent::Rejected {
+                    command,
+                    vehicle,
+                    text,
+                } => journal.record(JournalEntry {
+                    vehicle: Some(vehicle),
+                    about: Some(JournalSubject::Command(command)),
+                    ..JournalEntry::new(EventKind::Rejected, Severity::Info, text)
+                }),
                 CommandEvent::Forced { vehicle } => {
                     let text = text!("mission-checks-bypassed");
                     journal.break_rule(SafetyKind::ForcedArm, vehicle, &text);

@@ -19,14 +19,21 @@ impl Flight {
     /// that of vehicle 1 has, and those that the seed decides: `gate1`, and `next` for the one to go to.
     pub fn places(&self) -> BTreeMap<String, LatLon> {
         let place = |point| self.mission.origin.place(point);
-        let contacts = self.search.contacts().iter().enumerate();
-        let contacts = contacts.map(|(index, contact)| (Contacts::name(index), place(contact.at)));
+        let contacts = self
+            .search
+            .contacts()
+            .iter()
+            .enumerate()
+            .map(|(index, contact)| (Contacts::name(index), place(contact.at)));
         let peaks = self.tracks.peaks().iter();
         let own_peaks = peaks.map(|(id, peak)| (peak_of(*id), place(peak.at)));
         let highest = self.tracks.highest();
         let peak = highest.map(|peak| (PEAK.to_owned(), place(peak.at)));
-        let drawn = self.goals.trackers().flat_map(Tracker::places);
-        let drawn = drawn.map(|(name, at)| (name, place(at)));
+        let drawn = self
+            .goals
+            .trackers()
+            .flat_map(Tracker::places)
+            .map(|(name, at)| (name, place(at)));
         contacts.chain(own_peaks).chain(peak).chain(drawn).collect()
     }
 }

@@ -36,8 +36,9 @@ impl Flight {
             }
             Goal::Battery(least) => {
                 let flown = self.crafts.iter().filter(|craft| craft.flown);
-                let left = flown.filter_map(|craft| craft.battery_percent);
-                let left = left.min_by(f64::total_cmp);
+                let left = flown
+                    .filter_map(|craft| craft.battery_percent)
+                    .min_by(f64::total_cmp);
                 let result = match left {
                     Some(left) => text!(
                         "mission-goal-battery-result",

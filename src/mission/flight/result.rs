@@ -5,9 +5,10 @@ use crate::ledger::{Ledger, LedgerEntry};
 use crate::mission::Clue;
 use crate::scoring::{
     AlertReport, ComponentReport, Facts, FlightBackend, HintReport, LedgerReport, ObjectiveFact,
-    ObjectiveReport, Report, RowReport, Score, ScoreGrade, UseReport, improvements, rounded, score,
+    ObjectiveReport, Report, RowReport, Score, ScoreGrade, UseReport, improvements, score,
 };
 use crate::text;
+use crate::text::rounded;
 
 /// What the score depends on.
 pub(super) fn facts(flight: &Flight, standings: &[ObjectiveStanding]) -> Facts {
@@ -30,8 +31,7 @@ pub(super) fn facts(flight: &Flight, standings: &[ObjectiveStanding]) -> Facts {
                 result: standing.result.clone(),
                 target: standing.target.clone(),
                 advice: standing.advice.clone(),
-                quality: standing.quality.clone(),
-                quality_advice: standing.quality_advice.clone(),
+                product: standing.product.clone(),
             })
             .collect(),
         elapsed: flight.elapsed,
@@ -51,7 +51,8 @@ pub(super) fn report(flight: &Flight, ledger: &Ledger) -> Report {
     facts.commands = flight.orders.tally_of(ledger);
     let mission = &flight.mission;
     let score = score(&mission.scoring, &facts);
-    let commands = flight.orders.entries(ledger);
+    let commands: Vec<_> = flight.orders.entries(ledger).collect();
+    let place_of = |command| commands.iter().position(|(_, entry)| entry.id == command);
     Report {
         mission: mission.id.clone(),
         revision: mission.rev,
@@ -70,9 +71,10 @@ pub(super) fn report(flight: &Flight, ledger: &Ledger) -> Report {
         subtotal: rounded(f64::from(score.subtotal_tenths) / 10.0, 1),
         hint_factor: rounded(score.hint_factor, 2),
         ledger: commands
+            .iter()
             .map(|(at, entry)| command(at.as_secs_f64(), entry))
             .collect(),
-        events: flight.journal.events().to_vec(),
+        events: flight.journal.events(place_of),
         title: mission.title.clone(),
         outcome: flight
             .ended
@@ -154,7 +156,6 @@ fn command(at_s: f64, entry: &LedgerEntry) -> LedgerReport {
     let row = |row: &crate::ledger::LedgerRow| RowReport {
         vehicle: row.vehicle,
         state: row.state,
-        failed: row.state.is_failure(),
         tries: row.tries,
         explanation: row.explanation.clone(),
     };

@@ -51,7 +51,7 @@ impl Search {
                 }
                 Seen::Again => continue,
             };
-            journal.tell(Some(sighting.by), Severity::Notice, text);
+            journal.tell(sighting.by, Severity::Notice, text);
         }
     }
 

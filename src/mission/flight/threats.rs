@@ -1,7 +1,7 @@
 //! What threatens a flight, and what an instructor may have happen.
 
 use super::Flight;
-use super::journal::FlightJournal;
+use super::journal::{FlightJournal, JournalEntry, JournalSubject};
 use crate::mission::Mission;
 use crate::mission::event::Trigger;
 use crate::mission::event::demand::Demand;
@@ -55,25 +55,38 @@ impl Threats {
     fn hear(&mut self, news: EngineNews, journal: &mut FlightJournal) {
         match news {
             EngineNews::Said(text) => {
-                journal.say(EventKind::MissionEvent, None, Severity::Notice, text);
+                let kind = EventKind::MissionEvent;
+                journal.say(JournalEntry::new(kind, Severity::Notice, text));
             }
-            EngineNews::Alert(level, text) => {
+            EngineNews::Alert { level, text, fact } => {
                 let severity = match level {
                     AlertLevel::Caution => Severity::Notice,
                     AlertLevel::Warning => Severity::Warning,
                     AlertLevel::Critical => Severity::Critical,
                 };
-                journal.say(EventKind::Alert, None, severity, text);
+                let entry = JournalEntry::new(EventKind::Alert, severity, text);
+                journal.say(JournalEntry {
+                    about: fact.map(JournalSubject::Alert),
+                    ..entry
+                });
             }
-            EngineNews::Answered(fact) => {
+            EngineNews::Answered(place) => {
+                let Some(fact) = self.engine.alert_facts().get(place) else {
+                    return;
+                };
                 let after_s = fact.answered_after.unwrap_or_default().as_secs_f64();
                 let seconds = format!("{after_s:.0}");
-                let text = text!("threat-answered", alert = fact.text, seconds = seconds);
-                journal.say(EventKind::Answer, None, Severity::Info, text);
+                let text = text!("threat-answered", alert = &fact.text, seconds = seconds);
+                let entry = JournalEntry::new(EventKind::Answer, Severity::Info, text);
+                journal.say(JournalEntry {
+                    about: Some(JournalSubject::Alert(place)),
+                    ..entry
+                });
             }
             EngineNews::Broken(vehicle, (kind, text)) => journal.break_rule(kind, vehicle, &text),
             EngineNews::Failed(text) => {
-                journal.say(EventKind::Alert, None, Severity::Critical, text);
+                let kind = EventKind::Alert;
+                journal.say(JournalEntry::new(kind, Severity::Critical, text));
                 self.failed = true;
             }
         }
@@ -99,11 +112,12 @@ impl Flight {
     /// What an instructor may have happen.
     pub fn injects(&self) -> Vec<Inject> {
         let events = self.mission.events.iter();
-        let own = events.filter(|event| event.trigger == Trigger::Instructor);
-        let own = own.map(|event| Inject {
-            name: event.id.clone(),
-            title: event.title.clone(),
-        });
+        let own = events
+            .filter(|event| event.trigger == Trigger::Instructor)
+            .map(|event| Inject {
+                name: event.id.clone(),
+                title: event.title.clone(),
+            });
         let may_inject = self.mission.may_inject.iter();
         let standard = may_inject.map(|standard| Inject {
             name: standard.name().to_owned(),
@@ -137,8 +151,10 @@ impl Flight {
         } else if let Some(standard) = Standard::named(name) {
             self.threats.engine.inject_standard(standard);
         }
+        let title = inject.title.clone();
+        let kind = EventKind::Inject;
         self.journal
-            .record(EventKind::Inject, None, inject.title.clone());
+            .record(JournalEntry::new(kind, Severity::Info, title));
         Ok(inject.title)
     }
 }

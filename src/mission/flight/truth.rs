@@ -6,7 +6,8 @@ use crate::mission::ground_truth::{ObjectClass, TruthShape};
 use crate::mission::objective::{Sought, Tracker};
 use crate::mission::report::{Mark, distance_m};
 use crate::mission::survey::Survey;
-use crate::scoring::{MarkReport, ObjectReport, SquareReport, TrackReport, TruthReport, rounded};
+use crate::scoring::{MarkReport, ObjectReport, SquareReport, TrackReport, TruthReport};
+use crate::text::rounded;
 
 /// A report of what nobody asked for is right this near to it.
 const UNASKED_WITHIN_M: f64 = 15.0;
@@ -27,9 +28,14 @@ impl Flight {
                     strength: rounded(strength.clamp(0.0, 1.0), 2),
                 }),
                 TruthShape::Object(class, present) => {
-                    let hits = self.search.marks().iter().enumerate();
-                    let hits = hits.filter(|(_, mark)| is_meant(mark, class, piece.at, sought));
-                    let hits: Vec<usize> = hits.map(|(index, _)| index).collect();
+                    let hits: Vec<usize> = self
+                        .search
+                        .marks()
+                        .iter()
+                        .enumerate()
+                        .filter(|(_, mark)| is_meant(mark, class, piece.at, sought))
+                        .map(|(index, _)| index)
+                        .collect();
                     for &index in &hits {
                         found[index] = true;
                     }
@@ -64,8 +70,11 @@ impl Flight {
 
     /// What the objectives want to be reported of a hazard; the least strict of them counts.
     fn sought(&self, hazard: usize) -> Option<Sought> {
-        let sought = self.mission.objectives.iter();
-        let sought = sought.filter_map(|objective| objective.kind.sought());
+        let sought = self
+            .mission
+            .objectives
+            .iter()
+            .filter_map(|objective| objective.kind.sought());
         let of_hazard = sought.filter(|sought| sought.hazard == hazard);
         of_hazard.max_by(|a, b| a.within_m.total_cmp(&b.within_m))
     }

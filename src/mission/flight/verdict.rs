@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use super::Flight;
+use super::journal::JournalEntry;
 use crate::mission::craft::Craft;
 use crate::mission::objective::{DOWN_FOR, ObjectiveStanding};
 use crate::scoring::EventKind;
@@ -46,12 +47,9 @@ impl Flight {
                 .time_limit
                 .saturating_sub(Duration::from_secs(seconds));
             if previous < mark && mark <= self.elapsed {
-                self.journal.say(
-                    EventKind::Alert,
-                    None,
-                    Severity::Warning,
-                    text!("mission-time-left", seconds = seconds),
-                );
+                let text = text!("mission-time-left", seconds = seconds);
+                self.journal
+                    .say(JournalEntry::new(EventKind::Alert, Severity::Warning, text));
             }
         }
     }
@@ -88,11 +86,8 @@ impl Flight {
 
     pub(super) fn end(&mut self, outcome: Outcome) {
         self.ended = Some(outcome);
-        self.journal.say(
-            EventKind::Phase,
-            None,
-            Severity::Notice,
-            text!("mission-over", outcome = outcome.text()),
-        );
+        let text = text!("mission-over", outcome = outcome.text());
+        self.journal
+            .say(JournalEntry::new(EventKind::Phase, Severity::Notice, text));
     }
 }

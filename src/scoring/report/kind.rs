@@ -20,6 +20,7 @@ pub enum EventKind {
     Rejected,
     /// The trainee asked for a hint.
     Hint,
+    /// The flight came to its end.
     Phase,
     /// A sample was taken.
     Sample,
@@ -109,6 +110,7 @@ pub enum ScoreGrade {
     C,
     /// From 400 points.
     D,
+    /// Fewer than 400 points.
     F,
 }
 

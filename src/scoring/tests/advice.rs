@@ -24,7 +24,10 @@ fn improvements_are_the_points_that_would_have_come() {
 fn where_the_product_is_what_is_asked_for_one_advice_is_about_both() {
     let mut facts = perfect();
     facts.objectives[0] = with_map(0.4, objective(0.5, false));
-    facts.objectives[0].quality_advice = "Sample more.".into();
+    if let Some(product) = &mut facts.objectives[0].product {
+        product.advice = "Sample more.".into();
+        product.is_measured = true;
+    }
     let found = improvements(&rules(), &facts);
     let first = found[0].text.to_string();
     assert!(

@@ -21,13 +21,30 @@ prop_compose! {
         (share, whole) in (0.0..=1.0f64, any::<bool>()),
         mandatory in any::<bool>(),
         quality in proptest::option::of(0.0..=1.0f64),
-        same_advice in any::<bool>(),
+        is_measured in any::<bool>(),
     ) -> ObjectiveFact {
         ObjectiveFact {
-            quality: quality.map(|quality| (quality, "map".into())),
-            quality_advice: if same_advice { "Sample more.".into() } else { Text::default() },
+            product: quality.map(|quality| Product {
+                quality,
+                words: "map".into(),
+                advice: Text::default(),
+                is_measured,
+            }),
             ..objective(if whole { 1.0 } else { share }, mandatory)
         }
+    }
+}
+
+/// Each objective of a mission has its own words.
+fn numbered((index, objective): (usize, ObjectiveFact)) -> ObjectiveFact {
+    let words = |what: &str| format!("{what} {index}").into();
+    ObjectiveFact {
+        advice: words("sample more of"),
+        product: objective.product.map(|product| Product {
+            words: words("map"),
+            ..product
+        }),
+        ..objective
     }
 }
 
@@ -67,7 +84,7 @@ prop_compose! {
         (levels, free) in (proptest::array::uniform3(0u32..5), any::<bool>()),
     ) -> Facts {
         Facts {
-            objectives,
+            objectives: objectives.into_iter().enumerate().map(numbered).collect(),
             elapsed: Duration::from_secs(elapsed_s),
             energy_wh: energy,
             safety: breaches.iter().map(|&(kind, s)| event(BROKEN[kind], s)).collect(),

@@ -34,7 +34,9 @@ fn worse(facts: &Facts) -> Vec<(&'static str, Facts)> {
             "quality",
             with(&|f| {
                 for objective in &mut f.objectives {
-                    objective.quality = objective.quality.take().map(|(q, words)| (q * 0.9, words));
+                    if let Some(product) = &mut objective.product {
+                        product.quality *= 0.9;
+                    }
                 }
             }),
         ),
@@ -95,7 +97,7 @@ fn nearly_perfect(facts: Facts) -> Facts {
     for objective in objectives.iter_mut().skip(1) {
         objective.fraction = 1.0;
         objective.met = true;
-        objective.quality = None;
+        objective.product = None;
     }
     Facts {
         objectives,
@@ -154,8 +156,7 @@ proptest! {
     ) {
         // Random flights are seldom good enough for a medal.
         let facts = if good { nearly_perfect(facts) } else { facts };
-        let gates = ["safety >= 0.85", "crashes == 0", "cells >= 0.95"];
-        let gates = gates.map(|gate| Gate::parse(gate).expect("well formed"));
+        let gates = ["safety >= 0.85", "crashes == 0", "cells >= 0.95"].map(|gate| Gate::parse(gate).expect("well formed"));
         let rules = ScoreRules { gold_requires: gates.to_vec(), ..rules() };
         let score = score(&rules, &facts);
         let safety = score.value(Component::Safety).unwrap_or(1.0);
