@@ -254,17 +254,6 @@ impl Mission {
         !is_protected || self.open_parameters.iter().any(is_same)
     }
 
-    /// The same as an exam: nobody advises, and time does not stand still.
-    #[must_use]
-    pub fn for_exam(self) -> Self {
-        Self {
-            pausable: false,
-            hints: Vec::new(),
-            clues: Vec::new(),
-            ..self
-        }
-    }
-
     /// The simulator's world for it: its vehicles on their pads.
     pub fn world(&self, seed: u64) -> WorldConfig {
         WorldConfig {

@@ -11,6 +11,7 @@ use crate::geo::Outline;
 pub struct Area {
     /// Its id in the mission's file, which the brief calls it by.
     pub name: String,
+    /// What it means for vehicles in it.
     pub kind: AreaKind,
     pub outline: Outline,
 }

@@ -94,8 +94,8 @@ impl Clock {
             }
         }
         let limit = self.stepped.saturating_sub(begun).mul_f64(self.speedup) + TICK;
-        let ahead = self.vehicles.values().map(|reading| reading.claim_ms).max();
-        let ahead = Duration::from_millis(ahead.unwrap_or(0).unsigned_abs());
+        let claims_ms = self.vehicles.values().map(|reading| reading.claim_ms);
+        let ahead = Duration::from_millis(claims_ms.max().unwrap_or(0).unsigned_abs());
         if ahead > self.elapsed {
             self.carry(ahead.min(limit));
         } else if self.stepped.saturating_sub(self.carried) >= SILENT_AFTER {

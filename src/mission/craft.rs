@@ -31,7 +31,7 @@ pub(crate) struct Craft {
     pub id: VehicleId,
     /// Where it is, once it has said so.
     pub at: Option<Point>,
-    /// Height above home.
+    /// Above home, in metres.
     pub height_m: f64,
     pub speed_m_s: f64,
     /// Where it goes, or went last.
@@ -42,6 +42,7 @@ pub(crate) struct Craft {
     pub airborne: bool,
     /// Whether it has been in the air during this mission.
     pub flown: bool,
+    /// Whether it has crashed or its simulator has ended.
     pub lost: bool,
     /// Whether it is heard.
     pub heard: bool,

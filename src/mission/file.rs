@@ -91,7 +91,7 @@ fn mission(file: &mut FileTable<'_>) -> Option<Mission> {
         "radio",
         table(radio::radio),
         "how far vehicles are heard. Without it radio does not matter to the mission's own drones; those that \
-         somebody built for it are heard as far as their own radios reach, with it or without",
+         were built for it are heard as far as their own radios reach, with it or without",
     );
     let events_form = tables(events::event, MOST_TABLES);
     let events = file.may(
@@ -166,9 +166,9 @@ struct MissionContent {
 
 impl MissionContent {
     fn of(file: &mut FileTable<'_>) -> Self {
-        let zones = tables(zones::zone, MOST_TABLES);
+        let zones_form = tables(zones::zone, MOST_TABLES);
         let zones = file
-            .may("zones", zones, "areas with a meaning")
+            .may("zones", zones_form, "areas with a meaning")
             .unwrap_or_default();
         file.draft().zones = zones;
         let places_form = tables(places::place, MOST_TABLES);
@@ -182,8 +182,8 @@ impl MissionContent {
         let hazards = file.may(
             "hazards",
             hazards_form,
-            "what is dangerous. What a hazard leaves to chance is drawn from the seed of the flight: the same seed, \
-             the same world. `jitter` says by how much, so that nobody can learn the place by heart",
+            "the hazards. What a hazard leaves to chance is drawn from the seed of the flight: the same seed, \
+             the same world. `jitter` says by how much, so that the place cannot be learnt by heart",
         );
         let objectives_form = tables(objectives::objective, MOST_OBJECTIVES);
         let objectives = file.need("objectives", objectives_form, "what has to be reached");

@@ -103,8 +103,10 @@ impl Fit {
             radio: radio(design, own),
             ..Self::default()
         };
-        let mounted = design.in_slot(PartSlot::Payload).iter();
-        let mounted = mounted.filter_map(|part| Sensor::by_id(part.id));
+        let mounted = design
+            .in_slot(PartSlot::Payload)
+            .iter()
+            .filter_map(|part| Sensor::by_id(part.id));
         let wanted = asked.sensors.iter().copied();
         wanted
             .filter(|sensor| design.has(sensor.id))

@@ -12,6 +12,7 @@ mod draft;
 mod faults;
 mod reference;
 mod schema;
+mod shared;
 mod table;
 mod value;
 mod written;
@@ -23,7 +24,8 @@ pub(super) use draft::{Draft, NamedPlace};
 pub(super) use faults::FileFaults;
 pub(super) use reference::reference;
 pub(super) use schema::schema;
-pub(super) use table::{BetterMeasure, FileTable, KindOf, ObjectiveTarget};
+pub(super) use shared::{BetterMeasure, CountTarget, ObjectiveTarget};
+pub(super) use table::{FileTable, KindOf};
 pub(super) use value::{
     FileValue, ListValue, NamedValue, TextValue, area, flag, gate, heights, list, map, named,
     number, point, rising, seconds, spread, table, tables, text, text_by, time, whole, word,

@@ -152,7 +152,7 @@ pub(crate) struct Release {
     pub load: Load,
     pub at: Point,
     pub by: VehicleId,
-    /// Mission time.
+    /// Mission time at which it was let go of.
     pub when: Duration,
     /// Whether it did any good.
     pub good: bool,

@@ -66,8 +66,10 @@ pub(super) fn next_clue(
         clue.phase.is_none_or(|wanted| wanted == phase)
             && clue.objective.as_deref().is_none_or(&is_open)
     };
-    let open = clues.iter().enumerate();
-    let open = open.filter(|(index, clue)| !given.contains(index) && fits(clue));
+    let open = clues
+        .iter()
+        .enumerate()
+        .filter(|(index, clue)| !given.contains(index) && fits(clue));
     open.min_by_key(|(_, clue)| clue.level)
         .map(|(index, _)| index)
 }

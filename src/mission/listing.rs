@@ -68,6 +68,7 @@ pub struct Listing {
 /// What some of the vehicles carry.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FitListing {
+    /// The vehicles that carry it.
     pub vehicles: Vec<VehicleId>,
     pub sensors: Vec<Text>,
     /// Their loads, and how many of each; seconds of what is sprayed.

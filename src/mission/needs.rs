@@ -161,8 +161,7 @@ impl Need {
     /// as long as parts of the drive are.
     pub fn fit(&self, design: &Design) -> Vec<FitLine> {
         let sensors = self.sensors.iter().map(|id| sensor_line(design, id));
-        let loads = self.loads.iter();
-        let loads = loads.map(|&(id, count)| {
+        let loads = self.loads.iter().map(|&(id, count)| {
             let pieces = design.pieces().filter(|(part, _)| part.id == id);
             mounted_line(id, pieces.map(|(_, pieces)| pieces).sum(), count)
         });

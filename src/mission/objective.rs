@@ -6,12 +6,13 @@ use std::time::Duration;
 
 use super::Point;
 use super::craft::Craft;
-use super::format::{FileTable, KindOf, ObjectiveTarget, number};
+use super::format::{CountTarget, FileTable, KindOf, ObjectiveTarget, number};
 use super::ground_truth::Release;
 use super::report::Mark;
 use super::skill::Skill;
 use super::survey::{Survey, SurveyPlan};
 use super::world::World;
+use crate::scoring::Product;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 pub(crate) use demands::{DemandedEquipment, DemandedPlaces, DemandedTime, Demands, Equipment};
@@ -119,6 +120,7 @@ pub(crate) trait Tracker: Debug + Send + Sync {
     }
 }
 
+/// What trackers see of a flight in one step.
 pub(crate) struct ObjectiveScene<'a> {
     /// Mission time.
     pub now: Duration,
@@ -158,7 +160,7 @@ impl<'a> ObjectiveScene<'a> {
 /// How an objective stands.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct ObjectiveStanding {
-    /// 0 to 1.
+    /// How far it is reached, 0 to 1.
     pub fraction: f64,
     /// The measured quantity, for gates.
     pub measure: f64,
@@ -167,14 +169,12 @@ pub(crate) struct ObjectiveStanding {
     pub settled: bool,
     /// Whether it is about coming home, the last thing of a flight.
     pub landing: bool,
-    /// Quality of the product, 0 to 1, with what it came from, for kinds that make one.
-    pub quality: Option<(f64, Text)>,
+    /// For kinds that make one.
+    pub product: Option<Product>,
     /// The result in words.
     pub result: Text,
     /// What it still needs, while it is flown for; `None` where the result says all.
     pub outlook: Option<Text>,
-    /// What would make the product better, in words; empty for kinds that make none.
-    pub quality_advice: Text,
     /// The target in words.
     pub target: Text,
     /// What would reach it, in words.
@@ -191,6 +191,13 @@ impl ObjectiveTarget {
     /// How much of it a measure is worth, 0 to 1.
     fn credit(self, measure: f64) -> f64 {
         partial_credit(measure, self.partial_from, self.met_at)
+    }
+}
+
+impl CountTarget {
+    /// How much of it a count is worth, 0 to 1.
+    fn credit(self, count: usize) -> f64 {
+        partial_credit(count as f64, self.partial_from as f64, self.met_at as f64)
     }
 }
 

@@ -141,7 +141,7 @@ pub struct ShownContact {
 pub enum Trust {
     /// One kind of sensor has seen it.
     Seen,
-    /// Two kinds have.
+    /// Two kinds of sensors have seen it.
     Confirmed,
     /// The trainee has reported it.
     Reported,
@@ -152,6 +152,7 @@ pub enum Trust {
 pub struct ShownMark {
     /// What it is said to be, in the grammar's word.
     pub kind: Option<&'static str>,
+    /// Where it was reported.
     pub at: LatLon,
 }
 
@@ -160,9 +161,10 @@ pub struct ShownMark {
 pub struct Reading {
     /// Which vehicle carries it.
     pub vehicle: VehicleId,
+    /// Name of the sensor.
     pub sensor: Text,
     pub value: f64,
-    /// In this unit.
+    /// The unit of the value.
     pub unit: &'static str,
 }
 
@@ -171,6 +173,7 @@ pub struct Reading {
 pub struct LoadLeft {
     /// Which vehicle carries it.
     pub vehicle: VehicleId,
+    /// Name of the load.
     pub load: Text,
     /// How many are left; seconds of what is sprayed.
     pub left: u32,

@@ -41,11 +41,13 @@ pub struct Head {
     pub sortie_run: u32,
     /// Id of the mission.
     pub mission: String,
+    /// Revision of the mission.
     pub revision: u32,
     /// Seed of hazards and sensors.
     pub seed: u64,
     /// Which try it was, from 1.
     pub attempt: u32,
+    /// What simulated the vehicles.
     pub backend: FlightBackend,
     /// What gave the commands; `None` in records that are older than this.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -92,6 +94,7 @@ impl Head {
 pub struct Occasion {
     /// The time of day when it begins, in UTC: `2026-11-20T14:03:22Z`.
     pub when: String,
+    /// What simulates the vehicles.
     pub backend: FlightBackend,
     /// What gives the commands.
     pub flown_by: FlownBy,
@@ -112,7 +115,7 @@ fn is_practice(stake: &Stake) -> bool {
 /// What a recorded flight was scored.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct End {
-    /// 0 to 1000.
+    /// The points, 0 to 1000.
     pub score: u16,
     /// The medal, if one was earned.
     pub medal: Option<Medal>,
@@ -337,8 +340,11 @@ impl Recorder {
             return change;
         }
         let newest = self.newest;
-        let new = ledger.entries().rev();
-        let mut new: Vec<&LedgerEntry> = new.take_while(|entry| Some(entry.id) > newest).collect();
+        let mut new: Vec<&LedgerEntry> = ledger
+            .entries()
+            .rev()
+            .take_while(|entry| Some(entry.id) > newest)
+            .collect();
         new.reverse();
         for entry in new {
             self.newest = Some(entry.id);

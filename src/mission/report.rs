@@ -12,7 +12,6 @@ pub(crate) struct Mark {
     /// What it is said to be; `None` where the reporter did not say.
     pub kind: Option<&'static str>,
     pub by: VehicleId,
-    /// Mission time.
     pub when: Duration,
 }
 

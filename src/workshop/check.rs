@@ -82,6 +82,7 @@ pub struct DesignFinding {
     pub kind: FindingKind,
     /// The slot in which it can be mended.
     pub slot: PartSlot,
+    /// What is wrong and why, in words.
     pub text: Text,
 }
 

@@ -69,9 +69,9 @@ pub struct Figures {
     pub hover_power_w: f64,
     /// In the hover at 60 % charge.
     pub hover_current_a: f64,
-    /// Under that current.
+    /// Of the pack while it gives that current.
     pub hover_voltage_v: f64,
-    /// Of the propellers.
+    /// Revolutions of the propellers per minute.
     pub hover_rpm: f64,
     /// Share of the thrust that the hover needs, with a full battery.
     pub hover_throttle: f64,

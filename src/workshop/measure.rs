@@ -33,6 +33,7 @@ pub enum Measure {
     /// Speed of the longest way.
     RangeSpeed,
     Range,
+    /// In level flight.
     TopSpeed,
     /// With a fade margin of 20 dB, to 50 m of height.
     RadioReach,
@@ -45,7 +46,7 @@ pub enum Measure {
 pub enum Better {
     More,
     Less,
-    /// It depends.
+    /// Neither is better in itself.
     Neither,
 }
 

@@ -33,8 +33,9 @@ pub(super) fn check(examined: &mut Examined<'_>) {
 /// The least that a vehicle with a part in each slot costs, in credits, whether those parts go together or not.
 fn cheapest_vehicle() -> u32 {
     let with_frame = |frame: &'static Part| {
-        let others = PartSlot::ALL.into_iter();
-        let others = others.filter(|slot| slot.is_required() && *slot != PartSlot::Frame);
+        let others = PartSlot::ALL
+            .into_iter()
+            .filter(|slot| slot.is_required() && *slot != PartSlot::Frame);
         let cheapest = others.filter_map(|slot| {
             let parts = workshop::parts_for(slot);
             parts.min_by_key(|part| part.credits)

@@ -50,8 +50,10 @@ fn circle(events: &[Event], first: usize) -> Option<Vec<usize>> {
 
 /// Whether an event outside the circle has one of it happen.
 fn is_begun(events: &[Event], circle: &[usize]) -> bool {
-    let others = events.iter().enumerate();
-    let others = others.filter(|(index, _)| !circle.contains(index));
+    let others = events
+        .iter()
+        .enumerate()
+        .filter(|(index, _)| !circle.contains(index));
     let mut actions = others.flat_map(|(_, event)| &event.actions);
     actions.any(|action| matches!(action, Action::Event(index) if circle.contains(index)))
 }

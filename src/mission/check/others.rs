@@ -42,21 +42,28 @@ impl Mission {
         let named = |id, written| NamedMission { id, written };
         let value = |section: &str, key: &str| self.written.get(section)?.get(key);
         let items = |section, key| value(section, key).map_or(&[][..], WrittenValue::items);
-        let drill = self.drill_of.as_deref();
-        let drill = drill.map(|id| named(id, self.written.span_of("drill_of")));
-        let needed = self.requires.missions.iter();
-        let needed = needed.zip(items("requires", "missions"));
-        let medals = self.requires.medals.keys();
-        let medals = medals.filter_map(|id| {
+        let drill = self
+            .drill_of
+            .as_deref()
+            .map(|id| named(id, self.written.span_of("drill_of")));
+        let needed = self
+            .requires
+            .missions
+            .iter()
+            .zip(items("requires", "missions"));
+        let medals = self.requires.medals.keys().filter_map(|id| {
             let medal = value("requires", "medals")?.get(id)?;
             Some(named(id, medal.key.clone()))
         });
-        let unlocked = self.rewards.unlock.iter();
-        let unlocked = unlocked.zip(items("rewards", "unlock"));
-        let unlocked = unlocked.filter_map(|(unlock, written)| match unlock {
-            Unlock::Mission(id) => Some(named(id, written.span.clone())),
-            Unlock::Part(_) | Unlock::Threat(_) => None,
-        });
+        let unlocked = self
+            .rewards
+            .unlock
+            .iter()
+            .zip(items("rewards", "unlock"))
+            .filter_map(|(unlock, written)| match unlock {
+                Unlock::Mission(id) => Some(named(id, written.span.clone())),
+                Unlock::Part(_) | Unlock::Threat(_) => None,
+            });
         let mut all: Vec<_> = drill.into_iter().collect();
         all.extend(needed.map(|(id, written)| named(id, written.span.clone())));
         all.extend(medals);

@@ -15,8 +15,9 @@ use crate::vehicle::VehicleId;
 /// Something that has to be done to one vehicle, quietly.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Demand {
-    /// To which one.
+    /// The vehicle that it is about.
     pub vehicle: VehicleId,
+    /// What its simulator or its link has to do.
     pub want: Want,
 }
 
@@ -134,10 +135,15 @@ impl Demands {
     pub fn wish(&mut self, vehicle: VehicleId, wishes: Wishes) {
         let old = self.wished.remove(&vehicle).unwrap_or_default().0;
         let usual = |name: &str| USUAL.iter().find(|(usual, _)| *usual == name);
-        let over = old.keys().filter(|name| !wishes.0.contains_key(*name));
-        let over = over.filter_map(|name| usual(name).copied());
-        let changed = wishes.0.iter().map(|(name, value)| (*name, *value));
-        let changed = changed.filter(|(name, value)| old.get(name) != Some(value));
+        let over = old
+            .keys()
+            .filter(|name| !wishes.0.contains_key(*name))
+            .filter_map(|name| usual(name).copied());
+        let changed = wishes
+            .0
+            .iter()
+            .map(|(name, value)| (*name, *value))
+            .filter(|(name, value)| old.get(name) != Some(value));
         let demands = changed.chain(over).map(|(name, value)| Demand {
             vehicle,
             want: Want::Parameter { name, value },

@@ -57,6 +57,7 @@ impl FaultKind {
 pub(crate) enum Victim {
     /// The vehicle of this place, from 0.
     One(usize),
+    /// All vehicles.
     All,
     /// One of those that fly, by chance.
     Chance,

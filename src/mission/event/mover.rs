@@ -49,8 +49,8 @@ pub(crate) struct Mover {
 impl Mover {
     /// Begins at the first point of its path.
     pub fn new(spawn: &Spawn, now: Duration, random: &mut ChaCha8Rng) -> Self {
-        let mut shift = || random.random_range(-1.0..=1.0) * spawn.jitter_m;
-        let shift = [shift(), shift()];
+        let mut drawn = || random.random_range(-1.0..=1.0) * spawn.jitter_m;
+        let shift = [drawn(), drawn()];
         let moved = |point: &Point| [point[0] + shift[0], point[1] + shift[1]];
         let path: Vec<Point> = spawn.path.iter().map(moved).collect();
         Self {

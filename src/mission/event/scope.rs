@@ -78,8 +78,8 @@ impl<'a> Scope<'a> {
             .sight
             .contacts
             .iter()
-            .filter_map(|contact| contact.object);
-        let objects = objects.filter(|object| object.hazard == hazard);
+            .filter_map(|contact| contact.object)
+            .filter(|object| object.hazard == hazard);
         objects.collect::<BTreeSet<_>>().len() as f64
     }
 

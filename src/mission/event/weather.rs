@@ -86,6 +86,7 @@ impl Change {
 /// What something changes to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Target {
+    /// To this value.
     Value(f64),
     /// So much more than now.
     More(f64),

@@ -20,12 +20,12 @@ use crate::scoring::AlertLevel;
 const ACTIONS: &[KindOf<Action>] = &[
     KindOf {
         name: "say",
-        about: "tells the trainee",
+        about: "shows the trainee a message",
         read: say,
     },
     KindOf {
         name: "alert",
-        about: "warns; with `ok` the trainee has to make that true within the time, and it counts for attention",
+        about: "raises an alert; with `ok`, the trainee has to make the condition true in time, which counts for attention",
         read: alert,
     },
     KindOf {
@@ -40,12 +40,12 @@ const ACTIONS: &[KindOf<Action>] = &[
     },
     KindOf {
         name: "spawn",
-        about: "brings somebody, or a drone of somebody else's, who goes along the path and is gone",
+        about: "brings a person, a vehicle or a foreign drone, which follows the path once and then disappears",
         read: spawn,
     },
     KindOf {
         name: "fault",
-        about: "breaks something",
+        about: "causes a fault in a vehicle",
         read: fault,
     },
     KindOf {
@@ -55,7 +55,7 @@ const ACTIONS: &[KindOf<Action>] = &[
     },
     KindOf {
         name: "event",
-        about: "another event happens as well",
+        about: "triggers another event",
         read: event,
     },
 ];

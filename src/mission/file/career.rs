@@ -76,9 +76,9 @@ pub(super) fn rewards(table: &mut FileTable<'_>) -> Option<Rewards> {
         tier,
         "that experience is counted with; without it, `tier`",
     );
-    let unlock = list(text("`part:ID`, `mission:ID`, `threat:ID`"), 0, MOST_NAMES);
+    let unlock_form = list(text("`part:ID`, `mission:ID`, `threat:ID`"), 0, MOST_NAMES);
     let unlock = table
-        .may("unlock", unlock, "what becomes available")
+        .may("unlock", unlock_form, "what becomes available")
         .unwrap_or_default();
     let own = table.draft().tier;
     let unlocked = unlock.iter().filter_map(|name| unlocked(table, name));

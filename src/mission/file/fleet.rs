@@ -101,12 +101,13 @@ fn outlay(table: &mut FileTable<'_>, pads: Option<usize>) -> Outlay {
         whole(1, MOST_CREDITS, "credits"),
         "what all that is flown may cost; enough for the cheapest fleet",
     );
-    let loaners = table.may(
-        "loaner",
-        list(design_id(), 0, usize::MAX),
-        "designs that are lent to those who own nothing fit, one per pad at most",
-    );
-    let loaners = loaners.unwrap_or_default();
+    let loaners = table
+        .may(
+            "loaner",
+            list(design_id(), 0, usize::MAX),
+            "designs that are lent to trainees without a suitable one, one per pad at most",
+        )
+        .unwrap_or_default();
     if pads.is_some_and(|pads| loaners.len() > pads) {
         table.fault_of("loaner", "`loaner` lends one design for each pad at most");
     }

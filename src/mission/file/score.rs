@@ -50,10 +50,11 @@ pub(super) fn rules(table: &mut FileTable<'_>) -> Option<ScoreRules> {
         gates_form,
         "what gold needs besides: of a component (0 to 1), `crashes`, or an objective's measure (cells, vehicles, \
          shares)",
-    );
-    let gates = gates.unwrap_or_default();
-    let gold_requires = gates.iter().filter_map(|written| gate(table, written));
-    let gold_requires = gold_requires.collect();
+    ).unwrap_or_default();
+    let gold_requires = gates
+        .iter()
+        .filter_map(|written| gate(table, written))
+        .collect();
     let par = par?;
     Some(ScoreRules {
         weights: weights.unwrap_or_default(),
@@ -89,10 +90,10 @@ fn gate(table: &mut FileTable<'_>, written: &Spanned<String>) -> Option<Gate> {
     };
     let components = Component::ALL.map(Component::name).into_iter();
     let objectives = table.draft().ids("objectives").to_vec();
-    let names = components
+    let names: Vec<&str> = components
         .chain(["crashes"])
-        .chain(objectives.iter().map(String::as_str));
-    let names: Vec<&str> = names.collect();
+        .chain(objectives.iter().map(String::as_str))
+        .collect();
     if !names.contains(&gate.name()) {
         let message = format!("unknown name `{}` in a gate", gate.name());
         let fault = Diagnostic::new(written.span(), message);
@@ -140,10 +141,10 @@ fn weights(table: &mut FileTable<'_>) -> Option<Weights> {
 }
 
 fn medals(table: &mut FileTable<'_>) -> Option<Medals> {
-    let points = whole(0, 1000, "points");
+    let form = whole(0, 1000, "points");
     let mut points = |medal| {
-        let points = table.need(medal, points, "for this medal");
-        points.and_then(|points| u16::try_from(points).ok())
+        let needed = table.need(medal, form, "for this medal");
+        needed.and_then(|points| u16::try_from(points).ok())
     };
     let (gold, silver, bronze) = (points("gold"), points("silver"), points("bronze"));
     let medals = Medals {

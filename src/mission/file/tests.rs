@@ -77,8 +77,10 @@ fn a_misspelt_key_that_is_needed_is_one_fault() {
     let good = include_str!("../../../tests/data/good_mission.toml");
     let source = good.replace("max_vehicles = 1", "max_vehicle = 1");
     let faults = read(&source).expect_err("a key is misspelt");
-    let messages = faults.iter().map(|fault| fault.message.to_string());
-    let messages: Vec<String> = messages.collect();
+    let messages: Vec<String> = faults
+        .iter()
+        .map(|fault| fault.message.to_string())
+        .collect();
     assert_eq!(messages.len(), 1, "{messages:?}");
     assert!(messages[0].starts_with("unknown field `max_vehicle`"));
 }
@@ -86,10 +88,13 @@ fn a_misspelt_key_that_is_needed_is_one_fault() {
 #[test]
 fn all_faults_of_a_table_are_told_at_once() {
     let good = include_str!("../../../tests/data/good_mission.toml");
-    let source = good.replace("dwell = 5", "dwell = -5\ncolour = 3");
-    let source = source.replace("max_speed", "#");
+    let source = good
+        .replace("dwell = 5", "dwell = -5\ncolour = 3")
+        .replace("max_speed", "#");
     let faults = read(&source).expect_err("three keys are wrong");
-    let messages = faults.iter().map(|fault| fault.message.to_string());
-    let messages: Vec<String> = messages.collect();
+    let messages: Vec<String> = faults
+        .iter()
+        .map(|fault| fault.message.to_string())
+        .collect();
     assert_eq!(messages.len(), 3, "{messages:?}");
 }

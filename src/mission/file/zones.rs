@@ -72,42 +72,42 @@ fn shape(table: &mut FileTable<'_>) -> Option<Shape> {
 const ZONE_KINDS: &[KindOf<ZoneKind>] = &[
     KindOf {
         name: "task",
-        about: "hazards and objectives refer to it",
+        about: "an area that hazards and objectives refer to",
         read: |_| Some(ZoneKind::Task),
     },
     KindOf {
         name: "geofence",
-        about: "must not be left, nor flown above its ceiling",
+        about: "a fence: vehicles must stay inside it and below its ceiling",
         read: geofence,
     },
     KindOf {
         name: "no_fly",
-        about: "must not be flown in between two heights",
+        about: "flying in it is forbidden between two heights",
         read: no_fly,
     },
     KindOf {
         name: "gnss_jam",
-        about: "satellite navigation fails inside. Who was inside has it back 5 m outside",
+        about: "satellite navigation fails inside; a vehicle regains it 5 m outside",
         read: gnss_jam,
     },
     KindOf {
         name: "gnss_glitch",
-        about: "satellite navigation shows a wrong place",
+        about: "satellite navigation shows a wrong position inside",
         read: gnss_glitch,
     },
     KindOf {
         name: "people",
-        about: "people are there: it must not be flown low",
+        about: "an area with people, over which vehicles must not fly low",
         read: people,
     },
     KindOf {
         name: "radio_jam",
-        about: "radio noise rises; needs `[radio]`",
+        about: "a source of radio noise; needs `[radio]`",
         read: radio_jam,
     },
     KindOf {
         name: "comm_shadow",
-        about: "stands in the way of radio, as a ridge or as walls and trees; needs `[radio]`",
+        about: "an obstacle to radio: a ridge, or walls and trees; needs `[radio]`",
         read: comm_shadow,
     },
 ];

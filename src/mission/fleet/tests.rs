@@ -24,8 +24,9 @@ fn relay() -> Design {
 fn the_last_design_flies_in_all_seats_that_follow() {
     let seats = mission(None).vehicles;
     assert!(seats > 2, "{seats}");
-    let flown = mission(None).with_fleet(vec![starter(), relay()]);
-    let flown = flown.expect("they may fly");
+    let flown = mission(None)
+        .with_fleet(vec![starter(), relay()])
+        .expect("they may fly");
     let names: Vec<&str> = flown.fleet().iter().map(|it| it.name.as_str()).collect();
     assert_eq!(names.len(), seats);
     assert_eq!(names[0], "Starter 450");

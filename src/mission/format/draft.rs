@@ -115,8 +115,9 @@ impl Draft {
             .places
             .iter()
             .map(|place| (place.name.clone(), place.at));
-        let pads = (1..).zip(&self.pads);
-        let pads = pads.map(|(number, &pad)| (format!("pad{number}"), pad));
+        let pads = (1..)
+            .zip(&self.pads)
+            .map(|(number, &pad)| (format!("pad{number}"), pad));
         let (names, points): (Vec<String>, Vec<Point>) = named.chain(pads).unzip();
         let index = self.refer("place", name, &names)?;
         Some(points[index])
@@ -162,8 +163,9 @@ impl Declared {
         let fleet = value("fleet");
         let vehicles = items(fleet.and_then(|fleet| field(fleet, "vehicles")));
         let fitted = fleet.into_iter().chain(vehicles);
-        let sensors = fitted.flat_map(|table| items(field(table, "sensors")));
-        let sensors = sensors.filter_map(|item| item.as_str().map(str::to_owned));
+        let sensors = fitted
+            .flat_map(|table| items(field(table, "sensors")))
+            .filter_map(|item| item.as_str().map(str::to_owned));
         let events = || items(value("events"));
         let actions = events().flat_map(|event| items(field(event, "do")));
         let brought = |action| word(action, "id").or_else(|| word(action, "spawn"));

@@ -120,8 +120,7 @@ fn in_plain_words(message: &str) -> String {
         ("i64", "a whole number"),
     ];
     let named = TYPES.iter().find_map(|(name, words)| {
-        let before = message.strip_suffix(name)?;
-        let before = before.strip_suffix("expected ")?;
+        let before = message.strip_suffix(name)?.strip_suffix("expected ")?;
         Some(format!("{before}expected {words}"))
     });
     named.unwrap_or_else(|| message.to_owned())

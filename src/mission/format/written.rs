@@ -18,7 +18,7 @@ pub(in crate::mission) struct WrittenValue {
 }
 
 impl WrittenValue {
-    /// A whole file.
+    /// The places of all values of a file.
     pub fn of_file(root: &Spanned<DeTable<'_>>) -> Self {
         Self {
             span: root.span(),

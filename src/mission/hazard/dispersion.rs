@@ -18,7 +18,6 @@ pub(crate) enum Stability {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Terrain {
     Open,
-    /// Built over.
     Urban,
 }
 

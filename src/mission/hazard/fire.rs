@@ -83,7 +83,7 @@ pub(crate) struct Fire {
 
 pub(super) const KIND: KindOf<Box<dyn Hazard>> = KindOf {
     name: "fire",
-    about: "a fire that runs over cells with the wind",
+    about: "a fire that spreads over a grid of cells, with the wind",
     read,
 };
 

@@ -34,7 +34,7 @@ struct Flood {
 
 pub(super) const KIND: KindOf<Box<dyn Hazard>> = KindOf {
     name: "flood",
-    about: "water that rises about houses with people on their roofs; who has no vest when the water comes is lost",
+    about: "rising water around houses with people on their roofs; a person whom the water reaches without a kit is lost",
     read,
 };
 
@@ -65,7 +65,8 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
         table.fault_of("roofs", fault);
     }
     if people + animals > houses {
-        let fault = "there must be somebody, and a house for each of `people` and `animals`";
+        let fault =
+            "there must be a person or an animal, and a house for each of `people` and `animals`";
         table.fault_of("people", fault);
     }
     Some(Box::new(Flood {

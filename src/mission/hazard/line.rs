@@ -44,7 +44,7 @@ struct Strung {
 
 pub(super) const KIND: KindOf<Box<dyn Hazard>> = KindOf {
     name: "line",
-    about: "a power line on pylons, with defects and stains on its wire",
+    about: "a power line between pylons, with defects and harmless stains on its wire",
     read,
 };
 

@@ -1,4 +1,4 @@
-//! `minefield`: mines and scrap in the ground of a zone, placed by the seed.
+//! `minefield`: mines and scrap metal in the ground of a zone, placed by the seed.
 
 use rand_chacha::ChaCha8Rng;
 
@@ -23,7 +23,7 @@ struct Laid(Vec<Object>);
 
 pub(super) const KIND: KindOf<Box<dyn Hazard>> = KindOf {
     name: "minefield",
-    about: "mines and scrap in the ground of a zone",
+    about: "mines and scrap metal in the ground of a zone",
     read,
 };
 

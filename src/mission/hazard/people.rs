@@ -62,8 +62,12 @@ impl People {
     }
 
     fn take_kit(&mut self, at: Point) -> LoadEffect {
-        let waiting = self.objects.iter().zip(&self.fates).enumerate();
-        let waiting = waiting.filter(|(_, (_, fate))| !fate.helped && !fate.is_lost(self.now));
+        let waiting = self
+            .objects
+            .iter()
+            .zip(&self.fates)
+            .enumerate()
+            .filter(|(_, (_, fate))| !fate.helped && !fate.is_lost(self.now));
         let distances = waiting.map(|(index, (object, _))| (index, distance_m(object.at, at)));
         let nearest = distances.min_by(|a, b| a.1.total_cmp(&b.1));
         match nearest.filter(|&(_, distance)| distance <= KIT_WITHIN_M) {

@@ -8,9 +8,9 @@ use std::time::Duration;
 use rand_chacha::ChaCha8Rng;
 
 use super::dispersion::{CALM_BELOW_M_S, Stability, Terrain, calm_growth_m_s, spreads_m};
-use super::source::{LeakPlan, Substance, UG_PER_G, leak};
+use super::source::{Leak, LeakPlan, UG_PER_G};
 use super::wander::Wander;
-use super::{Field, Hazard, Object, ObjectClass, Quantity, TruthPiece, TruthShape};
+use super::{Field, Hazard, Object, Quantity, TruthPiece, TruthShape};
 use crate::mission::format::{FileTable, KindOf, number};
 use crate::mission::weather::{Weather, Wind};
 use crate::mission::{Point, TICK};
@@ -54,9 +54,7 @@ pub(crate) struct Plume {
 /// The plume of one flight.
 #[derive(Debug)]
 struct PlumeField {
-    plume: Plume,
-    substance: Substance,
-    leak: [Object; 1],
+    leak: Leak,
     /// The wind at the site, east and north, before it swings.
     drift_m_s: [f64; 2],
     /// The wind that the plume lies in.
@@ -71,7 +69,7 @@ struct PlumeField {
 
 pub(super) const KIND: KindOf<Box<dyn Hazard>> = KindOf {
     name: "plume",
-    about: "a cloud that lies with the wind (Gauss; in calm air a cloud about its source)",
+    about: "a continuous leak: a Gaussian plume along the wind, and in calm air a cloud around its source",
     read,
 };
 
@@ -98,12 +96,10 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
 
 impl Hazard for PlumeHazard {
     fn release(&self, weather: &Weather, mut random: ChaCha8Rng) -> Box<dyn Field> {
-        let plume = self.leak.drawn(&mut random);
+        let leak = self.leak.drawn(&mut random);
         let axis_deg = Wander::new(self.meander_deg, MEANDER_TAU_S, &mut random);
         let mut field = PlumeField {
-            leak: [leak(plume.source, plume.height_m)],
-            plume,
-            substance: self.leak.substance,
+            leak,
             drift_m_s: weather.wind.drift_m_s(),
             wind: weather.wind,
             axis_deg,
@@ -134,22 +130,22 @@ impl Field for PlumeField {
     }
 
     fn amount(&self, quantity: Quantity, at: Point, height_m: f64) -> f64 {
-        if quantity != self.substance.quantity() {
+        if !self.leak.is_measured_in(quantity) {
             return 0.0;
         }
-        self.plume.concentration_ug_m3(self.wind, at, height_m) * self.gust_at(at)
+        self.leak
+            .source
+            .concentration_ug_m3(self.wind, at, height_m)
+            * self.gust_at(at)
     }
 
     fn objects(&self) -> &[Object] {
-        &self.leak
+        self.leak.objects()
     }
 
     fn truth(&self) -> Vec<TruthPiece> {
         let mut truth = self.shades();
-        truth.push(TruthPiece {
-            at: self.plume.source,
-            shape: TruthShape::Object(ObjectClass::Leak, true),
-        });
+        truth.push(self.leak.truth());
         truth
     }
 }
@@ -158,20 +154,21 @@ impl PlumeField {
     /// The plume as it lies without its gusts, at the height that it comes out at: 1 is the strongest, and every
     /// [`DECADES`] of thinning take that away.
     fn shades(&self) -> Vec<TruthPiece> {
-        let [east_m, north_m] = self.plume.source;
+        let [east_m, north_m] = self.leak.source.source;
         let middle = |at: i32| f64::from(at) * SHADE_SIDE_M;
         let places = (-SHADES_OUT..=SHADES_OUT)
             .flat_map(|row| (-SHADES_OUT..=SHADES_OUT).map(move |column| (column, row)));
         let amounts = places.map(|(column, row)| {
             let at = [east_m + middle(column), north_m + middle(row)];
-            let amount = self
-                .plume
-                .concentration_ug_m3(self.wind, at, self.plume.height_m);
+            let source = &self.leak.source;
+            let amount = source.concentration_ug_m3(self.wind, at, source.height_m);
             (at, amount)
         });
         let amounts: Vec<(Point, f64)> = amounts.collect();
-        let most = amounts.iter().map(|(_, amount)| *amount);
-        let most = most.fold(f64::MIN_POSITIVE, f64::max);
+        let most = amounts
+            .iter()
+            .map(|(_, amount)| *amount)
+            .fold(f64::MIN_POSITIVE, f64::max);
         let shade = |(at, amount): (Point, f64)| {
             let strength = 1.0 + (amount / most).log10() / DECADES;
             (strength >= FAINTEST).then_some(TruthPiece {
@@ -196,7 +193,7 @@ impl PlumeField {
         if self.intermittency <= 0.0 {
             return 1.0;
         }
-        let (downwind, _) = along_and_across(self.wind, self.plume.source, at);
+        let (downwind, _) = along_and_across(self.wind, self.leak.source.source, at);
         let age_s = downwind.max(0.0) / self.wind.speed_m_s.max(CALM_BELOW_M_S);
         let age = ((age_s / TICK.as_secs_f64()) as usize).min(self.gusts.len().saturating_sub(1));
         let gust = self.gusts.get(age).copied().unwrap_or(self.gust.value);

@@ -9,8 +9,8 @@ use rand_chacha::ChaCha8Rng;
 
 use super::dispersion::{CALM_BELOW_M_S, calm_growth_m_s, spreads_m};
 use super::plume::Plume;
-use super::source::{LeakPlan, Substance, UG_PER_G, leak};
-use super::{Field, Hazard, Object, ObjectClass, Quantity, TruthPiece, TruthShape};
+use super::source::{Leak, LeakPlan, UG_PER_G};
+use super::{Field, Hazard, Object, Quantity, TruthPiece};
 use crate::mission::format::{FileTable, KindOf, number};
 use crate::mission::weather::Weather;
 use crate::mission::{Point, TICK};
@@ -40,10 +40,8 @@ struct Puff {
 
 #[derive(Debug)]
 struct PuffsField {
-    source: Plume,
-    substance: Substance,
+    leak: Leak,
     every_s: f64,
-    objects: [Object; 1],
     /// The oldest first.
     puffs: VecDeque<Puff>,
     since_last_s: f64,
@@ -51,7 +49,7 @@ struct PuffsField {
 
 pub(super) const KIND: KindOf<Box<dyn Hazard>> = KindOf {
     name: "puffs",
-    about: "the same as `plume` in single puffs that drift apart, so the cloud bends where the wind has turned",
+    about: "a leak like `plume`, made of single puffs that drift apart, so that the cloud bends where the wind has turned",
     read,
 };
 
@@ -66,11 +64,8 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
 
 impl Hazard for PuffsHazard {
     fn release(&self, _: &Weather, mut random: ChaCha8Rng) -> Box<dyn Field> {
-        let source = self.leak.drawn(&mut random);
         Box::new(PuffsField {
-            objects: [leak(source.source, source.height_m)],
-            source,
-            substance: self.leak.substance,
+            leak: self.leak.drawn(&mut random),
             every_s: self.every_s,
             puffs: VecDeque::new(),
             since_last_s: 0.0,
@@ -82,15 +77,16 @@ impl Field for PuffsField {
     fn step(&mut self, _: Duration, weather: &Weather) {
         let dt_s = TICK.as_secs_f64();
         let drift = weather.wind.drift_m_s();
+        let source = &self.leak.source;
         for puff in &mut self.puffs {
-            puff.drift(drift, dt_s, &self.source);
+            puff.drift(drift, dt_s, source);
         }
         self.since_last_s += dt_s;
         if self.since_last_s >= self.every_s - 1e-9 {
             self.since_last_s = 0.0;
             self.puffs.push_back(Puff {
-                at: self.source.source,
-                mass_g: self.source.rate_g_s * self.every_s,
+                at: source.source,
+                mass_g: source.rate_g_s * self.every_s,
                 travelled_m: 0.0,
                 spread_m: (FIRST_SPREAD_M, FIRST_SPREAD_M),
             });
@@ -101,23 +97,20 @@ impl Field for PuffsField {
     }
 
     fn amount(&self, quantity: Quantity, at: Point, height_m: f64) -> f64 {
-        if quantity != self.substance.quantity() {
+        if !self.leak.is_measured_in(quantity) {
             return 0.0;
         }
-        let source_m = self.source.height_m;
+        let source_m = self.leak.source.height_m;
         let of = |puff: &Puff| puff.concentration_ug_m3(at, height_m, source_m);
         self.puffs.iter().map(of).sum()
     }
 
     fn objects(&self) -> &[Object] {
-        &self.objects
+        self.leak.objects()
     }
 
     fn truth(&self) -> Vec<TruthPiece> {
-        vec![TruthPiece {
-            at: self.source.source,
-            shape: TruthShape::Object(ObjectClass::Leak, true),
-        }]
+        vec![self.leak.truth()]
     }
 }
 
@@ -158,6 +151,7 @@ impl Puff {
 mod tests {
     use super::*;
     use crate::mission::hazard::dispersion::{Stability, Terrain};
+    use crate::mission::hazard::source::Substance;
     use crate::mission::weather::Wind;
 
     fn puffs() -> PuffsField {
@@ -169,9 +163,7 @@ mod tests {
             terrain: Terrain::Open,
         };
         PuffsField {
-            objects: [leak(source.source, source.height_m)],
-            source,
-            substance: Substance::Vapour,
+            leak: Leak::new(source, Substance::Vapour),
             every_s: 2.0,
             puffs: VecDeque::new(),
             since_last_s: 0.0,

@@ -73,7 +73,7 @@ struct RadiationField {
 
 pub(super) const KIND: KindOf<Box<dyn Hazard>> = KindOf {
     name: "radiation",
-    about: "gamma sources behind walls",
+    about: "gamma sources, which walls shield",
     read,
 };
 

@@ -1,12 +1,13 @@
 //! What lets something out into the air, whatever becomes of it there: what it is, where, and how the seed varies it.
 
+use std::slice;
+
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
 use super::dispersion::{Stability, Terrain};
 use super::plume::Plume;
-use super::{Object, ObjectClass, Quantity};
-use crate::mission::Point;
+use super::{Object, ObjectClass, Quantity, TruthPiece, TruthShape};
 use crate::mission::format::{FileTable, POINT_RANGE, number, point, table as table_of, word};
 
 pub(super) const UG_PER_G: f64 = 1e6;
@@ -44,15 +45,16 @@ impl Substance {
 #[derive(Debug)]
 pub(super) struct LeakPlan {
     source: Plume,
-    pub substance: Substance,
+    substance: Substance,
     jitter: Jitter,
 }
 
 /// By how much the seed varies a source.
 #[derive(Debug, Clone, Copy, Default)]
 struct Jitter {
+    /// Up to this far on each axis.
     position_m: f64,
-    /// As a share.
+    /// Up to this share of it, either way.
     rate: f64,
 }
 
@@ -103,9 +105,9 @@ impl LeakPlan {
         }
     }
 
-    /// The source as it is this time.
-    pub fn drawn(&self, random: &mut ChaCha8Rng) -> Plume {
-        self.jitter.vary(&self.source, random)
+    /// The leak as it is this time.
+    pub fn drawn(&self, random: &mut ChaCha8Rng) -> Leak {
+        Leak::new(self.jitter.vary(&self.source, random), self.substance)
     }
 }
 
@@ -138,10 +140,41 @@ impl Jitter {
     }
 }
 
-/// Where something comes out.
-pub(super) fn leak(at: Point, height_m: f64) -> Object {
-    Object {
-        height_m,
-        ..Object::new(ObjectClass::Leak, at)
+/// A leak of one flight.
+#[derive(Debug)]
+pub(super) struct Leak {
+    pub source: Plume,
+    substance: Substance,
+    /// Where it comes out, as something that can be found.
+    object: Object,
+}
+
+impl Leak {
+    pub fn new(source: Plume, substance: Substance) -> Self {
+        Self {
+            object: Object {
+                height_m: source.height_m,
+                ..Object::new(ObjectClass::Leak, source.source)
+            },
+            source,
+            substance,
+        }
+    }
+
+    /// Whether what comes out is measured in a quantity.
+    pub fn is_measured_in(&self, quantity: Quantity) -> bool {
+        self.substance.quantity() == quantity
+    }
+
+    pub fn objects(&self) -> &[Object] {
+        slice::from_ref(&self.object)
+    }
+
+    /// Where it comes out, for the map of the debrief.
+    pub fn truth(&self) -> TruthPiece {
+        TruthPiece {
+            at: self.source.source,
+            shape: TruthShape::Object(ObjectClass::Leak, true),
+        }
     }
 }

@@ -31,7 +31,7 @@ struct Survivors {
 
 pub(super) const KIND: KindOf<Box<dyn Hazard>> = KindOf {
     name: "survivors",
-    about: "people somewhere in a zone, and animals that look like them from far",
+    about: "people at random places in a zone, and animals that look like people from afar",
     read,
 };
 
@@ -58,7 +58,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
     let lasts_s = table.may(
         "lasts",
         number(10.0, LONGEST_S, "s"),
-        "how long people last; hardly anybody is lost early (Weibull, shape 2, this scale); without it, for ever",
+        "how long people last; few are lost early (Weibull, shape 2, this scale); without it, for ever",
     );
     Some(Box::new(Survivors {
         shape: zone?.shape,

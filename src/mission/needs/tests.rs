@@ -66,8 +66,8 @@ fn what_is_missing_on_board_stands_in_the_way() {
         );
     }
     let with = |design: Design, id| design.with(part(id).expect("a part"));
-    let searcher = design(include_str!("../../../designs/searcher.toml"));
-    let searcher = searcher.without(part("s_thdual").expect("a part"));
+    let searcher = design(include_str!("../../../designs/searcher.toml"))
+        .without(part("s_thdual").expect("a part"));
     let searcher = with(searcher, "s_rgbg");
     assert_eq!(
         unmet(&searcher),

@@ -7,7 +7,6 @@ use crate::mission::format::{FileTable, KindOf, number};
 use crate::mission::skill::Skill;
 use crate::mission::world::World;
 use crate::text;
-use crate::text::Text;
 
 #[derive(Debug)]
 struct ArmTime {
@@ -38,7 +37,7 @@ impl Arming {
 
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "arm_time",
-    about: "met when every vehicle is armed soon after it was ready",
+    about: "met when every vehicle was armed soon after it became ready",
     read,
 };
 
@@ -102,14 +101,13 @@ impl Tracker for ArmTracker {
             met: armed && longest_s <= self.within_s,
             settled: armed || longest_s > self.within_s,
             landing: false,
-            quality: None,
+            product: None,
             result: if armed {
                 text!("mission-armed-after", time = taken)
             } else {
                 text!("mission-not-armed")
             },
             outlook: None,
-            quality_advice: Text::default(),
             target: text!("mission-arm-within", time = within.as_str()),
             advice: text!("mission-arm-advice", time = within),
         }

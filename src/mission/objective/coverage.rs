@@ -16,7 +16,6 @@ use crate::mission::world::World;
 use crate::mission::zone::{Shape, Zone};
 use crate::mission::{Point, TICK};
 use crate::text;
-use crate::text::Text;
 
 mod gaps;
 
@@ -52,7 +51,7 @@ struct Sweep {
 
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "coverage",
-    about: "met when a working strip of one of the sensors went over this share of the cells; a sensor works where half of its best is left",
+    about: "met when the sensors have swept this share of the cells; a sensor sweeps a cell where it has at least half of its best probability of detection",
     read,
 };
 
@@ -230,7 +229,7 @@ impl Tracker for Sweep {
             met,
             settled: met,
             landing: false,
-            quality: None,
+            product: None,
             result: text!(
                 "coverage-result",
                 swept = percent(swept),
@@ -238,7 +237,6 @@ impl Tracker for Sweep {
                 random = percent(random_search(coverage)),
             ),
             outlook: Some(text!("coverage-outlook", swept = percent(swept))),
-            quality_advice: Text::default(),
             target: text!("coverage-target", target = percent(self.target.met_at)),
             advice: text!(
                 "coverage-advice",

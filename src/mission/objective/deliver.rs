@@ -2,15 +2,14 @@
 
 use super::{
     DemandedEquipment, Demands, Equipment, ObjectiveKind, ObjectiveScene, ObjectiveStanding,
-    Tracker, partial_credit,
+    Tracker,
 };
-use crate::mission::format::{FileTable, KindOf, whole, word};
+use crate::mission::format::{CountTarget, FileTable, KindOf, word};
 use crate::mission::ground_truth::Load;
 use crate::mission::hazard::{Care, Field};
 use crate::mission::skill::Skill;
 use crate::mission::world::World;
 use crate::text;
-use crate::text::Text;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum What {
@@ -33,34 +32,23 @@ impl What {
 struct Deliver {
     hazard: usize,
     what: What,
-    target: usize,
-    partial_from: u32,
+    target: CountTarget,
 }
 
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "deliver",
-    about: "met when so many people have a kit in time, or so many nodes stand in their places",
+    about: "met when enough people have received a kit in time, or enough nodes stand at their places",
     read,
 };
 
 fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     let hazard = table.need_hazard("hazard", "with the people or the places");
     let what = table.need("load", word(&What::WORDS), "what is brought");
-    let target = table.need("target", whole(0, 1000, "pieces"), "what is asked for");
-    let partial_from = table.or(
-        "partial_from",
-        whole(0, 1000, "pieces"),
-        0,
-        "where points begin",
-    );
-    if target.is_some_and(|target| target <= partial_from) {
-        table.fault_of("target", "`target` must be above `partial_from`");
-    }
+    let target = table.need_count(0, 1000, "pieces");
     Some(Box::new(Deliver {
         hazard: hazard?,
         what: what?,
-        target: target? as usize,
-        partial_from,
+        target: target?,
     }))
 }
 
@@ -97,26 +85,24 @@ impl Deliver {
             What::Kit => (care.helped, care.lost),
             What::Node => (care.nodes_placed, 0),
         };
-        let met = done >= self.target;
+        let met = done >= self.target.met_at;
         // Nobody is left who could be reached.
         let hopeless = self.what == What::Kit && care.helped + care.lost >= care.people;
-        let target = self.target as f64;
         ObjectiveStanding {
-            fraction: partial_credit(done as f64, f64::from(self.partial_from), target),
+            fraction: self.target.credit(done),
             measure: done as f64,
             met,
             settled: met || hopeless,
             landing: false,
-            quality: None,
+            product: None,
             result: match self.what {
                 What::Kit => text!("deliver-kits", done = done, lost = lost),
                 What::Node => text!("deliver-nodes", done = done),
             },
             outlook: None,
-            quality_advice: Text::default(),
             target: match self.what {
-                What::Kit => text!("deliver-kits-target", target = self.target),
-                What::Node => text!("deliver-nodes-target", target = self.target),
+                What::Kit => text!("deliver-kits-target", target = self.target.met_at),
+                What::Node => text!("deliver-nodes-target", target = self.target.met_at),
             },
             advice: match self.what {
                 What::Kit => text!("deliver-kits-advice", lost = lost),
@@ -135,8 +121,10 @@ mod tests {
         let deliver = |what| Deliver {
             hazard: 0,
             what,
-            target: 4,
-            partial_from: 0,
+            target: CountTarget {
+                met_at: 4,
+                partial_from: 0,
+            },
         };
         let care = Care {
             people: 5,

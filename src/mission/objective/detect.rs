@@ -17,6 +17,7 @@ use crate::mission::hazard::Field;
 use crate::mission::report::{Mark, distance_m};
 use crate::mission::skill::Skill;
 use crate::mission::world::World;
+use crate::scoring::Product;
 use crate::text;
 use crate::text::Text;
 
@@ -45,7 +46,7 @@ pub(crate) struct DetectTally {
 
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "detect",
-    about: "met when the F-measure of the reports is as high. It makes a product",
+    about: "met when the F-measure of the reports reaches the target. It makes a product",
     read,
 };
 
@@ -114,18 +115,19 @@ impl Tracker for Detect {
             met,
             settled: met,
             landing: false,
-            quality: Some((
-                score,
-                text!(
+            product: Some(Product {
+                quality: score,
+                words: text!(
                     "detect-quality",
                     recall = format!("{recall:.2}"),
                     precision = format!("{precision:.2}")
                 ),
-            )),
+                advice: tally.advice(),
+                is_measured: true,
+            }),
             result: self.result(tally, score),
             // How many are there is not for the pilot to know.
             outlook: Some(text!("detect-outlook", count = scene.marks.len())),
-            quality_advice: tally.advice(),
             target: text!(
                 "detect-target",
                 beta = format!("{:.0}", self.beta),

@@ -9,7 +9,6 @@ use crate::mission::ground_truth::Quantity;
 use crate::mission::skill::Skill;
 use crate::mission::world::World;
 use crate::text;
-use crate::text::Text;
 use crate::vehicle::VehicleId;
 
 /// Twice the limit is worth nothing.
@@ -28,7 +27,7 @@ struct DoseTracker {
 
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "dose",
-    about: "met when no vehicle has gathered more radiation; twice as much is worth nothing",
+    about: "met when no vehicle has received a higher dose; a dose twice as high is worth nothing",
     read,
 };
 
@@ -78,10 +77,9 @@ impl Tracker for DoseTracker {
             met: begun && within,
             settled: true,
             landing: false,
-            quality: None,
+            product: None,
             result: words,
             outlook: None,
-            quality_advice: Text::default(),
             target: text!("dose-target", limit = format!("{:.1}", self.limit_usv)),
             advice: text!("dose-advice"),
         }

@@ -8,7 +8,6 @@ use crate::mission::skill::Skill;
 use crate::mission::world::World;
 use crate::mission::{Point, TICK};
 use crate::text;
-use crate::text::Text;
 
 #[derive(Debug)]
 struct FormationObjective {
@@ -37,7 +36,7 @@ struct FormationTracker {
 
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "formation",
-    about: "met when the middle of all vehicles went through the gates, and for a share of the way each had its nearest neighbour so far away",
+    about: "met when the centre of all vehicles has passed the gates in their order, and each vehicle kept its distance to the nearest other for a share of the time",
     read,
 };
 
@@ -157,7 +156,7 @@ impl Tracker for FormationTracker {
             met: through && share >= self.keep.target.met_at,
             settled: through,
             landing: false,
-            quality: None,
+            product: None,
             result: text!(
                 "mission-formation-of",
                 percent = percent(share),
@@ -165,7 +164,6 @@ impl Tracker for FormationTracker {
                 count = count
             ),
             outlook: None,
-            quality_advice: Text::default(),
             target: text!(
                 "mission-formation",
                 percent = percent(self.keep.target.met_at),
@@ -183,8 +181,10 @@ impl Tracker for FormationTracker {
     fn places(&self) -> Vec<(String, Point)> {
         let place =
             |(index, gate): (usize, &[f64; 3])| (GateRoute::name(index), [gate[0], gate[1]]);
-        let next = self.gates.get(self.passed);
-        let next = next.map(|gate| (super::NEXT_PLACE.to_owned(), [gate[0], gate[1]]));
+        let next = self
+            .gates
+            .get(self.passed)
+            .map(|gate| (super::NEXT_PLACE.to_owned(), [gate[0], gate[1]]));
         self.gates
             .iter()
             .enumerate()

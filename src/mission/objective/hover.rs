@@ -12,7 +12,6 @@ use crate::mission::skill::Skill;
 use crate::mission::world::World;
 use crate::mission::{Point, TICK};
 use crate::text;
-use crate::text::Text;
 
 #[derive(Debug, Clone)]
 struct Hover {
@@ -39,7 +38,7 @@ struct HoverHold {
 
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "hover",
-    about: "met when every vehicle has stayed in its place in the air without a break",
+    about: "met when every vehicle has held its position in the air without a break",
     read,
 };
 
@@ -47,12 +46,12 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     let heights_m = table.need("heights", heights(), "where");
     let radius_m = table.need_radius();
     let time_s = table.need("time", number(0.5, 3600.0, "s"), "without a break");
-    let place = table.may(
+    let place_name = table.may(
         "place",
         text("id of a place"),
         "where; without it, anywhere",
     );
-    let place = match place {
+    let place = match place_name {
         Some(name) => Some(table.draft().named_place(&name)?),
         None => None,
     };
@@ -92,8 +91,10 @@ impl ObjectiveKind for Hover {
 impl Hover {
     fn step(&self, hold: &mut HoverHold, craft: &Craft) {
         let [low, high] = self.heights_m;
-        let at = craft.at.filter(|_| craft.airborne && !craft.lost);
-        let at = at.filter(|_| (low..=high).contains(&craft.height_m));
+        let at = craft
+            .at
+            .filter(|_| craft.airborne && !craft.lost)
+            .filter(|_| (low..=high).contains(&craft.height_m));
         let Some(at) = at else {
             (hold.around, hold.now_s) = (None, 0.0);
             return;
@@ -134,14 +135,13 @@ impl Tracker for HoverTracker {
             met,
             settled: met,
             landing: false,
-            quality: None,
+            product: None,
             result: text!(
                 "mission-hover-of",
                 held = format!("{held_s:.0}"),
                 time = time.as_str()
             ),
             outlook: None,
-            quality_advice: Text::default(),
             target: text!("mission-hover", time = time.as_str()),
             advice: text!(
                 "mission-hover-advice",

@@ -11,7 +11,6 @@ use crate::mission::format::{FileTable, KindOf, NamedPlace, text, whole};
 use crate::mission::skill::Skill;
 use crate::mission::world::World;
 use crate::text;
-use crate::text::Text;
 
 #[derive(Debug, Clone)]
 struct LandOn {
@@ -22,7 +21,7 @@ struct LandOn {
 
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "land_on",
-    about: "met when so many vehicles stand at the place, disarmed",
+    about: "met when enough vehicles stand at the place, disarmed",
     read,
 };
 
@@ -83,10 +82,9 @@ impl Tracker for LandOn {
             met,
             settled: met || (!vehicles.is_empty() && vehicles.iter().all(stopped)),
             landing: true,
-            quality: None,
+            product: None,
             result: text!("mission-landed-of", down = down, count = self.count),
             outlook: None,
-            quality_advice: Text::default(),
             target: text!("mission-land-within", radius = radius.as_str()),
             advice: text!(
                 "mission-land-advice",

@@ -11,7 +11,6 @@ use crate::mission::skill::Skill;
 use crate::mission::world::World;
 use crate::mission::zone::Zone;
 use crate::text;
-use crate::text::Text;
 
 /// A link that has to be kept while vehicles work in a zone.
 #[derive(Debug, Clone)]
@@ -26,7 +25,7 @@ struct LinkObjective {
 
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "link",
-    about: "met when vehicles worked so long in the zone, and this share of it were heard so well",
+    about: "met when vehicles have spent `time` in the zone, and for this share of it with at least this link margin",
     read,
 };
 
@@ -113,7 +112,7 @@ impl Tracker for LinkTracker {
             met,
             settled: met,
             landing: false,
-            quality: None,
+            product: None,
             result: if self.inside.is_zero() {
                 text!("link-none")
             } else {
@@ -124,7 +123,6 @@ impl Tracker for LinkTracker {
                 )
             },
             outlook: (missing > 0.0).then(|| text!("link-more", seconds = format!("{missing:.0}"))),
-            quality_advice: Text::default(),
             target: text!(
                 "link-target",
                 margin = format!("{:.0}", link.margin_db),

@@ -13,6 +13,7 @@ use crate::mission::ground_truth::Object;
 use crate::mission::report::{Mark, distance_m};
 use crate::mission::skill::Skill;
 use crate::mission::world::World;
+use crate::scoring::Product;
 use crate::text;
 use crate::text::Text;
 
@@ -47,7 +48,7 @@ struct LocateReports {
 
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "locate",
-    about: "met when each source or leak was reported so near, which is told after landing. It makes a product",
+    about: "met when each source or leak was reported near enough to its position; the result is shown after landing. It makes a product",
     read,
 };
 
@@ -191,10 +192,14 @@ impl Tracker for LocateTracker {
             met: located == wanted && wanted > 0,
             settled: self.is_settled(scene),
             landing: false,
-            quality: Some(((fraction - wrong).max(0.0), result.clone())),
+            product: Some(Product {
+                quality: (fraction - wrong).max(0.0),
+                words: result.clone(),
+                advice: text!("locate-quality"),
+                is_measured: false,
+            }),
             result,
             outlook: None,
-            quality_advice: text!("locate-quality"),
             target: text!(
                 "locate-target",
                 count = wanted,

@@ -9,6 +9,7 @@ use crate::mission::format::{BetterMeasure, FileTable, KindOf, ObjectiveTarget, 
 use crate::mission::skill::Skill;
 use crate::mission::survey::{Survey, SurveyPlan};
 use crate::mission::world::World;
+use crate::scoring::Product;
 use crate::text;
 use crate::text::Text;
 
@@ -34,7 +35,7 @@ struct MapTracker {
 
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "map_error",
-    about: "met when the map of a survey is so near to the truth: the root of the mean square of the error, divided by the mean; a cell without a sample counts as 0. It makes a product",
+    about: "met when the error of a survey's map is at most the target: the root mean square error divided by the mean; a cell without a sample counts as 0. It makes a product",
     read,
 };
 
@@ -146,13 +147,14 @@ impl Tracker for MapTracker {
             met,
             settled: met || whole,
             landing: false,
-            quality: Some((
-                error.map_or(0.0, |error| 1.0 - (error / WORTHLESS).min(1.0)),
-                quality,
-            )),
+            product: Some(Product {
+                quality: error.map_or(0.0, |error| 1.0 - (error / WORTHLESS).min(1.0)),
+                words: quality,
+                advice: self.quality_advice(survey),
+                is_measured: false,
+            }),
             result,
             outlook: None,
-            quality_advice: self.quality_advice(survey),
             target: format!("{:.2}", self.target.met_at).into(),
             advice: text!(
                 "mission-map-advice",

@@ -15,6 +15,7 @@ use crate::mission::report::distance_m;
 use crate::mission::sensor::Sensor;
 use crate::mission::skill::Skill;
 use crate::mission::world::World;
+use crate::scoring::Product;
 use crate::text;
 use crate::text::Text;
 
@@ -38,7 +39,7 @@ struct PerimeterTracker {
 
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "perimeter",
-    about: "met when at these times the map of what burns, drawn by what the camera saw, fits the truth: common area divided by joint area, mean of all times. It makes a product",
+    about: "met when the map of burnt ground, drawn from what the camera saw, agrees with the truth at these times: intersection over union, the mean of all times. It makes a product",
     read,
 };
 
@@ -184,18 +185,26 @@ impl Tracker for PerimeterTracker {
         let credit = |fit: &f64| target.credit(*fit);
         // No fits at all add up to a negative zero, which is written as `-0`.
         let credits: f64 = 0.0 + self.fits.iter().map(credit).sum::<f64>();
-        let times = self.plan.times.iter();
-        let times: Vec<String> = times.map(|time| time.as_secs().to_string()).collect();
+        let times: Vec<String> = self
+            .plan
+            .times
+            .iter()
+            .map(|time| time.as_secs().to_string())
+            .collect();
         ObjectiveStanding {
             fraction: credits / all.max(1) as f64,
             measure: mean,
             met: settled && mean >= target.met_at,
             settled,
             landing: false,
-            quality: Some((sum / all.max(1) as f64, self.words())),
+            product: Some(Product {
+                quality: sum / all.max(1) as f64,
+                words: self.words(),
+                advice: text!("perimeter-advice"),
+                is_measured: true,
+            }),
             result: self.words(),
             outlook: self.next(scene.now),
-            quality_advice: text!("perimeter-advice"),
             target: text!(
                 "perimeter-target",
                 fit = format!("{:.2}", target.met_at),

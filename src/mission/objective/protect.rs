@@ -10,8 +10,8 @@ use crate::mission::hazard::Fire;
 use crate::mission::skill::Skill;
 use crate::mission::world::World;
 use crate::mission::zone::Shape;
+use crate::scoring::Product;
 use crate::text;
-use crate::text::Text;
 
 #[derive(Debug, Clone)]
 struct Protect {
@@ -43,7 +43,7 @@ fn read_protect(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
 
 pub(super) const CONTAIN: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "contain",
-    about: "met when no larger share has burnt of what would burn if nobody did anything",
+    about: "met when at most this share has burnt of what would burn without intervention",
     read: read_contain,
 };
 
@@ -117,14 +117,13 @@ impl Tracker for Protect {
             met: saved && begun,
             settled: out || !saved,
             landing: false,
-            quality: None,
+            product: None,
             result: match (saved, out) {
                 (true, true) => text!("protect-safe"),
                 (true, false) => text!("protect-still"),
                 (false, _) => text!("protect-burnt", lost = lost, all = all),
             },
             outlook: None,
-            quality_advice: Text::default(),
             target: text!("protect-target"),
             advice: text!("protect-advice"),
         }
@@ -147,13 +146,14 @@ impl Tracker for Contain {
             met,
             settled: fire.is_none_or(Fire::is_out),
             landing: false,
-            quality: Some((
-                good as f64 / all.max(1) as f64,
-                text!("contain-hits", good = good, all = all),
-            )),
+            product: Some(Product {
+                quality: good as f64 / all.max(1) as f64,
+                words: text!("contain-hits", good = good, all = all),
+                advice: text!("contain-quality"),
+                is_measured: false,
+            }),
             result: text!("contain-share", percent = format!("{:.0}", share * 100.0)),
             outlook: None,
-            quality_advice: text!("contain-quality"),
             target: text!(
                 "contain-target",
                 percent = format!("{:.0}", self.target.met_at * 100.0)

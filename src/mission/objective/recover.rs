@@ -19,7 +19,7 @@ struct Recover {
 
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "recover",
-    about: "met when all vehicles are back on the pads, disarmed, with so much battery; nearly every mission has it",
+    about: "met when all vehicles stand on the pads, disarmed, with enough battery left; nearly every mission has it",
     read,
 };
 
@@ -73,7 +73,7 @@ impl Tracker for Recover {
             met,
             settled: count > 0 && scene.vehicles.iter().all(stopped),
             landing: true,
-            quality: None,
+            product: None,
             result: result(scene.vehicles, home),
             target: text!(
                 "mission-recover-target",
@@ -81,7 +81,6 @@ impl Tracker for Recover {
                 percent = format!("{:.0}", self.battery_percent)
             ),
             outlook: self.outlook(scene.vehicles),
-            quality_advice: Text::default(),
             advice: self.advice(scene.vehicles),
         }
     }

@@ -1,10 +1,7 @@
 //! `sample_cells`: carry a sensor slowly enough and for long enough through the cells of a grid.
 
-use super::{
-    DemandedTime, Demands, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker,
-    partial_credit,
-};
-use crate::mission::format::{FileTable, KindOf, heights, number, whole};
+use super::{DemandedTime, Demands, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
+use crate::mission::format::{CountTarget, FileTable, KindOf, heights, number};
 use crate::mission::skill::Skill;
 use crate::mission::survey::{CellPlan, Survey, SurveyPlan, letters};
 use crate::mission::world::World;
@@ -19,13 +16,12 @@ const MOST_CELLS: usize = 10_000;
 struct SampleCells {
     zone: Zone,
     plan: SurveyPlan,
-    target: usize,
-    partial_from: u32,
+    target: CountTarget,
 }
 
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "sample_cells",
-    about: "met when so many cells were sampled: for so long in each, not faster, at these heights",
+    about: "met when enough cells were sampled; a cell is sampled once a vehicle has stayed in it for `dwell`, within the heights and the speed",
     read,
 };
 
@@ -36,25 +32,16 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     let dwell_s = table.need("dwell", number(0.1, 600.0, "s"), "in each cell");
     let max_speed_m_s = table.need("max_speed", number(0.1, 100.0, "m/s"), "while sampling");
     let heights_m = table.need("heights", heights(), "where");
-    let target = table.need("target", whole(1, 10_000, "cells"), "what is asked for");
-    let partial_from = table.or(
-        "partial_from",
-        whole(0, 10_000, "cells"),
-        0,
-        "where points begin",
-    );
+    let target = table.need_count(1, 10_000, "cells");
     let cells = match (&zone, side_m) {
         (Some(zone), Some(side_m)) => grid(&zone.shape, side_m, table),
         _ => Vec::new(),
     };
     let target = target?;
-    if !cells.is_empty() && target as usize > cells.len() {
+    if !cells.is_empty() && target.met_at > cells.len() {
         let count = cells.len();
         let fault = format!("`target` must lie between 1 and the {count} cells of the zone");
         table.fault_of("target", fault);
-    }
-    if partial_from >= target {
-        table.fault_of("target", "`target` must be above `partial_from`");
     }
     let sensor = sensor?;
     let probe = sensor.probe();
@@ -74,8 +61,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
             max_speed_m_s: max_speed_m_s?,
             heights_m: heights_m?,
         },
-        target: target as usize,
-        partial_from,
+        target,
     }))
 }
 
@@ -120,7 +106,7 @@ impl ObjectiveKind for SampleCells {
     fn demands(&self) -> Demands<'_> {
         let dwell = DemandedTime::seconds("dwell", self.plan.dwell_s);
         // One after the other.
-        let cells = u32::try_from(self.target).unwrap_or(u32::MAX);
+        let cells = u32::try_from(self.target.met_at).unwrap_or(u32::MAX);
         Demands {
             zone: Some(&self.zone),
             heights_m: Some(self.plan.heights_m),
@@ -149,24 +135,19 @@ impl Tracker for SampleCells {
             .collect();
         let [low, high] = self.plan.heights_m;
         ObjectiveStanding {
-            fraction: partial_credit(
-                sampled as f64,
-                f64::from(self.partial_from),
-                self.target as f64,
-            ),
+            fraction: self.target.credit(sampled),
             measure: sampled as f64,
-            met: sampled >= self.target,
-            settled: sampled >= self.target,
+            met: sampled >= self.target.met_at,
+            settled: sampled >= self.target.met_at,
             landing: false,
-            quality: None,
+            product: None,
             outlook: None,
-            quality_advice: Text::default(),
             result: text!(
                 "mission-cells-of",
                 sampled = sampled,
                 count = self.plan.cells.len()
             ),
-            target: text!("mission-cells", count = self.target),
+            target: text!("mission-cells", count = self.target.met_at),
             advice: text!(
                 "mission-cells-advice",
                 cells = shortened(&missing),

@@ -13,7 +13,6 @@ use crate::mission::format::{
 use crate::mission::skill::Skill;
 use crate::mission::world::World;
 use crate::text;
-use crate::text::Text;
 
 #[derive(Debug, Clone)]
 struct Standoff {
@@ -30,7 +29,7 @@ struct Standoff {
 
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "standoff",
-    about: "met when of the time near the line this share was at the right distance",
+    about: "met when vehicles kept the right distance for this share of their time near the line",
     read,
 };
 
@@ -125,7 +124,7 @@ impl Tracker for Standoff {
             met,
             settled: self.near >= self.least,
             landing: false,
-            quality: None,
+            product: None,
             result: text!(
                 "standoff-result",
                 share = percent(share),
@@ -133,7 +132,6 @@ impl Tracker for Standoff {
                 close = seconds(self.too_near),
             ),
             outlook: None,
-            quality_advice: Text::default(),
             target: text!(
                 "standoff-target",
                 share = percent(self.target.met_at),

@@ -61,7 +61,7 @@ impl Stop {
 
 pub(super) const GATES: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "gates",
-    about: "met when somebody went through each gate, in their order; only one objective of a mission may have gates",
+    about: "met when a vehicle has flown through each gate, in their order; only one objective of a mission may have gates",
     read: read_gates,
 };
 
@@ -75,7 +75,7 @@ fn read_gates(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
 
 pub(super) const VISIT: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "visit",
-    about: "met when somebody was at each of the places, in any order",
+    about: "met when a vehicle has been at each of the places, in any order",
     read: read_visit,
 };
 
@@ -249,10 +249,9 @@ impl Tracker for Stops {
             met,
             settled: met,
             landing: false,
-            quality: None,
+            product: None,
             result,
             outlook: None,
-            quality_advice: Text::default(),
             target,
             advice,
         }
@@ -260,8 +259,10 @@ impl Tracker for Stops {
 
     fn places(&self) -> Vec<(String, Point)> {
         let gates = self.places.iter().filter(|stop| stop.up_m.is_some());
-        let next = self.next().map(|next| &self.places[next]);
-        let next = next.filter(|_| self.ordered);
+        let next = self
+            .next()
+            .map(|next| &self.places[next])
+            .filter(|_| self.ordered);
         gates
             .map(|stop| (stop.name.clone(), stop.at))
             .chain(next.map(|stop| (super::NEXT_PLACE.to_owned(), stop.at)))

@@ -112,8 +112,7 @@ fn a_village_that_nobody_cares_for_burns() {
 fn the_dose_is_the_dose_rate_over_time() {
     let world = World::new(&mission(RADIATION), 2);
     let rate = world.amount(Quantity::DoseRate, [0.0, 0.0], 0.0);
-    let file = RADIATION.replace("id = \"home\"", "id = \"dose\"");
-    let file = file.replace(
+    let file = RADIATION.replace("id = \"home\"", "id = \"dose\"").replace(
         "kind = \"recover\"\nradius = 3\nbattery_pct = 25",
         "kind = \"dose\"\nlimit_usv = 1",
     );

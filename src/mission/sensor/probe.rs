@@ -30,6 +30,7 @@ pub(crate) enum Response {
     Inlet(Noise),
     /// A beam through all that is between it and the ground; the reading is per metre of it, added up.
     Beam(Noise),
+    /// It counts decays: readings scatter as counts do.
     Counter {
         /// Counts per second and unit of the reading.
         per_unit_s: f64,

@@ -19,7 +19,6 @@ pub(in crate::mission) struct PointsValue<const N: usize> {
     fault: fn(&str) -> String,
 }
 
-/// A point.
 pub(in crate::mission) const fn point() -> PointsValue<2> {
     PointsValue {
         form: "[east, north]",
@@ -45,7 +44,6 @@ pub(in crate::mission) const fn gate() -> PointsValue<3> {
     }
 }
 
-/// A rectangle.
 pub(in crate::mission) const fn area() -> PointsValue<4> {
     PointsValue {
         form: "[west, south, east, north]",

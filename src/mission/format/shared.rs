@@ -1,0 +1,109 @@
+//! Keys that tables of several sections have in common.
+
+use toml::Spanned;
+
+use super::table::FileTable;
+use super::value;
+use crate::mission::sensor::Sensor;
+use crate::mission::zone::Zone;
+
+/// Which of two values is the better one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::mission) enum BetterMeasure {
+    Higher,
+    Lower,
+}
+
+/// What an objective asks for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::mission) struct ObjectiveTarget {
+    /// The measure that is all of it.
+    pub met_at: f64,
+    /// The measure at which points begin.
+    pub partial_from: f64,
+}
+
+/// What an objective asks for that counts pieces.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::mission) struct CountTarget {
+    pub met_at: usize,
+    /// The count at which points begin.
+    pub partial_from: usize,
+}
+
+impl FileTable<'_> {
+    /// A task zone by the key `zone`.
+    pub fn need_task_zone(&mut self) -> Option<Zone> {
+        let name = self.need("zone", value::text("id of a task zone"), "where")?;
+        self.draft().task_zone(&name)
+    }
+
+    /// A sensor that the fleet carries, by a key.
+    pub fn need_sensor(&mut self, name: &str, about: &'static str) -> Option<&'static Sensor> {
+        let id = self.need(name, value::sensor_id(), about)?;
+        self.draft().fitted_sensor(&id)
+    }
+
+    /// Sensors that the fleet carries, by the key `sensors`, each with its place in the file.
+    pub fn need_sensors(&mut self, about: &'static str) -> Option<Vec<Spanned<&'static Sensor>>> {
+        let ids = self.need("sensors", value::list(value::sensor_id(), 1, 100), about)?;
+        let fitted = ids.iter().filter_map(|id| {
+            let sensor = self.draft().fitted_sensor(id)?;
+            Some(Spanned::new(id.span(), sensor))
+        });
+        Some(fitted.collect())
+    }
+
+    /// A hazard by a key; its place in the file.
+    pub fn need_hazard(&mut self, name: &str, about: &'static str) -> Option<usize> {
+        let id = self.need(name, value::text("id of a hazard"), about)?;
+        self.draft().hazard(&id)
+    }
+
+    /// What is asked for, and from where on a part of it counts, which must lie on the worse side of it.
+    pub fn need_target(
+        &mut self,
+        range: [f64; 2],
+        better: BetterMeasure,
+    ) -> Option<ObjectiveTarget> {
+        let [low, high] = range;
+        let asked = value::number(low, high, "");
+        let met_at = self.need("target", asked, "what is asked for");
+        let from = value::number(0.0, high, "");
+        let partial_from = self.need("partial_from", from, "where points begin");
+        let target = ObjectiveTarget {
+            met_at: met_at?,
+            partial_from: partial_from?,
+        };
+        let (is_worse, message) = match better {
+            BetterMeasure::Higher => (
+                target.partial_from < target.met_at,
+                "`partial_from` must be below `target`",
+            ),
+            BetterMeasure::Lower => (
+                target.partial_from > target.met_at,
+                "`partial_from` must be above `target`: less is better here",
+            ),
+        };
+        if !is_worse {
+            self.fault_of("partial_from", message);
+        }
+        Some(target)
+    }
+
+    /// How many pieces are asked for, and from how many on a part of it counts.
+    pub fn need_count(&mut self, least: u32, most: u32, unit: &'static str) -> Option<CountTarget> {
+        let asked = value::whole(least, most, unit);
+        let needed = self.need("target", asked, "what is asked for");
+        let from = value::whole(0, most, unit);
+        let partial_from = self.or("partial_from", from, 0, "where points begin");
+        let met_at = needed?;
+        if met_at <= partial_from {
+            self.fault_of("target", "`target` must be above `partial_from`");
+        }
+        Some(CountTarget {
+            met_at: met_at as usize,
+            partial_from: partial_from as usize,
+        })
+    }
+}
