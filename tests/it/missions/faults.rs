@@ -208,7 +208,7 @@ const FAULTS_OF_SENSE: &[(&str, &str, &str)] = &[
     (
         "[scoring]",
         "[scoring]\ngold_requires = [\"safety >= 1.5\"]",
-        "55:18: nobody can reach this",
+        "55:18: no flight can reach this",
     ),
     (
         "[scoring]",
@@ -243,7 +243,7 @@ const FAULTS_OF_SENSE: &[(&str, &str, &str)] = &[
     (
         "[[hazards]]",
         "[[zones]]\nid = \"school\"\nkind = \"no_fly\"\npolygon = [[-40, 20], [28, 20], [28, 99], [-40, 99]]\n[[hazards]]",
-        "40:8: nobody may fly over more than nine tenths of the zone `yard`: `school`",
+        "40:8: flying is forbidden over more than nine tenths of the zone `yard`: `school`",
     ),
 ];
 
