@@ -166,7 +166,11 @@ fn own_drones_wear_and_lent_ones_do_not() {
 /// Begins the record of an exam of drill d00 with a seed, and returns it with a few seconds of flight in it.
 fn exam(runs: &Runs, seed: u64) -> RunFile {
     let source = include_str!("../../../missions/drills/d00-arm-and-hover.toml");
-    let mission = Arc::new(Mission::parse(source).expect("no faults").flown_for(Stake::Exam));
+    let mission = Arc::new(
+        Mission::parse(source)
+            .expect("no faults")
+            .flown_for(Stake::Exam),
+    );
     let script = Script::parse("all guided\nall arm\n", &Context::default()).expect("two commands");
     let mut exercise = Exercise::new(Arc::clone(&mission), seed, script, Vec::new());
     let mut file = runs.begin(&mission.id, BEGUN).expect("writable");
