@@ -7,7 +7,7 @@ use std::time::Duration;
 use super::{End, Head, RecordChange, RecordLine, VERSION};
 use crate::diagnostic::Diagnostic;
 use crate::ledger::{EntryId, Given, Ledger, RowUpdate};
-use crate::mission::{Flight, Mission, TICK};
+use crate::mission::{Flight, Mission, Stake, TICK};
 use crate::scoring::Report;
 use crate::text;
 use crate::text::Text;
