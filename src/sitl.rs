@@ -85,7 +85,7 @@ pub struct Recipe {
     /// SITL's name of a model (`quad`, which means plus, `x`, `hexa`); by default what suits the kind, the airframe and
     /// the parameters.
     pub model: Option<String>,
-    /// A frame file in the JSON of `SIM_Frame`; multicopters only.
+    /// A frame file in the JSON of `SIM_Frame`; multicopters only, which without one are [`Airframe::standard`].
     pub airframe: Option<String>,
     pub start: Start,
     /// Its system id, 1 to 254.
@@ -137,11 +137,13 @@ impl Recipe {
     /// What SITL would misunderstand, or die of, or spin on for ever, with what to do.
     pub fn command_line(&self, door: Door) -> Result<CommandLine, SitlUnfit> {
         self.check()?;
-        let airframe = self.airframe()?;
-        let motors = airframe.as_ref().map(Airframe::motors);
+        let named = self.airframe()?;
+        let motors = named.as_ref().map(Airframe::motors);
         let asked = |name: &str| self.parameters.get(name).copied();
         let model = models::choose(self.kind, self.model.as_deref(), motors, asked)?;
-        let word = match &self.airframe {
+        let standard = || (self.kind == SitlKind::Copter).then(|| Airframe::standard(model.motors));
+        let airframe = named.or_else(standard);
+        let word = match &airframe {
             Some(_) => format!("{}:{AIRFRAME_FILE}", model.name),
             None => model.name.to_owned(),
         };
@@ -163,8 +165,13 @@ impl Recipe {
             ("--sysid", self.system.to_string()),
         ]);
         arguments.extend(door.arguments()?);
-        let mut files = vec![(PARAMETER_FILE, self.parameter_file(model, airframe))];
-        files.extend(self.airframe.clone().map(|json| (AIRFRAME_FILE, json)));
+        let mut files = vec![(
+            PARAMETER_FILE,
+            self.parameter_file(model, airframe.as_ref()),
+        )];
+        let own = || airframe.as_ref()?.file().map(ToString::to_string);
+        let frame = self.airframe.clone().or_else(own);
+        files.extend(frame.map(|json| (AIRFRAME_FILE, json)));
         Ok(CommandLine { arguments, files })
     }
 
@@ -209,10 +216,12 @@ impl Recipe {
         }
     }
 
-    fn parameter_file(&self, model: &SitlModel, airframe: Option<Airframe>) -> String {
+    fn parameter_file(&self, model: &SitlModel, airframe: Option<&Airframe>) -> String {
         let mut parameters: BTreeMap<String, f64> = defaults::of(self.kind).into_iter().collect();
-        if self.kind == SitlKind::Copter {
-            parameters.extend(defaults::of_airframe(&airframe.unwrap_or_default()));
+        if let Some(airframe) = airframe {
+            parameters.extend(defaults::of_airframe(airframe));
+            let set = airframe.parameters().iter();
+            parameters.extend(set.map(|&(name, value)| (name.to_owned(), value)));
         }
         let model = model.parameters.iter();
         parameters.extend(model.map(|&(name, value)| (name.to_owned(), value)));

@@ -7,7 +7,7 @@ use mavlink::Message as _;
 
 use super::{Observed, Recording, Timed};
 use crate::geo::LatLon;
-use crate::sim::{STEP, Start, World, WorldConfig};
+use crate::sim::{Airframe, STEP, Start, World, WorldConfig};
 use crate::wire::{
     AUTOPILOT_COMPONENT, ComponentId, Content, Decoder, Encoder, Frame, Outgoing, SystemId,
 };
@@ -32,7 +32,11 @@ const SITL_HOME: Start = Start {
 /// until the recording ends. It starts where the real vehicle started, ready to fly.
 pub fn replay(recording: &Recording, real: &Observed) -> Vec<Timed> {
     let start = real.start().unwrap_or(SITL_HOME);
-    let mut world = World::new(&WorldConfig::row(1, start));
+    // The recorded ones had no frame file.
+    let mut world = World::new(&WorldConfig {
+        airframes: vec![Airframe::shared_default()],
+        ..WorldConfig::row(1, start)
+    });
     let mut port = world.connect(0);
     let mut decoder = Decoder::new();
     let mut ground = Ground {

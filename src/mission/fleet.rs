@@ -153,7 +153,7 @@ fn airframe(design: &Design) -> Arc<Airframe> {
         Some(airframe.with_parameters(built.parameters))
     });
     // Designs without a drive are refused before.
-    built.map_or_else(Airframe::shared_default, Arc::new)
+    built.map_or_else(Airframe::shared_standard, Arc::new)
 }
 
 /// What keeps designs on the ground, each told once.

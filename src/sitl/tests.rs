@@ -46,7 +46,7 @@ fn the_command_line_is_that_of_sitl() {
     let command = recipe().command_line(Door::Listening(3)).expect("it fits");
     assert_eq!(
         command.line("arducopter"),
-        "arducopter --model quad --speedup 1 --slave 0 --defaults vehicle.parm --home 50.4500000,30.5200000,180,90 \
+        "arducopter --model quad:frame.json --speedup 1 --slave 0 --defaults vehicle.parm --home 50.4500000,30.5200000,180,90 \
          --sysid 7 -I 3"
     );
     let address = "127.0.0.1:4711".parse().expect("an address");
@@ -88,7 +88,7 @@ fn the_parameters_choose_the_model_that_they_mean() {
         ..recipe()
     };
     let command = asked.command_line(Door::Listening(0)).expect("it fits");
-    assert_eq!(command.arguments[1], "x");
+    assert_eq!(command.arguments[1], "x:frame.json");
     let asked = Recipe {
         parameters: with(&[("FRAME_CLASS", 5.0)]),
         airframe: Some(frame(6)),
@@ -105,8 +105,10 @@ fn the_battery_and_the_motors_follow_the_airframe() {
         ..recipe()
     };
     let expected = [
-        ("BATT_CAPACITY", None, Some(5000.0)),
-        ("BATT_LOW_VOLT", None, Some(14.0)),
+        ("BATT_CAPACITY", Some(4000.0), Some(5000.0)),
+        ("BATT_LOW_VOLT", Some(9.9), Some(14.0)),
+        ("BATT_LOW_MAH", Some(800.0), None),
+        ("BATT_FS_LOW_ACT", Some(2.0), None),
         ("MOT_BAT_VOLT_MAX", Some(12.8), Some(17.06667)),
         ("MOT_BAT_VOLT_MIN", Some(9.6), Some(12.8)),
         ("MOT_THST_HOVER", Some(0.39), Some(0.33)),
@@ -123,6 +125,28 @@ fn the_battery_and_the_motors_follow_the_airframe() {
     assert_eq!(value_of(&asked, "BATT_CAPACITY"), Some(1.5));
 }
 
+/// `SIM_BATT_CAP_AH` does nothing: a copter has a battery that ends only by its frame file.
+#[test]
+fn a_copter_without_a_frame_file_gets_a_battery_that_ends() {
+    for model in ["quad", "x", "hexa", "octa-quad"] {
+        let recipe = Recipe {
+            model: Some(model.to_owned()),
+            ..recipe()
+        };
+        let command = recipe.command_line(Door::Listening(0)).expect("it fits");
+        assert_eq!(command.arguments[1], format!("{model}:frame.json"));
+        let (name, frame) = &command.files[1];
+        let (airframe, warnings) = Airframe::from_json(frame).expect("it is valid");
+        assert_eq!((*name, warnings), ("frame.json", Vec::new()));
+        let embedded = Airframe::standard(airframe.motors());
+        assert!(airframe.battery_capacity_ah() > 1.0);
+        assert_eq!(
+            airframe.battery_capacity_ah().to_bits(),
+            embedded.battery_capacity_ah().to_bits()
+        );
+    }
+}
+
 #[test]
 fn every_kind_has_a_model_and_parameters() {
     for (kind, model) in SitlKind::ALL
@@ -132,7 +156,7 @@ fn every_kind_has_a_model_and_parameters() {
     {
         let recipe = Recipe { kind, ..recipe() };
         let command = recipe.command_line(Door::Listening(0)).expect("it fits");
-        assert_eq!(command.arguments[1], model);
+        assert_eq!(command.arguments[1].split(':').next(), Some(model));
         assert!(command.files[0].1.contains("COMPASS_OFS_X 5\n"));
         // A line of a parameter file is read up to 97 characters.
         assert!(command.files[0].1.lines().all(|line| line.len() < 98));

@@ -4,6 +4,7 @@
 
 mod file;
 mod layout;
+mod standard;
 
 use std::sync::Arc;
 
@@ -97,7 +98,8 @@ pub(super) struct Conditions {
 }
 
 impl Default for Airframe {
-    /// The quadcopter of a SITL without a frame file.
+    /// The quadcopter of a SITL without a frame file, whose battery never runs down. Beside recordings of one; what
+    /// people fly is [`Airframe::standard`].
     fn default() -> Self {
         Self::derived(Figures::default())
     }

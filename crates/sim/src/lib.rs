@@ -133,7 +133,7 @@ pub struct WorldConfig {
     /// One start per vehicle; the first has system id 1.
     pub starts: Vec<Start>,
     /// The airframe of each vehicle, in the order of the starts; the last one is also that of all vehicles that
-    /// follow, and without any the vehicles are SITL's default quadcopter.
+    /// follow, and without any the vehicles are [`Airframe::standard`] quadcopters.
     pub airframes: Vec<Arc<Airframe>>,
     /// Seed of everything random (gusts).
     pub seed: u64,
@@ -253,7 +253,7 @@ pub struct World {
 impl World {
     /// Switches the vehicles on. Beyond 254 vehicles the system ids begin again at 1.
     pub fn new(config: &WorldConfig) -> Self {
-        let usual = Airframe::shared_default();
+        let usual = Airframe::shared_standard();
         let slots = config
             .starts
             .iter()

@@ -1,6 +1,7 @@
 //! The simulator as a ground station sees it.
 
 mod airframes;
+mod batteries;
 mod booting;
 mod failsafes;
 mod faults;

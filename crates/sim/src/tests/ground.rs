@@ -25,9 +25,9 @@ pub(crate) struct Ground {
 }
 
 impl Ground {
-    /// Connected to a world that has just begun.
+    /// Connected to a SITL's default quadcopter in a world that has just begun.
     pub(crate) fn new() -> Self {
-        Self::in_world(&WorldConfig::row(1, start()))
+        Self::flying(Airframe::shared_default())
     }
 
     /// Connected to a vehicle with an airframe.
