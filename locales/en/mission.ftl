@@ -60,6 +60,8 @@ mission-too-high = above { $height } m
 mission-outside-fence = outside geofence { $fence }
 mission-off-pad = landed { $distance } m off the pad
 mission-low-reserve = landed with { $percent } % battery
+mission-not-landed = in the air when the mission ended
+mission-end-reserve = { $percent } % battery when the mission ended
 mission-battery-critical = battery critical
 mission-battery-low = battery low
 

@@ -47,6 +47,7 @@ scoring-advice-crash = Bring the vehicle down with rtl or land and wait for the 
 scoring-advice-motors = Never stop motors in the air; rtl or land end a flight.
 scoring-advice-force = Arm without force: wait until the checks before arming pass.
 scoring-advice-reserve = Turn home earlier: land above the battery reserve.
+scoring-advice-land = Land every drone before the mission ends.
 scoring-advice-pad = Land on the pad: rtl flies there by itself.
 scoring-advice-battery = Turn home before the battery failsafe does it for you.
 scoring-advice-failsafe = Watch the vehicle's alerts: a failsafe took over.

@@ -67,6 +67,8 @@ mission-too-high = вище за { $height } m
 mission-outside-fence = поза геозоною { $fence }
 mission-off-pad = посадка за { $distance } m від майданчика
 mission-low-reserve = посадка із зарядом { $percent } %
+mission-not-landed = у повітрі на момент завершення місії
+mission-end-reserve = заряд { $percent } % на момент завершення місії
 mission-battery-critical = критичний заряд акумулятора
 mission-battery-low = низький заряд акумулятора
 

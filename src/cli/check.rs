@@ -26,7 +26,7 @@ pub(super) struct CheckArguments {
     #[arg(required_unless_present_any = ["fly", "schema", "reference"], value_name = "FILE")]
     files: Vec<PathBuf>,
     /// Flies missions with their reference pilot, a naive one and none at all: the first has to earn silver, the second
-    /// must not earn a medal, and the third must not pass nor score more than 250. The scripts are MISSION.pilot and
+    /// must not earn a medal, and the third must not pass nor score. The scripts are MISSION.pilot and
     /// NN-naive.pilot, beside the mission's file, in its folder `pilots`, or of those shipped.
     #[arg(long, value_name = "MISSION", num_args = 1.., conflicts_with = "files")]
     fly: Vec<String>,

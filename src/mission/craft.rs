@@ -246,16 +246,33 @@ impl Craft {
                 text!("mission-off-pad", distance = format!("{distance:.1}")),
             ));
         }
-        if let Some(percent) = self
-            .battery_percent
-            .filter(|&percent| percent < mission.land_reserve_percent)
-        {
-            breaches.push((
-                SafetyKind::LowReserve,
-                text!("mission-low-reserve", percent = format!("{percent:.0}")),
-            ));
+        if let Some(percent) = self.below_reserve(mission) {
+            let text = text!("mission-low-reserve", percent = format!("{percent:.0}"));
+            breaches.push((SafetyKind::LowReserve, text));
         }
         breaches
+    }
+
+    /// The rules that it breaks by not standing disarmed on the ground at the end of the mission.
+    pub fn unlanded_breaches(&self, mission: &Mission) -> Vec<Breach> {
+        let mut breaches = Vec::new();
+        if self.lost || !self.flown || self.is_down() {
+            return breaches;
+        }
+        if self.airborne {
+            breaches.push((SafetyKind::NotLanded, text!("mission-not-landed")));
+        }
+        if let Some(percent) = self.below_reserve(mission) {
+            let text = text!("mission-end-reserve", percent = format!("{percent:.0}"));
+            breaches.push((SafetyKind::LowReserve, text));
+        }
+        breaches
+    }
+
+    /// Its battery in percent, where that is less than it has to land with.
+    fn below_reserve(&self, mission: &Mission) -> Option<f64> {
+        let percent = self.battery_percent?;
+        (percent < mission.land_reserve_percent).then_some(percent)
     }
 }
 

@@ -23,8 +23,10 @@ pub enum SafetyKind {
     DisarmInFlight,
     /// Armed by force, or with the arming checks switched off.
     ForcedArm,
-    /// Landed with less battery than the reserve.
+    /// Landed with less battery than the reserve, or not down by the end of the mission and below it.
     LowReserve,
+    /// In the air when the mission ended.
+    NotLanded,
     /// Landed too far from any pad.
     OffPad,
     /// The autopilot's battery failsafe, low.
@@ -60,7 +62,8 @@ impl SafetyKind {
             Self::LowReserve => (0.10, 0.0, 0.10),
             Self::OffPad => (0.05, 0.0, 0.05),
             Self::BatteryLow | Self::OtherFailsafe => (0.08, 0.0, 0.08),
-            Self::BatteryCritical | Self::Separation => (0.20, 0.0, 0.20),
+            // Not to land costs more than the worst landing: it must never be the safer choice.
+            Self::NotLanded | Self::BatteryCritical | Self::Separation => (0.20, 0.0, 0.20),
             Self::NoFly => (0.35, 0.0, 0.35),
             Self::Bubble => (0.50, 0.0, 0.50),
             Self::People => (0.30, 0.0, 0.30),
@@ -87,6 +90,7 @@ impl SafetyKind {
             Self::DisarmInFlight => SafetyAdvice::KeepMotorsOn,
             Self::ForcedArm => SafetyAdvice::KeepChecks,
             Self::LowReserve => SafetyAdvice::KeepReserve,
+            Self::NotLanded => SafetyAdvice::LandInTime,
             Self::OffPad => SafetyAdvice::LandOnPad,
             Self::BatteryLow | Self::BatteryCritical => SafetyAdvice::ReturnEarlier,
             Self::OtherFailsafe => SafetyAdvice::AvoidFailsafe,
@@ -107,6 +111,7 @@ pub(super) enum SafetyAdvice {
     KeepMotorsOn,
     KeepChecks,
     KeepReserve,
+    LandInTime,
     LandOnPad,
     ReturnEarlier,
     AvoidFailsafe,
@@ -126,6 +131,7 @@ impl SafetyAdvice {
             Self::KeepMotorsOn => text!("scoring-advice-motors"),
             Self::KeepChecks => text!("scoring-advice-force"),
             Self::KeepReserve => text!("scoring-advice-reserve"),
+            Self::LandInTime => text!("scoring-advice-land"),
             Self::LandOnPad => text!("scoring-advice-pad"),
             Self::ReturnEarlier => text!("scoring-advice-battery"),
             Self::AvoidFailsafe => text!("scoring-advice-failsafe"),

@@ -64,7 +64,12 @@ fn perfect() -> Facts {
         },
         alerts: Vec::new(),
         vehicles: 1,
-        usage: Vec::new(),
+        usage: vec![VehicleUse {
+            vehicle: 1,
+            airborne: Duration::from_secs(180),
+            productive: Duration::from_secs(180),
+            idle: Duration::ZERO,
+        }],
         hints: HintsUsed::default(),
     }
 }
@@ -84,6 +89,18 @@ fn a_perfect_flight_gets_everything() {
     let score = score(&rules(), &perfect());
     assert_eq!((score.points, score.medal), (1000, Some(Medal::Gold)));
     assert_eq!(improvements(&rules(), &perfect()), Vec::new());
+}
+
+#[test]
+fn who_never_takes_off_earns_nothing_by_breaking_no_rule() {
+    let idle = Facts {
+        objectives: vec![objective(0.0, true)],
+        energy_wh: None,
+        commands: CommandTally::default(),
+        usage: vec![VehicleUse::default()],
+        ..perfect()
+    };
+    assert_eq!(score(&rules(), &idle).points, 0);
 }
 
 #[test]

@@ -16,9 +16,6 @@ use crate::mission::{Mission, Report};
 use crate::scoring::Medal;
 use crate::store;
 
-/// The score that doing nothing must not exceed.
-const IDLE_AT_MOST: u16 = 250;
-
 /// A pilot that the catalogue is measured with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -27,7 +24,7 @@ enum CheckPilot {
     Reference,
     /// A script that makes the mistakes of a beginner: must not earn a medal.
     Naive,
-    /// Nobody at the controls: must not pass, nor score more than [`IDLE_AT_MOST`].
+    /// Nobody at the controls: must not pass, nor score.
     DoNothing,
 }
 
@@ -60,7 +57,7 @@ impl CheckPilot {
         match self {
             Self::Reference => report.passed && report.medal >= Some(Medal::Silver),
             Self::Naive => report.medal.is_none(),
-            Self::DoNothing => !report.passed && report.score <= IDLE_AT_MOST,
+            Self::DoNothing => !report.passed && report.score == 0,
         }
     }
 }
@@ -183,10 +180,9 @@ impl CheckFlight {
             CheckPilot::DoNothing if self.passed => {
                 format!("nobody passed, with {score}: a `mandatory` objective has to be worked for")
             }
-            CheckPilot::DoNothing => format!(
-                "nobody earned {score}, at most {IDLE_AT_MOST} is allowed: give `objective` more of the `weights`, \
-                 and `safety`, `attention` and `utilisation` less"
-            ),
+            CheckPilot::DoNothing => {
+                format!("nobody earned {score}: an objective is reached in part without a flight")
+            }
         }
     }
 }

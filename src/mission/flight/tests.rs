@@ -8,7 +8,8 @@ use crate::commands::{Deed, Goal};
 use crate::language;
 use crate::ledger::{EntryId, Given, Risk, RowState};
 use crate::mission::fake::{Pilot, fly_the_cells};
-use crate::scoring::{AlertFact, SafetyEvent};
+use crate::scoring::{AlertFact, SafetyEvent, SafetyKind};
+use crate::text::Text;
 use crate::vehicle::{Unheard, Vehicle};
 
 impl Flight {
@@ -161,4 +162,60 @@ fn a_hint_that_is_not_there_is_no_refused_command() {
         let found = (pilot.flight.orders.tally().rejected, told.count());
         assert_eq!(found, rejected, "{line}");
     }
+}
+
+/// Rules broken by one who flies until so much battery is left, and then comes down or gives up.
+fn broken_at_the_end(left_percent: u8, lands: bool) -> Vec<SafetyKind> {
+    let mut pilot = Pilot::new(1);
+    pilot.take_off(20.0);
+    while pilot
+        .vehicle()
+        .battery()
+        .and_then(|it| it.remaining_percent)
+        > Some(left_percent)
+    {
+        pilot.wait(1.0);
+    }
+    if lands {
+        pilot.land();
+    }
+    pilot.flight.abandon();
+    let rules = pilot.flight.broken_rules();
+    rules.iter().map(|rule| rule.kind).collect()
+}
+
+#[test]
+fn not_to_land_is_never_safer_than_to_land() {
+    let value = |left_percent, lands| {
+        let broken = broken_at_the_end(left_percent, lands);
+        let at_once = |&kind: &SafetyKind| SafetyEvent {
+            kind,
+            vehicle: 1,
+            at: Duration::ZERO,
+            lasted: Duration::ZERO,
+            text: Text::default(),
+        };
+        let events: Vec<SafetyEvent> = broken.iter().map(at_once).collect();
+        crate::scoring::safety_value(&events)
+    };
+    for left_percent in [60, 16] {
+        assert!(value(left_percent, false) < value(left_percent, true));
+    }
+    assert_eq!(broken_at_the_end(60, true), []);
+    assert_eq!(broken_at_the_end(60, false), [SafetyKind::NotLanded]);
+    assert_eq!(
+        broken_at_the_end(16, false),
+        [SafetyKind::NotLanded, SafetyKind::LowReserve]
+    );
+}
+
+#[test]
+fn a_vehicle_in_the_air_when_the_time_is_up_breaks_a_rule() {
+    let mut pilot = Pilot::new(1);
+    pilot.take_off(20.0);
+    while pilot.flight.outcome().is_none() {
+        pilot.tick();
+    }
+    let rules = pilot.flight.broken_rules();
+    assert!(rules.iter().any(|rule| rule.kind == SafetyKind::NotLanded));
 }

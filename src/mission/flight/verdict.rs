@@ -85,6 +85,11 @@ impl Flight {
     }
 
     pub(super) fn end(&mut self, outcome: Outcome) {
+        for craft in &self.crafts {
+            for (kind, text) in craft.unlanded_breaches(&self.mission) {
+                self.journal.break_rule(kind, craft.id, &text);
+            }
+        }
         self.ended = Some(outcome);
         let text = text!("mission-over", outcome = outcome.text());
         self.journal
