@@ -41,6 +41,8 @@ pub enum AlertKind {
     /// Its filter's estimates contradict its sensors.
     Ekf,
     Battery,
+    /// What is left in its battery is little for the way home.
+    WayHome,
     /// It is outside its fence.
     Fence,
     /// It shakes too much.
@@ -81,6 +83,7 @@ impl AlertKind {
             Self::Gps => text!("alert-kind-gps"),
             Self::Ekf => text!("alert-kind-ekf"),
             Self::Battery => text!("alert-kind-battery"),
+            Self::WayHome => text!("alert-kind-way-home"),
             Self::Fence => text!("alert-fence"),
             Self::Vibration => text!("alert-kind-vibration"),
             Self::Prearm => text!("alert-prearm"),

@@ -9,12 +9,14 @@ use std::sync::Arc;
 
 use crate::wire::{ComponentId, SystemId};
 
+mod endurance;
 mod limits;
 mod mode;
 mod plan;
 mod readings;
 mod status;
 
+pub use endurance::{Endurance, HomeReach, Load};
 pub use limits::Grade;
 pub use mode::{Mode, VehicleClass};
 pub use plan::{
@@ -65,6 +67,8 @@ pub struct Vehicle {
     pub health: Option<Health>,
     /// `BATTERY_STATUS`, one per pack, in order of the pack's id; pack 0 falls back to `SYS_STATUS`.
     pub batteries: Vec<Battery>,
+    /// What its motors have drawn of late; `None` while they stand still.
+    pub load: Option<Load>,
     /// `EKF_STATUS_REPORT`.
     pub ekf: Option<Ekf>,
     pub vibration: Option<Vibration>,
@@ -118,6 +122,7 @@ impl Vehicle {
             hud: None,
             health: None,
             batteries: Vec::new(),
+            load: None,
             ekf: None,
             vibration: None,
             landed: LandedState::Undefined,

@@ -16,6 +16,8 @@ alert-ekf-height = height
 alert-ekf-compass = compass
 alert-battery-critical = BATTERY { $percent } %
 alert-battery-low = battery low { $percent } %
+alert-turn-back = turn back: { $needed } of { $left } %
+alert-out-of-reach = HOME OUT OF REACH
 alert-fence = outside fence
 alert-vibration = vibration { $level }
 alert-prearm = not ready to arm
@@ -24,6 +26,7 @@ alert-kind-crash = CRASHED
 alert-kind-gps = GPS unreliable
 alert-kind-ekf = EKF unreliable
 alert-kind-battery = battery low
+alert-kind-way-home = little for the way home
 alert-kind-vibration = vibration
 alert-kind-message = serious message
 

@@ -16,6 +16,8 @@ alert-ekf-height = висота
 alert-ekf-compass = компас
 alert-battery-critical = АКУМ. { $percent } %
 alert-battery-low = заряд низький { $percent } %
+alert-turn-back = час додому: { $needed } із { $left } %
+alert-out-of-reach = ДОДОМУ НЕ ДОЛЕТИТЬ
 alert-fence = за межами зони
 alert-vibration = вібрація { $level }
 alert-prearm = не готовий до зльоту
@@ -24,6 +26,7 @@ alert-kind-crash = РОЗБИЛИСЯ
 alert-kind-gps = GPS ненадійний
 alert-kind-ekf = EKF ненадійний
 alert-kind-battery = заряд низький
+alert-kind-way-home = мало заряду додому
 alert-kind-vibration = вібрація
 alert-kind-message = серйозне повідомлення
 

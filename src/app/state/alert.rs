@@ -5,13 +5,17 @@ use std::time::Duration;
 use crate::alert::{AlertKind, crash};
 use crate::text;
 use crate::text::{Text, figure};
-use crate::vehicle::{EkfFlags, FixType, LandedState, Severity, StatusText, SystemStatus, Vehicle};
+use crate::vehicle::{
+    EkfFlags, FixType, HomeReach, LandedState, Severity, StatusText, SystemStatus, Vehicle,
+};
 
 /// How long a text about a failsafe counts as the present state.
 const TEXT_LIFE: Duration = Duration::from_secs(60);
 /// Battery warnings, in percent of the charge left: soon, and now.
 const BATTERY_LOW: u8 = 25;
 const BATTERY_CRITICAL: u8 = 10;
+/// The modes in which a vehicle comes home or lands by itself.
+const COMING_DOWN: [&str; 4] = ["RTL", "SMART_RTL", "AUTO_RTL", "LAND"];
 /// EKF innovation test ratio above which ArduPilot's own failsafe acts (`FS_EKF_THRESH` 0.8).
 const EKF_LIMIT: f32 = 0.8;
 /// Above this vibration spoils the estimates (ArduPilot's documentation of VIBRATION), in m/s2.
@@ -42,6 +46,7 @@ pub fn alerts(vehicle: &Vehicle, now: Duration) -> impl Iterator<Item = Alert> {
         gps(vehicle),
         filter(vehicle),
         battery(vehicle),
+        way_home(vehicle),
         fence(vehicle),
         vibration(vehicle),
         prearm(vehicle),
@@ -164,6 +169,28 @@ fn battery(vehicle: &Vehicle) -> Option<Alert> {
         );
     }
     None
+}
+
+/// That the way home takes nearly all that is left. A vehicle that is on this way, or landing, does what it can.
+fn way_home(vehicle: &Vehicle) -> Option<Alert> {
+    let endurance = vehicle.endurance()?;
+    let mode = vehicle.mode()?.to_string();
+    let returns = COMING_DOWN.contains(&mode.as_str());
+    let says = |severity, text| Some(condition(AlertKind::WayHome, severity, text));
+    match endurance.reach() {
+        HomeReach::OutOfReach if mode != "LAND" => {
+            says(Severity::Critical, text!("alert-out-of-reach"))
+        }
+        HomeReach::TurnBack if !returns => {
+            let needed = figure(endurance.needed_percent.ceil(), 0);
+            let left = figure(endurance.left_percent, 0);
+            says(
+                Severity::Warning,
+                text!("alert-turn-back", needed = needed, left = left),
+            )
+        }
+        HomeReach::Ample | HomeReach::TurnBack | HomeReach::OutOfReach => None,
+    }
 }
 
 fn fence(vehicle: &Vehicle) -> Option<Alert> {

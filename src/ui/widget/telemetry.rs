@@ -1,5 +1,7 @@
 //! What the vehicle under the cursor says, the most needed lines first.
 
+use std::time::Duration;
+
 use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};
 
@@ -104,6 +106,7 @@ fn lines(vehicle: &Vehicle, state: &State) -> Vec<(&'static str, Text)> {
         ("telemetry-height", altitude(vehicle)),
         ("telemetry-speed", speed(vehicle)),
         ("telemetry-battery", battery(vehicle).into()),
+        ("telemetry-return", way_home(vehicle)),
         ("telemetry-home", home(vehicle)),
         ("telemetry-target", target(vehicle)),
         ("telemetry-place", place(vehicle).into()),
@@ -188,6 +191,20 @@ fn battery(vehicle: &Vehicle) -> String {
         parts.into_iter().flatten().collect::<Vec<_>>().join("  ")
     });
     packs.collect::<Vec<_>>().join(" | ")
+}
+
+/// What the way home takes, and what there is: both in percent of the charge and in minutes.
+fn way_home(vehicle: &Vehicle) -> Text {
+    let clock = |time: Duration| format!("{}:{:02}", time.as_secs() / 60, time.as_secs() % 60);
+    vehicle.endurance().map_or_else(Text::default, |endurance| {
+        text!(
+            "telemetry-way-home",
+            needed = figure(endurance.needed_percent.ceil(), 0),
+            time = clock(endurance.needed),
+            left = figure(endurance.left_percent, 0),
+            lasts = clock(endurance.left)
+        )
+    })
 }
 
 fn home(vehicle: &Vehicle) -> Text {

@@ -201,3 +201,52 @@ fn the_kind_of_an_alert_does_not_depend_on_the_words() {
     assert!(kinds().iter().all(|kinds| !kinds.is_empty()));
     assert_eq!(without_words(kinds), kinds());
 }
+
+#[test]
+fn the_way_home_is_watched_until_the_vehicle_is_on_it() {
+    let mut vehicle = vehicle();
+    let home = crate::geo::LatLon::new(50.0, 30.0);
+    vehicle.home = Some(crate::vehicle::Place {
+        at_point: home,
+        altitude_amsl_m: 180.0,
+    });
+    vehicle.global = Some(crate::vehicle::GlobalPosition {
+        at_point: home.moved(400.0, 0.0),
+        altitude_amsl_m: 200.0,
+        altitude_m: 20.0,
+        north_m_s: 0.0,
+        east_m_s: 0.0,
+        down_m_s: 0.0,
+        heading_deg: None,
+        at: Duration::ZERO,
+    });
+    vehicle.landed = LandedState::InAir;
+    let mut said = |mode: &str, left: u8| {
+        vehicle.heartbeat = Some(Heartbeat {
+            mode: VehicleClass::Copter.mode(mode).expect("a mode"),
+            armed: true,
+            ..heartbeat(SystemStatus::Active)
+        });
+        // 4 Ah at 30 A: 0.2 % a second, and the way home takes 84 s.
+        let now = Duration::from_secs(1);
+        vehicle.load = crate::vehicle::Load::after(None, 30.0, now);
+        vehicle.batteries = vec![Battery {
+            id: 0,
+            voltage_v: Some(11.0),
+            current_a: Some(30.0),
+            consumed_mah: Some(40.0 * (99.5 - f32::from(left))),
+            consumed_wh: None,
+            remaining_percent: Some(left),
+            at: now,
+        }];
+        let found = alerts(&vehicle, now).find(|alert| alert.kind == AlertKind::WayHome);
+        found.map(|alert| (alert.severity, alert.text.to_string()))
+    };
+    assert_eq!(said("GUIDED", 60), None);
+    let warning = Some((Severity::Warning, "turn back: 18 of 35 %".to_owned()));
+    assert_eq!(said("GUIDED", 35), warning);
+    assert_eq!(said("RTL", 35), None);
+    let critical = Some((Severity::Critical, "HOME OUT OF REACH".to_owned()));
+    assert_eq!(said("RTL", 12), critical);
+    assert_eq!(said("LAND", 12), None);
+}

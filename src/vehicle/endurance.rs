@@ -1,0 +1,204 @@
+//! What the way home takes of the battery, beside what is left in it.
+
+use std::time::Duration;
+
+use super::{Vehicle, VehicleClass, Wind};
+use crate::geo::LatLon;
+
+/// The mean current follows the measured one with this time constant: a climb of a few seconds does not count for long.
+const LOAD_TIME_S: f32 = 15.0;
+/// Below this the motors stand still, in amperes.
+const IDLE_A: f32 = 1.0;
+/// Percent are whole numbers: until so many are used, they do not say how large the battery is.
+const USED_AT_LEAST: f32 = 2.0;
+/// What is to be left after the landing, in percent.
+const RESERVE_PERCENT: f64 = 20.0;
+
+/// An `ArduCopter`'s way home unless its parameters say otherwise: `RTL_ALT`, `WPNAV_SPEED`, `WPNAV_SPEED_UP` and `_DN`,
+/// `LAND_ALT_LOW`, `LAND_SPEED`.
+const RETURN_HEIGHT_M: f64 = 15.0;
+const RETURN_SPEED_M_S: f64 = 10.0;
+const CLIMB_M_S: f64 = 2.5;
+const DESCENT_M_S: f64 = 1.5;
+const LANDING_HEIGHT_M: f64 = 10.0;
+const LANDING_M_S: f64 = 0.5;
+/// Gaining speed and losing it, `RTL_LOIT_TIME`, and until the motors stop.
+const PAUSES_S: f64 = 12.0;
+/// In a wind as fast as this less the return's speed, it takes longer, in m/s through the air.
+const FASTEST_M_S: f64 = 15.0;
+/// However strong the wind is.
+const SLOWEST_M_S: f64 = 1.0;
+/// Current by speed: 12 % more at 10 m/s through the air, as was measured, and rising with the square.
+const DRAG_PER_SPEED2: f64 = 0.0012;
+/// Current in a climb, of that in the hover.
+const CLIMBING: f64 = 1.3;
+
+/// The current that a vehicle has drawn of late.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Load {
+    /// Its mean, in amperes.
+    pub mean_a: f32,
+    at: Duration,
+}
+
+/// The way home beside what is left. Percent are of the battery's charge.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Endurance {
+    /// What the way home takes, until the vehicle has landed.
+    pub needed_percent: f64,
+    pub needed: Duration,
+    pub left_percent: f64,
+    /// How long that lasts at the mean current.
+    pub left: Duration,
+}
+
+/// What follows from it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum HomeReach {
+    /// There is time.
+    Ample,
+    /// After the landing there would be less than the reserve.
+    TurnBack,
+    /// What is left does not take it home.
+    OutOfReach,
+}
+
+impl Load {
+    /// After another measurement; `None` while the motors stand still.
+    pub fn after(before: Option<Self>, current_a: f32, now: Duration) -> Option<Self> {
+        let mean_a = before.map_or(current_a, |before| {
+            let passed_s = now.saturating_sub(before.at).as_secs_f32();
+            let weight = 1.0 - (-passed_s / LOAD_TIME_S).exp();
+            before.mean_a + weight * (current_a - before.mean_a)
+        });
+        (current_a >= IDLE_A).then_some(Self { mean_a, at: now })
+    }
+}
+
+impl Endurance {
+    /// What follows from it for a vehicle that has not turned home yet.
+    pub fn reach(&self) -> HomeReach {
+        if self.left_percent < self.needed_percent {
+            HomeReach::OutOfReach
+        } else if self.left_percent < self.needed_percent + RESERVE_PERCENT {
+            HomeReach::TurnBack
+        } else {
+            HomeReach::Ample
+        }
+    }
+}
+
+impl Vehicle {
+    /// The way home beside what is left; `None` where it does not fly, or does not say what is needed to know it.
+    pub fn endurance(&self) -> Option<Endurance> {
+        let class = self.heartbeat?.class;
+        let (global, home, load) = (self.global?, self.home?, self.load?);
+        if class != VehicleClass::Copter || !self.armed() || !self.airborne() {
+            return None;
+        }
+        let battery = self.battery()?;
+        let (left, consumed_mah) = (battery.remaining_percent?, battery.consumed_mah?);
+        let used = 100.0 - f32::from(left);
+        if used < USED_AT_LEAST || consumed_mah <= 0.0 {
+            return None;
+        }
+        let percent_mah = f64::from(consumed_mah) / f64::from(used - 0.5);
+        let percent_per_s = f64::from(load.mean_a) / 3.6 / percent_mah;
+        let way = WayHome::of(global.at_point, home.at_point, global.altitude_m, self.wind);
+        Some(Endurance {
+            needed_percent: way.hover_s * percent_per_s,
+            needed: Duration::from_secs_f64(way.time_s),
+            left_percent: f64::from(left),
+            left: Duration::try_from_secs_f64(f64::from(left) / percent_per_s).ok()?,
+        })
+    }
+}
+
+/// How long the way home takes.
+struct WayHome {
+    time_s: f64,
+    /// How long a hover lasts that takes as much of the battery.
+    hover_s: f64,
+}
+
+impl WayHome {
+    fn of(from: LatLon, home: LatLon, height_m: f64, wind: Option<Wind>) -> Self {
+        let distance_m = from.distance_m(home);
+        let top_m = height_m.max(RETURN_HEIGHT_M);
+        let climb_s = (top_m - height_m) / CLIMB_M_S;
+        let headwind_m_s = wind.map_or(0.0, |wind| {
+            let off = f64::from(wind.from_deg) - from.bearing_deg(home);
+            f64::from(wind.speed_m_s) * off.to_radians().cos()
+        });
+        let speed_m_s = (FASTEST_M_S - headwind_m_s).clamp(SLOWEST_M_S, RETURN_SPEED_M_S);
+        let airspeed_m_s = speed_m_s + headwind_m_s;
+        let cruise_s = distance_m / speed_m_s;
+        let descent_s = (top_m - LANDING_HEIGHT_M) / DESCENT_M_S + LANDING_HEIGHT_M / LANDING_M_S;
+        let rest_s = descent_s + PAUSES_S;
+        Self {
+            time_s: climb_s + cruise_s + rest_s,
+            hover_s: climb_s * CLIMBING
+                + cruise_s * (1.0 + DRAG_PER_SPEED2 * airspeed_m_s * airspeed_m_s)
+                + rest_s,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const HOME: LatLon = LatLon::new(50.0, 30.0);
+
+    fn way(distance_m: f64, height_m: f64, wind: Option<(f32, f32)>) -> WayHome {
+        let wind = wind.map(|(speed_m_s, from_deg)| Wind {
+            from_deg,
+            speed_m_s,
+        });
+        WayHome::of(HOME.moved(-distance_m, 0.0), HOME, height_m, wind)
+    }
+
+    #[test]
+    fn the_way_home_is_climb_flight_and_landing() {
+        // 2 s up to 15 m, 100 s, 3.3 s down to 10 m, 20 s to the ground, and the pauses.
+        assert!((way(1000.0, 10.0, None).time_s - 137.3).abs() < 0.5);
+        assert!((way(0.0, 40.0, None).time_s - 52.0).abs() < 0.1);
+    }
+
+    #[test]
+    fn a_headwind_costs_more_than_a_tailwind_saves_and_a_gale_takes_time() {
+        let [calm, against, behind, gale] = [
+            None,
+            Some((5.0, 0.0)),
+            Some((5.0, 180.0)),
+            Some((12.0, 0.0)),
+        ]
+        .map(|wind| way(1000.0, 20.0, wind));
+        assert!(against.hover_s > calm.hover_s && calm.hover_s > behind.hover_s);
+        assert!((against.time_s - calm.time_s).abs() < 1e-9);
+        assert!(gale.time_s > calm.time_s + 200.0);
+    }
+
+    #[test]
+    fn a_short_climb_changes_the_mean_current_little() {
+        let at = Duration::from_secs;
+        let mut load = Load::after(None, 28.0, at(0));
+        load = Load::after(load, 40.0, at(2));
+        let mean_a = load.map_or(0.0, |load| load.mean_a);
+        assert!((29.0..30.0).contains(&mean_a), "{mean_a}");
+        assert_eq!(Load::after(load, 0.0, at(3)), None);
+    }
+
+    #[test]
+    fn the_reserve_is_left_after_the_landing() {
+        let with = |needed_percent, left_percent| Endurance {
+            needed_percent,
+            needed: Duration::from_secs(60),
+            left_percent,
+            left: Duration::from_secs(200),
+        };
+        assert_eq!(with(15.0, 36.0).reach(), HomeReach::Ample);
+        assert_eq!(with(15.0, 34.0).reach(), HomeReach::TurnBack);
+        assert_eq!(with(15.0, 14.0).reach(), HomeReach::OutOfReach);
+    }
+}
