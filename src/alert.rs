@@ -123,9 +123,9 @@ pub fn crash(text: &str) -> Option<Text> {
     if text.contains("Crash: Disarming") {
         return Some(text!("alert-crashed"));
     }
-    let speed = text.strip_prefix("SIM Hit ground at ")?;
-    let speed: f32 = speed.split_whitespace().next()?.parse().ok()?;
-    (speed > HARD_LANDING_M_S).then(|| text!("alert-crashed-at", speed = figure(speed, 0)))
+    let figures = text.strip_prefix("SIM Hit ground at ")?;
+    let speed_m_s: f32 = figures.split_whitespace().next()?.parse().ok()?;
+    (speed_m_s > HARD_LANDING_M_S).then(|| text!("alert-crashed-at", speed = figure(speed_m_s, 0)))
 }
 
 #[cfg(test)]

@@ -260,10 +260,9 @@ impl Session {
         let lost = watch_silence(&mut self.vehicle, now);
         self.say(lost);
         if !self.vehicle.link.lost && self.vehicle.heartbeat.is_some() {
-            let address = (self.vehicle.system, self.vehicle.component);
             self.output
                 .messages
-                .extend(self.timesync.poll(address, now));
+                .extend(self.timesync.poll(self.vehicle.address(), now));
             for (message, command) in self.streams.poll(&self.vehicle, now) {
                 self.output.messages.push(message);
                 self.line.expect_ack(command, now);

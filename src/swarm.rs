@@ -267,7 +267,8 @@ impl Conductor {
             if !gone.is_empty() {
                 act.lose(
                     &gone,
-                    (RowState::Superseded, &reason),
+                    RowState::Superseded,
+                    &reason,
                     &scene,
                     &mut self.waiting,
                 );
@@ -313,23 +314,32 @@ fn is_guided(command: &Command) -> bool {
     matches!(command, Command::Flight(FlightCommand::SetMode { name }) if name.eq_ignore_ascii_case("GUIDED"))
 }
 
-/// Where a command takes a formation: its first place, and its height.
-fn goal(
-    command: &Command,
-    act: &ActiveManoeuvre,
-    vehicles: &Vehicles,
-) -> Option<(LatLon, Option<f64>)> {
+/// Where a command takes a formation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct FormationGoal {
+    /// The first vehicle's.
+    place: LatLon,
+    /// Above home; `None` keeps the height.
+    altitude_m: Option<f64>,
+}
+
+/// Where a command takes a formation, if it takes it anywhere.
+fn goal(command: &Command, act: &ActiveManoeuvre, vehicles: &Vehicles) -> Option<FormationGoal> {
     let leader = vehicles.get(&act.leader()?)?;
     let here = leader.global?;
     match *command {
-        Command::Motion(MotionCommand::Altitude { altitude_m }) => {
-            Some((here.at_point, Some(altitude_m)))
-        }
+        Command::Motion(MotionCommand::Altitude { altitude_m }) => Some(FormationGoal {
+            place: here.at_point,
+            altitude_m: Some(altitude_m),
+        }),
         Command::Motion(MotionCommand::Goto { destination, .. }) => match destination {
             Destination::Global {
                 at_point,
                 altitude_m,
-            } => Some((at_point, altitude_m)),
+            } => Some(FormationGoal {
+                place: at_point,
+                altitude_m,
+            }),
             Destination::Local {
                 north_m,
                 east_m,
@@ -338,7 +348,10 @@ fn goal(
                 let [north, east, down] = leader.local?.ned_m.map(f64::from);
                 let place = here.at_point.moved(north_m - north, east_m - east);
                 // Heights count from the origin here, and home may lie higher.
-                Some((place, up_m.map(|up_m| here.altitude_m + up_m + down)))
+                Some(FormationGoal {
+                    place,
+                    altitude_m: up_m.map(|up_m| here.altitude_m + up_m + down),
+                })
             }
             Destination::Offset {
                 north_m,
@@ -346,7 +359,10 @@ fn goal(
                 up_m,
             } => {
                 let place = here.at_point.moved(north_m, east_m);
-                Some((place, Some(here.altitude_m + up_m)))
+                Some(FormationGoal {
+                    place,
+                    altitude_m: Some(here.altitude_m + up_m),
+                })
             }
         },
         _ => None,

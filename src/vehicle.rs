@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use crate::wire::{ComponentId, SystemId};
+use crate::wire::{ComponentId, MavAddress, SystemId};
 
 mod endurance;
 mod limits;
@@ -139,6 +139,14 @@ impl Vehicle {
             unheard: None,
             prearm: Vec::new(),
             texts: Vec::new(),
+        }
+    }
+
+    /// Where its messages are sent to.
+    pub fn address(&self) -> MavAddress {
+        MavAddress {
+            system: self.system,
+            component: self.component,
         }
     }
 

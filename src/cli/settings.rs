@@ -281,8 +281,8 @@ impl CliSettings {
             }
         };
         let themes = theme_names(&self.themes);
-        let faults = self.keymap.overlay(&source.text, &themes).err();
-        let faults = faults_of(&source, faults.unwrap_or_default());
+        let wrong = self.keymap.overlay(&source.text, &themes).err();
+        let faults = faults_of(&source, wrong.unwrap_or_default());
         if faults.is_empty() || !is_named || self.is_of_file("keymap") {
             self.faults.extend(faults);
             return Ok(());

@@ -275,8 +275,8 @@ fn fit(design: &Design, mission: &Mission, locale: &Locale) -> Result<ExitCode, 
     let mut fits_somewhere = false;
     for need in mission.needs() {
         let seats: Vec<String> = need.seats.iter().map(ToString::to_string).collect();
-        let seats = text!("workshop-fit-seats", seats = seats.join(", "));
-        say!("{}", locale.text(&seats))?;
+        let heading = text!("workshop-fit-seats", seats = seats.join(", "));
+        say!("{}", locale.text(&heading))?;
         let lines = need.fit(design);
         fits_somewhere |= lines.iter().all(|line| !line.is_block);
         for line in lines {

@@ -80,9 +80,9 @@ impl IntFields {
         command: MavCmd,
         frame: u8,
         params: [f32; 4],
-        place: (LatLon, f64),
+        point: LatLon,
+        height_m: f64,
     ) -> Result<Self, Text> {
-        let (point, height_m) = place;
         let (x, y) = checked(point)?.to_e7();
         Ok(Self {
             command: command as u16,
@@ -213,7 +213,8 @@ pub(super) fn global_position(
 /// A position target on the earth that moves, in m/s north, east, down.
 pub(super) fn moving_position(
     vehicle: &Vehicle,
-    (point, altitude_m): (LatLon, f64),
+    point: LatLon,
+    altitude_m: f64,
     velocity_m_s: [f64; 3],
 ) -> Result<Outgoing, Text> {
     let [vx, vy, vz] = velocity_m_s.map(|speed| speed as f32);

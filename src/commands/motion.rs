@@ -120,15 +120,15 @@ impl MotionCommand {
                 // Parameter 3: face the centre; 4: circle until told otherwise.
                 let ring = [radius_m as f32, speed_m_s as f32, 0.0, 0.0];
                 let command = MavCmd::MAV_CMD_DO_ORBIT;
-                let fields = IntFields::at(command, FRAME_RELATIVE, ring, (centre, altitude_m))?;
+                let fields = IntFields::at(command, FRAME_RELATIVE, ring, centre, altitude_m)?;
                 Request::int(vehicle, &fields)
             }
             Self::RegionOfInterest { target } => Request::int(
                 vehicle,
                 &match target {
-                    Some(place) => {
+                    Some((point, height_m)) => {
                         let command = MavCmd::MAV_CMD_DO_SET_ROI_LOCATION;
-                        IntFields::at(command, FRAME_RELATIVE, [0.0; 4], place)?
+                        IntFields::at(command, FRAME_RELATIVE, [0.0; 4], point, height_m)?
                     }
                     None => IntFields {
                         command: MavCmd::MAV_CMD_DO_SET_ROI_NONE as u16,
@@ -140,9 +140,11 @@ impl MotionCommand {
                     },
                 },
             ),
-            Self::SetHome { place: Some(place) } => {
+            Self::SetHome {
+                place: Some((point, height_m)),
+            } => {
                 let command = MavCmd::MAV_CMD_DO_SET_HOME;
-                let fields = IntFields::at(command, FRAME_GLOBAL, [0.0; 4], place)?;
+                let fields = IntFields::at(command, FRAME_GLOBAL, [0.0; 4], point, height_m)?;
                 Request::int(vehicle, &fields)
             }
             Self::SetHome { place: None } => {

@@ -71,7 +71,8 @@ fn reposition(vehicle: &Vehicle, destination: Destination) -> Result<Request, Te
         MavCmd::MAV_CMD_DO_REPOSITION,
         FRAME_RELATIVE,
         [-1.0, 1.0, 0.0, 0.0],
-        (point, altitude_m),
+        point,
+        altitude_m,
     )?;
     Request::int(vehicle, &fields)
 }
@@ -249,7 +250,7 @@ impl Setpoint {
         match self.velocity_m_s {
             None => encode::global_position(vehicle, self.at_point, self.altitude_m, None),
             Some(velocity) => {
-                encode::moving_position(vehicle, (self.at_point, self.altitude_m), velocity)
+                encode::moving_position(vehicle, self.at_point, self.altitude_m, velocity)
             }
         }
     }

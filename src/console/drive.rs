@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 use std::time::Duration;
 
 use crossterm::event::KeyCode;
+use ratatui::layout::Size;
 
 use super::{Console, ConsoleOptions, TICK, key};
 use crate::app::event::TerminalEvent;
@@ -16,14 +17,17 @@ use crate::terminal::Screen;
 /// Drawing failed.
 pub async fn drive(
     options: ConsoleOptions,
-    size: (u16, u16),
+    size: Size,
     lines: &[(Duration, &str)],
     mut look: impl FnMut(Duration, u64) -> ControlFlow<()>,
 ) -> anyhow::Result<()> {
     let mut console = Console::new(options, true);
-    let mut screen = Screen::nowhere(size.0, size.1)?;
-    let (columns, rows) = size;
-    console.feed(TerminalEvent::Resize { columns, rows }).await;
+    let mut screen = Screen::nowhere(size.width, size.height)?;
+    let resize = TerminalEvent::Resize {
+        columns: size.width,
+        rows: size.height,
+    };
+    console.feed(resize).await;
     console.begin().await;
     let mut ticks = tokio::time::interval(TICK);
     let mut lines = lines.iter().peekable();

@@ -112,7 +112,7 @@ fn asked(message: &MavMessage, real: &Observed, at_s: f64) -> Option<(String, Ai
             let above_home = !is_amsl(data.coordinate_frame);
             let place = place(
                 real,
-                (data.lat_int, data.lon_int),
+                LatLon::from_e7(data.lat_int, data.lon_int),
                 f64::from(data.alt),
                 above_home,
             )?;
@@ -162,7 +162,12 @@ fn int(data: &COMMAND_INT_DATA, real: &Observed) -> Option<(String, Aim)> {
         return None;
     }
     let above_home = !is_amsl(data.frame);
-    let place = place(real, (data.x, data.y), f64::from(data.z), above_home)?;
+    let place = place(
+        real,
+        LatLon::from_e7(data.x, data.y),
+        f64::from(data.z),
+        above_home,
+    )?;
     Some((name_of_place("reposition to", place), Aim::Place(place)))
 }
 
@@ -198,9 +203,8 @@ fn local(data: &SET_POSITION_TARGET_LOCAL_NED_DATA) -> (String, Aim) {
     (name, Aim::Velocity)
 }
 
-fn place(real: &Observed, e7: (i32, i32), altitude_m: f64, above_home: bool) -> Option<[f64; 3]> {
+fn place(real: &Observed, at: LatLon, altitude_m: f64, above_home: bool) -> Option<[f64; 3]> {
     let start = real.start()?;
-    let at = LatLon::from_e7(e7.0, e7.1);
     let (north, east) = start.at.offset_to(at);
     let base_m = if above_home {
         0.0

@@ -170,8 +170,8 @@ impl InstanceProbe {
 
     fn note_complaint(&mut self, frame: &Frame) {
         if let Content::Message(MavMessage::STATUSTEXT(said)) = &frame.content {
-            let text = String::from_utf8_lossy(&said.text[..]);
-            let text = text.trim_end_matches('\0');
+            let field = String::from_utf8_lossy(&said.text[..]);
+            let text = field.trim_end_matches('\0');
             if text.starts_with(PREARM) {
                 self.complaint = Some(text.to_owned());
             }

@@ -124,8 +124,8 @@ pub(super) fn understand(
             return match (form.build)(&fit.arguments) {
                 Ok(meaning) => Ok((meaning, form)),
                 Err(problem) => {
-                    let span = fit.arguments.span(problem.argument);
-                    let span = span.unwrap_or_else(|| end_of(all));
+                    let argument = fit.arguments.span(problem.argument);
+                    let span = argument.unwrap_or_else(|| end_of(all));
                     Err(Diagnostic::new(span, problem.message))
                 }
             };
@@ -205,10 +205,13 @@ fn misfit_fault(row: &VerbRow, word: &Word, misfits: &[&Misfit], context: &Conte
     };
     if expected().next().is_none() {
         let message = text!("grammar-too-much", word = word.text);
-        let usages = row.usage().into_iter();
-        let usages = usages.map(|usage| format!("`{usage}`").into());
+        let usages = row
+            .usage()
+            .into_iter()
+            .map(|usage| format!("`{usage}`").into())
+            .collect();
         return Diagnostic::new(span, message)
-            .with_help(text!("grammar-say-it-as", usage = either(usages.collect())));
+            .with_help(text!("grammar-say-it-as", usage = either(usages)));
     }
     let what = list(expected());
     let specific = misfits.iter().any(|misfit| misfit.specific);

@@ -126,12 +126,12 @@ impl Player {
 
     /// What was wrong with the recording, now that it is over.
     fn verdict(&self, end: Option<Text>) -> Option<Text> {
-        let faults: Vec<_> = self.damage.reason().into_iter().chain(end).collect();
-        let mut faults = faults.into_iter();
-        let first = faults.next()?;
-        let faults = faults.fold(first, |all, fault| {
-            text!("transport-faults", first = all, second = fault)
-        });
+        let faults = self
+            .damage
+            .reason()
+            .into_iter()
+            .chain(end)
+            .reduce(|all, fault| text!("transport-faults", first = all, second = fault))?;
         Some(if self.has_records {
             faults
         } else {

@@ -42,7 +42,12 @@ pub(super) fn settle(order: &mut VehicleCommand, list: &ParameterList) -> bool {
     let (name, value) = match &mut order.command {
         Command::Parameter(ParameterCommand::Get { name }) => (name, None),
         Command::Parameter(ParameterCommand::Set { name, value }) => (name, Some(value)),
-        _ => return true,
+        Command::Arming(_)
+        | Command::Flight(_)
+        | Command::Motion(_)
+        | Command::Device(_)
+        | Command::Query(_)
+        | Command::Raw(_) => return true,
     };
     let Some((other, sense)) = other_name(name).filter(|_| list.get(name).is_none()) else {
         return true;
@@ -123,7 +128,12 @@ fn names(command: &Command) -> (&str, &str) {
             let other = other_name(name).map_or(name.as_str(), |(other, _)| other);
             (name, other)
         }
-        _ => ("", ""),
+        Command::Arming(_)
+        | Command::Flight(_)
+        | Command::Motion(_)
+        | Command::Device(_)
+        | Command::Query(_)
+        | Command::Raw(_) => ("", ""),
     }
 }
 

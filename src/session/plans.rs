@@ -178,8 +178,7 @@ impl PlanReader {
         let knows_int = vehicle
             .version
             .map(|version| version.capabilities & MISSION_INT != 0);
-        let address = (vehicle.system, vehicle.component);
-        self.download = Some(Download::new(kind, address, knows_int));
+        self.download = Some(Download::new(kind, vehicle.address(), knows_int));
     }
 
     fn answered(

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::{MavMessage, TIMESYNC_DATA};
 
-use crate::wire::{ComponentId, Outgoing, SystemId};
+use crate::wire::{MavAddress, Outgoing, SystemId};
 
 /// How often the round trip is measured.
 const EVERY: Duration = Duration::from_secs(5);
@@ -17,7 +17,7 @@ pub(super) struct Timesync {
 
 impl Timesync {
     /// A request, when one is due.
-    pub fn poll(&mut self, vehicle: (SystemId, ComponentId), now: Duration) -> Option<Outgoing> {
+    pub fn poll(&mut self, vehicle: MavAddress, now: Duration) -> Option<Outgoing> {
         if self.asked_at.is_some_and(|asked| now < asked + EVERY) {
             return None;
         }
@@ -37,7 +37,14 @@ impl Timesync {
         };
         if sync.tc1 == 0 {
             // Zero would be another request, so the clock's first nanosecond is left out.
-            let reply = message(nanoseconds(now).max(1), sync.ts1, (system, 0));
+            let reply = message(
+                nanoseconds(now).max(1),
+                sync.ts1,
+                MavAddress {
+                    system,
+                    component: 0,
+                },
+            );
             return (Some(reply), None);
         }
         let ours = self
@@ -47,12 +54,12 @@ impl Timesync {
     }
 }
 
-fn message(tc1: i64, ts1: i64, (system, component): (SystemId, ComponentId)) -> Outgoing {
+fn message(tc1: i64, ts1: i64, to: MavAddress) -> Outgoing {
     MavMessage::TIMESYNC(TIMESYNC_DATA {
         tc1,
         ts1,
-        target_system: system,
-        target_component: component,
+        target_system: to.system,
+        target_component: to.component,
     })
     .into()
 }

@@ -5,13 +5,13 @@ use std::time::Duration;
 
 use glam::{DVec2, DVec3};
 
+use super::geometry::MovingPoint;
 use super::guard::is_in_the_way;
 use super::lanes::Lane;
 use super::march::March;
-use super::site::{Site, velocity};
-use super::{Ordered, Path, Rules, Turn};
+use super::site::{Site, moving};
+use super::{FormationGoal, Ordered, Path, Rules, Turn};
 use crate::commands::Setpoint;
-use crate::geo::LatLon;
 use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::notice::Notice;
 use crate::session::Steering;
@@ -137,7 +137,7 @@ impl ActiveManoeuvre {
     /// The next phase begins when everybody has come to the end of this one.
     fn move_on(&mut self, scene: &Scene<'_>) {
         let there = |member: &Member| {
-            let aim = self.aim(member, 0).0;
+            let aim = self.aim(member, 0).at;
             let at = self.point(member.id, scene);
             at.is_some_and(|at| is_reached(at, aim))
         };
@@ -147,14 +147,14 @@ impl ActiveManoeuvre {
     }
 
     /// Where a member is to be now, and how fast that point moves.
-    fn aim(&self, member: &Member, index: usize) -> (DVec3, DVec3) {
+    fn aim(&self, member: &Member, index: usize) -> MovingPoint {
         let point = match self.phase {
             Phase::Rise => member.from.truncate().extend(member.layer_m),
             Phase::Cross => member.to.truncate().extend(member.layer_m),
             Phase::Sink => member.to,
             Phase::Work => return self.work_aim(member, index),
         };
-        (point, DVec3::ZERO)
+        MovingPoint::still(point)
     }
 
     fn point(&self, id: VehicleId, scene: &Scene<'_>) -> Option<DVec3> {
@@ -165,10 +165,10 @@ impl ActiveManoeuvre {
     fn steer(&mut self, scene: &Scene<'_>, turn: &mut Turn) {
         for index in 0..self.members.len() {
             let member = &self.members[index];
-            let (aim, aim_m_s) = self.aim(member, index);
+            let aim = self.aim(member, index);
             let (id, before) = (member.id, member.standing.waits);
-            let waits = self.obstacle(id, aim, scene);
-            let waits = waits.map(|(at, other)| match before {
+            let obstacle = self.obstacle(id, aim.at, scene);
+            let waits = obstacle.map(|(at, other)| match before {
                 Some((stand, _)) => (stand, other),
                 None => (at, other),
             });
@@ -177,15 +177,16 @@ impl ActiveManoeuvre {
                 turn.notices
                     .push(notice(id, Severity::Notice, text, scene.now));
             }
-            let (point, speed) = waits.map_or((aim, aim_m_s), |(stand, _)| (stand, DVec3::ZERO));
+            let goal = waits.map_or(aim, |(stand, _)| MovingPoint::still(stand));
             self.members[index].standing.waits = waits;
-            let is_moving = speed.length() > STANDING_M_S;
+            let is_moving = goal.velocity_m_s.length() > STANDING_M_S;
             if self.members[index]
                 .standing
-                .is_due(point, is_moving, scene.now)
+                .is_due(goal.at, is_moving, scene.now)
             {
-                let speed = is_moving.then_some(speed);
-                turn.steering.push((id, self.steering(point, speed)));
+                let velocity_m_s = is_moving.then_some(goal.velocity_m_s);
+                turn.steering
+                    .push((id, self.steering(goal.at, velocity_m_s)));
             }
         }
     }
@@ -204,17 +205,16 @@ impl ActiveManoeuvre {
     /// Somebody from outside who is in the way of a member, with where that member is.
     fn obstacle(&self, id: VehicleId, aim: DVec3, scene: &Scene<'_>) -> Option<(DVec3, VehicleId)> {
         let me = scene.vehicles.get(&id)?;
-        let at = self.site.point(me)?;
-        let speed_m_s = velocity(me).length();
+        let own = moving(&self.site, me)?;
         let in_the_way = |other: &Vehicle| {
-            let place = self.site.point(other).map(|place| (place, velocity(other)));
             let separation_m = scene.rules.separation_m + 1.0;
-            place.is_some_and(|place| is_in_the_way((at, speed_m_s), aim, place, separation_m))
+            moving(&self.site, other)
+                .is_some_and(|other| is_in_the_way(own, aim, other, separation_m))
         };
         let mut others = scene.vehicles.values();
         others
             .find(|other| other.airborne() && !self.has(other.id) && in_the_way(other))
-            .map(|other| (at, other.id))
+            .map(|other| (own.at, other.id))
     }
 
     /// Last setpoints for those that are to stay where they are.
@@ -234,7 +234,7 @@ impl ActiveManoeuvre {
     /// them goes along, and begins their rows.
     pub fn lead(
         &mut self,
-        (place, altitude_m): (LatLon, Option<f64>),
+        to: FormationGoal,
         ordered: Ordered<'_>,
         now: Duration,
         rows: &mut Vec<RowUpdate>,
@@ -242,13 +242,13 @@ impl ActiveManoeuvre {
         let leader = self
             .leader()
             .filter(|leader| ordered.targets.contains(leader));
-        let goal = self.site.flat(place);
+        let spot = self.site.flat(to.place);
         let (Some(leader), true, Work::Formation(march)) =
-            (leader, place.is_valid(), &mut self.work)
+            (leader, to.place.is_valid(), &mut self.work)
         else {
             return Vec::new();
         };
-        let goal = goal.extend(altitude_m.unwrap_or(march.anchor.z));
+        let goal = spot.extend(to.altitude_m.unwrap_or(march.anchor.z));
         march.goal = Some(goal);
         let way_m = march.anchor.distance(goal);
         let targets = ordered.targets.iter().copied();
@@ -284,7 +284,7 @@ impl ActiveManoeuvre {
                 points.push(place(&member.to));
             }
             if let (Phase::Work, false) = (self.phase, matches!(self.work, Work::Courses { .. })) {
-                points.push(place(&self.aim(member, index).0));
+                points.push(place(&self.aim(member, index).at));
             }
             points.extend(member.course.iter().skip(member.next).map(place));
             Path {

@@ -88,7 +88,15 @@ impl<'a> Cast<'a> {
                 to: FarEnd::Vehicle(to),
                 ..
             } => to == id,
-            _ => false,
+            Manoeuvre::Chain {
+                to: FarEnd::Place(_),
+                ..
+            }
+            | Manoeuvre::Survey { .. }
+            | Manoeuvre::Formation { .. }
+            | Manoeuvre::Disband
+            | Manoeuvre::Spread { .. }
+            | Manoeuvre::Search { .. } => false,
         }
     }
 
@@ -157,7 +165,7 @@ impl<'a> Cast<'a> {
                 radius_m,
                 spacing_m,
                 up_m,
-            } => self.search((pattern, datum), radius_m, spacing_m, self.height(up_m)),
+            } => self.search(pattern, datum, radius_m, spacing_m, self.height(up_m)),
             &Manoeuvre::Chain { to, up_m } => self.chain(to, self.height(up_m)),
             Manoeuvre::Disband => Err(text!("swarm-no-formation")),
         }
@@ -189,8 +197,8 @@ impl<'a> Cast<'a> {
     /// Between two lines flown at a height.
     fn line_spacing(&mut self, spacing_m: Option<f64>, up_m: f64) -> f64 {
         spacing_m.unwrap_or_else(|| {
-            let swath = self.rules.swath.map(|swath| swath.width_m(up_m));
-            let swath = swath.filter(|metres| *metres >= LEAST_SPACING_M);
+            let seen = self.rules.swath.map(|swath| swath.width_m(up_m));
+            let swath = seen.filter(|metres| *metres >= LEAST_SPACING_M);
             let metres = swath.unwrap_or(USUAL_SPACING_M);
             let figure = format!("{metres:.1}");
             self.remarks.push(match swath {

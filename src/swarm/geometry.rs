@@ -14,24 +14,56 @@ pub(super) fn distance_to_segment(point: DVec2, from: DVec2, to: DVec2) -> f64 {
     point.distance(from + way * share)
 }
 
-/// Between the nearest points of two segments.
-pub(super) fn distance_between(a: (DVec2, DVec2), b: (DVec2, DVec2)) -> f64 {
-    if cross(a, b) {
-        return 0.0;
-    }
-    [
-        distance_to_segment(a.0, b.0, b.1),
-        distance_to_segment(a.1, b.0, b.1),
-        distance_to_segment(b.0, a.0, a.1),
-        distance_to_segment(b.1, a.0, a.1),
-    ]
-    .into_iter()
-    .fold(f64::INFINITY, f64::min)
+/// A straight way on the ground, in metres east and north.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Segment {
+    pub from: DVec2,
+    pub to: DVec2,
 }
 
-fn cross(a: (DVec2, DVec2), b: (DVec2, DVec2)) -> bool {
-    let side = |line: (DVec2, DVec2), point: DVec2| (line.1 - line.0).perp_dot(point - line.0);
-    side(a, b.0) * side(a, b.1) < 0.0 && side(b, a.0) * side(b, a.1) < 0.0
+impl Segment {
+    /// Between the nearest points of the two.
+    pub fn distance_to(self, other: Self) -> f64 {
+        if self.crosses(other) {
+            return 0.0;
+        }
+        [
+            distance_to_segment(self.from, other.from, other.to),
+            distance_to_segment(self.to, other.from, other.to),
+            distance_to_segment(other.from, self.from, self.to),
+            distance_to_segment(other.to, self.from, self.to),
+        ]
+        .into_iter()
+        .fold(f64::INFINITY, f64::min)
+    }
+
+    fn crosses(self, other: Self) -> bool {
+        self.side(other.from) * self.side(other.to) < 0.0
+            && other.side(self.from) * other.side(self.to) < 0.0
+    }
+
+    /// On which side a point lies: positive to the one, negative to the other.
+    fn side(self, point: DVec2) -> f64 {
+        (self.to - self.from).perp_dot(point - self.from)
+    }
+}
+
+/// A point that moves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct MovingPoint {
+    pub at: DVec3,
+    /// Metres per second.
+    pub velocity_m_s: DVec3,
+}
+
+impl MovingPoint {
+    /// One that stands still.
+    pub fn still(at: DVec3) -> Self {
+        Self {
+            at,
+            velocity_m_s: DVec3::ZERO,
+        }
+    }
 }
 
 /// The length of a way.
@@ -174,11 +206,15 @@ mod tests {
 
     #[test]
     fn segments_that_cross_have_no_distance() {
-        let along = (DVec2::new(-5.0, 0.0), DVec2::new(5.0, 0.0));
-        let across = (DVec2::new(0.0, -5.0), DVec2::new(0.0, 5.0));
-        assert!(distance_between(along, across) < 1e-9);
-        let beside = (DVec2::new(0.0, 3.0), DVec2::new(0.0, 5.0));
-        assert!((distance_between(along, beside) - 3.0).abs() < 1e-9);
+        let segment = |from: [f64; 2], to: [f64; 2]| Segment {
+            from: from.into(),
+            to: to.into(),
+        };
+        let along = segment([-5.0, 0.0], [5.0, 0.0]);
+        let across = segment([0.0, -5.0], [0.0, 5.0]);
+        assert!(along.distance_to(across) < 1e-9);
+        let beside = segment([0.0, 3.0], [0.0, 5.0]);
+        assert!((along.distance_to(beside) - 3.0).abs() < 1e-9);
     }
 
     /// Every way to give the places, for comparison.
@@ -212,10 +248,13 @@ mod tests {
         #[test]
         fn assigned_ways_do_not_cross(places in points(6..7), vehicles in points(6..7)) {
             let (chosen, _) = assign(&places, &vehicles);
-            let way = |place: usize| (vehicles[chosen[place]], places[place]);
+            let way = |place: usize| Segment {
+                from: vehicles[chosen[place]],
+                to: places[place],
+            };
             for a in 0..places.len() {
                 for b in 0..a {
-                    prop_assert!(!cross(way(a), way(b)), "{a} {b}");
+                    prop_assert!(!way(a).crosses(way(b)), "{a} {b}");
                 }
             }
         }

@@ -5,6 +5,8 @@
 
 use glam::DVec3;
 
+use super::geometry::MovingPoint;
+
 /// How far ahead is looked.
 const AHEAD_S: f64 = 3.0;
 /// Somebody who stands still is taken to begin moving this fast.
@@ -12,21 +14,21 @@ const LEAST_SPEED_M_S: f64 = 2.0;
 /// Nearer than this to its aim a vehicle does not move any more.
 const THERE_M: f64 = 1.0;
 
-/// Whether going on to `aim` from `at` would bring a vehicle nearer to the other one than `separation_m`. A vehicle that
-/// is too near already may go away.
+/// Whether going on to `aim` would bring a vehicle nearer to the other one than `separation_m`. A vehicle that is too
+/// near already may go away.
 pub(super) fn is_in_the_way(
-    (at, speed_m_s): (DVec3, f64),
+    own: MovingPoint,
     aim: DVec3,
-    (other, other_m_s): (DVec3, DVec3),
+    other: MovingPoint,
     separation_m: f64,
 ) -> bool {
-    let way = aim - at;
+    let way = aim - own.at;
     if way.length() < THERE_M {
         return false;
     }
-    let speed = speed_m_s.max(LEAST_SPEED_M_S);
+    let speed = own.velocity_m_s.length().max(LEAST_SPEED_M_S);
     let intended = way.normalize_or_zero() * speed;
-    let (apart, closing) = (other - at, other_m_s - intended);
+    let (apart, closing) = (other.at - own.at, other.velocity_m_s - intended);
     let nearest_s = if closing.length_squared() > 0.0 {
         -apart.dot(closing) / closing.length_squared()
     } else {
@@ -45,7 +47,15 @@ mod tests {
     const STILL: DVec3 = DVec3::ZERO;
 
     fn waits(aim: DVec3, other: DVec3, other_m_s: DVec3) -> bool {
-        is_in_the_way((DVec3::ZERO, 5.0), aim, (other, other_m_s), 5.0)
+        let own = MovingPoint {
+            at: DVec3::ZERO,
+            velocity_m_s: DVec3::X * 5.0,
+        };
+        let other = MovingPoint {
+            at: other,
+            velocity_m_s: other_m_s,
+        };
+        is_in_the_way(own, aim, other, 5.0)
     }
 
     #[test]

@@ -1,5 +1,7 @@
 //! Parallel lines that cover an area, and their shares.
 
+use std::ops::Range;
+
 use glam::DVec2;
 
 use super::site::course;
@@ -68,7 +70,7 @@ pub(super) fn lanes(
     let step = width / count;
     let lane = |index: usize| {
         let from = low + step * index as f64;
-        let (start, end) = extent(corners, along, across, (from, from + step));
+        let (start, end) = extent(corners, along, across, &(from..from + step));
         let middle = across * (from + step / 2.0);
         Lane {
             from: middle + along * start,
@@ -116,20 +118,21 @@ fn narrowest(corners: &[DVec2]) -> Option<DVec2> {
 }
 
 /// How far along the part of the area goes that lies in a strip.
-fn extent(corners: &[DVec2], along: DVec2, across: DVec2, strip: (f64, f64)) -> (f64, f64) {
+fn extent(corners: &[DVec2], along: DVec2, across: DVec2, strip: &Range<f64>) -> (f64, f64) {
     let edges = corners.iter().zip(corners.iter().cycle().skip(1));
     range(edges.flat_map(|(from, to)| {
         let (a, b) = (from.dot(across), to.dot(across));
         // The part of the edge inside the strip, as shares of the way.
         let is_along = (b - a).abs() < f64::EPSILON;
         let share = |at: f64| if is_along { 0.0 } else { (at - a) / (b - a) };
-        let (first, last) = (share(strip.0), share(strip.1));
+        let (one, other) = (share(strip.start), share(strip.end));
         let (first, last) = if is_along {
             (0.0, 1.0)
         } else {
-            (first.min(last).max(0.0), first.max(last).min(1.0))
+            (one.min(other).max(0.0), one.max(other).min(1.0))
         };
-        let outside = first > last || is_along && !(strip.0 - SLACK..=strip.1 + SLACK).contains(&a);
+        let outside =
+            first > last || is_along && !(strip.start - SLACK..=strip.end + SLACK).contains(&a);
         let ends = [first, last].map(|share| from.lerp(*to, share).dot(along));
         ends.into_iter().filter(move |_| !outside)
     }))

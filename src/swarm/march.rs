@@ -9,6 +9,7 @@ use std::time::Duration;
 
 use glam::{DVec2, DVec3};
 
+use super::geometry::MovingPoint;
 use super::slots::slots;
 use crate::commands::Shape;
 
@@ -91,11 +92,14 @@ impl March {
     }
 
     /// Where a vehicle belongs now, and how fast that place moves.
-    pub fn place(&self, index: usize) -> (DVec3, DVec3) {
+    pub fn place(&self, index: usize) -> MovingPoint {
         let slot = self.slots.get(index).copied().unwrap_or_default();
         let arm = DVec2::from_angle(self.facing_rad).rotate(slot);
         let swing = arm.perp() * self.turn_rad_s;
-        (self.at(slot), self.velocity + swing.extend(0.0))
+        MovingPoint {
+            at: self.at(slot),
+            velocity_m_s: self.velocity + swing.extend(0.0),
+        }
     }
 
     fn at(&self, slot: DVec2) -> DVec3 {
@@ -147,8 +151,8 @@ impl March {
         let direction = way.normalize_or_zero();
         let climbs = CLIMB_M_S / direction.z.abs().max(1e-6);
         let brakes = (2.0 * ACCELERATION_M_S2 * left_m).sqrt();
-        let speed = self.velocity.length() + ACCELERATION_M_S2 * step_s;
-        let speed = speed.min(self.speed_m_s.min(climbs) * pace).min(brakes);
+        let faster = self.velocity.length() + ACCELERATION_M_S2 * step_s;
+        let speed = faster.min(self.speed_m_s.min(climbs) * pace).min(brakes);
         // Braking never ends by itself: the last centimetres are taken at once.
         if left_m <= (speed * step_s).max(0.05) {
             self.anchor = goal;
@@ -188,12 +192,12 @@ mod tests {
         for shape in [Shape::Line, Shape::Wedge, Shape::Circle] {
             let mut march = march(shape);
             march.goal = Some(DVec3::new(-80.0, 60.0, 30.0));
-            let apart = |march: &March, a, b| march.place(a).0.distance(march.place(b).0);
+            let apart = |march: &March, a, b| march.place(a).at.distance(march.place(b).at);
             let at_first = apart(&march, 1, 4);
             go(&mut march, |march| {
                 assert!((apart(march, 1, 4) - at_first).abs() < 1e-9);
             });
-            assert!((march.place(0).0 - DVec3::new(-80.0, 60.0, 30.0)).length() < 1e-9);
+            assert!((march.place(0).at - DVec3::new(-80.0, 60.0, 30.0)).length() < 1e-9);
         }
     }
 
@@ -210,15 +214,15 @@ mod tests {
     fn the_speed_of_a_place_is_how_fast_it_moves() {
         let mut march = march(Shape::Line);
         march.goal = Some(DVec3::new(0.0, 90.0, 20.0));
-        let mut before: Option<[(DVec3, DVec3); 2]> = None;
+        let mut before: Option<[MovingPoint; 2]> = None;
         let mut fastest = 0.0f64;
         go(&mut march, |march| {
             let places = [march.place(1), march.place(4)];
             if let Some(before) = before {
                 for (then, now) in before.iter().zip(places) {
-                    let moved = (now.0 - then.0) / 0.1;
+                    let moved = (now.at - then.at) / 0.1;
                     fastest = fastest.max(moved.length());
-                    assert!((moved - now.1).length() < 1.0, "{moved} {}", now.1);
+                    assert!((moved - now.velocity_m_s).length() < 1.0, "{moved} {now:?}");
                 }
             }
             before = Some(places);

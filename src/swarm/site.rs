@@ -2,6 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
+use super::geometry::MovingPoint;
 use crate::commands::Datum;
 use crate::geo::LatLon;
 use crate::vehicle::Vehicle;
@@ -45,6 +46,14 @@ impl Site {
             }
         }
     }
+}
+
+/// Where a vehicle is and how fast it moves, if it has said so.
+pub(super) fn moving(site: &Site, vehicle: &Vehicle) -> Option<MovingPoint> {
+    Some(MovingPoint {
+        at: site.point(vehicle)?,
+        velocity_m_s: velocity(vehicle),
+    })
 }
 
 /// How fast a vehicle moves: north, east, up, in m/s.

@@ -8,7 +8,7 @@
 use glam::DVec3;
 
 use super::Rules;
-use super::geometry::distance_between;
+use super::geometry::Segment;
 
 /// What is added to the separation on the ground, and in height: nobody flies exactly where it is told to.
 pub(super) const MARGIN_M: f64 = 1.0;
@@ -54,8 +54,11 @@ fn distance(a: DVec3, b: DVec3) -> f64 {
 }
 
 impl Leg {
-    fn flat(&self) -> (glam::DVec2, glam::DVec2) {
-        (self.from.truncate(), self.to.truncate())
+    fn flat(&self) -> Segment {
+        Segment {
+            from: self.from.truncate(),
+            to: self.to.truncate(),
+        }
     }
 
     fn is_short(&self) -> bool {
@@ -74,7 +77,7 @@ impl Leg {
         let wanted = wanted
             .min(apart(self.from, other.from))
             .min(apart(self.to, other.to));
-        distance_between(self.flat(), other.flat()) < wanted
+        self.flat().distance_to(other.flat()) < wanted
     }
 
     /// Whether this one may cross at a height while the other crosses at another.

@@ -29,8 +29,8 @@ fn bundle(language: Language) -> Bundle {
     bundle.set_use_isolating(false);
     for (_, source) in messages(language) {
         // A fault leaves its message out, which a test notices.
-        let resource = FluentResource::try_new((*source).to_owned());
-        let resource = resource.unwrap_or_else(|(readable, _)| readable);
+        let resource =
+            FluentResource::try_new((*source).to_owned()).unwrap_or_else(|(readable, _)| readable);
         drop(bundle.add_resource(resource));
     }
     bundle

@@ -28,6 +28,15 @@ pub type SystemId = u8;
 /// A MAVLink component id. 1 is the autopilot, 0 addresses every component.
 pub type ComponentId = u8;
 
+/// Who is spoken to: a component of a system.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct MavAddress {
+    /// The system; 0 is everybody.
+    pub system: SystemId,
+    /// The component of it; 0 is every component.
+    pub component: ComponentId,
+}
+
 /// The component id of an autopilot (`MAV_COMP_ID_AUTOPILOT1`).
 pub const AUTOPILOT_COMPONENT: ComponentId = 1;
 /// The system id that ground stations use by convention and ArduPilot's `SYSID_MYGCS` expects.

@@ -6,6 +6,7 @@ use std::process::ExitCode;
 use std::time::Duration;
 
 use clap::Args;
+use ratatui::layout::Size;
 use serde::Serialize;
 
 use super::super::{Failure, runtime};
@@ -16,7 +17,7 @@ use crate::ui::Look;
 /// The vehicles are on their way by now.
 const WARM_UP: Duration = Duration::from_secs(25);
 /// The screen that is drawn.
-const SIZE: (u16, u16) = (120, 40);
+const SIZE: Size = Size::new(120, 40);
 
 /// Options of `sortie bench load`.
 #[derive(Debug, Args)]

@@ -34,8 +34,8 @@ impl FromStr for HangarAddress {
         if text.starts_with("https:") {
             return Err(HangarAddressError::Https);
         }
-        let rest = text.strip_prefix("http://").ok_or_else(other)?;
-        let rest = rest.strip_suffix('/').unwrap_or(rest);
+        let place = text.strip_prefix("http://").ok_or_else(other)?;
+        let rest = place.strip_suffix('/').unwrap_or(place);
         let (host, port) = match rest.strip_prefix('[') {
             Some(rest) => {
                 let (host, after) = rest.split_once(']').ok_or_else(other)?;

@@ -113,8 +113,8 @@ impl Follower {
     }
 
     fn look(&mut self) -> Instances {
-        let now = self.seen.borrow_and_update().clone();
-        let now = self.state.dressed(&now);
+        let seen = self.seen.borrow_and_update().clone();
+        let now = self.state.dressed(&seen);
         self.told = Some(Arc::clone(&now));
         now
     }

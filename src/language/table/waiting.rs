@@ -54,8 +54,7 @@ const WAIT: VerbRow = VerbRow {
                 TIMEOUT,
             ],
             |given| {
-                let situation = Situation::named(given.required_word("situation")?);
-                let situation = situation
+                let situation = Situation::named(given.required_word("situation")?)
                     .ok_or_else(|| Problem::new("situation", text!("grammar-unknown-word")))?;
                 wait(given, Until::Situation(situation))
             },

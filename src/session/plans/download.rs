@@ -6,7 +6,7 @@ use mavlink::dialects::ardupilotmega::{MavMessage, MavMissionResult};
 
 use super::wire::{self, Answer, Form};
 use crate::vehicle::{PlanItem, PlanKind, Transfer};
-use crate::wire::{ComponentId, SystemId};
+use crate::wire::MavAddress;
 
 /// How long an answer may take on a link without delay (the protocol proposes 0.25 to 1.5 s; vehicles answer within
 /// 30 ms, but stall for up to a second while they boot).
@@ -24,7 +24,7 @@ const MOST_ITEMS: u16 = 5000;
 #[derive(Debug)]
 pub(super) struct Download {
     pub kind: PlanKind,
-    address: (SystemId, ComponentId),
+    address: MavAddress,
     form: Form,
     /// Whether the vehicle has said that it knows items as integers. Floats are worth 2 m at best, so loss alone
     /// must not lead to them then.
@@ -51,7 +51,7 @@ pub(super) enum Step {
 
 impl Download {
     /// Nothing asked yet. `knows_int` is what the vehicle has said about items as integers.
-    pub fn new(kind: PlanKind, address: (SystemId, ComponentId), knows_int: Option<bool>) -> Self {
+    pub fn new(kind: PlanKind, address: MavAddress, knows_int: Option<bool>) -> Self {
         let is_float = knows_int == Some(false);
         Self {
             kind,

@@ -13,7 +13,7 @@ use mavlink::dialects::ardupilotmega::{
 
 use crate::geo::LatLon;
 use crate::vehicle::{HeightFrame, PlanItem, PlanKind};
-use crate::wire::{ComponentId, Content, Frame, GROUND_STATION_SYSTEM, SystemId};
+use crate::wire::{Content, Frame, GROUND_STATION_SYSTEM, MavAddress};
 
 /// MAVLink ids of the messages that carry an item.
 const MISSION_ITEM: u32 = 39;
@@ -78,20 +78,17 @@ pub(super) fn others_upload(frame: &Frame) -> Option<PlanKind> {
 }
 
 /// Asks how long a list is.
-pub(super) fn request_list(
-    (target_system, target_component): (SystemId, ComponentId),
-    kind: PlanKind,
-) -> MavMessage {
+pub(super) fn request_list(vehicle: MavAddress, kind: PlanKind) -> MavMessage {
     MavMessage::MISSION_REQUEST_LIST(MISSION_REQUEST_LIST_DATA {
-        target_system,
-        target_component,
+        target_system: vehicle.system,
+        target_component: vehicle.component,
         mission_type: mission_type(kind),
     })
 }
 
 /// Asks for one item.
 pub(super) fn request_item(
-    (target_system, target_component): (SystemId, ComponentId),
+    vehicle: MavAddress,
     kind: PlanKind,
     seq: u16,
     form: Form,
@@ -100,14 +97,14 @@ pub(super) fn request_item(
     match form {
         Form::Int => MavMessage::MISSION_REQUEST_INT(MISSION_REQUEST_INT_DATA {
             seq,
-            target_system,
-            target_component,
+            target_system: vehicle.system,
+            target_component: vehicle.component,
             mission_type,
         }),
         Form::Float => MavMessage::MISSION_REQUEST(MISSION_REQUEST_DATA {
             seq,
-            target_system,
-            target_component,
+            target_system: vehicle.system,
+            target_component: vehicle.component,
             mission_type,
         }),
     }
@@ -115,13 +112,13 @@ pub(super) fn request_item(
 
 /// Ends a transfer: everything is here, or it is broken off.
 pub(super) fn acknowledge(
-    (target_system, target_component): (SystemId, ComponentId),
+    vehicle: MavAddress,
     kind: PlanKind,
     result: MavMissionResult,
 ) -> MavMessage {
     MavMessage::MISSION_ACK(MISSION_ACK_DATA {
-        target_system,
-        target_component,
+        target_system: vehicle.system,
+        target_component: vehicle.component,
         mavtype: result,
         mission_type: mission_type(kind),
         opaque_id: 0,
@@ -142,20 +139,28 @@ fn kind(mission_type: u8) -> Option<PlanKind> {
 
 fn item_int(data: &MISSION_ITEM_INT_DATA) -> PlanItem {
     let place = LatLon::from_e7(data.x, data.y);
-    item(
-        (data.seq, data.command as u16, data.frame as u8),
-        [data.param1, data.param2, data.param3, data.param4],
-        (place, data.z),
-    )
+    WireItem {
+        seq: data.seq,
+        command: data.command as u16,
+        frame: data.frame as u8,
+        params: [data.param1, data.param2, data.param3, data.param4],
+        place,
+        z: data.z,
+    }
+    .read()
 }
 
 fn item_float(data: &MISSION_ITEM_DATA) -> PlanItem {
     let place = LatLon::new(f64::from(data.x), f64::from(data.y));
-    item(
-        (data.seq, data.command as u16, data.frame as u8),
-        [data.param1, data.param2, data.param3, data.param4],
-        (place, data.z),
-    )
+    WireItem {
+        seq: data.seq,
+        command: data.command as u16,
+        frame: data.frame as u8,
+        params: [data.param1, data.param2, data.param3, data.param4],
+        place,
+        z: data.z,
+    }
+    .read()
 }
 
 /// An item whose command or frame is newer than the dialect, by its layout on the wire: four parameters, x, y,
@@ -175,29 +180,42 @@ fn item_by_hand(payload: &[u8; 255], is_int: bool) -> PlanItem {
     } else {
         LatLon::new(f64::from(float(16)), f64::from(float(20)))
     };
-    let seq = u16::from_le_bytes([payload[28], payload[29]]);
-    let command = u16::from_le_bytes([payload[30], payload[31]]);
-    item(
-        (seq, command, payload[34]),
-        [float(0), float(4), float(8), float(12)],
-        (place, float(24)),
-    )
+    WireItem {
+        seq: u16::from_le_bytes([payload[28], payload[29]]),
+        command: u16::from_le_bytes([payload[30], payload[31]]),
+        frame: payload[34],
+        params: [float(0), float(4), float(8), float(12)],
+        place,
+        z: float(24),
+    }
+    .read()
 }
 
-fn item(
-    (seq, command, frame): (u16, u16, u8),
+/// What the forms of an item have in common.
+struct WireItem {
+    seq: u16,
+    command: u16,
+    /// `MAV_FRAME`.
+    frame: u8,
     params: [f32; 4],
-    (place, z): (LatLon, f32),
-) -> PlanItem {
-    let is_somewhere = place.is_valid() && (place.lat_deg, place.lon_deg) != (0.0, 0.0);
-    let frame = HeightFrame::from_wire(frame);
-    PlanItem {
-        seq,
-        command,
-        frame,
-        params,
-        at_point: (is_somewhere && frame != HeightFrame::Other && PlanItem::has_place(command))
-            .then_some(place),
-        altitude_m: z.is_finite().then_some(z),
+    place: LatLon,
+    /// Metres; what from, the frame says.
+    z: f32,
+}
+
+impl WireItem {
+    fn read(self) -> PlanItem {
+        let place = self.place;
+        let is_somewhere = place.is_valid() && (place.lat_deg, place.lon_deg) != (0.0, 0.0);
+        let frame = HeightFrame::from_wire(self.frame);
+        let has_place = frame != HeightFrame::Other && PlanItem::has_place(self.command);
+        PlanItem {
+            seq: self.seq,
+            command: self.command,
+            frame,
+            params: self.params,
+            at_point: (is_somewhere && has_place).then_some(place),
+            altitude_m: self.z.is_finite().then_some(self.z),
+        }
     }
 }

@@ -39,7 +39,7 @@ impl ActiveManoeuvre {
                 let text = text!("swarm-falls-out", verb = verb, reason = &reason);
                 turn.notices
                     .push(notice(id, Severity::Warning, text, scene.now));
-                self.lose(&[id], (state, &reason), scene, turn);
+                self.lose(&[id], state, &reason, scene, turn);
             }
         }
     }
@@ -48,7 +48,8 @@ impl ActiveManoeuvre {
     pub fn lose(
         &mut self,
         ids: &[VehicleId],
-        (state, reason): (RowState, &Text),
+        state: RowState,
+        reason: &Text,
         scene: &Scene<'_>,
         turn: &mut Turn,
     ) {

@@ -18,8 +18,8 @@ pub(in crate::swarm) fn members(team: &[(VehicleId, DVec3)], up_m: f64) -> Vec<M
 /// Whether neighbouring lines are so near that neighbours have to fly at different heights.
 pub(in crate::swarm) fn is_staggered(lanes: &[Lane], rules: Rules) -> bool {
     let apart = |pair: &[Lane]| {
-        let along = (pair[0].to - pair[0].from).try_normalize();
-        let along = along.or((pair[1].to - pair[1].from).try_normalize());
+        let direction = |lane: &Lane| (lane.to - lane.from).try_normalize();
+        let along = direction(&pair[0]).or_else(|| direction(&pair[1]));
         (pair[1].from - pair[0].from)
             .perp_dot(along.unwrap_or(DVec2::X))
             .abs()
@@ -35,8 +35,8 @@ pub(in crate::swarm) fn share_lanes(
     lanes: &[Lane],
     scene: &Scene<'_>,
 ) -> bool {
-    let up_m = act.members.iter().map(|member| member.to.z);
-    let up_m = up_m.fold(f64::INFINITY, f64::min);
+    let heights = act.members.iter().map(|member| member.to.z);
+    let up_m = heights.fold(f64::INFINITY, f64::min);
     see(act, scene);
     let count = act.members.len().min(lanes.len());
     let shares = shares(lanes, count);

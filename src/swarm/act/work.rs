@@ -4,7 +4,8 @@ use glam::DVec3;
 
 use super::{ActiveManoeuvre, IN_PLACE_M, Member, Phase, Scene, Turn, Work, is_reached};
 use crate::ledger::{RowState, RowUpdate};
-use crate::swarm::site::velocity;
+use crate::swarm::geometry::MovingPoint;
+use crate::swarm::site::moving;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
@@ -18,7 +19,7 @@ pub(in crate::swarm) struct Tail {
     /// Between the height of one and the next.
     pub step_m: f64,
     /// Where each is to be, and how fast that moves.
-    pub places: Vec<(DVec3, DVec3)>,
+    pub places: Vec<MovingPoint>,
 }
 
 /// Vehicles between home and another one.
@@ -28,17 +29,17 @@ pub(in crate::swarm) struct Chain {
     pub to: VehicleId,
     /// Which share of the way each is from home.
     pub shares: Vec<f64>,
-    pub places: Vec<(DVec3, DVec3)>,
+    pub places: Vec<MovingPoint>,
 }
 
 impl ActiveManoeuvre {
     /// Where a member that works is to be, and how fast that point moves.
-    pub(super) fn work_aim(&self, member: &Member, index: usize) -> (DVec3, DVec3) {
-        let stand = (member.to, DVec3::ZERO);
+    pub(super) fn work_aim(&self, member: &Member, index: usize) -> MovingPoint {
+        let stand = MovingPoint::still(member.to);
         match &self.work {
             Work::Courses { .. } => {
                 let point = member.course.get(member.next).or(member.course.last());
-                (point.copied().unwrap_or(member.to), DVec3::ZERO)
+                point.copied().map_or(stand, MovingPoint::still)
             }
             Work::Formation(march) => march.place(index),
             Work::Follow(tail) => tail.places.get(index).copied().unwrap_or(stand),
@@ -56,6 +57,10 @@ impl ActiveManoeuvre {
             .iter()
             .map(|member| self.point(member.id, scene))
             .collect();
+        let heard_at = |id: VehicleId| {
+            let vehicle = scene.vehicles.get(&id).filter(|it| !it.link.lost)?;
+            moving(&self.site, vehicle)
+        };
         match &mut self.work {
             Work::Courses { .. } => {
                 for (member, at) in self.members.iter_mut().zip(points) {
@@ -66,21 +71,21 @@ impl ActiveManoeuvre {
                 }
             }
             Work::Formation(march) => {
-                let places = (0..points.len()).map(|index| march.place(index).0);
-                let lags = points.iter().zip(places);
-                let lags = lags.filter_map(|(at, place)| Some((*at)?.distance(place)));
-                march.step(scene.now, lags.fold(0.0, f64::max));
+                let places = (0..points.len()).map(|index| march.place(index).at);
+                let lag_m = points
+                    .iter()
+                    .zip(places)
+                    .filter_map(|(at, place)| Some((*at)?.distance(place)))
+                    .fold(0.0, f64::max);
+                march.step(scene.now, lag_m);
             }
             Work::Follow(tail) => {
-                let leader = scene.vehicles.get(&tail.leader).filter(|it| !it.link.lost);
-                let leader = leader.and_then(|it| Some((self.site.point(it)?, velocity(it))));
-                if let Some(leader) = leader {
+                if let Some(leader) = heard_at(tail.leader) {
                     tail.follow(leader, &points);
                 }
             }
             Work::Chain(chain) => {
-                let end = scene.vehicles.get(&chain.to).filter(|it| !it.link.lost);
-                if let Some(end) = end.and_then(|it| Some((self.site.point(it)?, velocity(it)))) {
+                if let Some(end) = heard_at(chain.to) {
                     chain.stretch(end, &points);
                 }
             }
@@ -91,7 +96,7 @@ impl ActiveManoeuvre {
     pub(super) fn tell(&mut self, scene: &Scene<'_>, turn: &mut Turn) {
         let all_in_place = self.phase == Phase::Work
             && self.members.iter().enumerate().all(|(index, member)| {
-                let place = self.aim(member, index).0;
+                let place = self.aim(member, index).at;
                 let at = self.point(member.id, scene);
                 at.is_some_and(|at| at.distance(place) <= IN_PLACE_M)
             });
@@ -182,38 +187,48 @@ impl ActiveManoeuvre {
 impl Tail {
     /// Draws everybody along as on a rope: nobody swings out when the leader turns, and who is told to come nearer
     /// than the rope is long gives way backwards. A step in height keeps them apart where the leader turns back.
-    pub fn follow(&mut self, leader: (DVec3, DVec3), points: &[Option<DVec3>]) {
-        let (mut ahead, mut speed) = leader;
+    pub fn follow(&mut self, leader: MovingPoint, points: &[Option<DVec3>]) {
+        let mut ahead = leader;
         for (index, at) in points.iter().enumerate() {
-            let known = self.places.get(index).map(|place| place.0);
-            let from = known.or(*at).unwrap_or(ahead);
-            let rope = (from - ahead).truncate();
+            let known = self.places.get(index).map(|place| place.at);
+            let from = known.or(*at).unwrap_or(ahead.at);
+            let rope = (from - ahead.at).truncate();
             let direction = rope.try_normalize().unwrap_or(glam::DVec2::NEG_X);
             let level = match self.up_m {
                 Some(up_m) => up_m + self.step_m * index as f64,
-                None => leader.0.z + self.step_m * (index + 1) as f64,
+                None => leader.at.z + self.step_m * (index + 1) as f64,
             };
-            let place = (ahead.truncate() + direction * self.distance_m).extend(level);
+            let place = (ahead.at.truncate() + direction * self.distance_m).extend(level);
             // A rope passes on what pulls along it.
-            let pull = direction * speed.truncate().dot(direction);
-            let climb = if self.up_m.is_none() { leader.1.z } else { 0.0 };
-            speed = pull.extend(climb);
+            let pull = direction * ahead.velocity_m_s.truncate().dot(direction);
+            let climb_m_s = if self.up_m.is_none() {
+                leader.velocity_m_s.z
+            } else {
+                0.0
+            };
+            ahead = MovingPoint {
+                at: place,
+                velocity_m_s: pull.extend(climb_m_s),
+            };
             match self.places.get_mut(index) {
-                Some(known) => *known = (place, speed),
-                None => self.places.push((place, speed)),
+                Some(known) => *known = ahead,
+                None => self.places.push(ahead),
             }
-            ahead = place;
         }
     }
 }
 
 impl Chain {
-    fn stretch(&mut self, (end, speed): (DVec3, DVec3), points: &[Option<DVec3>]) {
-        let way = (end - self.from).truncate();
-        let places = self.shares.iter().zip(points).map(|(&share, _)| {
-            let place = (self.from.truncate() + way * share).extend(self.from.z);
-            (place, (speed.truncate() * share).extend(0.0))
-        });
+    fn stretch(&mut self, end: MovingPoint, points: &[Option<DVec3>]) {
+        let way = (end.at - self.from).truncate();
+        let places = self
+            .shares
+            .iter()
+            .zip(points)
+            .map(|(&share, _)| MovingPoint {
+                at: (self.from.truncate() + way * share).extend(self.from.z),
+                velocity_m_s: (end.velocity_m_s.truncate() * share).extend(0.0),
+            });
         self.places = places.collect();
     }
 }

@@ -108,8 +108,7 @@ impl Cast<'_> {
         face_deg: Option<f64>,
     ) -> Made {
         let least = self.rules.separation_m + MARGIN_M;
-        let spacing_m = spacing_m.unwrap_or(FORMATION_SPACING_M.max(least));
-        let spacing_m = self.roomy(spacing_m)?;
+        let spacing_m = self.roomy(spacing_m.unwrap_or(FORMATION_SPACING_M.max(least)))?;
         let (first, at) = self.team[0];
         let heading = self
             .vehicles
@@ -131,8 +130,8 @@ impl Cast<'_> {
     pub(super) fn follow(&mut self, leader: VehicleId, distance_m: f64, up_m: Option<f64>) -> Made {
         let distance_m = self.roomy(distance_m)?;
         let gone = || text!("swarm-not-there", vehicle = leader);
-        let ahead = self.vehicles.get(&leader).ok_or_else(gone)?;
-        let ahead = self.site.point(ahead).ok_or_else(gone)?;
+        let vehicle = self.vehicles.get(&leader).ok_or_else(gone)?;
+        let ahead = self.site.point(vehicle).ok_or_else(gone)?;
         // The nearest one follows first.
         self.team
             .sort_by(|a, b| a.1.distance(ahead).total_cmp(&b.1.distance(ahead)));
@@ -171,12 +170,13 @@ impl Cast<'_> {
 
     pub(super) fn search(
         &mut self,
-        (pattern, datum): (Pattern, Datum),
+        pattern: Pattern,
+        datum: Datum,
         radius_m: Option<f64>,
         spacing_m: Option<f64>,
         up_m: f64,
     ) -> Made {
-        let datum = self.spot(datum)?;
+        let centre = self.spot(datum)?;
         let count = self.team.len();
         let ways = match pattern {
             Pattern::Square => {
@@ -200,7 +200,7 @@ impl Cast<'_> {
         act.members = members(&self.team, up_m);
         for (index, (member, way)) in act.members.iter_mut().zip(ways).enumerate() {
             let level = up_m + step_m * index as f64;
-            let points = way.into_iter().map(|point| (datum + point).extend(level));
+            let points = way.into_iter().map(|point| (centre + point).extend(level));
             member.course = points.collect();
             member.to = member.course.first().copied().unwrap_or(member.from);
         }
@@ -233,19 +233,21 @@ impl Cast<'_> {
     }
 
     fn home(&self) -> Result<DVec2, Text> {
-        let homes = self.team.iter();
-        let mut homes = homes.filter_map(|(id, _)| self.vehicles.get(id)?.home);
-        let home = homes.next().map(|home| self.site.flat(home.at_point));
-        home.ok_or_else(|| text!("swarm-no-home"))
+        let home = self
+            .team
+            .iter()
+            .find_map(|(id, _)| self.vehicles.get(id)?.home);
+        home.map(|home| self.site.flat(home.at_point))
+            .ok_or_else(|| text!("swarm-no-home"))
     }
 
     fn far_end(&self, to: FarEnd) -> Result<DVec2, Text> {
         match to {
             FarEnd::Place(place) => self.spot(place),
             FarEnd::Vehicle(id) => {
-                let end = self.vehicles.get(&id).and_then(|it| self.site.point(it));
-                let end = end.ok_or_else(|| text!("swarm-not-there", vehicle = id))?;
-                Ok(end.truncate())
+                let at = self.vehicles.get(&id).and_then(|it| self.site.point(it));
+                at.map(DVec3::truncate)
+                    .ok_or_else(|| text!("swarm-not-there", vehicle = id))
             }
         }
     }

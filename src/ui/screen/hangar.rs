@@ -99,8 +99,9 @@ fn draw_list(state: &State, hangar: &Hangar, panel: Panel<'_>, buffer: &mut Buff
     }
     let cursor = state.rooms().hangar().cursor();
     let room = usize::from(inner.height);
-    let first = cursor.saturating_sub(room / 2);
-    let first = first.min(hangar.instances().len().saturating_sub(room));
+    let first = cursor
+        .saturating_sub(room / 2)
+        .min(hangar.instances().len().saturating_sub(room));
     let shown = hangar.instances().iter().enumerate().skip(first).take(room);
     for (row, (at, instance)) in shown.enumerate() {
         put(
@@ -127,9 +128,8 @@ impl Columns {
     /// What is left; services are to be told apart, at the bar's expense.
     fn new(hangar: &Hangar, width: u16) -> Self {
         let left = |bar| usize::from(width).saturating_sub(4 + bar + 1 + WORDS + 1 + FIGURES + 1);
-        let longest = hangar.instances().iter().filter_map(host_name);
-        let longest = longest.map(|name| name.chars().count()).max();
-        let bar = match longest {
+        let names = hangar.instances().iter().filter_map(host_name);
+        let bar = match names.map(|name| name.chars().count()).max() {
             Some(longest) if longest > left(BAR) => SHORT_BAR,
             _ => BAR,
         };
@@ -171,10 +171,10 @@ fn line(instance: &Instance, Columns { host, bar }: Columns, look: &Look) -> Lin
     // One that has not been measured yet has no figures.
     let measured = instance.pid.filter(|_| instance.memory_bytes > 0);
     let memory = measured.map_or_else(unknown, |_| megabytes(instance.memory_bytes));
-    let processor = instance.processor_percent.filter(|_| measured.is_some());
-    let processor = processor.map_or_else(unknown, |percent| format!("{percent:.1} %"));
-    let name = host_name(instance).map_or_else(|| look.say("hangar-here"), str::to_owned);
-    let name = aligned(&clip(&name, host), host, false);
+    let load = instance.processor_percent.filter(|_| measured.is_some());
+    let processor = load.map_or_else(unknown, |percent| format!("{percent:.1} %"));
+    let place = host_name(instance).map_or_else(|| look.say("hangar-here"), str::to_owned);
+    let name = aligned(&place, host, false);
     Line::from(vec![
         Span::raw(format!("{:>3} {name} ", instance.vehicle)),
         Span::styled(drawn, look.style(role)),

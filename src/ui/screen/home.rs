@@ -59,8 +59,10 @@ fn draw_heads(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
         session = activity.title(),
         key = state.key(Action::Show(Room::Fly))
     );
-    let line = format!(" {}", panel.text(&running));
-    let line = Line::styled(line, panel.style(Role::Accent));
+    let line = Line::styled(
+        format!(" {}", panel.text(&running)),
+        panel.style(Role::Accent),
+    );
     put(buffer, panel.area, 0, &line);
     below(panel.area, 1)
 }

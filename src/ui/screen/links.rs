@@ -37,8 +37,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let wanted = links.len() as u16 + 2;
     let rows = wanted.min((panel.area.height / 3).max(4));
     draw_list(state, cursor, panel.upper(rows), buffer);
-    let rest = below(panel.area, rows);
-    let rest = draw_doctor(state, cursor, panel.at(rest), buffer);
+    let rest = draw_doctor(state, cursor, panel.below(rows), buffer);
     draw_link(state, cursor, panel.at(rest), buffer);
 }
 
@@ -144,10 +143,12 @@ fn draw_doctor(state: &State, link: usize, panel: Panel<'_>, buffer: &mut Buffer
     for finding in mine {
         let (sign, role) = signed(finding.cause.weight());
         let says = format!("{}: {}", panel.say(sign), panel.text(&finding.cause.says()));
-        let advice = panel.text(&finding.advice());
-        let advice = wrap(&advice, width).into_iter().filter(|it| !it.is_empty());
         let lines = wrap(&says, width).into_iter().map(|line| (line, role));
-        for (line, role) in lines.chain(advice.map(|line| (format!("  {line}"), Role::Text))) {
+        let advice = wrap(&panel.text(&finding.advice()), width)
+            .into_iter()
+            .filter(|line| !line.is_empty())
+            .map(|line| (format!("  {line}"), Role::Text));
+        for (line, role) in lines.chain(advice) {
             put(buffer, inner, row, &Line::styled(line, panel.style(role)));
             row += 1;
         }

@@ -131,8 +131,8 @@ fn tree_line(
     };
     let room_left = usize::from(width).saturating_sub(figures.len() + 1);
     let indent = " ".repeat(branch.node.depth());
-    let label = format!("{indent}{marker}{}", label(room, branch.node, look));
-    let label = clip(&label, room_left);
+    let whole = format!("{indent}{marker}{}", label(room, branch.node, look));
+    let label = clip(&whole, room_left);
     let padding = room_left.saturating_sub(Span::raw(label.as_str()).width()) + 1;
     let is_stale = branch.age.is_none_or(|age| age > Duration::from_secs(5));
     let role = match branch.node {

@@ -199,8 +199,8 @@ fn draw_attitude(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
         roll = format!("{roll:+.0}"),
         pitch = format!("{pitch:+.0}")
     );
-    let angles = Line::styled(look.text(&angles), look.style(Role::Text)).centered();
+    let line = Line::styled(look.text(&angles), look.style(Role::Text)).centered();
     let rest = below(inner, view.height);
-    row::centred(buffer, rest, &angles);
+    row::centred(buffer, rest, &line);
     tape::draw(attitude.yaw_deg, Panel::new(look, below(rest, 1)), buffer);
 }

@@ -49,8 +49,8 @@ fn draw_wide(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let slots_width = panel.area.width * SLOTS_PERCENT / 100;
     let middle = panel.area.width - slots_width - WIDE_FIGURES - 2;
     let left = columns(panel.area, 0, slots_width);
-    let slots = state.rooms().workshop().bench().rows().len() as u16 + 2;
-    let slots = slots.min(panel.area.height.saturating_sub(FINDINGS_ROWS));
+    let wanted = state.rooms().workshop().bench().rows().len() as u16 + 2;
+    let slots = wanted.min(panel.area.height.saturating_sub(FINDINGS_ROWS));
     slots::draw(state, panel.at(upper(left, slots)), buffer);
     findings::draw(state, panel.at(below(left, slots)), buffer);
     parts::draw(state, panel.columns(slots_width + 1, middle), buffer);
@@ -69,8 +69,8 @@ fn draw_narrow(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let left = columns(panel.area, 0, width);
     let right = columns(panel.area, width + 1, panel.area.width - width - 1);
     if panel.area.height >= TALL {
-        let slots = room.bench().rows().len() as u16 + 2;
-        let slots = slots.min(panel.area.height / 2);
+        let wanted = room.bench().rows().len() as u16 + 2;
+        let slots = wanted.min(panel.area.height / 2);
         slots::draw(state, panel.at(upper(left, slots)), buffer);
         parts::draw(state, panel.at(below(left, slots)), buffer);
     } else if room.pane() == Pane::Slots {

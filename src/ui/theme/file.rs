@@ -65,8 +65,9 @@ impl<'a> Lineage<'a> {
                 names: [&self.names[..], std::slice::from_ref(name)].concat(),
             };
             return read(&file.text, &further).map_err(|faults| {
-                let first = faults.first();
-                let first = first.map(|fault| fault.text(&file.path, &file.text));
+                let first = faults
+                    .first()
+                    .map(|fault| fault.text(&file.path, &file.text));
                 let text = text!("theme-faulty-parent", name = name);
                 Diagnostic::new(parent.span(), text).with_help(first.unwrap_or_default())
             });

@@ -39,8 +39,8 @@ pub fn draw(chart: &Bars<'_>, panel: Panel<'_>, buffer: &mut Buffer) {
     if rows == 0 {
         return;
     }
-    let names = chart.lines.iter().map(|(_, name)| width(name)).max();
-    let names = names.map_or(0, |names| names + 1);
+    let longest = chart.lines.iter().map(|(_, name)| width(name)).max();
+    let names = longest.map_or(0, |columns| columns + 1);
     let plot = columns(panel.area, names as u16, panel.area.width);
     for (value, name) in chart.lines {
         let row = chart.row(*value, rows);

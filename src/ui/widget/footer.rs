@@ -67,12 +67,14 @@ fn line<'a>(state: &'a State, look: &Look, width: usize) -> Line<'a> {
 /// What can be done with the list of vehicles that is being typed.
 fn list_keys(state: &State) -> Text {
     let place = Place::In(state.room());
-    let commands = COMMANDS.iter();
-    let commands = commands.filter_map(|words| state.keymap().label(&Meaning::words(words), place));
+    let commands: Vec<String> = COMMANDS
+        .iter()
+        .filter_map(|words| state.keymap().label(&Meaning::words(words), place))
+        .collect();
     text!(
         "footer-list",
         submit = state.key(Action::Submit),
-        commands = commands.collect::<Vec<_>>().join(" "),
+        commands = commands.join(" "),
         escape = state.key(Action::Escape)
     )
 }

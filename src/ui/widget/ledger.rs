@@ -103,13 +103,16 @@ fn head_lines<'a>(
     look: &Look,
 ) -> Vec<Line<'a>> {
     let style = look.style(entry_role(entry));
-    let time = format!("{} ", clock(session.time(entry.at)));
-    let time = Span::styled(time, look.style(Role::Muted));
+    let time = Span::styled(
+        format!("{} ", clock(session.time(entry.at))),
+        look.style(Role::Muted),
+    );
     let room = width.saturating_sub(time.width());
     let free = room.saturating_sub(Span::raw(&entry.line).width() + 2);
     let outcome = outcome(entry, look);
-    let short = outcome.clone();
-    let short = short.unwrap_or_else(|| summary(entry, look, false));
+    let short = outcome
+        .clone()
+        .unwrap_or_else(|| summary(entry, look, false));
     let long = outcome.unwrap_or_else(|| summary(entry, look, true));
     let mut fitting = [long, short.clone()].into_iter();
     if let Some(text) = fitting.find(|text| text.chars().count() <= free) {
@@ -144,15 +147,15 @@ pub fn summary(entry: &LedgerEntry, look: &Look, with_count: bool) -> String {
         .into_values()
         .map(|(state, count)| text!("state-count", count = count, state = state.name()))
         .collect();
-    let parts = Text::joined(", ", parts);
+    let states = Text::joined(", ", parts);
     look.text(&if with_count {
         text!(
             "state-of-all",
             vehicles = text!("count-vehicles", count = entry.rows.len()),
-            states = parts
+            states = states
         )
     } else {
-        parts
+        states
     })
 }
 

@@ -75,12 +75,14 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 }
 
 fn hint_lines(progress: &Progress, width: usize, look: &Look) -> Vec<String> {
-    let given = progress.clues.given.last();
-    let given = given.map(|(level, hint)| text!("mission-hint-of", level = *level, hint = hint));
-    let hint = progress.hint.as_ref();
-    let hint = hint.map(|hint| text!("mission-hint", hint = hint));
-    let texts = given.into_iter().chain(hint);
-    texts
+    let asked_for = progress.clues.given.last();
+    let given =
+        asked_for.map(|(level, hint)| text!("mission-hint-of", level = *level, hint = hint));
+    let own = progress.hint.as_ref();
+    let hint = own.map(|hint| text!("mission-hint", hint = hint));
+    given
+        .into_iter()
+        .chain(hint)
         .flat_map(|text| wrap(&look.text(&text), width))
         .collect()
 }
@@ -99,17 +101,17 @@ fn counts(progress: &Progress) -> Vec<Text> {
             reported = trusted(Trust::Reported)
         )
     });
-    let marks = progress.marks.len();
-    let marks = (marks > 0).then(|| text!("mission-marks-count", count = marks));
+    let marks = (!progress.marks.is_empty())
+        .then(|| text!("mission-marks-count", count = progress.marks.len()));
     let pledge = progress.pledge;
     let score = pledge.prediction;
-    let said: Vec<Text> = score
+    let words: Vec<Text> = score
         .map(|points| text!("mission-said-score", points = points))
         .into_iter()
         .chain(pledge.goal.map(Goal::title))
         .collect();
-    let said =
-        (!said.is_empty()).then(|| text!("mission-pledge-line", words = Text::joined(", ", said)));
+    let said = (!words.is_empty())
+        .then(|| text!("mission-pledge-line", words = Text::joined(", ", words)));
     contacts.into_iter().chain(marks).chain(said).collect()
 }
 

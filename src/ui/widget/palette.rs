@@ -89,9 +89,11 @@ fn explanation(palette: &Palette, grammar: &Text, width: usize, look: &Look) -> 
             cut => said.replace(wrong, &cut),
         }
     });
-    let hint = palette.hint().map(|hint| look.text(hint));
     // A wrong line without a verb is not helped by the grammar.
-    let hint = hint.or_else(|| fault.is_none().then(|| look.text(grammar)));
+    let hint = match palette.hint() {
+        Some(hint) => Some(look.text(hint)),
+        None => fault.is_none().then(|| look.text(grammar)),
+    };
     let outcome = palette.outcome().map(|text| look.text(text));
     let parts = [
         (fault.as_deref(), FAULT_ROWS, Role::Danger),

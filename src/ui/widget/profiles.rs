@@ -42,8 +42,8 @@ pub fn draw(state: &State, cursor: usize, panel: Panel<'_>, buffer: &mut Buffer)
         } else {
             String::new()
         };
-        let text = format!("{mark} {}  {now}", name(trainee, panel.look));
-        let text = clip(&text, usize::from(inner.width));
+        let line = format!("{mark} {}  {now}", name(trainee, panel.look));
+        let text = clip(&line, usize::from(inner.width));
         put(buffer, inner, row, &Line::raw(text));
         if under_cursor {
             buffer.set_style(row_of(inner, row), panel.style(Role::Cursor));
@@ -55,8 +55,8 @@ pub fn draw(state: &State, cursor: usize, panel: Panel<'_>, buffer: &mut Buffer)
         submit = state.keymap().key(Action::Submit, Place::List),
         escape = state.keymap().key(Action::Escape, Place::List)
     );
-    let keys = Line::styled(panel.text(&keys), panel.style(Role::Muted));
-    put(buffer, inner, inner.height.saturating_sub(1), &keys);
+    let line = Line::styled(panel.text(&keys), panel.style(Role::Muted));
+    put(buffer, inner, inner.height.saturating_sub(1), &line);
 }
 
 fn name(trainee: &Trainee, look: &Look) -> String {

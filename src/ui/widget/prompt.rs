@@ -44,8 +44,7 @@ pub fn draw(state: &State, prompt: &Prompt, panel: Panel<'_>, buffer: &mut Buffe
     let (cursor, _) = draw_line(prompt.input(), None, panel.at(inner), buffer);
     let mut row = 1;
     let fault = prompt.fault().map(|fault| panel.text(fault));
-    let fault = wrap(&fault.unwrap_or_default(), usize::from(inner.width));
-    for line in fault {
+    for line in wrap(&fault.unwrap_or_default(), usize::from(inner.width)) {
         put(
             buffer,
             inner,
@@ -58,8 +57,8 @@ pub fn draw(state: &State, prompt: &Prompt, panel: Panel<'_>, buffer: &mut Buffe
         Purpose::Connect => draw_examples(state, panel.at(below(inner, row + 1)), buffer),
         _ if prompt.fault().is_none() => {
             let text = panel.text(&advice(state, prompt.purpose()));
-            let text = Line::styled(text, panel.style(Role::Muted));
-            put(buffer, inner, 1, &text);
+            let line = Line::styled(text, panel.style(Role::Muted));
+            put(buffer, inner, 1, &line);
         }
         _ => {}
     }

@@ -27,9 +27,8 @@ pub fn height(state: &State, look: &Look, width: u16) -> u16 {
         return 1;
     };
     let alerts = alert_lines(vehicle, state, look, usize::from(width)).len();
-    let lines = lines(vehicle, state).into_iter();
-    let lines = lines.filter(|(_, text)| !text.is_empty()).count();
-    (1 + alerts + usize::from(vehicle.link.lost) + lines) as u16
+    let lines = lines(vehicle, state);
+    (1 + alerts + usize::from(vehicle.link.lost) + lines.len()) as u16
 }
 
 /// That what is shown of a vehicle is not of now, if its link is lost.
@@ -65,7 +64,6 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         inner = below(inner, 1);
     }
     let lines = lines(vehicle, state).into_iter();
-    let lines = lines.filter(|(_, text)| !text.is_empty());
     let role = if vehicle.link.lost {
         Role::Muted
     } else {
@@ -101,7 +99,7 @@ fn alert_lines(vehicle: &Vehicle, state: &State, look: &Look, width: usize) -> V
 }
 
 fn lines(vehicle: &Vehicle, state: &State) -> Vec<(&'static str, Text)> {
-    vec![
+    let mut lines = vec![
         ("telemetry-mode", mode(vehicle)),
         ("telemetry-height", altitude(vehicle)),
         ("telemetry-speed", speed(vehicle)),
@@ -123,7 +121,9 @@ fn lines(vehicle: &Vehicle, state: &State) -> Vec<(&'static str, Text)> {
         ("telemetry-servos", pulses(&vehicle.servos_us).into()),
         ("telemetry-load", load(vehicle).into()),
         ("telemetry-firmware", firmware(vehicle).into()),
-    ]
+    ];
+    lines.retain(|(_, text)| !text.is_empty());
+    lines
 }
 
 fn mode(vehicle: &Vehicle) -> Text {
@@ -231,8 +231,9 @@ fn target(vehicle: &Vehicle) -> Text {
         let distance = global.at_point.distance_m(to);
         text!("telemetry-away", distance = figure(distance, 0))
     });
-    let altitude = target.altitude_m;
-    let altitude = altitude.map(|altitude| text!("telemetry-at", altitude = figure(altitude, 0)));
+    let altitude = target
+        .altitude_m
+        .map(|altitude_m| text!("telemetry-at", altitude = figure(altitude_m, 0)));
     Text::joined("  ", [distance, altitude].into_iter().flatten().collect())
 }
 
@@ -248,8 +249,9 @@ fn gps(vehicle: &Vehicle) -> Text {
         return Text::default();
     };
     let fix = gps.fix.text();
-    let satellites = gps.satellites;
-    let satellites = satellites.map(|count| text!("telemetry-satellites", count = count));
+    let satellites = gps
+        .satellites
+        .map(|count| text!("telemetry-satellites", count = count));
     let hdop = gps
         .hdop
         .map(|hdop| Text::from(format!("HDOP {}", figure(hdop, 1))));
@@ -301,8 +303,9 @@ fn link(vehicle: &Vehicle, state: &State) -> Text {
     } else {
         format!("{} %", link.percent()).into()
     };
-    let trip = link.round_trip;
-    let trip = trip.map(|trip| text!("telemetry-round-trip", ms = trip.as_millis() as u64));
+    let trip = link
+        .round_trip
+        .map(|trip| text!("telemetry-round-trip", ms = trip.as_millis() as u64));
     let parts = [Some(quality), trip].into_iter().flatten();
     Text::joined("  ", parts.collect())
 }

@@ -66,8 +66,8 @@ fn all(progress: &Progress) -> Vec<(Text, Role)> {
         (text!("mission-alert", seconds = seconds, text = text), role)
     });
     let margins = progress.margins_db.iter();
-    let weak = margins.filter(|(_, margin_db)| **margin_db < WEAK_DB);
-    let weak = weak.map(|(vehicle, margin_db)| {
+    let low = margins.filter(|(_, margin_db)| **margin_db < WEAK_DB);
+    let weak = low.map(|(vehicle, margin_db)| {
         let margin = format!("{margin_db:.0}");
         let text = text!("mission-radio-weak", vehicle = *vehicle, margin = margin);
         (text, Role::Warning)

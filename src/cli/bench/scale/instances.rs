@@ -100,8 +100,8 @@ impl Instances<'_> {
     /// # Errors
     /// What one has ended of.
     pub fn ready(&self) -> anyhow::Result<usize> {
-        let seen = self.bench.hangars.instances();
-        let seen = seen.borrow();
+        let channel = self.bench.hangars.instances();
+        let seen = channel.borrow();
         let ours = || seen.iter().filter(|(place, _)| self.places.contains(place));
         if let Some((place, instance)) = ours().find(|(_, i)| i.stage == SitlStage::Ended) {
             let fault = instance.fault.as_deref().unwrap_or("it has ended");
@@ -116,8 +116,8 @@ impl Instances<'_> {
 
     /// Processor time of each process so far, all its threads together.
     pub fn spent(&self) -> io::Result<Vec<Duration>> {
-        let seen = self.bench.hangars.instances();
-        let seen = seen.borrow();
+        let channel = self.bench.hangars.instances();
+        let seen = channel.borrow();
         let ours = seen.iter().filter(|(place, _)| self.places.contains(place));
         ours.filter_map(|(_, i)| i.pid)
             .map(cost::of_process)

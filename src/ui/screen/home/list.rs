@@ -160,10 +160,11 @@ fn career_best(career: &Career, mission: &str, sign: Sign, look: &Look) -> Strin
 
 /// The best recorded score where nobody's career is kept.
 fn recorded_best(state: &State, mission: &str) -> String {
-    let best = state.best_try(mission);
-    let best = best.and_then(|best| Some((best.score?, best.medal)));
-    best.map_or(String::new(), |(score, medal)| {
-        format!(" {score:>4} {:<3}", stars(medal))
+    let Some(best) = state.best_try(mission) else {
+        return String::new();
+    };
+    best.score.map_or(String::new(), |score| {
+        format!(" {score:>4} {:<3}", stars(best.medal))
     })
 }
 

@@ -203,8 +203,8 @@ fn words(value: &FieldReading, look: &Look) -> (String, Role) {
         return (look.text(&text), Role::Muted);
     }
     let names = value.names.join(" ");
-    let parts = [value.figures(), value.unit.to_owned(), names];
-    let parts: Vec<String> = parts.into_iter().filter(|part| !part.is_empty()).collect();
+    let mut parts = vec![value.figures(), value.unit.to_owned(), names];
+    parts.retain(|part| !part.is_empty());
     (parts.join(" "), Role::Text)
 }
 

@@ -121,8 +121,8 @@ fn draw_items(subject: &Subject<'_>, plan: &Plan, area: Rect, buffer: &mut Buffe
             Some(current) if at < current => Role::Muted,
             _ => Role::Text,
         };
-        let way = way_m(vehicle, items, at, is_current);
-        let way = way.map_or(String::new(), |way| format!("{way:.0} m"));
+        let way = way_m(vehicle, items, at, is_current)
+            .map_or(String::new(), |way_m| format!("{way_m:.0} m"));
         let line = format!("{mark}{}{way:>7}", described(&items[at]));
         put(
             buffer,

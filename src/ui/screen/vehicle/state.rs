@@ -198,8 +198,8 @@ fn target(vehicle: &Vehicle, look: &Look) -> String {
         ))
     });
     // ArduPilot says where it goes or how fast; with a place the speed is no target.
-    let velocity = velocity.filter(|_| way.is_none());
-    let parts: Vec<String> = [way, height, velocity].into_iter().flatten().collect();
+    let aimed_at = velocity.filter(|_| way.is_none());
+    let parts: Vec<String> = [way, height, aimed_at].into_iter().flatten().collect();
     if parts.is_empty() {
         UNKNOWN.to_owned()
     } else {
@@ -241,8 +241,9 @@ fn link(subject: &Subject<'_>) -> Entry {
     if link.received == 0 {
         return (ID, UNKNOWN.to_owned(), Role::Muted);
     }
-    let trip = link.round_trip;
-    let trip = trip.map_or(UNKNOWN.to_owned(), |trip| trip.as_millis().to_string());
+    let trip = link
+        .round_trip
+        .map_or(UNKNOWN.to_owned(), |trip| trip.as_millis().to_string());
     let text = text!(
         "vehicle-link-good",
         percent = u32::from(link.percent()),

@@ -95,9 +95,8 @@ impl Table<'_> {
     /// The parts of a slot beside each other; lines that differ stand out.
     fn slot(&self, slot: PartSlot, one: &Design, two: &Design) -> Vec<Line<'static>> {
         let parts = |design: &Design| -> Vec<String> {
-            let rows = rows(design).into_iter();
-            let rows = rows.filter(|row| row.slot == slot);
-            rows.filter_map(|row| {
+            let here = rows(design).into_iter().filter(|row| row.slot == slot);
+            here.filter_map(|row| {
                 let name = self.look.text(&row.part?.name());
                 Some(if row.count > 1 {
                     format!("{} x {name}", row.count)

@@ -19,17 +19,17 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     if panel.area.height < 2 {
         return;
     }
-    let inner = panel.titled(&panel.say("workshop-findings"), buffer);
-    let inner = columns(inner, 1, inner.width.saturating_sub(1));
+    let pane = panel.titled(&panel.say("workshop-findings"), buffer);
+    let inner = columns(pane, 1, pane.width.saturating_sub(1));
     let bench = state.rooms().workshop().bench();
     let is_missing = |it: &&DesignFinding| it.kind == FindingKind::Missing;
-    let missing = bench.findings().iter().filter(is_missing);
-    let missing: Vec<Text> = missing.map(|it| it.slot.name()).collect();
+    let found = bench.findings().iter();
+    let missing: Vec<Text> = found.filter(is_missing).map(|it| it.slot.name()).collect();
     let mut texts: Vec<(String, Style)> = Vec::new();
     if !missing.is_empty() {
         let text = text!("bench-missing", slots = Text::joined(", ", missing));
-        let text = format!("x {}", panel.text(&text));
-        texts.push((text, panel.style(Role::Danger)));
+        let fault = format!("x {}", panel.text(&text));
+        texts.push((fault, panel.style(Role::Danger)));
     }
     for finding in bench.findings().iter().filter(|it| !is_missing(it)) {
         let (mark, role) = match finding.severity() {
@@ -57,8 +57,8 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
             }
             Licence::Held => continue,
         };
-        let text = format!("$ {}", panel.text(&text));
-        texts.push((text, panel.style(Role::Accent)));
+        let offer = format!("$ {}", panel.text(&text));
+        texts.push((offer, panel.style(Role::Accent)));
     }
     put_wrapped(&texts, inner, buffer);
 }

@@ -19,8 +19,8 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     if panel.area.height < 2 {
         return;
     }
-    let inner = panel.titled(&mission_title(state, panel.look), buffer);
-    let inner = columns(inner, 1, inner.width.saturating_sub(1));
+    let pane = panel.titled(&mission_title(state, panel.look), buffer);
+    let inner = columns(pane, 1, pane.width.saturating_sub(1));
     let Some(mission) = mission(state) else {
         let text = (panel.say("bench-choose-mission"), panel.style(Role::Muted));
         put_wrapped(&[text], inner, buffer);
@@ -69,11 +69,10 @@ fn draw_stand(stand: &Stand, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
         (false, false) => ('!', Role::Warning),
     };
     let what = format!("{mark} {}", panel.text(&line.what));
-    let has = panel.text(&line.has);
-    let has = match &stand.before {
-        Some(before) => format!("{} → {has}", panel.text(before)),
-        None => has,
-    };
+    let mut has = panel.text(&line.has);
+    if let Some(before) = &stand.before {
+        has = format!("{} → {has}", panel.text(before));
+    }
     let figures = format!("{has} / {}", panel.text(&line.required));
     let columns = usize::from(panel.area.width);
     let style = panel.style(role);

@@ -97,8 +97,8 @@ impl Layout {
             1
         };
         let shown: Vec<Measure> = telling.iter().copied().take(count).collect();
-        let name = room.saturating_sub(change * shown.len());
-        let name = if wide { name.min(LONG_NAME + 6) } else { name };
+        let left = room.saturating_sub(change * shown.len());
+        let name = if wide { left.min(LONG_NAME + 6) } else { left };
         Self {
             name,
             licence,

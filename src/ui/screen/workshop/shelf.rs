@@ -43,8 +43,8 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 fn line(Stored { design, is_own }: Stored<'_>, look: &Look, width: u16) -> Line<'static> {
     let whose = look.say(if is_own { "bench-own" } else { "bench-stock" });
     let name = look.text(&Text::verbatim(design.name.clone()));
-    let parts = design.pieces().map(|(part, _)| part.name());
-    let parts: Vec<String> = parts.map(|name| look.text(&name)).collect();
+    let pieces = design.pieces();
+    let parts: Vec<String> = pieces.map(|(part, _)| look.text(&part.name())).collect();
     let head = format!(
         " {}{}{}{}  ",
         aligned(&name, NAME, false),

@@ -121,9 +121,9 @@ fn readable(labels: Vec<Label>, vehicles: &BTreeSet<(u16, u16)>) -> Vec<Label> {
         let mut around = column.saturating_sub(margin)..column + width + margin;
         let is_cut = width > 1 && (column..column + width).any(|at| vehicles.contains(&(row, at)));
         if is_cut || around.any(|at| taken.contains(&(row, at))) {
-            let sign = label.text.chars().next().filter(|c| !c.is_alphanumeric());
-            let sign = sign.filter(|_| !taken.contains(&(row, column)));
-            let Some(sign) = sign else {
+            let is_free = !taken.contains(&(row, column));
+            let sign = label.text.chars().next();
+            let Some(sign) = sign.filter(|c| is_free && !c.is_alphanumeric()) else {
                 continue;
             };
             label.text = sign.to_string();

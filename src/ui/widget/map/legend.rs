@@ -95,15 +95,23 @@ fn lines(state: &State, look: &Look) -> Vec<Line<'static>> {
     ];
     let finds = finds::SIGNS
         .iter()
-        .filter(|(trust, ..)| finds::has(state, *trust));
-    let finds = finds.map(|(_, sign, role, id)| (format!("{sign}c1"), *role, *id));
-    let movers = state.session().mission();
-    let movers = movers.is_some_and(|it| !it.movers.is_empty());
-    let movers = movers.then(|| ("P A U".to_owned(), Role::Danger, "map-legend-movers"));
-    let strokes = strokes(state).into_iter().filter(|(shown, ..)| *shown);
-    let strokes = strokes.map(|(_, stroke, id)| (stroke.sample(look.symbols), stroke.role, id));
-    let signs = signs.into_iter().chain(finds).chain(movers);
-    signs.chain(strokes).map(row).collect()
+        .filter(|(trust, ..)| finds::has(state, *trust))
+        .map(|(_, sign, role, id)| (format!("{sign}c1"), *role, *id));
+    let mission = state.session().mission();
+    let movers = mission
+        .filter(|it| !it.movers.is_empty())
+        .map(|_| ("P A U".to_owned(), Role::Danger, "map-legend-movers"));
+    let strokes = strokes(state)
+        .into_iter()
+        .filter(|(shown, ..)| *shown)
+        .map(|(_, stroke, id)| (stroke.sample(look.symbols), stroke.role, id));
+    signs
+        .into_iter()
+        .chain(finds)
+        .chain(movers)
+        .chain(strokes)
+        .map(row)
+        .collect()
 }
 
 /// The kinds of lines, and whether there are any on the map.

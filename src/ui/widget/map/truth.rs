@@ -101,8 +101,11 @@ fn labels(truth: &TruthReport) -> Vec<(Sign, [f64; 2])> {
         _ => MISSED,
     };
     let objects = truth.objects.iter().map(|object| (sign(object), object.at));
-    let wrong = truth.marks.iter().filter(|mark| !mark.right);
-    let wrong = wrong.map(|mark| (FALSE, mark.at));
+    let wrong = truth
+        .marks
+        .iter()
+        .filter(|mark| !mark.right)
+        .map(|mark| (FALSE, mark.at));
     let mut labels: Vec<(Sign, [f64; 2])> = pads.chain(objects).chain(wrong).collect();
     // What was missed shows also where it shares its cell with something else.
     labels.sort_by_key(|(sign, _)| *sign == MISSED);

@@ -95,8 +95,9 @@ pub fn columns(state: &State, words: &Words, look: &Look, room: u16) -> Vec<Show
 
 /// Those that were asked for, as long as they fit, and the columns that are left.
 fn in_order(chosen: &[Column], words: &Words, look: &Look, room: u16) -> (Vec<Shown>, u16) {
-    let forms = chosen.iter();
-    let forms = forms.filter_map(|column| FORMS.iter().find(|form| form.column == *column));
+    let forms = chosen
+        .iter()
+        .filter_map(|column| FORMS.iter().find(|form| form.column == *column));
     let mut left = room;
     let mut columns = Vec::new();
     for form in forms {
@@ -155,8 +156,8 @@ impl Form {
             Column::Link => &[&words.lost],
             _ => &[],
         };
-        let widest = said.iter().map(|word| width(word)).max().unwrap_or(0);
-        let widest = widest.max(width(&title)) as u16;
+        let longest = said.iter().map(|word| width(word)).max().unwrap_or(0);
+        let widest = longest.max(width(&title)) as u16;
         Shown {
             column: self.column,
             title,
