@@ -30,20 +30,20 @@ use crate::vehicle::{VehicleId, Vehicles};
 use crate::verb::Verb;
 
 mod act;
-mod cast;
 mod geometry;
 mod guard;
 mod lanes;
 mod march;
 mod pattern;
+mod planner;
 mod site;
 mod slots;
 #[cfg(test)]
 mod tests;
 mod transit;
 
-use act::{ActiveManoeuvre, Scene};
-use cast::Cast;
+use act::{ActiveManoeuvre, WorldView};
+use planner::Planner;
 
 /// What holds for all manoeuvres of a session.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -110,7 +110,7 @@ pub struct Assignment {
 
 /// What came of a step.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Turn {
+pub struct StepOutcome {
     /// Where vehicles are to be now.
     pub steering: Vec<(VehicleId, Steering)>,
     /// How far they have come.
@@ -135,7 +135,7 @@ pub struct Conductor {
     /// How fast vehicles were told to fly.
     told_m_s: BTreeMap<VehicleId, f64>,
     /// What is to go out with the next step.
-    waiting: Turn,
+    waiting: StepOutcome,
 }
 
 impl Conductor {
@@ -188,11 +188,11 @@ impl Conductor {
         if *call.manoeuvre == Manoeuvre::Disband {
             return self.disband(call, vehicles, now);
         }
-        let mut cast = Cast::new(self.rules, vehicles, now, call);
-        cast.audition();
-        let taken = cast.team();
-        let act = cast.make();
-        let mut rows = std::mem::take(&mut cast.rows);
+        let mut planner = Planner::new(self.rules, vehicles, now, call);
+        planner.pick_team();
+        let taken = planner.team();
+        let act = planner.make();
+        let mut rows = std::mem::take(&mut planner.rows);
         if let Some(act) = act {
             self.release(&taken, &call.verb.name.into(), vehicles, now);
             rows.splice(0..0, std::mem::take(&mut self.waiting.rows));
@@ -229,19 +229,19 @@ impl Conductor {
         }
     }
 
-    pub fn step(&mut self, now: Duration, vehicles: &Vehicles) -> Turn {
-        let mut turn = std::mem::take(&mut self.waiting);
+    pub fn step(&mut self, now: Duration, vehicles: &Vehicles) -> StepOutcome {
+        let mut outcome = std::mem::take(&mut self.waiting);
         for index in 0..self.acts.len() {
-            let scene = Scene {
+            let view = WorldView {
                 now,
                 vehicles,
                 rules: self.rules,
             };
             self.acts[index].pace(&self.told_m_s);
-            self.acts[index].step(&scene, &mut turn);
+            self.acts[index].step(&view, &mut outcome);
         }
         self.acts.retain(|act| !act.is_over());
-        turn
+        outcome
     }
 
     /// What is going to be flown.
@@ -256,7 +256,7 @@ impl Conductor {
 
     /// Takes vehicles out of what they were doing; the others go on without them.
     fn release(&mut self, ids: &[VehicleId], by: &Text, vehicles: &Vehicles, now: Duration) {
-        let scene = Scene {
+        let view = WorldView {
             now,
             vehicles,
             rules: self.rules,
@@ -269,7 +269,7 @@ impl Conductor {
                     &gone,
                     RowState::Superseded,
                     &reason,
-                    &scene,
+                    &view,
                     &mut self.waiting,
                 );
             }

@@ -10,7 +10,7 @@ use super::guard::is_in_the_way;
 use super::lanes::Lane;
 use super::march::March;
 use super::site::{Site, moving};
-use super::{FormationGoal, Ordered, Path, Rules, Turn};
+use super::{FormationGoal, Ordered, Path, Rules, StepOutcome};
 use crate::commands::Setpoint;
 use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::notice::Notice;
@@ -44,7 +44,7 @@ const IN_PLACE_M: f64 = 2.0;
 
 /// What an act sees of the world.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Scene<'a> {
+pub(super) struct WorldView<'a> {
     pub now: Duration,
     pub vehicles: &'a Vehicles,
     pub rules: Rules,
@@ -126,19 +126,19 @@ impl ActiveManoeuvre {
         }
     }
 
-    pub fn step(&mut self, scene: &Scene<'_>, turn: &mut Turn) {
-        self.drop_unfit(scene, turn);
-        self.move_on(scene);
-        self.work(scene);
-        self.steer(scene, turn);
-        self.tell(scene, turn);
+    pub fn step(&mut self, view: &WorldView<'_>, outcome: &mut StepOutcome) {
+        self.drop_unfit(view, outcome);
+        self.move_on(view);
+        self.work(view);
+        self.steer(view, outcome);
+        self.tell(view, outcome);
     }
 
     /// The next phase begins when everybody has come to the end of this one.
-    fn move_on(&mut self, scene: &Scene<'_>) {
+    fn move_on(&mut self, view: &WorldView<'_>) {
         let there = |member: &Member| {
             let aim = self.aim(member, 0).at;
-            let at = self.point(member.id, scene);
+            let at = self.point(member.id, view);
             at.is_some_and(|at| is_reached(at, aim))
         };
         if self.phase < Phase::Work && self.members.iter().all(there) {
@@ -157,35 +157,37 @@ impl ActiveManoeuvre {
         MovingPoint::still(point)
     }
 
-    fn point(&self, id: VehicleId, scene: &Scene<'_>) -> Option<DVec3> {
-        self.site.point(scene.vehicles.get(&id)?)
+    fn point(&self, id: VehicleId, view: &WorldView<'_>) -> Option<DVec3> {
+        self.site.point(view.vehicles.get(&id)?)
     }
 
     /// Says where everybody is to be.
-    fn steer(&mut self, scene: &Scene<'_>, turn: &mut Turn) {
+    fn steer(&mut self, view: &WorldView<'_>, outcome: &mut StepOutcome) {
         for index in 0..self.members.len() {
             let member = &self.members[index];
             let aim = self.aim(member, index);
             let (id, before) = (member.id, member.standing.waits);
-            let obstacle = self.obstacle(id, aim.at, scene);
+            let obstacle = self.obstacle(id, aim.at, view);
             let waits = obstacle.map(|(at, other)| match before {
                 Some((stand, _)) => (stand, other),
                 None => (at, other),
             });
             if let (Some((_, other)), None) = (waits, before) {
                 let text = text!("swarm-waits", verb = self.verb.name, other = other);
-                turn.notices
-                    .push(notice(id, Severity::Notice, text, scene.now));
+                outcome
+                    .notices
+                    .push(notice(id, Severity::Notice, text, view.now));
             }
             let goal = waits.map_or(aim, |(stand, _)| MovingPoint::still(stand));
             self.members[index].standing.waits = waits;
             let is_moving = goal.velocity_m_s.length() > STANDING_M_S;
             if self.members[index]
                 .standing
-                .is_due(goal.at, is_moving, scene.now)
+                .is_due(goal.at, is_moving, view.now)
             {
                 let velocity_m_s = is_moving.then_some(goal.velocity_m_s);
-                turn.steering
+                outcome
+                    .steering
                     .push((id, self.steering(goal.at, velocity_m_s)));
             }
         }
@@ -203,15 +205,20 @@ impl ActiveManoeuvre {
     }
 
     /// Somebody from outside who is in the way of a member, with where that member is.
-    fn obstacle(&self, id: VehicleId, aim: DVec3, scene: &Scene<'_>) -> Option<(DVec3, VehicleId)> {
-        let me = scene.vehicles.get(&id)?;
+    fn obstacle(
+        &self,
+        id: VehicleId,
+        aim: DVec3,
+        view: &WorldView<'_>,
+    ) -> Option<(DVec3, VehicleId)> {
+        let me = view.vehicles.get(&id)?;
         let own = moving(&self.site, me)?;
         let in_the_way = |other: &Vehicle| {
-            let separation_m = scene.rules.separation_m + 1.0;
+            let separation_m = view.rules.separation_m + 1.0;
             moving(&self.site, other)
                 .is_some_and(|other| is_in_the_way(own, aim, other, separation_m))
         };
-        let mut others = scene.vehicles.values();
+        let mut others = view.vehicles.values();
         others
             .find(|other| other.airborne() && !self.has(other.id) && in_the_way(other))
             .map(|other| (own.at, other.id))

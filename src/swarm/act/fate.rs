@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::places::{share_lanes, take_places};
-use super::{ActiveManoeuvre, Phase, Scene, Turn, Work, notice};
+use super::{ActiveManoeuvre, Phase, StepOutcome, Work, WorldView, notice};
 use crate::ledger::{RowState, RowUpdate};
 use crate::swarm::lanes::Lane;
 use crate::text;
@@ -16,30 +16,29 @@ const LOST_FOR: Duration = Duration::from_secs(10);
 
 impl ActiveManoeuvre {
     /// Lets those fall out that do not take part any more.
-    pub(super) fn drop_unfit(&mut self, scene: &Scene<'_>, turn: &mut Turn) {
+    pub(super) fn drop_unfit(&mut self, view: &WorldView<'_>, outcome: &mut StepOutcome) {
         let ids: Vec<VehicleId> = self.members.iter().map(|member| member.id).collect();
         for id in ids.into_iter().rev() {
             // When one falls out, the others may get new places, or all give up.
             let Some(member) = self.members.iter_mut().find(|member| member.id == id) else {
                 continue;
             };
-            let vehicle = scene.vehicles.get(&id);
+            let vehicle = view.vehicles.get(&id);
             let lost_since = &mut member.standing.lost_since;
             if vehicle.is_some_and(|vehicle| !vehicle.link.lost) {
                 *lost_since = None;
             }
             let silent = match vehicle {
                 Some(vehicle) if !vehicle.link.lost => Duration::ZERO,
-                _ => scene
-                    .now
-                    .saturating_sub(*lost_since.get_or_insert(scene.now)),
+                _ => view.now.saturating_sub(*lost_since.get_or_insert(view.now)),
             };
             if let Some((state, reason)) = unfit(vehicle.map(Arc::as_ref), silent) {
                 let verb = self.verb.name;
                 let text = text!("swarm-falls-out", verb = verb, reason = &reason);
-                turn.notices
-                    .push(notice(id, Severity::Warning, text, scene.now));
-                self.lose(&[id], state, &reason, scene, turn);
+                outcome
+                    .notices
+                    .push(notice(id, Severity::Warning, text, view.now));
+                self.lose(&[id], state, &reason, view, outcome);
             }
         }
     }
@@ -50,27 +49,27 @@ impl ActiveManoeuvre {
         ids: &[VehicleId],
         state: RowState,
         reason: &Text,
-        scene: &Scene<'_>,
-        turn: &mut Turn,
+        view: &WorldView<'_>,
+        outcome: &mut StepOutcome,
     ) {
         for member in self.members.iter().filter(|it| ids.contains(&it.id)) {
-            turn.rows.push(RowUpdate {
+            outcome.rows.push(RowUpdate {
                 entry: self.entry,
                 vehicle: member.id,
                 state,
                 tries: 1,
-                at: scene.now,
+                at: view.now,
                 explanation: Some(reason.clone()),
             });
         }
         if let Some(moving) = &mut self.moving {
             for &vehicle in moving.who.iter().filter(|id| ids.contains(id)) {
-                turn.rows.push(RowUpdate {
+                outcome.rows.push(RowUpdate {
                     entry: moving.entry,
                     vehicle,
                     state,
                     tries: 1,
-                    at: scene.now,
+                    at: view.now,
                     explanation: Some(reason.clone()),
                 });
             }
@@ -79,8 +78,8 @@ impl ActiveManoeuvre {
         let leader = self.leader();
         let lanes = self.lanes_left();
         self.members.retain(|member| !ids.contains(&member.id));
-        if !self.members.is_empty() && !self.rearrange(leader, &lanes, scene, turn) {
-            self.give_up(scene, turn);
+        if !self.members.is_empty() && !self.rearrange(leader, &lanes, view, outcome) {
+            self.give_up(view, outcome);
         }
     }
 
@@ -89,11 +88,11 @@ impl ActiveManoeuvre {
         &mut self,
         leader: Option<VehicleId>,
         lanes: &[Lane],
-        scene: &Scene<'_>,
-        turn: &mut Turn,
+        view: &WorldView<'_>,
+        outcome: &mut StepOutcome,
     ) -> bool {
         match &mut self.work {
-            Work::Courses { lanes: true } if !lanes.is_empty() => share_lanes(self, lanes, scene),
+            Work::Courses { lanes: true } if !lanes.is_empty() => share_lanes(self, lanes, view),
             Work::Courses { .. } => true,
             Work::Formation(march) => {
                 if leader != self.members.first().map(|member| member.id) {
@@ -101,14 +100,14 @@ impl ActiveManoeuvre {
                     let first = self
                         .members
                         .first()
-                        .and_then(|it| scene.vehicles.get(&it.id));
+                        .and_then(|it| view.vehicles.get(&it.id));
                     let at = first.and_then(|first| self.site.point(first));
                     march.anchor = at.unwrap_or(march.anchor);
                     march.goal = None;
                     // Without its leader nobody knows where it was to go.
-                    self.end_move(RowState::Superseded, None, scene.now, &mut turn.rows);
+                    self.end_move(RowState::Superseded, None, view.now, &mut outcome.rows);
                 }
-                take_places(self, scene)
+                take_places(self, view)
             }
             Work::Follow(tail) => {
                 tail.places.clear();
@@ -125,21 +124,26 @@ impl ActiveManoeuvre {
     }
 
     /// There is no safe way to go on: everybody stays where it is.
-    fn give_up(&mut self, scene: &Scene<'_>, turn: &mut Turn) {
+    fn give_up(&mut self, view: &WorldView<'_>, outcome: &mut StepOutcome) {
         let reason = text!("swarm-no-way");
         let ids: Vec<VehicleId> = self.members.iter().map(|member| member.id).collect();
-        turn.steering.extend(self.stops(&ids, scene.vehicles));
+        outcome.steering.extend(self.stops(&ids, view.vehicles));
         for &vehicle in &ids {
-            turn.rows.push(RowUpdate {
+            outcome.rows.push(RowUpdate {
                 entry: self.entry,
                 vehicle,
                 state: RowState::NoEffect,
                 tries: 1,
-                at: scene.now,
+                at: view.now,
                 explanation: Some(reason.clone()),
             });
         }
-        self.end_move(RowState::NoEffect, Some(&reason), scene.now, &mut turn.rows);
+        self.end_move(
+            RowState::NoEffect,
+            Some(&reason),
+            view.now,
+            &mut outcome.rows,
+        );
         self.members.clear();
         self.phase = Phase::Work;
     }

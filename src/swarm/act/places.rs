@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{ActiveManoeuvre, Member, Phase, Scene, Work};
+use super::{ActiveManoeuvre, Member, Phase, Work, WorldView};
 use crate::swarm::Rules;
 use crate::swarm::geometry::{assign, length_m};
 use crate::swarm::lanes::{Lane, Start, shares};
@@ -33,11 +33,11 @@ pub(in crate::swarm) fn is_staggered(lanes: &[Lane], rules: Rules) -> bool {
 pub(in crate::swarm) fn share_lanes(
     act: &mut ActiveManoeuvre,
     lanes: &[Lane],
-    scene: &Scene<'_>,
+    view: &WorldView<'_>,
 ) -> bool {
     let heights = act.members.iter().map(|member| member.to.z);
     let up_m = heights.fold(f64::INFINITY, f64::min);
-    see(act, scene);
+    see(act, view);
     let count = act.members.len().min(lanes.len());
     let shares = shares(lanes, count);
     let flat: Vec<DVec2> = act.members.iter().map(|it| it.from.truncate()).collect();
@@ -50,8 +50,8 @@ pub(in crate::swarm) fn share_lanes(
     let Some((_, chosen, ordered)) = tries.into_iter().min_by(|a, b| a.0.total_cmp(&b.0)) else {
         return false;
     };
-    let above_m = if is_staggered(lanes, scene.rules) {
-        scene.rules.clearance().above_m
+    let above_m = if is_staggered(lanes, view.rules) {
+        view.rules.clearance().above_m
     } else {
         0.0
     };
@@ -67,12 +67,12 @@ pub(in crate::swarm) fn share_lanes(
             ..team[member].clone()
         });
     }
-    route(act, scene)
+    route(act, view)
 }
 
 /// Gives the members places in their formation, the first the first one. False if there is no safe way.
-pub(in crate::swarm) fn take_places(act: &mut ActiveManoeuvre, scene: &Scene<'_>) -> bool {
-    see(act, scene);
+pub(in crate::swarm) fn take_places(act: &mut ActiveManoeuvre, view: &WorldView<'_>) -> bool {
+    see(act, view);
     let Work::Formation(march) = &mut act.work else {
         return false;
     };
@@ -92,13 +92,13 @@ pub(in crate::swarm) fn take_places(act: &mut ActiveManoeuvre, scene: &Scene<'_>
     for (member, &slot) in act.members.iter_mut().zip(&order) {
         member.to = places[slot];
     }
-    route(act, scene)
+    route(act, view)
 }
 
 /// Takes note of where everybody is now.
-fn see(act: &mut ActiveManoeuvre, scene: &Scene<'_>) {
+fn see(act: &mut ActiveManoeuvre, view: &WorldView<'_>) {
     for member in &mut act.members {
-        let vehicle = scene.vehicles.get(&member.id);
+        let vehicle = view.vehicles.get(&member.id);
         if let Some(at) = vehicle.and_then(|vehicle| act.site.point(vehicle)) {
             member.from = at;
         }
@@ -106,18 +106,18 @@ fn see(act: &mut ActiveManoeuvre, scene: &Scene<'_>) {
 }
 
 /// Finds heights at which everybody can go from where it is to where its work begins. False if there are none.
-pub(in crate::swarm) fn route(act: &mut ActiveManoeuvre, scene: &Scene<'_>) -> bool {
+pub(in crate::swarm) fn route(act: &mut ActiveManoeuvre, view: &WorldView<'_>) -> bool {
     let leg = |member: &Member| Leg {
         from: member.from,
         to: member.to,
     };
     let legs: Vec<Leg> = act.members.iter().map(leg).collect();
-    let outside = scene
+    let outside = view
         .vehicles
         .values()
         .filter(|it| !act.has(it.id) && it.airborne());
     let others: Vec<DVec3> = outside.filter_map(|it| act.site.point(it)).collect();
-    let clearance = scene.rules.clearance();
+    let clearance = view.rules.clearance();
     if are_apart(&legs, &others, clearance) {
         act.phase = Phase::Sink;
         for member in &mut act.members {

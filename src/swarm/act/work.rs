@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{ActiveManoeuvre, IN_PLACE_M, Member, Phase, Scene, Turn, Work, is_reached};
+use super::{ActiveManoeuvre, IN_PLACE_M, Member, Phase, StepOutcome, Work, WorldView, is_reached};
 use crate::ledger::{RowState, RowUpdate};
 use crate::swarm::geometry::MovingPoint;
 use crate::swarm::site::moving;
@@ -48,17 +48,17 @@ impl ActiveManoeuvre {
     }
 
     /// Moves what is worked at on.
-    pub(super) fn work(&mut self, scene: &Scene<'_>) {
+    pub(super) fn work(&mut self, view: &WorldView<'_>) {
         if self.phase < Phase::Work {
             return;
         }
         let points: Vec<Option<DVec3>> = self
             .members
             .iter()
-            .map(|member| self.point(member.id, scene))
+            .map(|member| self.point(member.id, view))
             .collect();
         let heard_at = |id: VehicleId| {
-            let vehicle = scene.vehicles.get(&id).filter(|it| !it.link.lost)?;
+            let vehicle = view.vehicles.get(&id).filter(|it| !it.link.lost)?;
             moving(&self.site, vehicle)
         };
         match &mut self.work {
@@ -77,7 +77,7 @@ impl ActiveManoeuvre {
                     .zip(places)
                     .filter_map(|(at, place)| Some((*at)?.distance(place)))
                     .fold(0.0, f64::max);
-                march.step(scene.now, lag_m);
+                march.step(view.now, lag_m);
             }
             Work::Follow(tail) => {
                 if let Some(leader) = heard_at(tail.leader) {
@@ -93,16 +93,16 @@ impl ActiveManoeuvre {
     }
 
     /// Says how far everybody is.
-    pub(super) fn tell(&mut self, scene: &Scene<'_>, turn: &mut Turn) {
+    pub(super) fn tell(&mut self, view: &WorldView<'_>, outcome: &mut StepOutcome) {
         let all_in_place = self.phase == Phase::Work
             && self.members.iter().enumerate().all(|(index, member)| {
                 let place = self.aim(member, index).at;
-                let at = self.point(member.id, scene);
+                let at = self.point(member.id, view);
                 at.is_some_and(|at| at.distance(place) <= IN_PLACE_M)
             });
         for index in 0..self.members.len() {
             let member = &self.members[index];
-            let Some(at) = self.point(member.id, scene) else {
+            let Some(at) = self.point(member.id, view) else {
                 continue;
             };
             let left_m = member.left_m(self.phase, at);
@@ -114,35 +114,35 @@ impl ActiveManoeuvre {
             };
             let standing = &mut self.members[index].standing;
             if let Some(state) = standing.news(left_m, is_done) {
-                turn.rows.push(self.row(index, state, scene));
+                outcome.rows.push(self.row(index, state, view));
             }
         }
-        self.tell_move(all_in_place, scene, turn);
+        self.tell_move(all_in_place, view, outcome);
         if matches!(self.work, Work::Courses { .. }) {
             // Whoever is done is free for something else.
             self.members.retain(|member| !member.standing.is_done);
         }
     }
 
-    fn row(&self, index: usize, state: RowState, scene: &Scene<'_>) -> RowUpdate {
+    fn row(&self, index: usize, state: RowState, view: &WorldView<'_>) -> RowUpdate {
         RowUpdate {
             entry: self.entry,
             vehicle: self.members[index].id,
             state,
             tries: 1,
-            at: scene.now,
+            at: view.now,
             explanation: None,
         }
     }
 
     /// How far a formation is on its way.
-    fn tell_move(&mut self, all_in_place: bool, scene: &Scene<'_>, turn: &mut Turn) {
+    fn tell_move(&mut self, all_in_place: bool, view: &WorldView<'_>, outcome: &mut StepOutcome) {
         let (Work::Formation(march), Some(moving)) = (&self.work, &mut self.moving) else {
             return;
         };
         let Some(goal) = march.goal else {
             if all_in_place {
-                self.end_move(RowState::Done, None, scene.now, &mut turn.rows);
+                self.end_move(RowState::Done, None, view.now, &mut outcome.rows);
             }
             return;
         };
@@ -150,13 +150,14 @@ impl ActiveManoeuvre {
         let percent = (flown * 100.0).clamp(0.0, 99.0) as u8;
         if percent > moving.percent {
             moving.percent = percent;
-            turn.rows
+            outcome
+                .rows
                 .extend(moving.who.iter().map(|&vehicle| RowUpdate {
                     entry: moving.entry,
                     vehicle,
                     state: RowState::InProgress(percent),
                     tries: 1,
-                    at: scene.now,
+                    at: view.now,
                     explanation: None,
                 }));
         }

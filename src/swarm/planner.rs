@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use glam::{DVec2, DVec3};
 
-use super::act::{ActiveManoeuvre, Scene, Work};
+use super::act::{ActiveManoeuvre, Work, WorldView};
 use super::site::Site;
 use super::transit::MARGIN_M;
 use super::{Call, Rules};
@@ -28,7 +28,7 @@ const SECTOR_RADIUS_M: f64 = 100.0;
 const SQUARE_TURNS: f64 = 5.0;
 
 /// Those who are asked to do something together.
-pub(super) struct Cast<'a> {
+pub(super) struct Planner<'a> {
     rules: Rules,
     vehicles: &'a Vehicles,
     now: Duration,
@@ -43,7 +43,7 @@ pub(super) struct Cast<'a> {
 
 type Made = Result<ActiveManoeuvre, Text>;
 
-impl<'a> Cast<'a> {
+impl<'a> Planner<'a> {
     pub fn new(rules: Rules, vehicles: &'a Vehicles, now: Duration, call: Call<'a>) -> Self {
         let mut globals = call
             .targets
@@ -63,7 +63,7 @@ impl<'a> Cast<'a> {
     }
 
     /// Finds out who can take part and refuses the others.
-    pub fn audition(&mut self) {
+    pub fn pick_team(&mut self) {
         let verb = self.call.verb.name;
         for &id in self.call.targets {
             let fitness = match self.vehicles.get(&id) {
@@ -175,8 +175,8 @@ impl<'a> Cast<'a> {
         ActiveManoeuvre::new(self.call.entry, self.call.verb, self.site, work)
     }
 
-    fn scene(&self) -> Scene<'a> {
-        Scene {
+    fn view(&self) -> WorldView<'a> {
+        WorldView {
             now: self.now,
             vehicles: self.vehicles,
             rules: self.rules,

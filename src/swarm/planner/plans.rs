@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Cast, FORMATION_SPACING_M, Made, SECTOR_RADIUS_M, SQUARE_TURNS};
+use super::{FORMATION_SPACING_M, Made, Planner, SECTOR_RADIUS_M, SQUARE_TURNS};
 use crate::commands::{Datum, FarEnd, Ground, Pattern, Shape};
 use crate::geo::Outline;
 use crate::ledger::RowState;
@@ -20,7 +20,7 @@ use crate::vehicle::VehicleId;
 /// Less than this outside of an area is not worth a word.
 const LEAST_GAP_M: f64 = 1.0;
 
-impl Cast<'_> {
+impl Planner<'_> {
     pub(super) fn survey(
         &mut self,
         ground: &Ground,
@@ -38,7 +38,7 @@ impl Cast<'_> {
         }
         let mut act = self.act(Work::Courses { lanes: true });
         act.members = members(&self.team, up_m);
-        if !share_lanes(&mut act, &lanes, &self.scene()) {
+        if !share_lanes(&mut act, &lanes, &self.view()) {
             return Err(text!("swarm-no-way"));
         }
         let idle: Vec<VehicleId> = self.team().into_iter().filter(|id| !act.has(*id)).collect();
@@ -120,7 +120,7 @@ impl Cast<'_> {
         march.keeps_facing = face_deg.is_some();
         let mut act = self.act(Work::Formation(march));
         act.members = members(&self.team, up_m);
-        if take_places(&mut act, &self.scene()) {
+        if take_places(&mut act, &self.view()) {
             Ok(act)
         } else {
             Err(text!("swarm-no-way"))
@@ -253,7 +253,7 @@ impl Cast<'_> {
     }
 
     fn routed(&self, mut act: ActiveManoeuvre) -> Made {
-        if route(&mut act, &self.scene()) {
+        if route(&mut act, &self.view()) {
             Ok(act)
         } else {
             Err(text!("swarm-no-way"))
