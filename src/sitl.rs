@@ -98,7 +98,7 @@ pub struct Recipe {
 
 /// How the instance's serial 0 is reached.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Door {
+pub enum SerialEndpoint {
     /// It connects to this address, and nobody can connect to it: all its other serial ports are closed.
     Outwards(SocketAddr),
     /// It listens as SITL usually does, on port 5760 + 10 * this number and 2 and 3 above, and boots once somebody
@@ -135,7 +135,7 @@ impl Recipe {
     ///
     /// # Errors
     /// What SITL would misunderstand, or die of, or spin on for ever, with what to do.
-    pub fn command_line(&self, door: Door) -> Result<CommandLine, SitlUnfit> {
+    pub fn command_line(&self, endpoint: SerialEndpoint) -> Result<CommandLine, SitlUnfit> {
         self.check()?;
         let named = self.airframe()?;
         let motors = named.as_ref().map(Airframe::motors);
@@ -164,7 +164,7 @@ impl Recipe {
             ("--home", home),
             ("--sysid", self.system.to_string()),
         ]);
-        arguments.extend(door.arguments()?);
+        arguments.extend(endpoint.arguments()?);
         let mut files = vec![(
             PARAMETER_FILE,
             self.parameter_file(model, airframe.as_ref()),
@@ -231,7 +231,7 @@ impl Recipe {
     }
 }
 
-impl Door {
+impl SerialEndpoint {
     /// The ports of serial 0, 1 and 2 on which it listens.
     ///
     /// # Errors

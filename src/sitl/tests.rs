@@ -35,7 +35,9 @@ fn with(parameters: &[(&str, f64)]) -> BTreeMap<String, f64> {
 }
 
 fn value_of(recipe: &Recipe, name: &str) -> Option<f64> {
-    let command = recipe.command_line(Door::Listening(0)).expect("it fits");
+    let command = recipe
+        .command_line(SerialEndpoint::Listening(0))
+        .expect("it fits");
     let (_, text) = &command.files[0];
     let line = text.lines().find_map(|line| line.strip_prefix(name));
     line.and_then(|value| value.strip_prefix(' ')?.parse().ok())
@@ -43,7 +45,9 @@ fn value_of(recipe: &Recipe, name: &str) -> Option<f64> {
 
 #[test]
 fn the_command_line_is_that_of_sitl() {
-    let command = recipe().command_line(Door::Listening(3)).expect("it fits");
+    let command = recipe()
+        .command_line(SerialEndpoint::Listening(3))
+        .expect("it fits");
     assert_eq!(
         command.line("arducopter"),
         "arducopter --model quad:frame.json --speedup 1 --slave 0 --defaults vehicle.parm --home 50.4500000,30.5200000,180,90 \
@@ -51,12 +55,15 @@ fn the_command_line_is_that_of_sitl() {
     );
     let address = "127.0.0.1:4711".parse().expect("an address");
     let command = recipe()
-        .command_line(Door::Outwards(address))
+        .command_line(SerialEndpoint::Outwards(address))
         .expect("it fits");
     let line = command.line("arducopter");
     let end = "--serial0 tcpclient:127.0.0.1:4711 --serial1 none: --serial2 none: --rc-in-port 0";
     assert!(line.ends_with(end), "{line}");
-    assert_eq!(Door::Listening(3).ports(), Ok(vec![5790, 5792, 5793]));
+    assert_eq!(
+        SerialEndpoint::Listening(3).ports(),
+        Ok(vec![5790, 5792, 5793])
+    );
 }
 
 #[test]
@@ -73,7 +80,9 @@ fn an_airframe_chooses_the_model_and_the_frame_of_its_motors() {
             airframe: Some(frame(motors)),
             ..recipe()
         };
-        let command = recipe.command_line(Door::Listening(0)).expect("it fits");
+        let command = recipe
+            .command_line(SerialEndpoint::Listening(0))
+            .expect("it fits");
         assert_eq!(command.arguments[1], format!("{model}:frame.json"));
         assert_eq!(command.files[1].0, "frame.json");
         let frame = ["FRAME_CLASS", "FRAME_TYPE"].map(|name| value_of(&recipe, name));
@@ -87,14 +96,18 @@ fn the_parameters_choose_the_model_that_they_mean() {
         parameters: with(&[("FRAME_TYPE", 1.0)]),
         ..recipe()
     };
-    let command = asked.command_line(Door::Listening(0)).expect("it fits");
+    let command = asked
+        .command_line(SerialEndpoint::Listening(0))
+        .expect("it fits");
     assert_eq!(command.arguments[1], "x:frame.json");
     let asked = Recipe {
         parameters: with(&[("FRAME_CLASS", 5.0)]),
         airframe: Some(frame(6)),
         ..recipe()
     };
-    let command = asked.command_line(Door::Listening(0)).expect("it fits");
+    let command = asked
+        .command_line(SerialEndpoint::Listening(0))
+        .expect("it fits");
     assert_eq!(command.arguments[1], "y6:frame.json");
 }
 
@@ -133,7 +146,9 @@ fn a_copter_without_a_frame_file_gets_a_battery_that_ends() {
             model: Some(model.to_owned()),
             ..recipe()
         };
-        let command = recipe.command_line(Door::Listening(0)).expect("it fits");
+        let command = recipe
+            .command_line(SerialEndpoint::Listening(0))
+            .expect("it fits");
         assert_eq!(command.arguments[1], format!("{model}:frame.json"));
         let (name, frame) = &command.files[1];
         let (airframe, warnings) = Airframe::from_json(frame).expect("it is valid");
@@ -155,7 +170,9 @@ fn every_kind_has_a_model_and_parameters() {
         .zip(["quad", "plane", "rover", "vectored"])
     {
         let recipe = Recipe { kind, ..recipe() };
-        let command = recipe.command_line(Door::Listening(0)).expect("it fits");
+        let command = recipe
+            .command_line(SerialEndpoint::Listening(0))
+            .expect("it fits");
         assert_eq!(command.arguments[1].split(':').next(), Some(model));
         assert!(command.files[0].1.contains("COMPASS_OFS_X 5\n"));
         // A line of a parameter file is read up to 97 characters.
@@ -194,12 +211,18 @@ fn what_sitl_would_misunderstand_is_refused_with_what_to_do() {
         (Recipe { parameters: with(&[("RTL_ALT", 1e39)]), ..recipe() }, "fits a float"),
     ];
     for (recipe, expected) in cases {
-        let unfit = recipe.command_line(Door::Listening(0)).expect_err(expected);
+        let unfit = recipe
+            .command_line(SerialEndpoint::Listening(0))
+            .expect_err(expected);
         assert!(unfit.to_string().contains(expected), "{unfit}");
     }
-    let far = recipe().command_line(Door::Listening(5978));
+    let far = recipe().command_line(SerialEndpoint::Listening(5978));
     assert_eq!(far, Err(SitlUnfit::Instance(5978)));
-    assert!(recipe().command_line(Door::Listening(5977)).is_ok());
+    assert!(
+        recipe()
+            .command_line(SerialEndpoint::Listening(5977))
+            .is_ok()
+    );
 }
 
 /// What a shell makes of a line of words.
@@ -245,7 +268,7 @@ proptest! {
         let refs: Vec<&str> = words.iter().map(String::as_str).collect();
         prop_assert_eq!(shell(&line(refs)), words);
         let start = Start { at: LatLon::new(lat, 10.0), altitude_amsl_m: -3.25, heading_deg: heading };
-        let command = Recipe { start, speedup, ..recipe() }.command_line(Door::Listening(1)).expect("it fits");
+        let command = Recipe { start, speedup, ..recipe() }.command_line(SerialEndpoint::Listening(1)).expect("it fits");
         let read = shell(&command.line("a program's name"));
         prop_assert_eq!(&read[0], "a program's name");
         prop_assert_eq!(&read[1..], &command.arguments[..]);

@@ -14,7 +14,9 @@ use super::super::programs::ProgramOptions;
 use super::super::settings::CliSettings;
 use super::super::{Failure, parse_speedup};
 use crate::parameters;
-use crate::sitl::{CommandLine, Door, FormationShape, Recipe, SitlKind, StartFormation, quoted};
+use crate::sitl::{
+    CommandLine, FormationShape, Recipe, SerialEndpoint, SitlKind, StartFormation, quoted,
+};
 use crate::store;
 
 /// Options of `sortie hangar command`.
@@ -227,26 +229,26 @@ fn orders(options: &CommandArguments, program: &str) -> Result<Vec<WrittenStart>
                 speedup: options.speedup,
                 parameters: parameters.clone(),
             };
-            let door = match options.connect_out {
-                Some(address) => Door::Outwards(address),
-                None => Door::Listening(options.listen_instance.saturating_add(place)),
+            let endpoint = match options.connect_out {
+                Some(address) => SerialEndpoint::Outwards(address),
+                None => SerialEndpoint::Listening(options.listen_instance.saturating_add(place)),
             };
-            order(&recipe, door, program).map_err(|unfit| wrong(unfit.to_string()))
+            order(&recipe, endpoint, program).map_err(|unfit| wrong(unfit.to_string()))
         })
         .collect()
 }
 
 fn order(
     recipe: &Recipe,
-    door: Door,
+    endpoint: SerialEndpoint,
     program: &str,
 ) -> Result<WrittenStart, crate::sitl::SitlUnfit> {
-    let line = recipe.command_line(door)?;
-    let ports = door.ports()?;
+    let line = recipe.command_line(endpoint)?;
+    let ports = endpoint.ports()?;
     let folder = format!("sitl-{}", recipe.system);
-    let connect = match door {
-        Door::Outwards(address) => format!("tcpin:{address}"),
-        Door::Listening(_) => format!("tcp:127.0.0.1:{}", ports.first().unwrap_or(&0)),
+    let connect = match endpoint {
+        SerialEndpoint::Outwards(address) => format!("tcpin:{address}"),
+        SerialEndpoint::Listening(_) => format!("tcp:127.0.0.1:{}", ports.first().unwrap_or(&0)),
     };
     let command = line.line(program);
     let preparation = line.preparation(&folder);

@@ -70,7 +70,7 @@ async fn session(
     let (pieces, heard) = mpsc::channel(PIECES_KEPT);
     let mut fleet = SitlFleet {
         places,
-        senders: moor(launched, &pieces),
+        senders: forward_output(launched, &pieces),
         heard,
         seen: hangars.instances(),
     };
@@ -106,16 +106,20 @@ async fn interrupted() {
 type Piece = (usize, Vec<u8>);
 
 /// Passes on what the vehicles say; returns what leads to them.
-fn moor(
+fn forward_output(
     launched: Vec<LaunchedVehicle>,
     pieces: &mpsc::Sender<Piece>,
 ) -> Vec<WriteHalf<DuplexStream>> {
-    let moor = |(index, vehicle): (usize, LaunchedVehicle)| {
+    let forward_output = |(index, vehicle): (usize, LaunchedVehicle)| {
         let (reader, writer) = tokio::io::split(vehicle.pipe);
         tokio::spawn(listen(index, reader, pieces.clone()));
         writer
     };
-    launched.into_iter().enumerate().map(moor).collect()
+    launched
+        .into_iter()
+        .enumerate()
+        .map(forward_output)
+        .collect()
 }
 
 async fn listen(index: usize, mut reader: ReadHalf<DuplexStream>, pieces: mpsc::Sender<Piece>) {

@@ -16,7 +16,7 @@ use crate::hangar::output::ProcessOutput;
 use crate::hangar::relay::Relay;
 use crate::hangar::roster::Taken;
 use crate::hangar::{HangarRefusal, Instance, InstanceRequest, Launch, Shared, SitlStage};
-use crate::sitl::{Door, Recipe};
+use crate::sitl::{Recipe, SerialEndpoint};
 
 /// Simulated seconds per second until an instance is ready: a real boot takes 42 s.
 const BOOT_SPEEDUP: f64 = 10.0;
@@ -55,7 +55,7 @@ pub(in crate::hangar) async fn begin(
         ..recipe
     };
     let command = boot
-        .command_line(Door::Outwards(address))
+        .command_line(SerialEndpoint::Outwards(address))
         .map_err(|unfit| HangarRefusal::Invalid(unfit.to_string()))?;
     forget_earlier(&folder).map_err(refuse(format!("remove {MEMORY} in {}", folder.display())))?;
     for (name, text) in &command.files {

@@ -16,7 +16,7 @@ use crate::hangar::{Capacity, HangarRefusal, Instance, InstanceId, Launch, Outpu
 /// What is launched ends when nobody has been attached to it for so long: the console was killed, or cut off.
 const IDLE_S: u32 = 60;
 /// How long a console that ends waits until the hangars have been told.
-const FAREWELL: Duration = Duration::from_secs(2);
+const STOP_WITHIN: Duration = Duration::from_secs(2);
 /// How many vehicles are ended at once then: fewer than a hangar takes connections.
 const AT_ONCE: usize = 32;
 const SYSTEM_MAX: u8 = 254;
@@ -222,7 +222,7 @@ impl Far {
 }
 
 impl Drop for Far {
-    /// Asks the services to end what was launched, within [`FAREWELL`]; the rest ends by itself.
+    /// Asks the services to end what was launched, within [`STOP_WITHIN`]; the rest ends by itself.
     fn drop(&mut self) {
         self.cancel.cancel();
         let ours = std::mem::take(&mut *self.fleet.ours());
@@ -233,13 +233,13 @@ impl Drop for Far {
         }
         // The runtime that drops this may be ending, and cannot be waited in: a thread has one of its own.
         let (done, told) = mpsc::channel();
-        let thread = std::thread::Builder::new().name("farewell".to_owned());
+        let thread = std::thread::Builder::new().name("stop-sitl".to_owned());
         let begun = thread.spawn(move || {
             let _ = stop_all(&orders);
             let _ = done.send(());
         });
         if begun.is_ok() {
-            let _ = told.recv_timeout(FAREWELL);
+            let _ = told.recv_timeout(STOP_WITHIN);
         }
     }
 }

@@ -25,7 +25,7 @@ use super::{ServiceProblem, ServiceState, expose, router};
 /// Bytes of a request's head, and of what is buffered of a connection.
 const HEAD_MAX: usize = 16 * 1024;
 /// How long a rejected client may take to ask and to read the answer.
-const FAREWELL: Duration = Duration::from_secs(1);
+const STOP_WITHIN: Duration = Duration::from_secs(1);
 /// How long to wait when the system gives no more connections.
 const PAUSE: Duration = Duration::from_millis(100);
 
@@ -98,5 +98,5 @@ async fn turn_away(stream: TcpStream, _permit: OwnedSemaphorePermit) {
         .keep_alive(false)
         .max_buf_size(HEAD_MAX)
         .serve_connection(TokioIo::new(stream), refuse);
-    let _ = timeout(FAREWELL, connection).await;
+    let _ = timeout(STOP_WITHIN, connection).await;
 }
