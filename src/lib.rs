@@ -8,7 +8,7 @@
 //! | layer | module | home of |
 //! | --- | --- | --- |
 //! | shell | [`cli`] | the subcommands, their options and what they print |
-//! | | [`console`] | the run loop: carries out effects, feeds events; the console without a screen (`--plain`) |
+//! | | [`shell`] | the run loop: carries out effects, feeds events; the console without a screen (`--plain`) |
 //! | | [`terminal`] | keys in, cells out: what the terminal can do, and how fast |
 //! | | [`ui`] | screens and widgets: state in, cells out |
 //! | | [`app`] | state, events, effects, key bindings, the rooms' behaviour, one `update`; when an alert holds, rings and is muted |
@@ -52,7 +52,7 @@
 //! # A keypress
 //! Event, [`app::App::update`], effect: the palette's line is one of the console's own (`app::console`), or the
 //! [`operator`] has [`language`] read it into an [`Order`](commands::Order); the [`ledger`] opens a row per target; the
-//! [`console`] gives the order to the [`operator`], which decides what follows for each vehicle and for the mission; each
+//! [`shell`] gives the order to the [`operator`], which decides what follows for each vehicle and for the mission; each
 //! vehicle's session sends, waits, retries, and watches telemetry for the effect.
 //!
 //! # Invariants
@@ -72,7 +72,6 @@ pub mod campaign;
 pub mod cli;
 pub mod commands;
 pub mod config;
-pub mod console;
 pub mod debrief;
 pub mod diagnostic;
 pub mod doctor;
@@ -92,6 +91,7 @@ pub mod operator;
 pub mod parameters;
 pub mod scoring;
 pub mod session;
+pub mod shell;
 pub mod sitl;
 pub mod store;
 pub mod swarm;

@@ -10,10 +10,10 @@ use super::backend::{self, BackendArguments};
 use super::designs::DesignArguments;
 use super::settings::CliSettings;
 use super::{Failure, parse_speedup, runtime};
-use crate::console::{self, ConsoleOptions, Opening, Preferences};
 use crate::hangar::VehicleBackend;
 use crate::link::Address;
 use crate::scoring::FlownBy;
+use crate::shell::{self, ConsoleOptions, Opening, Preferences};
 use crate::store::{History, Runs};
 use crate::terminal::Environment;
 use crate::text;
@@ -184,13 +184,13 @@ fn open(options: ConsoleOptions, plain: bool) -> Result<ExitCode, Failure> {
             } else {
                 FlownBy::Script
             };
-            Box::pin(console::plain::run(ConsoleOptions {
+            Box::pin(shell::plain::run(ConsoleOptions {
                 flown_by,
                 ..options
             }))
             .await
         } else {
-            Box::pin(console::run(options)).await.map(|()| true)
+            Box::pin(shell::run(options)).await.map(|()| true)
         }
     });
     // Tasks that still wait for a socket are not worth waiting for.

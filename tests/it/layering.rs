@@ -31,7 +31,7 @@ const PURE: &[&[&str]] = &[
 /// Modules with input and output: they may use pure ones, and those before them.
 const IO: &[&[&str]] = &[&["store"], &["link"], &["fleet", "hangar"]];
 /// The shell, lowest first.
-const SHELL: &[&[&str]] = &[&["app"], &["ui"], &["terminal"], &["console"], &["cli"]];
+const SHELL: &[&[&str]] = &[&["app"], &["ui"], &["terminal"], &["shell"], &["cli"]];
 
 /// What pure modules must not touch: time and randomness are arguments, files and sockets are elsewhere.
 const IMPURE: &[&str] = &[
@@ -269,7 +269,7 @@ fn the_fields_of_the_state_are_private_to_the_app() {
 #[test]
 fn only_the_queue_of_the_console_updates_the_state() {
     // The benchmark of drawing has nothing to carry out.
-    let known = ["src/cli/bench/frame.rs", "src/console/effects.rs"];
+    let known = ["src/cli/bench/frame.rs", "src/shell/effects.rs"];
     let of_program = modules().into_iter().filter(|it| it.package == "sortie");
     let callers = of_program.filter(|it| it.code.contains("app.update("));
     let files: BTreeSet<String> = callers.map(|it| it.file).collect();

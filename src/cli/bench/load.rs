@@ -10,8 +10,8 @@ use ratatui::layout::Size;
 use serde::Serialize;
 
 use super::super::{Failure, runtime};
-use crate::console::{self, ConsoleOptions, Opening, Preferences};
 use crate::scoring::FlownBy;
+use crate::shell::{self, ConsoleOptions, Opening, Preferences};
 use crate::ui::Look;
 
 /// The vehicles are on their way by now.
@@ -74,7 +74,7 @@ pub(in crate::cli) fn load(options: &LoadArguments) -> Result<ExitCode, Failure>
     let until = WARM_UP + seconds(options.seconds);
     let mut marks: Vec<LoadMark> = Vec::new();
     let mut unreadable = None;
-    runtime()?.block_on(console::drive(console, SIZE, &lines, |now, bytes| {
+    runtime()?.block_on(shell::drive(console, SIZE, &lines, |now, bytes| {
         if now >= WARM_UP && marks.is_empty() || now >= until {
             match processor_time() {
                 Ok(cpu) => marks.push(LoadMark {

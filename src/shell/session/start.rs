@@ -36,7 +36,7 @@ const FREE_FLIGHT_START: Start = Start {
 
 /// What a session is to be.
 #[derive(Debug, Clone)]
-pub(in crate::console) enum SessionPlan {
+pub(in crate::shell) enum SessionPlan {
     /// A mission of the catalogue or of a file.
     Mission(Arc<Mission>),
     /// Simulated vehicles without a task; by these processes, if any are named.
@@ -47,7 +47,7 @@ pub(in crate::console) enum SessionPlan {
 
 /// What sessions are started with.
 #[derive(Debug, Clone)]
-pub(in crate::console) struct SessionBackend {
+pub(in crate::shell) struct SessionBackend {
     pub simulation: Simulation,
     pub clock: FleetClock,
     pub vehicles: u8,

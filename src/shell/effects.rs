@@ -125,9 +125,9 @@ mod tests {
     use std::time::Duration;
 
     use super::*;
-    use crate::console::{ConsoleOptions, Opening, Preferences};
     use crate::hangar::VehicleBackend;
     use crate::notice::Notice;
+    use crate::shell::{ConsoleOptions, Opening, Preferences};
     use crate::ui::Look;
     use crate::vehicle::Severity;
 

@@ -72,7 +72,7 @@ struct Looking {
 
 /// Processes that are being ended.
 #[derive(Debug, Default)]
-pub(in crate::console) struct SessionEnding(Option<watch::Receiver<Seen>>);
+pub(in crate::shell) struct SessionEnding(Option<watch::Receiver<Seen>>);
 
 impl SessionEnding {
     /// Waits until they are gone, for a while.

@@ -33,7 +33,7 @@ pub(super) struct MissionRun {
 }
 
 /// A mission that has come to its end.
-pub(in crate::console) struct Finished {
+pub(in crate::shell) struct Finished {
     /// The mission that was flown.
     pub mission: Arc<Mission>,
     /// What came of it.

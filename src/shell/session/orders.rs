@@ -6,11 +6,11 @@ use super::RunningSession;
 use super::mission_run::MissionRun;
 use crate::app::event::{Event, VehicleEvent};
 use crate::commands::Order;
-use crate::console::orders::not_sent;
 use crate::ledger::{EntryId, RowState};
 use crate::notice::Notice;
 use crate::operator::{Dispatch, OperatorScene};
 use crate::session::VehicleCommand;
+use crate::shell::orders::not_sent;
 use crate::vehicle::{Severity, VehicleId, Vehicles};
 
 impl RunningSession {
