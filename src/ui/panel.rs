@@ -1,4 +1,4 @@
-//! A part of the screen.
+//! A part of the screen: how it is divided, and how lines and titles are put into it.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -8,7 +8,6 @@ use ratatui::widgets::{Block, Clear, Widget as _};
 
 use super::look::Look;
 use super::theme::Role;
-use super::widget::{below, clip, columns, put, upper};
 use crate::text::Text;
 
 /// A part of the screen, and how things are shown in it.
@@ -112,4 +111,65 @@ impl<'a> Panel<'a> {
             ..inner
         }
     }
+}
+
+/// What is left of an area below its first rows.
+pub fn below(area: Rect, rows: u16) -> Rect {
+    let rows = rows.min(area.height);
+    Rect {
+        y: area.y + rows,
+        height: area.height - rows,
+        ..area
+    }
+}
+
+/// One row of an area, empty if the area has no such row.
+pub fn row_of(area: Rect, row: u16) -> Rect {
+    let area = below(area, row);
+    upper(area, 1)
+}
+
+/// The first rows of an area.
+pub fn upper(area: Rect, rows: u16) -> Rect {
+    Rect {
+        height: rows.min(area.height),
+        ..area
+    }
+}
+
+/// Some columns of an area, counted from its left edge.
+pub fn columns(area: Rect, from: u16, width: u16) -> Rect {
+    let from = from.min(area.width);
+    Rect {
+        x: area.x + from,
+        width: width.min(area.width - from),
+        ..area
+    }
+}
+
+/// Writes a line into a row of an area, clipped to it; returns where it ended, or `None` if the area has no such row.
+pub fn put(buffer: &mut Buffer, area: Rect, row: u16, line: &Line<'_>) -> Option<u16> {
+    if row >= area.height || area.width == 0 {
+        return None;
+    }
+    Some(buffer.set_line(area.x, area.y + row, line, area.width).0)
+}
+
+/// A text cut to a width, with a mark where something is missing.
+pub fn clip(text: &str, width: usize) -> String {
+    if Span::raw(text).width() <= width {
+        return text.to_owned();
+    }
+    let mut clipped = String::new();
+    for c in text.chars() {
+        clipped.push(c);
+        if Span::raw(clipped.as_str()).width() + 1 > width {
+            clipped.pop();
+            break;
+        }
+    }
+    if width > 0 {
+        clipped.push('…');
+    }
+    clipped
 }

@@ -2,10 +2,10 @@
 
 use std::time::Duration;
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
-use ratatui::text::{Line, Span};
+use ratatui::text::Span;
 
+pub use super::panel::{below, clip, columns, put, row_of, upper};
 use super::theme::Role;
 use crate::ledger::RowState;
 use crate::scoring::Medal;
@@ -39,67 +39,6 @@ pub fn centred(width: u16, height: u16, area: Rect) -> Rect {
         width,
         height,
     }
-}
-
-/// What is left of an area below its first rows.
-pub fn below(area: Rect, rows: u16) -> Rect {
-    let rows = rows.min(area.height);
-    Rect {
-        y: area.y + rows,
-        height: area.height - rows,
-        ..area
-    }
-}
-
-/// One row of an area, empty if the area has no such row.
-pub fn row_of(area: Rect, row: u16) -> Rect {
-    let area = below(area, row);
-    upper(area, 1)
-}
-
-/// The first rows of an area.
-pub fn upper(area: Rect, rows: u16) -> Rect {
-    Rect {
-        height: rows.min(area.height),
-        ..area
-    }
-}
-
-/// Some columns of an area, counted from its left edge.
-pub fn columns(area: Rect, from: u16, width: u16) -> Rect {
-    let from = from.min(area.width);
-    Rect {
-        x: area.x + from,
-        width: width.min(area.width - from),
-        ..area
-    }
-}
-
-/// Writes a line into a row of an area, clipped to it; returns where it ended, or `None` if the area has no such row.
-pub fn put(buffer: &mut Buffer, area: Rect, row: u16, line: &Line<'_>) -> Option<u16> {
-    if row >= area.height || area.width == 0 {
-        return None;
-    }
-    Some(buffer.set_line(area.x, area.y + row, line, area.width).0)
-}
-
-/// A text cut to a width, with a mark where something is missing.
-pub fn clip(text: &str, width: usize) -> String {
-    if Span::raw(text).width() <= width {
-        return text.to_owned();
-    }
-    let mut clipped = String::new();
-    for c in text.chars() {
-        clipped.push(c);
-        if Span::raw(clipped.as_str()).width() + 1 > width {
-            clipped.pop();
-            break;
-        }
-    }
-    if width > 0 {
-        clipped.push('…');
-    }
-    clipped
 }
 
 /// Columns that a text takes on the screen.
