@@ -168,13 +168,14 @@ fn a_hint_that_is_not_there_is_no_refused_command() {
 fn broken_at_the_end(left_percent: u8, lands: bool) -> Vec<SafetyKind> {
     let mut pilot = Pilot::new(1);
     pilot.take_off(20.0);
-    while pilot
-        .vehicle()
-        .battery()
-        .and_then(|it| it.remaining_percent)
-        > Some(left_percent)
-    {
-        pilot.wait(1.0);
+    let is_above = |pilot: &mut Pilot| {
+        let battery = pilot.vehicle().battery();
+        battery.and_then(|it| it.remaining_percent) > Some(left_percent)
+    };
+    // To and fro: it reports its battery while it flies.
+    while is_above(&mut pilot) && pilot.flight.outcome().is_none() {
+        pilot.goto(10.0, 0.0, 5.0);
+        pilot.goto(0.0, 0.0, 5.0);
     }
     if lands {
         pilot.land();
