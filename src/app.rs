@@ -18,14 +18,12 @@ use keymap::Keymap;
 use state::MissionListing;
 
 pub mod action;
-pub mod console;
 pub mod effect;
 pub mod event;
 pub mod keymap;
 pub mod lines;
 pub mod room;
 pub mod room_list;
-pub mod setting;
 pub mod state;
 mod update;
 

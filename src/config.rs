@@ -12,6 +12,7 @@ use crate::alert::AlertKind;
 use crate::text::Language;
 
 mod layers;
+mod live;
 mod setting;
 mod show;
 mod table;
@@ -20,6 +21,7 @@ mod table;
 mod tests;
 
 pub use layers::{Layers, Origin, WordCheck};
+pub use live::LiveSetting;
 pub use setting::{SETTINGS, Setting, SettingKind};
 pub use table::{Column, TableConfig, TableSort};
 
@@ -60,6 +62,21 @@ pub enum Symbols {
     /// Blocks and box characters.
     Block,
     Ascii,
+}
+
+impl Symbols {
+    /// The names of all.
+    pub const NAMES: &'static [&'static str] = &["braille", "block", "ascii"];
+
+    /// Those of a name.
+    pub fn named(name: &str) -> Option<Self> {
+        match name {
+            "braille" => Some(Self::Braille),
+            "block" => Some(Self::Block),
+            "ascii" => Some(Self::Ascii),
+            _ => None,
+        }
+    }
 }
 
 /// How alerts make themselves noticed.

@@ -1,7 +1,7 @@
-//! The one language for commands: `[targets] verb [arguments]`.
+//! The one language for lines: `[targets] verb [arguments]`, to vehicles, and what is said to the console itself.
 //!
 //! The palette, pilot scripts, mission injects, key bindings, the ledger and the debrief all speak it. One
-//! table ([`rows`]) declares every verb once; reading, completion, hints and the manual are made from it.
+//! table ([`rows`]) declares every verb once; reading, completion, hints, help and the manual are made from it.
 //!
 //! Targets are `3`, `1-4,7`, `@red` (a named group), `all`, or none for the current selection; they stand
 //! before the verb, or right after `wait`. Upper and lower case mean the same in verbs, keywords and modes. A
@@ -19,10 +19,12 @@ use crate::verb::Verb;
 
 mod argument;
 mod complete;
+mod console;
 mod form;
 mod ids;
 mod lexer;
 mod manual;
+mod names;
 mod parse;
 mod pilot;
 mod read;
@@ -35,15 +37,17 @@ mod wait;
 mod tests;
 
 pub use argument::{Argument, Kind, Unit};
-pub use complete::{Completion, complete, hint};
+pub use complete::{Completion, begun, complete, hint, lines};
+pub use console::{AlertLine, ConsoleLine, ParametersLine, ProcessDeed, Report, TableLine};
 pub use ids::{parse_ranges, ranges};
 pub use lexer::{Word, comment_start, words};
 pub use manual::manual;
-pub use parse::parse;
+pub use names::{Listed, NameList, Named, Names, UnknownNames, mission_meant};
+pub use parse::{parse, said};
 pub use pilot::{Pilot, PilotEvent, Script};
-pub use table::{row, rows, verb};
+pub use table::{row, rows, verb, verbs};
 pub use targets::Targets;
-pub use verb::{Form, Meaning, Scope, VerbRow};
+pub use verb::{Channel, Form, Meaning, Scope, VerbRow};
 pub use wait::{Field, Findings, Relation, Seen, Situation, Until, Wait};
 
 /// Named groups of vehicles, by their names without the `@`.
@@ -65,6 +69,10 @@ pub struct Context<'a> {
     pub class: VehicleClass,
     /// The parameters of the vehicle that a line would go to first, as far as they are known.
     pub parameters: Option<&'a ParameterList>,
+    /// The names that only the console knows.
+    pub names: &'a dyn Names,
+    /// Where the line comes from: not everything may be said everywhere.
+    pub channel: Channel,
 }
 
 static NO_GROUPS: Groups = BTreeMap::new();
@@ -72,7 +80,7 @@ static NO_PLACES: BTreeMap<String, LatLon> = BTreeMap::new();
 static NO_AREAS: BTreeMap<String, Outline> = BTreeMap::new();
 
 impl Default for Context<'_> {
-    /// No groups, no places, no areas, unknown vehicles, copters.
+    /// A line of a script: no groups, no places, no areas, unknown vehicles, copters.
     fn default() -> Self {
         Self {
             groups: &NO_GROUPS,
@@ -81,6 +89,8 @@ impl Default for Context<'_> {
             vehicles: &[],
             class: VehicleClass::Copter,
             parameters: None,
+            names: &UnknownNames,
+            channel: Channel::Script,
         }
     }
 }
@@ -90,6 +100,8 @@ pub struct Statement {
     pub targets: Targets,
     /// What it is said with.
     pub verb: &'static Verb,
+    /// Where that may be said.
+    pub scope: Scope,
     /// What it asks for.
     pub meaning: Meaning,
     /// The line in its plainest spelling: single blanks, no comment, no aliases. It means the same.
@@ -100,11 +112,11 @@ impl Statement {
     /// The order that it gives, where the selected vehicles are those meant by a line without targets.
     ///
     /// # Errors
-    /// In plain words when no vehicle is meant (see [`Targets::resolve`]), and for a wait, which orders nothing.
+    /// In plain words when no vehicle is meant (see [`Targets::resolve`]), and for what orders nothing.
     pub fn into_order(self, selection: &[VehicleId], context: &Context) -> Result<Order, Text> {
         let targets = self.targets.resolve(selection, context)?;
         let Meaning::Act(act) = self.meaning else {
-            return Err(text!("order-wait"));
+            return Err(text!("order-none", verb = self.verb.name));
         };
         // The ledger has to say who got it, also after the selection has changed.
         let line = match self.targets {

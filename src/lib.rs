@@ -26,7 +26,7 @@
 //! | | [`sitl`] | the command line and the files of one SITL process |
 //! | | [`swarm`] | manoeuvres of several vehicles |
 //! | | [`session`] | the conversation with one vehicle: commands, sent again as their verb says, plans, parameters |
-//! | | [`language`] | the grammar, and the table of verbs with each one's values: retries, danger, precedence |
+//! | | [`language`] | the grammar, and the one table of verbs: to vehicles, to the mission, to the console; with each one's values: retries, danger, precedence |
 //! | | [`commands`] | typed commands, and how they are encoded |
 //! | | [`messages`] | telemetry: a handler for each kind of message |
 //! | | [`ledger`], [`notice`], [`alert`] | what became of each command; what is said to people; the kinds of alerts |
@@ -50,10 +50,10 @@
 //! then to the command under way, which looks for its answer and its effect. The console takes a snapshot of what changed once per tick.
 //!
 //! # A keypress
-//! Event, [`app::App::update`], effect: the palette's line is one of the console's own (`app::console`), or the
-//! [`operator`] has [`language`] read it into an [`Order`](commands::Order); the [`ledger`] opens a row per target; the
-//! [`shell`] gives the order to the [`operator`], which decides what follows for each vehicle and for the mission; each
-//! vehicle's session sends, waits, retries, and watches telemetry for the effect.
+//! Event, [`app::App::update`], effect: [`language`] reads the palette's line. The app carries out what is said to the
+//! console itself; of the rest the [`operator`] makes an [`Order`](commands::Order), and the [`ledger`] opens a row per
+//! target. The [`shell`] gives the order to the [`operator`], which decides what follows for each vehicle and for the
+//! mission; each vehicle's session sends, waits, retries, and watches telemetry for the effect.
 //!
 //! # Invariants
 //! - Pure modules have no clock, no randomness of their own, no files and no sockets: `now` and seeds are arguments.

@@ -291,19 +291,6 @@ impl Mission {
     }
 }
 
-/// Which of the missions, by name, somebody means: the one that is called so, else the first of that number, else the
-/// only one that begins so.
-pub fn meant<'a>(written: &str, names: &[&'a str]) -> Option<&'a str> {
-    let by_number = format!("{written}-");
-    let mut beginning = names
-        .iter()
-        .filter(|name| !written.is_empty() && name.starts_with(written));
-    let only = beginning.next().filter(|_| beginning.next().is_none());
-    let called = names.iter().find(|name| **name == written);
-    let numbered = names.iter().find(|name| name.starts_with(&by_number));
-    called.or(numbered).or(only).copied()
-}
-
 #[cfg(test)]
 pub(crate) mod fake;
 #[cfg(test)]

@@ -58,8 +58,7 @@ pub struct Operator {
     undelivered: BTreeMap<VehicleId, Steering>,
 }
 
-/// Reads a line and finds its vehicles; without targets, `selection` is meant. `permit` decides whether what the line
-/// asks for is allowed now.
+/// Reads a line and finds its vehicles; without targets, `selection` is meant.
 ///
 /// # Errors
 /// The fault and its place in the line.
@@ -67,11 +66,21 @@ pub fn read_order(
     line: &str,
     context: &Context<'_>,
     selection: &[VehicleId],
-    permit: impl FnOnce(&Statement) -> Result<(), Diagnostic>,
+) -> Result<Order, Diagnostic> {
+    order_of(language::parse(line, context)?, line, context, selection)
+}
+
+/// The order of a line that has been read; without targets, `selection` is meant.
+///
+/// # Errors
+/// Its vehicles are not there, at the first word of the line.
+pub fn order_of(
+    statement: Statement,
+    line: &str,
+    context: &Context<'_>,
+    selection: &[VehicleId],
 ) -> Result<Order, Diagnostic> {
     let refused = |text: Text| Diagnostic::new(first_word(line), text);
-    let statement = language::parse(line, context)?;
-    permit(&statement)?;
     let order = statement.into_order(selection, context).map_err(refused)?;
     let mut targets = order.targets.iter();
     match targets.find(|id| !context.vehicles.contains(id)) {

@@ -12,7 +12,8 @@ use std::{fs, io};
 
 use crate::campaign::{MissionCourse, Offer};
 use crate::diagnostic::Diagnostic;
-use crate::mission::{Mission, meant};
+use crate::language::mission_meant;
+use crate::mission::Mission;
 use crate::scoring::{FlownBy, MissionFile, Report};
 use crate::text;
 use crate::text::Text;
@@ -405,7 +406,7 @@ fn named(kind: &'static str, name: &str, all: &[Source]) -> Result<Source, Store
     let names: Vec<&str> = all.iter().map(Source::stem).collect();
     let found = names
         .iter()
-        .position(|known| Some(*known) == meant(name, &names));
+        .position(|known| Some(*known) == mission_meant(name, &names));
     let unknown = || StoreError::Unknown {
         kind,
         name: name.to_owned(),

@@ -34,6 +34,9 @@ pub enum Language {
 impl Language {
     pub const ALL: [Self; 2] = [Self::English, Self::Ukrainian];
 
+    /// The code of each, by ISO 639.
+    pub const CODES: &'static [&'static str] = &["en", "uk"];
+
     /// Its code by ISO 639.
     pub fn code(self) -> &'static str {
         match self {

@@ -23,6 +23,20 @@ pub struct Verb {
     pub counts_as: CountsAs,
 }
 
+impl Verb {
+    /// One that no vehicle hears: nothing is sent, and nothing counts.
+    pub const fn unsent(name: &'static str) -> Self {
+        Self {
+            name,
+            danger: Danger::None,
+            retry: Retry::new(1, 1000, 3000),
+            precedence: Precedence::InTurn,
+            movement: Movement::None,
+            counts_as: CountsAs::Word,
+        }
+    }
+}
+
 /// Whether a command asks before it goes out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Danger {

@@ -54,5 +54,4 @@ alert-unmuted = alerts of the kind { $kind } ring again
 alert-muted-list = silent kinds: { $kinds }
 alert-muted-none = no kind of alert is silent
 alert-no-kind = no kind of alert is named `{ $word }`
-alert-no-kind-or-vehicle = `{ $word }` is neither a vehicle nor a kind of alert
 alert-kinds-are = kinds: { $kinds }

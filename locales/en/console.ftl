@@ -29,7 +29,6 @@ palette-asks = { $key } asks before it sends to { $vehicles }
 
 prompt-connect = connect to
 
-
 help-commands = commands: [targets] verb [arguments]
 help-console = the console itself
 
@@ -37,7 +36,7 @@ mission-none = no mission is being flown
 debrief-none = No debrief yet: it opens when a mission is over.
 
 ask-sure = are you sure
-ask-taken-back = cancelled, nothing was done   Enter or Esc goes on
+ask-taken-back = cancelled, nothing was done   { $submit } or { $escape } goes on
 ask-else = anything else: no
 
 help-title = help   { $scroll } scroll   { $key } closes
@@ -70,6 +69,7 @@ order-question = { $count ->
    *[other] { $verb } vehicles { $vehicles }
 }
 order-no-vehicle = there is no vehicle { $vehicle }
+order-none = `{ $verb }` sends no command
 order-wait = `wait` is for pilot scripts
 order-wait-help = the console never waits: give the next command when you see fit
 macro-line = line { $number } of the macro `{ $name }`, `{ $line }`: { $fault }
@@ -78,51 +78,14 @@ macro-endless = the macro was stopped after { $count } lines: does it call itsel
 palette-given-before = given before
 palette-selects = select for the next commands
 
-console-too-much = nothing more is expected here
-console-missing = something is missing here
-console-usage = usage: { $usage }
-console-unknown = `{ $word }` is not known here
-console-known = there are: { $names }
-console-none = there are none
 console-no-injects = this mission allows no injects
 console-no-mission = injects need a mission under way
 console-kind-theme = theme
-
-console-show = go to a room
-console-select = select vehicles: 1-4,7  @red  all  none  filter  invert
-console-group = call vehicles @NAME from now on
-console-macro = give the lines of a macro, one after another
-console-fly = start a mission; without a name, free flight
-console-connect = connect to vehicles elsewhere
-console-set = change a setting until the console ends
-console-theme = change the colours
-console-help = keys and verbs
-console-links = what the links count
-console-ledger = all commands of the session and what became of them
-console-notices = all that was said in the session
-console-brief = the mission's brief
-console-abandon = end the mission and see the debrief
-console-restart = fly the same mission again from its start
-console-leave = end the session, back to the home screen
-console-quit = leave the program
 
 setting-theme = colours
 setting-lang = language: English, українська; a profile remembers it
 setting-symbols = what curves and maps are drawn with
 setting-fps = frames per second at most
-setting-fps-range = write a whole number from { $least } to { $most }
 setting-bell = ring the bell for serious alerts
 setting-notify = desktop notifications for serious alerts
-console-params = the parameters: ask again, save, load, compare
-console-hangar = the vehicles' processes: show, start again, end
-console-ungroup = forget a group's name
-console-sort = order the table; - puts the largest first
-console-filter = show only: 1-4  @red  armed  air  alert  bat<30  !land
-console-columns = the table's columns; none: as many as fit
-console-ack = take note of the worst alerts, or of these
-console-mute = alerts of a kind stay silent; none: which are
-console-unmute = alerts of a kind ring again; none: all do
 setting-lang-ascii = the screen shows only ASCII: set symbols block or braille first
-console-pause = let the simulation and every clock stand still
-console-continue = let them go on
-console-inject = have something happen in the mission

@@ -71,6 +71,14 @@ grammar-mav-command = command { $number }
 grammar-every-vehicle = every vehicle
 grammar-vehicle = vehicle
 
+grammar-none-there = there are none
+grammar-no-name = `{ $word }` is not known here
+grammar-no-vehicles = `{ $word }` names no vehicles: write numbers, `@group`, `all`, `none`, `filter` or `invert`
+grammar-largest-first = largest first
+grammar-no-targets-here = `{ $verb }` is for the console itself: it takes no vehicles before it
+grammar-only-plain = `{ $verb }` is for the console without a screen: here the rooms show it
+grammar-only-console = `{ $verb }` is for the console: a script cannot use it
+
 grammar-script-selection = a script has no selection
 grammar-say-who = say who, as `{ $line }`
 grammar-wait-timed-out = line { $line }: `{ $wait }` did not come true in time

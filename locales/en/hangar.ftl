@@ -53,7 +53,6 @@ hangar-ask-restart = Start vehicle { $vehicle } again?
 hangar-ask-stop = End the process of vehicle { $vehicle }?
 hangar-restarting = vehicle { $vehicle } is started again
 hangar-stopping = the process of vehicle { $vehicle } is ended
-hangar-which = expected the number of a vehicle
 hangar-not-begun = the mission begins when all vehicles are ready: { $key } shows how far they are
 hangar-failed = the vehicles could not be started: { $reason }
 hangar-plain-stages = starting: { $stages }

@@ -85,7 +85,6 @@ parameters-ask-apply-reason = each is a command of its own with its outcome in t
 parameters-nothing-to-save = no parameters have come yet
 parameters-not-complete = vehicle { $vehicle } has sent { $received } of { $count } parameters: wait until all are there
 parameters-no-path = write the name of a file
-parameters-no-deed = `{ $word }` is nothing that can be done with parameters
 parameters-same-vehicle = vehicle { $vehicle } is the one that is shown: name another
 parameters-no-such-vehicle = there is no vehicle { $vehicle }
 parameters-saved = saved to { $path }

@@ -57,5 +57,4 @@ alert-unmuted = тривоги виду { $kind } знову подають си
 alert-muted-list = беззвучні види: { $kinds }
 alert-muted-none = беззвучних видів немає
 alert-no-kind = немає виду тривог `{ $word }`
-alert-no-kind-or-vehicle = `{ $word }` — не апарат і не вид тривоги
 alert-kinds-are = види: { $kinds }

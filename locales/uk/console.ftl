@@ -30,7 +30,6 @@ palette-asks = { $key } перепитує, перш ніж надіслати �
 
 prompt-connect = під'єднатися до
 
-
 help-commands = команди: [цілі] дієслово [аргументи]
 help-console = сама консоль
 
@@ -38,7 +37,7 @@ mission-none = зараз немає завдання
 debrief-none = Розбору ще немає: він відкриється після завдання.
 
 ask-sure = ви певні?
-ask-taken-back = скасовано, нічого не зроблено   Enter або Esc - далі
+ask-taken-back = скасовано, нічого не зроблено   { $submit } або { $escape } - далі
 ask-else = будь-що інше: ні
 
 help-title = довідка   { $scroll } гортають   { $key } закриває
@@ -71,6 +70,7 @@ order-question = { $count ->
    *[other] { $verb } апарати { $vehicles }
 }
 order-no-vehicle = немає апарата { $vehicle }
+order-none = `{ $verb }` не надсилає команд
 order-wait = `wait` - лише для сценаріїв пілота
 order-wait-help = консоль ніколи не чекає: дайте наступну команду, коли вважатимете за потрібне
 macro-line = рядок { $number } макросу `{ $name }`, `{ $line }`: { $fault }
@@ -79,51 +79,14 @@ macro-endless = макрос зупинено після { $count } рядків
 palette-given-before = віддано раніше
 palette-selects = вибрати для наступних команд
 
-console-too-much = тут більше нічого не очікується
-console-missing = тут чогось бракує
-console-usage = як писати: { $usage }
-console-unknown = `{ $word }` тут невідоме
-console-known = є такі: { $names }
-console-none = таких немає
 console-no-injects = у цьому завданні вводити події не дозволено
 console-no-mission = вводити події можна лише під час завдання
 console-kind-theme = тема
-
-console-show = перейти на екран
-console-select = вибрати апарати: 1-4,7  @red  all  none  filter  invert
-console-group = назвати апарати @NAME
-console-macro = виконати рядки макроса один за одним
-console-fly = почати завдання; без назви - вільний політ
-console-connect = під'єднатися до інших апаратів
-console-set = змінити налаштування до кінця роботи
-console-theme = змінити кольори
-console-help = клавіші та дієслова
-console-links = лічильники зв'язку
-console-ledger = усі команди сеансу та що з ними сталося
-console-notices = усі сповіщення сеансу
-console-brief = інструктаж до завдання
-console-abandon = припинити завдання й побачити розбір
-console-restart = почати те саме завдання спочатку
-console-leave = завершити сеанс, повернутися на початок
-console-quit = вийти з програми
 
 setting-theme = кольори
 setting-lang = мова: English, українська; профіль її запам'ятовує
 setting-symbols = чим малювати криві й карти
 setting-fps = найбільше кадрів за секунду
-setting-fps-range = впишіть ціле число від { $least } до { $most }
 setting-bell = дзвінок для серйозних тривог
 setting-notify = сповіщення на робочому столі для серйозних тривог
-console-params = параметри: запитати знову, зберегти, завантажити, порівняти
-console-hangar = процеси апаратів: показати, запустити знову, завершити
-console-ungroup = забути назву групи
-console-sort = упорядкувати таблицю; - ставить найбільші першими
-console-filter = показати лише: 1-4  @red  armed  air  alert  bat<30  !land
-console-columns = стовпці таблиці; без назв - скільки вміститься
-console-ack = узяти до відома найгірші тривоги або ці
-console-mute = тривоги цього виду мовчатимуть; без назви - які мовчать
-console-unmute = тривоги цього виду знову дзвонять; без назви - усі
 setting-lang-ascii = екран показує лише латинські літери: спершу змініть символи
-console-pause = зупинити симуляцію та всі годинники
-console-continue = продовжити після паузи
-console-inject = ввести подію в завдання

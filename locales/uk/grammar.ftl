@@ -71,6 +71,14 @@ grammar-mav-command = команда { $number }
 grammar-every-vehicle = усі апарати
 grammar-vehicle = апарат
 
+grammar-none-there = таких немає
+grammar-no-name = `{ $word }` тут невідоме
+grammar-no-vehicles = `{ $word }` не називає апаратів: пишіть номери, `@групу`, `all`, `none`, `filter` або `invert`
+grammar-largest-first = спершу найбільші
+grammar-no-targets-here = `{ $verb }` — команда самій консолі: апаратів перед нею не пишуть
+grammar-only-plain = `{ $verb }` є лише в консолі без екрана: тут це показують кімнати
+grammar-only-console = `{ $verb }` є лише в консолі: у сценарії її не вживають
+
 grammar-script-selection = у скрипті немає вибраних апаратів
 grammar-say-who = назвіть, кому: `{ $line }`
 grammar-wait-timed-out = рядок { $line }: `{ $wait }` не справдилося вчасно

@@ -54,7 +54,6 @@ hangar-ask-restart = Запустити апарат { $vehicle } знову?
 hangar-ask-stop = Завершити процес апарата { $vehicle }?
 hangar-restarting = апарат { $vehicle } запускається знову
 hangar-stopping = процес апарата { $vehicle } завершується
-hangar-which = потрібен номер апарата
 hangar-not-begun = завдання почнеться, коли всі апарати будуть готові: { $key } показує, як далеко вони
 hangar-failed = не вдалося запустити апарати: { $reason }
 hangar-plain-stages = запуск: { $stages }

@@ -88,7 +88,6 @@ parameters-ask-apply-reason = кожен — окрема команда, її �
 parameters-nothing-to-save = параметри ще не надійшли
 parameters-not-complete = апарат { $vehicle } надіслав { $received } з { $count } параметрів: зачекайте, доки надійдуть усі
 parameters-no-path = напишіть назву файлу
-parameters-no-deed = `{ $word }` — такого з параметрами зробити не можна
 parameters-same-vehicle = апарат { $vehicle } саме й показано: назвіть інший
 parameters-no-such-vehicle = апарата { $vehicle } немає
 parameters-saved = збережено у { $path }

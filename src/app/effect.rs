@@ -2,18 +2,11 @@
 
 use crate::campaign::{Aids, Stake};
 use crate::commands::Order;
+use crate::language::ProcessDeed;
 use crate::ledger::EntryId;
 use crate::text::{Language, Text};
 use crate::vehicle::VehicleId;
 use crate::workshop::Design;
-
-/// What can be done with the process of a vehicle.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum HangarDeed {
-    /// It is ended, if it runs, and started again.
-    Restart,
-    Stop,
-}
 
 /// How a mission is to be flown.
 #[derive(Debug, Clone, PartialEq)]
@@ -169,7 +162,7 @@ pub enum SessionEffect {
     /// Connect to vehicles at these addresses.
     Connect(Vec<String>),
     /// Restart or stop the process that simulates a vehicle.
-    Process(HangarDeed, VehicleId),
+    Process(ProcessDeed, VehicleId),
     /// Trigger an inject of the mission, by name.
     Inject(String),
     /// Stop simulated time, and every deadline with it.

@@ -1,79 +1,71 @@
 //! Lines that stand in files: macros and keys. Whether they can be given shows only in flight, but whether anybody
 //! could ever understand them is plain at once.
 
-use std::collections::BTreeMap;
-
-use super::console::{self, CONSOLE_VERBS, Names};
+use super::room_list::Room;
 use crate::diagnostic::Diagnostic;
-use crate::language::{self, Context, Groups, Meaning, Scope, Word, words};
+use crate::language::{self, Channel, Context, Groups, Listed, NameList, Named, Names};
 use crate::text;
 use crate::vehicle::VehicleClass;
 
-/// Checks a line of the command language or of the console. Groups and places may have any name, because nobody
-/// knows yet which there will be.
-///
-/// # Errors
-/// The first fault, with its place in the line.
-pub fn check(line: &str, themes: &[String]) -> Result<(), Diagnostic> {
-    let words: Vec<&str> = line.split_whitespace().collect();
-    // Missions and macros may be anybody's: which there are shows only in flight.
-    if matches!(words.as_slice(), ["fly" | "macro" | "inject", _]) {
-        return Ok(());
+/// What may stand in a file's line: themes are known, missions, macros and injects may be anybody's.
+#[derive(Debug)]
+struct NamesInFiles<'a> {
+    themes: &'a [String],
+}
+
+impl Names for NamesInFiles<'_> {
+    fn listed(&self, list: NameList) -> Listed {
+        match list {
+            NameList::Room => Room::listed(),
+            NameList::Theme => themes(self.themes),
+            NameList::Mission | NameList::Inject | NameList::Macro => Listed::Anything,
+        }
     }
-    let names = Names {
-        themes,
-        missions: &[],
-        injects: None,
-        macros: &BTreeMap::new(),
-        groups: &BTreeMap::new(),
+}
+
+/// These themes, as words of a line.
+pub fn themes(names: &[String]) -> Listed {
+    let named = |name: &String| Named {
+        name: name.clone(),
+        meaning: text!("console-kind-theme"),
     };
-    if let Some(own) = console::parse(line, &names) {
-        return own.map(|_| ());
-    }
-    let named = words.iter().filter_map(|word| word.strip_prefix('@'));
+    Listed::Names(names.iter().map(named).collect())
+}
+
+/// Runs `work` with what is known where a line stands in a file: groups and places may have any name, because nobody
+/// knows yet which there will be.
+fn in_file<T>(line: &str, themes: &[String], work: impl FnOnce(&Context<'_>) -> T) -> T {
+    let words = line.split_whitespace();
+    let named = words.filter_map(|word| word.strip_prefix('@'));
     let groups: Groups = named.map(|name| (name.to_owned(), vec![1])).collect();
-    let context = Context {
+    work(&Context {
         groups: &groups,
         places: None,
         areas: None,
         class: VehicleClass::Other,
+        names: &NamesInFiles { themes },
+        channel: Channel::Screen,
         ..Context::default()
-    };
-    match language::parse(line, &context)?.meaning {
-        Meaning::Act(_) => Ok(()),
-        Meaning::Wait(_) => Err(only_in_scripts(line)),
-    }
+    })
 }
 
-/// What is wrong with a line that says a verb of pilot scripts.
-pub fn only_in_scripts(line: &str) -> Diagnostic {
-    let said = words(line).into_iter().find(is_for_scripts);
-    let span = said.map_or(0..line.len(), |word| word.span);
-    Diagnostic::new(span, text!("order-wait")).with_help(text!("order-wait-help"))
-}
-
-fn is_for_scripts(word: &Word<'_>) -> bool {
-    language::row(word.text).is_some_and(|row| row.scope == Scope::Scripts)
+/// Checks a line of the command language.
+///
+/// # Errors
+/// The first fault, with its place in the line.
+pub fn check(line: &str, themes: &[String]) -> Result<(), Diagnostic> {
+    in_file(line, themes, |context| {
+        language::parse(line, context).map(drop)
+    })
 }
 
 /// Checks the beginning of a line, which is to be completed by hand: its verb has to exist.
 ///
 /// # Errors
-/// There is no such verb, or only for pilot scripts; the place is its own.
+/// There is no such verb, or not on the command line; the place is its own.
 pub fn check_beginning(line: &str) -> Result<(), Diagnostic> {
-    let words = words(line);
-    let is_known = |word: &Word<'_>| {
-        let mut own = CONSOLE_VERBS.iter();
-        language::row(word.text).is_some() || own.any(|verb| verb.name == word.text)
-    };
-    // A target may stand before it.
-    let mut first = words.iter().take(2);
-    if first.clone().any(is_for_scripts) {
-        return Err(only_in_scripts(line));
-    }
-    if line.is_empty() || first.any(is_known) {
+    if line.is_empty() {
         return Ok(());
     }
-    // The grammar says it best.
-    check(line, &[])
+    in_file(line, &[], |context| language::said(line, context).map(drop))
 }

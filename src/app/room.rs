@@ -9,8 +9,8 @@ use super::state;
 mod context;
 pub mod debrief;
 pub mod fly;
+mod footer_keys;
 pub mod hangar;
-mod hints;
 pub mod home;
 mod keys;
 pub mod ledger;
@@ -109,7 +109,7 @@ pub const fn keys(room: Room) -> &'static [KeyRow] {
 /// What the last line of the screen says about keys in the room that is shown.
 pub fn hints(state: &State) -> impl Iterator<Item = KeyHint> {
     let all = (behaviour(state.room).hints)(state).iter().copied();
-    all.filter(|&hint| hints::is_of_use(state, hint))
+    all.filter(|&hint| footer_keys::is_of_use(state, hint))
 }
 
 /// Does an action in the room that is shown; `None` where the action means what it means everywhere.

@@ -1,5 +1,6 @@
 //! The list of rooms. A new room is a line here, a module of its own in `app::room`, and one in `ui::screen`.
 
+use crate::language::{Listed, Named};
 use crate::text::Text;
 
 /// Hands the list of rooms to a macro. Each line gives the room's name in the program, its module in `app::room` and
@@ -81,6 +82,15 @@ impl Room {
     /// The room of a name.
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|room| room.name() == name)
+    }
+
+    /// Every room, as a word of a line.
+    pub fn listed() -> Listed {
+        let named = |room: Self| Named {
+            name: room.name().to_owned(),
+            meaning: room.explained(),
+        };
+        Listed::Names(Self::ALL.map(named).into())
     }
 
     /// What it is for.

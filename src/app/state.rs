@@ -5,7 +5,6 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::action::Action;
-use super::console::Names;
 use super::effect::Launch;
 use super::keymap::Place;
 use crate::campaign::Reward;
@@ -26,6 +25,7 @@ mod hangar;
 mod help;
 mod history;
 mod links;
+mod names;
 mod notices;
 mod overlay;
 mod profiles;
@@ -262,21 +262,6 @@ impl<R> State<R> {
             self.session.cursor.into_iter().collect()
         } else {
             self.session.selection.iter().copied().collect()
-        }
-    }
-
-    /// The names that words of the console's own lines may be.
-    pub fn names(&self) -> Names<'_> {
-        Names {
-            themes: &self.themes,
-            missions: &self.missions,
-            injects: self
-                .session
-                .mission
-                .as_ref()
-                .map(|mission| mission.injects.as_slice()),
-            macros: &self.config.macros,
-            groups: &self.session.groups,
         }
     }
 

@@ -10,6 +10,7 @@ use super::room::{parameters, workshop};
 use super::state::{Overlay, Room};
 
 mod act;
+mod alert_line;
 mod batch;
 mod console_line;
 mod files;
@@ -23,7 +24,6 @@ mod order;
 mod palette;
 mod profiles;
 mod prompt;
-mod swarm;
 mod telemetry;
 
 /// Takes in what happened and says what the shell has to do.

@@ -2,11 +2,11 @@
 
 use toml::Value;
 
-use super::{Column, TableSort};
+use super::{Column, Symbols, TableSort};
 use crate::alert::AlertKind;
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::text;
-use crate::text::Text;
+use crate::text::{Language, Text};
 
 /// A setting of the configuration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -47,7 +47,7 @@ pub enum SettingKind {
 pub const SETTINGS: &[Setting] = &[
     setting(
         "lang",
-        SettingKind::OneOf(&["en", "uk"]),
+        SettingKind::OneOf(Language::CODES),
         Some("SORTIE_LANG"),
         "The language; unless it is set, that of the shell (LC_ALL, LC_MESSAGES, LANG). What a profile has chosen with \
          `:set lang` goes before both in the console, and --lang before that.",
@@ -66,13 +66,13 @@ pub const SETTINGS: &[Setting] = &[
     ),
     setting(
         "fps",
-        SettingKind::Whole(1, 60),
+        SettingKind::Whole(Setting::FPS_LEAST, Setting::FPS_MOST),
         Some("SORTIE_FPS"),
         "Frames per second at most.",
     ),
     setting(
         "symbols",
-        SettingKind::OneOf(&["braille", "block", "ascii"]),
+        SettingKind::OneOf(Symbols::NAMES),
         Some("SORTIE_SYMBOLS"),
         "What curves and maps are drawn with; unless it is set, what the terminal can show.",
     ),
@@ -213,6 +213,11 @@ const fn setting(
 }
 
 impl Setting {
+    /// The range of frames per second.
+    pub const FPS_LEAST: i64 = 1;
+    /// Its upper end.
+    pub const FPS_MOST: i64 = 60;
+
     /// The setting of a name.
     pub fn named(name: &str) -> Option<&'static Self> {
         SETTINGS.iter().find(|setting| setting.name == name)

@@ -45,7 +45,7 @@ impl<L> Exercise<L> {
             vehicles: &all,
             ..Context::default()
         };
-        operator::read_order(line, &context, &all, |_| Ok(()))
+        operator::read_order(line, &context, &all)
     }
 
     fn order(&mut self, order: &Order, now: Duration) {

@@ -2,9 +2,13 @@
 
 use std::ops::Range;
 
+use super::names::NameList;
 use crate::geo::{LatLon, Outline};
 use crate::text;
 use crate::text::Text;
+
+/// More words to choose from than these would make a usage unreadable.
+const CHOICES_IN_USAGE: usize = 10;
 
 /// One argument of a [`Form`](super::Form).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,6 +21,8 @@ pub struct Argument {
     pub kind: Kind,
     /// Whether it may be left out.
     pub optional: bool,
+    /// Whether it may be given several times.
+    pub repeated: bool,
     /// The id of the message that says what it means; empty where that is plain.
     pub help: &'static str,
 }
@@ -29,6 +35,7 @@ impl Argument {
             keyword: "",
             kind,
             optional: false,
+            repeated: false,
             help,
         }
     }
@@ -45,6 +52,7 @@ impl Argument {
             keyword,
             kind,
             optional: false,
+            repeated: false,
             help,
         }
     }
@@ -56,6 +64,7 @@ impl Argument {
             keyword,
             kind: Kind::Flag,
             optional: false,
+            repeated: false,
             help,
         }
     }
@@ -68,21 +77,32 @@ impl Argument {
         }
     }
 
-    /// The value in a usage line: its name in capitals, or the words to choose from.
+    /// The same, but it may be given several times, or not at all.
+    pub(super) const fn repeated(self) -> Self {
+        Self {
+            optional: true,
+            repeated: true,
+            ..self
+        }
+    }
+
+    /// The value in a usage line: its name in capitals, or the words to choose from if those are few.
     pub(super) fn placeholder(&self) -> String {
         match self.kind {
-            Kind::Choice(words) => words.join("|"),
+            Kind::Choice(words) if self.kind.fits_a_usage() => words.join("|"),
             Kind::Point => "LAT LON|PLACE".to_owned(),
+            Kind::Sort => "[-]COLUMN".to_owned(),
             _ => self.name.to_uppercase(),
         }
     }
 
     /// Keyword and value in a usage line.
     pub(super) fn usage(&self) -> String {
+        let more = if self.repeated { "..." } else { "" };
         match (self.keyword, self.kind) {
             (keyword, Kind::Flag) => keyword.to_owned(),
-            ("", _) => self.placeholder(),
-            (keyword, _) => format!("{keyword} {}", self.placeholder()),
+            ("", _) => format!("{}{more}", self.placeholder()),
+            (keyword, _) => format!("{keyword} {}{more}", self.placeholder()),
         }
     }
 
@@ -133,11 +153,31 @@ pub enum Kind {
     Message,
     /// A `MAV_CMD`, by name or number.
     MavCommand,
+    /// One of the names that only the console knows.
+    Name(NameList),
+    /// The name of a group, there or not, with or without `@`.
+    Group,
+    /// Vehicles for the console: targets, `none`, `filter` or `invert`. Which there are shows only when it is done.
+    Vehicles,
+    /// A column of the swarm table, with - before it for the largest first.
+    Sort,
+    /// Everything up to the end of the line, as it was written.
+    Rest,
 }
 
 impl Kind {
-    /// The range of a number in words.
+    /// Whether the words to choose from, if it is a choice, are few enough to be listed in a usage.
+    pub(super) fn fits_a_usage(self) -> bool {
+        !matches!(self, Self::Choice(words) if words.len() > CHOICES_IN_USAGE)
+    }
+
+    /// The range of a number in words, or the words of a long choice.
     pub(super) fn limits(self) -> Option<Text> {
+        if let Self::Choice(words) = self
+            && !self.fits_a_usage()
+        {
+            return Some(words.join(", ").into());
+        }
         let (Self::Number(unit, least, greatest) | Self::Whole(unit, least, greatest)) = self
         else {
             return None;
@@ -269,6 +309,16 @@ impl Arguments {
             Value::Word(word) => Some(word),
             _ => None,
         }
+    }
+
+    /// Every value of an argument that may be given several times.
+    pub fn words(&self, name: &str) -> Vec<&str> {
+        let named = self.values.iter().filter(|(known, _, _)| *known == name);
+        let words = named.filter_map(|(_, value, _)| match value {
+            Value::Word(word) => Some(word.as_str()),
+            Value::Flag | Value::Number(_) | Value::Point(_) | Value::Area(_) => None,
+        });
+        words.collect()
     }
 
     pub fn point(&self, name: &str) -> Option<LatLon> {

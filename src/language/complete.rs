@@ -91,6 +91,47 @@ pub fn hint(line: &str, context: &Context) -> Option<Text> {
     }
 }
 
+/// The row of the verb that a line begins with, also where its targets or arguments are wrong.
+pub fn begun(line: &str) -> Option<&'static VerbRow> {
+    let mut first = words(line).into_iter().take(2);
+    first.find_map(|word| super::row(word.text))
+}
+
+/// The lines to the console itself that can be listed as a whole, with what each means: those without arguments, and
+/// those of which every argument is a word of a list.
+pub fn lines(context: &Context) -> Vec<(String, Text)> {
+    let own =
+        rows().filter(|row| !row.scope.takes_targets() && row.scope.includes(context.channel));
+    let of_row = |row: &'static VerbRow| {
+        let listed = row.forms.iter().filter(|form| !form.is_shortcut);
+        listed.flat_map(move |form| lines_of(row, form, context))
+    };
+    own.flat_map(of_row).collect()
+}
+
+fn lines_of(row: &VerbRow, form: &'static Form, context: &Context) -> Vec<(String, Text)> {
+    match form.arguments {
+        [] => vec![(row.name().to_owned(), row.summary())],
+        [argument] => {
+            let mut start = row.name().to_owned();
+            let values = if argument.kind == Kind::Flag {
+                vec![(argument.keyword.to_owned(), argument.meaning())]
+            } else {
+                if !argument.keyword.is_empty() {
+                    start.extend([" ", argument.keyword]);
+                }
+                names(Expected::Value(argument), context)
+            };
+            let values = values.into_iter();
+            values
+                .map(|(word, meaning)| (format!("{start} {word}"), meaning))
+                .collect()
+        }
+        // The first of several has no list.
+        [_, _, ..] => Vec::new(),
+    }
+}
+
 /// A word and what it means, if that is to be said.
 fn described(word: Text, meaning: Text) -> Text {
     let parts = [word, meaning].into_iter();
@@ -111,7 +152,7 @@ fn candidates(before: &[Word], context: &Context) -> Vec<(String, Text)> {
     match before {
         [] => {
             // What is meant most often comes first: verbs, then `all`, then modes, then single vehicles.
-            let mut all = verb_names();
+            let mut all = verb_names(|row| row.scope.includes(context.channel));
             let mut targets = target_names(context);
             all.extend(targets.drain(..1));
             all.extend(modes_as_verbs(context));
@@ -120,7 +161,10 @@ fn candidates(before: &[Word], context: &Context) -> Vec<(String, Text)> {
         }
         [word] if word.is_targets() => match Targets::read(word, context) {
             Ok(_) => {
-                let mut all = verb_names();
+                let is_to_vehicles = |row: &VerbRow| {
+                    row.scope.includes(context.channel) && row.scope.takes_targets()
+                };
+                let mut all = verb_names(is_to_vehicles);
                 all.extend(modes_as_verbs(context));
                 all
             }
@@ -175,13 +219,13 @@ fn names(expected: Expected, context: &Context) -> Vec<(String, Text)> {
     }
 }
 
-fn verb_names() -> Vec<(String, Text)> {
+fn verb_names(fits: impl Fn(&VerbRow) -> bool) -> Vec<(String, Text)> {
     let explained = |row: &VerbRow| {
         let usage = row.usage().join(" | ");
         let hint = described(usage.into(), row.summary());
         (row.name().to_owned(), hint)
     };
-    rows().map(explained).collect()
+    rows().filter(|row| fits(row)).map(explained).collect()
 }
 
 /// The modes whose names alone change to them, unless a verb is called so.

@@ -123,7 +123,7 @@ impl Reader<'_> {
     fn open(&self) -> Vec<usize> {
         let mut open = Vec::new();
         for (index, argument) in self.form.arguments.iter().enumerate() {
-            if self.filled[index] {
+            if self.filled[index] && !argument.repeated {
                 continue;
             }
             open.push(index);

@@ -8,6 +8,8 @@ pub struct Word<'a> {
     /// As it was written.
     pub text: &'a str,
     pub span: Range<usize>,
+    /// The line from its beginning to the end, without a comment.
+    pub tail: &'a str,
 }
 
 impl Word<'_> {
@@ -51,6 +53,7 @@ pub fn words(line: &str) -> Vec<Word<'_>> {
         .into_iter()
         .map(|span| Word {
             text: &line[span.clone()],
+            tail: code[span.start..].trim_end(),
             span,
         })
         .collect()

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::rows;
+use super::{Scope, rows};
 use crate::verb::Danger;
 
 /// The manual of the language: how a line is built, then every verb with its forms, arguments and examples.
@@ -17,6 +17,16 @@ pub fn manual() -> String {
         let _ = writeln!(text, "    {}", row.summary());
         if !row.aliases.is_empty() {
             let _ = writeln!(text, "    also: {}", row.aliases.join(", "));
+        }
+        let only = match row.scope {
+            Scope::Everywhere => "",
+            Scope::Scripts => "only in scripts and through a pipe",
+            Scope::Console => "only in the console",
+            Scope::Screen => "only in the console with a screen",
+            Scope::Plain => "only in the console without a screen",
+        };
+        if !only.is_empty() {
+            let _ = writeln!(text, "    {only}");
         }
         if row.verb.danger == Danger::Confirm {
             let _ = writeln!(text, "    asks for a second key");

@@ -5,9 +5,10 @@ use std::ops::Range;
 use super::argument::Kind;
 use super::form::{Expected, Fit, Misfit, fit};
 use super::lexer::{Word, words};
+use super::names::Listed;
 use super::read::{mode_named, mode_names};
 use super::table::{row, rows};
-use super::verb::{Form, Meaning, Scope, VerbRow};
+use super::verb::{Channel, Form, Meaning, Scope, VerbRow};
 use super::{Context, Statement, Targets};
 use crate::diagnostic::Diagnostic;
 use crate::text;
@@ -33,11 +34,23 @@ pub fn parse(line: &str, context: &Context) -> Result<Statement, Diagnostic> {
     let rest = &words[head.len..];
     let (meaning, form) = understand(&head, rest, &words, context)?;
     Ok(Statement {
-        line: normalised(&head, rest),
+        line: match meaning {
+            Meaning::Act(_) | Meaning::Wait(_) => normalised(&head, rest),
+            Meaning::Console(_) => words.first().map_or("", |word| word.tail).to_owned(),
+        },
+        scope: head.row.scope,
         verb: form.means.unwrap_or(&head.row.verb),
         targets: head.targets,
         meaning,
     })
+}
+
+/// The verb that a line begins with, after targets that there may be.
+///
+/// # Errors
+/// There is none, it may not be said there, or the targets are wrong.
+pub fn said(line: &str, context: &Context) -> Result<&'static VerbRow, Diagnostic> {
+    head(&words(line), context).map(|head| head.row)
 }
 
 /// Reads targets and verb.
@@ -70,6 +83,14 @@ pub(super) fn head(words: &[Word], context: &Context) -> Result<Head, Diagnostic
             _ => Err(unknown_verb(word, context)),
         };
     };
+    if !found.scope.includes(context.channel) {
+        return Err(out_of_place(word, found.scope));
+    }
+    if at > 0 && !found.scope.takes_targets() {
+        let message = text!("grammar-no-targets-here", verb = found.name());
+        return Err(Diagnostic::new(words[0].span.clone(), message)
+            .with_help(text!("grammar-say-it-as", usage = usages(found))));
+    }
     let mut head = Head {
         targets,
         row: found,
@@ -80,6 +101,18 @@ pub(super) fn head(words: &[Word], context: &Context) -> Result<Head, Diagnostic
         targets_after(&mut head, words, context)?;
     }
     Ok(head)
+}
+
+/// A verb that is said where it may not be.
+fn out_of_place(word: &Word, scope: Scope) -> Diagnostic {
+    let fault = |message: Text| Diagnostic::new(word.span.clone(), message);
+    match scope {
+        Scope::Scripts => fault(text!("order-wait")).with_help(text!("order-wait-help")),
+        Scope::Plain => fault(text!("grammar-only-plain", verb = word.text)),
+        Scope::Everywhere | Scope::Console | Scope::Screen => {
+            fault(text!("grammar-only-console", verb = word.text))
+        }
+    }
 }
 
 /// The targets of a `wait` may stand after it.
@@ -162,7 +195,10 @@ fn fault(
         };
         let missing = list(expected.copied().filter(needed));
         let example = example_of(row, &forms);
-        let message = text!("grammar-needs", verb = row.name(), missing = missing);
+        let mut expected = closest.iter().flat_map(|fit| fit.expected.iter());
+        let needs = || text!("grammar-needs", verb = row.name(), missing = missing);
+        let message = expected.find_map(|item| unavailable(*item, context));
+        let message = message.unwrap_or_else(needs);
         return Diagnostic::new(end_of(all), message)
             .with_help(text!("grammar-for-example", line = example));
     };
@@ -173,9 +209,29 @@ fn fault(
     misfit_fault(row, word, &misfits, context)
 }
 
+/// Why nothing can be named where a name is expected.
+fn unavailable(expected: Expected, context: &Context) -> Option<Text> {
+    let Kind::Name(list) = expected.argument().kind else {
+        return None;
+    };
+    match context.names.listed(list) {
+        Listed::Nothing(why) => Some(why),
+        Listed::Anything | Listed::Names(_) => None,
+    }
+}
+
+/// The ways to say a verb: "`ack` or `ack KIND`".
+fn usages(row: &VerbRow) -> Text {
+    let usages = row.usage().into_iter();
+    either(usages.map(|usage| format!("`{usage}`").into()).collect())
+}
+
 /// An example of one of these forms of a verb, the first if there is none.
 fn example_of(row: &'static VerbRow, forms: &[usize]) -> &'static str {
-    let context = Context::default();
+    let context = Context {
+        channel: Channel::Plain,
+        ..Context::default()
+    };
     let shows = |example: &&&str| {
         let words = words(example);
         head(&words, &context).is_ok_and(|head| {
@@ -205,13 +261,8 @@ fn misfit_fault(row: &VerbRow, word: &Word, misfits: &[&Misfit], context: &Conte
     };
     if expected().next().is_none() {
         let message = text!("grammar-too-much", word = word.text);
-        let usages = row
-            .usage()
-            .into_iter()
-            .map(|usage| format!("`{usage}`").into())
-            .collect();
         return Diagnostic::new(span, message)
-            .with_help(text!("grammar-say-it-as", usage = either(usages)));
+            .with_help(text!("grammar-say-it-as", usage = usages(row)));
     }
     let what = list(expected());
     let specific = misfits.iter().any(|misfit| misfit.specific);
@@ -229,9 +280,22 @@ fn misfit_fault(row: &VerbRow, word: &Word, misfits: &[&Misfit], context: &Conte
     let fault =
         Diagnostic::new(span, message).with_nearest(word.text, names.iter().map(String::as_str));
     match fault.help {
-        None if !says_what => fault.with_help(text!("grammar-expected", expected = what)),
+        None if !says_what => fault.with_help(
+            there_are(&names, misfits)
+                .unwrap_or_else(|| text!("grammar-expected", expected = what)),
+        ),
         _ => fault,
     }
+}
+
+/// Where only a name of a list was possible: which there are.
+fn there_are(names: &[String], misfits: &[&Misfit]) -> Option<Text> {
+    let mut expected = misfits.iter().flat_map(|misfit| misfit.expected.iter());
+    let is_name = |item: &Expected| matches!(item.argument().kind, Kind::Name(_));
+    expected.all(is_name).then(|| match names {
+        [] => text!("grammar-none-there"),
+        names => text!("grammar-there-are", names = names.join(", ")),
+    })
 }
 
 /// The words that something expected can be.
@@ -282,8 +346,9 @@ fn unknown_verb(word: &Word, context: &Context) -> Diagnostic {
         word.span.clone(),
         text!("grammar-unknown-command", word = word.text),
     );
+    let sayable = rows().filter(|row| row.scope.includes(context.channel));
     let names =
-        rows().flat_map(|row| std::iter::once(row.name()).chain(row.aliases.iter().copied()));
+        sayable.flat_map(|row| std::iter::once(row.name()).chain(row.aliases.iter().copied()));
     fault.with_nearest(word.text, names.chain(mode_names(context)))
 }
 

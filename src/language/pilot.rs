@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use super::lexer::words;
 use super::wait::{Seen, Until, Wait};
-use super::{Context, Meaning, Statement, Targets, parse};
+use super::{Channel, Context, Meaning, Statement, Targets, parse};
 use crate::diagnostic::Diagnostic;
 use crate::text;
 use crate::vehicle::VehicleId;
@@ -31,6 +31,10 @@ impl Script {
     /// # Errors
     /// Every fault, with its place in the whole source.
     pub fn parse(source: &str, context: &Context) -> Result<Self, Vec<Diagnostic>> {
+        let context = &Context {
+            channel: Channel::Script,
+            ..*context
+        };
         let mut steps = Vec::new();
         let mut faults = Vec::new();
         let mut start = 0;

@@ -5,7 +5,9 @@ use mavlink::dialects::ardupilotmega::MavMessage;
 use super::Context;
 use super::argument::{Kind, Unit, Value};
 use super::lexer::Word;
+use super::targets::Targets;
 use crate::commands::{command_by_name, command_names};
+use crate::config::{Column, TableSort};
 use crate::geo::{LatLon, Outline};
 use crate::parameters::{ParameterList, shown};
 use crate::text;
@@ -29,6 +31,9 @@ const EVERYDAY_MODES: [&str; 8] = [
 /// Modes of a copter in which the throttle stick sets the climb, and those in which it sets the thrust.
 const STICK_CLIMBS: [&str; 5] = ["LOITER", "ALT_HOLD", "POSHOLD", "FLOWHOLD", "SPORT"];
 const STICK_LIFTS: [&str; 3] = ["STABILIZE", "ACRO", "DRIFT"];
+
+/// What the console can select besides named vehicles.
+const SELECTIONS: [&str; 3] = ["none", "filter", "invert"];
 
 /// Why words are not the value that was expected.
 pub(super) enum Misread {
@@ -102,8 +107,12 @@ impl Kind {
                 .find(|choice| first.is(choice))
                 .map(|choice| Value::Word((*choice).to_owned()))
                 .ok_or_else(|| {
-                    let choices = choices.join(", ");
-                    Misread::kind(text!("grammar-none-of", word = text, choices = choices))
+                    Misread::kind(if self.fits_a_usage() {
+                        let choices = choices.join(", ");
+                        text!("grammar-none-of", word = text, choices = choices)
+                    } else {
+                        text!("grammar-no-name", word = text)
+                    })
                 })?,
             Self::Mode => Value::Word(mode(text, context)?),
             Self::Point => return point(words, context),
@@ -111,6 +120,14 @@ impl Kind {
             Self::Parameter => Value::Word(parameter(text)?),
             Self::Message => Value::Number(f64::from(message(text)?)),
             Self::MavCommand => Value::Number(f64::from(command(text)?)),
+            Self::Name(list) => {
+                let listed = context.names.listed(list);
+                Value::Word(listed.meant(list, text).map_err(Misread::kind)?)
+            }
+            Self::Group => Value::Word(text.trim_start_matches('@').to_owned()),
+            Self::Vehicles => Value::Word(vehicles(first)?),
+            Self::Sort => Value::Word(sort(text)?),
+            Self::Rest => return Ok((Value::Word(first.tail.to_owned()), words.len())),
         };
         Ok((value, 1))
     }
@@ -164,7 +181,29 @@ impl Kind {
                 .flat_map(ParameterList::iter)
                 .map(|(name, known)| (name.to_owned(), format!("= {}", shown(known.value)).into()))
                 .collect(),
-            Self::Flag | Self::Number(..) | Self::Whole(..) => Vec::new(),
+            Self::Name(list) => context
+                .names
+                .listed(list)
+                .names()
+                .into_iter()
+                .map(|named| (named.name, named.meaning))
+                .collect(),
+            Self::Group => context
+                .groups
+                .iter()
+                .map(|(name, ids)| (name.clone(), Targets::Ids(ids.clone()).to_string().into()))
+                .collect(),
+            Self::Sort => {
+                let falling = Column::NAMES.iter().map(|name| format!("-{name}"));
+                let rising = Column::NAMES.iter().map(|name| (*name).to_owned());
+                rising
+                    .map(|name| (name, Text::default()))
+                    .chain(falling.map(|name| (name, text!("grammar-largest-first"))))
+                    .collect()
+            }
+            Self::Flag | Self::Number(..) | Self::Whole(..) | Self::Vehicles | Self::Rest => {
+                Vec::new()
+            }
         }
     }
 }
@@ -289,6 +328,23 @@ fn classes(context: &Context) -> Vec<VehicleClass> {
             VehicleClass::Sub,
         ],
         class => vec![class],
+    }
+}
+
+/// Vehicles for the console.
+fn vehicles(word: &Word) -> Result<String, Misread> {
+    if word.is_targets() || SELECTIONS.contains(&word.text) {
+        Ok(word.text.to_owned())
+    } else {
+        let message = text!("grammar-no-vehicles", word = word.text);
+        Err(Misread::kind(message))
+    }
+}
+
+fn sort(text: &str) -> Result<String, Misread> {
+    match TableSort::read(text) {
+        Ok(sort) => Ok(sort.name()),
+        Err(fault) => Err(Misread::kind(fault.message)),
     }
 }
 

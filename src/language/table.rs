@@ -1,14 +1,17 @@
 //! The verb table: every verb, once.
 
 use super::argument::{Arguments, Problem};
-use super::verb::{Meaning, VerbRow};
+use super::console::ConsoleLine;
+use super::verb::{Meaning, Scope, VerbRow};
 use crate::commands::{Act, Command, Deed, Manoeuvre};
 use crate::verb::{Retry, Verb};
 
+mod console;
 mod devices;
 mod flight;
 mod mission;
 mod motion;
+mod session;
 mod swarm;
 mod waiting;
 
@@ -22,20 +25,26 @@ pub fn row(word: &str) -> Option<&'static VerbRow> {
     rows().find(|row| row.is_called(word))
 }
 
-/// The verb of this name, as the ledger writes it: `arm`, `relay to`.
-pub fn verb(name: &str) -> Option<&'static Verb> {
-    rows()
-        .flat_map(VerbRow::verbs)
-        .find(|verb| verb.name == name)
+/// The verbs of orders, by the names that the ledger writes: `arm`, `relay to`.
+pub fn verbs() -> impl Iterator<Item = &'static Verb> {
+    let orders = rows().filter(|row| row.scope == Scope::Everywhere);
+    orders.flat_map(VerbRow::verbs)
 }
 
-static TABLE: [&[VerbRow]; 6] = [
+/// The verb of an order, by the name that the ledger writes.
+pub fn verb(name: &str) -> Option<&'static Verb> {
+    verbs().find(|verb| verb.name == name)
+}
+
+static TABLE: [&[VerbRow]; 8] = [
     flight::ROWS,
     motion::ROWS,
     swarm::ROWS,
     waiting::ROWS,
     mission::ROWS,
     devices::ROWS,
+    console::ROWS,
+    session::ROWS,
 ];
 
 /// A motor that starts late can hurt somebody: give up soon.
@@ -77,6 +86,14 @@ fn deed(deed: Deed) -> Built {
 )]
 fn manoeuvre(manoeuvre: Manoeuvre) -> Built {
     Ok(Meaning::Act(Act::Manoeuvre(manoeuvre)))
+}
+
+#[expect(
+    clippy::unnecessary_wraps,
+    reason = "it is the last expression of functions that can fail"
+)]
+fn console(line: ConsoleLine) -> Built {
+    Ok(Meaning::Console(line))
 }
 
 /// The first of these arguments that is given, to point at.

@@ -1,6 +1,7 @@
 //! A row of the verb table.
 
-use super::argument::{Argument, Arguments, Problem};
+use super::argument::{Argument, Arguments, Kind, Problem};
+use super::console::ConsoleLine;
 use super::wait::Wait;
 use crate::commands::Act;
 use crate::text::Text;
@@ -24,11 +25,48 @@ pub struct VerbRow {
 /// Where a verb may be said.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Scope {
-    /// On the command line and in scripts.
+    /// On the command line and in scripts, to vehicles.
     Everywhere,
     /// Only where lines are given one after the other, which it holds up: in scripts and through a pipe. Its targets may
     /// follow it.
     Scripts,
+    /// To the console, with or without a screen.
+    Console,
+    /// To the console; without a screen it does nothing.
+    Screen,
+    /// Only to the console without a screen: the rooms of a screen show the same.
+    Plain,
+}
+
+impl Scope {
+    /// Whether a verb of this scope may be said there.
+    pub fn includes(self, channel: Channel) -> bool {
+        match self {
+            Self::Everywhere => true,
+            Self::Scripts => channel != Channel::Screen,
+            Self::Console | Self::Screen => channel != Channel::Script,
+            Self::Plain => channel == Channel::Plain,
+        }
+    }
+
+    /// Whether it is said to vehicles, so that a line may name them.
+    pub fn takes_targets(self) -> bool {
+        match self {
+            Self::Everywhere | Self::Scripts => true,
+            Self::Console | Self::Screen | Self::Plain => false,
+        }
+    }
+}
+
+/// Where a line comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Channel {
+    /// The command line of the console, its keys and macros.
+    Screen,
+    /// The input of the console without a screen.
+    Plain,
+    /// A script.
+    Script,
 }
 
 /// One way to say a verb: its arguments, and what is built of them.
@@ -38,6 +76,8 @@ pub struct Form {
     pub arguments: &'static [Argument],
     /// The verb that this form means, where it is not that of the row.
     pub(super) means: Option<&'static Verb>,
+    /// Whether another verb says the same, so that its lines need not be offered twice.
+    pub(super) is_shortcut: bool,
     pub(super) build: fn(&Arguments) -> Result<Meaning, Problem>,
 }
 
@@ -48,6 +88,8 @@ pub enum Meaning {
     Act(Act),
     /// A script is to hold until something is true of all targets.
     Wait(Wait),
+    /// The console shall do something.
+    Console(ConsoleLine),
 }
 
 impl VerbRow {
@@ -78,6 +120,12 @@ impl VerbRow {
             .collect()
     }
 
+    /// Whether one of its arguments is the name of a parameter.
+    pub fn names_parameters(&self) -> bool {
+        let mut arguments = self.forms.iter().flat_map(|form| form.arguments);
+        arguments.any(|argument| argument.kind == Kind::Parameter)
+    }
+
     /// Its verb, and those of the forms that mean another one.
     pub(super) fn verbs(&'static self) -> impl Iterator<Item = &'static Verb> {
         let others = self.forms.iter().filter_map(|form| form.means);
@@ -93,6 +141,7 @@ impl Form {
         Self {
             arguments,
             means: None,
+            is_shortcut: false,
             build,
         }
     }
@@ -101,6 +150,14 @@ impl Form {
     pub(super) const fn meaning(self, verb: &'static Verb) -> Self {
         Self {
             means: Some(verb),
+            ..self
+        }
+    }
+
+    /// The same, but another verb says it, too.
+    pub(super) const fn shortcut(self) -> Self {
+        Self {
+            is_shortcut: true,
             ..self
         }
     }

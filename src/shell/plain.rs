@@ -11,11 +11,12 @@
 use std::time::Duration;
 
 use super::{Console, ConsoleOptions, Happened, Opening, Signals, key, ticks};
-use crate::app::console::{InPlain, PlainAnswer, in_plain};
 use crate::app::event::TerminalEvent;
 use crate::app::state::{Overlay, Room};
 use crate::diagnostic::Diagnostic;
-use crate::language::{self, Findings, Pilot, PilotEvent, Scope, Script, Seen, words};
+use crate::language::{
+    self, ConsoleLine, Findings, Meaning, Pilot, PilotEvent, Report, Scope, Script, Seen,
+};
 use crate::scoring::FlownBy;
 use crate::text::{Text, text};
 use crate::vehicle::Severity;
@@ -316,24 +317,24 @@ impl Plain {
 
     /// Lines that show something, and waits; true if it was one of them.
     fn carry_out_here(&mut self, line: &str) -> bool {
-        let (meaning, rest) = in_plain(line);
-        let texts = match meaning {
-            InPlain::Says(PlainAnswer::Brief)
-                if self.console.app.state().flown_mission().is_none() =>
+        let state = self.console.app.state();
+        // What is wrong with a line is told where all lines are given.
+        let Ok(statement) = state.with_context(|context| language::parse(line, context)) else {
+            return false;
+        };
+        let texts = match statement.meaning {
+            _ if statement.scope == Scope::Screen => vec![text!("plain-no-room")],
+            Meaning::Wait(_) => {
+                self.wait(line);
+                Vec::new()
+            }
+            Meaning::Console(ConsoleLine::Report(Report::Brief))
+                if state.flown_mission().is_none() =>
             {
                 return false;
             }
-            InPlain::Says(report) => report::texts(report, self.console.app.state(), rest),
-            InPlain::NoRoom => vec![text!("plain-no-room")],
-            InPlain::Same => {
-                let first = words(line).into_iter().next();
-                let row = first.and_then(|word| language::row(word.text));
-                let holds = row.is_some_and(|row| row.scope == Scope::Scripts);
-                if holds {
-                    self.wait(line);
-                }
-                return holds;
-            }
+            Meaning::Console(ConsoleLine::Report(report)) => report::texts(&report, state),
+            Meaning::Console(_) | Meaning::Act(_) => return false,
         };
         for text in texts {
             self.say(&text);

@@ -6,8 +6,6 @@ use std::path::Path;
 
 use fluent_syntax::ast::{Entry, Expression, InlineExpression, Pattern, PatternElement};
 use sortie::app::action::Action;
-use sortie::app::console::CONSOLE_VERBS;
-use sortie::app::setting::Setting;
 use sortie::app::state::Room;
 use sortie::language::rows;
 use sortie::text::{Language, Locale, messages};
@@ -149,20 +147,14 @@ fn name(part: &str) -> Option<String> {
 fn from_tables() -> BTreeSet<String> {
     let actions = Action::all().map(|action| format!("action-{}", action.name()));
     let rooms = Room::ALL.iter().map(|room| format!("room-{}", room.name()));
-    let console = CONSOLE_VERBS
-        .iter()
-        .map(|verb| format!("console-{}", verb.name));
     let classes =
         ["copter", "plane", "rover", "sub", "vehicle"].map(|class| format!("class-{class}"));
-    let settings = Setting::NAMES.iter().map(|name| format!("setting-{name}"));
     let summaries = rows().map(|row| format!("verb-{}", row.name()));
     let forms = rows().flat_map(|row| row.forms);
     let arguments = forms.flat_map(|form| form.arguments);
     let meanings = arguments.map(|argument| argument.help.to_owned());
     actions
         .chain(rooms)
-        .chain(console)
-        .chain(settings)
         .chain(classes)
         .chain(summaries)
         .chain(meanings.filter(|id| !id.is_empty()))

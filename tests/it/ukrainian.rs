@@ -6,8 +6,6 @@ use std::path::Path;
 use std::time::Duration;
 
 use fluent_syntax::ast::{Entry, Expression, InlineExpression, Pattern, PatternElement};
-use sortie::app::console::CONSOLE_VERBS;
-use sortie::app::setting::Setting;
 use sortie::app::state::Room;
 use sortie::commands::{
     AckResult, ArmingCommand, Command, Destination, DeviceCommand, FlightCommand, Heading,
@@ -59,13 +57,6 @@ fn from_tables() -> BTreeSet<String> {
                 choices.iter().copied().for_each(&mut add);
             }
         }
-    }
-    for verb in CONSOLE_VERBS {
-        add(verb.usage);
-    }
-    for name in Setting::NAMES {
-        add(name);
-        Setting::values(name).iter().copied().for_each(&mut add);
     }
     for room in Room::ALL {
         add(room.name());

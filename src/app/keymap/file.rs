@@ -20,10 +20,9 @@ use toml::de::{DeTable, DeValue};
 
 use super::{Binding, Keymap, Meaning, Place, Press};
 use crate::app::action::Action;
-use crate::app::console::CONSOLE_VERBS;
 use crate::app::lines;
 use crate::diagnostic::Diagnostic;
-use crate::language::{VerbRow, rows};
+use crate::language::{Channel, VerbRow, rows};
 use crate::text;
 
 /// What ends a line that is to be completed by hand.
@@ -238,10 +237,10 @@ fn meaning(value: &Spanned<DeValue<'_>>, themes: &[String]) -> Result<Option<Mea
         }
         // A single word may have been meant as either.
         let actions = Action::all().map(Action::name);
-        let commands = rows().map(VerbRow::name);
-        let own = CONSOLE_VERBS.iter().map(|verb| verb.name);
+        let commands = rows().filter(|row| row.scope.includes(Channel::Screen));
+        let commands = commands.map(VerbRow::name);
         let text = text!("keymap-no-action", name = line);
-        Diagnostic::new(span.clone(), text).with_nearest(line, actions.chain(commands).chain(own))
+        Diagnostic::new(span.clone(), text).with_nearest(line, actions.chain(commands))
     })?;
     Ok(Some(Meaning::Give(owned(line))))
 }

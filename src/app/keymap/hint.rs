@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use super::{Keymap, Meaning, Place, Press};
 use crate::app::action::Action;
 use crate::app::room_list::Room;
+use crate::language::{VerbRow, rows, words};
 use crate::text;
 use crate::text::Text;
 
@@ -117,6 +118,23 @@ impl Keymap {
                 Some(format!("{list} {submit}"))
             }
         }
+    }
+
+    /// The keys that give commands to vehicles at a place, one for each verb, in the order of the verbs. Those whose line
+    /// says itself to whom are left out.
+    pub fn command_labels(&self, place: Place) -> Vec<String> {
+        let to_vehicles = rows().filter(|row| row.scope.takes_targets());
+        let key_of = |row: &VerbRow| {
+            let mut bound = self.bindings.iter().map(|binding| &binding.meaning);
+            bound.find_map(|meaning| match meaning {
+                Meaning::Write(line) | Meaning::Give(line) => {
+                    let says = words(line).first().is_some_and(|it| row.is_called(it.text));
+                    says.then(|| self.label(meaning, place)).flatten()
+                }
+                Meaning::Do(_) | Meaning::Type => None,
+            })
+        };
+        to_vehicles.filter_map(key_of).collect()
     }
 
     fn first(&self, meaning: &Meaning, place: Place) -> Option<Press> {

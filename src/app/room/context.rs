@@ -1,7 +1,7 @@
 //! What depends on the state and on what some room remembers.
 
 use super::State;
-use crate::language::Context;
+use crate::language::{Channel, Context};
 use crate::vehicle::VehicleId;
 
 impl State {
@@ -21,6 +21,12 @@ impl State {
             vehicles: &vehicles,
             class: self.class(),
             parameters: parameters.map(|known| known.list.as_ref()),
+            names: self,
+            channel: if self.has_rooms {
+                Channel::Screen
+            } else {
+                Channel::Plain
+            },
         })
     }
 }

@@ -8,7 +8,7 @@ use crate::app::State;
 use crate::app::action::Action;
 use crate::app::keymap::{ESCAPE, KeyHint, KeyRow, Press, does, hint, key};
 use crate::app::room::home::fly_drill;
-use crate::app::room::{Room, RoomModel, RoomRequest, hints};
+use crate::app::room::{Room, RoomModel, RoomRequest, footer_keys};
 use crate::app::state::Career;
 use crate::campaign::Reward;
 use crate::debrief;
@@ -85,7 +85,7 @@ impl State {
 }
 
 const HINTS: &[KeyHint] = &[
-    hints::SCROLL,
+    footer_keys::SCROLL,
     hint(&[Action::NextSection], "hint-section"),
     hint(&[Action::TruthMap], "hint-truth"),
     hint(&[Action::Again], "hint-again"),
@@ -93,14 +93,14 @@ const HINTS: &[KeyHint] = &[
     hint(&[Action::NextMission], "hint-next"),
     hint(&[Action::Leave], "hint-home"),
     hint(&[Action::Drill], "hint-drill"),
-    hints::COMMAND,
-    hints::HELP,
+    footer_keys::COMMAND,
+    footer_keys::HELP,
 ];
 
 const EMPTY_HINTS: &[KeyHint] = &[
     hint(&[Action::Leave], "hint-home"),
-    hints::COMMAND,
-    hints::HELP,
+    footer_keys::COMMAND,
+    footer_keys::HELP,
 ];
 
 impl RoomModel for Option<Debrief> {

@@ -7,7 +7,7 @@ use crate::alert::AlertKind;
 use crate::app::State;
 use crate::app::action::{Action, Step};
 use crate::app::keymap::{HintKeys, KeyHint, KeyRow, Place, does, hint, key, writes};
-use crate::app::room::{Room, RoomModel, RoomRequest, hints};
+use crate::app::room::{Room, RoomModel, RoomRequest, footer_keys};
 use crate::app::state::{Purpose, SortKey, VehicleFilter};
 use crate::config::{Column, TableSort};
 use crate::text;
@@ -69,8 +69,8 @@ pub fn move_cursor(state: &mut State, step: Step) {
 }
 
 const HINTS: &[KeyHint] = &[
-    hints::COMMAND,
-    hints::HELP,
+    footer_keys::COMMAND,
+    footer_keys::HELP,
     hint(&[Action::Toggle], "hint-select"),
     KeyHint {
         keys: HintKeys::VehicleList,
@@ -81,7 +81,7 @@ const HINTS: &[KeyHint] = &[
     hint(&[Action::Sort], "hint-sort"),
     hint(&[Action::Acknowledge], "hint-acknowledge"),
     hint(&[Action::Escape], "hint-none"),
-    hints::MOVE,
+    footer_keys::MOVE,
     hint(
         &[Action::Show(Room::Ledger), Action::Notices],
         "hint-look-back",
@@ -99,10 +99,10 @@ const HINTS: &[KeyHint] = &[
 ];
 
 const MISSION_HINTS: &[KeyHint] = &[
-    hints::COMMAND,
-    hints::HELP,
-    hints::PAUSE,
-    hints::MISSION_HINT,
+    footer_keys::COMMAND,
+    footer_keys::HELP,
+    footer_keys::PAUSE,
+    footer_keys::MISSION_HINT,
     hint(&[Action::Show(Room::Mission)], "room-mission"),
     hint(&[Action::Toggle], "hint-select"),
     KeyHint {
@@ -111,7 +111,7 @@ const MISSION_HINTS: &[KeyHint] = &[
     },
     hint(&[Action::SelectAll], "hint-all"),
     hint(&[Action::Acknowledge], "hint-acknowledge"),
-    hints::MOVE,
+    footer_keys::MOVE,
     hint(
         &[Action::Show(Room::Ledger), Action::Notices],
         "hint-look-back",

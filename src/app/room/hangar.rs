@@ -2,10 +2,11 @@
 
 use crate::app::State;
 use crate::app::action::Action;
-use crate::app::effect::{Effect, Effects, HangarDeed, SessionEffect};
+use crate::app::effect::{Effect, Effects, SessionEffect};
 use crate::app::keymap::{ENTER, ESCAPE, KeyHint, KeyRow, does, hint, key};
-use crate::app::room::{Room, RoomModel, RoomRequest, hints};
+use crate::app::room::{Room, RoomModel, RoomRequest, footer_keys};
 use crate::app::state::{Consequence, Instance, SitlStage};
+use crate::language::ProcessDeed;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
@@ -51,9 +52,9 @@ pub fn wanted(state: &State) -> Option<VehicleId> {
 }
 
 const HINTS: &[KeyHint] = &[
-    hints::COMMAND,
-    hints::HELP,
-    hints::MOVE,
+    footer_keys::COMMAND,
+    footer_keys::HELP,
+    footer_keys::MOVE,
     hint(&[Action::Submit], "hangar-key-output"),
     hint(&[Action::RestartProcess], "hangar-key-restart"),
     hint(&[Action::StopProcess], "hangar-key-stop"),
@@ -95,10 +96,10 @@ impl RoomModel for Hangar {
                 room.back = 0;
             }
             (Action::RestartProcess, Some(vehicle)) => {
-                return Some(requested(state, HangarDeed::Restart, vehicle));
+                return Some(requested(state, ProcessDeed::Restart, vehicle));
             }
             (Action::StopProcess, Some(vehicle)) => {
-                return Some(requested(state, HangarDeed::Stop, vehicle));
+                return Some(requested(state, ProcessDeed::Stop, vehicle));
             }
             (Action::Escape, _) => return Some(escape(state)),
             (Action::Submit | Action::RestartProcess | Action::StopProcess, None) => {}
@@ -120,13 +121,13 @@ impl RoomModel for Hangar {
     }
 }
 
-fn requested(state: &mut State, deed: HangarDeed, vehicle: VehicleId) -> Vec<RoomRequest> {
+fn requested(state: &mut State, deed: ProcessDeed, vehicle: VehicleId) -> Vec<RoomRequest> {
     let effects = order(state, deed, vehicle).into_iter();
     effects.map(RoomRequest::Effect).collect()
 }
 
 /// Has a vehicle's process started again or ended; asks while the vehicle is armed.
-pub fn order(state: &mut State, deed: HangarDeed, vehicle: VehicleId) -> Effects {
+pub fn order(state: &mut State, deed: ProcessDeed, vehicle: VehicleId) -> Effects {
     let instance = state
         .session
         .hangar
@@ -144,7 +145,7 @@ pub fn order(state: &mut State, deed: HangarDeed, vehicle: VehicleId) -> Effects
     let is_armed = runs && known.is_some_and(|vehicle| vehicle.armed());
     let effect = Effect::Session(SessionEffect::Process(deed, vehicle));
     let (question, done) = words(deed, vehicle);
-    if deed == HangarDeed::Stop
+    if deed == ProcessDeed::Stop
         && let Some(hangar) = state.session.hangar.as_mut().filter(|hangar| !hangar.begun)
     {
         // Nobody waits for one that is not wanted any more.
@@ -163,13 +164,13 @@ pub fn order(state: &mut State, deed: HangarDeed, vehicle: VehicleId) -> Effects
 }
 
 /// What is asked before a deed, and what is said of it.
-fn words(deed: HangarDeed, vehicle: VehicleId) -> (Text, Text) {
+fn words(deed: ProcessDeed, vehicle: VehicleId) -> (Text, Text) {
     match deed {
-        HangarDeed::Restart => (
+        ProcessDeed::Restart => (
             text!("hangar-ask-restart", vehicle = vehicle),
             text!("hangar-restarting", vehicle = vehicle),
         ),
-        HangarDeed::Stop => (
+        ProcessDeed::Stop => (
             text!("hangar-ask-stop", vehicle = vehicle),
             text!("hangar-stopping", vehicle = vehicle),
         ),

@@ -4,7 +4,7 @@ use crate::app::State;
 use crate::app::action::Action;
 use crate::app::effect::{Effect, Effects, Launch, SessionEffect};
 use crate::app::keymap::{ENTER, KeyHint, KeyRow, does, hint, key};
-use crate::app::room::{Room, RoomModel, RoomRequest, hints};
+use crate::app::room::{Room, RoomModel, RoomRequest, footer_keys};
 use crate::app::state::Purpose;
 use crate::campaign::Stake;
 use crate::mission::Listing;
@@ -82,10 +82,10 @@ pub fn fly_drill(state: &mut State, mission: &str) -> Vec<RoomRequest> {
 }
 
 const HINTS: &[KeyHint] = &[
-    hints::MOVE,
+    footer_keys::MOVE,
     hint(&[Action::Submit], "hint-take"),
-    hints::COMMAND,
-    hints::HELP,
+    footer_keys::COMMAND,
+    footer_keys::HELP,
     hint(&[Action::Profiles], "hint-trainee"),
     hint(&[Action::Show(Room::Standing)], "room-standing"),
     hint(&[Action::Show(Room::Workshop)], "room-workshop"),

@@ -3,7 +3,7 @@
 use crate::app::State;
 use crate::app::action::Action;
 use crate::app::keymap::{ENTER, ESCAPE, KeyHint, KeyRow, does, hint, key};
-use crate::app::room::{Room, RoomModel, RoomRequest, hints};
+use crate::app::room::{Room, RoomModel, RoomRequest, footer_keys};
 use crate::app::state::Purpose;
 use crate::language::{parse_ranges, ranges};
 use crate::ledger::{EntryId, LedgerEntry, RowState};
@@ -127,14 +127,14 @@ impl Ledger {
 }
 
 const HINTS: &[KeyHint] = &[
-    hints::COMMAND,
-    hints::HELP,
-    hints::MOVE,
+    footer_keys::COMMAND,
+    footer_keys::HELP,
+    footer_keys::MOVE,
     hint(&[Action::Submit], "hint-open"),
     hint(&[Action::Filter], "hint-filter"),
     hint(&[Action::NextOutcome], "hint-outcome"),
     hint(&[Action::OwnVehicles], "hint-own"),
-    hints::BACK,
+    footer_keys::BACK,
 ];
 
 impl RoomModel for Ledger {

@@ -5,7 +5,7 @@ use crate::app::State;
 use crate::app::action::Action;
 use crate::app::keymap::{ENTER, ESCAPE, KeyHint, KeyRow, does, hint, key, writes};
 use crate::app::room::home;
-use crate::app::room::{Room, RoomModel, RoomRequest, hints};
+use crate::app::room::{Room, RoomModel, RoomRequest, footer_keys};
 use crate::mission::{Listing, Progress};
 use crate::text::Text;
 
@@ -52,22 +52,22 @@ pub fn shown(state: &State) -> Option<&Listing> {
 }
 
 const BRIEF_HINTS: &[KeyHint] = &[
-    hints::COMMAND,
-    hints::HELP,
-    hints::SCROLL,
+    footer_keys::COMMAND,
+    footer_keys::HELP,
+    footer_keys::SCROLL,
     hint(&[Action::Submit], "hint-fly"),
     hint(&[Action::Show(Room::Workshop)], "room-workshop"),
-    hints::BACK,
+    footer_keys::BACK,
 ];
 
 const FLIGHT_HINTS: &[KeyHint] = &[
-    hints::COMMAND,
-    hints::HELP,
-    hints::SCROLL,
-    hints::PREDICT,
-    hints::GOAL,
-    hints::MISSION_HINT,
-    hints::PAUSE,
+    footer_keys::COMMAND,
+    footer_keys::HELP,
+    footer_keys::SCROLL,
+    footer_keys::PREDICT,
+    footer_keys::GOAL,
+    footer_keys::MISSION_HINT,
+    footer_keys::PAUSE,
     hint(&[Action::Again], "hint-again"),
     hint(&[Action::Abandon], "hint-abandon"),
     hint(&[Action::Show(Room::Fly)], "room-fly"),

@@ -48,6 +48,8 @@ pub struct Parameters {
     pub(in crate::app) comparison: Option<Comparison>,
     /// The newest value that was asked of each vehicle for each parameter.
     pub(in crate::app) edits: BTreeMap<VehicleId, BTreeMap<String, Edit>>,
+    /// The ledger's entries of commands about parameters that have not ended.
+    under_way: BTreeSet<EntryId>,
     /// Values that are being set one after the other.
     pub(in crate::app) batch: Option<Batch>,
     /// Vehicles whose lists are to come anew.

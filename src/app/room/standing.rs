@@ -7,7 +7,7 @@ use crate::app::action::{Action, Step};
 use crate::app::effect::{CareerEffect, Effect};
 use crate::app::keymap::{ENTER, ESCAPE, KeyHint, KeyRow, Press, does, hint, key};
 use crate::app::room::home;
-use crate::app::room::{Room, RoomModel, RoomRequest, hints};
+use crate::app::room::{Room, RoomModel, RoomRequest, footer_keys};
 use crate::app::state::Career;
 use crate::campaign::{Offer, Skill};
 use crate::text;
@@ -80,14 +80,14 @@ pub fn flown(career: &Career) -> Vec<&Offer> {
 }
 
 const HINTS: &[KeyHint] = &[
-    hints::MOVE,
+    footer_keys::MOVE,
     hint(&[Action::NextPage], "hint-page"),
     hint(&[Action::Submit], "hint-mission"),
     hint(&[Action::Aids], "hint-aids"),
     hint(&[Action::Profiles], "hint-trainee"),
-    hints::BACK,
-    hints::COMMAND,
-    hints::HELP,
+    footer_keys::BACK,
+    footer_keys::COMMAND,
+    footer_keys::HELP,
 ];
 
 impl RoomModel for Standing {

@@ -6,7 +6,7 @@ use crate::app::State;
 use crate::app::action::{Action, Step};
 use crate::app::keymap::{KeyHint, KeyRow, Press, does, hint, key};
 use crate::app::room::fly;
-use crate::app::room::{Room, RoomModel, RoomRequest, hints};
+use crate::app::room::{Room, RoomModel, RoomRequest, footer_keys};
 use crate::app::state::Window;
 
 /// What the room remembers.
@@ -31,8 +31,8 @@ impl Vehicle {
 }
 
 const HINTS: &[KeyHint] = &[
-    hints::COMMAND,
-    hints::HELP,
+    footer_keys::COMMAND,
+    footer_keys::HELP,
     hint(
         &[Action::PreviousVehicle, Action::NextVehicle],
         "hint-vehicle",

@@ -11,7 +11,7 @@ use crate::app::State;
 use crate::app::action::{Action, Step};
 use crate::app::keymap::{ENTER, ESCAPE, KeyHint, KeyRow, Press, does, hint, key};
 use crate::app::room::home::{self, HomeItem};
-use crate::app::room::{Room, RoomModel, RoomRequest, hints};
+use crate::app::room::{Room, RoomModel, RoomRequest, footer_keys};
 use crate::campaign::STARTER_PARTS;
 use crate::mission::Listing;
 use crate::text;
@@ -165,7 +165,7 @@ const BENCH_HINTS: &[KeyHint] = &[
     hint(&[Action::Designs], "bench-hint-designs"),
     hint(&[Action::NextView], "bench-hint-view"),
     hint(&[Action::Seats], "bench-hint-fleet"),
-    hints::HELP,
+    footer_keys::HELP,
     hint(&[Action::BuyPart], "bench-hint-buy"),
     hint(&[Action::CompareDesign], "bench-hint-compare"),
     hint(&[Action::NewDesign], "bench-hint-new"),
@@ -185,15 +185,15 @@ const SHELF_HINTS: &[KeyHint] = &[
     hint(&[Action::CopyDesign], "bench-hint-copy"),
     hint(&[Action::RenameDesign], "bench-hint-rename"),
     hint(&[Action::TakeOut], "bench-hint-delete"),
-    hints::BACK,
-    hints::HELP,
+    footer_keys::BACK,
+    footer_keys::HELP,
 ];
 
 const COMPARISON_HINTS: &[KeyHint] = &[
-    hints::SCROLL,
+    footer_keys::SCROLL,
     hint(&[Action::Designs], "bench-hint-other"),
-    hints::BACK,
-    hints::HELP,
+    footer_keys::BACK,
+    footer_keys::HELP,
 ];
 
 const FLEET_HINTS: &[KeyHint] = &[
@@ -205,8 +205,8 @@ const FLEET_HINTS: &[KeyHint] = &[
         &[Action::MissionBefore, Action::MissionAfter],
         "bench-hint-mission",
     ),
-    hints::BACK,
-    hints::HELP,
+    footer_keys::BACK,
+    footer_keys::HELP,
 ];
 
 impl RoomModel for Workshop {

@@ -1,11 +1,10 @@
-//! The help, made from the keymap, the console's own verbs and the verb table.
+//! The help, made from the keymap and the verb table.
 
 use unicode_width::UnicodeWidthStr as _;
 
-use crate::app::console::CONSOLE_VERBS;
 use crate::app::keymap::{Keymap, Meaning, Place};
 use crate::app::room_list::Room;
-use crate::language::{Scope, rows};
+use crate::language::{Channel, VerbRow, rows};
 use crate::text;
 use crate::text::{Locale, Text};
 
@@ -42,25 +41,23 @@ pub fn help_lines(keymap: &Keymap, here: Room, locale: &Locale) -> Vec<HelpLine>
         lines.extend(keys);
         lines.push(HelpLine::Blank);
     }
-    lines.extend(command_help(locale));
+    lines.extend(command_help(Channel::Screen, locale));
     lines
 }
 
 /// The part of the help that is about lines rather than keys.
-pub fn command_help(locale: &Locale) -> Vec<HelpLine> {
+pub fn command_help(channel: Channel, locale: &Locale) -> Vec<HelpLine> {
     let title = |text: Text| HelpLine::Title(locale.text(&text));
     let mut lines = vec![title(text!("help-commands"))];
     lines.extend(notes(&locale.say("help-targets")));
-    let for_people = rows().filter(|row| row.scope == Scope::Everywhere);
-    for row in for_people {
-        lines.extend(explained(&row.usage(), &locale.text(&row.summary())));
-    }
+    let explained = |row: &VerbRow| explained(&row.usage(), &locale.text(&row.summary()));
+    let sayable = rows().filter(|row| row.scope.includes(channel));
+    let (to_vehicles, own): (Vec<&VerbRow>, Vec<&VerbRow>) =
+        sayable.partition(|row| row.scope.takes_targets());
+    lines.extend(to_vehicles.into_iter().flat_map(explained));
     lines.push(HelpLine::Blank);
     lines.push(title(text!("help-console")));
-    for verb in CONSOLE_VERBS {
-        let usage = vec![verb.usage.to_owned()];
-        lines.extend(explained(&usage, &locale.text(&verb.summary())));
-    }
+    lines.extend(own.into_iter().flat_map(explained));
     lines
 }
 

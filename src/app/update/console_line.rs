@@ -1,17 +1,17 @@
-//! The console's own lines, carried out.
+//! Lines to the console itself, carried out.
 
 use std::sync::Arc;
 
-use super::{act, macros, mission, swarm};
+use super::{act, alert_line, macros, mission};
 use crate::app::State;
-use crate::app::console::{BareLine, ConsoleLine, ParamsDeed};
 use crate::app::effect::{CareerEffect, Effect, Effects, SessionEffect, TerminalEffect};
-use crate::app::room::{Room, hangar, parameters};
-use crate::app::setting::Setting;
+use crate::app::room::{Room, fly, hangar, parameters};
 use crate::app::state::{Log, Overlay};
-use crate::config::Symbols;
+use crate::config::{LiveSetting, Symbols};
 use crate::diagnostic::Diagnostic;
-use crate::language::{parse_ranges, ranges, words};
+use crate::language::{
+    ConsoleLine, ParametersLine, Report, TableLine, parse_ranges, ranges, words,
+};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
@@ -22,56 +22,82 @@ use crate::vehicle::{Severity, VehicleId};
 /// A word of it names what there is not.
 pub fn carry_out(state: &mut State, line: &str, own: ConsoleLine) -> Result<Effects, Diagnostic> {
     let last_word = words(line).pop().map_or(0..0, |word| word.span);
-    let at_last_word = |text: Text| Diagnostic::new(last_word.clone(), text);
+    if let ConsoleLine::Macro(name) = &own {
+        macros::check(state, name, last_word)?;
+        let lines = state.config.macros.get(name).cloned().unwrap_or_default();
+        for line in lines.into_iter().rev() {
+            state.pending.push_front(line);
+        }
+        return Ok(Effects::none());
+    }
+    obey(state, own).map_err(|text| Diagnostic::new(last_word, text))
+}
+
+/// Does what a line says that gives no others.
+fn obey(state: &mut State, own: ConsoleLine) -> Result<Effects, Text> {
     match own {
-        ConsoleLine::Select(targets) => {
-            let ids = targeted(state, &targets).map_err(at_last_word)?;
+        ConsoleLine::Report(report) => show(state, &report),
+        ConsoleLine::Select(vehicles) => {
+            let ids = targeted(state, &vehicles)?;
             act::select(state, &ids);
         }
-        ConsoleLine::Group { name, targets } => {
-            let ids = targeted(state, &targets).map_err(at_last_word)?;
-            group(state, name, ids).map_err(at_last_word)?;
+        ConsoleLine::Group { name, vehicles } => {
+            let ids = targeted(state, &vehicles.unwrap_or_default())?;
+            group(state, name, ids)?;
         }
-        ConsoleLine::Hangar(None) => act::show(state, Room::Hangar),
-        ConsoleLine::Hangar(Some((deed, vehicle))) => {
-            return Ok(hangar::order(state, deed, vehicle));
+        ConsoleLine::Ungroup(name) => ungroup(state, &name)?,
+        // The grammar lets only names of rooms through.
+        ConsoleLine::Show(name) => act::show(state, Room::named(&name).unwrap_or_default()),
+        ConsoleLine::Fly(id) => return Ok(mission::start(state, state.launch(&id))),
+        ConsoleLine::FlyFree => {
+            let effect = Effect::Session(SessionEffect::StartFree);
+            return Ok(act::guarded(state, text!("ask-start"), effect));
         }
-        ConsoleLine::Show(room) => act::show(state, room),
-        ConsoleLine::Fly(mission) => {
-            return Ok(match mission {
-                Some(id) => mission::start(state, state.launch(&id)),
-                None => act::guarded(
-                    state,
-                    text!("ask-start"),
-                    Effect::Session(SessionEffect::StartFree),
-                ),
-            });
-        }
-        ConsoleLine::Params(deed) => {
-            return params(state, deed).map_err(at_last_word);
-        }
-        ConsoleLine::Swarm(own) => swarm::carry_out(state, own).map_err(at_last_word)?,
         ConsoleLine::Connect(addresses) => {
             let effect = Effect::Session(SessionEffect::Connect(addresses));
             return Ok(act::guarded(state, text!("ask-start"), effect));
         }
-        ConsoleLine::Inject(_) if state.session.paused => {
-            return Err(at_last_word(text!("pause-refuses")));
-        }
+        ConsoleLine::Inject(_) if state.session.paused => return Err(text!("pause-refuses")),
         ConsoleLine::Inject(name) => {
             return Ok(Effects::from(Effect::Session(SessionEffect::Inject(name))));
         }
-        ConsoleLine::Macro(name) => {
-            macros::check(state, &name, last_word)?;
-            let lines = state.config.macros.get(&name).cloned().unwrap_or_default();
-            for line in lines.into_iter().rev() {
-                state.pending.push_front(line);
-            }
-        }
+        // Its lines were queued above.
+        ConsoleLine::Macro(_) => {}
         ConsoleLine::Set(setting) => return Ok(set(state, &setting)),
-        ConsoleLine::Bare(line) => return Ok(bare(state, line)),
+        ConsoleLine::Parameters(own) => return parameters(state, own),
+        ConsoleLine::Process { deed, vehicle } => return Ok(hangar::order(state, deed, vehicle)),
+        ConsoleLine::Table(own) => arrange(state, own),
+        ConsoleLine::Alerts(own) => alert_line::carry_out(state, own)?,
+        ConsoleLine::Pause => return Ok(mission::pause(state)),
+        ConsoleLine::Continue => return Ok(mission::go_on(state)),
+        ConsoleLine::Abandon => return Ok(mission::abandon(state)),
+        ConsoleLine::Restart => return Ok(mission::restart(state, false)),
+        ConsoleLine::Leave => return Ok(act::leave(state)),
+        ConsoleLine::Quit => return Ok(act::quit(state)),
     }
     Ok(Effects::none())
+}
+
+/// Shows a report in its room; the console without a screen says it in lines instead.
+fn show(state: &mut State, report: &Report) {
+    match report {
+        Report::Help => state.overlay = Some(Overlay::Help { scroll: 0 }),
+        Report::Links => act::show(state, Room::Links),
+        Report::Ledger => act::show(state, Room::Ledger),
+        Report::Notices => act::look_back(state, Log::Notices),
+        Report::Hangar => act::show(state, Room::Hangar),
+        Report::Brief => act::brief(state),
+        Report::Objectives => act::show(state, Room::Mission),
+        Report::Status(_) | Report::Contacts => act::show(state, Room::Fly),
+    }
+}
+
+fn arrange(state: &mut State, line: TableLine) {
+    match line {
+        TableLine::Sort(sort) => fly::set_sort(state, sort),
+        TableLine::Filter(text) => fly::filter(state, &text),
+        TableLine::Columns(columns) => state.config.table.columns = columns,
+    }
 }
 
 /// The vehicles that a word names; nothing means those that a command would go to.
@@ -97,15 +123,15 @@ pub fn targeted(state: &State, word: &str) -> Result<Vec<VehicleId>, Text> {
 }
 
 /// Takes a setting over.
-fn set(state: &mut State, setting: &Setting) -> Effects {
+fn set(state: &mut State, setting: &LiveSetting) -> Effects {
     setting.apply(&mut state.config);
     match setting {
-        Setting::Theme(name) => {
+        LiveSetting::Theme(name) => {
             state.theme.clone_from(name);
             Effects::from(Effect::Terminal(TerminalEffect::SetTheme(name.clone())))
         }
-        Setting::Fps(fps) => Effects::from(Effect::Terminal(TerminalEffect::SetFps(*fps))),
-        Setting::Lang(language) => {
+        LiveSetting::Fps(fps) => Effects::from(Effect::Terminal(TerminalEffect::SetFps(*fps))),
+        LiveSetting::Lang(language) => {
             if !state.speak(*language) {
                 state.say(Severity::Warning, text!("setting-lang-ascii"));
                 return Effects::none();
@@ -114,40 +140,31 @@ fn set(state: &mut State, setting: &Setting) -> Effects {
             let keep = is_kept.then_some(Effect::Career(CareerEffect::SetLanguage(*language)));
             keep.into_iter().collect()
         }
-        Setting::Symbols(Symbols::Ascii) => {
+        LiveSetting::Symbols(Symbols::Ascii) => {
             state.locale = Arc::default();
             Effects::none()
         }
-        Setting::Symbols(_) | Setting::Bell(_) | Setting::Notify(_) => Effects::none(),
+        LiveSetting::Symbols(_) | LiveSetting::Bell(_) | LiveSetting::Notify(_) => Effects::none(),
     }
 }
 
-fn params(state: &mut State, deed: ParamsDeed) -> Result<Effects, Text> {
-    match deed {
-        ParamsDeed::Save(path) => return parameters::save(state, &path),
-        ParamsDeed::Compare(other) => return parameters::load(state, &other),
-        ParamsDeed::Fetch => parameters::fetch(state),
-        ParamsDeed::Show => {}
+fn parameters(state: &mut State, line: ParametersLine) -> Result<Effects, Text> {
+    match line {
+        ParametersLine::Save(path) => return parameters::save(state, &path),
+        ParametersLine::Compare(other) => return parameters::load(state, &other),
+        ParametersLine::Fetch => parameters::fetch(state),
+        ParametersLine::Show => {}
     }
     act::show(state, Room::Parameters);
     Ok(Effects::none())
 }
 
-fn bare(state: &mut State, line: BareLine) -> Effects {
-    match line {
-        BareLine::Help => state.overlay = Some(Overlay::Help { scroll: 0 }),
-        BareLine::Links => act::show(state, Room::Links),
-        BareLine::Ledger => act::show(state, Room::Ledger),
-        BareLine::Notices => act::look_back(state, Log::Notices),
-        BareLine::Brief => act::brief(state),
-        BareLine::Pause => return mission::pause(state),
-        BareLine::Continue => return mission::go_on(state),
-        BareLine::Abandon => return mission::abandon(state),
-        BareLine::Restart => return mission::restart(state, false),
-        BareLine::Leave => return act::leave(state),
-        BareLine::Quit => return act::quit(state),
+fn ungroup(state: &mut State, name: &str) -> Result<(), Text> {
+    if state.session.groups.remove(name).is_none() {
+        return Err(text!("fly-no-group", name = name));
     }
-    Effects::none()
+    state.say(Severity::Notice, text!("fly-ungrouped", name = name));
+    Ok(())
 }
 
 fn group(state: &mut State, name: String, ids: Vec<VehicleId>) -> Result<(), Text> {

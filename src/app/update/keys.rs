@@ -6,7 +6,6 @@ use tui_input::{Input, InputRequest};
 use super::{act, order, palette, profiles, prompt};
 use crate::app::State;
 use crate::app::action::Action;
-use crate::app::console;
 use crate::app::effect::{Effect, Effects};
 use crate::app::keymap::{Meaning, Place};
 use crate::app::state::{Confirm, Overlay, help_lines};
@@ -144,24 +143,31 @@ fn on_screen(state: &mut State, key: KeyEvent) -> Effects {
 fn addressed(state: &mut State, line: &str) -> String {
     let typed = std::mem::take(&mut state.typed);
     let names_targets = words(line).first().is_some_and(Word::is_targets);
-    if typed.is_empty() || names_targets || console::usage(line).is_some() {
+    if typed.is_empty() || names_targets || palette::is_to_console(state, line) {
         line.to_owned()
     } else {
         format!("{typed} {line}")
     }
 }
 
-/// Only the exact answer confirms. Any other key means no: Enter, Esc and `n` at once; `:` opens the command line
-/// as everywhere; after another character the question stays, cancelled, and swallows what follows, or a line that
-/// was begun without looking would be taken as keys of the screen below.
+/// Only the exact answer confirms. Any other key means no. Enter, Esc, what a keymap file has put in their place, and
+/// `n` end the question at once; the key of the command line opens that as everywhere. After another character the
+/// question stays, cancelled, and swallows what follows, or a line that was begun without looking would be taken as keys
+/// of the screen below.
 fn confirm(state: &mut State, mut question: Confirm, key: KeyEvent) -> Effects {
     let control = key.modifiers.contains(KeyModifiers::CONTROL);
     let opens = state.keymap.action(key, Place::Anywhere) == Some(Action::CommandLine);
+    let ends = matches!(
+        state.keymap.action(key, Place::Prompt),
+        Some(Action::Submit | Action::Escape)
+    );
     match key.code {
         _ if opens => {
             refuse(state, &question);
             palette::open(state, String::new());
         }
+        _ if ends => refuse(state, &question),
+        // Whatever a keymap file makes of them, they never confirm and never leave the question standing.
         KeyCode::Enter | KeyCode::Esc => refuse(state, &question),
         KeyCode::Char(_) if control => refuse(state, &question),
         KeyCode::Char('n') if question.answer == "y" => refuse(state, &question),

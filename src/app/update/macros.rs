@@ -4,10 +4,8 @@ use std::collections::BTreeSet;
 use std::ops::Range;
 
 use crate::app::State;
-use crate::app::console::{self, ConsoleLine};
-use crate::app::lines::only_in_scripts;
 use crate::diagnostic::Diagnostic;
-use crate::language::{self, Context, Groups, Meaning, Targets};
+use crate::language::{self, Channel, ConsoleLine, Context, Groups, Meaning, Targets};
 use crate::text;
 use crate::vehicle::VehicleClass;
 
@@ -61,26 +59,13 @@ pub fn check(state: &State, name: &str, at: Range<usize>) -> Result<(), Diagnost
         };
         let own =
             check_now(state, line.line, &groups).map_err(|fault| line.fault(fault, at.clone()))?;
-        match own {
-            Some(ConsoleLine::Fly(_) | ConsoleLine::Connect(_)) => return Ok(()),
-            Some(ConsoleLine::Group { name, .. }) => {
-                groups.insert(name, state.session.vehicles.keys().copied().collect());
-            }
-            Some(ConsoleLine::Macro(name)) => {
-                let known = state.config.macros.get_key_value(&name);
-                called = known.map(|(name, _)| name.as_str());
-            }
-            Some(
-                ConsoleLine::Select(_)
-                | ConsoleLine::Show(_)
-                | ConsoleLine::Inject(_)
-                | ConsoleLine::Set(_)
-                | ConsoleLine::Params(_)
-                | ConsoleLine::Hangar(_)
-                | ConsoleLine::Swarm(_)
-                | ConsoleLine::Bare(_),
-            )
-            | None => {}
+        if let Some(ConsoleLine::Fly(_) | ConsoleLine::FlyFree | ConsoleLine::Connect(_)) = own {
+            return Ok(());
+        } else if let Some(ConsoleLine::Group { name, .. }) = own {
+            groups.insert(name, state.session.vehicles.keys().copied().collect());
+        } else if let Some(ConsoleLine::Macro(name)) = own {
+            let known = state.config.macros.get_key_value(&name);
+            called = known.map(|(name, _)| name.as_str());
         }
     }
 }
@@ -96,25 +81,23 @@ fn lines_backwards<'a>(state: &'a State, name: &'a str) -> impl Iterator<Item = 
     })
 }
 
-/// Checks a line as far as it does not depend on those before it; gives it back if it is the console's own.
+/// Checks a line as far as it does not depend on those before it; gives it back if it is to the console itself.
 fn check_now(
     state: &State,
     line: &str,
     groups: &Groups,
 ) -> Result<Option<ConsoleLine>, Diagnostic> {
-    if let Some(own) = console::parse(line, &state.names()) {
-        return own.map(Some);
-    }
     state.with_context(|context| {
         let context = Context {
             groups,
             class: VehicleClass::Other,
             parameters: None,
+            channel: Channel::Screen,
             ..*context
         };
         let statement = language::parse(line, &context)?;
-        if let Meaning::Wait(_) = statement.meaning {
-            return Err(only_in_scripts(line));
+        if let Meaning::Console(own) = statement.meaning {
+            return Ok(Some(own));
         }
         if statement.targets != Targets::Selection {
             let targets = statement.targets.resolve(&[], &context);

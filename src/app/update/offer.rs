@@ -6,8 +6,7 @@ use nucleo_matcher::pattern::{CaseMatching, Normalization, Pattern};
 use nucleo_matcher::{Config, Matcher, Utf32Str};
 
 use crate::app::State;
-use crate::app::console;
-use crate::language::Completion;
+use crate::language::{self, Completion};
 use crate::text;
 use crate::text::Text;
 
@@ -18,7 +17,7 @@ const VEHICLES_SHOWN: usize = 20;
 
 /// The lines in which everything that is written occurs, in the line itself or in what it means, best first.
 pub fn lines(state: &State, written: &str) -> Vec<Completion> {
-    let mut all = console::lines(&state.names());
+    let mut all = state.with_context(language::lines);
     all.extend(vehicles(state, written));
     let given_before = state.history.iter().rev();
     all.extend(given_before.map(|line| (line.clone(), text!("palette-given-before"))));

@@ -5,14 +5,13 @@ use crate::app::State;
 use crate::app::action::Action;
 use crate::app::effect::{Effect, Effects, SessionEffect};
 use crate::app::keymap::Place;
-use crate::app::lines;
 use crate::app::room::{Room, parameters, workshop};
 use crate::app::state::{Confirm, Consequence, Overlay};
 use crate::commands::{Act, Deed, Order};
 use crate::diagnostic::Diagnostic;
-use crate::language::{Meaning, Statement, ranges};
+use crate::language::{self, ConsoleLine, Context, Meaning, Statement, ranges};
 use crate::ledger::{EntryId, LedgerEntry, RowUpdate};
-use crate::operator::{first_word, read_order};
+use crate::operator::{first_word, order_of};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
@@ -21,12 +20,48 @@ use crate::verb::Danger;
 /// Up to so many targets are named one by one.
 const NAMED_TARGETS: usize = 12;
 
-/// Reads a command line and finds its targets.
+/// A line of the command line, understood.
+pub enum Given {
+    /// To the console itself.
+    Own(ConsoleLine),
+    /// To vehicles or the mission.
+    Order(Order),
+}
+
+/// Reads a line and finds its targets.
+///
+/// # Errors
+/// The fault and its place in the line.
+pub fn read(state: &State, line: &str) -> Result<Given, Diagnostic> {
+    state.with_context(|context| {
+        let statement = language::parse(line, context)?;
+        if let Meaning::Console(own) = statement.meaning {
+            return Ok(Given::Own(own));
+        }
+        order_now(state, line, statement, context).map(Given::Order)
+    })
+}
+
+/// Reads a line that is to give an order, and finds its targets.
+///
+/// # Errors
+/// The fault and its place in the line.
 pub fn prepare(state: &State, line: &str) -> Result<Order, Diagnostic> {
     state.with_context(|context| {
-        let permit = |statement: &Statement| permit(state, line, statement);
-        read_order(line, context, &state.addressed(), permit)
+        let statement = language::parse(line, context)?;
+        order_now(state, line, statement, context)
     })
+}
+
+/// The order of a line, if it can be given now.
+fn order_now(
+    state: &State,
+    line: &str,
+    statement: Statement,
+    context: &Context<'_>,
+) -> Result<Order, Diagnostic> {
+    permit(state, line, &statement)?;
+    order_of(statement, line, context, &state.addressed())
 }
 
 /// Refuses what cannot be said now.
@@ -49,8 +84,12 @@ fn permit(state: &State, line: &str, statement: &Statement) -> Result<(), Diagno
         );
     }
     match statement.meaning {
-        Meaning::Wait(_) => Err(lines::only_in_scripts(line)),
-        Meaning::Act(_) => Ok(()),
+        // A pipe waits by itself; what comes from elsewhere cannot.
+        Meaning::Wait(_) => {
+            let fault = Diagnostic::new(first_word(line), text!("order-wait"));
+            Err(fault.with_help(text!("order-wait-help")))
+        }
+        Meaning::Act(_) | Meaning::Console(_) => Ok(()),
     }
 }
 

@@ -4,15 +4,15 @@ use crossterm::event::KeyEvent;
 use tui_input::Input;
 
 use super::console_line::{self, targeted};
+use super::order::Given;
 use super::{keys, offer, order};
 use crate::app::State;
 use crate::app::action::Action;
-use crate::app::console;
 use crate::app::effect::Effects;
 use crate::app::keymap::Place;
 use crate::app::state::{Overlay, Palette};
 use crate::diagnostic::Diagnostic;
-use crate::language::{self, Completion, Scope, VerbRow, ranges, words};
+use crate::language::{self, Completion, ranges, words};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
@@ -56,11 +56,7 @@ pub fn edited(state: &mut State, mut palette: Palette) {
     let cursor = byte_cursor(&palette.input);
     palette.chosen = None;
     judge(state, &mut palette);
-    let names = state.names();
     let mut found = state.with_context(|context| language::complete(&line, cursor, context));
-    found.extend(console::complete(&line, cursor, &names));
-    let is_for_scripts = |row: &VerbRow| row.scope == Scope::Scripts;
-    found.retain(|completion| !language::row(&completion.text).is_some_and(is_for_scripts));
     // Words that begin as typed come before words that only contain the letters, and commands before modes.
     found.sort_by_key(|completion| {
         let typed = line.get(completion.replaces.clone()).unwrap_or_default();
@@ -84,31 +80,19 @@ pub fn edited(state: &mut State, mut palette: Palette) {
 fn judge(state: &State, palette: &mut Palette) {
     let line = palette.input.value();
     palette.recipients = recipients(state, line);
-    palette.hint = console::usage(line)
-        .map(Text::from)
-        .or_else(|| state.with_context(|context| language::hint(line, context)))
-        .or_else(|| usage(line).map(Text::from));
-    let checked = match console::parse(line, &state.names()) {
-        Some(own) => own.map(|_| None),
-        None => order::prepare(state, line).map(|order| Some(order::announced(state, &order))),
-    };
+    palette.hint = state
+        .with_context(|context| language::hint(line, context))
+        .or_else(|| language::begun(line).map(|row| row.usage().join(" | ").into()));
     palette.fault = None;
     palette.outcome = None;
-    match checked {
-        Ok(outcome) => palette.outcome = outcome,
+    match order::read(state, line) {
+        Ok(Given::Own(_)) => {}
+        Ok(Given::Order(order)) => palette.outcome = Some(order::announced(state, &order)),
         Err(fault) => {
             let being_written = byte_cursor(&palette.input);
             palette.fault = Some(fault).filter(|fault| is_finished(line, fault, being_written));
         }
     }
-}
-
-/// How the verb of a line is written, also where its arguments are wrong.
-fn usage(line: &str) -> Option<String> {
-    // A target may stand before it.
-    let mut first = words(line).into_iter().take(2);
-    let row = first.find_map(|word| language::row(word.text))?;
-    Some(row.usage().join(" | "))
 }
 
 /// Whether a fault is in words that are written to their end: the one at the cursor may still become right, and
@@ -242,16 +226,21 @@ pub fn go_on(state: &mut State) -> Effects {
 }
 
 fn carry_out(state: &mut State, line: &str) -> Result<Effects, Diagnostic> {
-    if let Some(own) = console::parse(line, &state.names()) {
-        return console_line::carry_out(state, line, own?);
+    match order::read(state, line)? {
+        Given::Own(own) => console_line::carry_out(state, line, own),
+        Given::Order(order) => Ok(order::give(state, order)),
     }
-    let order = order::prepare(state, line)?;
-    Ok(order::give(state, order))
+}
+
+/// Whether a line, as far as it has been written, is to the console itself.
+pub fn is_to_console(state: &State, line: &str) -> bool {
+    let said = state.with_context(|context| language::said(line, context));
+    said.is_ok_and(|row| !row.scope.takes_targets())
 }
 
 /// To whom a line goes as far as it has been written: it should never be a guess.
 fn recipients(state: &State, line: &str) -> Text {
-    if console::usage(line).is_some() || state.session.vehicles.is_empty() {
+    if is_to_console(state, line) || state.session.vehicles.is_empty() {
         return Text::default();
     }
     if let Some(targets) = words(line).first().filter(|word| word.is_targets()) {

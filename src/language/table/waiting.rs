@@ -2,12 +2,12 @@
 
 use std::time::Duration;
 
-use super::{Built, ONCE};
+use super::Built;
 use crate::language::argument::{Argument, Arguments, Kind, Problem, Unit};
 use crate::language::verb::{Form, Meaning, Scope, VerbRow};
 use crate::language::wait::{DEFAULT_TIMEOUT, Field, Relation, Situation, Until, Wait};
 use crate::text;
-use crate::verb::{CountsAs, Danger, Movement, Precedence, Verb};
+use crate::verb::Verb;
 
 pub(super) static ROWS: &[VerbRow] = &[WAIT];
 
@@ -18,14 +18,7 @@ const TIMEOUT: Argument =
 const RELATION: Argument = Argument::value("relation", Kind::Choice(&[">", "<", ">=", "<="]), "");
 
 const WAIT: VerbRow = VerbRow {
-    verb: Verb {
-        name: "wait",
-        danger: Danger::None,
-        retry: ONCE,
-        precedence: Precedence::InTurn,
-        movement: Movement::None,
-        counts_as: CountsAs::Word,
-    },
+    verb: Verb::unsent("wait"),
     scope: Scope::Scripts,
     aliases: &[],
     examples: &[

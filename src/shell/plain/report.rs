@@ -4,9 +4,8 @@ use std::collections::BTreeMap;
 
 use super::brief;
 use crate::app::State;
-use crate::app::console::PlainAnswer;
 use crate::app::state::{Hangar, HelpLine, NoticeLine, Session, command_help};
-use crate::language::{parse_ranges, ranges};
+use crate::language::{Channel, Report, parse_ranges, ranges};
 use crate::ledger::{EntryId, LedgerEntry};
 use crate::mission::{ObjectiveProgress, ObjectiveState, ShownContact, Trust};
 use crate::notice::Notice;
@@ -366,29 +365,23 @@ fn notices(state: &State) -> Vec<Text> {
         .collect()
 }
 
-/// What a report says; only that of vehicles takes further words.
-pub fn texts(report: PlainAnswer, state: &State, words: &str) -> Vec<Text> {
+/// What a report says.
+pub fn texts(report: &Report, state: &State) -> Vec<Text> {
     match report {
-        PlainAnswer::Status => status(state, words),
-        PlainAnswer::Objectives => objectives(state),
-        PlainAnswer::Contacts => contacts(state),
-        PlainAnswer::Help => help(state),
-        PlainAnswer::Links => links(state),
-        PlainAnswer::Ledger => ledger(state),
-        PlainAnswer::Notices => notices(state),
-        PlainAnswer::Hangar => hangar(state),
-        PlainAnswer::Brief => brief::lines(state),
+        Report::Status(vehicles) => status(state, vehicles.as_deref().unwrap_or_default()),
+        Report::Objectives => objectives(state),
+        Report::Contacts => contacts(state),
+        Report::Help => help(state),
+        Report::Links => links(state),
+        Report::Ledger => ledger(state),
+        Report::Notices => notices(state),
+        Report::Hangar => hangar(state),
+        Report::Brief => brief::lines(state),
     }
 }
 
 fn help(state: &State) -> Vec<Text> {
-    let own = [
-        text!("plain-help-status"),
-        text!("plain-help-objectives"),
-        text!("plain-help-contacts"),
-        text!("plain-help-wait"),
-    ];
-    let general = command_help(state.locale())
+    let general = command_help(Channel::Plain, state.locale())
         .into_iter()
         .map(|line| match line {
             HelpLine::Title(title) => title.into(),
@@ -397,5 +390,5 @@ fn help(state: &State) -> Vec<Text> {
             HelpLine::Note(note) => format!("  {note}").into(),
             HelpLine::Blank => Text::default(),
         });
-    general.chain(own).collect()
+    general.collect()
 }

@@ -8,12 +8,12 @@ use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
 use super::RunningSession;
-use crate::app::effect::HangarDeed;
 use crate::app::event::{Event, ProcessEvent};
 use crate::app::state::Instance;
 use crate::hangar::{
     self, Hangars, InstancePlace, Launch, LaunchedVehicle, OutputLine, Seen, SitlSource,
 };
+use crate::language::ProcessDeed;
 use crate::link::Transport;
 use crate::notice::sanitised;
 use crate::text;
@@ -167,15 +167,15 @@ impl Processes {
     }
 
     /// Stops or restarts the process of a vehicle; a failure is reported.
-    fn order(&self, deed: HangarDeed, vehicle: VehicleId) {
+    fn order(&self, deed: ProcessDeed, vehicle: VehicleId) {
         let Some((hangars, place)) = self.place(vehicle) else {
             return;
         };
         let sender = self.sender.clone();
         tokio::spawn(async move {
             let outcome = match deed {
-                HangarDeed::Restart => hangars.restart(place).await,
-                HangarDeed::Stop => hangars.stop(place).await,
+                ProcessDeed::Restart => hangars.restart(place).await,
+                ProcessDeed::Stop => hangars.stop(place).await,
             };
             if let Err(refusal) = outcome {
                 drop(sender.send(ProcessNews::Failed(Text::from(&refusal))).await);
@@ -270,7 +270,7 @@ impl RunningSession {
     }
 
     /// Has the process of a vehicle ended or started again.
-    pub fn process(&self, deed: HangarDeed, vehicle: VehicleId) {
+    pub fn process(&self, deed: ProcessDeed, vehicle: VehicleId) {
         if let Some(processes) = &self.processes {
             processes.order(deed, vehicle);
         }

@@ -5,7 +5,7 @@ use ratatui::text::{Line, Span};
 
 use crate::app::State;
 use crate::app::action::Action;
-use crate::app::keymap::{Meaning, Place};
+use crate::app::keymap::Place;
 use crate::app::room;
 use crate::text;
 use crate::text::Text;
@@ -13,9 +13,6 @@ use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{below, put, severity_role, width as width_of};
-
-/// The lines that a list of vehicles is typed for.
-const COMMANDS: &[&str] = &["arm", "takeoff ", "goto ", "mode ", "hold", "land", "rtl"];
 
 /// Draws the footer into the last row of the screen.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
@@ -66,11 +63,7 @@ fn line<'a>(state: &'a State, look: &Look, width: usize) -> Line<'a> {
 
 /// What can be done with the list of vehicles that is being typed.
 fn list_keys(state: &State) -> Text {
-    let place = Place::In(state.room());
-    let commands: Vec<String> = COMMANDS
-        .iter()
-        .filter_map(|words| state.keymap().label(&Meaning::words(words), place))
-        .collect();
+    let commands = state.keymap().command_labels(Place::In(state.room()));
     text!(
         "footer-list",
         submit = state.key(Action::Submit),

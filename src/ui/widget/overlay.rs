@@ -20,7 +20,7 @@ const HELP_COLUMN: u16 = 74;
 /// Draws an overlay; those with a text cursor have files of their own.
 pub fn draw(state: &State, overlay: &Overlay, panel: Panel<'_>, buffer: &mut Buffer) {
     match overlay {
-        Overlay::Confirm(question) => draw_confirm(question, panel, buffer),
+        Overlay::Confirm(question) => draw_confirm(state, question, panel, buffer),
         Overlay::Profiles { cursor } => {
             super::profiles::draw(state, *cursor, panel, buffer);
         }
@@ -32,7 +32,7 @@ pub fn draw(state: &State, overlay: &Overlay, panel: Panel<'_>, buffer: &mut Buf
     }
 }
 
-fn draw_confirm(question: &Confirm, panel: Panel<'_>, buffer: &mut Buffer) {
+fn draw_confirm(state: &State, question: &Confirm, panel: Panel<'_>, buffer: &mut Buffer) {
     let place = centred(64, 8, panel.area);
     let inner = panel
         .at(place)
@@ -57,7 +57,11 @@ fn draw_confirm(question: &Confirm, panel: Panel<'_>, buffer: &mut Buffer) {
     let reason = clip(&panel.text(question.reason()), width);
     put(buffer, inner, row, &Line::raw(reason));
     let typed = if question.is_cancelled() {
-        let text = panel.say("ask-taken-back");
+        let text = panel.text(&text!(
+            "ask-taken-back",
+            submit = state.keymap().key(Action::Submit, Place::Prompt),
+            escape = state.keymap().key(Action::Escape, Place::Prompt)
+        ));
         Line::styled(text, panel.style(Role::Warning))
     } else {
         Line::from(vec![

@@ -1,10 +1,11 @@
 //! The vehicles' processes: until they are ready, when one crashes, and what can be done with them.
 
 use sortie::alert::AlertKind;
-use sortie::app::effect::{Effect, HangarDeed, SessionEffect, TerminalEffect};
+use sortie::app::effect::{Effect, SessionEffect, TerminalEffect};
 use sortie::app::event::{ProcessEvent, SessionEvent, Started};
 use sortie::app::state::{Activity, Instance, Overlay, Room, SitlStage};
 use sortie::campaign::Stake;
+use sortie::language::ProcessDeed;
 use sortie::vehicle::Severity;
 
 use crate::fixtures;
@@ -202,7 +203,7 @@ fn a_crash_is_told_with_the_last_line_and_leads_to_its_restart() {
     assert_eq!(
         console.effects,
         [Effect::Session(SessionEffect::Process(
-            HangarDeed::Restart,
+            ProcessDeed::Restart,
             2
         ))]
     );
@@ -329,12 +330,18 @@ fn an_armed_vehicle_is_not_restarted_or_ended_without_a_question() {
     console.give("hangar stop 1").press("y");
     assert_eq!(
         console.effects,
-        [Effect::Session(SessionEffect::Process(HangarDeed::Stop, 1))]
+        [Effect::Session(SessionEffect::Process(
+            ProcessDeed::Stop,
+            1
+        ))]
     );
     console.give("hangar stop 2");
     assert_eq!(
         console.effects,
-        [Effect::Session(SessionEffect::Process(HangarDeed::Stop, 2))]
+        [Effect::Session(SessionEffect::Process(
+            ProcessDeed::Stop,
+            2
+        ))]
     );
 }
 

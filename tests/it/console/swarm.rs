@@ -163,7 +163,11 @@ fn columns_are_chosen_by_name() {
         ["id", "volt", "bat"]
     );
     console.give("columns id colour");
-    assert!(console.screen(120, 40).contains("there are: id name group"));
+    assert!(
+        console
+            .screen(120, 40)
+            .contains("expected COLUMN (id, name, group")
+    );
     console.press("esc");
     console.give("columns");
     assert!(console.screen(80, 24).contains("alert"));

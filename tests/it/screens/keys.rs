@@ -1,10 +1,16 @@
 //! A rebound key is shown wherever a screen names it.
 
+use std::fs;
+use std::path::PathBuf;
+
+use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use sortie::app::action::Action;
 use sortie::app::event::TerminalEvent;
-use sortie::app::keymap::{HintKeys, Keymap, Meaning, Place};
+use sortie::app::keymap::{HintKeys, Keymap, Meaning, Place, Press};
 use sortie::app::room;
 use sortie::app::state::Room;
+use sortie::text::Language;
+use sortie::ui::Theme;
 
 use crate::harness::Console;
 
@@ -121,7 +127,7 @@ fn messages_name_the_key_that_is_in_force() {
 
 #[test]
 fn the_keys_of_a_list_of_vehicles_are_those_of_the_room() {
-    for (room, commands) in [(Room::Fly, "a t g m h l r"), (Room::Map, "a t m r")] {
+    for (room, commands) in [(Room::Fly, "a d m t l r h g w"), (Room::Map, "a d m t r")] {
         let mut console = flying(room, "");
         console.press("2");
         let footer = footer(&console);
@@ -130,4 +136,170 @@ fn the_keys_of_a_list_of_vehicles_are_those_of_the_room() {
             "{footer}"
         );
     }
+}
+
+/// Keys that have names: in no text could they be anything but a key.
+const NAMED_KEYS: [&str; 12] = [
+    "Enter",
+    "Esc",
+    "Tab",
+    "Space",
+    "Backspace",
+    "Del",
+    "Ins",
+    "PgUp",
+    "PgDn",
+    "Ctrl-",
+    "↑",
+    "↓",
+];
+
+/// The first key with a name that stands in a text as a word of its own.
+fn named_key(text: &str) -> Option<&'static str> {
+    let is_apart = |c: Option<char>| c.is_none_or(|c| !c.is_alphanumeric() && c != '-');
+    NAMED_KEYS.into_iter().find(|key| {
+        text.match_indices(key).any(|(at, _)| {
+            let after = text[at + key.len()..].chars().next();
+            is_apart(text[..at].chars().next_back()) && (key.ends_with('-') || is_apart(after))
+        })
+    })
+}
+
+/// A keymap file in which every key of every place is another one.
+fn all_rebound() -> String {
+    let keymap = Keymap::default();
+    let mut file = String::new();
+    for place in Place::all() {
+        file.extend(["[", place.name(), "]\n"]);
+        let here = keymap.bindings().iter();
+        let here: Vec<_> = here.filter(|binding| binding.place == place).collect();
+        // A room must not hide a key that holds anywhere.
+        let unusual: Vec<char> = match place {
+            Place::Anywhere => ('a'..='z').chain('0'..='9').collect(),
+            Place::In(_) | Place::Prompt | Place::Reader | Place::List => {
+                ('A'..='Z').chain('α'..='ω').collect()
+            }
+        };
+        assert!(here.len() <= unusual.len(), "{}", place.name());
+        for (binding, letter) in here.into_iter().zip(unusual) {
+            let value = match &binding.meaning {
+                Meaning::Do(action) => action.name().to_owned(),
+                Meaning::Write(line) => format!("{} ...", line.trim_end()),
+                Meaning::Give(line) => line.clone().into_owned(),
+                // A family of keys, which has no other.
+                Meaning::Type => continue,
+            };
+            let old = binding.press.label();
+            let rows = [
+                format!("{old:?} = false\n"),
+                format!("\"alt-{letter}\" = {value:?}\n"),
+            ];
+            file.extend(rows);
+        }
+    }
+    file
+}
+
+/// The key event of a press, for those that stand for one.
+fn event(press: Press) -> Option<KeyEvent> {
+    let (code, modifiers) = match press {
+        Press::Plain(code) => (code, KeyModifiers::NONE),
+        Press::Control(letter) => (KeyCode::Char(letter), KeyModifiers::CONTROL),
+        Press::With(modifiers, code) => (code, modifiers),
+        Press::Number => return None,
+    };
+    Some(KeyEvent::new(code, modifiers))
+}
+
+/// Every room, and what each of its keys leads to from there, with a name.
+fn all_shown(file: &str) -> Vec<(String, Console)> {
+    let mut keymap = Keymap::default();
+    let themes: Vec<String> = Theme::names().map(str::to_owned).collect();
+    keymap.overlay(file, &themes).expect("it is good");
+    let mut all = Vec::new();
+    for room in Room::ALL {
+        let start = flying(room, file);
+        all.push((room.name().to_owned(), start.clone()));
+        let places = [Place::In(room), Place::Anywhere];
+        let here = keymap.bindings().iter();
+        for binding in here.filter(|binding| places.contains(&binding.place)) {
+            let mut console = start.clone();
+            if let Some(key) = event(binding.press) {
+                console.hear(TerminalEvent::Key(key));
+                all.push((
+                    format!("{} in {}", binding.press.label(), room.name()),
+                    console,
+                ));
+            }
+        }
+    }
+    for line in ["takeof 20", "1-3 kill", "notices", "restart"] {
+        let mut console = flying(Room::Fly, file);
+        give(&mut console, line);
+        all.push((line.to_owned(), console.clone()));
+        console.press("x");
+        all.push((format!("{line}, then x"), console));
+    }
+    let mut typed = flying(Room::Fly, file);
+    typed.press("2");
+    all.push(("a list of vehicles".to_owned(), typed));
+    all
+}
+
+#[test]
+fn no_screen_shows_a_key_that_has_been_rebound() {
+    let file = all_rebound();
+    for (name, console) in all_shown(&file) {
+        let shown = console.screen(140, 50);
+        assert_eq!(named_key(&shown), None, "{name}:\n{shown}");
+    }
+    let usual = all_shown("").into_iter();
+    let shows_one = usual.filter(|(_, console)| named_key(&console.screen(140, 50)).is_some());
+    assert!(
+        shows_one.count() > 100,
+        "with the usual keys, they are shown"
+    );
+}
+
+#[test]
+fn a_question_names_the_keys_that_end_it() {
+    let shown = |file| {
+        let mut console = flying(Room::Fly, file);
+        give(&mut console, "1-3 kill");
+        console.press("x").screen(100, 30)
+    };
+    assert!(shown("").contains("Enter or Esc goes on"), "{}", shown(""));
+    let file = "[prompt]\nesc = false\nf2 = \"escape\"\nenter = false\nf3 = \"submit\"\n";
+    assert!(shown(file).contains("F3 or F2 goes on"), "{}", shown(file));
+}
+
+/// What is said of keys comes from the keymap: a message that named one would be wrong for whoever has rebound it.
+#[test]
+fn no_message_names_a_key() {
+    // Without a screen, a line ends with Enter whatever the keymap says.
+    let of_pipes = "plain-asks";
+    for language in Language::ALL {
+        for (file, text) in messages(language) {
+            for line in text.lines().filter(|line| !line.starts_with(['#'])) {
+                let is_of_pipes = line.starts_with(of_pipes);
+                assert!(is_of_pipes || named_key(line).is_none(), "{file}: {line}");
+                let presses = ["press ", "натисн"].iter().any(|verb| line.contains(verb));
+                assert!(!presses || line.contains("{ $"), "{file}: {line}");
+            }
+        }
+    }
+}
+
+/// The files of a language's messages, with their content.
+fn messages(language: Language) -> Vec<(String, String)> {
+    let folder = format!("{}/locales/{}", env!("CARGO_MANIFEST_DIR"), language.code());
+    let entries = fs::read_dir(&folder).expect("the language has a folder");
+    let files = entries.map(|entry| entry.expect("it can be listed").path());
+    let read = |path: PathBuf| {
+        let text = fs::read_to_string(&path).expect("it can be read");
+        (path.display().to_string(), text)
+    };
+    let found: Vec<(String, String)> = files.map(read).collect();
+    assert!(found.len() > 10, "{folder}");
+    found
 }

@@ -6,7 +6,7 @@ use super::{Aim, Map, Size, refit};
 use crate::app::State;
 use crate::app::action::{Action, Step};
 use crate::app::keymap::{KeyHint, KeyRow, Press, does, hint, key};
-use crate::app::room::{RoomModel, RoomRequest, hints};
+use crate::app::room::{RoomModel, RoomRequest, footer_keys};
 use crate::geo::LatLon;
 use crate::text;
 use crate::vehicle::{Severity, VehicleId};
@@ -15,8 +15,8 @@ use crate::vehicle::{Severity, VehicleId};
 const PAGE: i32 = 10;
 
 const HINTS: &[KeyHint] = &[
-    hints::COMMAND,
-    hints::HELP,
+    footer_keys::COMMAND,
+    footer_keys::HELP,
     hint(
         &[
             Action::Move(Step::Left),

@@ -7,6 +7,7 @@ use crate::app::State;
 use crate::app::effect::{Effect, Effects};
 use crate::app::room::Room;
 use crate::app::state::Overlay;
+use crate::language::{self, VerbRow};
 use crate::parameters::Fetching;
 use crate::vehicle::VehicleId;
 
@@ -59,7 +60,7 @@ fn candidates(state: &State) -> Vec<VehicleId> {
     }
     // Names complete on the command line once they are known.
     if let Some(Overlay::Palette(palette)) = &state.overlay
-        && palette.input.value().contains("param")
+        && language::begun(palette.input.value()).is_some_and(VerbRow::names_parameters)
     {
         wanted.extend(state.addressed().first());
     }

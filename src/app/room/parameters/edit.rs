@@ -66,9 +66,14 @@ fn line(name: &str, value: &str, vehicles: &[VehicleId]) -> String {
     format!("{targets} param set {name} {value}")
 }
 
-/// Remembers what an order sets, so that the list can show what becomes of it.
+/// Remembers a command about a parameter, so that [`tell`] knows it, and what it sets, so that the list can show what
+/// becomes of it.
 pub fn note_order(state: &mut State, order: &Order, entry: EntryId) {
-    let Act::Command(Command::Parameter(ParameterCommand::Set { name, value })) = &order.act else {
+    let Act::Command(Command::Parameter(command)) = &order.act else {
+        return;
+    };
+    state.rooms.parameters.under_way.insert(entry);
+    let ParameterCommand::Set { name, value } = command else {
         return;
     };
     let edits = &mut state.rooms.parameters.edits;
@@ -92,9 +97,12 @@ pub fn tell(state: &mut State, entry: EntryId) {
     let batch = state.rooms.parameters.batch.as_ref();
     let is_of_batch = batch.is_some_and(|batch| batch.has(entry));
     let known = state.session.ledger.entry(entry);
-    let Some(known) = known.filter(|known| known.verb.name == "param" && known.is_final()) else {
+    let Some(known) = known.filter(|known| known.is_final()) else {
         return;
     };
+    if !state.rooms.parameters.under_way.remove(&entry) {
+        return;
+    }
     let failed = known.rows.iter().find(|row| row.state.is_failure());
     let Some(row) = failed.or(known.rows.first()) else {
         return;

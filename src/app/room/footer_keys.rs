@@ -1,8 +1,8 @@
-//! Hints that several rooms give on the last line of the screen.
+//! The keys that several rooms show on the last line of the screen.
 
 use super::State;
 use crate::app::action::Action;
-use crate::app::keymap::{HintKeys, KeyHint, hint, hint_words};
+use crate::app::keymap::{KeyHint, hint, hint_words};
 
 pub const COMMAND: KeyHint = hint(&[Action::CommandLine], "hint-command");
 pub const HELP: KeyHint = hint(&[Action::Help], "hint-help");
@@ -18,12 +18,10 @@ pub const GOAL: KeyHint = hint_words("goal ", "hint-goal");
 /// where it has one; the trainee's word, before launch.
 pub fn is_of_use(state: &State, hint: KeyHint) -> bool {
     let mission = state.session.mission.as_ref();
-    match hint.keys {
-        HintKeys::Actions([Action::PauseMission]) => {
-            state.flown_mission().is_none_or(|it| it.pausable)
-        }
-        HintKeys::Words("hint") => mission.is_some_and(|mission| mission.clues.next.is_some()),
-        HintKeys::Words("predict " | "goal ") => state.can_pledge(),
-        HintKeys::Actions(_) | HintKeys::Words(_) | HintKeys::VehicleList => true,
+    match hint {
+        PAUSE => state.flown_mission().is_none_or(|it| it.pausable),
+        MISSION_HINT => mission.is_some_and(|mission| mission.clues.next.is_some()),
+        PREDICT | GOAL => state.can_pledge(),
+        _ => true,
     }
 }

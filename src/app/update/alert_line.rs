@@ -1,9 +1,10 @@
-//! The console's own lines about the table and its alerts, carried out.
+//! The lines about alerts, carried out.
 
+use super::console_line::targeted;
 use crate::alert::AlertKind;
 use crate::app::State;
-use crate::app::console::swarm::SwarmLine;
 use crate::app::room::fly;
+use crate::language::AlertLine;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
@@ -11,30 +12,18 @@ use crate::vehicle::{Severity, VehicleId};
 /// Does what a line says.
 ///
 /// # Errors
-/// What is wrong with its last word.
-pub fn carry_out(state: &mut State, line: SwarmLine) -> Result<(), Text> {
+/// What is wrong with the vehicles that it names.
+pub fn carry_out(state: &mut State, line: AlertLine) -> Result<(), Text> {
     match line {
-        SwarmLine::Sort(sort) => fly::set_sort(state, sort),
-        SwarmLine::Filter(text) => fly::filter(state, &text),
-        SwarmLine::Columns(columns) => state.config.table.columns = columns,
-        SwarmLine::Ungroup(name) => ungroup(state, &name)?,
-        SwarmLine::Mute(kind) => mute(state, kind),
-        SwarmLine::Unmute(kind) => unmute(state, kind),
-        SwarmLine::AcknowledgeWorst => fly::acknowledge_pressing(state),
-        SwarmLine::AcknowledgeKind(kind) => fly::acknowledge(state, |_, known| known == kind),
-        SwarmLine::AcknowledgeOf(word) => {
-            let ids: Vec<VehicleId> = super::console_line::targeted(state, &word)?;
+        AlertLine::Mute(kind) => mute(state, kind),
+        AlertLine::Unmute(kind) => unmute(state, kind),
+        AlertLine::AcknowledgeWorst => fly::acknowledge_pressing(state),
+        AlertLine::AcknowledgeKind(kind) => fly::acknowledge(state, |_, known| known == kind),
+        AlertLine::AcknowledgeOf(word) => {
+            let ids: Vec<VehicleId> = targeted(state, &word)?;
             fly::acknowledge(state, |id, _| ids.contains(&id));
         }
     }
-    Ok(())
-}
-
-fn ungroup(state: &mut State, name: &str) -> Result<(), Text> {
-    if state.session.groups.remove(name).is_none() {
-        return Err(text!("fly-no-group", name = name));
-    }
-    state.say(Severity::Notice, text!("fly-ungrouped", name = name));
     Ok(())
 }
 

@@ -1,0 +1,35 @@
+//! Settings that the command line changes for as long as the console runs.
+
+use super::{Config, Symbols};
+use crate::text::Language;
+
+/// One of these settings with its value.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum LiveSetting {
+    /// The colours.
+    Theme(String),
+    /// The language.
+    Lang(Language),
+    /// What curves and maps are drawn with.
+    Symbols(Symbols),
+    /// Frames per second at most.
+    Fps(u8),
+    /// Whether serious alerts ring the bell.
+    Bell(bool),
+    /// Whether serious alerts ask for a desktop notification.
+    Notify(bool),
+}
+
+impl LiveSetting {
+    /// Takes it over.
+    pub fn apply(&self, config: &mut Config) {
+        match self {
+            Self::Theme(name) => config.theme.clone_from(name),
+            Self::Lang(language) => config.lang = Some(*language),
+            Self::Symbols(symbols) => config.symbols = Some(*symbols),
+            Self::Fps(fps) => config.fps = *fps,
+            Self::Bell(on) => config.alerts.bell = *on,
+            Self::Notify(on) => config.alerts.notify = *on,
+        }
+    }
+}

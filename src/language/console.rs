@@ -1,0 +1,133 @@
+//! What the lines say that the console carries out itself.
+
+use crate::alert::AlertKind;
+use crate::config::{Column, LiveSetting, TableSort};
+use crate::vehicle::VehicleId;
+
+/// A line that the console carries out itself: no vehicle hears of it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum ConsoleLine {
+    /// Show something: on a screen its room, without one as text.
+    Report(Report),
+    /// Select these vehicles, as they were written.
+    Select(String),
+    /// Give vehicles a group's name.
+    Group {
+        /// The name, without `@`.
+        name: String,
+        /// The vehicles as they were written; the selection where none are.
+        vehicles: Option<String>,
+    },
+    /// Forget the name of a group, given without `@`.
+    Ungroup(String),
+    /// Go to the room of this name.
+    Show(String),
+    /// Start the mission of this id.
+    Fly(String),
+    /// Start free flight.
+    FlyFree,
+    /// Connect to these addresses.
+    Connect(Vec<String>),
+    /// Have something happen in the mission.
+    Inject(String),
+    /// Give the lines of a macro.
+    Macro(String),
+    /// Change a setting for this session.
+    Set(LiveSetting),
+    /// Something about the parameters of the vehicle under the cursor.
+    Parameters(ParametersLine),
+    /// Something about the process of a vehicle.
+    Process {
+        /// What to do with it.
+        deed: ProcessDeed,
+        /// Whose process.
+        vehicle: VehicleId,
+    },
+    /// Something about the table of vehicles.
+    Table(TableLine),
+    /// Something about alerts.
+    Alerts(AlertLine),
+    /// Let the session stand still.
+    Pause,
+    /// Let it go on.
+    Continue,
+    /// End the mission.
+    Abandon,
+    /// The same mission again.
+    Restart,
+    /// Back to the home screen.
+    Leave,
+    /// Leave the program.
+    Quit,
+}
+
+/// What can be shown.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Report {
+    /// What can be said and pressed.
+    Help,
+    /// The links.
+    Links,
+    /// All commands.
+    Ledger,
+    /// All notices.
+    Notices,
+    /// The processes.
+    Hangar,
+    /// The mission's brief.
+    Brief,
+    /// How vehicles are: these, as they were written, or all.
+    Status(Option<String>),
+    /// How the mission stands.
+    Objectives,
+    /// What detectors have found.
+    Contacts,
+}
+
+/// What the console does with parameters.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum ParametersLine {
+    /// Shows them.
+    Show,
+    /// Asks the vehicle for all of them again.
+    Fetch,
+    /// Saves them to a file.
+    Save(String),
+    /// Loads a file, or compares with one or with another vehicle: first the differences show.
+    Compare(String),
+}
+
+/// What can be done with the process of a vehicle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ProcessDeed {
+    /// It is ended, if it runs, and started again.
+    Restart,
+    /// It is ended.
+    Stop,
+}
+
+/// A line about the table of vehicles.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum TableLine {
+    /// Order by a column.
+    Sort(TableSort),
+    /// Show only what fits; everything if empty.
+    Filter(String),
+    /// Show these columns; as many as fit if empty.
+    Columns(Vec<Column>),
+}
+
+/// A line about alerts.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum AlertLine {
+    /// Keep a kind of alert silent; none asks which are.
+    Mute(Option<AlertKind>),
+    /// Let a kind ring again; none means all.
+    Unmute(Option<AlertKind>),
+    /// Take note of the worst alerts.
+    AcknowledgeWorst,
+    /// Take note of all alerts of a kind.
+    AcknowledgeKind(AlertKind),
+    /// Take note of all alerts of vehicles, as they were written.
+    AcknowledgeOf(String),
+}

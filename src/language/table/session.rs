@@ -1,0 +1,136 @@
+//! Verbs that begin, steer and end what the console runs.
+
+use super::console;
+use crate::language::argument::{Argument, Kind, Unit};
+use crate::language::console::{ConsoleLine, ProcessDeed, Report};
+use crate::language::names::NameList;
+use crate::language::verb::{Form, Scope, VerbRow};
+use crate::vehicle::{HIGHEST_VEHICLE, VehicleId};
+use crate::verb::Verb;
+
+pub(super) static ROWS: &[VerbRow] = &[
+    HANGAR, MACRO, FLY, CONNECT, INJECT, PAUSE, CONTINUE, ABANDON, RESTART, LEAVE, QUIT,
+];
+
+const VEHICLE: Kind = Kind::Whole(Unit::None, 1.0, HIGHEST_VEHICLE as f64);
+
+/// A verb that is said to the console, screen or not.
+const fn said(
+    name: &'static str,
+    examples: &'static [&'static str],
+    forms: &'static [Form],
+) -> VerbRow {
+    VerbRow {
+        verb: Verb::unsent(name),
+        scope: Scope::Console,
+        aliases: &[],
+        examples,
+        forms,
+    }
+}
+
+const HANGAR: VerbRow = said(
+    "hangar",
+    &["hangar", "hangar restart 2"],
+    &[
+        Form::new(&[], |_| console(ConsoleLine::Report(Report::Hangar))),
+        Form::new(
+            &[Argument::keyed("restart", "vehicle", VEHICLE, "")],
+            |given| {
+                console(ConsoleLine::Process {
+                    deed: ProcessDeed::Restart,
+                    vehicle: given.required("vehicle")? as VehicleId,
+                })
+            },
+        ),
+        Form::new(
+            &[Argument::keyed("stop", "vehicle", VEHICLE, "")],
+            |given| {
+                console(ConsoleLine::Process {
+                    deed: ProcessDeed::Stop,
+                    vehicle: given.required("vehicle")? as VehicleId,
+                })
+            },
+        ),
+    ],
+);
+
+const MACRO: VerbRow = said(
+    "macro",
+    &["macro launch"],
+    &[Form::new(
+        &[Argument::value("name", Kind::Name(NameList::Macro), "")],
+        |given| console(ConsoleLine::Macro(given.required_word("name")?.to_owned())),
+    )],
+);
+
+const FLY: VerbRow = said(
+    "fly",
+    &["fly", "fly 01"],
+    &[Form::new(
+        &[Argument::value("mission", Kind::Name(NameList::Mission), "").optional()],
+        |given| {
+            console(match given.word("mission") {
+                Some(id) => ConsoleLine::Fly(id.to_owned()),
+                None => ConsoleLine::FlyFree,
+            })
+        },
+    )],
+);
+
+const CONNECT: VerbRow = said(
+    "connect",
+    &["connect udpin:0.0.0.0:14550", "connect tcp:127.0.0.1:5760"],
+    &[Form::new(
+        &[Argument::value("address...", Kind::Rest, "")],
+        |given| {
+            let addresses = given.required_word("address...")?.split_whitespace();
+            console(ConsoleLine::Connect(addresses.map(str::to_owned).collect()))
+        },
+    )],
+);
+
+const INJECT: VerbRow = said(
+    "inject",
+    &["inject gust"],
+    &[Form::new(
+        &[Argument::value("name", Kind::Name(NameList::Inject), "")],
+        |given| console(ConsoleLine::Inject(given.required_word("name")?.to_owned())),
+    )],
+);
+
+const PAUSE: VerbRow = said(
+    "pause",
+    &[],
+    &[Form::new(&[], |_| console(ConsoleLine::Pause))],
+);
+
+const CONTINUE: VerbRow = said(
+    "continue",
+    &[],
+    &[Form::new(&[], |_| console(ConsoleLine::Continue))],
+);
+
+const ABANDON: VerbRow = said(
+    "abandon",
+    &[],
+    &[Form::new(&[], |_| console(ConsoleLine::Abandon))],
+);
+
+const RESTART: VerbRow = said(
+    "restart",
+    &[],
+    &[Form::new(&[], |_| console(ConsoleLine::Restart))],
+);
+
+const LEAVE: VerbRow = said(
+    "leave",
+    &[],
+    &[Form::new(&[], |_| console(ConsoleLine::Leave))],
+);
+
+const QUIT: VerbRow = said(
+    "quit",
+    &[],
+    &[Form::new(&[], |_| console(ConsoleLine::Quit))],
+);
