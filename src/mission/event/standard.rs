@@ -126,8 +126,8 @@ impl Standard {
             Self::GnssJam => fault(FaultKind::Gps, 1.0, Some(WHILE)),
             Self::LinkLoss => fault(FaultKind::Link, 1.0, Some(WHILE)),
             Self::MotorFail => fault(FaultKind::Motor, 0.75, None),
-            Self::BatteryCold => fault(FaultKind::Battery, 0.9, None),
-            Self::BatteryCell => fault(FaultKind::Battery, 0.8, None),
+            Self::BatteryCold => fault(FaultKind::Battery, 0.94, None),
+            Self::BatteryCell => fault(FaultKind::Battery, 0.88, None),
             Self::Person => Action::Spawn(passer_by(mission)),
             Self::Aircraft => Action::Spawn(overflight(mission)),
         }

@@ -53,7 +53,7 @@ pub(super) fn may_inject(table: &mut FileTable<'_>) -> Option<Vec<Standard>> {
         "may_inject",
         threats_form,
         "`gust` (7 m/s more for 20 s), `wind_shift` (60 degrees), `gnss_jam` and `link_loss` (one vehicle, 20 s), \
-         `motor_fail` (a motor keeps 75 %), `battery_cold` and `battery_cell` (90 % and 80 % of the voltage), \
+         `motor_fail` (a motor keeps 75 %), `battery_cold` and `battery_cell` (94 % and 88 % of the voltage), \
          `person` and `aircraft` (pass through the first task zone)",
     );
     Some(threats.unwrap_or_default())
