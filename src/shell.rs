@@ -171,6 +171,8 @@ struct Console {
     careers: Option<Careers>,
     /// When to look again at what others have changed.
     next_look: Duration,
+    /// Whether everything stands still until the brief is left.
+    awaits_reader: bool,
     /// Events that are to be taken in, oldest first.
     inbox: VecDeque<Event>,
     /// What is left of the session before.
@@ -228,6 +230,7 @@ impl Console {
             attempt: Attempt::practice(None),
             careers: None,
             next_look: LOOK_EVERY,
+            awaits_reader: false,
             ending: SessionEnding::default(),
             drawn: None,
             fps: None,
@@ -321,6 +324,7 @@ impl Console {
     }
 
     async fn tick(&mut self) {
+        self.wait_for_reader();
         let now = self.clock.now();
         if self.next_look <= now {
             self.next_look = now + LOOK_EVERY;

@@ -199,6 +199,7 @@ hint-signs = signs
 hint-trails = trails
 
 header-paused = PAUSED
+header-reading = the clock starts when you leave the brief
 hint-predict = predict
 hint-goal = goal
 hint-hint = hint

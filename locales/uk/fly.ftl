@@ -201,6 +201,7 @@ hint-signs = знаки
 hint-trails = сліди
 
 header-paused = ПАУЗА
+header-reading = час піде, коли ви закриєте опис
 hint-predict = бали
 hint-goal = мета
 hint-hint = порада

@@ -39,6 +39,7 @@ pub fn update(state: &mut State, event: Event) -> Effects {
     effects.extend(telemetry::signals(state));
     workshop::weigh(state);
     stay_with_vehicles(state);
+    mission::leave_brief(state);
     effects
 }
 

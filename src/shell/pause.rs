@@ -17,19 +17,43 @@ impl Console {
         self.post(SessionEvent::Paused(true));
     }
 
-    /// Resumes; does nothing unless the session is paused.
+    /// Resumes; does nothing unless the session stands still.
     pub(super) fn go_on(&mut self) {
         let Some(lasted) = self.clock.go_on() else {
             return;
         };
         let now = self.clock.now();
-        self.post(SessionEvent::Paused(false));
+        let was_read = std::mem::take(&mut self.awaits_reader);
+        if !was_read {
+            self.post(SessionEvent::Paused(false));
+        }
         let Some(running) = &mut self.running else {
             return;
         };
         running.hold(false);
-        if let Some(notice) = running.note_pause(lasted, now) {
+        running.rest(now);
+        // Reading the brief is no pause.
+        if !was_read && let Some(notice) = running.note_pause(lasted, now) {
             self.post(notice);
+        }
+    }
+
+    /// While a brief is read for the first time, a mission in the embedded simulator stands still as soon as its
+    /// vehicles are there, and goes on once the brief is left.
+    pub(super) fn wait_for_reader(&mut self) {
+        let session = self.app.state().session();
+        let is_reading = session.is_reading();
+        let vehicles = session.vehicles().len();
+        if !is_reading && self.awaits_reader {
+            self.go_on();
+        }
+        let Some(running) = &self.running else {
+            return;
+        };
+        if is_reading && running.can_wait_for_reader(vehicles) && !self.awaits_reader {
+            running.hold(true);
+            self.clock.stop();
+            self.awaits_reader = true;
         }
     }
 
@@ -55,5 +79,95 @@ impl Console {
     pub(super) fn abandon(&mut self) {
         self.go_on();
         self.running.iter_mut().for_each(RunningSession::abandon);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+    use std::time::Duration;
+
+    use crossterm::event::KeyCode;
+
+    use super::*;
+    use crate::app::event::TerminalEvent;
+    use crate::console::{ConsoleOptions, Opening, Preferences, TICK, key};
+    use crate::hangar::VehicleBackend;
+    use crate::mission::Mission;
+    use crate::scoring::FlownBy;
+    use crate::ui::Look;
+
+    const FIRST: &str = include_str!("../../missions/00-first-flight.toml");
+
+    /// A console in which the brief of a mission is shown.
+    async fn reading() -> Console {
+        let mission = Mission::parse(FIRST).expect("it is good");
+        let options = ConsoleOptions {
+            flown_by: FlownBy::Hand,
+            opening: Opening::Mission(Arc::new(mission)),
+            backend: VehicleBackend::default(),
+            ardupilot: None,
+            vehicles: 1,
+            seed: Some(1),
+            speedup: 1.0,
+            look: Look::default(),
+            preferences: Preferences::default(),
+        };
+        let mut console = Console::new(options, true);
+        let (columns, rows) = (120, 40);
+        console.feed(TerminalEvent::Resize { columns, rows }).await;
+        console.begin().await;
+        console
+    }
+
+    async fn run(console: &mut Console, seconds: u32) {
+        for _ in 0..seconds * 10 {
+            tokio::time::sleep(TICK).await;
+            console.tick().await;
+        }
+    }
+
+    /// Mission time.
+    fn elapsed(console: &Console) -> Duration {
+        let progress = console.app.state().session().mission();
+        progress.map_or(Duration::ZERO, |progress| progress.elapsed)
+    }
+
+    #[tokio::test(start_paused = true)]
+    async fn a_mission_begins_when_its_brief_is_left_and_reading_is_no_pause() {
+        let mut console = reading().await;
+        run(&mut console, 60).await;
+        let (stood, session) = (console.clock.now(), console.app.state().session());
+        assert!(session.is_reading() && !session.is_paused());
+        assert_eq!(session.vehicles().len(), 1);
+        assert!(stood < Duration::from_secs(5), "{stood:?}");
+        assert_eq!(elapsed(&console), Duration::ZERO);
+        let said = console.app.state().notices().lines().len();
+        console.feed(key(KeyCode::Enter)).await;
+        run(&mut console, 5).await;
+        let session = console.app.state().session();
+        assert!(!session.is_reading() && !session.is_paused());
+        let late = Duration::from_secs(5).saturating_sub(elapsed(&console));
+        assert!(late < Duration::from_secs(1), "{late:?}");
+        assert_eq!(console.app.state().notices().lines().len(), said);
+    }
+
+    #[tokio::test(start_paused = true)]
+    async fn a_command_from_the_brief_begins_the_mission_and_a_pause_is_refused_before() {
+        let mut console = reading().await;
+        run(&mut console, 5).await;
+        console.feed(key(KeyCode::Char('p'))).await;
+        assert!(!console.app.state().session().is_paused());
+        let said = console.app.state().message().map(|it| it.text.clone());
+        assert_eq!(said, Some(text!("pause-not-begun")));
+        console
+            .feed(TerminalEvent::Line("1 predict 800".to_owned()))
+            .await;
+        assert!(console.app.state().session().is_reading());
+        console
+            .feed(TerminalEvent::Line("1 guided".to_owned()))
+            .await;
+        run(&mut console, 3).await;
+        assert!(elapsed(&console) > Duration::from_secs(1));
     }
 }

@@ -78,6 +78,11 @@ impl RunningSession {
         self.held.send_replace(held);
     }
 
+    /// Everything stood still until now.
+    pub fn rest(&mut self, now: Duration) {
+        self.inspection.rest(now);
+    }
+
     /// What has happened since the last tick. Telemetry is merged: one event per vehicle that changed.
     pub fn collect(&mut self, now: Duration) -> Vec<Event> {
         let mut collected = self.hear_processes(now);

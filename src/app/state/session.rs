@@ -55,6 +55,8 @@ pub struct Session {
     pub(in crate::app) over: bool,
     /// Whether it stands still.
     pub(in crate::app) paused: bool,
+    /// Whether its mission has not begun yet because the brief has not been left.
+    pub(in crate::app) reading: bool,
     /// The groups that commands may name.
     pub(in crate::app) groups: Groups,
     /// The places that commands may name.

@@ -191,6 +191,11 @@ impl Session {
         self.paused
     }
 
+    /// Whether its mission has not begun yet because the brief has not been left.
+    pub fn is_reading(&self) -> bool {
+        self.reading
+    }
+
     /// All commands of the session.
     pub fn ledger(&self) -> &Ledger {
         &self.ledger

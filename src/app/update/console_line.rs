@@ -59,6 +59,7 @@ fn obey(state: &mut State, own: ConsoleLine) -> Result<Effects, Text> {
         }
         ConsoleLine::Inject(_) if state.session.paused => return Err(text!("pause-refuses")),
         ConsoleLine::Inject(name) => {
+            state.session.reading = false;
             return Ok(Effects::from(Effect::Session(SessionEffect::Inject(name))));
         }
         // Its lines were queued above.

@@ -4,11 +4,19 @@ use super::act::{ask, guarded, loss};
 use crate::app::State;
 use crate::app::action::Action;
 use crate::app::effect::{Effect, Effects, Launch, SessionEffect};
+use crate::app::room::Room;
 use crate::app::state::Activity;
 use crate::campaign::Stake;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
+
+/// A mission begins once another room is shown than its brief.
+pub fn leave_brief(state: &mut State) {
+    if state.room != Room::Mission && !state.session.is_starting() {
+        state.session.reading = false;
+    }
+}
 
 /// Lets the session stand still, or go on where it does.
 pub fn turn(state: &mut State) -> Effects {
@@ -58,6 +66,7 @@ fn obstacle(state: &State) -> Option<Text> {
         None => Some(text!("mission-none")),
         _ if session.over => Some(text!("deed-over")),
         _ if session.paused => Some(text!("pause-is-one")),
+        _ if session.reading => Some(text!("pause-not-begun")),
         _ if session.hangar.is_some() => Some(text!("pause-not-processes")),
         Some(Activity::Connected { .. }) => Some(text!("pause-not-real")),
         Some(Activity::Mission { .. } | Activity::Free) => {

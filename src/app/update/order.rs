@@ -75,7 +75,7 @@ fn permit(state: &State, line: &str, statement: &Statement) -> Result<(), Diagno
             ),
         ));
     }
-    if state.session.paused && !is_word(state, statement) {
+    if state.session.paused && !moves_nothing(state, statement) {
         return Err(
             Diagnostic::new(first_word(line), text!("pause-refuses")).with_help(text!(
                 "pause-refuses-help",
@@ -93,15 +93,21 @@ fn permit(state: &State, line: &str, statement: &Statement) -> Result<(), Diagno
     }
 }
 
-/// Whether it is nothing but the trainee's word before launch, which moves nothing.
-fn is_word(state: &State, statement: &Statement) -> bool {
-    if !state.can_pledge() {
-        return false;
+/// Whether a line needs no time to pass: it asks for a hint, or is the trainee's word before launch.
+fn moves_nothing(state: &State, statement: &Statement) -> bool {
+    match &statement.meaning {
+        Meaning::Act(act) if is_word(act) => state.can_pledge(),
+        Meaning::Act(act) => is_question(act),
+        Meaning::Wait(_) => false,
     }
-    matches!(
-        statement.meaning,
-        Meaning::Act(Act::Deed(Deed::Predict { .. } | Deed::Goal(_)))
-    )
+}
+
+fn is_word(act: &Act) -> bool {
+    matches!(act, Act::Deed(Deed::Predict { .. } | Deed::Goal(_)))
+}
+
+fn is_question(act: &Act) -> bool {
+    matches!(act, Act::Deed(Deed::Hint))
 }
 
 /// What Enter does with an order.
@@ -170,6 +176,9 @@ pub struct SentOrder {
 /// Opens the ledger's entry of an order.
 pub fn send(state: &mut State, order: Order) -> SentOrder {
     let now = state.now;
+    if !is_word(&order.act) && !is_question(&order.act) {
+        state.session.reading = false;
+    }
     let entry = state.session.open(now, order.given(), &order.targets);
     parameters::note_order(state, &order, entry);
     state.rooms.ledger.spoil();

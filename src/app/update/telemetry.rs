@@ -96,6 +96,7 @@ pub fn started(state: &mut State, started: Started) {
     } else {
         Room::Fly
     };
+    session.reading = session.first_room == Room::Mission;
     if is_again {
         session.groups = std::mem::take(&mut state.session.groups);
     }

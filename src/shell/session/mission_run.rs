@@ -161,7 +161,7 @@ impl MissionRun {
 
     /// Mission time, which passes once the vehicles are there and heard.
     fn time(&mut self, now: Duration, shown: &Shown) -> Duration {
-        if !shown.is_starting() {
+        if !shown.is_starting() && !shown.is_reading() {
             let wanted = self.driver.flight().mission().vehicles;
             self.driver
                 .begin_when_heard(now, shown.vehicles().len() >= wanted);
@@ -241,9 +241,15 @@ impl RunningSession {
         Some(self.mission_run.as_mut()?.driver.flight_mut().inject(name))
     }
 
+    /// Whether everything can stand still until the brief has been read: the simulator is our own, and so many vehicles
+    /// that are heard are all of them.
+    pub fn can_wait_for_reader(&self, vehicles: usize) -> bool {
+        let mission = self.mission_run.as_ref().map(|run| run.driver.flight());
+        self.processes.is_none() && mission.is_some_and(|it| vehicles >= it.mission().vehicles)
+    }
+
     /// Takes down in the mission's record that all stood still for so long.
     pub fn note_pause(&mut self, lasted: Duration, now: Duration) -> Option<Notice> {
-        self.inspection.rest(now);
         let notice = self
             .mission_run
             .as_mut()?

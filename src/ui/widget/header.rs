@@ -56,6 +56,9 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
 
 /// The figures; in a few letters where there is little room.
 fn right_part(state: &State, look: &Look, short: bool) -> String {
+    if state.session().is_reading() {
+        return look.say("header-reading");
+    }
     let mut parts = Vec::new();
     if let Some(bytes_per_s) = state.slow_line() {
         let rate = format!("{:.1}", f64::from(bytes_per_s) / 1000.0);

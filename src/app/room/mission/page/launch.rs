@@ -14,9 +14,12 @@ impl Page<'_> {
         session.activity.is_some() && !session.over && !session.mission.as_ref().is_some_and(flown)
     }
 
-    /// Whether the clock can be stopped while the brief is read.
-    fn can_pause(&self) -> bool {
+    /// Whether the clock stands still while the brief is read, or can be stopped.
+    fn can_wait(&self) -> bool {
         let session = &self.state.session;
+        if session.reading {
+            return true;
+        }
         let allows = session.listing.as_ref().is_some_and(|it| it.pausable);
         self.awaits_launch() && allows && session.hangar.is_none()
     }
@@ -58,8 +61,10 @@ impl Page<'_> {
             ),
             (
                 text!("mission-reading"),
-                self.can_pause().then(|| {
-                    if self.state.session.paused {
+                self.can_wait().then(|| {
+                    if self.state.session.reading {
+                        text!("mission-reading-first")
+                    } else if self.state.session.paused {
                         text!("mission-reading-paused", key = pause)
                     } else {
                         text!("mission-reading-is", key = pause)
