@@ -21,6 +21,7 @@ pub mod action;
 pub mod effect;
 pub mod event;
 pub mod keymap;
+mod lesson;
 pub mod lines;
 pub mod room;
 pub mod room_list;

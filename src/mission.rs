@@ -43,6 +43,7 @@ mod format;
 mod ground_truth;
 mod hazard;
 mod hint;
+mod lesson;
 mod listing;
 mod lookout;
 mod needs;
@@ -72,6 +73,7 @@ pub use event::mover::MoverKind;
 pub use file::{reference, schema};
 pub use flight::{Flight, Inject, Outcome, Pledge};
 pub use hint::{Clue, Hint, Phase};
+pub use lesson::{LessonStep, STEP_KEY};
 pub use listing::{FitListing, Listing, ObjectiveListing};
 pub use needs::{FitLine, Need};
 pub use progress::{
@@ -138,6 +140,8 @@ pub struct Mission {
     pub hints: Vec<Hint>,
     /// Advice that can be asked for, at a price.
     pub clues: Vec<Clue>,
+    /// What a trainee is led through, step by step.
+    pub lesson: Vec<LessonStep>,
     /// How it is scored.
     pub scoring: scoring::ScoreRules,
     /// Protected parameters that may be set all the same.

@@ -73,6 +73,7 @@ mission-translation-empty = `{ $key }` is empty: leave it out, and the English t
 # The mission pane.
 mission-pane = mission  { $elapsed } of { $limit }  score { $score }
 mission-hint = hint: { $hint }
+mission-lesson = now: { $step }
 mission-more-cells = more cells on a larger screen
 # At most 6 columns.
 mission-cell-done = done

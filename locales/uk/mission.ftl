@@ -80,6 +80,7 @@ mission-translation-empty = `{ $key }` порожній: приберіть йо
 # Панель завдання.
 mission-pane = завдання  { $elapsed } з { $limit }  бали { $score }
 mission-hint = порада: { $hint }
+mission-lesson = зараз: { $step }
 mission-more-cells = решта клітинок на більшому екрані
 # Щонайбільше 6 колонок.
 mission-cell-done = є

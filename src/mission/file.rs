@@ -15,6 +15,7 @@ mod career;
 mod events;
 mod fleet;
 mod head;
+mod lesson;
 mod objectives;
 mod places;
 mod radio;
@@ -105,6 +106,12 @@ fn mission(file: &mut FileTable<'_>) -> Option<Mission> {
         instructor,
         "what an instructor may have happen besides the events that are `by = \"instructor\"`",
     );
+    let lesson = file.may(
+        "lesson",
+        tables(lesson::step, MOST_TABLES),
+        "steps that a trainee is led through on the first flights; none in exams, after the mission was passed, and \
+         where advice is switched off",
+    );
     let scoring = file.need("scoring", table(score::rules), "what it all is worth");
     let requires = file.may(
         "requires",
@@ -135,6 +142,7 @@ fn mission(file: &mut FileTable<'_>) -> Option<Mission> {
         time_limit: site.time_limit,
         hints: content.advice.hints,
         clues: content.advice.clues,
+        lesson: lesson.unwrap_or_default(),
         scoring: scoring?,
         origin: site.origin,
         weather: weather.unwrap_or(Weather::CALM),

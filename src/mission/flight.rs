@@ -13,7 +13,7 @@ use super::objective::{ObjectiveScene, ObjectiveStanding};
 use super::record::Recorder;
 use super::survey::Surveys;
 use super::world::World;
-use super::{Mission, Stake, TICK};
+use super::{Mission, Stake, TICK, lesson};
 use crate::alert::AlertKind;
 use crate::commands::{Command, ParameterCommand};
 use crate::ledger::Ledger;
@@ -76,6 +76,8 @@ pub struct Flight {
     swarm: SwarmAccount,
     threats: Threats,
     clues: CluesGiven,
+    /// The step of the lesson that is to be shown, by its place.
+    lesson_step: Option<usize>,
     pledge: Pledge,
     journal: FlightJournal,
     recorder: Option<Box<Recorder>>,
@@ -102,6 +104,7 @@ impl Flight {
             swarm: SwarmAccount::default(),
             threats: Threats::new(&mission, seed),
             clues: CluesGiven::default(),
+            lesson_step: None,
             pledge: Pledge::default(),
             journal: FlightJournal::default(),
             recorder: None,
@@ -298,10 +301,13 @@ impl Flight {
             contacts: self.search.contacts(),
             marks: self.search.marks(),
             last_command: self.orders.last_given(),
+            refused: self.orders.tally().rejected,
         };
         let weather = &mut self.world.weather;
         self.threats
             .step(&self.mission, weather, &sight, &mut self.journal);
+        let lesson = &self.mission.lesson;
+        self.lesson_step = lesson::step_now(lesson, self.threats.engine(), weather, &sight);
     }
 
     /// What objectives see of it.

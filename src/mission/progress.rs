@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-use super::{Area, Inject, MoverKind, OpenAlert, Phase, Pledge};
+use super::{Area, Inject, LessonStep, MoverKind, OpenAlert, Phase, Pledge};
 use crate::geo::LatLon;
 use crate::language::Findings;
 use crate::scoring::SwarmFigures;
@@ -32,6 +32,8 @@ pub struct Progress {
     pub phase: Phase,
     /// What to do next, where the mission has advice.
     pub hint: Option<Text>,
+    /// The step of the lesson, where the mission has one.
+    pub lesson: Option<LessonStep>,
     /// The one line of feedback: the newest thing that matters, at most one new in 5 s unless it is critical.
     pub feedback: Option<Text>,
     /// Hints that can be asked for.

@@ -29,6 +29,7 @@ impl Mission {
                 pausable: false,
                 hints: Vec::new(),
                 clues: Vec::new(),
+                lesson: Vec::new(),
                 ..self
             },
             Stake::Graded | Stake::Practice | Stake::Daily => self,

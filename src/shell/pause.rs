@@ -91,10 +91,10 @@ mod tests {
 
     use super::*;
     use crate::app::event::TerminalEvent;
-    use crate::console::{ConsoleOptions, Opening, Preferences, TICK, key};
     use crate::hangar::VehicleBackend;
     use crate::mission::Mission;
     use crate::scoring::FlownBy;
+    use crate::shell::{ConsoleOptions, Opening, Preferences, TICK, key};
     use crate::ui::Look;
 
     const FIRST: &str = include_str!("../../missions/00-first-flight.toml");

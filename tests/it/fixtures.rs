@@ -184,6 +184,7 @@ pub fn progress() -> Progress {
             unit: "ppm",
         }],
         hint: Some("hover 3 s over a cell before you fly on".into()),
+        lesson: None,
         phase: Phase::Air,
         feedback: None,
         clues: ClueProgress {

@@ -98,7 +98,7 @@ fn moves_nothing(state: &State, statement: &Statement) -> bool {
     match &statement.meaning {
         Meaning::Act(act) if is_word(act) => state.can_pledge(),
         Meaning::Act(act) => is_question(act),
-        Meaning::Wait(_) => false,
+        Meaning::Wait(_) | Meaning::Console(_) => false,
     }
 }
 

@@ -7,6 +7,7 @@ use crate::alert::AlertKind;
 use crate::app::State;
 use crate::app::effect::{Effect, Effects, TerminalEffect};
 use crate::app::event::Started;
+use crate::app::lesson;
 use crate::app::room::Room;
 use crate::app::room::debrief::Debrief;
 use crate::app::room::map;
@@ -139,6 +140,7 @@ pub fn progress(state: &mut State, mut progress: Progress) {
         if let (Some(career), Some(mission)) = (&state.career, state.flown_mission()) {
             career.fade(&mission.id, &mut progress);
         }
+        lesson::name_key(state, &mut progress);
         let mission_time = &mut state.session.mission_time;
         mission_time.note(state.now, progress.elapsed);
         state.rooms.mission.hear(&progress);

@@ -322,7 +322,8 @@ impl Engine {
         }
     }
 
-    fn scope<'a>(&'a self, weather: &Weather, sight: &Sight<'a>) -> Scope<'a> {
+    /// What conditions see now.
+    pub fn scope<'a>(&'a self, weather: &Weather, sight: &Sight<'a>) -> Scope<'a> {
         Scope {
             sight: *sight,
             zones: &self.zones,

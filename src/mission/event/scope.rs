@@ -30,6 +30,8 @@ pub(crate) struct Sight<'a> {
     pub marks: &'a [Mark],
     /// Mission time of the last command.
     pub last_command: Option<Duration>,
+    /// How many commands were refused.
+    pub refused: u32,
 }
 
 /// A flight at one moment, with what threatens it.

@@ -7,8 +7,8 @@ use crate::mission::event::mover::Mover;
 use crate::mission::sensor::Probe;
 use crate::mission::survey::Survey;
 use crate::mission::{
-    Area, Cell, Ground, MovingThing, NEXT_CELL, ObjectiveProgress, ObjectiveState, Phase, Progress,
-    Reading,
+    Area, Cell, Ground, LessonStep, MovingThing, NEXT_CELL, ObjectiveProgress, ObjectiveState,
+    Phase, Progress, Reading,
 };
 use crate::scoring::score;
 use crate::text::Text;
@@ -47,6 +47,7 @@ impl Flight {
             findings: self.findings(),
             phase: self.phase(&standings),
             hint: self.hint(&standings),
+            lesson: self.lesson(),
             feedback: self.journal.feedback().cloned(),
             clues: self.clue_progress(),
             pledge: self.pledge,
@@ -92,6 +93,12 @@ impl Flight {
             craft.probes.iter().map(reading).collect::<Vec<_>>()
         };
         self.crafts.iter().flat_map(of).collect()
+    }
+
+    /// The step of the lesson that is to be shown.
+    fn lesson(&self) -> Option<LessonStep> {
+        let step = self.mission.lesson.get(self.lesson_step?)?;
+        self.ended.is_none().then(|| step.clone())
     }
 
     fn hint(&self, standings: &[ObjectiveStanding]) -> Option<Text> {

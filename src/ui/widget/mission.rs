@@ -78,11 +78,13 @@ fn hint_lines(progress: &Progress, width: usize, look: &Look) -> Vec<String> {
     let asked_for = progress.clues.given.last();
     let given =
         asked_for.map(|(level, hint)| text!("mission-hint-of", level = *level, hint = hint));
+    let lesson = progress.lesson.as_ref();
+    let step = lesson.map(|step| text!("mission-lesson", step = &step.text));
     let own = progress.hint.as_ref();
     let hint = own.map(|hint| text!("mission-hint", hint = hint));
     given
         .into_iter()
-        .chain(hint)
+        .chain(step.or(hint))
         .flat_map(|text| wrap(&look.text(&text), width))
         .collect()
 }

@@ -1,7 +1,9 @@
 //! What lies ahead: what to do next, what a mission would bring, and how much advice comes with it.
 
 use super::Career;
-use crate::campaign::{CareerEntry, CareerFlight, Mastery, MissionStage, Offer, Skill, Stake};
+use crate::campaign::{
+    Aids, CareerEntry, CareerFlight, Mastery, MissionStage, Offer, Skill, Stake,
+};
 use crate::mission::Progress;
 
 /// Points of a perfect flight.
@@ -64,6 +66,9 @@ impl Career {
         let chance = if offer.is_some() { chance } else { 0.0 };
         if !self.aids.shows_hint(progress.phase.level(), chance) {
             progress.hint = None;
+        }
+        if self.aids == Aids::None || self.standing.has_passed(mission) {
+            progress.lesson = None;
         }
         if !self.aids.shows_feedback() {
             progress.feedback = None;

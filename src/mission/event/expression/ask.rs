@@ -41,6 +41,7 @@ pub(super) enum Question {
     Inside(usize),
     Active(usize),
     NoCommand(Duration),
+    Refused,
     AnyMode(Vec<String>),
     AllModes(Vec<String>),
     PausedOrClear(Spot, f64),
@@ -102,6 +103,7 @@ pub(in crate::mission) const FUNCTIONS: &[Function] = &[
         let seconds = number(g)?.clamp(0.0, 86_400.0);
         Some(Question::NoCommand(Duration::from_secs_f64(seconds)))
     }),
+    function!("refused", [], Number, |_| Some(Question::Refused)),
     function!("mode_any", [Modes], Bool, |g| Some(Question::AnyMode(
         modes(g)?
     ))),
@@ -222,6 +224,7 @@ impl Question {
             Self::Inside(zone) => Value::Number(scope.inside(*zone) as f64),
             Self::Active(zone) => Value::Bool(scope.is_active(*zone)),
             Self::NoCommand(time) => Value::Bool(scope.since_command() >= *time),
+            Self::Refused => Value::Number(f64::from(scope.sight.refused)),
             Self::AnyMode(modes) => Value::Bool(scope.modes().any(|mode| is_among(mode, modes))),
             Self::AllModes(modes) => Value::Bool(scope.modes().all(|mode| is_among(mode, modes))),
             Self::PausedOrClear(spot, metres) => {

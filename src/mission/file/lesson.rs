@@ -1,0 +1,47 @@
+//! `[[lesson]]`: what a trainee is led through, step by step.
+
+use super::events::condition;
+use crate::mission::format::{FileTable, text};
+use crate::mission::{LessonStep, STEP_KEY};
+
+pub(super) fn step(table: &mut FileTable<'_>) -> Option<LessonStep> {
+    let when = table.may(
+        "when",
+        condition(),
+        "what it is made for, a condition as in events; without it, whatever is so",
+    );
+    let until = table.may(
+        "until",
+        condition(),
+        "what it leads to: of the steps whose `when` holds and whose `until` does not, the first is shown",
+    );
+    let english = table.need(
+        "text",
+        text(""),
+        "what to do now; `{key}` becomes the key in force",
+    );
+    let ukrainian = table.may("text_uk", text(""), "the same in Ukrainian");
+    let key_form = text("an action of the keymap such as `map`, or a verb such as `takeoff`");
+    let key = table.may("key", key_form, "what the key leads to");
+    if !table.is_written("when") && !table.is_written("until") {
+        table.fault("a step without `when` and `until` would be shown for ever");
+    }
+    for written in english.iter().chain(&ukrainian) {
+        let rest = written.get_ref().replace(STEP_KEY, "");
+        let is_used = rest.len() < written.get_ref().len();
+        if rest.contains(['{', '}']) {
+            let message = format!("a step knows one placeholder only: `{STEP_KEY}`");
+            table.draft().faults.add(written.span(), message);
+        } else if is_used != key.is_some() {
+            let message = format!("`{STEP_KEY}` and `key` go together");
+            table.draft().faults.add(written.span(), message);
+        }
+    }
+    let faults = &mut table.draft().faults;
+    Some(LessonStep {
+        when,
+        until,
+        text: faults.translated(english?, ukrainian, "text_uk"),
+        key: key.map(toml::Spanned::into_inner),
+    })
+}
