@@ -66,11 +66,13 @@ fn obstacle(state: &State) -> Option<Text> {
         None => Some(text!("mission-none")),
         _ if session.over => Some(text!("deed-over")),
         _ if session.paused => Some(text!("pause-is-one")),
-        _ if session.reading => Some(text!("pause-not-begun")),
         _ if session.hangar.is_some() => Some(text!("pause-not-processes")),
         Some(Activity::Connected { .. }) => Some(text!("pause-not-real")),
         Some(Activity::Mission { .. } | Activity::Free) => {
-            forbidden().then(|| text!("pause-not-allowed"))
+            let not_begun = || session.reading.then(|| text!("pause-not-begun"));
+            forbidden()
+                .then(|| text!("pause-not-allowed"))
+                .or_else(not_begun)
         }
     }
 }

@@ -141,6 +141,8 @@ pub fn progress(state: &mut State, mut progress: Progress) {
             career.fade(&mission.id, &mut progress);
         }
         lesson::name_key(state, &mut progress);
+        // Its clock runs, so it has begun.
+        state.session.reading &= progress.elapsed.is_zero();
         let mission_time = &mut state.session.mission_time;
         mission_time.note(state.now, progress.elapsed);
         state.rooms.mission.hear(&progress);

@@ -56,8 +56,13 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
 
 /// The figures; in a few letters where there is little room.
 fn right_part(state: &State, look: &Look, short: bool) -> String {
-    if state.session().is_reading() {
-        return look.say("header-reading");
+    let is_reading = state.session().is_reading();
+    if is_reading && short {
+        let vehicles = text!("count-vehicles", count = state.session().vehicles().len());
+        return look.text(&Text::joined(
+            "   ",
+            vec![vehicles, text!("header-reading")],
+        ));
     }
     let mut parts = Vec::new();
     if let Some(bytes_per_s) = state.slow_line() {
@@ -102,7 +107,11 @@ fn right_part(state: &State, look: &Look, short: bool) -> String {
         });
         parts.push(links(state, short));
     }
-    parts.push(clock(state.session().time(state.now())).into());
+    parts.push(if is_reading {
+        text!("header-reading")
+    } else {
+        clock(state.session().time(state.now())).into()
+    });
     look.text(&Text::joined("   ", parts))
 }
 
