@@ -50,7 +50,7 @@ pub use links::LinkSummary;
 pub use notices::{NoticeLine, NoticeLog};
 pub use overlay::{Confirm, Consequence, Log, Overlay, Palette, ParameterSetting, Prompt, Purpose};
 pub use profiles::Trainee;
-pub use session::{Activity, Session};
+pub use session::{Activity, Session, TimeFlow};
 pub use time::MissionTime;
 
 /// The smallest terminal that the console fits into: columns and rows.

@@ -135,7 +135,7 @@ mod tests {
 
     #[tokio::test(start_paused = true)]
     async fn a_mission_begins_when_its_brief_is_left_and_reading_is_no_pause() {
-        let mut console = reading().await;
+        let mut console = Box::pin(reading()).await;
         run(&mut console, 60).await;
         let (stood, session) = (console.clock.now(), console.app.state().session());
         assert!(session.is_reading() && !session.is_paused());
@@ -154,7 +154,7 @@ mod tests {
 
     #[tokio::test(start_paused = true)]
     async fn a_command_from_the_brief_begins_the_mission_and_a_pause_is_refused_before() {
-        let mut console = reading().await;
+        let mut console = Box::pin(reading()).await;
         run(&mut console, 5).await;
         console.feed(key(KeyCode::Char('p'))).await;
         assert!(!console.app.state().session().is_paused());

@@ -53,10 +53,8 @@ pub struct Session {
     pub(in crate::app) mission_time: MissionTime,
     /// Whether the mission is over: its debrief is there.
     pub(in crate::app) over: bool,
-    /// Whether it stands still.
-    pub(in crate::app) paused: bool,
-    /// Whether its mission has not begun yet because the brief has not been left.
-    pub(in crate::app) reading: bool,
+    /// Whether its time passes.
+    pub(in crate::app) flow: TimeFlow,
     /// The groups that commands may name.
     pub(in crate::app) groups: Groups,
     /// The places that commands may name.
@@ -69,6 +67,17 @@ pub struct Session {
     recent: BTreeMap<VehicleId, Vec<EntryId>>,
     /// Whether the user has put the cursor somewhere.
     cursor_placed: bool,
+}
+
+/// Whether the time of a session passes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum TimeFlow {
+    #[default]
+    Passes,
+    /// It stands still in a pause.
+    Paused,
+    /// The mission has not begun, because its brief has not been left.
+    AwaitsReader,
 }
 
 /// What a session is about.

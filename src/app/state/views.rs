@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use super::{
     Activity, Alarms, Career, Hangar, Histories, Keymap, LinkSummary, MissionListing, NoticeLog,
-    Overlay, Room, Selection, Session, State,
+    Overlay, Room, Selection, Session, State, TimeFlow,
 };
 use crate::campaign::Reward;
 use crate::config::Config;
@@ -188,12 +188,19 @@ impl Session {
 
     /// Whether the session stands still.
     pub fn is_paused(&self) -> bool {
-        self.paused
+        self.flow == TimeFlow::Paused
     }
 
     /// Whether its mission has not begun yet because the brief has not been left.
     pub fn is_reading(&self) -> bool {
-        self.reading
+        self.flow == TimeFlow::AwaitsReader
+    }
+
+    /// The mission may begin; does nothing unless it awaits that.
+    pub(in crate::app) fn leave_brief(&mut self) {
+        if self.is_reading() {
+            self.flow = TimeFlow::Passes;
+        }
     }
 
     /// All commands of the session.

@@ -57,9 +57,9 @@ fn obey(state: &mut State, own: ConsoleLine) -> Result<Effects, Text> {
             let effect = Effect::Session(SessionEffect::Connect(addresses));
             return Ok(act::guarded(state, text!("ask-start"), effect));
         }
-        ConsoleLine::Inject(_) if state.session.paused => return Err(text!("pause-refuses")),
+        ConsoleLine::Inject(_) if state.session.is_paused() => return Err(text!("pause-refuses")),
         ConsoleLine::Inject(name) => {
-            state.session.reading = false;
+            state.session.leave_brief();
             return Ok(Effects::from(Effect::Session(SessionEffect::Inject(name))));
         }
         // Its lines were queued above.

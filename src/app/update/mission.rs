@@ -5,7 +5,7 @@ use crate::app::State;
 use crate::app::action::Action;
 use crate::app::effect::{Effect, Effects, Launch, SessionEffect};
 use crate::app::room::Room;
-use crate::app::state::Activity;
+use crate::app::state::{Activity, TimeFlow};
 use crate::campaign::Stake;
 use crate::text;
 use crate::text::Text;
@@ -14,13 +14,13 @@ use crate::vehicle::Severity;
 /// A mission begins once another room is shown than its brief.
 pub fn leave_brief(state: &mut State) {
     if state.room != Room::Mission && !state.session.is_starting() {
-        state.session.reading = false;
+        state.session.leave_brief();
     }
 }
 
 /// Lets the session stand still, or go on where it does.
 pub fn turn(state: &mut State) -> Effects {
-    if state.session.paused {
+    if state.session.is_paused() {
         go_on(state)
     } else {
         pause(state)
@@ -40,7 +40,7 @@ pub fn pause(state: &mut State) -> Effects {
 
 /// Lets the session go on.
 pub fn go_on(state: &mut State) -> Effects {
-    if state.session.paused {
+    if state.session.is_paused() {
         return Effects::from(Effect::Session(SessionEffect::Continue));
     }
     state.say(Severity::Notice, text!("pause-is-none"));
@@ -49,7 +49,11 @@ pub fn go_on(state: &mut State) -> Effects {
 
 /// It stands still from now on, or goes on.
 pub fn paused(state: &mut State, paused: bool) {
-    state.session.paused = paused;
+    state.session.flow = if paused {
+        TimeFlow::Paused
+    } else {
+        TimeFlow::Passes
+    };
     let text = if paused {
         text!("pause-begins", key = state.key(Action::PauseMission))
     } else {
@@ -65,11 +69,11 @@ fn obstacle(state: &State) -> Option<Text> {
     match &session.activity {
         None => Some(text!("mission-none")),
         _ if session.over => Some(text!("deed-over")),
-        _ if session.paused => Some(text!("pause-is-one")),
+        _ if session.is_paused() => Some(text!("pause-is-one")),
         _ if session.hangar.is_some() => Some(text!("pause-not-processes")),
         Some(Activity::Connected { .. }) => Some(text!("pause-not-real")),
         Some(Activity::Mission { .. } | Activity::Free) => {
-            let not_begun = || session.reading.then(|| text!("pause-not-begun"));
+            let not_begun = || session.is_reading().then(|| text!("pause-not-begun"));
             forbidden()
                 .then(|| text!("pause-not-allowed"))
                 .or_else(not_begun)

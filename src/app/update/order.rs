@@ -75,7 +75,7 @@ fn permit(state: &State, line: &str, statement: &Statement) -> Result<(), Diagno
             ),
         ));
     }
-    if state.session.paused && !moves_nothing(state, statement) {
+    if state.session.is_paused() && !moves_nothing(state, statement) {
         return Err(
             Diagnostic::new(first_word(line), text!("pause-refuses")).with_help(text!(
                 "pause-refuses-help",
@@ -177,7 +177,7 @@ pub struct SentOrder {
 pub fn send(state: &mut State, order: Order) -> SentOrder {
     let now = state.now;
     if !is_word(&order.act) && !is_question(&order.act) {
-        state.session.reading = false;
+        state.session.leave_brief();
     }
     let entry = state.session.open(now, order.given(), &order.targets);
     parameters::note_order(state, &order, entry);

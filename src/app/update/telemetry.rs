@@ -12,7 +12,7 @@ use crate::app::room::Room;
 use crate::app::room::debrief::Debrief;
 use crate::app::room::map;
 use crate::app::room::{fly, ledger};
-use crate::app::state::{BellCall, Hangar, NoticeLog, Overlay, Session};
+use crate::app::state::{BellCall, Hangar, NoticeLog, Overlay, Session, TimeFlow};
 use crate::mission::Progress;
 use crate::notice::Notice;
 use crate::scoring::Report;
@@ -97,7 +97,9 @@ pub fn started(state: &mut State, started: Started) {
     } else {
         Room::Fly
     };
-    session.reading = session.first_room == Room::Mission;
+    if session.first_room == Room::Mission {
+        session.flow = TimeFlow::AwaitsReader;
+    }
     if is_again {
         session.groups = std::mem::take(&mut state.session.groups);
     }
@@ -142,7 +144,9 @@ pub fn progress(state: &mut State, mut progress: Progress) {
         }
         lesson::name_key(state, &mut progress);
         // Its clock runs, so it has begun.
-        state.session.reading &= progress.elapsed.is_zero();
+        if !progress.elapsed.is_zero() {
+            state.session.leave_brief();
+        }
         let mission_time = &mut state.session.mission_time;
         mission_time.note(state.now, progress.elapsed);
         state.rooms.mission.hear(&progress);

@@ -17,7 +17,7 @@ impl Page<'_> {
     /// Whether the clock stands still while the brief is read, or can be stopped.
     fn can_wait(&self) -> bool {
         let session = &self.state.session;
-        if session.reading {
+        if session.is_reading() {
             return true;
         }
         let allows = session.listing.as_ref().is_some_and(|it| it.pausable);
@@ -62,9 +62,9 @@ impl Page<'_> {
             (
                 text!("mission-reading"),
                 self.can_wait().then(|| {
-                    if self.state.session.reading {
+                    if self.state.session.is_reading() {
                         text!("mission-reading-first")
-                    } else if self.state.session.paused {
+                    } else if self.state.session.is_paused() {
                         text!("mission-reading-paused", key = pause)
                     } else {
                         text!("mission-reading-is", key = pause)
