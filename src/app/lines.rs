@@ -32,8 +32,8 @@ pub fn themes(names: &[String]) -> Listed {
     Listed::Names(names.iter().map(named).collect())
 }
 
-/// Runs `work` with what is known where a line stands in a file: groups and places may have any name, because nobody
-/// knows yet which there will be.
+/// Runs `work` with what is known where a line stands in a file: groups and places may have any name, because
+/// those of the session are not known yet.
 fn in_file<T>(line: &str, themes: &[String], work: impl FnOnce(&Context<'_>) -> T) -> T {
     let words = line.split_whitespace();
     let named = words.filter_map(|word| word.strip_prefix('@'));

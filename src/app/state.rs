@@ -86,7 +86,7 @@ pub struct State<R> {
     pub(in crate::app) missions: Vec<MissionListing>,
     /// The trainee's tries at them as they are now, by the mission's id, oldest first.
     pub(in crate::app) tries: BTreeMap<String, Vec<TryReport>>,
-    /// Who trains here; nobody whose flights are kept, if there is none.
+    /// The trainee's career; `None` where no flights are kept.
     pub(in crate::app) career: Option<Career>,
     /// What the last flight brought to it; nothing once another session has started.
     pub(in crate::app) reward: Option<Reward>,

@@ -75,7 +75,7 @@ impl ParameterCommand {
     }
 }
 
-/// Whether a value is just what somebody wrote: exactly, or as the shortest number that means it (0.1).
+/// Whether a value is the one that was written: exactly, or as the shortest number that means it (0.1).
 pub fn is_written_so(value: f32, written: f64) -> bool {
     let differs = |value: f64| (value - written).abs() > 0.0;
     let shortest = value.to_string().parse().unwrap_or(f64::NAN);

@@ -50,7 +50,7 @@ pub struct Palette {
     pub(in crate::app) completions: Vec<Completion>,
     /// The completion that Tab has put in.
     pub(in crate::app) chosen: Option<usize>,
-    /// To whom the line goes as it stands; empty where it goes to nobody.
+    /// The vehicles that the line as it stands is for; empty where it is for none.
     pub(in crate::app) recipients: Text,
     /// The usage of the verb, or what comes next.
     pub(in crate::app) hint: Option<Text>,
@@ -82,7 +82,7 @@ impl Palette {
         self.chosen
     }
 
-    /// To whom the line goes as it stands; empty where it goes to nobody.
+    /// The vehicles that the line as it stands is for; empty where it is for none.
     pub fn recipients(&self) -> &Text {
         &self.recipients
     }

@@ -1,5 +1,4 @@
-//! What may be read of the state from outside of `app`: nobody there can name its fields, so nobody there can change
-//! them.
+//! What other modules may read of the state. Its fields are private to `app`, so that only `app` changes them.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -104,7 +103,7 @@ impl<R> State<R> {
         &self.missions
     }
 
-    /// Who trains here; nobody whose flights are kept, if there is none.
+    /// The trainee's career; `None` where no flights are kept.
     pub fn career(&self) -> Option<&Career> {
         self.career.as_ref()
     }

@@ -35,7 +35,7 @@ pub(in crate::mission) struct ExpressionNames<'a> {
 pub(super) enum Argument {
     Number,
     Zone,
-    /// A zone, or somebody who is on the way.
+    /// A zone, or a moving person or aircraft.
     Place,
     Objective,
     Hazard,
