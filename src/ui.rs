@@ -14,7 +14,7 @@ mod screen;
 mod theme;
 mod widget;
 
-pub use look::Look;
+pub use look::{Badge, Look};
 pub use theme::{ColourDepth, Role, Theme, ThemeError, ThemeFile, Themes};
 
 /// Draws the whole console, with no more than the characters that the terminal has.

@@ -2,7 +2,7 @@
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
-use ratatui::style::Style;
+use ratatui::style::{Color, Modifier, Style};
 use ratatui::text::{Line, Span};
 use ratatui::widgets::{Block, Clear, Widget as _};
 
@@ -96,6 +96,21 @@ impl<'a> Panel<'a> {
         below(self.area, 1)
     }
 
+    /// Shows that the cursor is here. What has a ground of its own, such as ARMED, keeps it, so that the cursor hides
+    /// no state.
+    pub fn mark_cursor(self, buffer: &mut Buffer) {
+        let ground = self.style(Role::Text).bg.unwrap_or(Color::Reset);
+        let cursor = self.style(Role::Cursor);
+        for position in self.area.intersection(buffer.area).positions() {
+            let cell = &mut buffer[position];
+            if cell.modifier.contains(Modifier::REVERSED) {
+                cell.modifier.remove(Modifier::REVERSED);
+            } else if cell.bg == ground {
+                cell.set_style(cursor);
+            }
+        }
+    }
+
     /// Clears a box in the middle of things, draws its frame and returns its inside.
     pub fn boxed(self, title: &str, role: Role, buffer: &mut Buffer) -> Rect {
         Clear.render(self.area, buffer);
@@ -172,4 +187,36 @@ pub fn clip(text: &str, width: usize) -> String {
         clipped.push('…');
     }
     clipped
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ui::theme::Theme;
+
+    #[test]
+    fn the_cursor_hides_no_state() {
+        for name in Theme::names() {
+            let look = Look {
+                theme: Theme::named(name).expect("embedded"),
+                ..Look::default()
+            };
+            let panel = Panel::new(&look, Rect::new(0, 0, 12, 1));
+            let mut buffer = Buffer::empty(panel.area);
+            buffer.set_style(panel.area, look.style(Role::Text));
+            let spans = [("GUIDED ", Role::Text), ("ARMED", Role::Armed)];
+            let line: Line<'_> = spans
+                .map(|(text, role)| Span::styled(text, look.style(role)))
+                .into_iter()
+                .collect();
+            put(&mut buffer, panel.area, 0, &line);
+            let before = buffer.clone();
+            panel.mark_cursor(&mut buffer);
+            let armed = buffer[(8, 0)].style();
+            assert_ne!(buffer[(0, 0)].style(), before[(0, 0)].style(), "{name}");
+            assert_ne!(buffer[(0, 0)].style(), armed, "{name}");
+            let is_turned = before[(8, 0)].modifier.contains(Modifier::REVERSED);
+            assert!(is_turned || armed == before[(8, 0)].style(), "{name}");
+        }
+    }
 }

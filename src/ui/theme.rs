@@ -1,6 +1,6 @@
 //! Themes: what the roles of the console look like. A widget asks for a role ("warning"), never for a
 //! colour; a theme file gives each role a style and may inherit the rest from another theme. One that inherits
-//! nothing has to give every role.
+//! nothing has to give every role that has no stand-in.
 
 use std::collections::BTreeMap;
 
@@ -49,11 +49,32 @@ pub enum Role {
     Danger,
     /// The word of an input that is wrong.
     Error,
+    /// Its motors may turn: the loudest of the states of a vehicle.
+    Armed,
+    /// It may be armed: calm.
+    Ready,
+    /// An alert that waits to be acknowledged.
+    Alert,
+    /// Where vehicles may fly.
+    Fence,
+    /// What the sensors have shown and nothing has confirmed.
+    Contact,
+    /// Gas, fire, water, radiation.
+    Hazard,
+    /// What cannot be had or flown yet.
+    Locked,
+    /// The colours that drones and teams are told apart by.
+    Drone1,
+    Drone2,
+    Drone3,
+    Drone4,
+    Drone5,
+    Drone6,
 }
 
 impl Role {
     /// Every role with its name in theme files.
-    pub const ALL: [(&'static str, Self); 14] = [
+    pub const ALL: [(&'static str, Self); 27] = [
         ("text", Self::Text),
         ("muted", Self::Muted),
         ("title", Self::Title),
@@ -68,7 +89,62 @@ impl Role {
         ("warning", Self::Warning),
         ("danger", Self::Danger),
         ("error", Self::Error),
+        ("armed", Self::Armed),
+        ("ready", Self::Ready),
+        ("alert", Self::Alert),
+        ("fence", Self::Fence),
+        ("contact", Self::Contact),
+        ("hazard", Self::Hazard),
+        ("locked", Self::Locked),
+        ("drone1", Self::Drone1),
+        ("drone2", Self::Drone2),
+        ("drone3", Self::Drone3),
+        ("drone4", Self::Drone4),
+        ("drone5", Self::Drone5),
+        ("drone6", Self::Drone6),
     ];
+
+    /// What drones and teams are drawn in, one after another.
+    pub const DRONES: [Self; 6] = [
+        Self::Drone1,
+        Self::Drone2,
+        Self::Drone3,
+        Self::Drone4,
+        Self::Drone5,
+        Self::Drone6,
+    ];
+
+    /// The role whose style a theme that inherits nothing uses for this one where it does not give its own: a theme
+    /// needs only the roles that every theme had from the beginning.
+    fn stand_in(self) -> Option<Self> {
+        match self {
+            Self::Armed | Self::Alert => Some(Self::Danger),
+            Self::Ready => Some(Self::Ok),
+            Self::Fence | Self::Hazard => Some(Self::Warning),
+            Self::Contact => Some(Self::Accent),
+            Self::Locked => Some(Self::Muted),
+            Self::Drone1
+            | Self::Drone2
+            | Self::Drone3
+            | Self::Drone4
+            | Self::Drone5
+            | Self::Drone6 => Some(Self::Text),
+            Self::Text
+            | Self::Muted
+            | Self::Title
+            | Self::Border
+            | Self::Accent
+            | Self::Header
+            | Self::Key
+            | Self::Cursor
+            | Self::Selected
+            | Self::Ok
+            | Self::Info
+            | Self::Warning
+            | Self::Danger
+            | Self::Error => None,
+        }
+    }
 }
 
 /// A style for every role.

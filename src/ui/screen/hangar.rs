@@ -111,7 +111,7 @@ fn draw_list(state: &State, hangar: &Hangar, panel: Panel<'_>, buffer: &mut Buff
             &line(instance, columns, panel.look),
         );
         if at == cursor {
-            buffer.set_style(row_of(inner, row as u16), panel.style(Role::Cursor));
+            panel.at(row_of(inner, row as u16)).mark_cursor(buffer);
         }
     }
     below(panel.area, rows)

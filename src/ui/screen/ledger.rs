@@ -89,7 +89,7 @@ fn draw_list(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         let line = entry_line(entry, state, at == place, width, panel.look);
         put(buffer, list, row as u16, &line);
         if at == place {
-            buffer.set_style(row_of(list, row as u16), panel.style(Role::Cursor));
+            panel.at(row_of(list, row as u16)).mark_cursor(buffer);
         }
     }
 }

@@ -83,7 +83,7 @@ fn draw_list(state: &State, cursor: usize, panel: Panel<'_>, buffer: &mut Buffer
         let line = list_line(at, link, worst, name_width, panel.look);
         put(buffer, inner, row as u16, &line);
         if at == cursor {
-            buffer.set_style(row_of(inner, row as u16), panel.style(Role::Cursor));
+            panel.at(row_of(inner, row as u16)).mark_cursor(buffer);
         }
     }
 }

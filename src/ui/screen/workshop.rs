@@ -103,7 +103,7 @@ fn first_shown(cursor: usize, count: usize, rows: u16) -> usize {
 /// Shows which line the cursor is on; of the list that does not have the keys only with a mark.
 fn show_cursor(look: &Look, has_keys: bool, place: Rect, buffer: &mut Buffer) {
     if has_keys {
-        buffer.set_style(row_of(place, 0), look.style(Role::Cursor));
+        Panel::new(look, row_of(place, 0)).mark_cursor(buffer);
     } else if let Some(cell) = buffer.cell_mut((place.x, place.y)) {
         cell.set_char('>').set_style(look.style(Role::Accent));
     }

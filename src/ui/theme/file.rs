@@ -138,6 +138,12 @@ pub fn read(source: &str, lineage: &Lineage<'_>) -> Result<Styles, Vec<Diagnosti
         };
         styles.insert(role, style(entry, &mut faults));
     }
+    for (_, role) in Role::ALL {
+        let stand_in = role.stand_in().and_then(|other| styles.get(&other));
+        if let Some(&style) = stand_in {
+            styles.entry(role).or_insert(style);
+        }
+    }
     for (name, role) in Role::ALL {
         if faults.is_empty() && !styles.contains_key(&role) {
             faults.push(

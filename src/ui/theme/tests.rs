@@ -37,6 +37,56 @@ fn a_theme_changes_only_what_it_names() {
 }
 
 #[test]
+fn a_theme_that_inherits_nothing_needs_no_role_that_has_a_stand_in() {
+    let first = Role::ALL
+        .iter()
+        .filter(|(_, role)| role.stand_in().is_none());
+    let roles: Vec<String> = first
+        .enumerate()
+        .map(|(at, (name, _))| format!("{name} = {{ fg = \"#0000{at:02x}\" }}"))
+        .collect();
+    let source = format!("[roles]\n{}\n", roles.join("\n"));
+    let theme = Themes::default().read("old", &source).expect("it is whole");
+    assert_eq!(theme.style(Role::Fence), theme.style(Role::Warning));
+    assert_eq!(theme.style(Role::Drone4), theme.style(Role::Text));
+    let own = format!("{source}fence = {{ fg = \"#123456\" }}\n");
+    let theme = Themes::default().read("own", &own).expect("it is whole");
+    assert_eq!(
+        theme.style(Role::Fence).fg,
+        Some(Color::Rgb(0x12, 0x34, 0x56))
+    );
+}
+
+#[test]
+fn one_look_has_one_meaning() {
+    const MEANINGS: [Role; 8] = [
+        Role::Armed,
+        Role::Ready,
+        Role::Alert,
+        Role::Warning,
+        Role::Fence,
+        Role::Contact,
+        Role::Hazard,
+        Role::Locked,
+    ];
+    for name in Theme::names() {
+        let theme = Theme::named(name).expect("embedded");
+        for depth in [ColourDepth::True, ColourDepth::Sixteen, ColourDepth::None] {
+            let theme = theme.for_colours(depth);
+            for (at, &a) in MEANINGS.iter().enumerate() {
+                for &b in &MEANINGS[at + 1..] {
+                    assert_ne!(
+                        theme.style(a),
+                        theme.style(b),
+                        "{name} {depth:?}: {a:?} {b:?}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
 fn faults_are_told_at_their_place() {
     let cases = [
         (

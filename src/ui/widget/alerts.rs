@@ -1,7 +1,6 @@
 //! The line of alerts: the worst that nobody has taken note of.
 
 use ratatui::buffer::Buffer;
-use ratatui::style::Modifier;
 use ratatui::text::{Line, Span};
 
 use crate::app::State;
@@ -12,7 +11,7 @@ use crate::text;
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{clip, put, severity_role, short_clock, width};
+use crate::ui::widget::{clip, put, short_clock, width};
 
 /// Rows that the line takes: none while nothing presses.
 pub fn height(state: &State) -> u16 {
@@ -31,13 +30,9 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     ));
     let room = usize::from(panel.area.width).saturating_sub(width(&hint) + 4);
     let text = clip(&words(&pressing, &clock, panel.look), room);
-    let style = panel
-        .look
-        .style(severity_role(pressing.first.alert.severity))
-        .add_modifier(Modifier::BOLD);
     let line = Line::from(vec![
-        Span::styled(format!("! {text}"), style),
-        Span::styled(format!("  {hint}"), panel.style(Role::Muted)),
+        Span::styled(format!("! {text} "), panel.style(Role::Alert)),
+        Span::styled(format!(" {hint}"), panel.style(Role::Muted)),
     ]);
     put(buffer, panel.area, 0, &line);
 }

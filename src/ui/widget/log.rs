@@ -62,7 +62,7 @@ pub fn draw(state: &State, log: Log, cursor: Option<usize>, panel: Panel<'_>, bu
     for (row, (at, line)) in lines.iter().enumerate().skip(first).take(rows).enumerate() {
         put(buffer, inner, row as u16, line);
         if marked.contains(&at) {
-            buffer.set_style(row_of(inner, row as u16), panel.style(Role::Cursor));
+            panel.at(row_of(inner, row as u16)).mark_cursor(buffer);
         }
         if at == marked.start {
             // Seen without colour too, in the free column beside the frame.

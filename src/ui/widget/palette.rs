@@ -215,7 +215,7 @@ fn draw_choices(palette: &Palette, panel: Panel<'_>, buffer: &mut Buffer) {
         for line in block {
             put(buffer, rest, 0, &line);
             if is_chosen {
-                buffer.set_style(row_of(rest, 0), panel.style(Role::Cursor));
+                panel.at(row_of(rest, 0)).mark_cursor(buffer);
             }
             rest = below(rest, 1);
         }

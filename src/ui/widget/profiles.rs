@@ -46,7 +46,7 @@ pub fn draw(state: &State, cursor: usize, panel: Panel<'_>, buffer: &mut Buffer)
         let text = clip(&line, usize::from(inner.width));
         put(buffer, inner, row, &Line::raw(text));
         if under_cursor {
-            buffer.set_style(row_of(inner, row), panel.style(Role::Cursor));
+            panel.at(row_of(inner, row)).mark_cursor(buffer);
         }
     }
     let keys = text!(

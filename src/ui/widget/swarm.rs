@@ -13,7 +13,7 @@ use crate::config::TableSort;
 use crate::language::ranges;
 use crate::text;
 use crate::text::Text;
-use crate::ui::look::Look;
+use crate::ui::look::{Badge, Look};
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, below, clip, columns, put, width, wrap};
@@ -205,14 +205,18 @@ fn draw_vehicle(row: &Row<'_>, columns: &[Shown], panel: Panel<'_>, buffer: &mut
         Span::raw(cursor_mark),
         Span::styled(selection_mark, panel.style(Role::Selected)),
     ]);
+    let badge = Badge::of_vehicle(row.vehicle.id);
+    let mut before = Span::styled(badge.sign.to_string(), panel.style(badge.role));
     for shown in columns {
         let room = usize::from(shown.width);
         let (text, role) = cell(shown.column, row, panel.look, room);
-        let text = format!(" {}", aligned(&text, room, shown.right));
+        line.push_span(before);
+        let text = aligned(&text, room, shown.right);
         line.push_span(Span::styled(text, panel.style(role)));
+        before = Span::raw(" ");
     }
     put(buffer, panel.area, 0, &line);
     if under_cursor {
-        buffer.set_style(panel.area, panel.style(Role::Cursor));
+        panel.mark_cursor(buffer);
     }
 }

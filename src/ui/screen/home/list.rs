@@ -67,7 +67,7 @@ pub(super) fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         );
         put(buffer, inner, row, &Line::styled(line, panel.style(role)));
         if at == cursor {
-            buffer.set_style(row_of(inner, row), panel.style(Role::Cursor));
+            panel.at(row_of(inner, row)).mark_cursor(buffer);
         }
     }
     if state.career().is_some() && count + SIGNS.len() < rows {
@@ -114,7 +114,7 @@ impl Sign {
         match self {
             Self::Next => Role::Accent,
             Self::Due => Role::Warning,
-            Self::Locked => Role::Muted,
+            Self::Locked => Role::Locked,
             Self::Passed | Self::Open => Role::Text,
         }
     }

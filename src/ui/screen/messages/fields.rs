@@ -140,7 +140,7 @@ fn draw_rows(rows: &[Row], field: Option<usize>, panel: Panel<'_>, buffer: &mut 
     for (at, row) in rows.iter().skip(first).take(height).enumerate() {
         put(buffer, panel.area, at as u16, &row.1);
         if is_cursor(row) {
-            buffer.set_style(row_of(panel.area, at as u16), panel.style(Role::Cursor));
+            panel.at(row_of(panel.area, at as u16)).mark_cursor(buffer);
         }
     }
     let hidden = rows.len().saturating_sub(first + height);

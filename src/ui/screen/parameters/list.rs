@@ -59,7 +59,7 @@ pub fn draw(state: &State, shown: &ShownRows<'_>, panel: Panel<'_>, buffer: &mut
         }
         put(buffer, place, 0, &drawn);
         if index == at {
-            buffer.set_style(place, panel.style(Role::Cursor));
+            panel.at(place).mark_cursor(buffer);
         }
     }
 }

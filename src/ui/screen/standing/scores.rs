@@ -44,7 +44,7 @@ pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
         let line = line(subject, flown[at], usize::from(inner.width));
         put(buffer, inner, row, &Line::raw(format!("{mark} {line}")));
         if at == cursor && subject.has_cursor(Pane::Scores) {
-            buffer.set_style(row_of(inner, row), look.style(Role::Cursor));
+            Panel::new(look, row_of(inner, row)).mark_cursor(buffer);
         }
     }
     let used = 2 + rows as u16;

@@ -31,7 +31,7 @@ pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
         let line = line(subject, skill, under_cursor, name);
         put(buffer, inner, row, &line);
         if under_cursor && subject.has_cursor(Pane::Skills) {
-            buffer.set_style(row_of(inner, row), look.style(Role::Cursor));
+            Panel::new(look, row_of(inner, row)).mark_cursor(buffer);
         }
     }
     let skill = Skill::ALL.get(cursor).copied().unwrap_or(Skill::K1);

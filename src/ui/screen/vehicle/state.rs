@@ -109,7 +109,7 @@ fn ready(subject: &Subject<'_>) -> Entry {
     if vehicle.armed() {
         (WARNING, look.say("vehicle-fine"), Role::Ok)
     } else if vehicle.ready_to_arm() {
-        (WARNING, look.say("vehicle-ready-to-arm"), Role::Ok)
+        (WARNING, look.say("vehicle-ready-to-arm"), Role::Ready)
     } else {
         (WARNING, look.say("vehicle-not-ready"), Role::Warning)
     }

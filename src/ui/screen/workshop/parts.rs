@@ -196,7 +196,7 @@ fn short(licence: &Licence, look: &Look) -> (String, Role) {
     match licence {
         Licence::Held => (String::new(), Role::Muted),
         Licence::ForSale(price) => (format!("{price} cr"), Role::Accent),
-        Licence::Locked(_) => (look.say("bench-locked"), Role::Muted),
+        Licence::Locked(_) => (look.say("bench-locked"), Role::Locked),
     }
 }
 

@@ -131,14 +131,20 @@ fn the_formulas_give_the_published_values() {
 #[test]
 fn states_stay_apart_for_every_kind_of_colour_vision() {
     const STATES: [Role; 4] = [Role::Ok, Role::Info, Role::Warning, Role::Danger];
+    let faults = faults_among(&STATES, LEAST_DISTANCE);
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+/// The pairs of these roles that some kind of colour vision sees closer to each other than `least`.
+fn faults_among(roles: &[Role], least: f64) -> Vec<String> {
     let mut faults = Vec::new();
     for theme in themes() {
-        for (at, &a) in STATES.iter().enumerate() {
-            for &b in &STATES[at + 1..] {
+        for (at, &a) in roles.iter().enumerate() {
+            for &b in &roles[at + 1..] {
                 let (one, other) = (colours(&theme, a), colours(&theme, b));
                 for (name, eyes) in &VISIONS {
                     let apart = distance(eyes, one.0, other.0).max(distance(eyes, one.1, other.1));
-                    if apart < LEAST_DISTANCE {
+                    if apart < least {
                         let theme = theme.name();
                         faults.push(format!(
                             "{theme}, {name}: {a:?} and {b:?} are {apart:.1} apart"
@@ -148,6 +154,26 @@ fn states_stay_apart_for_every_kind_of_colour_vision() {
             }
         }
     }
+    faults
+}
+
+#[test]
+fn what_lies_on_a_map_and_the_drones_stay_apart_for_every_kind_of_colour_vision() {
+    const MEANINGS: [Role; 8] = [
+        Role::Armed,
+        Role::Ready,
+        Role::Alert,
+        Role::Warning,
+        Role::Fence,
+        Role::Contact,
+        Role::Hazard,
+        Role::Locked,
+    ];
+    let faults = [
+        faults_among(&MEANINGS, 12.0),
+        faults_among(&Role::DRONES, 12.0),
+    ]
+    .concat();
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 

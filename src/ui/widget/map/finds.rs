@@ -11,7 +11,7 @@ use crate::ui::theme::Role;
 
 /// How much a contact is trusted, by sign, in the order of the legend.
 pub const SIGNS: [(Trust, char, Role, &str); 3] = [
-    (Trust::Seen, '?', Role::Warning, "map-legend-seen"),
+    (Trust::Seen, '?', Role::Contact, "map-legend-seen"),
     (Trust::Confirmed, '!', Role::Accent, "map-legend-confirmed"),
     (Trust::Reported, '#', Role::Ok, "map-legend-reported"),
 ];

@@ -33,7 +33,7 @@ pub const RULER: Stroke = Stroke::dotted(Role::Key);
 pub const fn stroke(kind: SketchKind) -> Stroke {
     match kind {
         SketchKind::Task => Stroke::dotted(Role::Info),
-        SketchKind::Fence => Stroke::dashed(Role::Warning),
+        SketchKind::Fence => Stroke::dashed(Role::Fence),
         SketchKind::KeepOut => Stroke::dotted(Role::Danger),
         SketchKind::NoFly => Stroke::dense(Role::Danger),
         SketchKind::Jamming => Stroke::dashed(Role::Accent),

@@ -20,7 +20,7 @@ const DIGITS: [char; 9] = ['1', '2', '3', '4', '5', '6', '7', '8', '9'];
 pub fn draw(field: &SampleField, look: &Look, view: &Viewport, area: Rect, buffer: &mut Buffer) {
     let shades = shades(look.symbols);
     let top = field.top();
-    let style = look.style(Role::Warning);
+    let style = look.style(Role::Hazard);
     for (cell, mean) in means(field, view).into_iter().enumerate() {
         let Some(mean) = mean else {
             continue;
@@ -50,7 +50,7 @@ pub fn draw_scale(field: &SampleField, panel: Panel<'_>, buffer: &mut Buffer) {
             continue;
         }
         let value = top * (at + 1) as f64 / shades.len() as f64;
-        spans.push(Span::styled(shade.to_string(), panel.style(Role::Warning)));
+        spans.push(Span::styled(shade.to_string(), panel.style(Role::Hazard)));
         spans.push(Span::styled(
             format!(" {}  ", figure(value)),
             panel.style(Role::Muted),

@@ -136,7 +136,7 @@ fn shade(square: &SquareReport, look: &Look, view: &Viewport, area: Rect, buffer
     for row in span(top, bottom, view.rows) {
         for column in span(left, right, view.columns) {
             if let Some(cell) = buffer.cell_mut((area.x + column, area.y + row)) {
-                cell.set_char(shade).set_style(look.style(Role::Warning));
+                cell.set_char(shade).set_style(look.style(Role::Hazard));
             }
         }
     }

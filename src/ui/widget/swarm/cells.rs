@@ -9,7 +9,7 @@ use crate::config::Column;
 use crate::ledger::RowState;
 use crate::text;
 use crate::text::{Text, figure};
-use crate::ui::look::Look;
+use crate::ui::look::{Badge, Look};
 use crate::ui::theme::Role;
 use crate::ui::widget::{clip, row_role, severity_role, short_clock, width};
 use crate::vehicle::{FixType, LandedState, Severity, Vehicle};
@@ -94,7 +94,7 @@ pub fn cell(column: Column, row: &Row<'_>, look: &Look, width: usize) -> Cell {
     match column {
         Column::Id => id(row),
         Column::Name => (look.text(&Session::name(row.vehicle)), Role::Muted),
-        Column::Group => (session.groups_of(row.vehicle.id).join(" "), Role::Accent),
+        Column::Group => teams(row),
         Column::Mode => mode(row.vehicle),
         Column::Armed => armed(row),
         Column::State => landed(row),
@@ -127,12 +127,20 @@ fn unknown() -> Cell {
 }
 
 fn id(row: &Row<'_>) -> Cell {
-    let role = if row.selected {
-        Role::Selected
-    } else {
-        Role::Text
-    };
-    (row.vehicle.id.to_string(), role)
+    let badge = Badge::of_vehicle(row.vehicle.id);
+    (row.vehicle.id.to_string(), badge.role)
+}
+
+/// Its teams, in the colour of the first.
+fn teams(row: &Row<'_>) -> Cell {
+    let session = row.state.session();
+    let names = session.groups_of(row.vehicle.id);
+    let first = names.first().and_then(|first| {
+        let mut all = session.groups().keys();
+        all.position(|name| name == first)
+    });
+    let role = first.map_or(Role::Muted, |place| Badge::of_team(place).role);
+    (names.join(" "), role)
 }
 
 fn mode(vehicle: &Vehicle) -> Cell {
@@ -145,11 +153,11 @@ fn armed(row: &Row<'_>) -> Cell {
     if vehicle.heartbeat.is_none() {
         unknown()
     } else if vehicle.armed() {
-        (words.armed.clone(), Role::Accent)
+        (words.armed.clone(), Role::Armed)
     } else if has_crashed(row) {
         unknown()
     } else if vehicle.ready_to_arm() {
-        (words.ready.clone(), Role::Ok)
+        (words.ready.clone(), Role::Ready)
     } else {
         (words.safe.clone(), Role::Muted)
     }
@@ -250,6 +258,8 @@ fn alert(row: &Row<'_>, look: &Look, room: usize) -> Cell {
     let mark = if is_serious && !calm { "!" } else { "" };
     let role = if calm {
         Role::Muted
+    } else if is_serious {
+        Role::Alert
     } else {
         severity_role(one.alert.severity)
     };
