@@ -297,6 +297,9 @@ impl Console {
     }
 
     async fn hear(&mut self, input: Input, screen: &mut Screen) {
+        if !matches!(input, Input::Answer) {
+            screen.pressed();
+        }
         match input {
             Input::Answer => screen.answered(),
             Input::Key(key) if is_suspend(key) => {

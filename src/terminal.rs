@@ -127,6 +127,11 @@ impl Screen {
         self.traffic.is_idle().then(|| self.pace.wait(now))
     }
 
+    /// A key has been pressed: what comes of it is drawn at once.
+    pub fn pressed(&mut self) {
+        self.pace.pressed();
+    }
+
     /// The terminal has answered a question: what was drawn until then has been read.
     pub fn answered(&mut self) {
         self.pace.answered(self.clock.elapsed());
