@@ -4,8 +4,8 @@ use strum::{EnumIter, IntoEnumIterator as _, IntoStaticStr};
 
 use super::room_list::Room;
 
-/// An intent. The keymap makes actions from keys. Its name in keymap files is that of the variant; the message
-/// `action-NAME` says what it does.
+/// An intent. The keymap makes actions from keys. Its name in keymap files is that of the innermost variant; the message
+/// `action-NAME` says what it does. What only some rooms know is an enum of its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 pub enum Action {
@@ -24,13 +24,6 @@ pub enum Action {
     Notices,
     /// Show the mission's brief again.
     Brief,
-    /// Select the vehicle under the cursor, or take it out of the selection.
-    #[strum(serialize = "select")]
-    Toggle,
-    SelectAll,
-    Invert,
-    /// Take back the last character of the vehicle list.
-    Erase,
     /// Take what was typed or is under the cursor.
     Submit,
     /// Take back: what was typed, the selection, the overlay.
@@ -39,16 +32,6 @@ pub enum Action {
     Again,
     /// Fly the same mission again, exactly as it was.
     AgainAlike,
-    /// Fly the mission after this one.
-    NextMission,
-    /// Fly the short exercise for a mission.
-    Drill,
-    /// Fly a mission with the seed of the day.
-    Daily,
-    /// Fly a mission's exam.
-    Exam,
-    /// Fly a mission for practice, with a seed of one's own.
-    Practise,
     /// Choose who trains here.
     Profiles,
     /// Have more or less advice come by itself.
@@ -57,14 +40,149 @@ pub enum Action {
     PauseMission,
     /// End the mission now.
     Abandon,
-    /// Show the truth on the map, or the text again.
-    TruthMap,
-    /// To the next section of a text.
-    NextSection,
-    /// To the section before.
-    PreviousSection,
     /// Back to the home screen.
     Leave,
+    /// Take note of the alerts.
+    Acknowledge,
+    /// How a room shows its lists, and of which vehicle. Several rooms know these.
+    #[strum(disabled)]
+    View(ViewAction),
+    /// Which vehicles are selected; where parameters are compared, which are marked.
+    #[strum(disabled)]
+    Select(SelectAction),
+    /// Completions and history of a line that is being written.
+    #[strum(disabled)]
+    Line(LineAction),
+    /// Other ways to fly a mission that is listed.
+    #[strum(disabled)]
+    Start(StartAction),
+    /// Actions of the Debrief room.
+    #[strum(disabled)]
+    Debrief(DebriefAction),
+    /// Actions of the Map room.
+    #[strum(disabled)]
+    Map(MapAction),
+    /// Actions of the Ledger room.
+    #[strum(disabled)]
+    Ledger(LedgerAction),
+    /// Actions of the Parameters room.
+    #[strum(disabled)]
+    Parameters(ParametersAction),
+    /// Actions of the Messages room.
+    #[strum(disabled)]
+    Messages(MessagesAction),
+    /// Actions of the Hangar room.
+    #[strum(disabled)]
+    Hangar(HangarAction),
+    /// Actions of the Workshop room.
+    #[strum(disabled)]
+    Workshop(WorkshopAction),
+    Quit,
+}
+
+impl Action {
+    /// What moves a cursor or scrolls, in the order of hints.
+    pub const UP_AND_DOWN: &[Self] = &[Self::Move(Step::Down), Self::Move(Step::Up)];
+
+    /// Every action: the rooms, the steps of a cursor, those that hold everywhere, and those of some rooms.
+    pub fn all() -> impl Iterator<Item = Self> {
+        let rooms = Room::ALL.into_iter().map(Self::Show);
+        let steps = Step::iter().map(Self::Move);
+        let shared = (ViewAction::iter().map(Self::View))
+            .chain(SelectAction::iter().map(Self::Select))
+            .chain(LineAction::iter().map(Self::Line))
+            .chain(StartAction::iter().map(Self::Start));
+        let of_one_room = (DebriefAction::iter().map(Self::Debrief))
+            .chain(MapAction::iter().map(Self::Map))
+            .chain(LedgerAction::iter().map(Self::Ledger))
+            .chain(ParametersAction::iter().map(Self::Parameters))
+            .chain(MessagesAction::iter().map(Self::Messages))
+            .chain(HangarAction::iter().map(Self::Hangar))
+            .chain(WorkshopAction::iter().map(Self::Workshop));
+        let everywhere = Self::iter();
+        rooms
+            .chain(steps)
+            .chain(everywhere)
+            .chain(shared)
+            .chain(of_one_room)
+    }
+
+    /// Its name in keymap files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Show(room) => room.name(),
+            Self::Move(step) => step.into(),
+            Self::View(action) => action.into(),
+            Self::Select(action) => action.into(),
+            Self::Line(action) => action.into(),
+            Self::Start(action) => action.into(),
+            Self::Debrief(action) => action.into(),
+            Self::Map(action) => action.into(),
+            Self::Ledger(action) => action.into(),
+            Self::Parameters(action) => action.into(),
+            Self::Messages(action) => action.into(),
+            Self::Hangar(action) => action.into(),
+            Self::Workshop(action) => action.into(),
+            Self::CommandLine
+            | Self::Help
+            | Self::Notices
+            | Self::Brief
+            | Self::Submit
+            | Self::Escape
+            | Self::Again
+            | Self::AgainAlike
+            | Self::Profiles
+            | Self::Aids
+            | Self::PauseMission
+            | Self::Abandon
+            | Self::Leave
+            | Self::Acknowledge
+            | Self::Quit => self.into(),
+        }
+    }
+
+    /// The action of a name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::all().find(|action| action.name() == name)
+    }
+}
+
+/// How a room shows its lists, and of which vehicle. Several rooms know these.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
+pub enum ViewAction {
+    /// Show only what contains some letters.
+    Filter,
+    /// Order by something else.
+    Sort,
+    /// Turn the order round.
+    SortReverse,
+    /// The next vehicle by number.
+    NextVehicle,
+    PreviousVehicle,
+    /// Show what the screen has no room for at the same time.
+    NextPage,
+    /// Look further back in time.
+    Window,
+}
+
+/// Which vehicles are selected; where parameters are compared, which are marked.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
+pub enum SelectAction {
+    /// Select the vehicle under the cursor, or take it out of the selection.
+    #[strum(serialize = "select")]
+    Toggle,
+    SelectAll,
+    Invert,
+    /// Take back the last character of the vehicle list.
+    Erase,
+}
+
+/// Completions and history of a line that is being written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
+pub enum LineAction {
     /// Put the next completion into the command line.
     Complete,
     /// Put the previous completion into the command line.
@@ -73,8 +191,40 @@ pub enum Action {
     Older,
     /// A newer line of the history.
     Newer,
-    /// Show only what contains some letters.
-    Filter,
+}
+
+/// Other ways to fly a mission that is listed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
+pub enum StartAction {
+    /// Fly the short exercise for a mission.
+    Drill,
+    /// Fly a mission with the seed of the day.
+    Daily,
+    /// Fly a mission's exam.
+    Exam,
+    /// Fly a mission for practice, with a seed of one's own.
+    Practise,
+}
+
+/// Actions of the Debrief room.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
+pub enum DebriefAction {
+    /// Fly the mission after this one.
+    NextMission,
+    /// Show the truth on the map, or the text again.
+    TruthMap,
+    /// To the next section of a text.
+    NextSection,
+    /// To the section before.
+    PreviousSection,
+}
+
+/// Actions of the Map room.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
+pub enum MapAction {
     /// Come closer to what is under the cursor.
     ZoomIn,
     /// Go away from it.
@@ -88,19 +238,28 @@ pub enum Action {
     Ruler,
     /// Write a command that sends vehicles to the place under the cursor.
     GotoHere,
-    /// The next vehicle by number.
-    NextVehicle,
-    PreviousVehicle,
     /// Show or hide where the vehicles have been.
     Trails,
     /// Show or hide what the signs mean.
     Legend,
     /// Show what the next sensor has found.
     NextSensor,
-    /// Look further back in time.
-    Window,
-    /// Show what the screen has no room for at the same time.
-    NextPage,
+}
+
+/// Actions of the Ledger room.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
+pub enum LedgerAction {
+    /// Show only what ended in the next way.
+    NextOutcome,
+    /// Show only what concerns the vehicle under the cursor, or the selected ones.
+    OwnVehicles,
+}
+
+/// Actions of the Parameters room.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
+pub enum ParametersAction {
     /// Show only the parameters that have changed, or all.
     ChangedParameters,
     /// Write a vehicle's parameters into a file.
@@ -113,6 +272,12 @@ pub enum Action {
     ApplyParameters,
     /// Ask the vehicle for all its parameters again.
     FetchParameters,
+}
+
+/// Actions of the Messages room.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
+pub enum MessagesAction {
     /// Open a branch, or go into what is under the cursor.
     Expand,
     /// Close a branch, or go back.
@@ -127,20 +292,22 @@ pub enum Action {
     Pin,
     /// Show bytes, or what they mean.
     Hex,
-    /// Order by something else.
-    Sort,
-    /// Turn the order round.
-    SortReverse,
-    /// Take note of the alerts.
-    Acknowledge,
-    /// Show only what ended in the next way.
-    NextOutcome,
-    /// Show only what concerns the vehicle under the cursor, or the selected ones.
-    OwnVehicles,
+}
+
+/// Actions of the Hangar room.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
+pub enum HangarAction {
     /// Start the process under the cursor again.
     RestartProcess,
     /// End the process under the cursor.
     StopProcess,
+}
+
+/// Actions of the Workshop room.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
+pub enum WorkshopAction {
     /// To the other list.
     OtherPane,
     /// Take out the part, the design or the choice under the cursor.
@@ -179,33 +346,6 @@ pub enum Action {
     AllSeats,
     /// Fly the mission with the drones that were chosen.
     FlyFleet,
-    Quit,
-}
-
-impl Action {
-    /// What moves a cursor or scrolls, in the order of hints.
-    pub const UP_AND_DOWN: &[Self] = &[Self::Move(Step::Down), Self::Move(Step::Up)];
-
-    /// Every action: the rooms, the steps of a cursor, and the others.
-    pub fn all() -> impl Iterator<Item = Self> {
-        let rooms = Room::ALL.into_iter().map(Self::Show);
-        let steps = Step::iter().map(Self::Move);
-        rooms.chain(steps).chain(Self::iter())
-    }
-
-    /// Its name in keymap files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Show(room) => room.name(),
-            Self::Move(step) => step.into(),
-            other => other.into(),
-        }
-    }
-
-    /// The action of a name.
-    pub fn named(name: &str) -> Option<Self> {
-        Self::all().find(|action| action.name() == name)
-    }
 }
 
 /// How far a cursor moves.

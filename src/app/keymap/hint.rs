@@ -162,6 +162,7 @@ impl Keymap {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::app::action::WorkshopAction;
     use crate::app::keymap::{Binding, key};
 
     fn keymap(rows: &[(char, Place, Action)]) -> Keymap {
@@ -179,7 +180,7 @@ mod tests {
         let keymap = keymap(&[
             ('b', Place::Anywhere, Action::Brief),
             ('e', Place::Anywhere, Action::Brief),
-            ('b', room, Action::BuyPart),
+            ('b', room, Action::Workshop(WorkshopAction::BuyPart)),
             ('q', Place::Anywhere, Action::Quit),
             ('q', room, Action::Leave),
         ]);

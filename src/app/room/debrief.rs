@@ -5,10 +5,10 @@ use std::time::Duration;
 use crossterm::event::KeyCode;
 
 use crate::app::State;
-use crate::app::action::Action;
+use crate::app::action::{Action, DebriefAction, StartAction, Step};
 use crate::app::keymap::{ESCAPE, KeyHint, KeyRow, Press, does, hint, key};
 use crate::app::room::home::fly_drill;
-use crate::app::room::{Room, RoomModel, RoomRequest, footer_keys};
+use crate::app::room::{Answer, Room, RoomModel, RoomRequest, footer_keys};
 use crate::app::state::Career;
 use crate::campaign::Reward;
 use crate::debrief;
@@ -86,13 +86,16 @@ impl State {
 
 const HINTS: &[KeyHint] = &[
     footer_keys::SCROLL,
-    hint(&[Action::NextSection], "hint-section"),
-    hint(&[Action::TruthMap], "hint-truth"),
+    hint(
+        &[Action::Debrief(DebriefAction::NextSection)],
+        "hint-section",
+    ),
+    hint(&[Action::Debrief(DebriefAction::TruthMap)], "hint-truth"),
     hint(&[Action::Again], "hint-again"),
     hint(&[Action::AgainAlike], "hint-alike"),
-    hint(&[Action::NextMission], "hint-next"),
+    hint(&[Action::Debrief(DebriefAction::NextMission)], "hint-next"),
     hint(&[Action::Leave], "hint-home"),
-    hint(&[Action::Drill], "hint-drill"),
+    hint(&[Action::Start(StartAction::Drill)], "hint-drill"),
     footer_keys::COMMAND,
     footer_keys::HELP,
 ];
@@ -107,13 +110,19 @@ impl RoomModel for Option<Debrief> {
     const KEYS: &'static [KeyRow] = &[
         does(key('r'), Action::Again),
         does(key('s'), Action::AgainAlike),
-        does(key('n'), Action::NextMission),
-        does(key('t'), Action::Drill),
-        does(key('m'), Action::TruthMap),
+        does(key('n'), Action::Debrief(DebriefAction::NextMission)),
+        does(key('t'), Action::Start(StartAction::Drill)),
+        does(key('m'), Action::Debrief(DebriefAction::TruthMap)),
         does(key('h'), Action::Leave),
         does(ESCAPE, Action::Escape),
-        does(Press::Plain(KeyCode::Tab), Action::NextSection),
-        does(Press::Plain(KeyCode::BackTab), Action::PreviousSection),
+        does(
+            Press::Plain(KeyCode::Tab),
+            Action::Debrief(DebriefAction::NextSection),
+        ),
+        does(
+            Press::Plain(KeyCode::BackTab),
+            Action::Debrief(DebriefAction::PreviousSection),
+        ),
     ];
 
     fn hints(state: &State) -> &'static [KeyHint] {
@@ -123,38 +132,52 @@ impl RoomModel for Option<Debrief> {
         }
     }
 
-    fn act(state: &mut State, action: Action) -> Option<Vec<RoomRequest>> {
-        match action {
-            Action::Move(step) => turn(state, |scroll, _, positions| step.apply(scroll, positions)),
-            Action::NextSection => turn(state, |scroll, sections, _| {
-                let next = sections.iter().find(|&&line| line > scroll);
-                next.copied().unwrap_or(0)
-            }),
-            Action::PreviousSection => turn(state, |scroll, sections, last| {
-                let before = sections.iter().rfind(|&&line| line < scroll);
-                before.or(sections.last()).copied().unwrap_or(last)
-            }),
-            Action::TruthMap => {
-                let debrief = state.rooms.debrief.as_mut()?;
-                debrief.map = !debrief.map;
-            }
-            Action::Escape => {
-                let width = state.size.0;
-                let debrief = state.rooms.debrief.as_mut();
-                match debrief.filter(|debrief| debrief.is_map(width)) {
-                    Some(debrief) => debrief.map = false,
-                    None => return Some(vec![RoomRequest::Leave]),
-                }
-            }
-            Action::NextMission => return Some(next_mission(state)),
-            Action::Drill => {
-                let flown = state.rooms.debrief.as_ref()?.report.mission.clone();
-                return Some(fly_drill(state, &flown));
-            }
-            _ => return None,
-        }
+    fn step(state: &mut State, step: Step) -> Answer {
+        turn(state, |scroll, _, positions| step.apply(scroll, positions));
         Some(Vec::new())
     }
+
+    fn escape(state: &mut State) -> Answer {
+        let width = state.size.0;
+        let debrief = state.rooms.debrief.as_mut();
+        Some(match debrief.filter(|debrief| debrief.is_map(width)) {
+            Some(debrief) => {
+                debrief.map = false;
+                Vec::new()
+            }
+            None => vec![RoomRequest::Leave],
+        })
+    }
+
+    fn start(state: &mut State, action: StartAction) -> Answer {
+        match action {
+            StartAction::Drill => {
+                let flown = state.rooms.debrief.as_ref()?.report.mission.clone();
+                Some(fly_drill(state, &flown))
+            }
+            StartAction::Daily | StartAction::Exam | StartAction::Practise => None,
+        }
+    }
+}
+
+pub(super) fn act(state: &mut State, action: DebriefAction) -> Vec<RoomRequest> {
+    match action {
+        DebriefAction::NextSection => turn(state, |scroll, sections, _| {
+            let next = sections.iter().find(|&&line| line > scroll);
+            next.copied().unwrap_or(0)
+        }),
+        DebriefAction::PreviousSection => turn(state, |scroll, sections, last| {
+            let before = sections.iter().rfind(|&&line| line < scroll);
+            before.or(sections.last()).copied().unwrap_or(last)
+        }),
+        DebriefAction::TruthMap => {
+            if let Some(debrief) = &mut state.rooms.debrief {
+                debrief.map = !debrief.map;
+            }
+        }
+        DebriefAction::NextMission => return next_mission(state),
+    }
+    Vec::new()
 }
 
 /// Shows another line first, made from the present one, the first lines of the sections, and how many lines can be

@@ -5,9 +5,9 @@ use std::time::Duration;
 
 use crate::alert::AlertKind;
 use crate::app::State;
-use crate::app::action::{Action, Step};
+use crate::app::action::{Action, SelectAction, Step, ViewAction};
 use crate::app::keymap::{HintKeys, KeyHint, KeyRow, Place, does, hint, key, writes};
-use crate::app::room::{Room, RoomModel, RoomRequest, footer_keys};
+use crate::app::room::{Answer, Room, RoomModel, footer_keys};
 use crate::app::state::{Purpose, SortKey, VehicleFilter};
 use crate::config::{Column, TableSort};
 use crate::text;
@@ -71,14 +71,14 @@ pub fn move_cursor(state: &mut State, step: Step) {
 const HINTS: &[KeyHint] = &[
     footer_keys::COMMAND,
     footer_keys::HELP,
-    hint(&[Action::Toggle], "hint-select"),
+    hint(&[Action::Select(SelectAction::Toggle)], "hint-select"),
     KeyHint {
         keys: HintKeys::VehicleList,
         about: "hint-list",
     },
-    hint(&[Action::SelectAll], "hint-all"),
-    hint(&[Action::Filter], "hint-filter"),
-    hint(&[Action::Sort], "hint-sort"),
+    hint(&[Action::Select(SelectAction::SelectAll)], "hint-all"),
+    hint(&[Action::View(ViewAction::Filter)], "hint-filter"),
+    hint(&[Action::View(ViewAction::Sort)], "hint-sort"),
     hint(&[Action::Acknowledge], "hint-acknowledge"),
     hint(&[Action::Escape], "hint-none"),
     footer_keys::MOVE,
@@ -104,12 +104,12 @@ const MISSION_HINTS: &[KeyHint] = &[
     footer_keys::PAUSE,
     footer_keys::MISSION_HINT,
     hint(&[Action::Show(Room::Mission)], "room-mission"),
-    hint(&[Action::Toggle], "hint-select"),
+    hint(&[Action::Select(SelectAction::Toggle)], "hint-select"),
     KeyHint {
         keys: HintKeys::VehicleList,
         about: "hint-list",
     },
-    hint(&[Action::SelectAll], "hint-all"),
+    hint(&[Action::Select(SelectAction::SelectAll)], "hint-all"),
     hint(&[Action::Acknowledge], "hint-acknowledge"),
     footer_keys::MOVE,
     hint(
@@ -131,9 +131,9 @@ const MISSION_HINTS: &[KeyHint] = &[
 impl RoomModel for Fly {
     const KEYS: &'static [KeyRow] = &[
         writes('h', "hold"),
-        does(key('/'), Action::Filter),
-        does(key('s'), Action::Sort),
-        does(key('S'), Action::SortReverse),
+        does(key('/'), Action::View(ViewAction::Filter)),
+        does(key('s'), Action::View(ViewAction::Sort)),
+        does(key('S'), Action::View(ViewAction::SortReverse)),
         does(key('x'), Action::Acknowledge),
         writes('@', "select @"),
         writes('w', "hint"),
@@ -147,14 +147,14 @@ impl RoomModel for Fly {
         }
     }
 
-    fn act(state: &mut State, action: Action) -> Option<Vec<RoomRequest>> {
+    fn view(state: &mut State, action: ViewAction) -> Answer {
         match action {
-            Action::Filter => {
+            ViewAction::Filter => {
                 let filter = state.rooms.fly.filter.clone();
                 state.prompt(Purpose::Filter(Room::Fly), filter);
             }
-            Action::Sort => next_sort(state),
-            Action::SortReverse => {
+            ViewAction::Sort => next_sort(state),
+            ViewAction::SortReverse => {
                 let sort = sorted_by(state);
                 set_sort(
                     state,
@@ -164,18 +164,22 @@ impl RoomModel for Fly {
                     },
                 );
             }
-            Action::Acknowledge => acknowledge_pressing(state),
-            // The filter goes last of what Esc takes back.
-            Action::Escape
-                if state.typed.is_empty()
-                    && state.session.selection.is_empty()
-                    && !state.rooms.fly.filter.is_empty() =>
-            {
-                state.hush();
-                filter(state, "");
-            }
-            _ => return None,
+            ViewAction::NextVehicle
+            | ViewAction::PreviousVehicle
+            | ViewAction::NextPage
+            | ViewAction::Window => return None,
         }
+        Some(Vec::new())
+    }
+
+    /// The filter goes last of what Esc takes back.
+    fn escape(state: &mut State) -> Answer {
+        let is_all_else_taken_back = state.typed.is_empty() && state.session.selection.is_empty();
+        if !is_all_else_taken_back || state.rooms.fly.filter.is_empty() {
+            return None;
+        }
+        state.hush();
+        filter(state, "");
         Some(Vec::new())
     }
 
@@ -199,7 +203,9 @@ pub fn set_sort(state: &mut State, sort: TableSort) {
         text!(
             "fly-sorted",
             column = column,
-            key = state.keymap.key(Action::SortReverse, Place::In(Room::Fly))
+            key = state
+                .keymap
+                .key(Action::View(ViewAction::SortReverse), Place::In(Room::Fly))
         )
     };
     state.say(Severity::Info, text);

@@ -1,10 +1,10 @@
 //! The hangar: the processes that simulate the vehicles, how far they are and what they say.
 
 use crate::app::State;
-use crate::app::action::Action;
+use crate::app::action::{Action, HangarAction, Step};
 use crate::app::effect::{Effect, Effects, SessionEffect};
 use crate::app::keymap::{ENTER, ESCAPE, KeyHint, KeyRow, does, hint, key};
-use crate::app::room::{Room, RoomModel, RoomRequest, footer_keys};
+use crate::app::room::{Answer, Room, RoomModel, RoomRequest, footer_keys};
 use crate::app::state::{Consequence, Instance, SitlStage};
 use crate::language::ProcessDeed;
 use crate::text;
@@ -56,8 +56,14 @@ const HINTS: &[KeyHint] = &[
     footer_keys::HELP,
     footer_keys::MOVE,
     hint(&[Action::Submit], "hangar-key-output"),
-    hint(&[Action::RestartProcess], "hangar-key-restart"),
-    hint(&[Action::StopProcess], "hangar-key-stop"),
+    hint(
+        &[Action::Hangar(HangarAction::RestartProcess)],
+        "hangar-key-restart",
+    ),
+    hint(
+        &[Action::Hangar(HangarAction::StopProcess)],
+        "hangar-key-stop",
+    ),
     hint(&[Action::Show(Room::Fly)], "links-key-fly"),
     hint(&[Action::Leave], "hangar-key-leave"),
 ];
@@ -66,8 +72,8 @@ impl RoomModel for Hangar {
     const KEYS: &'static [KeyRow] = &[
         does(ENTER, Action::Submit),
         does(ESCAPE, Action::Escape),
-        does(key('r'), Action::RestartProcess),
-        does(key('x'), Action::StopProcess),
+        does(key('r'), Action::Hangar(HangarAction::RestartProcess)),
+        does(key('x'), Action::Hangar(HangarAction::StopProcess)),
         does(key('q'), Action::Leave),
     ];
 
@@ -75,37 +81,33 @@ impl RoomModel for Hangar {
         HINTS
     }
 
-    fn act(state: &mut State, action: Action) -> Option<Vec<RoomRequest>> {
-        let vehicle = under_cursor(state).map(|instance| instance.vehicle);
+    fn step(state: &mut State, step: Step) -> Answer {
         let hangar = state.session.hangar.as_ref();
         let shown = under_cursor(state).zip(hangar);
         let lines = shown.map_or(0, |(instance, hangar)| hangar.output(instance).len());
         let count = hangar.map_or(0, |hangar| hangar.instances.len());
         let room = &mut state.rooms.hangar;
-        match (action, vehicle) {
-            (Action::Move(step), _) if room.opened => {
-                let last = lines.saturating_sub(1);
-                room.back = last - step.apply(last - room.back.min(last), lines);
-            }
-            (Action::Move(step), _) => {
-                room.cursor = step.apply(room.cursor, count);
-                room.back = 0;
-            }
-            (Action::Submit, Some(_)) => {
-                room.opened = !room.opened;
-                room.back = 0;
-            }
-            (Action::RestartProcess, Some(vehicle)) => {
-                return Some(requested(state, ProcessDeed::Restart, vehicle));
-            }
-            (Action::StopProcess, Some(vehicle)) => {
-                return Some(requested(state, ProcessDeed::Stop, vehicle));
-            }
-            (Action::Escape, _) => return Some(escape(state)),
-            (Action::Submit | Action::RestartProcess | Action::StopProcess, None) => {}
-            _ => return None,
+        if room.opened {
+            let last = lines.saturating_sub(1);
+            room.back = last - step.apply(last - room.back.min(last), lines);
+        } else {
+            room.cursor = step.apply(room.cursor, count);
+            room.back = 0;
         }
         Some(Vec::new())
+    }
+
+    fn submit(state: &mut State) -> Answer {
+        if under_cursor(state).is_some() {
+            let room = &mut state.rooms.hangar;
+            room.opened = !room.opened;
+            room.back = 0;
+        }
+        Some(Vec::new())
+    }
+
+    fn escape(state: &mut State) -> Answer {
+        Some(escape(state))
     }
 
     fn entered(state: &mut State) {
@@ -119,6 +121,15 @@ impl RoomModel for Hangar {
             state.rooms.hangar.cursor = at;
         }
     }
+}
+
+pub(super) fn act(state: &mut State, action: HangarAction) -> Vec<RoomRequest> {
+    let deed = match action {
+        HangarAction::RestartProcess => ProcessDeed::Restart,
+        HangarAction::StopProcess => ProcessDeed::Stop,
+    };
+    let vehicle = under_cursor(state).map(|instance| instance.vehicle);
+    vehicle.map_or_else(Vec::new, |vehicle| requested(state, deed, vehicle))
 }
 
 fn requested(state: &mut State, deed: ProcessDeed, vehicle: VehicleId) -> Vec<RoomRequest> {

@@ -1,10 +1,10 @@
 //! Where to begin: missions, free flight, vehicles elsewhere.
 
 use crate::app::State;
-use crate::app::action::Action;
+use crate::app::action::{Action, StartAction, Step};
 use crate::app::effect::{Effect, Effects, Launch, SessionEffect};
 use crate::app::keymap::{ENTER, KeyHint, KeyRow, does, hint, key};
-use crate::app::room::{Room, RoomModel, RoomRequest, footer_keys};
+use crate::app::room::{Answer, Room, RoomModel, RoomRequest, footer_keys};
 use crate::app::state::Purpose;
 use crate::campaign::Stake;
 use crate::mission::Listing;
@@ -95,10 +95,10 @@ const HINTS: &[KeyHint] = &[
 impl RoomModel for Home {
     const KEYS: &'static [KeyRow] = &[
         does(ENTER, Action::Submit),
-        does(key('t'), Action::Drill),
-        does(key('d'), Action::Daily),
-        does(key('e'), Action::Exam),
-        does(key('p'), Action::Practise),
+        does(key('t'), Action::Start(StartAction::Drill)),
+        does(key('d'), Action::Start(StartAction::Daily)),
+        does(key('e'), Action::Start(StartAction::Exam)),
+        does(key('p'), Action::Start(StartAction::Practise)),
         does(key('u'), Action::Profiles),
         does(key('q'), Action::Quit),
     ];
@@ -107,25 +107,22 @@ impl RoomModel for Home {
         HINTS
     }
 
-    fn act(state: &mut State, action: Action) -> Option<Vec<RoomRequest>> {
-        match action {
-            Action::Move(step) => {
-                let cursor = state.rooms.home.cursor;
-                state.rooms.home.cursor = step.apply(cursor, items(state).len());
-                // The room of the mission shows another one now.
-                state.rooms.mission.scroll = 0;
-                Some(Vec::new())
-            }
-            Action::Drill | Action::Daily | Action::Exam | Action::Practise => {
-                let id = under_cursor(state).map(|mission| mission.id.clone());
-                Some(id.map_or_else(Vec::new, |id| fly_otherwise(state, action, id)))
-            }
-            Action::Submit => {
-                let item = items(state).get(state.rooms.home.cursor).copied();
-                Some(item.map_or_else(Vec::new, |item| enter(state, item)))
-            }
-            _ => None,
-        }
+    fn step(state: &mut State, step: Step) -> Answer {
+        let cursor = state.rooms.home.cursor;
+        state.rooms.home.cursor = step.apply(cursor, items(state).len());
+        // The room of the mission shows another one now.
+        state.rooms.mission.scroll = 0;
+        Some(Vec::new())
+    }
+
+    fn submit(state: &mut State) -> Answer {
+        let item = items(state).get(state.rooms.home.cursor).copied();
+        Some(item.map_or_else(Vec::new, |item| enter(state, item)))
+    }
+
+    fn start(state: &mut State, action: StartAction) -> Answer {
+        let id = under_cursor(state).map(|mission| mission.id.clone());
+        Some(id.map_or_else(Vec::new, |id| fly_otherwise(state, action, id)))
     }
 
     fn forget_session(&mut self) {}
@@ -150,15 +147,15 @@ pub fn point_at(state: &mut State, mission: Option<&str>) {
 }
 
 /// Flies the mission's drill, with the seed of the day, its exam, or for practice.
-fn fly_otherwise(state: &mut State, how: Action, mission: String) -> Vec<RoomRequest> {
+fn fly_otherwise(state: &mut State, how: StartAction, mission: String) -> Vec<RoomRequest> {
     match how {
-        Action::Drill => fly_drill(state, &mission),
-        Action::Daily => vec![RoomRequest::Fly(Launch {
+        StartAction::Drill => fly_drill(state, &mission),
+        StartAction::Daily => vec![RoomRequest::Fly(Launch {
             stake: Stake::Daily,
             ..state.launch(&mission)
         })],
-        Action::Exam => vec![RoomRequest::Exam(mission)],
-        _ => {
+        StartAction::Exam => vec![RoomRequest::Exam(mission)],
+        StartAction::Practise => {
             if let Some(reason) = state.lock(&mission) {
                 state.say(Severity::Warning, reason);
             } else {

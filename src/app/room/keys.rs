@@ -3,7 +3,7 @@
 use crossterm::event::KeyCode;
 
 use super::{Room, keys};
-use crate::app::action::{Action, Step};
+use crate::app::action::{Action, LineAction, SelectAction, Step};
 use crate::app::keymap::{
     Binding, ENTER, ESCAPE, KeyRow, Keymap, Meaning, Place, Press, does, key, writes,
 };
@@ -86,20 +86,29 @@ const PROMPT: &[KeyRow] = &[
     does(ENTER, Action::Submit),
     does(ESCAPE, Action::Escape),
     does(Press::Control('c'), Action::Escape),
-    does(Press::Plain(KeyCode::Tab), Action::Complete),
-    does(Press::Plain(KeyCode::BackTab), Action::CompleteBack),
-    does(Press::Plain(KeyCode::Up), Action::Older),
-    does(Press::Plain(KeyCode::Down), Action::Newer),
+    does(
+        Press::Plain(KeyCode::Tab),
+        Action::Line(LineAction::Complete),
+    ),
+    does(
+        Press::Plain(KeyCode::BackTab),
+        Action::Line(LineAction::CompleteBack),
+    ),
+    does(Press::Plain(KeyCode::Up), Action::Line(LineAction::Older)),
+    does(Press::Plain(KeyCode::Down), Action::Line(LineAction::Newer)),
 ];
 
 /// The keys that select vehicles and command them, in the rooms that show vehicles; a room's own keys go before.
 const VEHICLES: &[KeyRow] = &[
     (Press::Number, Meaning::Type),
     does(ENTER, Action::Submit),
-    does(Press::Plain(KeyCode::Backspace), Action::Erase),
-    does(key(' '), Action::Toggle),
-    does(key('*'), Action::SelectAll),
-    does(key('!'), Action::Invert),
+    does(
+        Press::Plain(KeyCode::Backspace),
+        Action::Select(SelectAction::Erase),
+    ),
+    does(key(' '), Action::Select(SelectAction::Toggle)),
+    does(key('*'), Action::Select(SelectAction::SelectAll)),
+    does(key('!'), Action::Select(SelectAction::Invert)),
     does(ESCAPE, Action::Escape),
     writes('a', "arm"),
     writes('d', "disarm"),

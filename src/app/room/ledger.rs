@@ -1,9 +1,9 @@
 //! Every command so far: which of them are shown, and which one is looked at.
 
 use crate::app::State;
-use crate::app::action::Action;
+use crate::app::action::{Action, LedgerAction, Step, ViewAction};
 use crate::app::keymap::{ENTER, ESCAPE, KeyHint, KeyRow, does, hint, key};
-use crate::app::room::{Room, RoomModel, RoomRequest, footer_keys};
+use crate::app::room::{Answer, Room, RoomModel, RoomRequest, footer_keys};
 use crate::app::state::Purpose;
 use crate::language::{parse_ranges, ranges};
 use crate::ledger::{EntryId, LedgerEntry, RowState};
@@ -131,17 +131,17 @@ const HINTS: &[KeyHint] = &[
     footer_keys::HELP,
     footer_keys::MOVE,
     hint(&[Action::Submit], "hint-open"),
-    hint(&[Action::Filter], "hint-filter"),
-    hint(&[Action::NextOutcome], "hint-outcome"),
-    hint(&[Action::OwnVehicles], "hint-own"),
+    hint(&[Action::View(ViewAction::Filter)], "hint-filter"),
+    hint(&[Action::Ledger(LedgerAction::NextOutcome)], "hint-outcome"),
+    hint(&[Action::Ledger(LedgerAction::OwnVehicles)], "hint-own"),
     footer_keys::BACK,
 ];
 
 impl RoomModel for Ledger {
     const KEYS: &'static [KeyRow] = &[
-        does(key('/'), Action::Filter),
-        does(key('o'), Action::NextOutcome),
-        does(key('v'), Action::OwnVehicles),
+        does(key('/'), Action::View(ViewAction::Filter)),
+        does(key('o'), Action::Ledger(LedgerAction::NextOutcome)),
+        does(key('v'), Action::Ledger(LedgerAction::OwnVehicles)),
         does(ENTER, Action::Submit),
         does(ESCAPE, Action::Escape),
     ];
@@ -150,42 +150,48 @@ impl RoomModel for Ledger {
         HINTS
     }
 
-    fn act(state: &mut State, action: Action) -> Option<Vec<RoomRequest>> {
+    fn step(state: &mut State, step: Step) -> Answer {
         let room = &mut state.rooms.ledger;
-        match action {
-            Action::Filter => {
-                let filter = room.filter.clone();
-                state.prompt(Purpose::Filter(Room::Ledger), filter);
-            }
-            Action::NextOutcome => {
-                room.outcome = room.outcome.next();
-                find(state);
-            }
-            Action::OwnVehicles => {
-                let mine = ranges(state.addressed());
-                let is_on = state.rooms.ledger.filter == mine;
-                filter(state, if is_on { "" } else { &mine });
-            }
-            Action::Submit => {
-                room.opened = !room.opened && room.under_cursor().is_some();
-                room.scroll = 0;
-            }
-            Action::Move(step) if room.opened => {
-                let id = room.under_cursor();
-                let entry = id.and_then(|id| state.session.ledger.entry(id));
-                let rows = entry.map_or(0, |entry| entry.rows.len());
-                room.scroll = step.apply(room.scroll, rows);
-            }
-            Action::Move(step) => {
-                let count = room.shown.len();
-                let place = step.apply(room.place(), count);
-                let moved = room.shown.get(place).filter(|_| place + 1 < count);
-                room.cursor = moved.copied();
-            }
-            Action::Escape => escape(state),
-            _ => return None,
+        if room.opened {
+            let id = room.under_cursor();
+            let entry = id.and_then(|id| state.session.ledger.entry(id));
+            let rows = entry.map_or(0, |entry| entry.rows.len());
+            room.scroll = step.apply(room.scroll, rows);
+        } else {
+            let count = room.shown.len();
+            let place = step.apply(room.place(), count);
+            let moved = room.shown.get(place).filter(|_| place + 1 < count);
+            room.cursor = moved.copied();
         }
         Some(Vec::new())
+    }
+
+    fn submit(state: &mut State) -> Answer {
+        let room = &mut state.rooms.ledger;
+        room.opened = !room.opened && room.under_cursor().is_some();
+        room.scroll = 0;
+        Some(Vec::new())
+    }
+
+    fn escape(state: &mut State) -> Answer {
+        escape(state);
+        Some(Vec::new())
+    }
+
+    fn view(state: &mut State, action: ViewAction) -> Answer {
+        match action {
+            ViewAction::Filter => {
+                let filter = state.rooms.ledger.filter.clone();
+                state.prompt(Purpose::Filter(Room::Ledger), filter);
+                Some(Vec::new())
+            }
+            ViewAction::Sort
+            | ViewAction::SortReverse
+            | ViewAction::NextVehicle
+            | ViewAction::PreviousVehicle
+            | ViewAction::NextPage
+            | ViewAction::Window => None,
+        }
     }
 
     fn entered(state: &mut State) {
@@ -195,6 +201,22 @@ impl RoomModel for Ledger {
     fn filter(state: &mut State, text: &str) {
         filter(state, text);
     }
+}
+
+pub(super) fn act(state: &mut State, action: LedgerAction) -> Vec<RoomRequest> {
+    match action {
+        LedgerAction::NextOutcome => {
+            let room = &mut state.rooms.ledger;
+            room.outcome = room.outcome.next();
+            find(state);
+        }
+        LedgerAction::OwnVehicles => {
+            let mine = ranges(state.addressed());
+            let is_on = state.rooms.ledger.filter == mine;
+            filter(state, if is_on { "" } else { &mine });
+        }
+    }
+    Vec::new()
 }
 
 /// Shows only the commands that fit.

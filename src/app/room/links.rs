@@ -3,9 +3,9 @@
 use std::collections::VecDeque;
 
 use crate::app::State;
-use crate::app::action::Action;
+use crate::app::action::{Action, Step};
 use crate::app::keymap::{KeyHint, KeyRow, hint};
-use crate::app::room::{Room, RoomModel, RoomRequest};
+use crate::app::room::{Answer, Room, RoomModel};
 use crate::app::state::LinkSummary;
 
 /// Seconds that the history looks back.
@@ -56,10 +56,7 @@ impl RoomModel for Links {
         HINTS
     }
 
-    fn act(state: &mut State, action: Action) -> Option<Vec<RoomRequest>> {
-        let Action::Move(step) = action else {
-            return None;
-        };
+    fn step(state: &mut State, step: Step) -> Answer {
         let cursor = &mut state.rooms.links.cursor;
         *cursor = step.apply(*cursor, state.session.links.len());
         Some(Vec::new())

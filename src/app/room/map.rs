@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::geo::{LatLon, Viewport, Zoom};
 use crate::vehicle::VehicleId;
 
-mod act;
+pub(super) mod act;
 mod overview;
 mod samples;
 mod scene;

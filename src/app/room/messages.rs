@@ -3,21 +3,17 @@
 use std::collections::BTreeSet;
 use std::time::Duration;
 
-use crossterm::event::KeyCode;
-
 use crate::app::State;
-use crate::app::action::{Action, Step};
-use crate::app::keymap::{ENTER, ESCAPE, KeyHint, KeyRow, Press, does, hint, key};
-use crate::app::room::{Room, RoomModel, RoomRequest};
-use crate::app::state::Purpose;
+use crate::app::action::Step;
+use crate::app::room::Room;
 use crate::inspector::{
     Census, MessageReading, MessageTally, TallyKey, WatchedMessage, name_of, read,
 };
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::Severity;
 use crate::wire::Anatomy;
 
+pub(super) mod act;
 mod pin;
 mod tree;
 
@@ -96,64 +92,6 @@ pub enum Sort {
     Rate,
     /// The newest first.
     Age,
-}
-
-const HINTS: &[KeyHint] = &[
-    hint(&[Action::Help], "messages-key-help"),
-    hint(&[Action::Submit], "messages-key-open"),
-    hint(&[Action::OtherSide], "messages-key-fields"),
-    hint(&[Action::Pin], "messages-key-graph"),
-    hint(&[Action::Hex], "messages-key-bytes"),
-    hint(&[Action::Filter], "messages-key-filter"),
-    hint(&[Action::Sort], "messages-key-sort"),
-    hint(&[Action::Pause], "messages-key-pause"),
-    hint(&[Action::FoldAll], "messages-key-fold"),
-];
-
-impl RoomModel for Messages {
-    const KEYS: &'static [KeyRow] = &[
-        does(key('/'), Action::Filter),
-        does(ENTER, Action::Submit),
-        does(Press::Plain(KeyCode::Right), Action::Expand),
-        does(Press::Plain(KeyCode::Left), Action::Collapse),
-        does(Press::Plain(KeyCode::Tab), Action::OtherSide),
-        does(key('z'), Action::FoldAll),
-        does(key('p'), Action::Pause),
-        does(key('g'), Action::Pin),
-        does(key('x'), Action::Hex),
-        does(key('s'), Action::Sort),
-        does(ESCAPE, Action::Escape),
-    ];
-
-    fn hints(_state: &State) -> &'static [KeyHint] {
-        HINTS
-    }
-
-    fn act(state: &mut State, action: Action) -> Option<Vec<RoomRequest>> {
-        let choose = text!("messages-choose-field", key = state.key(Action::OtherSide));
-        let room = &mut state.rooms.messages;
-        match action {
-            Action::Filter => {
-                let filter = room.filter.clone();
-                state.prompt(Purpose::Filter(Room::Messages), filter);
-            }
-            Action::Pin => {
-                if let Err(reason) = room.pin(&choose) {
-                    state.say(Severity::Notice, reason);
-                }
-            }
-            Action::Escape if room.field.is_none() => {
-                room.filter.clear();
-                state.hush();
-            }
-            _ => return room.act(action).then(Vec::new),
-        }
-        Some(Vec::new())
-    }
-
-    fn filter(state: &mut State, text: &str) {
-        text.trim().clone_into(&mut state.rooms.messages.filter);
-    }
 }
 
 /// What the room wants to see now; `None` is nothing.
@@ -284,24 +222,6 @@ impl Messages {
             let hides = |branch: &Branch| cursor.is_below(branch.node);
             branches.iter().rposition(hides).unwrap_or(0)
         })
-    }
-
-    /// Does what concerns the room alone; false if the action is none of its own.
-    fn act(&mut self, action: Action) -> bool {
-        match action {
-            Action::Move(step) => self.go(step),
-            Action::Submit => self.submit(),
-            Action::Expand => self.expand(),
-            Action::Collapse => self.collapse(),
-            Action::OtherSide | Action::Escape if self.field.is_some() => self.field = None,
-            Action::OtherSide => self.enter_fields(),
-            Action::FoldAll => self.fold_all(),
-            Action::Pause => self.paused = !self.paused,
-            Action::Hex => self.hex = !self.hex,
-            Action::Sort => self.sort = self.sort.next(),
-            _ => return false,
-        }
-        true
     }
 
     fn submit(&mut self) {

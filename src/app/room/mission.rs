@@ -2,10 +2,10 @@
 //! has under its cursor.
 
 use crate::app::State;
-use crate::app::action::Action;
+use crate::app::action::{Action, Step};
 use crate::app::keymap::{ENTER, ESCAPE, KeyHint, KeyRow, does, hint, key, writes};
 use crate::app::room::home;
-use crate::app::room::{Room, RoomModel, RoomRequest, footer_keys};
+use crate::app::room::{Answer, Room, RoomModel, RoomRequest, footer_keys};
 use crate::mission::{Listing, Progress};
 use crate::text::Text;
 
@@ -93,28 +93,28 @@ impl RoomModel for Mission {
         }
     }
 
-    fn act(state: &mut State, action: Action) -> Option<Vec<RoomRequest>> {
-        match action {
-            Action::Move(step) => {
-                let (width, height) = state.size;
-                let pages = columns(state, &state.locale, width);
-                let lines = pages.iter().map(Vec::len).max().unwrap_or(0);
-                let positions = positions(lines, height.saturating_sub(2));
-                let scroll = &mut state.rooms.mission.scroll;
-                *scroll = step.apply((*scroll).min(positions - 1), positions);
-                Some(Vec::new())
-            }
-            Action::Submit if state.session.activity.is_none() => {
-                shown(state)?;
-                home::Home::act(state, action)
-            }
-            Action::Escape | Action::Submit => {
-                let flying = state.session.activity.is_some();
-                let room = if flying { Room::Fly } else { Room::Home };
-                Some(vec![RoomRequest::Show(room)])
-            }
-            _ => None,
+    fn step(state: &mut State, step: Step) -> Answer {
+        let (width, height) = state.size;
+        let pages = columns(state, &state.locale, width);
+        let lines = pages.iter().map(Vec::len).max().unwrap_or(0);
+        let positions = positions(lines, height.saturating_sub(2));
+        let scroll = &mut state.rooms.mission.scroll;
+        *scroll = step.apply((*scroll).min(positions - 1), positions);
+        Some(Vec::new())
+    }
+
+    fn submit(state: &mut State) -> Answer {
+        if state.session.activity.is_some() {
+            return Self::escape(state);
         }
+        shown(state)?;
+        home::Home::submit(state)
+    }
+
+    fn escape(state: &mut State) -> Answer {
+        let flying = state.session.activity.is_some();
+        let room = if flying { Room::Fly } else { Room::Home };
+        Some(vec![RoomRequest::Show(room)])
     }
 }
 

@@ -9,10 +9,10 @@ use std::time::Duration;
 use crossterm::event::KeyCode;
 
 use crate::app::State;
-use crate::app::action::{Action, Step};
+use crate::app::action::{Action, ParametersAction, SelectAction, Step, ViewAction};
 use crate::app::keymap::{ENTER, ESCAPE, KeyHint, KeyRow, Press, does, hint, key};
 use crate::app::room::fly;
-use crate::app::room::{Room, RoomModel, RoomRequest};
+use crate::app::room::{Answer, Room, RoomModel, RoomRequest};
 use crate::app::state::Purpose;
 use crate::ledger::EntryId;
 use crate::parameters::{ListedParameter, ParameterSnapshot, shown};
@@ -102,27 +102,60 @@ impl Parameters {
 
 const HINTS: &[KeyHint] = &[
     hint(&[Action::Submit], "parameters-hint-set"),
-    hint(&[Action::Filter], "parameters-hint-search"),
-    hint(&[Action::ChangedParameters], "parameters-hint-changed"),
-    hint(&[Action::SaveParameters], "parameters-hint-save"),
-    hint(&[Action::LoadParameters], "parameters-hint-load"),
-    hint(&[Action::CompareParameters], "parameters-hint-compare"),
     hint(
-        &[Action::PreviousVehicle, Action::NextVehicle],
+        &[Action::View(ViewAction::Filter)],
+        "parameters-hint-search",
+    ),
+    hint(
+        &[Action::Parameters(ParametersAction::ChangedParameters)],
+        "parameters-hint-changed",
+    ),
+    hint(
+        &[Action::Parameters(ParametersAction::SaveParameters)],
+        "parameters-hint-save",
+    ),
+    hint(
+        &[Action::Parameters(ParametersAction::LoadParameters)],
+        "parameters-hint-load",
+    ),
+    hint(
+        &[Action::Parameters(ParametersAction::CompareParameters)],
+        "parameters-hint-compare",
+    ),
+    hint(
+        &[
+            Action::View(ViewAction::PreviousVehicle),
+            Action::View(ViewAction::NextVehicle),
+        ],
         "parameters-hint-vehicle",
     ),
     hint(&[Action::Help], "parameters-hint-help"),
 ];
 
 const COMPARISON_HINTS: &[KeyHint] = &[
-    hint(&[Action::Toggle], "parameters-hint-mark"),
     hint(
-        &[Action::SelectAll, Action::Invert],
+        &[Action::Select(SelectAction::Toggle)],
+        "parameters-hint-mark",
+    ),
+    hint(
+        &[
+            Action::Select(SelectAction::SelectAll),
+            Action::Select(SelectAction::Invert),
+        ],
         "parameters-hint-mark-all",
     ),
-    hint(&[Action::ApplyParameters], "parameters-hint-apply"),
-    hint(&[Action::ChangedParameters], "parameters-hint-extra"),
-    hint(&[Action::Filter], "parameters-hint-search"),
+    hint(
+        &[Action::Parameters(ParametersAction::ApplyParameters)],
+        "parameters-hint-apply",
+    ),
+    hint(
+        &[Action::Parameters(ParametersAction::ChangedParameters)],
+        "parameters-hint-extra",
+    ),
+    hint(
+        &[Action::View(ViewAction::Filter)],
+        "parameters-hint-search",
+    ),
     hint(&[Action::Escape], "parameters-hint-close"),
     hint(&[Action::Help], "parameters-hint-help"),
 ];
@@ -130,20 +163,44 @@ const COMPARISON_HINTS: &[KeyHint] = &[
 impl RoomModel for Parameters {
     const KEYS: &'static [KeyRow] = &[
         does(ENTER, Action::Submit),
-        does(key('/'), Action::Filter),
-        does(key('o'), Action::ChangedParameters),
-        does(key('s'), Action::SaveParameters),
-        does(key('l'), Action::LoadParameters),
-        does(key('d'), Action::CompareParameters),
-        does(key(' '), Action::Toggle),
-        does(key('*'), Action::SelectAll),
-        does(key('!'), Action::Invert),
-        does(key('a'), Action::ApplyParameters),
-        does(key('r'), Action::FetchParameters),
-        does(Press::Plain(KeyCode::Left), Action::PreviousVehicle),
-        does(key('['), Action::PreviousVehicle),
-        does(Press::Plain(KeyCode::Right), Action::NextVehicle),
-        does(key(']'), Action::NextVehicle),
+        does(key('/'), Action::View(ViewAction::Filter)),
+        does(
+            key('o'),
+            Action::Parameters(ParametersAction::ChangedParameters),
+        ),
+        does(
+            key('s'),
+            Action::Parameters(ParametersAction::SaveParameters),
+        ),
+        does(
+            key('l'),
+            Action::Parameters(ParametersAction::LoadParameters),
+        ),
+        does(
+            key('d'),
+            Action::Parameters(ParametersAction::CompareParameters),
+        ),
+        does(key(' '), Action::Select(SelectAction::Toggle)),
+        does(key('*'), Action::Select(SelectAction::SelectAll)),
+        does(key('!'), Action::Select(SelectAction::Invert)),
+        does(
+            key('a'),
+            Action::Parameters(ParametersAction::ApplyParameters),
+        ),
+        does(
+            key('r'),
+            Action::Parameters(ParametersAction::FetchParameters),
+        ),
+        does(
+            Press::Plain(KeyCode::Left),
+            Action::View(ViewAction::PreviousVehicle),
+        ),
+        does(key('['), Action::View(ViewAction::PreviousVehicle)),
+        does(
+            Press::Plain(KeyCode::Right),
+            Action::View(ViewAction::NextVehicle),
+        ),
+        does(key(']'), Action::View(ViewAction::NextVehicle)),
         does(ESCAPE, Action::Escape),
     ];
 
@@ -154,46 +211,75 @@ impl RoomModel for Parameters {
         }
     }
 
-    fn act(state: &mut State, action: Action) -> Option<Vec<RoomRequest>> {
+    fn step(state: &mut State, step: Step) -> Answer {
+        let rows = rows(state);
+        let at = step.apply(cursor_row(state, &rows), rows.len());
+        if let Some(name) = rows.get(at).map(|row| row.name.to_owned()) {
+            state.rooms.parameters.cursor = name;
+        }
+        Some(Vec::new())
+    }
+
+    fn submit(state: &mut State) -> Answer {
+        edit_under_cursor(state);
+        Some(Vec::new())
+    }
+
+    fn escape(state: &mut State) -> Answer {
+        close(state).then(Vec::new)
+    }
+
+    fn view(state: &mut State, action: ViewAction) -> Answer {
         match action {
-            Action::Move(step) => {
-                let rows = rows(state);
-                let at = step.apply(cursor_row(state, &rows), rows.len());
-                if let Some(name) = rows.get(at).map(|row| row.name.to_owned()) {
-                    state.rooms.parameters.cursor = name;
-                }
-            }
-            Action::Submit => edit_under_cursor(state),
-            Action::Filter => {
+            ViewAction::Filter => {
                 let filter = state.rooms.parameters.filter.clone();
                 state.prompt(Purpose::Filter(Room::Parameters), filter);
             }
-            Action::ChangedParameters => {
-                let room = &mut state.rooms.parameters;
-                match &mut room.comparison {
-                    Some(comparison) => comparison.lists_extra = !comparison.lists_extra,
-                    None => room.changed_only = !room.changed_only,
-                }
-            }
-            Action::SaveParameters => {
-                let name = state.session.cursor.map(|id| format!("vehicle-{id}.parm"));
-                state.prompt(Purpose::SaveParameters, name.unwrap_or_default());
-            }
-            Action::LoadParameters => state.prompt(Purpose::LoadParameters, ""),
-            Action::CompareParameters => state.prompt(Purpose::CompareParameters, ""),
-            Action::Toggle | Action::SelectAll | Action::Invert => compare::mark(state, action),
-            Action::ApplyParameters => compare::apply(state),
-            Action::FetchParameters => fetch(state),
-            Action::NextVehicle | Action::PreviousVehicle => change_vehicle(state, action),
-            Action::Escape => return close(state).then(Vec::new),
-            _ => return None,
+            ViewAction::NextVehicle => fly::move_cursor(state, Step::Down),
+            ViewAction::PreviousVehicle => fly::move_cursor(state, Step::Up),
+            ViewAction::Sort
+            | ViewAction::SortReverse
+            | ViewAction::NextPage
+            | ViewAction::Window => return None,
         }
+        Some(Vec::new())
+    }
+
+    fn select(state: &mut State, action: SelectAction) -> Answer {
+        let marks = match action {
+            SelectAction::Toggle => compare::Marks::UnderCursor,
+            SelectAction::SelectAll => compare::Marks::Unmarked,
+            SelectAction::Invert => compare::Marks::All,
+            SelectAction::Erase => return None,
+        };
+        compare::turn(state, marks);
         Some(Vec::new())
     }
 
     fn filter(state: &mut State, text: &str) {
         text.clone_into(&mut state.rooms.parameters.filter);
     }
+}
+
+pub(super) fn act(state: &mut State, action: ParametersAction) -> Vec<RoomRequest> {
+    match action {
+        ParametersAction::ChangedParameters => {
+            let room = &mut state.rooms.parameters;
+            match &mut room.comparison {
+                Some(comparison) => comparison.lists_extra = !comparison.lists_extra,
+                None => room.changed_only = !room.changed_only,
+            }
+        }
+        ParametersAction::SaveParameters => {
+            let name = state.session.cursor.map(|id| format!("vehicle-{id}.parm"));
+            state.prompt(Purpose::SaveParameters, name.unwrap_or_default());
+        }
+        ParametersAction::LoadParameters => state.prompt(Purpose::LoadParameters, ""),
+        ParametersAction::CompareParameters => state.prompt(Purpose::CompareParameters, ""),
+        ParametersAction::ApplyParameters => compare::apply(state),
+        ParametersAction::FetchParameters => fetch(state),
+    }
+    Vec::new()
 }
 
 /// The row under the cursor.
@@ -244,14 +330,6 @@ fn edit_under_cursor(state: &mut State) {
     let (name, value) = (row.name.to_owned(), value.map_or_else(String::new, shown));
     let vehicles = state.addressed();
     state.prompt(Purpose::Parameter { name, vehicles }, value);
-}
-
-fn change_vehicle(state: &mut State, action: Action) {
-    let step = match action {
-        Action::NextVehicle => Step::Down,
-        _ => Step::Up,
-    };
-    fly::move_cursor(state, step);
 }
 
 /// Stops setting values; else takes back the last thing that narrows the list. False if there is neither.

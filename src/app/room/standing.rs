@@ -3,11 +3,11 @@
 use crossterm::event::KeyCode;
 
 use crate::app::State;
-use crate::app::action::{Action, Step};
+use crate::app::action::{Action, Step, ViewAction};
 use crate::app::effect::{CareerEffect, Effect};
 use crate::app::keymap::{ENTER, ESCAPE, KeyHint, KeyRow, Press, does, hint, key};
 use crate::app::room::home;
-use crate::app::room::{Room, RoomModel, RoomRequest, footer_keys};
+use crate::app::room::{Answer, Room, RoomModel, RoomRequest, footer_keys};
 use crate::app::state::Career;
 use crate::campaign::{Offer, Skill};
 use crate::text;
@@ -81,7 +81,7 @@ pub fn flown(career: &Career) -> Vec<&Offer> {
 
 const HINTS: &[KeyHint] = &[
     footer_keys::MOVE,
-    hint(&[Action::NextPage], "hint-page"),
+    hint(&[Action::View(ViewAction::NextPage)], "hint-page"),
     hint(&[Action::Submit], "hint-mission"),
     hint(&[Action::Aids], "hint-aids"),
     hint(&[Action::Profiles], "hint-trainee"),
@@ -94,7 +94,10 @@ impl RoomModel for Standing {
     const KEYS: &'static [KeyRow] = &[
         does(ENTER, Action::Submit),
         does(ESCAPE, Action::Escape),
-        does(Press::Plain(KeyCode::Tab), Action::NextPage),
+        does(
+            Press::Plain(KeyCode::Tab),
+            Action::View(ViewAction::NextPage),
+        ),
         does(key('a'), Action::Aids),
         does(key('u'), Action::Profiles),
     ];
@@ -103,19 +106,33 @@ impl RoomModel for Standing {
         HINTS
     }
 
-    fn act(state: &mut State, action: Action) -> Option<Vec<RoomRequest>> {
+    fn step(state: &mut State, step: Step) -> Answer {
+        walk(state, step);
+        Some(Vec::new())
+    }
+
+    fn submit(state: &mut State) -> Answer {
+        Some(to_mission(state))
+    }
+
+    fn escape(_state: &mut State) -> Answer {
+        Some(vec![RoomRequest::Show(Room::Home)])
+    }
+
+    fn view(state: &mut State, action: ViewAction) -> Answer {
         match action {
-            Action::Move(step) => walk(state, step),
-            Action::NextPage => {
+            ViewAction::NextPage => {
                 let pane = &mut state.rooms.standing.pane;
                 *pane = pane.next();
+                Some(Vec::new())
             }
-            Action::Aids => return Some(change_aids(state)),
-            Action::Submit => return Some(to_mission(state)),
-            Action::Escape => return Some(vec![RoomRequest::Show(Room::Home)]),
-            _ => return None,
+            ViewAction::Filter
+            | ViewAction::Sort
+            | ViewAction::SortReverse
+            | ViewAction::NextVehicle
+            | ViewAction::PreviousVehicle
+            | ViewAction::Window => None,
         }
-        Some(Vec::new())
     }
 
     fn forget_session(&mut self) {}
@@ -132,7 +149,7 @@ fn walk(state: &mut State, step: Step) {
 }
 
 /// The next level of advice; it holds from now on, also for the flight under way.
-fn change_aids(state: &mut State) -> Vec<RoomRequest> {
+pub fn change_aids(state: &mut State) -> Vec<RoomRequest> {
     let Some(career) = &state.career else {
         let key = state.key(Action::Profiles);
         state.say(Severity::Notice, text!("standing-nobody-yet", key = key));

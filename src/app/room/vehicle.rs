@@ -3,10 +3,10 @@
 use crossterm::event::KeyCode;
 
 use crate::app::State;
-use crate::app::action::{Action, Step};
+use crate::app::action::{Action, SelectAction, Step, ViewAction};
 use crate::app::keymap::{KeyHint, KeyRow, Press, does, hint, key};
 use crate::app::room::fly;
-use crate::app::room::{Room, RoomModel, RoomRequest, footer_keys};
+use crate::app::room::{Answer, Room, RoomModel, footer_keys};
 use crate::app::state::Window;
 
 /// What the room remembers.
@@ -34,12 +34,15 @@ const HINTS: &[KeyHint] = &[
     footer_keys::COMMAND,
     footer_keys::HELP,
     hint(
-        &[Action::PreviousVehicle, Action::NextVehicle],
+        &[
+            Action::View(ViewAction::PreviousVehicle),
+            Action::View(ViewAction::NextVehicle),
+        ],
         "hint-vehicle",
     ),
-    hint(&[Action::Window], "hint-window"),
-    hint(&[Action::NextPage], "hint-page"),
-    hint(&[Action::Toggle], "hint-select"),
+    hint(&[Action::View(ViewAction::Window)], "hint-window"),
+    hint(&[Action::View(ViewAction::NextPage)], "hint-page"),
+    hint(&[Action::Select(SelectAction::Toggle)], "hint-select"),
     hint(&[Action::Show(Room::Parameters)], "room-parameters"),
     hint(&[Action::Show(Room::Map)], "room-map"),
     hint(&[Action::Show(Room::Fly)], "room-fly"),
@@ -47,24 +50,27 @@ const HINTS: &[KeyHint] = &[
 
 impl RoomModel for Vehicle {
     const KEYS: &'static [KeyRow] = &[
-        does(key('['), Action::PreviousVehicle),
-        does(key(']'), Action::NextVehicle),
-        does(key('w'), Action::Window),
-        does(Press::Plain(KeyCode::Tab), Action::NextPage),
+        does(key('['), Action::View(ViewAction::PreviousVehicle)),
+        does(key(']'), Action::View(ViewAction::NextVehicle)),
+        does(key('w'), Action::View(ViewAction::Window)),
+        does(
+            Press::Plain(KeyCode::Tab),
+            Action::View(ViewAction::NextPage),
+        ),
     ];
 
     fn hints(_state: &State) -> &'static [KeyHint] {
         HINTS
     }
 
-    fn act(state: &mut State, action: Action) -> Option<Vec<RoomRequest>> {
+    fn view(state: &mut State, action: ViewAction) -> Answer {
         let room = &mut state.rooms.vehicle;
         match action {
-            Action::NextVehicle => fly::move_cursor(state, Step::Down),
-            Action::PreviousVehicle => fly::move_cursor(state, Step::Up),
-            Action::Window => room.window = room.window.next(),
-            Action::NextPage => room.page = room.page.wrapping_add(1),
-            _ => return None,
+            ViewAction::NextVehicle => fly::move_cursor(state, Step::Down),
+            ViewAction::PreviousVehicle => fly::move_cursor(state, Step::Up),
+            ViewAction::Window => room.window = room.window.next(),
+            ViewAction::NextPage => room.page = room.page.wrapping_add(1),
+            ViewAction::Filter | ViewAction::Sort | ViewAction::SortReverse => return None,
         }
         Some(Vec::new())
     }

@@ -2,9 +2,9 @@
 
 use super::{mission, order, palette, profiles};
 use crate::app::State;
-use crate::app::action::Action;
+use crate::app::action::{Action, SelectAction};
 use crate::app::effect::{Effect, Effects, SessionEffect};
-use crate::app::room::{self, Room, RoomRequest, fly};
+use crate::app::room::{self, Room, RoomRequest, fly, standing};
 use crate::app::state::Activity;
 use crate::app::state::{Consequence, Log, Overlay, Session};
 use crate::language::{parse_ranges, ranges};
@@ -27,12 +27,7 @@ pub fn act(state: &mut State, action: Action) -> Effects {
         Action::Notices => look_back(state, Log::Notices),
         Action::Brief => brief(state),
         Action::Move(step) => fly::move_cursor(state, step),
-        Action::Toggle => toggle(state),
-        Action::SelectAll => select_all(state),
-        Action::Invert => invert(state),
-        Action::Erase => {
-            state.typed.pop();
-        }
+        Action::Select(action) => select_by(state, action),
         Action::Submit => submit(state),
         Action::Escape => escape(state),
         Action::Again => return mission::restart(state, false),
@@ -42,8 +37,22 @@ pub fn act(state: &mut State, action: Action) -> Effects {
         Action::Leave => return leave(state),
         Action::Profiles => profiles::open(state),
         Action::Quit => return quit(state),
-        // Only prompts and single rooms know the others.
-        _ => {}
+        Action::Acknowledge => fly::acknowledge_pressing(state),
+        Action::Aids => {
+            let requests = standing::change_aids(state);
+            return requested(state, requests);
+        }
+        // Only prompts and some rooms know these.
+        Action::View(_)
+        | Action::Line(_)
+        | Action::Start(_)
+        | Action::Debrief(_)
+        | Action::Map(_)
+        | Action::Ledger(_)
+        | Action::Parameters(_)
+        | Action::Messages(_)
+        | Action::Hangar(_)
+        | Action::Workshop(_) => {}
     }
     Effects::none()
 }
@@ -182,6 +191,17 @@ pub fn open_palette(state: &mut State, words: &str) {
         format!("{targets} {words}")
     };
     palette::open(state, line);
+}
+
+fn select_by(state: &mut State, action: SelectAction) {
+    match action {
+        SelectAction::Toggle => toggle(state),
+        SelectAction::SelectAll => select_all(state),
+        SelectAction::Invert => invert(state),
+        SelectAction::Erase => {
+            state.typed.pop();
+        }
+    }
 }
 
 /// Selects the vehicle under the cursor, or takes it out of the selection.

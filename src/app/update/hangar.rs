@@ -3,7 +3,7 @@
 use super::telemetry;
 use crate::alert::AlertKind;
 use crate::app::State;
-use crate::app::action::Action;
+use crate::app::action::{Action, HangarAction};
 use crate::app::keymap::{Keymap, Place};
 use crate::app::room::{Room, hangar};
 use crate::app::state::{Instance, SitlStage};
@@ -128,7 +128,10 @@ fn crash(instance: &Instance, keymap: &Keymap) -> Text {
     let again = text!(
         "hangar-crash-again",
         key = keymap.key(Action::Show(Room::Hangar), Place::Anywhere),
-        again = keymap.key(Action::RestartProcess, Place::In(Room::Hangar)),
+        again = keymap.key(
+            Action::Hangar(HangarAction::RestartProcess),
+            Place::In(Room::Hangar)
+        ),
         vehicle = instance.vehicle
     );
     let parts = std::iter::once(what).chain(next).chain([again]);

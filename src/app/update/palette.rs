@@ -7,7 +7,7 @@ use super::console_line::{self, targeted};
 use super::order::Given;
 use super::{keys, offer, order};
 use crate::app::State;
-use crate::app::action::Action;
+use crate::app::action::{Action, LineAction};
 use crate::app::effect::Effects;
 use crate::app::keymap::Place;
 use crate::app::state::{Overlay, Palette};
@@ -34,10 +34,10 @@ pub fn key(state: &mut State, mut palette: Palette, key: KeyEvent) -> Effects {
     match state.keymap.action(key, Place::Prompt) {
         Some(Action::Escape) => return Effects::none(),
         Some(Action::Submit) => return submit(state, palette),
-        Some(Action::Complete) => complete(state, palette, true),
-        Some(Action::CompleteBack) => complete(state, palette, false),
-        Some(Action::Older) => browse(state, palette, true),
-        Some(Action::Newer) => browse(state, palette, false),
+        Some(Action::Line(LineAction::Complete)) => complete(state, palette, true),
+        Some(Action::Line(LineAction::CompleteBack)) => complete(state, palette, false),
+        Some(Action::Line(LineAction::Older)) => browse(state, palette, true),
+        Some(Action::Line(LineAction::Newer)) => browse(state, palette, false),
         _ => {
             if keys::edit(&mut palette.input, key) {
                 palette.history_at = None;

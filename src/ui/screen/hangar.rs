@@ -6,7 +6,7 @@ use ratatui::style::Style;
 use ratatui::text::{Line, Span};
 
 use crate::app::State;
-use crate::app::action::Action;
+use crate::app::action::{Action, HangarAction};
 use crate::app::room::hangar::under_cursor;
 use crate::app::state::{Hangar, Instance, SitlStage};
 use crate::text;
@@ -224,8 +224,8 @@ fn draw_detail(state: &State, instance: &Instance, panel: Panel<'_>, buffer: &mu
     if instance.has_crashed() {
         let what = text!(
             "hangar-fault-what",
-            restart = state.key(Action::RestartProcess),
-            stop = state.key(Action::StopProcess)
+            restart = state.key(Action::Hangar(HangarAction::RestartProcess)),
+            stop = state.key(Action::Hangar(HangarAction::StopProcess))
         );
         lines.extend(wrapped(&panel.text(&what), Role::Text));
     }

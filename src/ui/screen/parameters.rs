@@ -5,7 +5,7 @@ use ratatui::buffer::Buffer;
 use ratatui::text::Line;
 
 use crate::app::State;
-use crate::app::action::Action;
+use crate::app::action::{Action, ParametersAction};
 use crate::app::room::parameters::{Edit, Row, coming, cursor_row, outcome, rows};
 use crate::ui::panel::Panel;
 
@@ -75,7 +75,7 @@ fn draw_nothing(state: &State, vehicle: VehicleId, panel: Panel<'_>, buffer: &mu
     } else {
         text!(
             "parameters-none-changed",
-            key = state.key(Action::ChangedParameters)
+            key = state.key(Action::Parameters(ParametersAction::ChangedParameters))
         )
     };
     let line = Line::styled(format!(" {}", panel.text(&text)), panel.style(Role::Muted));

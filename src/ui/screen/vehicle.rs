@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use crate::app::State;
-use crate::app::action::Action;
+use crate::app::action::{Action, ViewAction};
 use crate::app::keymap::Place;
 use crate::app::state::Room;
 use crate::app::state::Session;
@@ -100,17 +100,20 @@ fn draw_name(subject: &Subject<'_>, page: Option<usize>, area: Rect, buffer: &mu
     let keymap = subject.state.keymap();
     let key = |actions| look.text(&keymap.keys(actions, Place::In(Room::Vehicle)));
     let mut keys = vec![(
-        key(&[Action::PreviousVehicle, Action::NextVehicle]),
+        key(&[
+            Action::View(ViewAction::PreviousVehicle),
+            Action::View(ViewAction::NextVehicle),
+        ]),
         look.say("vehicle-key-next"),
     )];
     let window = text!(
         "vehicle-key-window",
         seconds = subject.state.rooms().vehicle().window().seconds()
     );
-    keys.push((key(&[Action::Window]), look.text(&window)));
+    keys.push((key(&[Action::View(ViewAction::Window)]), look.text(&window)));
     if let Some(page) = page {
         let page = text!("vehicle-key-page", page = page + 1, count = PAGES);
-        keys.push((key(&[Action::NextPage]), look.text(&page)));
+        keys.push((key(&[Action::View(ViewAction::NextPage)]), look.text(&page)));
     }
     for (key, meaning) in keys {
         line.push_span(Span::styled(format!("   {key} "), look.style(Role::Key)));

@@ -7,7 +7,7 @@ use ratatui::widgets::{Paragraph, Widget};
 use tui_input::Input;
 
 use crate::app::State;
-use crate::app::action::Action;
+use crate::app::action::{Action, LineAction};
 use crate::app::keymap::Place;
 use crate::app::state::Palette;
 use crate::diagnostic::Diagnostic;
@@ -59,8 +59,12 @@ pub fn draw(state: &State, palette: &Palette, panel: Panel<'_>, buffer: &mut Buf
     }
     let grammar = text!(
         "palette-grammar",
-        complete = state.keymap().key(Action::Complete, Place::Prompt),
-        older = state.keymap().key(Action::Older, Place::Prompt)
+        complete = state
+            .keymap()
+            .key(Action::Line(LineAction::Complete), Place::Prompt),
+        older = state
+            .keymap()
+            .key(Action::Line(LineAction::Older), Place::Prompt)
     );
     for line in explanation(
         palette,

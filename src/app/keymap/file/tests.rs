@@ -1,6 +1,7 @@
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use super::*;
+use crate::app::action::{LineAction, SelectAction};
 use crate::app::room::Room;
 use crate::text::Locale;
 
@@ -40,13 +41,13 @@ fn rows_take_the_place_of_the_defaults_of_their_context() {
     assert_eq!(press(&keymap, "ctrl-t", FLY), Some(write));
     assert_eq!(
         press(&keymap, "a", FLY),
-        Some(Meaning::Do(Action::SelectAll))
+        Some(Meaning::Do(Action::Select(SelectAction::SelectAll)))
     );
     assert_eq!(
         press(&keymap, "shift-up", FLY),
-        Some(Meaning::Do(Action::Invert))
+        Some(Meaning::Do(Action::Select(SelectAction::Invert)))
     );
-    let newer = Some(Meaning::Do(Action::Newer));
+    let newer = Some(Meaning::Do(Action::Line(LineAction::Newer)));
     assert_eq!(press(&keymap, "ctrl-n", Place::Prompt), newer);
     // Switched off in one room only, whether it had a meaning there or anywhere.
     assert_eq!(press(&keymap, "t", FLY), None);

@@ -4,9 +4,9 @@ use crossterm::event::KeyCode;
 
 use super::{Aim, Map, Size, refit};
 use crate::app::State;
-use crate::app::action::{Action, Step};
+use crate::app::action::{Action, MapAction, Step, ViewAction};
 use crate::app::keymap::{KeyHint, KeyRow, Press, does, hint, key};
-use crate::app::room::{RoomModel, RoomRequest, footer_keys};
+use crate::app::room::{Answer, RoomModel, RoomRequest, footer_keys};
 use crate::geo::LatLon;
 use crate::text;
 use crate::vehicle::{Severity, VehicleId};
@@ -26,14 +26,20 @@ const HINTS: &[KeyHint] = &[
         ],
         "hint-cursor",
     ),
-    hint(&[Action::ZoomIn, Action::ZoomOut], "hint-zoom"),
-    hint(&[Action::Fit], "hint-fit"),
-    hint(&[Action::Follow], "hint-follow"),
-    hint(&[Action::GotoHere], "hint-goto"),
-    hint(&[Action::Ruler], "hint-ruler"),
-    hint(&[Action::NextVehicle], "hint-vehicle"),
-    hint(&[Action::Legend], "hint-signs"),
-    hint(&[Action::Trails], "hint-trails"),
+    hint(
+        &[
+            Action::Map(MapAction::ZoomIn),
+            Action::Map(MapAction::ZoomOut),
+        ],
+        "hint-zoom",
+    ),
+    hint(&[Action::Map(MapAction::Fit)], "hint-fit"),
+    hint(&[Action::Map(MapAction::Follow)], "hint-follow"),
+    hint(&[Action::Map(MapAction::GotoHere)], "hint-goto"),
+    hint(&[Action::Map(MapAction::Ruler)], "hint-ruler"),
+    hint(&[Action::View(ViewAction::NextVehicle)], "hint-vehicle"),
+    hint(&[Action::Map(MapAction::Legend)], "hint-signs"),
+    hint(&[Action::Map(MapAction::Trails)], "hint-trails"),
 ];
 
 impl RoomModel for Map {
@@ -42,55 +48,65 @@ impl RoomModel for Map {
         does(Press::Plain(KeyCode::Left), Action::Move(Step::Left)),
         does(key('l'), Action::Move(Step::Right)),
         does(Press::Plain(KeyCode::Right), Action::Move(Step::Right)),
-        does(key('+'), Action::ZoomIn),
-        does(key('='), Action::ZoomIn),
-        does(key('-'), Action::ZoomOut),
-        does(key('z'), Action::Fit),
-        does(key('f'), Action::Follow),
-        does(key('.'), Action::Centre),
-        does(key('u'), Action::Ruler),
-        does(key('g'), Action::GotoHere),
-        does(Press::Plain(KeyCode::Tab), Action::NextVehicle),
-        does(Press::Plain(KeyCode::BackTab), Action::PreviousVehicle),
-        does(key('w'), Action::Trails),
-        does(key('s'), Action::NextSensor),
-        does(key('i'), Action::Legend),
+        does(key('+'), Action::Map(MapAction::ZoomIn)),
+        does(key('='), Action::Map(MapAction::ZoomIn)),
+        does(key('-'), Action::Map(MapAction::ZoomOut)),
+        does(key('z'), Action::Map(MapAction::Fit)),
+        does(key('f'), Action::Map(MapAction::Follow)),
+        does(key('.'), Action::Map(MapAction::Centre)),
+        does(key('u'), Action::Map(MapAction::Ruler)),
+        does(key('g'), Action::Map(MapAction::GotoHere)),
+        does(
+            Press::Plain(KeyCode::Tab),
+            Action::View(ViewAction::NextVehicle),
+        ),
+        does(
+            Press::Plain(KeyCode::BackTab),
+            Action::View(ViewAction::PreviousVehicle),
+        ),
+        does(key('w'), Action::Map(MapAction::Trails)),
+        does(key('s'), Action::Map(MapAction::NextSensor)),
+        does(key('i'), Action::Map(MapAction::Legend)),
     ];
 
     fn hints(_state: &State) -> &'static [KeyHint] {
         HINTS
     }
 
-    fn act(state: &mut State, action: Action) -> Option<Vec<RoomRequest>> {
+    fn step(state: &mut State, step: Step) -> Answer {
+        let size = state.rooms.map.canvas(state.size);
+        go(state, size, step);
+        Some(Vec::new())
+    }
+
+    fn submit(state: &mut State) -> Answer {
+        if !state.typed.is_empty() {
+            return None;
+        }
+        let size = state.rooms.map.canvas(state.size);
+        pick_nearest(state, size);
+        Some(Vec::new())
+    }
+
+    fn escape(state: &mut State) -> Answer {
         let map = &mut state.rooms.map;
-        let size = map.canvas(state.size);
+        if !state.typed.is_empty() || map.mark.is_none() {
+            return None;
+        }
+        map.mark = None;
+        Some(Vec::new())
+    }
+
+    fn view(state: &mut State, action: ViewAction) -> Answer {
+        let size = state.rooms.map.canvas(state.size);
         match action {
-            Action::Move(step) => go(state, size, step),
-            // The key of the vehicle list `3-9`, while such a list is being typed.
-            Action::ZoomOut if !state.typed.is_empty() => state.typed.push('-'),
-            Action::ZoomIn | Action::ZoomOut => map.zoom(size, action == Action::ZoomIn),
-            Action::Fit => {
-                refit(state);
-                state.rooms.map.cursor = None;
-            }
-            Action::Follow => follow(state, size),
-            Action::Centre => {
-                let pointed = map.view(size).map(|view| map.pointed(&view))?;
-                map.centre_on(size, pointed);
-            }
-            Action::Ruler => measure(state, size),
-            Action::Escape if map.mark.is_some() && state.typed.is_empty() => map.mark = None,
-            Action::GotoHere => return Some(goto_here(state, size)),
-            Action::NextVehicle => turn_to(state, size, 1),
-            Action::PreviousVehicle => turn_to(state, size, -1),
-            Action::Submit if state.typed.is_empty() => pick_nearest(state, size),
-            Action::Trails => map.trails_hidden = !map.trails_hidden,
-            Action::NextSensor => next_sensor(state),
-            Action::Legend => {
-                let shown = map.shows_legend(state.size);
-                map.legend = Some(!shown);
-            }
-            _ => return None,
+            ViewAction::NextVehicle => turn_to(state, size, 1),
+            ViewAction::PreviousVehicle => turn_to(state, size, -1),
+            ViewAction::Filter
+            | ViewAction::Sort
+            | ViewAction::SortReverse
+            | ViewAction::NextPage
+            | ViewAction::Window => return None,
         }
         Some(Vec::new())
     }
@@ -98,6 +114,36 @@ impl RoomModel for Map {
     fn forget_session(&mut self) {
         *self = self.for_next_session();
     }
+}
+
+pub fn act(state: &mut State, action: MapAction) -> Vec<RoomRequest> {
+    let map = &mut state.rooms.map;
+    let size = map.canvas(state.size);
+    match action {
+        MapAction::ZoomIn => map.zoom(size, true),
+        // The key of the vehicle list `3-9`, while such a list is being typed.
+        MapAction::ZoomOut if !state.typed.is_empty() => state.typed.push('-'),
+        MapAction::ZoomOut => map.zoom(size, false),
+        MapAction::Fit => {
+            refit(state);
+            state.rooms.map.cursor = None;
+        }
+        MapAction::Follow => follow(state, size),
+        MapAction::Centre => {
+            if let Some(pointed) = map.view(size).map(|view| map.pointed(&view)) {
+                map.centre_on(size, pointed);
+            }
+        }
+        MapAction::Ruler => measure(state, size),
+        MapAction::GotoHere => return goto_here(state, size),
+        MapAction::Trails => map.trails_hidden = !map.trails_hidden,
+        MapAction::NextSensor => next_sensor(state),
+        MapAction::Legend => {
+            let shown = map.shows_legend(state.size);
+            map.legend = Some(!shown);
+        }
+    }
+    Vec::new()
 }
 
 fn go(state: &mut State, size: Size, step: Step) {

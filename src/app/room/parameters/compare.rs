@@ -6,7 +6,6 @@ use std::sync::Arc;
 use super::files::incomplete;
 use super::{coming, rows};
 use crate::app::State;
-use crate::app::action::Action;
 use crate::app::state::{Consequence, ParameterSetting};
 use crate::language::ranges;
 use crate::parameters::{ParameterFinding, is_the_vehicles_own};
@@ -59,8 +58,19 @@ impl Comparison {
     }
 }
 
-/// Turns marks over: the one under the cursor, or all that are shown.
-pub fn mark(state: &mut State, action: Action) {
+/// Which marks are turned over.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Marks {
+    /// The one of the row under the cursor.
+    UnderCursor,
+    /// Those that are not set yet, so that all are.
+    Unmarked,
+    /// All that are shown.
+    All,
+}
+
+/// Turns marks over. What makes the vehicle itself is marked one by one or not at all.
+pub fn turn(state: &mut State, marks: Marks) {
     let shown = rows(state);
     let Some(comparison) = &state.rooms.parameters.comparison else {
         return;
@@ -69,13 +79,17 @@ pub fn mark(state: &mut State, action: Action) {
     let turned: Vec<String> = shown
         .iter()
         .enumerate()
-        .filter(|(row, it)| match (action, it.finding) {
-            (_, None) => false,
-            // What makes the vehicle itself is marked one by one or not at all.
-            (Action::SelectAll | Action::Invert, _) if is_the_vehicles_own(it.name) => false,
-            (Action::SelectAll, Some(finding)) => !comparison.is_marked(it.name, finding),
-            (Action::Invert, _) => true,
-            _ => *row == at,
+        .filter(|(row, it)| {
+            let Some(finding) = it.finding else {
+                return false;
+            };
+            match marks {
+                Marks::UnderCursor => *row == at,
+                Marks::Unmarked => {
+                    !is_the_vehicles_own(it.name) && !comparison.is_marked(it.name, finding)
+                }
+                Marks::All => !is_the_vehicles_own(it.name),
+            }
         })
         .map(|(_, row)| row.name.to_owned())
         .collect();

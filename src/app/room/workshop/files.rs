@@ -2,7 +2,7 @@
 
 use super::shelf;
 use crate::app::State;
-use crate::app::action::Action;
+use crate::app::action::{Action, WorkshopAction};
 use crate::app::effect::{CareerEffect, Effect, Effects, FileEffect, FileKind};
 use crate::app::state::{Consequence, Purpose};
 use crate::text;
@@ -13,7 +13,7 @@ use crate::workshop::Design;
 /// Asks under which name the bench is kept.
 pub(super) fn ask_save(state: &mut State) {
     if state.career.is_none() {
-        let key = state.key(Action::ExportDesign);
+        let key = state.key(Action::Workshop(WorkshopAction::ExportDesign));
         return state.say(Severity::Warning, text!("bench-nobody-saves", key = key));
     }
     let name = state.rooms.workshop.bench.design().name.clone();
@@ -23,7 +23,7 @@ pub(super) fn ask_save(state: &mut State) {
 /// Asks what a copy is called: of a design of the list, else of the bench.
 pub(super) fn ask_copy(state: &mut State, design: Option<Design>) {
     if state.career.is_none() {
-        let key = state.key(Action::ExportDesign);
+        let key = state.key(Action::Workshop(WorkshopAction::ExportDesign));
         return state.say(Severity::Warning, text!("bench-nobody-saves", key = key));
     }
     let bench = &state.rooms.workshop.bench;

@@ -2,7 +2,7 @@
 
 use super::{lacking, mission};
 use crate::app::State;
-use crate::app::action::Action;
+use crate::app::action::Step;
 use crate::app::room::RoomRequest;
 use crate::mission::Listing;
 use crate::text;
@@ -44,22 +44,22 @@ pub fn bill(state: &State, mission: &Listing) -> u32 {
         .sum()
 }
 
-pub(super) fn act(state: &mut State, action: Action) -> Option<Vec<RoomRequest>> {
+pub(super) fn step(state: &mut State, step: Step) {
     let count = mission(state).map_or(0, |mission| mission.vehicles);
-    match action {
-        Action::Move(step) => {
-            let seat = &mut state.rooms.workshop.seat;
-            *seat = step.apply((*seat).min(count.saturating_sub(1)), count);
-        }
-        Action::Submit => {
-            let seat = state.rooms.workshop.seat;
-            assign(state, Some(seat.min(count.saturating_sub(1))));
-        }
-        Action::AllSeats => assign(state, None),
-        Action::TakeOut => give_back(state),
-        _ => return None,
-    }
-    Some(Vec::new())
+    let seat = &mut state.rooms.workshop.seat;
+    *seat = step.apply((*seat).min(count.saturating_sub(1)), count);
+}
+
+/// Chooses the design on the bench for the seat under the cursor.
+pub(super) fn assign_one(state: &mut State) {
+    let count = mission(state).map_or(0, |mission| mission.vehicles);
+    let seat = state.rooms.workshop.seat;
+    assign(state, Some(seat.min(count.saturating_sub(1))));
+}
+
+/// Chooses the design on the bench for every seat.
+pub(super) fn assign_all(state: &mut State) {
+    assign(state, None);
 }
 
 /// Chooses the design on the bench for a seat, or for all. The first choice is for all: a mission does not lend a part
@@ -78,9 +78,10 @@ fn assign(state: &mut State, seat: Option<usize>) {
         .filter_map(|seat| seat.design.cloned())
         .collect();
     let mut fleet = before;
-    match seat {
-        Some(seat) if fleet.len() == count && seat < count => fleet[seat] = design,
-        _ => fleet = vec![design; count],
+    let alone = seat.filter(|&seat| fleet.len() == count && seat < count);
+    match alone {
+        Some(seat) => fleet[seat] = design,
+        None => fleet = vec![design; count],
     }
     let name = fleet[seat.unwrap_or_default()].name.clone();
     state.fleets.insert(id, fleet);
@@ -108,7 +109,7 @@ fn check(state: &State, mission: &Listing) -> Result<(), Text> {
     }
 }
 
-fn give_back(state: &mut State) {
+pub(super) fn give_back(state: &mut State) {
     let id = mission(state).map(|mission| mission.id.clone());
     if id.is_some_and(|id| state.fleets.remove(&id).is_some()) {
         state.say(Weight::Notice, text!("bench-seats-lent"));

@@ -2,10 +2,10 @@
 
 use super::{Page, air};
 use crate::app::State;
-use crate::app::action::Action;
+use crate::app::action::{Action, Step, WorkshopAction};
 use crate::app::effect::{CareerEffect, Effect};
 use crate::app::keymap::Place;
-use crate::app::room::{Room, RoomRequest};
+use crate::app::room::Room;
 use crate::app::state::Consequence;
 use crate::text;
 use crate::vehicle::Severity;
@@ -59,7 +59,10 @@ pub fn open(state: &mut State, design: Design) {
     let question = text!("bench-ask-replace", name = name);
     let reason = text!(
         "bench-ask-replace-reason",
-        key = state.keymap.key(Action::Undo, Place::In(Room::Workshop))
+        key = state.keymap.key(
+            Action::Workshop(WorkshopAction::Undo),
+            Place::In(Room::Workshop)
+        )
     );
     state.ask(question, reason, Consequence::Design(design));
 }
@@ -88,33 +91,72 @@ pub(super) fn compare_or_choose(state: &mut State) {
         Page::Compare => room.page = Page::Bench,
         Page::Bench | Page::Fleet => {
             room.page = Page::Designs;
-            let key = state.key(Action::CompareDesign);
+            let key = state.key(Action::Workshop(WorkshopAction::CompareDesign));
             state.say(Severity::Notice, text!("bench-choose-compared", key = key));
         }
         Page::Designs => compare(state),
     }
 }
 
-/// What actions do in the list.
-pub(super) fn act(state: &mut State, action: Action) -> Option<Vec<RoomRequest>> {
+/// A design of the list.
+struct Listed {
+    design: Design,
+    is_own: bool,
+}
+
+fn under_cursor(state: &State) -> Option<Listed> {
+    let all = stored(state);
+    let at = state.rooms.workshop.shelf.min(all.len().saturating_sub(1));
+    all.get(at).map(|it| Listed {
+        design: it.design.clone(),
+        is_own: it.is_own,
+    })
+}
+
+pub(super) fn step(state: &mut State, step: Step) {
     let count = stored(state).len();
     let at = state.rooms.workshop.shelf.min(count.saturating_sub(1));
-    let listed = stored(state).get(at).copied();
-    let listed = listed.map(|it| (it.design.clone(), it.is_own));
-    match (action, listed) {
-        (Action::Move(step), _) => state.rooms.workshop.shelf = step.apply(at, count),
-        (Action::Submit, Some((design, _))) => open(state, design),
-        (Action::CopyDesign, Some((design, _))) => super::files::ask_copy(state, Some(design)),
-        (Action::RenameDesign, Some((design, true))) => {
-            super::files::ask_rename(state, Some(design));
-        }
-        (Action::TakeOut, Some((design, true))) => ask_drop(state, &design),
-        (Action::TakeOut | Action::RenameDesign, Some((_, false))) => {
-            state.say(Severity::Notice, text!("bench-not-own"));
-        }
-        _ => return None,
+    state.rooms.workshop.shelf = step.apply(at, count);
+}
+
+/// Puts the design under the cursor on the bench.
+pub(super) fn open_listed(state: &mut State) {
+    if let Some(listed) = under_cursor(state) {
+        open(state, listed.design);
     }
-    Some(Vec::new())
+}
+
+pub(super) fn ask_copy(state: &mut State) {
+    if let Some(listed) = under_cursor(state) {
+        super::files::ask_copy(state, Some(listed.design));
+    }
+}
+
+pub(super) fn ask_rename(state: &mut State) {
+    match under_cursor(state) {
+        Some(Listed {
+            design,
+            is_own: true,
+        }) => super::files::ask_rename(state, Some(design)),
+        Some(_) => refuse(state),
+        None => {}
+    }
+}
+
+pub(super) fn ask_take_out(state: &mut State) {
+    match under_cursor(state) {
+        Some(Listed {
+            design,
+            is_own: true,
+        }) => ask_drop(state, &design),
+        Some(_) => refuse(state),
+        None => {}
+    }
+}
+
+/// Designs in stock stay as they are.
+fn refuse(state: &mut State) {
+    state.say(Severity::Notice, text!("bench-not-own"));
 }
 
 fn compare(state: &mut State) {

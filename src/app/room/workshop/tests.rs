@@ -6,12 +6,13 @@ use super::*;
 use crate::app::Setup;
 use crate::app::effect::{CareerEffect, Effect, FileEffect, FileKind, SessionEffect};
 use crate::app::event::{CareerEvent, Event, FileEvent, TerminalEvent};
+use crate::app::room::Room;
 use crate::app::state::{Career, Overlay, Purpose};
 use crate::app::update::update;
 use crate::campaign::{MissionCourse, Offer};
 use crate::mission::Mission;
 use crate::workshop::PartSlot;
-use crossterm::event::{KeyEvent, KeyModifiers};
+use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 const STARTER: &str = include_str!("../../../../designs/starter.toml");
 const MISSION: &str = include_str!("../../../../missions/01-air-sample.toml");

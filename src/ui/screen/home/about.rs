@@ -6,7 +6,7 @@ use ratatui::text::{Line, Span};
 
 use super::name;
 use crate::app::State;
-use crate::app::action::Action;
+use crate::app::action::{Action, StartAction};
 use crate::app::room::home::{HomeItem, drill, facts, items};
 use crate::app::state::Room;
 use crate::scoring::Medal;
@@ -144,13 +144,13 @@ fn keys(state: &State, item: HomeItem, look: &Look) -> Vec<KeyHint> {
             title = &drill.title,
             seconds = drill.time_limit.as_secs()
         );
-        keys.push((key(Action::Drill), look.text(&about)));
+        keys.push((key(Action::Start(StartAction::Drill)), look.text(&about)));
     }
     if state.career().is_some() {
         for (action, what) in [
-            (Action::Daily, "home-daily"),
-            (Action::Exam, "home-exam"),
-            (Action::Practise, "home-practise"),
+            (Action::Start(StartAction::Daily), "home-daily"),
+            (Action::Start(StartAction::Exam), "home-exam"),
+            (Action::Start(StartAction::Practise), "home-practise"),
         ] {
             keys.push((key(action), look.say(what)));
         }

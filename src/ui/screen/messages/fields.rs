@@ -5,7 +5,7 @@ use ratatui::text::{Line, Span};
 
 use super::{age, hertz};
 use crate::app::State;
-use crate::app::action::Action;
+use crate::app::action::{Action, MessagesAction, ViewAction};
 use crate::app::room::messages::{Messages, Selected};
 use crate::inspector::{
     Census, Direction, FieldReading, MessageReading, MessageTally, TallyKey, name_of, read,
@@ -84,13 +84,13 @@ fn draw_hint(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let hint = text!(
         "messages-hint",
         open = state.key(Action::Submit),
-        fields = state.key(Action::OtherSide),
-        graph = state.key(Action::Pin),
-        bytes = state.key(Action::Hex),
-        filter = state.key(Action::Filter),
-        sort = state.key(Action::Sort),
-        pause = state.key(Action::Pause),
-        fold = state.key(Action::FoldAll)
+        fields = state.key(Action::Messages(MessagesAction::OtherSide)),
+        graph = state.key(Action::Messages(MessagesAction::Pin)),
+        bytes = state.key(Action::Messages(MessagesAction::Hex)),
+        filter = state.key(Action::View(ViewAction::Filter)),
+        sort = state.key(Action::View(ViewAction::Sort)),
+        pause = state.key(Action::Messages(MessagesAction::Pause)),
+        fold = state.key(Action::Messages(MessagesAction::FoldAll))
     );
     let mut lines = wrap(&panel.text(&hint), usize::from(inner.width));
     let traffic = state.rooms().messages().traffic().iter();

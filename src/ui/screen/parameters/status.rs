@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};
 
 use crate::app::State;
-use crate::app::action::Action;
+use crate::app::action::{Action, ParametersAction};
 use crate::app::room::parameters::{Other, Row, extra};
 use crate::language::ranges;
 use crate::parameters::{Fetching, ParameterSnapshot};
@@ -75,7 +75,7 @@ fn progress(
                 "parameters-stalled",
                 received = received,
                 count = count,
-                key = state.key(Action::FetchParameters)
+                key = state.key(Action::Parameters(ParametersAction::FetchParameters))
             );
             (text, Role::Warning)
         }

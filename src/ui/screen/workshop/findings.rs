@@ -5,7 +5,7 @@ use ratatui::style::Style;
 
 use super::put_wrapped;
 use crate::app::State;
-use crate::app::action::Action;
+use crate::app::action::{Action, WorkshopAction};
 use crate::app::room::workshop::{Licence, lacking, licence};
 use crate::text;
 use crate::text::Text;
@@ -49,7 +49,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
                     "bench-part-for-sale",
                     part = part.name(),
                     price = price,
-                    key = state.key(Action::BuyPart)
+                    key = state.key(Action::Workshop(WorkshopAction::BuyPart))
                 )
             }
             Licence::Locked(mission) => {

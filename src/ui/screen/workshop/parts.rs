@@ -6,7 +6,7 @@ use ratatui::text::{Line, Span};
 
 use super::{change, first_shown, put_wrapped, show_cursor};
 use crate::app::State;
-use crate::app::action::Action;
+use crate::app::action::{Action, WorkshopAction};
 use crate::app::room::workshop::{Candidate, Licence, Pane, licence};
 use crate::text;
 use crate::ui::look::Look;
@@ -219,7 +219,7 @@ fn draw_detail(state: &State, candidate: &Candidate, panel: Panel<'_>, buffer: &
         Licence::ForSale(price) => Some(text!(
             "bench-for-sale",
             price = price,
-            key = state.key(Action::BuyPart)
+            key = state.key(Action::Workshop(WorkshopAction::BuyPart))
         )),
         Licence::Locked(mission) => Some(text!("bench-locked-by", mission = mission)),
     };
