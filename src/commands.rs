@@ -9,6 +9,7 @@ use crate::text::Text;
 use crate::vehicle::Vehicle;
 
 mod arming;
+mod claim;
 mod deed;
 mod destination;
 mod device;
@@ -26,10 +27,12 @@ mod query;
 mod raw;
 mod request;
 mod setpoint;
+mod speeds;
 #[cfg(test)]
 mod tests;
 
 pub use arming::ArmingCommand;
+pub use claim::Claim;
 pub use deed::{Deed, Goal, KindName, Spot, Subject};
 pub use destination::{Destination, Heading};
 pub use device::DeviceCommand;
@@ -38,13 +41,14 @@ pub use explain::{AckResult, explain};
 pub use flight::FlightCommand;
 pub use manoeuvre::{Datum, FarEnd, Ground, Manoeuvre, Pattern, Shape};
 pub use mav_cmd::{command_by_name, command_name, command_names};
-pub use motion::{MotionCommand, SpeedAxis};
+pub use motion::MotionCommand;
 pub use order::{Act, Order};
 pub use parameter::{ParameterCommand, is_written_so};
 pub use query::QueryCommand;
 pub use raw::RawCommand;
 pub use request::{Answer, Repeat, Request};
 pub use setpoint::{Setpoint, ready_for};
+pub use speeds::{CHANGE_SPEED, asked_again};
 
 /// A command to one vehicle, by subject. Every variant is said with one verb of the grammar.
 #[derive(Debug, Clone, PartialEq)]

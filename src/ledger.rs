@@ -40,6 +40,8 @@ pub enum RowState {
     TimedOut,
     /// A later command took its place.
     Superseded,
+    /// Something else took the vehicle: another ground station, a failsafe, a pilot's stick.
+    Overtaken,
 }
 
 impl RowState {
@@ -53,7 +55,10 @@ impl RowState {
 
     /// Whether it ended otherwise than the operator wanted.
     pub fn is_failure(self) -> bool {
-        matches!(self, Self::NoEffect | Self::Refused | Self::TimedOut)
+        matches!(
+            self,
+            Self::NoEffect | Self::Refused | Self::TimedOut | Self::Overtaken
+        )
     }
 }
 
@@ -78,6 +83,7 @@ impl RowState {
             Self::Refused => text!("state-refused"),
             Self::TimedOut => text!("state-timed-out"),
             Self::Superseded => text!("state-superseded"),
+            Self::Overtaken => text!("state-overtaken"),
         }
     }
 }
@@ -115,6 +121,8 @@ pub struct LedgerRow {
     pub changed_at: Duration,
     /// The reason of a refusal, or a remark.
     pub explanation: Option<Text>,
+    /// It was done, and is not so any longer: what has ended it.
+    pub ended_by: Option<Text>,
 }
 
 /// What a command sets at risk, whether or not it is accepted.
@@ -189,6 +197,7 @@ impl Ledger {
                 answered_after: None,
                 changed_at: at,
                 explanation: None,
+                ended_by: None,
             })
             .collect();
         self.entries.push_back(LedgerEntry {
@@ -205,20 +214,24 @@ impl Ledger {
         id
     }
 
-    /// Applies an update; one for an entry that has fallen out, or for a row that has ended, is ignored.
+    /// Applies an update; one for an entry that has fallen out, or for a row that has ended, is ignored. A row that was
+    /// done stays so, and notes what has overtaken it.
     pub fn apply(&mut self, update: &RowUpdate) {
         let Some(entry) = self.position(update.entry).map(|at| &mut self.entries[at]) else {
             return;
         };
         self.revision += 1;
         let given_at = entry.at;
-        let Some(row) = entry
-            .rows
-            .iter_mut()
-            .find(|row| row.vehicle == update.vehicle && !row.state.is_final())
-        else {
+        let mut rows = entry.rows.iter_mut();
+        let Some(row) = rows.find(|row| row.vehicle == update.vehicle) else {
             return;
         };
+        if row.state == RowState::Done && update.state == RowState::Overtaken {
+            row.ended_by.clone_from(&update.explanation);
+        }
+        if row.state.is_final() {
+            return;
+        }
         let answered = !matches!(
             update.state,
             RowState::Queued | RowState::Sent | RowState::TimedOut | RowState::Superseded

@@ -16,7 +16,7 @@ use crate::notice::Notice;
 use crate::parameters::ParameterSnapshot;
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::Vehicle;
+use crate::vehicle::{AskedSpeeds, Vehicle};
 use crate::wire::{ComponentId, Content, Frame, Outgoing, SystemId};
 
 mod acknowledgement;
@@ -59,10 +59,19 @@ const IDLE_POLL: Duration = Duration::from_millis(500);
 #[derive(Debug, Default)]
 struct Output {
     messages: Vec<Outgoing>,
+    /// Acknowledgements of `DO_CHANGE_SPEED` that no order waits for.
+    speed_acks: u8,
     reports: Vec<Report>,
 }
 
 impl Output {
+    /// Says speeds again that the vehicle was asked for before.
+    fn say_speeds(&mut self, speeds: Vec<Outgoing>) {
+        let count = u8::try_from(speeds.len()).unwrap_or(u8::MAX);
+        self.speed_acks = self.speed_acks.saturating_add(count);
+        self.messages.extend(speeds);
+    }
+
     fn row(&mut self, update: RowUpdate) {
         self.reports.push(Report::Row(update));
     }
@@ -228,6 +237,7 @@ impl Session {
         let (line, mut moment) = self.line(now);
         line.clear(&newer, &mut moment);
         line.supersede_movements(&newer, now, moment.output);
+        self.vehicle.asked_speeds = AskedSpeeds::default();
     }
 
     /// Takes an order. Urgent ones (kill, disarm, land, return, hold) go before everything that waits.
@@ -242,11 +252,8 @@ impl Session {
     /// # Errors
     /// In plain words when there is no such place to fly to; nothing was sent.
     pub fn steer(&mut self, steering: &Steering, now: Duration) -> Result<(), Text> {
-        let message = steering.setpoint.message(&self.vehicle)?;
-        self.line
-            .supersede_movements(&steering.verb.name.into(), now, &mut self.output);
-        self.output.messages.push(message);
-        Ok(())
+        let (line, moment) = self.line(now);
+        line.steer(steering, moment)
     }
 
     /// Lets time pass: retries, deadlines, silence. Call it at least as often as [`Self::patience`] says.

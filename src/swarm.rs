@@ -14,12 +14,9 @@
 //! other movement takes a vehicle out of what it was doing; the others close up, or take over its lines. A formation goes
 //! as fast as its leader was told to (`speed`).
 
-use std::collections::BTreeMap;
 use std::time::Duration;
 
-use crate::commands::{
-    Act, Command, Destination, FlightCommand, Manoeuvre, MotionCommand, Order, SpeedAxis,
-};
+use crate::commands::{Act, Command, Destination, FlightCommand, Manoeuvre, MotionCommand, Order};
 use crate::geo::LatLon;
 use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::notice::Notice;
@@ -132,8 +129,6 @@ pub struct Path {
 pub struct Conductor {
     rules: Rules,
     acts: Vec<ActiveManoeuvre>,
-    /// How fast vehicles were told to fly.
-    told_m_s: BTreeMap<VehicleId, f64>,
     /// What is to go out with the next step.
     waiting: StepOutcome,
 }
@@ -205,14 +200,6 @@ impl Conductor {
     /// takes its vehicles out of what they were doing, or moves a whole formation and is sent to none of it.
     fn order(&mut self, ordered: Ordered<'_>, vehicles: &Vehicles, now: Duration) -> Assignment {
         let mut left = ordered.targets.to_vec();
-        if let &Command::Motion(MotionCommand::Speed {
-            axis: SpeedAxis::Ground,
-            speed_m_s,
-        }) = ordered.command
-        {
-            let told = left.iter().map(|id| (*id, speed_m_s));
-            self.told_m_s.extend(told);
-        }
         if ordered.verb.movement.moves() && !is_guided(ordered.command) {
             for act in &mut self.acts {
                 let claimed = match goal(ordered.command, act, vehicles) {
@@ -237,7 +224,7 @@ impl Conductor {
                 vehicles,
                 rules: self.rules,
             };
-            self.acts[index].pace(&self.told_m_s);
+            self.acts[index].pace(vehicles);
             self.acts[index].step(&view, &mut outcome);
         }
         self.acts.retain(|act| !act.is_over());

@@ -14,6 +14,7 @@ mod limits;
 mod mode;
 mod plan;
 mod readings;
+mod speeds;
 mod status;
 
 pub use endurance::{Endurance, HomeReach, Load};
@@ -28,6 +29,7 @@ pub use readings::{
     Heartbeat, Hud, LinkQuality, LocalPosition, Place, PlanProgress, RcChannels, StatusText,
     Target, Unheard, Vibration, Wind,
 };
+pub use speeds::{AskedSpeeds, SpeedAxis};
 pub use status::{EkfFlags, FixType, LandedState, Severity, SystemStatus};
 
 /// The number by which people and the grammar call a vehicle. It is the vehicle's system id as long as that
@@ -89,6 +91,8 @@ pub struct Vehicle {
     /// `SERVO_OUTPUT_RAW` of port 0: pulse widths in microseconds, output 1 first.
     pub servos_us: [u16; 16],
     pub version: Option<AutopilotVersion>,
+    /// What it was asked to fly at by this program.
+    pub asked_speeds: AskedSpeeds,
     /// Milliseconds since the autopilot booted, as its messages carry it; a step back is a reboot.
     pub boot_ms: Option<u32>,
     /// How well we hear it.
@@ -134,6 +138,7 @@ impl Vehicle {
             rc: None,
             servos_us: [0; 16],
             version: None,
+            asked_speeds: AskedSpeeds::default(),
             boot_ms: None,
             link: LinkQuality::default(),
             unheard: None,
@@ -203,6 +208,15 @@ impl Vehicle {
             && self
                 .ekf
                 .is_some_and(|ekf| ekf.flags.has(EkfFlags::POSITION_HORIZONTAL_ABSOLUTE))
+    }
+
+    /// Whether it stands on the ground, by `EXTENDED_SYS_STATE`, else by not being airborne.
+    pub fn is_on_the_ground(&self) -> bool {
+        match self.landed {
+            LandedState::OnGround => true,
+            LandedState::Undefined => self.heartbeat.is_some() && !self.airborne(),
+            LandedState::InAir | LandedState::Takeoff | LandedState::Landing => false,
+        }
     }
 
     /// Whether it is off the ground, by `EXTENDED_SYS_STATE`, else by being armed and above 1 m.

@@ -30,6 +30,7 @@ fly-takeoff = takeoff
 fly-landing = landing
 fly-lost = LOST
 fly-done = done
+fly-over = over
 fly-no-effect = no effect
 fly-timed-out = timed out
 fly-try = try { $count }

@@ -4,7 +4,10 @@ swarm-usual-spacing = { $metres } m between lines, because nothing else was said
 swarm-gaps = { $metres } m of the lines lie outside of the area, over its gaps
 swarm-swath-spacing = { $metres } m between lines, as wide as the sensor sees
 swarm-staggered = every second vehicle flies { $metres } m higher, because the lines are so near to each other
-swarm-nothing-left = nothing is left for it: there are fewer lines than vehicles
+swarm-no-line = no line left for it: { $lines ->
+    [one] { $lines } line
+   *[other] { $lines } lines
+} for { $vehicles } vehicles
 swarm-no-area = there is no area to fly over
 swarm-too-many-lines = that takes more than { $most } lines: take a smaller area or a wider spacing
 swarm-too-near = { $spacing } m is too near: { $least } m at least, for { $separation } m of separation and a margin
@@ -17,5 +20,4 @@ swarm-goes-along = with the formation of { $leader }
 swarm-falls-out = falls out of { $verb }: { $reason }
 swarm-waits = waits in its { $verb }: { $other } is in its way
 swarm-lost = it is not heard any more
-swarm-left-guided = it is in { $mode } now
 swarm-does-not-fly = it does not fly any more

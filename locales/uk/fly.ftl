@@ -30,6 +30,7 @@ fly-takeoff = зліт
 fly-landing = посадка
 fly-lost = НЕМАЄ
 fly-done = виконано
+fly-over = минуло
 fly-no-effect = без змін
 fly-timed-out = мовчить
 fly-try = спроба { $count }

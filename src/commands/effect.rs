@@ -2,12 +2,12 @@
 
 use std::time::Duration;
 
-use super::modes::mode_number;
+use super::modes::mode_named;
 use super::setpoint::Arrival;
 use crate::geo::{LatLon, wrap_180, wrap_360};
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{Mode, Vehicle};
+use crate::vehicle::{Mode, Vehicle, VehicleClass};
 
 /// How near counts as reached, horizontally.
 const ARRIVED_M: f64 = 1.5;
@@ -36,14 +36,24 @@ pub(super) enum Watched {
     Nothing,
     Armed(bool),
     Mode(Mode),
+    /// On the ground, brought down by a mode.
+    Landed(Mode),
     Still,
-    Altitude { altitude_m: f64, tolerance_m: f64 },
+    Altitude {
+        altitude_m: f64,
+        tolerance_m: f64,
+    },
     Place(Arrival),
     Heading(f64),
     Velocity([f64; 3]),
     Home(LatLon),
-    Servo { output: u8, pulse_us: u16 },
-    Rebooted { reboots: u32 },
+    Servo {
+        output: u8,
+        pulse_us: u16,
+    },
+    Rebooted {
+        reboots: u32,
+    },
 }
 
 impl Effect {
@@ -53,6 +63,7 @@ impl Effect {
             Watched::Nothing => return None,
             Watched::Armed(armed) => vehicle.heartbeat.is_some_and(|beat| beat.armed == *armed),
             Watched::Mode(mode) => vehicle.mode() == Some(*mode),
+            Watched::Landed(mode) => vehicle.mode() == Some(*mode) && vehicle.is_on_the_ground(),
             Watched::Still => speed_m_s(vehicle).is_some_and(|speed| speed < STILL_M_S),
             Watched::Altitude {
                 altitude_m,
@@ -93,6 +104,7 @@ impl Effect {
             Watched::Armed(true) => text!("effect-armed"),
             Watched::Armed(false) => text!("effect-disarmed"),
             Watched::Mode(mode) => text!("effect-mode", mode = mode.to_string()),
+            Watched::Landed(_) => text!("effect-landed"),
             Watched::Still => text!("effect-still"),
             Watched::Altitude {
                 altitude_m,
@@ -125,10 +137,22 @@ impl Effect {
 }
 
 pub(super) fn mode_effect(before: &Vehicle, name: &str) -> Effect {
-    let class = before.heartbeat.map(|heartbeat| heartbeat.class);
-    match (class, mode_number(before, name)) {
-        (Some(class), Ok(number)) => Effect::new(Watched::Mode(Mode { class, number }), SOON),
-        _ => Effect::nothing(),
+    match mode_named(before, name) {
+        Some(mode) => Effect::new(Watched::Mode(mode), SOON),
+        None => Effect::nothing(),
+    }
+}
+
+/// On the ground in a mode that brings a multirotor down. Of other classes only the mode is known to end it.
+pub(super) fn landing_effect(before: &Vehicle, name: &str) -> Effect {
+    match mode_named(before, name) {
+        Some(mode) if mode.class == VehicleClass::Copter => {
+            let way_m = before.distance_home_m().unwrap_or(0.0);
+            let height_m = before.altitude_m().unwrap_or(0.0).max(0.0);
+            let time = patience(way_m / 1.5 + height_m / 0.3 + 180.0);
+            Effect::new(Watched::Landed(mode), time)
+        }
+        _ => mode_effect(before, name),
     }
 }
 

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::MavCmd;
 
-use super::effect::{Effect, Watched, altitude_effect, mode_effect};
+use super::effect::{Effect, Watched, altitude_effect, landing_effect, mode_effect};
 use super::encode::LongFields;
 use super::modes::{holding_mode, mode_number};
 use crate::text;
@@ -55,8 +55,8 @@ impl FlightCommand {
         match self {
             Self::SetMode { name } => mode_effect(before, name),
             Self::Takeoff { altitude_m } => altitude_effect(before, *altitude_m, 0.05),
-            Self::Land => mode_effect(before, "LAND"),
-            Self::ReturnToLaunch => mode_effect(before, "RTL"),
+            Self::Land => landing_effect(before, "LAND"),
+            Self::ReturnToLaunch => landing_effect(before, "RTL"),
             Self::Hold => match holding_mode(before) {
                 Some(mode) => mode_effect(before, mode),
                 None => Effect::new(Watched::Still, Duration::from_secs(15)),

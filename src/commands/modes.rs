@@ -2,7 +2,7 @@
 
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{Vehicle, VehicleClass};
+use crate::vehicle::{Mode, Vehicle, VehicleClass};
 
 /// The mode in which a vehicle stays where it is; `None` where pausing does it.
 pub(super) fn holding_mode(vehicle: &Vehicle) -> Option<&'static str> {
@@ -30,4 +30,11 @@ pub(super) fn mode_number(vehicle: &Vehicle, name: &str) -> Result<u32, Text> {
         .mode(name)
         .map(|mode| mode.number)
         .ok_or_else(|| text!("refused-no-mode", mode = name))
+}
+
+/// A mode by name, or by a plain number; `None` where this vehicle has none of the name.
+pub(super) fn mode_named(vehicle: &Vehicle, name: &str) -> Option<Mode> {
+    let class = vehicle.heartbeat?.class;
+    let number = mode_number(vehicle, name).ok()?;
+    Some(Mode { class, number })
 }

@@ -9,11 +9,12 @@ use super::effect::{Effect, SOON, Watched, altitude_effect, travel_time, yaw_eff
 use super::encode::{self, FRAME_GLOBAL, FRAME_RELATIVE, IntFields, LongFields};
 use super::request::{Repeat, Request};
 use super::setpoint::{
-    above_ground, arrival, goto, heading, height, needs_guided, position, setpoint,
+    above_ground, arrival, goto, heading, height, needs_guided, place, position, setpoint,
 };
+use super::speeds;
 use crate::geo::{LatLon, wrap_360};
 use crate::text::Text;
-use crate::vehicle::Vehicle;
+use crate::vehicle::{SpeedAxis, Vehicle};
 
 /// How often a velocity is repeated; ArduCopter stops 3 s after the last one (`GUID_TIMEOUT`).
 const SETPOINT_EVERY: Duration = Duration::from_millis(200);
@@ -85,7 +86,10 @@ impl MotionCommand {
                 needs_guided("altitude", vehicle)?;
                 let here = position(vehicle)?;
                 above_ground(vehicle, altitude_m)?;
-                setpoint(encode::global_position(vehicle, here, altitude_m, None))
+                place(
+                    encode::global_position(vehicle, here, altitude_m, None),
+                    vehicle,
+                )
             }
             Self::Velocity { ned_m_s, .. } => {
                 needs_guided("velocity", vehicle)?;
@@ -94,10 +98,7 @@ impl MotionCommand {
                 Ok(request)
             }
             Self::Speed { axis, speed_m_s } => {
-                // -1 leaves the throttle alone.
-                let changed = [axis.number(), speed_m_s as f32, -1.0];
-                let fields = LongFields::new(MavCmd::MAV_CMD_DO_CHANGE_SPEED, &changed);
-                Request::long(vehicle, &fields, confirmation)
+                Request::long(vehicle, &speeds::fields(axis, speed_m_s), confirmation)
             }
             Self::Yaw {
                 angle_deg,
@@ -194,26 +195,6 @@ impl MotionCommand {
             Self::Speed { .. } | Self::Orbit { .. } | Self::RegionOfInterest { .. } => {
                 Effect::nothing()
             }
-        }
-    }
-}
-
-/// Which speed a speed command changes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum SpeedAxis {
-    /// Over ground.
-    Ground,
-    Climb,
-    Descend,
-}
-
-impl SpeedAxis {
-    /// `SPEED_TYPE`.
-    fn number(self) -> f32 {
-        match self {
-            Self::Ground => 1.0,
-            Self::Climb => 2.0,
-            Self::Descend => 3.0,
         }
     }
 }

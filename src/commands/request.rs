@@ -23,6 +23,8 @@ pub enum Answer {
 pub struct Request {
     /// The messages, in order; usually one.
     pub messages: Vec<Outgoing>,
+    /// The speeds that were asked for, said again after the messages of each try; nobody waits for their answers.
+    pub speeds: Vec<Outgoing>,
     /// What to wait for.
     pub answer: Answer,
     /// Sent once when a [`Repeat`] is over: a velocity ends with a stop.
@@ -33,6 +35,7 @@ impl Request {
     pub(super) fn new(message: Outgoing, answer: Answer) -> Self {
         Self {
             messages: vec![message],
+            speeds: Vec::new(),
             answer,
             closing: None,
         }

@@ -5,6 +5,7 @@ use mavlink::dialects::ardupilotmega::MavCmd;
 use super::destination::{Destination, Heading};
 use super::encode::{self, FRAME_RELATIVE, IntFields};
 use super::request::{Answer, Request};
+use super::speeds;
 
 use crate::geo::LatLon;
 use crate::text;
@@ -38,11 +39,14 @@ pub(super) fn goto(
     match arrival(vehicle, destination)? {
         Arrival::Global { point, altitude_m } => {
             above_ground(vehicle, altitude_m)?;
-            setpoint(encode::global_position(vehicle, point, altitude_m, yaw_deg))
+            place(
+                encode::global_position(vehicle, point, altitude_m, yaw_deg),
+                vehicle,
+            )
         }
         Arrival::Local { ned_m } => {
             above_ground(vehicle, height_of(vehicle, ned_m[2]))?;
-            setpoint(encode::local_position(vehicle, ned_m, yaw_deg))
+            place(encode::local_position(vehicle, ned_m, yaw_deg), vehicle)
         }
     }
 }
@@ -228,6 +232,13 @@ fn local(vehicle: &Vehicle) -> Result<[f64; 3], Text> {
 /// A request that nothing answers.
 pub(super) fn setpoint(message: Result<Outgoing, Text>) -> Result<Request, Text> {
     Ok(Request::new(message?, Answer::None))
+}
+
+/// A place to fly to, and how fast.
+pub(super) fn place(message: Result<Outgoing, Text>, vehicle: &Vehicle) -> Result<Request, Text> {
+    let mut request = setpoint(message)?;
+    request.speeds = speeds::asked_again(vehicle)?;
+    Ok(request)
 }
 
 /// Where a vehicle of a manoeuvre is to be, said again and again while it lasts.

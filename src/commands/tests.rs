@@ -6,8 +6,8 @@ use proptest::prelude::*;
 use super::*;
 use crate::geo::LatLon;
 use crate::vehicle::{
-    Attitude, GlobalPosition, Heartbeat, LandedState, LocalPosition, SystemStatus, Vehicle,
-    VehicleClass,
+    Attitude, GlobalPosition, Heartbeat, LandedState, LocalPosition, SpeedAxis, SystemStatus,
+    Vehicle, VehicleClass,
 };
 use crate::wire::Outgoing;
 

@@ -3,8 +3,9 @@ use proptest::prelude::*;
 use super::*;
 use crate::commands::{
     Act, ArmingCommand, Command, Destination, DeviceCommand, FlightCommand, Heading, MotionCommand,
-    ParameterCommand, QueryCommand, RawCommand, SpeedAxis,
+    ParameterCommand, QueryCommand, RawCommand,
 };
+use crate::vehicle::SpeedAxis;
 
 mod console;
 mod faults;

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::time::Duration;
 
 use crate::ledger::{Ledger, RowState};
-use crate::vehicle::{LandedState, Vehicle, VehicleId, Vehicles};
+use crate::vehicle::{Vehicle, VehicleId, Vehicles};
 use crate::verb::Arrival;
 
 /// How long a wait lasts at most, unless it says otherwise.
@@ -126,7 +126,7 @@ impl Situation {
             Self::Armed => vehicle.armed(),
             Self::Disarmed => heard && !vehicle.armed(),
             Self::Arrived => arrived(vehicle, ledger),
-            Self::Landed => landed(vehicle),
+            Self::Landed => vehicle.is_on_the_ground(),
             Self::Airborne => vehicle.airborne(),
             Self::Ready => vehicle.ready_to_arm(),
         }
@@ -220,14 +220,6 @@ impl Until {
     }
 }
 
-fn landed(vehicle: &Vehicle) -> bool {
-    match vehicle.landed {
-        LandedState::OnGround => true,
-        LandedState::Undefined => vehicle.heartbeat.is_some() && !vehicle.airborne(),
-        LandedState::InAir | LandedState::Takeoff | LandedState::Landing => false,
-    }
-}
-
 /// Whether the last order that moved the vehicle has brought it to where it was to be.
 fn arrived(vehicle: &Vehicle, ledger: &Ledger) -> bool {
     let last = ledger.entries().rev().find_map(|entry| {
@@ -237,9 +229,11 @@ fn arrived(vehicle: &Vehicle, ledger: &Ledger) -> bool {
     });
     match last {
         Some((_, state)) if !state.is_final() => false,
-        Some((Arrival::Landed, _)) => landed(vehicle),
-        Some((Arrival::Mode, RowState::Done)) => !comes_down(vehicle) || landed(vehicle),
+        Some((Arrival::Landed, _)) => vehicle.is_on_the_ground(),
+        Some((Arrival::Mode, RowState::Done)) => !comes_down(vehicle) || vehicle.is_on_the_ground(),
         Some((Arrival::Done, RowState::Done)) => true,
+        // There was nothing for it to do.
+        Some((Arrival::Done, RowState::NoEffect)) if vehicle.target.is_none() => true,
         // The ledger did not see the effect, or cannot: standing still at the target counts.
         Some((Arrival::Done | Arrival::Mode | Arrival::AtTarget, _)) | None => {
             still_at_target(vehicle)

@@ -8,8 +8,9 @@ use std::time::Duration;
 use super::acknowledgement::{Acknowledgement, OwedAcks};
 use super::naming::{self, Search, Searching};
 use super::transaction::{Progress, Transaction};
-use super::{Output, VehicleCommand, fit, precedence};
-use crate::ledger::RowState;
+use super::{Output, Steering, VehicleCommand, fit, precedence};
+use crate::commands::{self, Claim, Command, MotionCommand};
+use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::notice::Notice;
 use crate::parameters::ParameterList;
 use crate::text;
@@ -19,6 +20,9 @@ use crate::wire::Frame;
 
 /// Orders that may wait for one vehicle; more are refused.
 const MOST_WAITING: usize = 32;
+
+/// How often a manoeuvre's setpoints are followed by the speeds that were asked for: the first may be lost on the way.
+const SPEEDS_SAID: u8 = 3;
 
 /// The orders of one vehicle.
 #[derive(Debug, Default)]
@@ -31,7 +35,18 @@ pub(super) struct Line {
     active: Option<Transaction>,
     /// Those that were accepted and whose effect is awaited.
     watched: Vec<Transaction>,
+    /// The one that was carried out last, as long as it holds.
+    holding: Option<Holding>,
+    /// Setpoints of a manoeuvre in a row that lead to a place at rest.
+    places_in_a_row: u8,
     owed: OwedAcks,
+}
+
+/// An order that was carried out, and what is true of the vehicle while it holds.
+#[derive(Debug)]
+struct Holding {
+    entry: EntryId,
+    claim: Claim,
 }
 
 /// What orders are judged by at one moment, and where what comes of them goes.
@@ -122,6 +137,32 @@ impl Line {
         });
     }
 
+    /// Says where the vehicle is to be, as a part of what several do together.
+    pub fn steer(&mut self, steering: &Steering, moment: Moment) -> Result<(), Text> {
+        let Moment {
+            vehicle,
+            now,
+            output,
+            ..
+        } = moment;
+        let message = steering.setpoint.message(vehicle)?;
+        self.supersede_movements(&steering.verb.name.into(), now, output);
+        self.holding = None;
+        output.messages.push(message);
+        let is_place = steering.setpoint.velocity_m_s.is_none();
+        self.places_in_a_row = if is_place {
+            self.places_in_a_row.saturating_add(1)
+        } else {
+            0
+        };
+        // The first ones may be lost on the way.
+        if is_place && self.places_in_a_row <= SPEEDS_SAID {
+            output.say_speeds(commands::asked_again(vehicle)?);
+        }
+        self.note_speeds(now, output);
+        Ok(())
+    }
+
     /// Moves everything as far as it will go.
     pub fn advance(&mut self, mut moment: Moment) {
         let now = moment.now;
@@ -140,22 +181,92 @@ impl Line {
                 self.active = Some(active);
                 break;
             }
-            if active.moves_the_vehicle() {
-                self.supersede_movements(&active.verb().name.into(), now, moment.output);
-                // Where it was heading says nothing any more; the next message of it does.
-                moment.vehicle.target = None;
-            }
-            if progress == Progress::Watching {
-                self.watched.push(active);
-            }
+            self.settle(active, progress, &mut moment);
         }
-        let Moment {
-            vehicle, output, ..
-        } = moment;
-        self.watched
-            .retain_mut(|watched| watched.poll(vehicle, now, output) != Progress::Ended);
+        self.watch(&mut moment);
+        self.note_speeds(now, moment.output);
     }
 
+    /// The line is free of an order that was accepted, or has ended.
+    fn settle(&mut self, order: Transaction, progress: Progress, moment: &mut Moment) {
+        if order.is_accepted() {
+            if let &Command::Motion(MotionCommand::Speed { axis, speed_m_s }) = &order.order.command
+            {
+                moment.vehicle.asked_speeds.ask(axis, speed_m_s);
+            }
+            if !order.claim().is_empty() {
+                self.holding = None;
+                self.places_in_a_row = 0;
+            }
+        }
+        if order.moves_the_vehicle() {
+            self.supersede_movements(&order.verb().name.into(), moment.now, moment.output);
+            // Where it was heading says nothing any more; the next message of it does.
+            moment.vehicle.target = None;
+        }
+        match progress {
+            Progress::Watching => self.watched.push(order),
+            Progress::Ended => self.hold(&order),
+            Progress::Waiting => {}
+        }
+    }
+
+    /// Looks for the effects that are awaited, and whether something else has taken the vehicle.
+    fn watch(&mut self, moment: &mut Moment) {
+        let (vehicle, now) = (&*moment.vehicle, moment.now);
+        // What an order of ours is about to change is not taken by something else.
+        let is_ours = self
+            .active
+            .as_ref()
+            .is_some_and(|active| !active.claim().is_empty());
+        let mut ended = Vec::new();
+        for mut order in std::mem::take(&mut self.watched) {
+            if !is_ours {
+                order.yield_to_others(vehicle, now, moment.output);
+            }
+            match order.poll(vehicle, now, moment.output) {
+                Progress::Ended => ended.push(order),
+                Progress::Waiting | Progress::Watching => self.watched.push(order),
+            }
+        }
+        for order in &ended {
+            self.hold(order);
+        }
+        if !is_ours && let Some(update) = self.ended(vehicle, now) {
+            moment.output.row(update);
+            self.holding = None;
+        }
+    }
+
+    /// Remembers an order that was carried out.
+    fn hold(&mut self, order: &Transaction) {
+        if order.is_done() && !order.claim().is_empty() {
+            self.holding = Some(Holding {
+                entry: order.order.entry,
+                claim: order.claim(),
+            });
+        }
+    }
+
+    /// That what was carried out last does not hold any longer.
+    fn ended(&self, vehicle: &Vehicle, now: Duration) -> Option<RowUpdate> {
+        let holding = self.holding.as_ref()?;
+        let by = holding.claim.contradicted(vehicle)?;
+        Some(RowUpdate {
+            entry: holding.entry,
+            vehicle: vehicle.id,
+            state: RowState::Overtaken,
+            tries: 0,
+            at: now,
+            explanation: Some(by),
+        })
+    }
+
+    /// The answers to speeds that were said again are not those that an order waits for.
+    fn note_speeds(&mut self, now: Duration, output: &mut Output) {
+        let count = std::mem::take(&mut output.speed_acks);
+        self.owed.add(commands::CHANGE_SPEED, count, now);
+    }
     /// Whether no answer is awaited.
     pub fn is_free(&self) -> bool {
         self.active.is_none()

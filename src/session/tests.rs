@@ -20,6 +20,8 @@ mod download;
 mod hearing;
 mod naming;
 mod orders;
+mod overtaken;
+mod speeds;
 mod targets;
 
 const GUIDED: u32 = 4;

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use super::{Output, VehicleCommand, precedence};
-use crate::commands::{AckResult, Answer, Effect, Request};
+use crate::commands::{AckResult, Answer, Claim, Effect, Request};
 use crate::ledger::{RowState, RowUpdate};
 use crate::notice::Notice;
 use crate::text;
@@ -69,8 +69,13 @@ pub(super) struct Transaction {
     effect_was_there: bool,
     /// It was accepted, or sent where nothing accepts it.
     is_accepted: bool,
+    /// What stays true while it holds, and whether telemetry has shown that yet.
+    claim: Claim,
+    claim_has_held: bool,
     /// The effect has shown while setpoints were being repeated.
     effect_has_shown: bool,
+    /// It was carried out.
+    is_done: bool,
     /// What the vehicle said since the first transmission.
     texts: Vec<Text>,
 }
@@ -114,9 +119,12 @@ impl Transaction {
             last_sent: now,
             effect_was_there: effect.seen(vehicle) == Some(true),
             is_accepted: request.answer == Answer::None,
+            claim: order.command.claim(vehicle),
+            claim_has_held: false,
             effect_has_shown: false,
             effect,
             request,
+            is_done: false,
             texts: Vec::new(),
             order,
         };
@@ -132,6 +140,21 @@ impl Transaction {
     /// Whether it decides where the vehicle flies from now on.
     pub fn moves_the_vehicle(&self) -> bool {
         self.is_accepted && self.order.verb.movement.moves()
+    }
+
+    /// Whether the vehicle has accepted it, or it was sent where nothing accepts it.
+    pub fn is_accepted(&self) -> bool {
+        self.is_accepted
+    }
+
+    /// What stays true while it holds.
+    pub fn claim(&self) -> Claim {
+        self.claim
+    }
+
+    /// Whether it was carried out.
+    pub fn is_done(&self) -> bool {
+        self.is_done
     }
 
     /// Whether a newer movement ends what is awaited of it.
@@ -156,6 +179,18 @@ impl Transaction {
     pub fn hear_text(&mut self, notice: &Notice) {
         if notice.severity <= Severity::Warning {
             self.texts.push(notice.text.clone());
+        }
+    }
+
+    /// Ends it if something else has taken the vehicle, which no order of ours is changing.
+    pub fn yield_to_others(&mut self, vehicle: &Vehicle, now: Duration, output: &mut Output) {
+        let by = self.claim.contradicted(vehicle);
+        match by {
+            Some(by) if self.claim_has_held => {
+                self.end(RowState::Overtaken, Some(by), now, output);
+            }
+            Some(_) => {}
+            None => self.claim_has_held = true,
         }
     }
 
@@ -186,10 +221,17 @@ impl Transaction {
         !is_awaited || now >= since + SETTLE_PATIENCE
     }
 
+    /// Puts the messages into the output, followed by the speeds that the vehicle forgets with them.
+    fn transmit(&self, output: &mut Output) {
+        let Request {
+            messages, speeds, ..
+        } = &self.request;
+        output.messages.extend(messages.iter().cloned());
+        output.say_speeds(speeds.clone());
+    }
+
     fn send(&mut self, now: Duration, output: &mut Output) {
-        output
-            .messages
-            .extend(self.request.messages.iter().cloned());
+        self.transmit(output);
         self.request.again();
         self.tries = self.tries.saturating_add(1);
         self.last_sent = now;
@@ -204,6 +246,7 @@ impl Transaction {
         output: &mut Output,
     ) {
         self.phase = Phase::Over;
+        self.is_done = state == RowState::Done;
         self.report(state, explanation, now, output);
     }
 

@@ -1,6 +1,5 @@
 //! A manoeuvre under way.
 
-use std::collections::BTreeMap;
 use std::time::Duration;
 
 use glam::{DVec2, DVec3};
@@ -119,10 +118,10 @@ impl ActiveManoeuvre {
     }
 
     /// Takes over how fast vehicles were told to fly: a formation goes by its leader.
-    pub fn pace(&mut self, told_m_s: &BTreeMap<VehicleId, f64>) {
-        let leader = self.leader();
+    pub fn pace(&mut self, vehicles: &Vehicles) {
+        let leader = self.leader().and_then(|leader| vehicles.get(&leader));
         if let Work::Formation(march) = &mut self.work {
-            march.pace(leader.and_then(|leader| told_m_s.get(&leader).copied()));
+            march.pace(leader.and_then(|leader| leader.asked_speeds.ground_m_s()));
         }
     }
 

@@ -69,8 +69,8 @@ impl March {
     }
 
     /// Goes as fast as its leader was told to.
-    pub fn pace(&mut self, told_m_s: Option<f64>) {
-        self.speed_m_s = told_m_s.unwrap_or(SPEED_M_S);
+    pub fn pace(&mut self, asked_m_s: Option<f64>) {
+        self.speed_m_s = asked_m_s.unwrap_or(SPEED_M_S);
     }
 
     /// Stands still with so many places; `order` says which of them each vehicle has.

@@ -1,5 +1,6 @@
 //! Manoeuvres flown in the embedded simulator.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::*;

@@ -103,7 +103,7 @@ pub fn row_role(state: RowState) -> Role {
         RowState::Done => Role::Ok,
         RowState::Queued | RowState::Superseded => Role::Muted,
         RowState::Sent | RowState::InProgress(_) | RowState::Accepted => Role::Accent,
-        RowState::NoEffect => Role::Warning,
+        RowState::NoEffect | RowState::Overtaken => Role::Warning,
         RowState::Refused | RowState::TimedOut => Role::Danger,
     }
 }

@@ -13,6 +13,8 @@ fn an_effect_shows_when_telemetry_says_so_and_not_before() {
         at_point: HERE,
         altitude_amsl_m: 180.0,
     });
+    let mut down = landing.clone();
+    down.landed = LandedState::OnGround;
     let mut low = air.clone();
     if let Some(global) = &mut low.global {
         global.altitude_m = 12.0;
@@ -35,7 +37,7 @@ fn an_effect_shows_when_telemetry_says_so_and_not_before() {
     let cases = [
         (Command::Arming(ArmingCommand::Arm), &ground, &air),
         (Command::Arming(ArmingCommand::Kill), &air, &ground),
-        (Command::Flight(FlightCommand::Land), &air, &landing),
+        (Command::Flight(FlightCommand::Land), &landing, &down),
         (
             Command::Flight(FlightCommand::Takeoff { altitude_m: 20.0 }),
             &low,

@@ -3,10 +3,11 @@
 use std::time::Duration;
 
 use super::{ASK, Built, CHANGE, SETPOINT, command, given};
-use crate::commands::{Command, Destination, Heading, MotionCommand, SpeedAxis};
+use crate::commands::{Command, Destination, Heading, MotionCommand};
 use crate::language::argument::{Argument, Arguments, Kind, Problem, Unit};
 use crate::language::verb::{Form, Scope, VerbRow};
 use crate::text;
+use crate::vehicle::SpeedAxis;
 use crate::verb::{Arrival, CountsAs, Danger, Movement, Precedence, Verb};
 
 pub(super) static ROWS: &[VerbRow] = &[GOTO, ALTITUDE, SPEED, YAW, VELOCITY, ORBIT, ROI, HOME];

@@ -8,7 +8,7 @@ use serde::{Deserialize, Deserializer, Serializer};
 
 use crate::ledger::RowState;
 
-const WITHOUT_FIGURE: [RowState; 8] = [
+const WITHOUT_FIGURE: [RowState; 9] = [
     RowState::Queued,
     RowState::Sent,
     RowState::Accepted,
@@ -17,6 +17,7 @@ const WITHOUT_FIGURE: [RowState; 8] = [
     RowState::Refused,
     RowState::TimedOut,
     RowState::Superseded,
+    RowState::Overtaken,
 ];
 
 fn name(state: RowState) -> Cow<'static, str> {
@@ -30,6 +31,7 @@ fn name(state: RowState) -> Cow<'static, str> {
         RowState::Refused => "refused".into(),
         RowState::TimedOut => "timed out".into(),
         RowState::Superseded => "superseded".into(),
+        RowState::Overtaken => "overtaken".into(),
     }
 }
 

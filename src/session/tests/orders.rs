@@ -217,7 +217,7 @@ fn a_command_that_waited_too_long_is_not_sent_late() {
 }
 
 #[test]
-fn a_velocity_ends_without_effect_when_the_vehicle_leaves_guided() {
+fn a_velocity_is_overtaken_when_the_vehicle_leaves_guided() {
     let mut scene = Scene::new();
     scene.heartbeat(GUIDED, true);
     scene.hear(MavMessage::EXTENDED_SYS_STATE(
@@ -239,7 +239,7 @@ fn a_velocity_ends_without_effect_when_the_vehicle_leaves_guided() {
         scene.explanation(1)
     );
     scene.heartbeat(STABILIZE, true);
-    assert_eq!(scene.states(1).last(), Some(&RowState::NoEffect));
+    assert_eq!(scene.states(1).last(), Some(&RowState::Overtaken));
     assert!(scene.explanation(1).contains("STABILIZE"));
 }
 

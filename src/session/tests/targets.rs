@@ -9,7 +9,7 @@ use super::*;
 use crate::geo::LatLon;
 
 /// In the air in GUIDED on its way to a target, as the vehicle says.
-fn under_way() -> Scene {
+pub(super) fn under_way() -> Scene {
     let mut scene = Scene::new();
     scene.heartbeat(GUIDED, true);
     scene.hear(MavMessage::EXTENDED_SYS_STATE(EXTENDED_SYS_STATE_DATA {

@@ -7,11 +7,15 @@ use crate::commands::{Answer, Repeat};
 use crate::ledger::RowState;
 use crate::session::Output;
 use crate::text;
+use crate::text::Text;
 use crate::vehicle::Vehicle;
 
 /// A velocity that is held for less than this may end before the vehicle has gathered speed (0 to 5 m/s takes
 /// an ArduCopter 2.4 s), so that nothing follows from not having seen it.
 const GATHERING_SPEED: Duration = Duration::from_secs(4);
+/// A vehicle takes up what it has accepted within this time: the change shows with its next heartbeat.
+const BEGINS_WITHIN: Duration = Duration::from_secs(3);
+
 impl Transaction {
     /// Lets time pass while the effect is awaited.
     pub(super) fn await_effect(
@@ -23,17 +27,21 @@ impl Transaction {
     ) {
         match self.effect_shows(vehicle) {
             None | Some(true) => self.end(RowState::Done, None, now, output),
+            Some(false) if !self.has_begun(vehicle) && now >= since + BEGINS_WITHIN => {
+                let text = not_seen(&self.claim.describe(), BEGINS_WITHIN);
+                self.end(RowState::NoEffect, Some(text), now, output);
+            }
             Some(false) if now >= since + self.effect.within() => {
-                let within_s = self.effect.within().as_secs_f64();
-                let text = text!(
-                    "outcome-not-seen-within",
-                    effect = self.effect.describe(),
-                    seconds = format!("{within_s:.0}")
-                );
+                let text = not_seen(&self.effect.describe(), self.effect.within());
                 self.end(RowState::NoEffect, Some(text), now, output);
             }
             Some(false) => self.repeat_setpoint(now, output),
         }
+    }
+
+    /// Whether the vehicle has taken up what it was asked to do.
+    fn has_begun(&self, vehicle: &Vehicle) -> bool {
+        self.claim_has_held || self.claim.contradicted(vehicle).is_none()
     }
 
     /// Nothing acknowledges a setpoint, so it is said again in case it was lost. That is no new try: nobody
@@ -49,9 +57,7 @@ impl Transaction {
         {
             *repeated += 1;
             self.last_sent = now;
-            output
-                .messages
-                .extend(self.request.messages.iter().cloned());
+            self.transmit(output);
         }
     }
 
@@ -64,11 +70,6 @@ impl Transaction {
         output: &mut Output,
     ) {
         self.effect_has_shown |= self.effect_shows(vehicle) == Some(true);
-        let mode = vehicle.mode();
-        if let Some(mode) = mode.filter(|mode| !mode.is("GUIDED")) {
-            let text = text!("outcome-left-guided", mode = mode.to_string());
-            return self.end(RowState::NoEffect, Some(text), now, output);
-        }
         if now >= self.first_sent + repeat.lasting {
             output.messages.extend(self.request.closing.take());
             if self.effect_has_shown || repeat.lasting < GATHERING_SPEED {
@@ -100,4 +101,13 @@ impl Transaction {
         };
         Some(seen && is_proof)
     }
+}
+
+fn not_seen(effect: &Text, within: Duration) -> Text {
+    let seconds = format!("{:.0}", within.as_secs_f64());
+    text!(
+        "outcome-not-seen-within",
+        effect = effect,
+        seconds = seconds
+    )
 }

@@ -156,8 +156,8 @@ fn unfit(vehicle: Option<&Vehicle>, silent: Duration) -> Option<(RowState, Text)
     };
     let mode = vehicle.mode()?;
     if !mode.is("GUIDED") {
-        let reason = text!("swarm-left-guided", mode = mode.to_string());
-        return Some((RowState::Superseded, reason));
+        let reason = text!("outcome-overtaken", mode = mode.to_string());
+        return Some((RowState::Overtaken, reason));
     }
     let flies = vehicle.armed() && vehicle.airborne();
     (!flies).then(|| (RowState::NoEffect, text!("swarm-does-not-fly")))

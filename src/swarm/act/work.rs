@@ -112,8 +112,10 @@ impl ActiveManoeuvre {
                 }
                 _ => all_in_place,
             };
+            // What a course is for begins with its first line: the way there is no part of it.
+            let counts = self.phase == Phase::Work || !matches!(self.work, Work::Courses { .. });
             let standing = &mut self.members[index].standing;
-            if let Some(state) = standing.news(left_m, is_done) {
+            if counts && let Some(state) = standing.news(left_m, is_done) {
                 outcome.rows.push(self.row(index, state, view));
             }
         }

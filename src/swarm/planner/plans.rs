@@ -43,7 +43,12 @@ impl Planner<'_> {
         }
         let idle: Vec<VehicleId> = self.team().into_iter().filter(|id| !act.has(*id)).collect();
         for id in idle {
-            self.tell(id, RowState::Done, Some(text!("swarm-nothing-left")));
+            let why = text!(
+                "swarm-no-line",
+                lines = lanes.len(),
+                vehicles = self.team.len()
+            );
+            self.tell(id, RowState::NoEffect, Some(why));
         }
         if is_staggered(&lanes, self.rules) && act.members.len() > 1 {
             let metres = format!("{:.1}", self.rules.clearance().above_m);

@@ -244,3 +244,46 @@ fn the_lines_of_one_that_leaves_go_to_the_others() {
     println!("one leaves: nearest {:.2} m", stage.nearest_m);
     assert!(stage.nearest_m >= 5.0, "{}", stage.nearest_m);
 }
+
+/// The fastest that vehicle 1 is over ground while something is not done.
+fn fastest_m_s(stage: &mut Stage, verb: &str) -> f32 {
+    let mut fastest: f32 = 0.0;
+    let done = stage.watch(200.0, |stage| {
+        let speed = stage.vehicles[&1].ground_speed_m_s();
+        fastest = fastest.max(speed.unwrap_or(0.0));
+        stage.is_done(verb)
+    });
+    assert!(done, "{:?}", stage.rows(verb));
+    fastest
+}
+
+#[test]
+fn a_speed_that_is_set_before_the_first_movement_holds_for_it() {
+    let mut stage = Stage::flying(1, 5.0);
+    stage.say("all speed 3");
+    stage.run(2.0);
+    stage.say("all goto n 60 e 0");
+    let fastest = fastest_m_s(&mut stage, "goto");
+    assert!((2.5..3.4).contains(&fastest), "{fastest} m/s");
+}
+
+#[test]
+fn a_speed_that_is_set_before_a_survey_holds_for_it() {
+    let mut stage = Stage::flying(1, 5.0);
+    stage.say("all speed 4");
+    stage.run(2.0);
+    stage.say("all survey lane spacing 60 up 20");
+    let fastest = fastest_m_s(&mut stage, "survey");
+    assert!((3.0..4.5).contains(&fastest), "{fastest} m/s");
+}
+
+#[test]
+fn the_way_to_the_first_line_is_no_part_of_a_survey() {
+    let mut stage = Stage::flying(1, 5.0);
+    stage.say("all goto n -200 e 0");
+    assert!(stage.watch(120.0, |stage| stage.is_done("goto")));
+    stage.say("all survey lane spacing 20 up 20");
+    stage.watch(120.0, |stage| stage.place(1)[0] > 0.0);
+    assert_eq!(stage.rows("survey")[0].1, RowState::InProgress(0));
+    assert!(stage.watch(400.0, |stage| stage.is_done("survey")));
+}

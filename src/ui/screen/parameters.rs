@@ -99,7 +99,9 @@ fn edited(
         RowState::Done | RowState::NoEffect => (text!("parameters-state-confirmed"), Role::Ok),
         RowState::Refused => (text!("parameters-state-refused"), Role::Danger),
         RowState::TimedOut => (text!("parameters-state-unanswered"), Role::Danger),
-        RowState::Superseded => (text!("parameters-state-replaced"), Role::Muted),
+        RowState::Superseded | RowState::Overtaken => {
+            (text!("parameters-state-replaced"), Role::Muted)
+        }
     };
     let became_other = now.is_some_and(|now| !is_written_so(now, edit.value));
     let is_told = row.state.is_failure() || row.state == RowState::Done && became_other;

@@ -168,9 +168,10 @@ fn order(state: RowState) -> u8 {
         RowState::Sent => 3,
         RowState::Queued => 4,
         RowState::Superseded => 5,
-        RowState::NoEffect => 6,
-        RowState::Refused => 7,
-        RowState::TimedOut => 8,
+        RowState::Overtaken => 6,
+        RowState::NoEffect => 7,
+        RowState::Refused => 8,
+        RowState::TimedOut => 9,
     }
 }
 

@@ -18,7 +18,7 @@ use crate::vehicle::{FixType, LandedState, Severity, Vehicle};
 pub type Cell = (String, Role);
 
 /// What may become of a command, where no figure belongs to it.
-const STATES: [RowState; 7] = [
+const STATES: [RowState; 8] = [
     RowState::Queued,
     RowState::Sent,
     RowState::Accepted,
@@ -26,6 +26,7 @@ const STATES: [RowState; 7] = [
     RowState::Refused,
     RowState::TimedOut,
     RowState::Superseded,
+    RowState::Overtaken,
 ];
 
 /// The words that many rows say, looked up once.
@@ -39,6 +40,7 @@ pub struct Words {
     pub landing: String,
     pub lost: String,
     pub done: String,
+    pub over: String,
     states: Vec<(RowState, String)>,
 }
 
@@ -55,6 +57,7 @@ impl Words {
             landing: look.say("fly-landing"),
             lost: look.say("fly-lost"),
             done: look.say("fly-done"),
+            over: look.say("fly-over"),
             states: STATES
                 .map(|state| (state, look.text(&short(state))))
                 .to_vec(),
@@ -236,6 +239,7 @@ fn command(row: &Row<'_>, look: &Look, room: usize) -> Cell {
         return (String::new(), Role::Muted);
     };
     let state = match line.state {
+        RowState::Done if line.ended_by.is_some() => row.words.over.clone(),
         RowState::Done => row.words.done.clone(),
         RowState::InProgress(percent) => format!("{percent} %"),
         RowState::Sent if line.tries > 1 => look.text(&text!("fly-try", count = line.tries)),
@@ -244,7 +248,11 @@ fn command(row: &Row<'_>, look: &Look, room: usize) -> Cell {
     // The state is what must not be cut off.
     let left = room.saturating_sub(width(&state) + 1);
     let text = format!("{} {state}", clip(entry.verb.name, left));
-    (text, row_role(line.state))
+    let role = match line.ended_by {
+        Some(_) => Role::Muted,
+        None => row_role(line.state),
+    };
+    (text, role)
 }
 
 /// The worst alert and since when; a mark before it until somebody has taken note.

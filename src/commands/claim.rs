@@ -1,0 +1,113 @@
+//! What stays true of a vehicle while a command holds.
+
+use super::modes::{holding_mode, mode_named};
+use super::{ArmingCommand, Command, FlightCommand, MotionCommand};
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::{Mode, Vehicle};
+
+/// What stays true of a vehicle while a command holds. Once it is not true any longer, something else has the vehicle:
+/// another ground station, a failsafe, a pilot's stick, or the autopilot that disarms by itself.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Claim {
+    mode: Option<Mode>,
+    armed: Option<bool>,
+}
+
+impl Claim {
+    /// Whether the command leaves open what the vehicle does.
+    pub fn is_empty(&self) -> bool {
+        self.mode.is_none() && self.armed.is_none()
+    }
+
+    /// What shows that it has begun to be true.
+    pub fn describe(&self) -> Text {
+        match self.mode {
+            Some(mode) => text!("effect-mode", mode = mode.to_string()),
+            None if self.armed == Some(false) => text!("effect-disarmed"),
+            None => text!("effect-armed"),
+        }
+    }
+
+    /// What contradicts it, in a few words: `by RTL`. `None` while it is true.
+    pub fn contradicted(&self, vehicle: &Vehicle) -> Option<Text> {
+        let now = vehicle.heartbeat?;
+        if let Some(mode) = self.mode
+            && mode != now.mode
+        {
+            return Some(text!("outcome-overtaken", mode = now.mode.to_string()));
+        }
+        match (self.armed, now.armed) {
+            (Some(true), false) => Some(text!("outcome-disarmed")),
+            (Some(false), true) => Some(text!("outcome-armed")),
+            (Some(true), true) | (Some(false), false) | (None, _) => None,
+        }
+    }
+}
+
+impl Command {
+    /// What stays true while it holds, given the vehicle as it was when the command was sent.
+    pub fn claim(&self, before: &Vehicle) -> Claim {
+        match self {
+            Self::Arming(command) => Claim {
+                mode: None,
+                armed: Some(match command {
+                    ArmingCommand::Arm => true,
+                    ArmingCommand::Disarm | ArmingCommand::Kill => false,
+                }),
+            },
+            Self::Flight(command) => command.claim(before),
+            Self::Motion(command) => command.claim(before),
+            Self::Device(_) | Self::Query(_) | Self::Parameter(_) | Self::Raw(_) => {
+                Claim::default()
+            }
+        }
+    }
+}
+
+/// To fly in the mode that it is in.
+fn flight_in_this_mode(before: &Vehicle) -> Claim {
+    Claim {
+        mode: before.mode(),
+        armed: Some(true),
+    }
+}
+
+/// To be in a mode, on the ground too.
+fn mode(before: &Vehicle, name: &str) -> Claim {
+    Claim {
+        mode: mode_named(before, name),
+        armed: None,
+    }
+}
+
+impl FlightCommand {
+    fn claim(&self, before: &Vehicle) -> Claim {
+        match self {
+            Self::SetMode { name } => mode(before, name),
+            Self::Land => mode(before, "LAND"),
+            Self::ReturnToLaunch => mode(before, "RTL"),
+            Self::Hold => match holding_mode(before) {
+                Some(name) => mode(before, name),
+                None => flight_in_this_mode(before),
+            },
+            Self::Takeoff { .. } => flight_in_this_mode(before),
+            Self::Resume => Claim::default(),
+        }
+    }
+}
+
+impl MotionCommand {
+    fn claim(self, before: &Vehicle) -> Claim {
+        match self {
+            Self::Goto { .. }
+            | Self::Altitude { .. }
+            | Self::Yaw { .. }
+            | Self::Velocity { .. } => flight_in_this_mode(before),
+            Self::Speed { .. }
+            | Self::Orbit { .. }
+            | Self::RegionOfInterest { .. }
+            | Self::SetHome { .. } => Claim::default(),
+        }
+    }
+}

@@ -1,0 +1,41 @@
+//! Speed limits, and when an autopilot has to hear them again.
+//!
+//! ArduCopter resets them to its parameters whenever GUIDED begins another kind of control: a speed that was set before
+//! or during a takeoff is gone with the first `goto` (`ModeGuided::pva_control_start`). A place to fly to is therefore
+//! followed by the speeds that were asked for.
+
+use mavlink::dialects::ardupilotmega::MavCmd;
+
+use super::encode::{self, LongFields};
+use crate::text::Text;
+use crate::vehicle::{SpeedAxis, Vehicle};
+use crate::wire::Outgoing;
+
+/// The command that changes a speed limit.
+pub const CHANGE_SPEED: u16 = MavCmd::MAV_CMD_DO_CHANGE_SPEED as u16;
+
+pub(super) fn fields(axis: SpeedAxis, speed_m_s: f64) -> LongFields {
+    // -1 leaves the throttle alone.
+    let changed = [speed_type(axis), speed_m_s as f32, -1.0];
+    LongFields::new(MavCmd::MAV_CMD_DO_CHANGE_SPEED, &changed)
+}
+
+/// Says again what the vehicle was asked to fly at, a message for each speed.
+///
+/// # Errors
+/// When the vehicle cannot be addressed.
+pub fn asked_again(vehicle: &Vehicle) -> Result<Vec<Outgoing>, Text> {
+    let asked = vehicle.asked_speeds.all();
+    asked
+        .map(|(axis, speed_m_s)| encode::long(vehicle, &fields(axis, speed_m_s), 0))
+        .collect()
+}
+
+/// `SPEED_TYPE`.
+fn speed_type(axis: SpeedAxis) -> f32 {
+    match axis {
+        SpeedAxis::Ground => 1.0,
+        SpeedAxis::Climb => 2.0,
+        SpeedAxis::Descend => 3.0,
+    }
+}

@@ -1,0 +1,39 @@
+//! How fast a vehicle was asked to fly.
+
+/// Which speed a `DO_CHANGE_SPEED` changes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SpeedAxis {
+    /// Over ground.
+    Ground,
+    Climb,
+    Descend,
+}
+
+/// The speed limits that were asked for and accepted, in m/s. ArduCopter keeps one for both directions of height: asking
+/// for a climb resets the descent to its parameter, and the other way round.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct AskedSpeeds {
+    ground_m_s: Option<f64>,
+    vertical: Option<(SpeedAxis, f64)>,
+}
+
+impl AskedSpeeds {
+    /// Notes a speed that the vehicle has accepted.
+    pub fn ask(&mut self, axis: SpeedAxis, speed_m_s: f64) {
+        match axis {
+            SpeedAxis::Ground => self.ground_m_s = Some(speed_m_s),
+            SpeedAxis::Climb | SpeedAxis::Descend => self.vertical = Some((axis, speed_m_s)),
+        }
+    }
+
+    /// The speed over ground.
+    pub fn ground_m_s(&self) -> Option<f64> {
+        self.ground_m_s
+    }
+
+    /// All that were asked for.
+    pub fn all(&self) -> impl Iterator<Item = (SpeedAxis, f64)> {
+        let ground = self.ground_m_s.map(|speed| (SpeedAxis::Ground, speed));
+        ground.into_iter().chain(self.vertical)
+    }
+}
