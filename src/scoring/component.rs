@@ -131,18 +131,16 @@ pub struct ComponentScore {
 /// All components that apply and have a weight.
 pub(super) fn all(rules: &ScoreRules, facts: &Facts) -> Vec<ComponentScore> {
     let objective = objective_value(facts);
-    let in_the_air = |conduct| if_flown(facts, conduct);
     let values: [Option<(f64, Text)>; 8] = [
         Some((objective, objective_words(facts))),
         quality(facts),
         Some(time(rules, facts.elapsed, objective)),
         facts.energy_wh.map(|used| energy(rules, used, objective)),
-        Some(in_the_air((
-            safety_value(&facts.safety),
-            safety_words(facts),
-        ))),
-        Some(in_the_air(facts.commands.value_and_words())),
-        attention::value_and_words(&facts.alerts).map(in_the_air),
+        Some(if_flown(facts, |facts| {
+            (safety_value(&facts.safety), safety_words(facts))
+        })),
+        Some(if_flown(facts, |facts| facts.commands.value_and_words())),
+        attention::value_and_words(&facts.alerts).map(|conduct| if_flown(facts, |_| conduct)),
         Some(utilisation::value_and_words(&facts.usage)),
     ];
     let applies = values.each_ref().map(Option::is_some);
@@ -265,10 +263,10 @@ fn against_par(used: f64, par: f64, unit: Text) -> Text {
 }
 
 /// What conduct is worth: nothing is earned by leaving the vehicles on the ground.
-fn if_flown(facts: &Facts, conduct: (f64, Text)) -> (f64, Text) {
+fn if_flown(facts: &Facts, conduct: impl FnOnce(&Facts) -> (f64, Text)) -> (f64, Text) {
     let flown = facts.usage.iter().any(|one| !one.airborne.is_zero());
     if flown {
-        conduct
+        conduct(facts)
     } else {
         (0.0, text!("scoring-none-flown"))
     }

@@ -145,9 +145,8 @@ fn interpolated(table: &[(f64, f64)], at: f64) -> f64 {
     table
         .windows(2)
         .find(|pair| at <= pair[1].0)
-        .map_or(last.1, |pair| between(pair[0], pair[1], at))
-}
-
-fn between(a: (f64, f64), b: (f64, f64), at: f64) -> f64 {
-    a.1 + (b.1 - a.1) * (at - a.0) / (b.0 - a.0)
+        .map_or(last.1, |pair| {
+            let ((from, low), (to, high)) = (pair[0], pair[1]);
+            low + (high - low) * (at - from) / (to - from)
+        })
 }

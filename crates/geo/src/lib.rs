@@ -12,7 +12,7 @@ mod outline;
 mod viewport;
 
 pub use outline::Outline;
-pub use viewport::{DOTS_ACROSS, DOTS_DOWN, Extent, Viewport, Zoom, scale_bar};
+pub use viewport::{DOTS_ACROSS, DOTS_DOWN, Dot, Extent, GridSize, Viewport, Zoom, scale_bar};
 
 /// WGS-84 semi-major axis, in metres.
 const SEMI_MAJOR_AXIS_M: f64 = 6_378_137.0;

@@ -54,6 +54,54 @@ impl Zoom {
     }
 }
 
+/// Columns and rows of a grid of cells.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct GridSize {
+    /// Cells beside each other.
+    pub columns: u16,
+    /// Cells one above the other.
+    pub rows: u16,
+}
+
+impl GridSize {
+    /// A grid of `columns` times `rows` cells.
+    pub const fn new(columns: u16, rows: u16) -> Self {
+        Self { columns, rows }
+    }
+}
+
+impl From<(u16, u16)> for GridSize {
+    /// Columns, rows.
+    fn from((columns, rows): (u16, u16)) -> Self {
+        Self { columns, rows }
+    }
+}
+
+/// A point of a view, in dots to the right and down from its upper left corner; it may lie outside.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Dot {
+    /// Dots to the right.
+    pub x: f64,
+    /// Dots down.
+    pub y: f64,
+}
+
+impl Dot {
+    /// A point so many dots to the right and down.
+    pub const fn new(x: f64, y: f64) -> Self {
+        Self { x, y }
+    }
+
+    /// The point at a share of the way to another one: 0 is here, 1 is there.
+    #[must_use]
+    pub fn towards(self, to: Self, share: f64) -> Self {
+        Self {
+            x: self.x + (to.x - self.x) * share,
+            y: self.y + (to.y - self.y) * share,
+        }
+    }
+}
+
 /// What a grid of cells shows.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Viewport {
@@ -65,21 +113,22 @@ pub struct Viewport {
     pub columns: u16,
     /// Cells one above the other.
     pub rows: u16,
-    /// Dots per degree of latitude and of longitude.
-    dots_per_deg: (f64, f64),
+    dots_per_deg_north: f64,
+    dots_per_deg_east: f64,
 }
 
 impl Viewport {
-    /// A view of `columns` times `rows` cells around a place.
-    pub fn new(centre: LatLon, zoom: Zoom, (columns, rows): (u16, u16)) -> Self {
+    /// A view of a place and what lies around it.
+    pub fn new(centre: LatLon, zoom: Zoom, size: GridSize) -> Self {
         let dots_per_m = f64::from(DOTS_ACROSS) / zoom.metres_per_column();
         let (north, east) = centre.metres_per_degree();
         Self {
             centre,
             zoom,
-            columns,
-            rows,
-            dots_per_deg: (north * dots_per_m, east * dots_per_m),
+            columns: size.columns,
+            rows: size.rows,
+            dots_per_deg_north: north * dots_per_m,
+            dots_per_deg_east: east * dots_per_m,
         }
     }
 
@@ -88,17 +137,17 @@ impl Viewport {
         self.zoom.metres_per_column() / f64::from(DOTS_ACROSS)
     }
 
-    /// Dots of the whole view: across, down.
-    pub fn dots(&self) -> (f64, f64) {
-        (
-            f64::from(self.columns * DOTS_ACROSS),
-            f64::from(self.rows * DOTS_DOWN),
-        )
+    /// The dot after the last one, at the lower right corner.
+    pub fn end(&self) -> Dot {
+        Dot {
+            x: f64::from(self.columns * DOTS_ACROSS),
+            y: f64::from(self.rows * DOTS_DOWN),
+        }
     }
 
-    /// Where a place is, in dots from the upper left corner to the right and down; also outside the view.
-    pub fn dot(&self, place: LatLon) -> (f64, f64) {
-        let (across, down) = self.dots();
+    /// Where a place is; also outside the view.
+    pub fn dot(&self, place: LatLon) -> Dot {
+        let end = self.end();
         let mut east_deg = place.lon_deg - self.centre.lon_deg;
         if east_deg > 180.0 {
             east_deg -= 360.0;
@@ -106,37 +155,37 @@ impl Viewport {
             east_deg += 360.0;
         }
         let north_deg = place.lat_deg - self.centre.lat_deg;
-        (
-            across / 2.0 + east_deg * self.dots_per_deg.1,
-            down / 2.0 - north_deg * self.dots_per_deg.0,
-        )
+        Dot {
+            x: end.x / 2.0 + east_deg * self.dots_per_deg_east,
+            y: end.y / 2.0 - north_deg * self.dots_per_deg_north,
+        }
     }
 
     /// The place under a dot.
-    pub fn place(&self, (x, y): (f64, f64)) -> LatLon {
-        let (across, down) = self.dots();
-        let lon = self.centre.lon_deg + (x - across / 2.0) / self.dots_per_deg.1;
+    pub fn place(&self, dot: Dot) -> LatLon {
+        let end = self.end();
+        let lon = self.centre.lon_deg + (dot.x - end.x / 2.0) / self.dots_per_deg_east;
+        let lat = self.centre.lat_deg - (dot.y - end.y / 2.0) / self.dots_per_deg_north;
         LatLon::new(
-            (self.centre.lat_deg - (y - down / 2.0) / self.dots_per_deg.0).clamp(-90.0, 90.0),
+            lat.clamp(-90.0, 90.0),
             (lon + 180.0).rem_euclid(360.0) - 180.0,
         )
     }
 
     /// The cell of a place, column and row; `None` outside the view.
     pub fn cell(&self, place: LatLon) -> Option<(u16, u16)> {
-        let (x, y) = self.dot(place);
-        let (across, down) = self.dots();
-        let inside = (0.0..across).contains(&x) && (0.0..down).contains(&y);
+        let (Dot { x, y }, end) = (self.dot(place), self.end());
+        let inside = (0.0..end.x).contains(&x) && (0.0..end.y).contains(&y);
         let cell = (x as u16 / DOTS_ACROSS, y as u16 / DOTS_DOWN);
         inside.then_some(cell)
     }
 
     /// The place in the middle of a cell, which may lie outside the view.
-    pub fn middle_of(&self, (column, row): (i32, i32)) -> LatLon {
-        self.place((
-            (f64::from(column) + 0.5) * f64::from(DOTS_ACROSS),
-            (f64::from(row) + 0.5) * f64::from(DOTS_DOWN),
-        ))
+    pub fn middle_of(&self, column: i32, row: i32) -> LatLon {
+        self.place(Dot {
+            x: (f64::from(column) + 0.5) * f64::from(DOTS_ACROSS),
+            y: (f64::from(row) + 0.5) * f64::from(DOTS_DOWN),
+        })
     }
 }
 
@@ -212,12 +261,12 @@ impl Extent {
         self.origin.moved(north_m, east_m)
     }
 
-    /// The closest view of `columns` times `rows` cells that shows all of it.
-    pub fn zoom(&self, (columns, rows): (u16, u16)) -> Zoom {
+    /// The closest view of so many cells that shows all of it.
+    pub fn zoom(&self, size: GridSize) -> Zoom {
         let [east_m, north_m] = self.size_m();
         let per_row = f64::from(DOTS_DOWN / DOTS_ACROSS);
-        let columns = f64::from(columns.max(1));
-        let rows = f64::from(rows.max(1));
+        let columns = f64::from(size.columns.max(1));
+        let rows = f64::from(size.rows.max(1));
         // Half a cell is left free on each side: what lies on the edge shall be seen.
         let across = east_m / (columns - 1.0).max(0.5);
         let down = north_m / (rows - 1.0).max(0.5) / per_row;
@@ -258,15 +307,15 @@ mod tests {
             lat in -80.0..80.0f64, lon in -180.0..180.0f64,
             step in -10i8..26, x in 0.0..240.0f64, y in 0.0..160.0f64,
         ) {
-            let view = Viewport::new(LatLon::new(lat, lon), Zoom(step), (120, 40));
-            let (back_x, back_y) = view.dot(view.place((x, y)));
+            let view = Viewport::new(LatLon::new(lat, lon), Zoom(step), GridSize::new(120, 40));
+            let Dot { x: back_x, y: back_y } = view.dot(view.place(Dot { x, y }));
             prop_assert!((back_x - x).abs() < 1e-3 && (back_y - y).abs() < 1e-3, "{back_x} {back_y}");
         }
 
         #[test]
         fn a_cell_holds_its_own_middle(step in -10i8..26, column in 0u16..120, row in 0u16..40) {
-            let view = Viewport::new(LatLon::new(50.0, 30.0), Zoom(step), (120, 40));
-            let middle = view.middle_of((i32::from(column), i32::from(row)));
+            let view = Viewport::new(LatLon::new(50.0, 30.0), Zoom(step), GridSize::new(120, 40));
+            let middle = view.middle_of(i32::from(column), i32::from(row));
             prop_assert_eq!(view.cell(middle), Some((column, row)));
         }
 
@@ -278,8 +327,9 @@ mod tests {
             let home = LatLon::new(50.45, 30.52);
             let places: Vec<LatLon> = places.into_iter().map(|(n, e)| home.moved(n, e)).collect();
             let extent = Extent::around(places.iter().copied()).expect("places");
-            let zoom = extent.zoom((columns, rows));
-            let view = Viewport::new(extent.centre(), zoom, (columns, rows));
+            let size = GridSize::new(columns, rows);
+            let zoom = extent.zoom(size);
+            let view = Viewport::new(extent.centre(), zoom, size);
             for place in &places {
                 prop_assert!(view.cell(*place).is_some(), "{place:?} is outside {view:?}");
             }
@@ -318,8 +368,12 @@ mod tests {
 
     #[test]
     fn north_is_up_and_east_is_right_across_the_date_line() {
-        let view = Viewport::new(LatLon::new(0.0, 179.999), Zoom::fitting(10.0), (100, 40));
-        let (x, y) = view.dot(view.centre.moved(100.0, 250.0));
+        let view = Viewport::new(
+            LatLon::new(0.0, 179.999),
+            Zoom::fitting(10.0),
+            GridSize::new(100, 40),
+        );
+        let Dot { x, y } = view.dot(view.centre.moved(100.0, 250.0));
         assert!(
             (x - 150.0).abs() < 0.01 && (y - 60.0).abs() < 0.01,
             "{x} {y}"

@@ -30,6 +30,17 @@ pub(super) enum Demand {
     Throttle(f64),
 }
 
+/// The air that flows through the rotors, and what it does to the body.
+#[derive(Debug, Clone, Copy)]
+struct RotorStream {
+    /// The downward part of the drag, in metres per second squared.
+    drag_down_m_s2: f64,
+    /// The downward part of the thrust's direction: -1 where the body is level.
+    axis_down: f64,
+    /// How fast air comes in along the rotors' axis.
+    inflow_m_s: f64,
+}
+
 /// Position, motion and attitude: the truth of one vehicle.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Body {
@@ -226,12 +237,18 @@ impl Body {
         let on_ground = if self.on_ground { 0.0 } else { 1.0 };
         let drag = drag + through_air * (inflow * on_ground / (1.0 + inflow * STEP_S));
         let into_rotors = through_air.dot(up);
-        self.thrust(demand, (drag.z, up.z), into_rotors, drive);
+        let stream = RotorStream {
+            drag_down_m_s2: drag.z,
+            axis_down: up.z,
+            inflow_m_s: into_rotors,
+        };
+        self.thrust(demand, stream, drive);
         up * self.thrust_m_s2 - drag + DVec3::Z * GRAVITY_M_S2
     }
 
-    /// Sets thrust and throttle after lag and saturation; `down` are the downward parts of drag and thrust axis.
-    fn thrust(&mut self, demand: Demand, down: (f64, f64), inflow: f64, drive: &Drive<'_>) {
+    /// Sets thrust and throttle after lag and saturation.
+    fn thrust(&mut self, demand: Demand, stream: RotorStream, drive: &Drive<'_>) {
+        let inflow = stream.inflow_m_s;
         let (airframe, conditions) = (drive.airframe, drive.conditions);
         self.saturated = false;
         match demand {
@@ -247,11 +264,11 @@ impl Body {
             }
             Demand::Acceleration(wanted) => {
                 // The autopilot makes up for drag as it learns of it.
-                let learnt = down.0 - self.known_drag_m_s2;
+                let learnt = stream.drag_down_m_s2 - self.known_drag_m_s2;
                 self.known_drag_m_s2 += learnt * (STEP_S / (STEP_S + DRAG_LAG_S));
                 let lift = self.lagged_lift(wanted.z) - self.known_drag_m_s2;
                 let most = airframe.thrust_max(inflow, conditions);
-                let asked = lift / -down.1;
+                let asked = lift / -stream.axis_down;
                 self.saturated = asked >= most;
                 self.thrust_m_s2 = asked.clamp(0.0, most);
                 self.throttle = if self.saturated {

@@ -65,7 +65,7 @@ impl Mixer {
         if self.boost && self.shares[self.lost] > high {
             high += (1.0 - self.boost_ratio) * (self.shares[self.lost] - high);
         }
-        self.fit(motors.len(), (low, high), throttle);
+        self.fit(motors.len(), low, high, throttle);
         self.watch(motors.len(), dt_s);
     }
 
@@ -99,7 +99,7 @@ impl Mixer {
     }
 
     /// Scales and shifts the shares into the range of the motors.
-    fn fit(&mut self, count: usize, (low, high): (f64, f64), throttle: f64) {
+    fn fit(&mut self, count: usize, low: f64, high: f64, throttle: f64) {
         let mut scale = 1.0;
         if high - low > 1.0 {
             scale = 1.0 / (high - low);

@@ -125,7 +125,13 @@ impl Encoder {
     ) -> usize {
         let seal = self.seal.take().filter(|_| version == MavlinkVersion::V2);
         let start = bytes.len();
-        self.head(version, (id, seal.is_some()), payload.len() as u8, bytes);
+        let head = Head {
+            version,
+            id,
+            signed: seal.is_some(),
+            length: payload.len() as u8,
+        };
+        self.head(head, bytes);
         bytes.extend_from_slice(payload);
         let crc = calculate_crc(&bytes[start + 1..], MavMessage::extra_crc(id));
         bytes.extend_from_slice(&crc.to_le_bytes());
@@ -138,29 +144,35 @@ impl Encoder {
         bytes.len() - start
     }
 
-    fn head(
-        &self,
-        version: MavlinkVersion,
-        (id, signed): (u32, bool),
-        len: u8,
-        bytes: &mut Vec<u8>,
-    ) {
+    fn head(&self, head: Head, bytes: &mut Vec<u8>) {
+        let len = head.length;
         let sender = [self.sequence, self.system, self.component];
-        let [id0, id1, id2, _] = id.to_le_bytes();
-        match version {
+        let [id0, id1, id2, _] = head.id.to_le_bytes();
+        match head.version {
             MavlinkVersion::V1 => {
                 bytes.extend_from_slice(&[0xFE, len]);
                 bytes.extend_from_slice(&sender);
                 bytes.push(id0);
             }
             MavlinkVersion::V2 => {
-                let flags = if signed { FLAG_SIGNED } else { 0 };
+                let flags = if head.signed { FLAG_SIGNED } else { 0 };
                 bytes.extend_from_slice(&[0xFD, len, flags, 0]);
                 bytes.extend_from_slice(&sender);
                 bytes.extend_from_slice(&[id0, id1, id2]);
             }
         }
     }
+}
+
+/// What the first bytes of a frame say besides its sender.
+#[derive(Debug, Clone, Copy)]
+struct Head {
+    version: MavlinkVersion,
+    /// The number of the message.
+    id: u32,
+    signed: bool,
+    /// Bytes of the payload.
+    length: u8,
 }
 
 /// The length of a payload without its trailing zeros; MAVLink 2 keeps at least one byte.

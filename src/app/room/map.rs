@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::geo::{LatLon, Viewport, Zoom};
+use crate::geo::{Dot, GridSize, LatLon, Viewport, Zoom};
 use crate::vehicle::VehicleId;
 
 pub(super) mod act;
@@ -19,12 +19,13 @@ pub use trail::Trail;
 pub use watch::{began, heard, leg, measured, refit, tick};
 
 /// Columns and rows by which a followed vehicle may leave the middle before the map moves after it.
-const LEASH: (f64, f64) = (12.0, 4.0);
+const LEASH_COLUMNS: f64 = 12.0;
+const LEASH_ROWS: f64 = 4.0;
 /// How far ahead of it, as a share of that, the map then stands.
 const AHEAD: f64 = 0.7;
 
 /// A screen of at least this size has room for the legend.
-const LEGEND_LEAST: Size = (110, 30);
+const LEGEND_LEAST: GridSize = GridSize::new(110, 30);
 /// Columns of the legend, beside the canvas, with a gap.
 pub const LEGEND_WIDTH: u16 = 35;
 /// Rows of the screen that are not the canvas: the header, the title, the line about the cursor, the footer.
@@ -64,9 +65,6 @@ pub enum Aim {
     /// The vehicle under the cursor, at a scale; the place is where the view stands while the vehicle is near.
     Vehicle(LatLon, Zoom),
 }
-
-/// Columns and rows of a canvas.
-pub type Size = (u16, u16);
 
 impl Map {
     /// What the view holds on to.
@@ -120,7 +118,7 @@ impl Map {
     }
 
     /// What a canvas shows; `None` while nothing has a place.
-    pub fn view(&self, size: Size) -> Option<Viewport> {
+    pub fn view(&self, size: GridSize) -> Option<Viewport> {
         let (centre, zoom) = match self.aim {
             Aim::Place(centre, zoom) | Aim::Vehicle(centre, zoom) => (centre, zoom),
             Aim::All => {
@@ -133,13 +131,13 @@ impl Map {
 
     /// The place under the cursor.
     pub fn pointed(&self, view: &Viewport) -> LatLon {
-        let middle = (i32::from(view.columns / 2), i32::from(view.rows / 2));
-        self.cursor.unwrap_or_else(|| view.middle_of(middle))
+        let (column, row) = (i32::from(view.columns / 2), i32::from(view.rows / 2));
+        self.cursor.unwrap_or_else(|| view.middle_of(column, row))
     }
 
     /// Moves the cursor by cells, from the middle if it is out of sight; the view moves along by a part of its
     /// size when the cursor comes to its edge.
-    pub fn step(&mut self, size: Size, right: i32, down: i32) {
+    pub fn step(&mut self, size: GridSize, right: i32, down: i32) {
         let Some(view) = self.view(size) else {
             return;
         };
@@ -147,20 +145,20 @@ impl Map {
             .cursor
             .and_then(|cursor| view.cell(cursor))
             .unwrap_or((view.columns / 2, view.rows / 2));
-        let at = (i32::from(column) + right, i32::from(row) + down);
-        self.cursor = Some(view.middle_of(at));
-        let shift = (beyond(at.0, view.columns), beyond(at.1, view.rows));
+        let (column, row) = (i32::from(column) + right, i32::from(row) + down);
+        self.cursor = Some(view.middle_of(column, row));
+        let shift = (beyond(column, view.columns), beyond(row, view.rows));
         if shift != (0, 0) {
-            let middle = (
-                f64::from(view.columns) + f64::from(shift.0) * 2.0,
-                f64::from(view.rows * 2) + f64::from(shift.1) * 4.0,
-            );
+            let middle = Dot {
+                x: f64::from(view.columns) + f64::from(shift.0) * 2.0,
+                y: f64::from(view.rows * 2) + f64::from(shift.1) * 4.0,
+            };
             self.aim = Aim::Place(view.place(middle), view.zoom);
         }
     }
 
     /// Comes closer or goes away; what is under the cursor stays where it is on the screen.
-    pub fn zoom(&mut self, size: Size, closer: bool) {
+    pub fn zoom(&mut self, size: GridSize, closer: bool) {
         let Some(view) = self.view(size) else {
             return;
         };
@@ -177,20 +175,22 @@ impl Map {
             .cursor
             .filter(|&cursor| view.cell(cursor).is_some())
             .unwrap_or(view.centre);
-        let (x, y) = view.dot(fixed);
-        let (across, down) = view.dots();
+        let (before, end) = (view.dot(fixed), view.end());
         let mut centre = view.centre;
         // The scale of a view is that of its middle, which moves: the second try is exact to a fraction of a dot.
         for _ in 0..2 {
             let next = Viewport::new(centre, zoom, size);
-            let (then_x, then_y) = next.dot(fixed);
-            centre = next.place((across / 2.0 + then_x - x, down / 2.0 + then_y - y));
+            let then = next.dot(fixed);
+            centre = next.place(Dot {
+                x: end.x / 2.0 + then.x - before.x,
+                y: end.y / 2.0 + then.y - before.y,
+            });
         }
         self.aim = Aim::Place(centre, zoom);
     }
 
     /// Puts a place into the middle of the view and under the cursor.
-    pub fn centre_on(&mut self, size: Size, place: LatLon) {
+    pub fn centre_on(&mut self, size: GridSize, place: LatLon) {
         if let Some(view) = self.view(size) {
             self.aim = Aim::Place(place, view.zoom);
             self.cursor = Some(place);
@@ -198,7 +198,7 @@ impl Map {
     }
 
     /// Lets the view follow a vehicle that is at this place, at the present scale.
-    pub fn follow(&mut self, size: Size, place: LatLon) {
+    pub fn follow(&mut self, size: GridSize, place: LatLon) {
         if let Some(view) = self.view(size) {
             self.aim = Aim::Vehicle(place, view.zoom);
         }
@@ -211,7 +211,7 @@ impl Map {
         };
         let (north_m, east_m) = stand.offset_to(place);
         let column_m = zoom.metres_per_column();
-        let (across_m, down_m) = (LEASH.0 * column_m, LEASH.1 * 2.0 * column_m);
+        let (across_m, down_m) = (LEASH_COLUMNS * column_m, LEASH_ROWS * 2.0 * column_m);
         if east_m.abs() > across_m || north_m.abs() > down_m {
             let ahead = |way_m: f64, most_m: f64| (way_m * AHEAD).clamp(-most_m, most_m);
             let stand = place.moved(
@@ -223,22 +223,22 @@ impl Map {
     }
 
     /// Whether the legend is shown on a screen of some size.
-    pub fn shows_legend(&self, screen: Size) -> bool {
-        let has_room = screen.0 >= LEGEND_LEAST.0 && screen.1 >= LEGEND_LEAST.1;
+    pub fn shows_legend(&self, screen: GridSize) -> bool {
+        let has_room = screen.columns >= LEGEND_LEAST.columns && screen.rows >= LEGEND_LEAST.rows;
         self.legend.unwrap_or(has_room)
     }
 
     /// The canvas of the room on a screen of some size.
-    pub fn canvas(&self, screen: Size) -> Size {
+    pub fn canvas(&self, screen: GridSize) -> GridSize {
         let legend = if self.shows_legend(screen) {
             LEGEND_WIDTH
         } else {
             0
         };
-        (
-            screen.0.saturating_sub(legend),
-            screen.1.saturating_sub(OTHER_ROWS),
-        )
+        GridSize {
+            columns: screen.columns.saturating_sub(legend),
+            rows: screen.rows.saturating_sub(OTHER_ROWS),
+        }
     }
 
     /// The sensor that is drawn, by its name, and what it has shown.
@@ -269,7 +269,7 @@ mod tests {
     use super::*;
 
     const HOME: LatLon = LatLon::new(50.45, 30.52);
-    const SIZE: Size = (100, 30);
+    const SIZE: GridSize = GridSize::new(100, 30);
 
     fn map() -> Map {
         let mut map = Map::default();
@@ -324,10 +324,10 @@ mod tests {
                         let before = map.view(SIZE).expect("a view");
                         let cursor = map.pointed(&before);
                         map.cursor = Some(cursor);
-                        let (x, y) = before.dot(cursor);
+                        let was = before.dot(cursor);
                         map.zoom(SIZE, key == 2);
-                        let (then_x, then_y) = map.view(SIZE).expect("a view").dot(cursor);
-                        prop_assert!((x - then_x).abs() < 0.6 && (y - then_y).abs() < 0.6);
+                        let then = map.view(SIZE).expect("a view").dot(cursor);
+                        prop_assert!((was.x - then.x).abs() < 0.6 && (was.y - then.y).abs() < 0.6);
                     }
                 }
                 let view = map.view(SIZE).expect("a view");

@@ -5,7 +5,7 @@ use ratatui::text::{Line, Span};
 
 use crate::app::State;
 use crate::app::room::map::LEGEND_WIDTH;
-use crate::geo::{LatLon, Viewport};
+use crate::geo::{GridSize, LatLon, Viewport};
 use crate::text::figure;
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
@@ -16,7 +16,7 @@ use crate::ui::widget::{below, columns, put, row_of, upper, urgent};
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let map = state.rooms().map();
     let pane = upper(panel.area, panel.area.height.saturating_sub(1));
-    let (pane, legend) = if map.shows_legend(state.size()) {
+    let (pane, legend) = if map.shows_legend(state.size().into()) {
         let width = panel.area.width.saturating_sub(LEGEND_WIDTH);
         (
             columns(pane, 0, width),
@@ -36,7 +36,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         panel.at(upper(canvas, urgent::height(state))),
         buffer,
     );
-    if let Some(view) = map.view((canvas.width, canvas.height)) {
+    if let Some(view) = map.view(GridSize::new(canvas.width, canvas.height)) {
         let cursor = map.pointed(&view);
         draw_cursor(&view, cursor, panel.at(canvas), buffer);
         let whole = place_line(state, panel.look, cursor, true);

@@ -6,7 +6,7 @@ use ratatui::text::Line;
 
 use crate::app::State;
 use crate::app::room::map::Aim;
-use crate::geo::Viewport;
+use crate::geo::{GridSize, Viewport};
 use crate::text;
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
@@ -27,7 +27,11 @@ pub use truth::draw as draw_truth;
 /// Draws the map as a pane with a title.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let inner = below(panel.area, 1);
-    let Some(view) = state.rooms().map().view((inner.width, inner.height)) else {
+    let Some(view) = state
+        .rooms()
+        .map()
+        .view(GridSize::new(inner.width, inner.height))
+    else {
         panel.titled(&panel.say("map-title"), buffer);
         return draw_nowhere(panel.at(inner), buffer);
     };

@@ -23,7 +23,7 @@ fn on_the_map() -> Console {
 
 fn pointed(console: &Console) -> LatLon {
     let map = console.state().rooms().map();
-    let view = map.view(map.canvas((120, 40))).expect("a view");
+    let view = map.view(map.canvas((120, 40).into())).expect("a view");
     map.pointed(&view)
 }
 
@@ -119,7 +119,7 @@ fn a_followed_vehicle_stays_in_view_until_the_cursor_leads_away() {
     }
     let map = console.state().rooms().map();
     assert!(matches!(map.aim(), Aim::Vehicle(..)));
-    let view = map.view(map.canvas((120, 40))).expect("a view");
+    let view = map.view(map.canvas((120, 40).into())).expect("a view");
     let place = fixtures::HOME.moved(299.0, 5.0);
     let (column, row) = view.cell(place).expect("in view");
     assert!((28..58).contains(&column) && (12..24).contains(&row));

@@ -1,5 +1,7 @@
 //! The frame file: `SIM_Frame`'s JSON.
 
+use std::ops::RangeInclusive;
+
 use glam::DVec3;
 use serde_json::{Map, Value};
 use thiserror::Error;
@@ -74,7 +76,7 @@ pub(super) fn read(text: &str) -> Result<(Figures, Vec<AirframeError>), Airframe
     let file = File::parse(text)?;
     let mut figures = Figures::default();
     for number in NUMBERS {
-        if let Some(value) = file.number(number.name, (number.least, number.most))? {
+        if let Some(value) = file.number(number.name, number.least..=number.most)? {
             *(number.place)(&mut figures) = value;
         }
     }
@@ -92,7 +94,7 @@ pub(super) fn read(text: &str) -> Result<(Figures, Vec<AirframeError>), Airframe
             figures.inertia_kg_m2 = inertia.max(DVec3::splat(least));
         }
     }
-    let count = match file.number("num_motors", (1.0, 12.0))? {
+    let count = match file.number("num_motors", 1.0..=12.0)? {
         None => 4,
         Some(count) => layout::COUNTS
             .into_iter()
@@ -146,16 +148,21 @@ impl File {
         }
     }
 
-    fn number(&self, name: &str, (least, most): (f64, f64)) -> Result<Option<f64>, AirframeError> {
+    fn number(
+        &self,
+        name: &str,
+        allowed: RangeInclusive<f64>,
+    ) -> Result<Option<f64>, AirframeError> {
         match self.fields.get(name) {
             None | Some(Value::Null) => Ok(None),
             Some(value) => {
                 let number = value
                     .as_f64()
                     .ok_or_else(|| self.wrong(name, &format!("expected a number, not {value}")))?;
-                if (least..=most).contains(&number) {
+                if allowed.contains(&number) {
                     Ok(Some(number))
                 } else {
+                    let (least, most) = (allowed.start(), allowed.end());
                     Err(self.wrong(name, &format!("{number} is not between {least} and {most}")))
                 }
             }
@@ -216,7 +223,7 @@ impl File {
                 motor.thrust = thrust.try_normalize().unwrap_or(motor.thrust);
             }
             let label = name("yaw");
-            if let Some(spin) = self.number(&label, (-10.0, 10.0))?
+            if let Some(spin) = self.number(&label, -10.0..=10.0)?
                 && spin != 0.0
             {
                 motor.spin = spin;

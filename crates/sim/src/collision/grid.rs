@@ -25,7 +25,7 @@ impl CollisionGrid {
         self.links.clear();
         for (body, centre) in centres.enumerate() {
             let cell = (cell(centre.x), cell(centre.y));
-            let slot = self.slot(cell);
+            let slot = self.slot(cell.0, cell.1);
             self.links.push((cell, self.heads[slot]));
             self.heads[slot] = body as u32;
         }
@@ -35,7 +35,7 @@ impl CollisionGrid {
     pub(super) fn near(&self, centre: DVec3, reach_m: f64, mut found: impl FnMut(usize)) {
         for north in cell(centre.x - reach_m)..=cell(centre.x + reach_m) {
             for east in cell(centre.y - reach_m)..=cell(centre.y + reach_m) {
-                let mut next = self.heads[self.slot((north, east))];
+                let mut next = self.heads[self.slot(north, east)];
                 while let Some((own, after)) = self.links.get(next as usize) {
                     if *own == (north, east) {
                         found(next as usize);
@@ -46,7 +46,7 @@ impl CollisionGrid {
         }
     }
 
-    fn slot(&self, (north, east): (i32, i32)) -> usize {
+    fn slot(&self, north: i32, east: i32) -> usize {
         let mixed =
             (north as u32).wrapping_mul(0x9E37_79B1) ^ (east as u32).wrapping_mul(0x85EB_CA77);
         (mixed ^ (mixed >> 15)) as usize & (self.heads.len() - 1)

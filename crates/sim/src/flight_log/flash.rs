@@ -150,16 +150,16 @@ impl RecordedLog {
             self.texts.iter().peekable(),
         );
         for sample in &self.samples {
-            while let Some(mode) = modes.next_if(|(at, _)| *at <= sample.boot_ms) {
-                file.mode(mode);
+            while let Some((at_ms, number)) = modes.next_if(|(at, _)| *at <= sample.boot_ms) {
+                file.mode(at_ms, number);
             }
-            while let Some(text) = texts.next_if(|(at, _)| *at <= sample.boot_ms) {
-                file.said(text);
+            while let Some((at_ms, text)) = texts.next_if(|(at, _)| *at <= sample.boot_ms) {
+                file.said(*at_ms, text);
             }
             file.sample(self, sample);
         }
-        modes.for_each(|mode| file.mode(mode));
-        texts.for_each(|text| file.said(text));
+        modes.for_each(|(at_ms, number)| file.mode(at_ms, number));
+        texts.for_each(|(at_ms, text)| file.said(*at_ms, text));
         file.0
     }
 
@@ -210,12 +210,12 @@ impl LogFile {
         self
     }
 
-    fn mode(&mut self, (at_ms, number): (u32, u8)) {
+    fn mode(&mut self, at_ms: u32, number: u8) {
         self.record(MODE, at_ms).bytes(&[number, number, 0]);
     }
 
-    fn said(&mut self, (at_ms, text): &(u32, String)) {
-        self.record(TEXT, *at_ms).text(text, TEXT_BYTES);
+    fn said(&mut self, at_ms: u32, text: &str) {
+        self.record(TEXT, at_ms).text(text, TEXT_BYTES);
     }
 
     fn sample(&mut self, log: &RecordedLog, sample: &LogSample) {

@@ -143,15 +143,15 @@ impl Returning {
             return Act::Fly;
         }
         if route.reached {
-            let Some(point) = cockpit.trail.pop() else {
+            let Some((point_m, is_first)) = cockpit.trail.pop() else {
                 self.stage = Self::end(cockpit);
                 return Act::Fly;
             };
-            let goal_m = above_first(point);
+            let goal_m = above_first(point_m, is_first);
             self.goal_m = goal_m.truncate();
             route.go_to(goal_m, cockpit);
-            if let Some(next) = cockpit.trail.peek() {
-                route.then_to(above_first(next), cockpit);
+            if let Some((next_m, is_first)) = cockpit.trail.peek() {
+                route.then_to(above_first(next_m, is_first), cockpit);
             }
         }
         route.step(cockpit)
@@ -204,7 +204,7 @@ impl Returning {
 }
 
 /// Where to fly for a breadcrumb: a little higher for the first of the flight, which lies on the ground.
-fn above_first((point_m, first): (DVec3, bool)) -> DVec3 {
+fn above_first(point_m: DVec3, first: bool) -> DVec3 {
     if first {
         point_m - DVec3::Z * ABOVE_FIRST_M
     } else {

@@ -4,6 +4,7 @@ mod guided;
 mod kept;
 mod layout;
 
+use std::ops::RangeInclusive;
 use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::MavMissionResult::{
@@ -186,13 +187,13 @@ impl Talk<'_> {
         self.raw(REQUEST, Writer::default().short(next).bytes(&to).done());
     }
 
-    fn begin(&mut self, kind: ListKind, range: (u16, u16), staged: Vec<Item>) {
+    fn begin(&mut self, kind: ListKind, items: RangeInclusive<u16>, staged: Vec<Item>) {
         let now = self.autopilot.vehicle.uptime();
         *self.state(kind) = ListState {
             upload: Some(Upload {
                 peer: self.peer,
-                next: range.0,
-                last: range.1,
+                next: *items.start(),
+                last: *items.end(),
                 heard_at: now,
                 asked_at: now,
                 staged,
@@ -228,7 +229,7 @@ impl Talk<'_> {
             ListKind::Fence => vec![Item::default(); usize::from(count)],
             ListKind::Mission | ListKind::Rally => Vec::new(),
         };
-        self.begin(kind, (0, count - 1), staged);
+        self.begin(kind, 0..=count - 1, staged);
     }
 
     fn partial(&mut self, kind: ListKind, first: i16, last: i16) {
@@ -244,7 +245,7 @@ impl Talk<'_> {
             ListKind::Fence => self.autopilot.vehicle.plans.fence.clone(),
             ListKind::Mission | ListKind::Rally => Vec::new(),
         };
-        self.begin(kind, (first, last), staged);
+        self.begin(kind, first..=last, staged);
     }
 
     fn refuse_partial(&mut self, kind: ListKind) {

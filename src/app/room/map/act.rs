@@ -2,12 +2,12 @@
 
 use crossterm::event::KeyCode;
 
-use super::{Aim, Map, Size, refit};
+use super::{Aim, Map, refit};
 use crate::app::State;
 use crate::app::action::{Action, MapAction, Step, ViewAction};
 use crate::app::keymap::{KeyHint, KeyRow, Press, does, hint, key};
 use crate::app::room::{Answer, RoomModel, RoomRequest, footer_keys};
-use crate::geo::LatLon;
+use crate::geo::{GridSize, LatLon};
 use crate::text;
 use crate::vehicle::{Severity, VehicleId};
 
@@ -74,7 +74,7 @@ impl RoomModel for Map {
     }
 
     fn step(state: &mut State, step: Step) -> Answer {
-        let size = state.rooms.map.canvas(state.size);
+        let size = state.rooms.map.canvas(state.size.into());
         go(state, size, step);
         Some(Vec::new())
     }
@@ -83,7 +83,7 @@ impl RoomModel for Map {
         if !state.typed.is_empty() {
             return None;
         }
-        let size = state.rooms.map.canvas(state.size);
+        let size = state.rooms.map.canvas(state.size.into());
         pick_nearest(state, size);
         Some(Vec::new())
     }
@@ -98,7 +98,7 @@ impl RoomModel for Map {
     }
 
     fn view(state: &mut State, action: ViewAction) -> Answer {
-        let size = state.rooms.map.canvas(state.size);
+        let size = state.rooms.map.canvas(state.size.into());
         match action {
             ViewAction::NextVehicle => turn_to(state, size, 1),
             ViewAction::PreviousVehicle => turn_to(state, size, -1),
@@ -118,7 +118,7 @@ impl RoomModel for Map {
 
 pub fn act(state: &mut State, action: MapAction) -> Vec<RoomRequest> {
     let map = &mut state.rooms.map;
-    let size = map.canvas(state.size);
+    let size = map.canvas(state.size.into());
     match action {
         MapAction::ZoomIn => map.zoom(size, true),
         // The key of the vehicle list `3-9`, while such a list is being typed.
@@ -139,14 +139,14 @@ pub fn act(state: &mut State, action: MapAction) -> Vec<RoomRequest> {
         MapAction::Trails => map.trails_hidden = !map.trails_hidden,
         MapAction::NextSensor => next_sensor(state),
         MapAction::Legend => {
-            let shown = map.shows_legend(state.size);
+            let shown = map.shows_legend(state.size.into());
             map.legend = Some(!shown);
         }
     }
     Vec::new()
 }
 
-fn go(state: &mut State, size: Size, step: Step) {
+fn go(state: &mut State, size: GridSize, step: Step) {
     let vehicle = state.session.under_cursor();
     let (right, down) = match step {
         Step::Left => (-1, 0),
@@ -170,7 +170,7 @@ fn go(state: &mut State, size: Size, step: Step) {
 }
 
 /// Puts the cursor on a place; the view moves there if it has to.
-fn point_at(state: &mut State, size: Size, place: LatLon) {
+fn point_at(state: &mut State, size: GridSize, place: LatLon) {
     let map = &mut state.rooms.map;
     map.cursor = Some(place);
     if map
@@ -181,7 +181,7 @@ fn point_at(state: &mut State, size: Size, place: LatLon) {
     }
 }
 
-fn follow(state: &mut State, size: Size) {
+fn follow(state: &mut State, size: GridSize) {
     let map = &mut state.rooms.map;
     if let Aim::Vehicle(place, zoom) = map.aim {
         map.aim = Aim::Place(place, zoom);
@@ -195,7 +195,7 @@ fn follow(state: &mut State, size: Size) {
 }
 
 /// The ruler begins under the cursor; where it has begun already, it is taken away.
-fn measure(state: &mut State, size: Size) {
+fn measure(state: &mut State, size: GridSize) {
     let map = &mut state.rooms.map;
     if map.mark.take().is_none()
         && let Some(view) = map.view(size)
@@ -205,7 +205,7 @@ fn measure(state: &mut State, size: Size) {
 }
 
 /// Writes the command that sends the vehicles here: nothing flies before the user has seen it and pressed Enter.
-fn goto_here(state: &State, size: Size) -> Vec<RoomRequest> {
+fn goto_here(state: &State, size: GridSize) -> Vec<RoomRequest> {
     let map = &state.rooms.map;
     let Some(view) = map.view(size) else {
         return Vec::new();
@@ -216,7 +216,7 @@ fn goto_here(state: &State, size: Size) -> Vec<RoomRequest> {
 }
 
 /// Makes the next vehicle by number that of the cursor, and points at it.
-fn turn_to(state: &mut State, size: Size, by: i32) {
+fn turn_to(state: &mut State, size: GridSize, by: i32) {
     let rows = state.rooms.fly.rows();
     if rows.is_empty() {
         return state.say(Severity::Notice, text!("map-no-vehicle"));
@@ -231,7 +231,7 @@ fn turn_to(state: &mut State, size: Size, by: i32) {
     }
 }
 
-fn pick_nearest(state: &mut State, size: Size) {
+fn pick_nearest(state: &mut State, size: GridSize) {
     let map = &state.rooms.map;
     let Some(view) = map.view(size) else {
         return;

@@ -4,7 +4,7 @@
 use ratatui::buffer::Buffer;
 
 use crate::config::Symbols;
-use crate::geo::{DOTS_ACROSS, DOTS_DOWN};
+use crate::geo::{DOTS_ACROSS, DOTS_DOWN, Dot, GridSize};
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 
@@ -62,20 +62,20 @@ impl Stroke {
 
     /// A few cells of such a line, for the legend.
     pub fn sample(self, symbols: Symbols) -> String {
-        let row = i32::from(DOTS_DOWN / 2);
-        let mut canvas = Canvas::new((5, 1), symbols);
-        canvas.line((0.5, f64::from(row)), (9.5, f64::from(row)), self);
+        let y = f64::from(DOTS_DOWN / 2);
+        let mut canvas = Canvas::new(GridSize::new(5, 1), symbols);
+        canvas.line(Dot { x: 0.5, y }, Dot { x: 9.5, y }, self);
         let shown = |&(mask, _): &(u8, Role)| glyph(mask, symbols);
         canvas.cells.iter().map(shown).collect()
     }
 }
 
 impl Canvas {
-    pub fn new((columns, rows): (u16, u16), symbols: Symbols) -> Self {
-        let count = usize::from(columns) * usize::from(rows);
+    pub fn new(size: GridSize, symbols: Symbols) -> Self {
+        let count = usize::from(size.columns) * usize::from(size.rows);
         Self {
-            columns,
-            rows,
+            columns: size.columns,
+            rows: size.rows,
             dots_seen: if symbols == Symbols::Braille { 1 } else { 2 },
             symbols,
             cells: vec![(0, Role::Text); count],
@@ -83,27 +83,23 @@ impl Canvas {
     }
 
     /// Draws a line between two dots, as far as it lies on the canvas.
-    pub fn line(&mut self, from: (f64, f64), to: (f64, f64), stroke: Stroke) {
-        let Some((from, to)) = self.clipped(from, to) else {
+    pub fn line(&mut self, from: Dot, to: Dot, stroke: Stroke) {
+        let Some([from, to]) = self.clipped(from, to) else {
             return;
         };
-        let way = (to.0 - from.0, to.1 - from.1);
-        let steps = way.0.abs().max(way.1.abs()).ceil().max(1.0);
+        let (across, down) = (to.x - from.x, to.y - from.y);
+        let steps = across.abs().max(down.abs()).ceil().max(1.0);
         let mut at = 0;
         while f64::from(at) <= steps {
             if at / self.dots_seen % stroke.of < stroke.on {
-                let share = f64::from(at) / steps;
-                self.dot(
-                    (from.0 + way.0 * share, from.1 + way.1 * share),
-                    stroke.role,
-                );
+                self.dot(from.towards(to, f64::from(at) / steps), stroke.role);
             }
             at += 1;
         }
     }
 
     /// Draws one dot, if it lies on the canvas.
-    pub fn dot(&mut self, (x, y): (f64, f64), role: Role) {
+    pub fn dot(&mut self, Dot { x, y }: Dot, role: Role) {
         if x < 0.0 || y < 0.0 {
             return;
         }
@@ -133,16 +129,16 @@ impl Canvas {
     }
 
     /// The part of a line that lies on the canvas (Liang and Barsky's way of clipping).
-    fn clipped(&self, from: (f64, f64), to: (f64, f64)) -> Option<((f64, f64), (f64, f64))> {
+    fn clipped(&self, from: Dot, to: Dot) -> Option<[Dot; 2]> {
         let right = f64::from(self.columns * DOTS_ACROSS) - 0.01;
         let bottom = f64::from(self.rows * DOTS_DOWN) - 0.01;
-        let way = (to.0 - from.0, to.1 - from.1);
+        let (across, down) = (to.x - from.x, to.y - from.y);
         let (mut first, mut last) = (0.0f64, 1.0f64);
         let sides = [
-            (-way.0, from.0),
-            (way.0, right - from.0),
-            (-way.1, from.1),
-            (way.1, bottom - from.1),
+            (-across, from.x),
+            (across, right - from.x),
+            (-down, from.y),
+            (down, bottom - from.y),
         ];
         for (towards, room) in sides {
             if towards == 0.0 {
@@ -156,10 +152,8 @@ impl Canvas {
             }
         }
         // Also false if anything is not a number.
-        (first <= last && way.0.is_finite() && way.1.is_finite()).then(|| {
-            let at = |share: f64| (from.0 + way.0 * share, from.1 + way.1 * share);
-            (at(first), at(last))
-        })
+        let is_on_it = first <= last && across.is_finite() && down.is_finite();
+        is_on_it.then(|| [first, last].map(|share| from.towards(to, share)))
     }
 }
 
@@ -186,8 +180,8 @@ mod tests {
     use super::*;
     use crate::ui::look::Look;
 
-    fn shown(symbols: Symbols, line: [(f64, f64); 2]) -> String {
-        let mut canvas = Canvas::new((4, 2), symbols);
+    fn shown(symbols: Symbols, line: [Dot; 2]) -> String {
+        let mut canvas = Canvas::new(GridSize::new(4, 2), symbols);
         canvas.line(line[0], line[1], Stroke::solid(Role::Text));
         let look = Look::default();
         let area = Rect::new(0, 0, canvas.columns, canvas.rows);
@@ -201,7 +195,7 @@ mod tests {
 
     #[test]
     fn a_diagonal_shows_in_every_kind_of_symbols() {
-        let line = [(0.0, 0.0), (7.0, 7.0)];
+        let line = [Dot::new(0.0, 0.0), Dot::new(7.0, 7.0)];
         assert_eq!(shown(Symbols::Braille, line), "⠑⢄  \n  ⠑⢄");
         assert_eq!(shown(Symbols::Block, line), "▀▄  \n  ▀▄");
         assert_eq!(shown(Symbols::Ascii, line), "'.  \n  '.");
@@ -235,17 +229,18 @@ mod tests {
         fn lines_from_anywhere_to_anywhere_are_clipped(
             from in (-1e9..1e9f64, -1e9..1e9f64), to in (-1e9..1e9f64, -1e9..1e9f64),
         ) {
-            let mut canvas = Canvas::new((20, 10), Symbols::Braille);
+            let mut canvas = Canvas::new(GridSize::new(20, 10), Symbols::Braille);
+            let [from, to] = [from, to].map(|(x, y)| Dot { x, y });
             canvas.line(from, to, Stroke::solid(Role::Text));
-            canvas.line(from, (f64::NAN, f64::INFINITY), Stroke::solid(Role::Text));
+            canvas.line(from, Dot::new(f64::NAN, f64::INFINITY), Stroke::solid(Role::Text));
         }
 
         #[test]
         fn a_line_inside_reaches_both_its_ends(
             x in 0.0..40.0f64, y in 0.0..40.0f64, to_x in 0.0..40.0f64, to_y in 0.0..40.0f64,
         ) {
-            let mut canvas = Canvas::new((20, 10), Symbols::Braille);
-            canvas.line((x, y), (to_x, to_y), Stroke::solid(Role::Text));
+            let mut canvas = Canvas::new(GridSize::new(20, 10), Symbols::Braille);
+            canvas.line(Dot { x, y }, Dot::new(to_x, to_y), Stroke::solid(Role::Text));
             for (x, y) in [(x, y), (to_x.min(39.98), to_y.min(39.98))] {
                 let cell = canvas.cells[(y as usize / 4) * 20 + x as usize / 2];
                 prop_assert!(cell.0 != 0);

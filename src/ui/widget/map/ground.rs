@@ -10,7 +10,7 @@ use super::canvas::{Canvas, Stroke};
 use super::finds;
 use crate::app::State;
 use crate::app::room::map::{Sketch, SketchKind, leg, sketches};
-use crate::geo::{DOTS_ACROSS, LatLon, Outline, Viewport};
+use crate::geo::{DOTS_ACROSS, GridSize, LatLon, Outline, Viewport};
 use crate::mission::{Ground, MoverKind};
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
@@ -68,7 +68,7 @@ pub struct Label {
 
 /// Draws all lines, and the words that belong to them.
 pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mut Buffer) {
-    let mut canvas = Canvas::new((view.columns, view.rows), look.symbols);
+    let mut canvas = Canvas::new(GridSize::new(view.columns, view.rows), look.symbols);
     let mut labels = Vec::new();
     draw_cells(state, view, &mut canvas, &mut labels);
     draw_mapped(state, view, &mut canvas);
@@ -246,7 +246,7 @@ fn draw_ways(state: &State, view: &Viewport, canvas: &mut Canvas, labels: &mut V
         if let Some((from, to)) = leg(vehicle) {
             // From the target, so that the dashes rest; to the cell of the vehicle, not to its last metre.
             let here = view.cell(from).map_or(from, |(column, row)| {
-                view.middle_of((i32::from(column), i32::from(row)))
+                view.middle_of(i32::from(column), i32::from(row))
             });
             canvas.line(view.dot(to), view.dot(here), TARGET);
             labels.extend(view.cell(to).map(|cell| Label {

@@ -6,7 +6,7 @@ use ratatui::text::{Line, Span};
 
 use crate::app::room::map::SampleField;
 use crate::config::Symbols;
-use crate::geo::{DOTS_ACROSS, DOTS_DOWN, Viewport};
+use crate::geo::{DOTS_ACROSS, DOTS_DOWN, Dot, Viewport};
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
@@ -98,7 +98,7 @@ fn means(field: &SampleField, view: &Viewport) -> Vec<Option<f64>> {
     let mut sums = vec![(0.0, 0.0); (columns * rows) as usize];
     let half = field.side_m() / view.metres_per_dot() / 2.0;
     for (middle, mean) in field.squares() {
-        let (x, y) = view.dot(middle);
+        let Dot { x, y } = view.dot(middle);
         let across = covered(x, half, f64::from(DOTS_ACROSS), columns);
         let down = covered(y, half, f64::from(DOTS_DOWN), rows);
         for row in down {
@@ -131,7 +131,7 @@ mod tests {
 
     use super::*;
     use crate::app::room::map::Samples;
-    use crate::geo::{LatLon, Zoom};
+    use crate::geo::{GridSize, LatLon, Zoom};
 
     const HOME: LatLon = LatLon::new(50.45, 30.52);
 
@@ -150,7 +150,7 @@ mod tests {
         ) {
             let samples = field(&[(north, east, 3.0)]);
             let (_, field) = samples.fields().next().expect("a field");
-            let view = Viewport::new(HOME, Zoom::fitting(column_m), (60, 30));
+            let view = Viewport::new(HOME, Zoom::fitting(column_m), GridSize::new(60, 30));
             let means = means(field, &view);
             if let Some((column, row)) = view.cell(HOME.moved(north, east)) {
                 let cell = means[usize::from(row) * 60 + usize::from(column)];
@@ -168,7 +168,7 @@ mod tests {
     fn more_is_darker_and_digits_do_it_in_ascii() {
         let samples = field(&[(0.0, -20.0, 1.0), (0.0, 0.0, 5.0), (0.0, 20.0, 10.0)]);
         let (_, field) = samples.fields().next().expect("a field");
-        let view = Viewport::new(HOME, Zoom::fitting(10.0), (7, 1));
+        let view = Viewport::new(HOME, Zoom::fitting(10.0), GridSize::new(7, 1));
         let shown = |symbols| {
             let area = Rect::new(0, 0, 7, 1);
             let mut buffer = Buffer::empty(area);

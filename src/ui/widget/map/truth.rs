@@ -8,7 +8,7 @@ use super::canvas::{Canvas, Stroke};
 use super::ground::{TRAIL, outline};
 use super::heat;
 use super::legend::draw_scale;
-use crate::geo::{Extent, LatLon, Outline, Viewport};
+use crate::geo::{Dot, Extent, GridSize, LatLon, Outline, Viewport};
 use crate::scoring::{ObjectReport, SquareReport, TruthReport};
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
@@ -45,7 +45,7 @@ pub fn draw(truth: &TruthReport, panel: Panel<'_>, buffer: &mut Buffer) {
     let legend = legend(truth, &labels, panel.look, usize::from(inner.width));
     let rows = inner.height.saturating_sub(legend.len() as u16);
     let extent = extent.with_margin(EDGE.0, EDGE.1);
-    let size = (inner.width, rows);
+    let size = GridSize::new(inner.width, rows);
     let view = Viewport::new(extent.centre(), extent.zoom(size), size);
     let canvas_area = upper(inner, rows);
     for square in &truth.squares {
@@ -119,7 +119,7 @@ fn shade(square: &SquareReport, look: &Look, view: &Viewport, area: Rect, buffer
     let half = square.side_m / 2.0;
     let [east_m, north_m] = square.at;
     let cell = |east_m, north_m| {
-        let (x, y) = view.dot(place([east_m, north_m]));
+        let Dot { x, y } = view.dot(place([east_m, north_m]));
         (
             x / f64::from(crate::geo::DOTS_ACROSS),
             y / f64::from(crate::geo::DOTS_DOWN),
