@@ -21,6 +21,7 @@ mod bell;
 mod career;
 mod column;
 mod filter;
+mod flight_view;
 mod hangar;
 mod help;
 mod history;
@@ -29,7 +30,6 @@ mod names;
 mod notices;
 mod overlay;
 mod profiles;
-mod session;
 mod time;
 mod views;
 
@@ -43,6 +43,7 @@ pub use bell::{BellCall, Due};
 pub use career::Career;
 pub use column::SortKey;
 pub use filter::VehicleFilter;
+pub use flight_view::{Activity, FlightView, TimeFlow};
 pub use hangar::{Hangar, Instance, SitlStage};
 pub use help::{HelpLine, SHORT_USAGE, command_help, help_lines};
 pub use history::{Channel, Histories, History, Window};
@@ -50,7 +51,6 @@ pub use links::LinkSummary;
 pub use notices::{NoticeLine, NoticeLog};
 pub use overlay::{Confirm, Consequence, Log, Overlay, Palette, ParameterSetting, Prompt, Purpose};
 pub use profiles::Trainee;
-pub use session::{Activity, Session, TimeFlow};
 pub use time::MissionTime;
 
 /// The smallest terminal that the console fits into: columns and rows.
@@ -72,7 +72,7 @@ pub struct State<R> {
     /// What lies over it.
     pub(in crate::app) overlay: Option<Overlay>,
     /// What is being flown.
-    pub(in crate::app) session: Session,
+    pub(in crate::app) session: FlightView,
     /// The vehicle list that is being typed, `3-9`; empty if none.
     pub(in crate::app) typed: String,
     /// What the user has set.
@@ -149,7 +149,7 @@ impl<R: Default> State<R> {
             locale: setup.locale,
             pending: VecDeque::new(),
             overlay: None,
-            session: Session::default(),
+            session: FlightView::default(),
             notices: NoticeLog::default(),
             missions: setup.missions,
             tries: setup.tries,

@@ -19,13 +19,13 @@ use super::connect::resolve;
 use crate::sim::{STEP, World};
 use crate::text::Text;
 
-mod door;
 mod listen;
 #[cfg(test)]
 mod tests;
+mod transport;
 
-use door::{Doors, PipeDoor, UdpDoor};
 use listen::open_servers;
+use transport::{PipeTransport, Transports, UdpTransport};
 
 /// From this many simulated seconds (of all vehicles together) per second on, steps are shared between threads.
 /// Below that one core does it easily, and waiting for another thread to be scheduled takes longer than the work.
@@ -182,7 +182,7 @@ impl Simulator {
             opened.open(endpoint, &mut world).await?;
         }
         let OpenedEndpoint {
-            doors,
+            transports,
             pipes,
             addresses,
         } = opened;
@@ -192,7 +192,7 @@ impl Simulator {
         let running = SteppedWorld {
             threads: threads(world.vehicles(), speedup),
             world,
-            doors,
+            transports,
             count,
         };
         let task = tokio::spawn(unconstrained(running.run(pace, cancel)));
@@ -209,23 +209,23 @@ impl Simulator {
 /// The ways in, and their other ends.
 #[derive(Default)]
 struct OpenedEndpoint {
-    doors: Doors,
+    transports: Transports,
     pipes: Vec<DuplexStream>,
     addresses: Vec<[SocketAddr; 3]>,
 }
 
 impl OpenedEndpoint {
     async fn open(&mut self, endpoint: &Endpoint, world: &mut World) -> Result<(), SimulatorError> {
-        let doors = &mut self.doors;
+        let transports = &mut self.transports;
         match endpoint {
-            Endpoint::Pipes => self.pipes.extend(open_pipes(doors, world)),
+            Endpoint::Pipes => self.pipes.extend(open_pipes(transports, world)),
             Endpoint::Tcp { host, port } => {
-                let opened = open_servers(doors, world.vehicles(), host, *port).await?;
+                let opened = open_servers(transports, world.vehicles(), host, *port).await?;
                 self.addresses.extend(opened);
             }
             Endpoint::Udp { host, port } => {
                 let socket = send_to(host, *port).await?;
-                doors.stations.push(UdpDoor::new(socket, world));
+                transports.stations.push(UdpTransport::new(socket, world));
             }
         }
         Ok(())
@@ -233,11 +233,13 @@ impl OpenedEndpoint {
 }
 
 /// Opens a pipe per vehicle and returns their other ends.
-fn open_pipes(doors: &mut Doors, world: &mut World) -> Vec<DuplexStream> {
+fn open_pipes(transports: &mut Transports, world: &mut World) -> Vec<DuplexStream> {
     (0..world.vehicles())
         .map(|vehicle| {
             let (ours, theirs) = tokio::io::duplex(PIPE_LEN);
-            doors.pipes.push(PipeDoor::new(ours, vehicle, world));
+            transports
+                .pipes
+                .push(PipeTransport::new(ours, vehicle, world));
             theirs
         })
         .collect()
@@ -297,10 +299,10 @@ pub fn step_on_threads(world: &mut World, threads: usize) {
     });
 }
 
-/// A world with its doors.
+/// A world with its transports.
 struct SteppedWorld {
     world: World,
-    doors: Doors,
+    transports: Transports,
     count: watch::Sender<usize>,
     threads: usize,
 }
@@ -326,22 +328,22 @@ impl SteppedWorld {
             let pace = wanted.unwrap_or(given.speedup).min(SPEEDUP_MAX);
             owed += (now - last).min(CATCH_UP).mul_f64(pace);
             last = now;
-            self.doors.read(&mut self.world);
+            self.transports.read(&mut self.world);
             let mut steps = 0;
             while owed >= STEP {
                 owed -= STEP;
                 step_on_threads(&mut self.world, self.threads);
                 steps += 1;
                 if steps % STEPS_PER_ROUND == 0 {
-                    self.doors.write(&mut self.world);
+                    self.transports.write(&mut self.world);
                     yield_now().await;
                     if cancel.is_cancelled() {
                         return;
                     }
-                    self.doors.read(&mut self.world);
+                    self.transports.read(&mut self.world);
                 }
             }
-            self.doors.write(&mut self.world);
+            self.transports.write(&mut self.world);
             self.count_connections();
         }
     }

@@ -152,10 +152,10 @@ impl Mission {
     /// What is asked for does not depend on how it goes: it is read off a flight that has not begun.
     fn listed_objectives(&self) -> Vec<ObjectiveListing> {
         let world = World::new(self, 0);
-        let nobody = ObjectiveScene::empty(&world);
+        let untouched = ObjectiveScene::empty(&world);
         let listed = |objective: &super::objective::Objective| ObjectiveListing {
             title: objective.title.clone(),
-            target: objective.kind.start(&world).standing(&nobody).target,
+            target: objective.kind.start(&world).standing(&untouched).target,
             value: objective.value,
             mandatory: objective.mandatory,
         };

@@ -221,7 +221,7 @@ fn screens_see_only_the_state_of_the_app() {
 /// What the state consists of: its own parts, and what each room remembers.
 const STATE_PARTS: &[(&str, &str)] = &[
     ("src/app/state.rs", "State"),
-    ("src/app/state/session.rs", "Session"),
+    ("src/app/state/flight_view.rs", "FlightView"),
     ("src/app/state/overlay.rs", "Palette"),
     ("src/app/state/overlay.rs", "Confirm"),
     ("src/app/state/overlay.rs", "Prompt"),

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use super::{Session, Standing};
+use super::{FlightView, Standing};
 use crate::config::Column;
 use crate::vehicle::Vehicle;
 
@@ -17,9 +17,9 @@ pub enum SortKey {
 
 impl Column {
     /// What a vehicle's row is ordered by. Words come as they are shown in English.
-    pub fn key(self, vehicle: &Vehicle, session: &Session) -> SortKey {
+    pub fn key(self, vehicle: &Vehicle, session: &FlightView) -> SortKey {
         match self {
-            Self::Name => SortKey::word(Session::class(vehicle)),
+            Self::Name => SortKey::word(FlightView::class(vehicle)),
             Self::Mode => vehicle
                 .mode()
                 .map_or(SortKey::Missing, |mode| SortKey::word(&mode.to_string())),
@@ -36,7 +36,7 @@ impl Column {
     }
 
     /// The figure in a column, in the column's unit; words are numbered by how much they matter.
-    pub fn number(self, vehicle: &Vehicle, session: &Session) -> Option<f64> {
+    pub fn number(self, vehicle: &Vehicle, session: &FlightView) -> Option<f64> {
         let battery = vehicle.battery();
         let place = vehicle.global.map(|global| global.at_point);
         match self {
@@ -111,7 +111,7 @@ fn armed(vehicle: &Vehicle) -> f64 {
 }
 
 /// The worst first; what is calm after what is not.
-fn seriousness(session: &Session, one: &Standing) -> f64 {
+fn seriousness(session: &FlightView, one: &Standing) -> f64 {
     let calm = if session.alarms.is_calm(one) {
         10.0
     } else {

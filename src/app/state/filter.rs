@@ -4,7 +4,7 @@
 //! that is known of it begins so: what it is, mode, `armed`, `ready`, `air`, the kinds of its alerts and their words in
 //! the language of the screen, and `alert` for any of them. `!` before a word turns it round.
 
-use super::{Alert, Session};
+use super::{Alert, FlightView};
 use crate::config::Column;
 use crate::language::parse_ranges;
 use crate::text::Locale;
@@ -44,7 +44,7 @@ impl VehicleFilter {
     }
 
     /// Whether a vehicle fits.
-    pub fn fits(&self, vehicle: &Vehicle, session: &Session, locale: &Locale) -> bool {
+    pub fn fits(&self, vehicle: &Vehicle, session: &FlightView, locale: &Locale) -> bool {
         self.0
             .iter()
             .all(|term| term.fits(vehicle, session, locale))
@@ -72,7 +72,7 @@ impl FilterTerm {
         Some(Self { negated, test })
     }
 
-    fn fits(&self, vehicle: &Vehicle, session: &Session, locale: &Locale) -> bool {
+    fn fits(&self, vehicle: &Vehicle, session: &FlightView, locale: &Locale) -> bool {
         let figure = |column: Column| column.number(vehicle, session);
         let fits = match &self.test {
             Test::Ids(ids) => ids.binary_search(&vehicle.id).is_ok(),
@@ -101,10 +101,10 @@ fn comparison(word: &str) -> Option<Test> {
 }
 
 /// Whether something that is known of a vehicle begins with `start`, which is in small letters.
-fn says(start: &str, vehicle: &Vehicle, session: &Session, locale: &Locale) -> bool {
+fn says(start: &str, vehicle: &Vehicle, session: &FlightView, locale: &Locale) -> bool {
     let begins = |word: &str| word.to_lowercase().starts_with(start);
     let mode = vehicle.mode().map(|mode| mode.to_string());
-    begins(Session::class(vehicle))
+    begins(FlightView::class(vehicle))
         || mode.is_some_and(|mode| mode.split_whitespace().any(begins))
         || states(vehicle).any(begins)
         || session
@@ -149,8 +149,8 @@ mod tests {
     use crate::text::Language;
     use crate::vehicle::Battery;
 
-    fn session() -> Session {
-        let mut session = Session::default();
+    fn session() -> FlightView {
+        let mut session = FlightView::default();
         for id in 1..=12_u8 {
             let mut vehicle = Vehicle::new(id, 1);
             vehicle.landed = if id > 6 {
@@ -175,7 +175,7 @@ mod tests {
         session
     }
 
-    fn found(text: &str, session: &Session, locale: &Locale) -> Vec<VehicleId> {
+    fn found(text: &str, session: &FlightView, locale: &Locale) -> Vec<VehicleId> {
         let filter = VehicleFilter::new(text);
         let vehicles = session.vehicles.values();
         let fitting = vehicles.filter(|vehicle| filter.fits(vehicle, session, locale));

@@ -17,8 +17,9 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Vehicle, VehicleClass, VehicleId, Vehicles};
 
+/// What the console knows of the flight: its vehicles, its mission, and what was selected and said.
 #[derive(Debug, Clone, Default)]
-pub struct Session {
+pub struct FlightView {
     /// What is being done; `None` between sessions.
     pub(in crate::app) activity: Option<Activity>,
     /// The room that it begins in once its vehicles are there.
@@ -107,7 +108,7 @@ impl Activity {
     }
 }
 
-impl Session {
+impl FlightView {
     /// A session that has just begun.
     pub fn new(activity: Activity, places: BTreeMap<String, LatLon>) -> Self {
         Self {

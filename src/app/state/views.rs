@@ -5,8 +5,8 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::{
-    Activity, Alarms, Career, Hangar, Histories, Keymap, LinkSummary, MissionListing, NoticeLog,
-    Overlay, Room, Selection, Session, State, TimeFlow,
+    Activity, Alarms, Career, FlightView, Hangar, Histories, Keymap, LinkSummary, MissionListing,
+    NoticeLog, Overlay, Room, Selection, State, TimeFlow,
 };
 use crate::campaign::Reward;
 use crate::config::Config;
@@ -43,7 +43,7 @@ impl<R> State<R> {
     }
 
     /// What is being flown.
-    pub fn session(&self) -> &Session {
+    pub fn session(&self) -> &FlightView {
         &self.session
     }
 
@@ -126,7 +126,7 @@ impl<R> State<R> {
 }
 
 /// The vehicles, and which of them are meant.
-impl Session {
+impl FlightView {
     /// The vehicles, as their telemetry said last.
     pub fn vehicles(&self) -> &Vehicles {
         &self.vehicles
@@ -164,7 +164,7 @@ impl Session {
 }
 
 /// What is done, and how it goes.
-impl Session {
+impl FlightView {
     /// What is being done; `None` between sessions.
     pub fn activity(&self) -> Option<&Activity> {
         self.activity.as_ref()

@@ -6,7 +6,7 @@ use crate::app::action::{Action, SelectAction};
 use crate::app::effect::{Effect, Effects, SessionEffect};
 use crate::app::room::{self, Room, RoomRequest, fly, standing};
 use crate::app::state::Activity;
-use crate::app::state::{Consequence, Log, Overlay, Session};
+use crate::app::state::{Consequence, FlightView, Log, Overlay};
 use crate::language::{parse_ranges, ranges};
 use crate::mission::Stake;
 use crate::text;
@@ -126,7 +126,7 @@ pub fn leave(state: &mut State) -> Effects {
 
 /// Forgets the session and shows the home screen. The debrief stays until another session starts.
 pub fn go_home(state: &mut State) {
-    state.session = Session::default();
+    state.session = FlightView::default();
     let debrief = state.rooms.debrief.take();
     state.rooms.forget_session();
     state.rooms.debrief = debrief;

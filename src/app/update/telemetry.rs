@@ -12,7 +12,7 @@ use crate::app::room::Room;
 use crate::app::room::debrief::Debrief;
 use crate::app::room::map;
 use crate::app::room::{fly, ledger};
-use crate::app::state::{BellCall, Hangar, NoticeLog, Overlay, Session, TimeFlow};
+use crate::app::state::{BellCall, FlightView, Hangar, NoticeLog, Overlay, TimeFlow};
 use crate::mission::Progress;
 use crate::notice::Notice;
 use crate::scoring::Report;
@@ -78,7 +78,7 @@ pub fn signals(state: &mut State) -> Effects {
 }
 
 pub fn started(state: &mut State, started: Started) {
-    let mut session = Session::new(started.activity, started.places);
+    let mut session = FlightView::new(started.activity, started.places);
     session.listing = started.mission;
     session.began_at = state.now;
     session.areas = started.areas;

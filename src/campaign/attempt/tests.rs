@@ -156,12 +156,12 @@ fn a_flight_with_the_seed_of_a_day_belongs_to_that_day() {
 #[test]
 fn without_a_trainee_tries_go_through_the_seeds_one_by_one() {
     let newcomer = Newcomer::new();
-    let nobody = AttemptTerms {
+    let guest = AttemptTerms {
         trainee: None,
         ..newcomer.terms(Stake::Graded)
     };
-    let first = nobody.decide();
-    let second = nobody.decide_after(&first);
+    let first = guest.decide();
+    let second = guest.decide_after(&first);
     assert_eq!((first.seed, second.seed), (1, 2));
     assert_eq!(second.stake, Stake::Graded);
 }

@@ -178,10 +178,14 @@ impl CheckFlight {
                 format!("the naive pilot earned {score} and a medal: it has to stay below bronze")
             }
             CheckPilot::DoNothing if self.passed => {
-                format!("nobody passed, with {score}: a `mandatory` objective has to be worked for")
+                format!(
+                    "doing nothing passed with {score}: a `mandatory` objective has to be worked for"
+                )
             }
             CheckPilot::DoNothing => {
-                format!("nobody earned {score}: an objective is reached in part without a flight")
+                format!(
+                    "doing nothing earned {score}: an objective is reached in part without a flight"
+                )
             }
         }
     }

@@ -6,7 +6,7 @@ use std::net::SocketAddr;
 use tokio::net::TcpListener;
 
 use super::SimulatorError;
-use super::door::Doors;
+use super::transport::Transports;
 use crate::link::connect::resolve;
 use crate::sim::Serial;
 
@@ -19,7 +19,7 @@ const TOO_MANY_OPEN_FILES: i32 = 24;
 
 /// Opens the TCP servers and returns where they listen, vehicle by vehicle.
 pub(super) async fn open_servers(
-    doors: &mut Doors,
+    transports: &mut Transports,
     vehicles: usize,
     host: &str,
     first_port: u16,
@@ -47,7 +47,7 @@ pub(super) async fn open_servers(
             };
             let listener = listen.on(port).await?;
             *address = listener.local_addr().map_err(|e| listen.failure(port, e))?;
-            doors.servers.open(listener, vehicle, serial);
+            transports.servers.open(listener, vehicle, serial);
         }
         addresses.push(own);
     }

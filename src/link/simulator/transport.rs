@@ -28,14 +28,14 @@ const OUTPUT_KEPT: usize = 4096;
 const DATAGRAM_LEN: usize = 1400;
 
 /// All ways into a world.
-pub(super) struct Doors {
-    pub(super) pipes: Vec<PipeDoor>,
+pub(super) struct Transports {
+    pub(super) pipes: Vec<PipeTransport>,
     pub(super) servers: Servers,
-    pub(super) stations: Vec<UdpDoor>,
+    pub(super) stations: Vec<UdpTransport>,
     input: Box<[u8; READ_LEN]>,
 }
 
-impl Default for Doors {
+impl Default for Transports {
     fn default() -> Self {
         Self {
             pipes: Vec::new(),
@@ -46,7 +46,7 @@ impl Default for Doors {
     }
 }
 
-impl Doors {
+impl Transports {
     /// Gives the world what has come.
     pub(super) fn read(&mut self, world: &mut World) {
         let input = self.input.as_mut_slice();
@@ -69,12 +69,12 @@ impl Doors {
 }
 
 /// A byte stream that can be tried without waiting.
-pub(super) trait DoorStream {
+pub(super) trait ClientStream {
     fn try_read(&mut self, buffer: &mut [u8]) -> io::Result<usize>;
     fn try_write(&mut self, bytes: &[u8]) -> io::Result<usize>;
 }
 
-impl DoorStream for DuplexStream {
+impl ClientStream for DuplexStream {
     fn try_read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
         let tried = self.read(buffer).now_or_never();
         tried.unwrap_or(Err(io::ErrorKind::WouldBlock.into()))
@@ -86,7 +86,7 @@ impl DoorStream for DuplexStream {
     }
 }
 
-impl DoorStream for TcpStream {
+impl ClientStream for TcpStream {
     fn try_read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
         TcpStream::try_read(self, buffer)
     }
@@ -97,7 +97,7 @@ impl DoorStream for TcpStream {
 }
 
 /// One ground station on one vehicle.
-pub(super) struct DoorClient<S> {
+pub(super) struct StreamClient<S> {
     stream: S,
     port: PortId,
     /// Taken from the world and not sent yet. Refilled only when empty: for a client that does not read,
@@ -105,7 +105,7 @@ pub(super) struct DoorClient<S> {
     output: Vec<u8>,
 }
 
-impl<S: DoorStream> DoorClient<S> {
+impl<S: ClientStream> StreamClient<S> {
     fn new(stream: S, port: PortId) -> Self {
         Self {
             stream,
@@ -159,11 +159,11 @@ impl<S: DoorStream> DoorClient<S> {
 }
 
 /// A pipe to one vehicle. It outlasts the vehicle's reboots.
-pub(super) struct PipeDoor(DoorClient<DuplexStream>, usize);
+pub(super) struct PipeTransport(StreamClient<DuplexStream>, usize);
 
-impl PipeDoor {
+impl PipeTransport {
     pub(super) fn new(stream: DuplexStream, vehicle: usize, world: &mut World) -> Self {
-        Self(DoorClient::new(stream, world.connect(vehicle)), vehicle)
+        Self(StreamClient::new(stream, world.connect(vehicle)), vehicle)
     }
 
     fn write(&mut self, world: &mut World) -> bool {
@@ -180,14 +180,14 @@ type Accepted = (usize, io::Result<TcpStream>);
 /// turn.
 #[derive(Default)]
 pub(super) struct Servers {
-    listeners: Vec<DoorListener>,
+    listeners: Vec<PortListener>,
     accepting: FuturesUnordered<Pin<Box<dyn Future<Output = Accepted> + Send>>>,
     /// With the places of their listeners.
-    clients: Vec<(usize, DoorClient<TcpStream>)>,
+    clients: Vec<(usize, StreamClient<TcpStream>)>,
 }
 
 /// A TCP server for one serial port of a vehicle.
-struct DoorListener {
+struct PortListener {
     socket: Arc<TcpListener>,
     vehicle: usize,
     serial: Serial,
@@ -196,7 +196,7 @@ struct DoorListener {
 
 impl Servers {
     pub(super) fn open(&mut self, socket: TcpListener, vehicle: usize, serial: Serial) {
-        self.listeners.push(DoorListener {
+        self.listeners.push(PortListener {
             socket: Arc::new(socket),
             vehicle,
             serial,
@@ -228,7 +228,7 @@ impl Servers {
                 // Without it answers are late, not lost.
                 let _ = stream.set_nodelay(true);
                 let port = world.connect_to(listener.vehicle, listener.serial);
-                self.clients.push((place, DoorClient::new(stream, port)));
+                self.clients.push((place, StreamClient::new(stream, port)));
             }
         }
     }
@@ -241,7 +241,7 @@ impl Servers {
         self.keep(|client| client.write(world));
     }
 
-    fn keep(&mut self, mut is_there: impl FnMut(&mut DoorClient<TcpStream>) -> bool) {
+    fn keep(&mut self, mut is_there: impl FnMut(&mut StreamClient<TcpStream>) -> bool) {
         let listeners = &mut self.listeners;
         self.clients.retain_mut(|(place, client)| {
             let stays = is_there(client);
@@ -254,13 +254,13 @@ impl Servers {
 }
 
 /// One UDP socket between all vehicles and a ground station.
-pub(super) struct UdpDoor {
+pub(super) struct UdpTransport {
     socket: UdpSocket,
     ports: Vec<PortId>,
     output: Vec<u8>,
 }
 
-impl UdpDoor {
+impl UdpTransport {
     pub(super) fn new(socket: UdpSocket, world: &mut World) -> Self {
         let ports = (0..world.vehicles()).map(|v| world.connect(v)).collect();
         Self {

@@ -8,11 +8,11 @@ use crate::mission::world::World;
 pub(super) fn check(examined: &mut Examined<'_>) {
     let mission = examined.mission;
     let world = World::new(mission, 0);
-    let nobody = ObjectiveScene::empty(&world);
+    let untouched = ObjectiveScene::empty(&world);
     let tables = examined.tables("objectives");
     let mut all = true;
     for (objective, written) in mission.objectives.iter().zip(tables) {
-        let standing = objective.kind.start(&world).standing(&nobody);
+        let standing = objective.kind.start(&world).standing(&untouched);
         if standing.met && standing.settled {
             let fault = "this is met before anybody has flown";
             examined.add(written.span.clone(), fault);

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use crate::app::State;
-use crate::app::state::{Instance, Session};
+use crate::app::state::{FlightView, Instance};
 use crate::ledger::Ledger;
 use crate::mission::ObjectiveState;
 
@@ -40,7 +40,7 @@ pub(super) fn cannot_start(state: &State) -> bool {
 }
 
 /// Whether every vehicle can be armed, or is already.
-pub(super) fn is_ready(session: &Session) -> bool {
+pub(super) fn is_ready(session: &FlightView) -> bool {
     let mut vehicles = session.vehicles().values();
     vehicles.all(|vehicle| vehicle.ready_to_arm() || vehicle.armed())
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::brief;
 use crate::app::State;
-use crate::app::state::{Hangar, HelpLine, NoticeLine, Session, command_help};
+use crate::app::state::{FlightView, Hangar, HelpLine, NoticeLine, command_help};
 use crate::language::{Channel, Report, parse_ranges, ranges};
 use crate::ledger::{EntryId, LedgerEntry};
 use crate::mission::{ObjectiveProgress, ObjectiveState, ShownContact, Trust};
@@ -163,12 +163,12 @@ fn hangar(state: &State) -> Vec<Text> {
     }
 }
 
-fn clock(session: &Session, at: std::time::Duration) -> String {
+fn clock(session: &FlightView, at: std::time::Duration) -> String {
     let seconds = session.time(at).as_secs();
     format!("{:02}:{:02}", seconds / 60, seconds % 60)
 }
 
-fn notice_text(line: &NoticeLine, session: &Session) -> Text {
+fn notice_text(line: &NoticeLine, session: &FlightView) -> Text {
     let notice = &line.notice;
     let mut head = clock(session, notice.at);
     let vehicles = ranges(line.vehicles.iter().copied());

@@ -7,7 +7,7 @@ use std::time::Duration;
 use super::RunningSession;
 use super::logbook::Logbook;
 use crate::app::event::{Event, SessionEvent};
-use crate::app::state::{Hangar, Session as Shown, SitlStage};
+use crate::app::state::{FlightView, Hangar, SitlStage};
 use crate::exercise::{FlightDriver, FlightPace};
 use crate::mission::record::Occasion;
 use crate::mission::{Clock, Demand, Flight, Mission, Pledge, Stake};
@@ -87,7 +87,7 @@ impl MissionRun {
     }
 
     /// Steps the mission up to now and returns what came of it. It stands still until its vehicles are there.
-    pub fn fly(&mut self, now: Duration, shown: &Shown) -> Vec<Event> {
+    pub fn fly(&mut self, now: Duration, shown: &FlightView) -> Vec<Event> {
         if self.ended {
             return Vec::new();
         }
@@ -140,7 +140,7 @@ impl MissionRun {
     }
 
     /// Vehicles whose processes have ended by themselves do not come back.
-    fn note_losses(&mut self, now: Duration, shown: &Shown) -> Vec<Event> {
+    fn note_losses(&mut self, now: Duration, shown: &FlightView) -> Vec<Event> {
         if !self.driver.has_begun() {
             return Vec::new();
         }
@@ -160,7 +160,7 @@ impl MissionRun {
     }
 
     /// Mission time, which passes once the vehicles are there and heard.
-    fn time(&mut self, now: Duration, shown: &Shown) -> Duration {
+    fn time(&mut self, now: Duration, shown: &FlightView) -> Duration {
         if !shown.is_starting() && !shown.is_reading() {
             let wanted = self.driver.flight().mission().vehicles;
             self.driver
@@ -202,7 +202,7 @@ fn tell_demands(
 
 impl RunningSession {
     /// Steps the mission up to now and returns what came of it.
-    pub fn fly(&mut self, now: Duration, shown: &Shown) -> Vec<Event> {
+    pub fn fly(&mut self, now: Duration, shown: &FlightView) -> Vec<Event> {
         let Some(mission_run) = &mut self.mission_run else {
             return Vec::new();
         };

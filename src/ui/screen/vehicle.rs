@@ -7,8 +7,8 @@ use ratatui::text::{Line, Span};
 use crate::app::State;
 use crate::app::action::{Action, ViewAction};
 use crate::app::keymap::Place;
+use crate::app::state::FlightView;
 use crate::app::state::Room;
-use crate::app::state::Session;
 use crate::text;
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
@@ -92,7 +92,11 @@ fn draw_name(subject: &Subject<'_>, page: Option<usize>, area: Rect, buffer: &mu
     ));
     let mut line = Line::from(vec![
         Span::styled(
-            format!(" {} {}", subject.vehicle.id, Session::name(subject.vehicle)),
+            format!(
+                " {} {}",
+                subject.vehicle.id,
+                FlightView::name(subject.vehicle)
+            ),
             look.style(Role::Title),
         ),
         Span::styled(format!("  {place}"), look.style(Role::Muted)),

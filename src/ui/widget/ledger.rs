@@ -8,7 +8,7 @@ use ratatui::text::{Line, Span};
 
 use crate::app::State;
 use crate::app::action::Action;
-use crate::app::state::Session;
+use crate::app::state::FlightView;
 use crate::language::ranges;
 use crate::ledger::{LedgerEntry, LedgerRow, RowState};
 use crate::text;
@@ -73,7 +73,7 @@ fn cut(lines: &mut Vec<Line<'_>>, rows: usize, width: usize) {
 /// A command, what became of it, and why.
 pub fn entry_lines<'a>(
     entry: &LedgerEntry,
-    session: &Session,
+    session: &FlightView,
     width: usize,
     look: &Look,
 ) -> Vec<Line<'a>> {
@@ -98,7 +98,7 @@ pub fn entry_lines<'a>(
 /// The command and what became of it: on one line where it fits, else below each other.
 fn head_lines<'a>(
     entry: &LedgerEntry,
-    session: &Session,
+    session: &FlightView,
     width: usize,
     look: &Look,
 ) -> Vec<Line<'a>> {

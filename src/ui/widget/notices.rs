@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};
 
 use crate::app::State;
-use crate::app::state::{NoticeLine, Session};
+use crate::app::state::{FlightView, NoticeLine};
 use crate::language::ranges;
 use crate::text;
 use crate::text::Text;
@@ -43,7 +43,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 /// A notice with its time, its severity and its vehicles, in a width and, if it is no error, at most so many lines.
 pub fn lines<'a>(
     line: &NoticeLine,
-    session: &Session,
+    session: &FlightView,
     width: usize,
     most: usize,
     look: &Look,

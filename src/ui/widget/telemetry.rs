@@ -7,7 +7,7 @@ use ratatui::text::{Line, Span};
 
 use super::swarm::since;
 use crate::app::State;
-use crate::app::state::{Session, Standing};
+use crate::app::state::{FlightView, Standing};
 use crate::text;
 use crate::text::{Text, figure};
 use crate::ui::look::Look;
@@ -48,7 +48,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         panel.titled(&panel.say("telemetry-title"), buffer);
         return;
     };
-    let name = Session::name(vehicle);
+    let name = FlightView::name(vehicle);
     let title = panel.text(&text!(
         "telemetry-vehicle",
         vehicle = vehicle.id,

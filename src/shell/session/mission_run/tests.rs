@@ -45,13 +45,13 @@ impl Console {
         let _effects = self.0.update(event);
     }
 
-    fn session(&self) -> &Shown {
+    fn session(&self) -> &FlightView {
         self.0.state().session()
     }
 }
 
 /// A session without processes.
-fn shown(heard: &[u8]) -> Shown {
+fn shown(heard: &[u8]) -> FlightView {
     Console::start(None, heard).session().clone()
 }
 

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use crate::alert::AlertKind;
 use crate::app::State;
-use crate::app::state::{Session, Standing};
+use crate::app::state::{FlightView, Standing};
 use crate::config::Column;
 use crate::ledger::RowState;
 use crate::text;
@@ -96,7 +96,7 @@ pub fn cell(column: Column, row: &Row<'_>, look: &Look, width: usize) -> Cell {
     };
     match column {
         Column::Id => id(row),
-        Column::Name => (look.text(&Session::name(row.vehicle)), Role::Muted),
+        Column::Name => (look.text(&FlightView::name(row.vehicle)), Role::Muted),
         Column::Group => teams(row),
         Column::Mode => mode(row.vehicle),
         Column::Armed => armed(row),
