@@ -2,6 +2,8 @@
 
 mod fields;
 
+use mavlink::MessageData as _;
+use mavlink::dialects::ardupilotmega::COMMAND_ACK_DATA;
 use mavlink::dialects::ardupilotmega::{
     MISSION_CURRENT_DATA, MavMessage, MavResult, MavSeverity, PARAM_REQUEST_READ_DATA,
     PARAM_VALUE_DATA, RC_CHANNELS_OVERRIDE_DATA, SETUP_SIGNING_DATA, TIMESYNC_DATA,
@@ -20,7 +22,7 @@ use super::{guided, texts};
 use sortie_geo::LatLon;
 use sortie_wire::{Content, Frame, Outgoing};
 
-const COMMAND_ACK: u32 = 77;
+const COMMAND_ACK: u32 = COMMAND_ACK_DATA::ID;
 
 pub(super) fn handle(
     autopilot: &mut Autopilot,

@@ -2,16 +2,27 @@
 
 use std::time::Duration;
 
+use mavlink::MessageData as _;
+use mavlink::dialects::ardupilotmega::{
+    AHRS_DATA, AHRS2_DATA, ATTITUDE_DATA, BATTERY_STATUS_DATA, EKF_STATUS_REPORT_DATA,
+    ESC_TELEMETRY_1_TO_4_DATA, FENCE_STATUS_DATA, GLOBAL_POSITION_INT_DATA, GPS_RAW_INT_DATA,
+    HEARTBEAT_DATA, LOCAL_POSITION_NED_DATA, MEMINFO_DATA, MISSION_CURRENT_DATA,
+    NAV_CONTROLLER_OUTPUT_DATA, POSITION_TARGET_GLOBAL_INT_DATA, POWER_STATUS_DATA, RAW_IMU_DATA,
+    RC_CHANNELS_DATA, SCALED_IMU2_DATA, SCALED_IMU3_DATA, SCALED_PRESSURE_DATA,
+    SCALED_PRESSURE2_DATA, SERVO_OUTPUT_RAW_DATA, SIMSTATE_DATA, SYS_STATUS_DATA, SYSTEM_TIME_DATA,
+    TERRAIN_REPORT_DATA, TERRAIN_REQUEST_DATA, VFR_HUD_DATA, VIBRATION_DATA, WIND_DATA,
+};
+
 use super::Serial;
 use super::parameters::Parameters;
 
 /// `TERRAIN_REQUEST` and `TERRAIN_REPORT` come together.
-pub(super) const TERRAIN_REQUEST: u32 = 133;
-pub(super) const TERRAIN_REPORT: u32 = 136;
+pub(super) const TERRAIN_REQUEST: u32 = TERRAIN_REQUEST_DATA::ID;
+pub(super) const TERRAIN_REPORT: u32 = TERRAIN_REPORT_DATA::ID;
 /// The shortest interval; shorter ones are lengthened to it, as the vehicle does.
 const SHORTEST_US: i64 = 3_000;
 /// What a new link gets unasked: HEARTBEAT once per second.
-const HEARTBEAT: u32 = 0;
+const HEARTBEAT: u32 = HEARTBEAT_DATA::ID;
 const HEARTBEAT_US: i64 = 1_000_000;
 const TERRAIN_US: i64 = 2_000_000;
 /// Messages that are this many intervals late are given up.
@@ -19,16 +30,60 @@ const LATE_INTERVALS: u64 = 4;
 
 /// The stream groups of `REQUEST_DATA_STREAM` with the ends of their parameters' names and the messages of each.
 const STREAMS: &[(u8, &str, &[u32])] = &[
-    (1, "RAW_SENS", &[27, 116, 129, 29, 137]),
-    (2, "EXT_STAT", &[1, 125, 152, 42, 24, 62, 87, 162]),
-    (3, "RC_CHAN", &[36, 65]),
-    (6, "POSITION", &[32, 33]),
-    (10, "EXTRA1", &[30, 164, 178]),
-    (11, "EXTRA2", &[74]),
+    (
+        1,
+        "RAW_SENS",
+        &[
+            RAW_IMU_DATA::ID,
+            SCALED_IMU2_DATA::ID,
+            SCALED_IMU3_DATA::ID,
+            SCALED_PRESSURE_DATA::ID,
+            SCALED_PRESSURE2_DATA::ID,
+        ],
+    ),
+    (
+        2,
+        "EXT_STAT",
+        &[
+            SYS_STATUS_DATA::ID,
+            POWER_STATUS_DATA::ID,
+            MEMINFO_DATA::ID,
+            MISSION_CURRENT_DATA::ID,
+            GPS_RAW_INT_DATA::ID,
+            NAV_CONTROLLER_OUTPUT_DATA::ID,
+            POSITION_TARGET_GLOBAL_INT_DATA::ID,
+            FENCE_STATUS_DATA::ID,
+        ],
+    ),
+    (
+        3,
+        "RC_CHAN",
+        &[SERVO_OUTPUT_RAW_DATA::ID, RC_CHANNELS_DATA::ID],
+    ),
+    (
+        6,
+        "POSITION",
+        &[LOCAL_POSITION_NED_DATA::ID, GLOBAL_POSITION_INT_DATA::ID],
+    ),
+    (
+        10,
+        "EXTRA1",
+        &[ATTITUDE_DATA::ID, SIMSTATE_DATA::ID, AHRS2_DATA::ID],
+    ),
+    (11, "EXTRA2", &[VFR_HUD_DATA::ID]),
     (
         12,
         "EXTRA3",
-        &[2, 147, 163, 168, 193, 241, TERRAIN_REQUEST, 11030],
+        &[
+            SYSTEM_TIME_DATA::ID,
+            BATTERY_STATUS_DATA::ID,
+            AHRS_DATA::ID,
+            WIND_DATA::ID,
+            EKF_STATUS_REPORT_DATA::ID,
+            VIBRATION_DATA::ID,
+            TERRAIN_REQUEST,
+            ESC_TELEMETRY_1_TO_4_DATA::ID,
+        ],
     ),
 ];
 /// The group that means all groups.
@@ -180,9 +235,13 @@ mod tests {
             (-1, -1, 0),
         ] {
             let mut schedule = Schedule::new(Duration::ZERO);
-            schedule.set(30, asked_us, Duration::ZERO);
-            assert_eq!(schedule.interval_us(30), kept_us, "{asked_us}");
-            let sent = count(&mut schedule, 30, 10);
+            schedule.set(ATTITUDE_DATA::ID, asked_us, Duration::ZERO);
+            assert_eq!(
+                schedule.interval_us(ATTITUDE_DATA::ID),
+                kept_us,
+                "{asked_us}"
+            );
+            let sent = count(&mut schedule, ATTITUDE_DATA::ID, 10);
             assert!(sent.abs_diff(per_10_s) <= 2, "{asked_us}: {sent}");
         }
     }
@@ -191,10 +250,10 @@ mod tests {
     fn a_stream_sets_its_messages_and_only_those() {
         let mut schedule = Schedule::new(Duration::ZERO);
         schedule.set_stream(6, 4, Duration::ZERO);
-        assert_eq!(schedule.interval_us(33), 250_000);
-        assert_eq!(schedule.interval_us(30), -1);
+        assert_eq!(schedule.interval_us(GLOBAL_POSITION_INT_DATA::ID), 250_000);
+        assert_eq!(schedule.interval_us(ATTITUDE_DATA::ID), -1);
         schedule.set_stream(0, 0, Duration::ZERO);
-        assert_eq!(schedule.interval_us(33), -1);
+        assert_eq!(schedule.interval_us(GLOBAL_POSITION_INT_DATA::ID), -1);
         assert_eq!(schedule.interval_us(0), 1_000_000);
     }
 }

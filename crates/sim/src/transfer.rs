@@ -99,7 +99,7 @@ pub(super) fn handle(
     frame: &Frame,
 ) -> bool {
     let id = frame.content.id();
-    if !matches!(id, 38..=51 | 73 | 110 | 117..=122) {
+    if !(lists::is_part(id) || files::is_part(id) || logs::is_part(id)) {
         return false;
     }
     let Some(payload) = Payload::of(&frame.content) else {

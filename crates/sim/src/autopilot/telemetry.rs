@@ -1,5 +1,7 @@
 //! What the vehicle reports: one builder per message, picked by message id.
 
+#![expect(deprecated, reason = "the real vehicle still speaks these messages")]
+
 mod extra;
 mod fence;
 mod health;
@@ -7,7 +9,27 @@ mod motion;
 mod navigation;
 mod sensors;
 
-use mavlink::dialects::ardupilotmega::MavMessage;
+use mavlink::MessageData as _;
+use mavlink::dialects::ardupilotmega::{
+    ADSB_VEHICLE_DATA, AHRS_DATA, AHRS2_DATA, AIS_VESSEL_DATA, AOA_SSA_DATA, ATTITUDE_DATA,
+    ATTITUDE_QUATERNION_DATA, ATTITUDE_TARGET_DATA, AUTOPILOT_STATE_FOR_GIMBAL_DEVICE_DATA,
+    AUTOPILOT_VERSION_DATA, BATTERY_STATUS_DATA, BATTERY2_DATA, CAMERA_CAPTURE_STATUS_DATA,
+    CAMERA_FEEDBACK_DATA, CAMERA_FOV_STATUS_DATA, CAMERA_INFORMATION_DATA, CAMERA_SETTINGS_DATA,
+    DEEPSTALL_DATA, DISTANCE_SENSOR_DATA, EFI_STATUS_DATA, EKF_STATUS_REPORT_DATA,
+    ESC_TELEMETRY_1_TO_4_DATA, EXTENDED_SYS_STATE_DATA, FENCE_STATUS_DATA, GENERATOR_STATUS_DATA,
+    GIMBAL_DEVICE_ATTITUDE_STATUS_DATA, GIMBAL_MANAGER_INFORMATION_DATA,
+    GIMBAL_MANAGER_STATUS_DATA, GLOBAL_POSITION_INT_DATA, GPS_GLOBAL_ORIGIN_DATA, GPS_RAW_INT_DATA,
+    GPS_RTK_DATA, GPS2_RAW_DATA, GPS2_RTK_DATA, HEARTBEAT_DATA, HIGH_LATENCY2_DATA,
+    HOME_POSITION_DATA, HWSTATUS_DATA, LOCAL_POSITION_NED_DATA, MAG_CAL_PROGRESS_DATA,
+    MAG_CAL_REPORT_DATA, MEMINFO_DATA, MISSION_CURRENT_DATA, MISSION_ITEM_REACHED_DATA, MavMessage,
+    NAV_CONTROLLER_OUTPUT_DATA, OPTICAL_FLOW_DATA, PARAM_VALUE_DATA, PID_TUNING_DATA,
+    POSITION_TARGET_GLOBAL_INT_DATA, POSITION_TARGET_LOCAL_NED_DATA, POWER_STATUS_DATA,
+    RANGEFINDER_DATA, RAW_IMU_DATA, RC_CHANNELS_DATA, RC_CHANNELS_RAW_DATA,
+    RC_CHANNELS_SCALED_DATA, RELAY_STATUS_DATA, RPM_DATA, SCALED_IMU_DATA, SCALED_IMU2_DATA,
+    SCALED_IMU3_DATA, SCALED_PRESSURE_DATA, SCALED_PRESSURE2_DATA, SCALED_PRESSURE3_DATA,
+    SERVO_OUTPUT_RAW_DATA, SIM_STATE_DATA, SIMSTATE_DATA, SYS_STATUS_DATA, SYSTEM_TIME_DATA,
+    UAVIONIX_ADSB_OUT_STATUS_DATA, VFR_HUD_DATA, VIBRATION_DATA, WINCH_STATUS_DATA, WIND_DATA,
+};
 
 use self::Builder::{Always, Sometimes};
 use super::Autopilot;
@@ -15,8 +37,37 @@ use crate::schedule::{TERRAIN_REPORT, TERRAIN_REQUEST};
 
 /// The real vehicle accepts requests for these, but without the hardware behind them it sends nothing.
 const SILENT: &[u32] = &[
-    22, 34, 35, 100, 124, 127, 128, 132, 143, 173, 180, 181, 191, 192, 194, 195, 225, 226, 246,
-    259, 260, 262, 271, 280, 281, 285, 301, 373, 9005, 10008, 11020,
+    PARAM_VALUE_DATA::ID,
+    RC_CHANNELS_SCALED_DATA::ID,
+    RC_CHANNELS_RAW_DATA::ID,
+    OPTICAL_FLOW_DATA::ID,
+    GPS2_RAW_DATA::ID,
+    GPS_RTK_DATA::ID,
+    GPS2_RTK_DATA::ID,
+    DISTANCE_SENSOR_DATA::ID,
+    SCALED_PRESSURE3_DATA::ID,
+    RANGEFINDER_DATA::ID,
+    CAMERA_FEEDBACK_DATA::ID,
+    BATTERY2_DATA::ID,
+    MAG_CAL_PROGRESS_DATA::ID,
+    MAG_CAL_REPORT_DATA::ID,
+    PID_TUNING_DATA::ID,
+    DEEPSTALL_DATA::ID,
+    EFI_STATUS_DATA::ID,
+    RPM_DATA::ID,
+    ADSB_VEHICLE_DATA::ID,
+    CAMERA_INFORMATION_DATA::ID,
+    CAMERA_SETTINGS_DATA::ID,
+    CAMERA_CAPTURE_STATUS_DATA::ID,
+    CAMERA_FOV_STATUS_DATA::ID,
+    GIMBAL_MANAGER_INFORMATION_DATA::ID,
+    GIMBAL_MANAGER_STATUS_DATA::ID,
+    GIMBAL_DEVICE_ATTITUDE_STATUS_DATA::ID,
+    AIS_VESSEL_DATA::ID,
+    GENERATOR_STATUS_DATA::ID,
+    WINCH_STATUS_DATA::ID,
+    UAVIONIX_ADSB_OUT_STATUS_DATA::ID,
+    AOA_SSA_DATA::ID,
 ];
 /// Sent with another message and not to be asked for by itself.
 const UNASKABLE: u32 = TERRAIN_REPORT;
@@ -39,51 +90,90 @@ impl Builder {
 
 /// Message ids with their builders, in rising order.
 const TABLE: &[(u32, Builder)] = &[
-    (0, Always(health::heartbeat)),
-    (1, Always(health::sys_status)),
-    (2, Always(health::system_time)),
-    (24, Always(sensors::gps_raw_int)),
-    (26, Always(extra::scaled_imu)),
-    (27, Always(sensors::raw_imu)),
-    (29, Always(sensors::scaled_pressure)),
-    (30, Always(motion::attitude)),
-    (31, Always(motion::attitude_quaternion)),
-    (32, Sometimes(motion::local_position_ned)),
-    (33, Always(motion::global_position_int)),
-    (36, Always(extra::servo_output_raw)),
-    (42, Always(navigation::mission_current)),
-    (46, Always(extra::mission_item_reached)),
-    (49, Sometimes(navigation::gps_global_origin)),
-    (62, Always(navigation::nav_controller_output)),
-    (65, Always(extra::rc_channels)),
-    (74, Always(motion::vfr_hud)),
-    (83, Always(extra::attitude_target)),
-    (85, Sometimes(navigation::position_target_local_ned)),
-    (87, Sometimes(navigation::position_target_global_int)),
-    (108, Always(extra::sim_state)),
-    (116, Always(sensors::scaled_imu2)),
-    (125, Always(health::power_status)),
-    (129, Always(extra::scaled_imu3)),
+    (HEARTBEAT_DATA::ID, Always(health::heartbeat)),
+    (SYS_STATUS_DATA::ID, Always(health::sys_status)),
+    (SYSTEM_TIME_DATA::ID, Always(health::system_time)),
+    (GPS_RAW_INT_DATA::ID, Always(sensors::gps_raw_int)),
+    (SCALED_IMU_DATA::ID, Always(extra::scaled_imu)),
+    (RAW_IMU_DATA::ID, Always(sensors::raw_imu)),
+    (SCALED_PRESSURE_DATA::ID, Always(sensors::scaled_pressure)),
+    (ATTITUDE_DATA::ID, Always(motion::attitude)),
+    (
+        ATTITUDE_QUATERNION_DATA::ID,
+        Always(motion::attitude_quaternion),
+    ),
+    (
+        LOCAL_POSITION_NED_DATA::ID,
+        Sometimes(motion::local_position_ned),
+    ),
+    (
+        GLOBAL_POSITION_INT_DATA::ID,
+        Always(motion::global_position_int),
+    ),
+    (SERVO_OUTPUT_RAW_DATA::ID, Always(extra::servo_output_raw)),
+    (
+        MISSION_CURRENT_DATA::ID,
+        Always(navigation::mission_current),
+    ),
+    (
+        MISSION_ITEM_REACHED_DATA::ID,
+        Always(extra::mission_item_reached),
+    ),
+    (
+        GPS_GLOBAL_ORIGIN_DATA::ID,
+        Sometimes(navigation::gps_global_origin),
+    ),
+    (
+        NAV_CONTROLLER_OUTPUT_DATA::ID,
+        Always(navigation::nav_controller_output),
+    ),
+    (RC_CHANNELS_DATA::ID, Always(extra::rc_channels)),
+    (VFR_HUD_DATA::ID, Always(motion::vfr_hud)),
+    (ATTITUDE_TARGET_DATA::ID, Always(extra::attitude_target)),
+    (
+        POSITION_TARGET_LOCAL_NED_DATA::ID,
+        Sometimes(navigation::position_target_local_ned),
+    ),
+    (
+        POSITION_TARGET_GLOBAL_INT_DATA::ID,
+        Sometimes(navigation::position_target_global_int),
+    ),
+    (SIM_STATE_DATA::ID, Always(extra::sim_state)),
+    (SCALED_IMU2_DATA::ID, Always(sensors::scaled_imu2)),
+    (POWER_STATUS_DATA::ID, Always(health::power_status)),
+    (SCALED_IMU3_DATA::ID, Always(extra::scaled_imu3)),
     (TERRAIN_REQUEST, Always(extra::terrain_request)),
     (TERRAIN_REPORT, Always(extra::terrain_report)),
-    (137, Always(extra::scaled_pressure2)),
-    (147, Always(health::battery_status)),
-    (148, Always(health::autopilot_version)),
-    (152, Always(health::meminfo)),
-    (162, Sometimes(fence::fence_status)),
-    (163, Always(motion::ahrs)),
-    (164, Always(motion::simstate)),
-    (165, Always(extra::hwstatus)),
-    (168, Sometimes(sensors::wind)),
-    (178, Always(motion::ahrs2)),
-    (193, Always(health::ekf_status_report)),
-    (235, Always(extra::high_latency2)),
-    (241, Always(sensors::vibration)),
-    (242, Sometimes(navigation::home_position)),
-    (245, Always(health::extended_sys_state)),
-    (286, Always(extra::state_for_gimbal)),
-    (376, Always(extra::relay_status)),
-    (11030, Always(extra::esc_telemetry)),
+    (SCALED_PRESSURE2_DATA::ID, Always(extra::scaled_pressure2)),
+    (BATTERY_STATUS_DATA::ID, Always(health::battery_status)),
+    (
+        AUTOPILOT_VERSION_DATA::ID,
+        Always(health::autopilot_version),
+    ),
+    (MEMINFO_DATA::ID, Always(health::meminfo)),
+    (FENCE_STATUS_DATA::ID, Sometimes(fence::fence_status)),
+    (AHRS_DATA::ID, Always(motion::ahrs)),
+    (SIMSTATE_DATA::ID, Always(motion::simstate)),
+    (HWSTATUS_DATA::ID, Always(extra::hwstatus)),
+    (WIND_DATA::ID, Sometimes(sensors::wind)),
+    (AHRS2_DATA::ID, Always(motion::ahrs2)),
+    (
+        EKF_STATUS_REPORT_DATA::ID,
+        Always(health::ekf_status_report),
+    ),
+    (HIGH_LATENCY2_DATA::ID, Always(extra::high_latency2)),
+    (VIBRATION_DATA::ID, Always(sensors::vibration)),
+    (HOME_POSITION_DATA::ID, Sometimes(navigation::home_position)),
+    (
+        EXTENDED_SYS_STATE_DATA::ID,
+        Always(health::extended_sys_state),
+    ),
+    (
+        AUTOPILOT_STATE_FOR_GIMBAL_DEVICE_DATA::ID,
+        Always(extra::state_for_gimbal),
+    ),
+    (RELAY_STATUS_DATA::ID, Always(extra::relay_status)),
+    (ESC_TELEMETRY_1_TO_4_DATA::ID, Always(extra::esc_telemetry)),
 ];
 
 /// The message of an id as it reads now; `None` if the vehicle has nothing to say under that id.

@@ -1,5 +1,7 @@
 //! Commands about the mission that is flown.
 
+use mavlink::MessageData as _;
+use mavlink::dialects::ardupilotmega::MISSION_CURRENT_DATA;
 use mavlink::dialects::ardupilotmega::{MavResult, MavSeverity};
 
 use super::{Command, done};
@@ -7,7 +9,7 @@ use crate::autopilot::Autopilot;
 use crate::autopilot::telemetry;
 use crate::link::Link;
 
-const MISSION_CURRENT: u32 = 42;
+const MISSION_CURRENT: u32 = MISSION_CURRENT_DATA::ID;
 
 pub(super) fn start(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -> MavResult {
     done(autopilot.start_mission())

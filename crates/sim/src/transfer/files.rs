@@ -5,6 +5,8 @@ mod wire;
 use std::collections::VecDeque;
 use std::time::Duration;
 
+use mavlink::MessageData as _;
+use mavlink::dialects::ardupilotmega::FILE_TRANSFER_PROTOCOL_DATA;
 use mavlink::dialects::ardupilotmega::MavSeverity::MAV_SEVERITY_DEBUG;
 
 use self::wire::{
@@ -20,7 +22,7 @@ use crate::payload::Payload;
 use crate::plan::ListKind;
 
 /// `FILE_TRANSFER_PROTOCOL`.
-const MESSAGE: u32 = 110;
+const MESSAGE: u32 = FILE_TRANSFER_PROTOCOL_DATA::ID;
 /// Requests that wait while a burst is under way; more are lost.
 const MOST_WAITING: usize = 5;
 /// A session that nothing was sent to for this long makes room for another.
@@ -76,6 +78,11 @@ impl Files {
             ..Self::default()
         }
     }
+}
+
+/// Whether a message belongs to the protocol.
+pub(super) fn is_part(id: u32) -> bool {
+    id == MESSAGE
 }
 
 /// Answers a message of the protocol; `false` if it is none.

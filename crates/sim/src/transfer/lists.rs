@@ -1,5 +1,7 @@
 //! The mission protocol: missions, fences and rally points, item by item.
 
+#![expect(deprecated, reason = "the real vehicle still speaks these messages")]
+
 mod guided;
 mod kept;
 mod layout;
@@ -7,12 +9,18 @@ mod layout;
 use std::ops::RangeInclusive;
 use std::time::Duration;
 
+use mavlink::MessageData as _;
 use mavlink::dialects::ardupilotmega::MavMissionResult::{
     self, MAV_MISSION_ACCEPTED, MAV_MISSION_DENIED, MAV_MISSION_ERROR,
     MAV_MISSION_INVALID_SEQUENCE, MAV_MISSION_NO_SPACE, MAV_MISSION_OPERATION_CANCELLED,
     MAV_MISSION_UNSUPPORTED,
 };
 use mavlink::dialects::ardupilotmega::MavSeverity::{MAV_SEVERITY_INFO, MAV_SEVERITY_WARNING};
+use mavlink::dialects::ardupilotmega::{
+    MISSION_ACK_DATA, MISSION_CLEAR_ALL_DATA, MISSION_COUNT_DATA, MISSION_ITEM_DATA,
+    MISSION_ITEM_INT_DATA, MISSION_REQUEST_DATA, MISSION_REQUEST_INT_DATA,
+    MISSION_REQUEST_LIST_DATA, MISSION_WRITE_PARTIAL_LIST_DATA,
+};
 
 use self::kept::announce;
 pub(super) use self::kept::{as_sent, leads_somewhere, replace, take_fence};
@@ -28,15 +36,15 @@ const ASK_AGAIN_AFTER: Duration = Duration::from_secs(1);
 /// An upload ends when no item has come for this long.
 const GIVE_UP_AFTER: Duration = Duration::from_secs(8);
 /// Message ids of what is said and heard.
-const PARTIAL: u32 = 38;
-const ITEM: u32 = 39;
-const REQUEST: u32 = 40;
-const REQUEST_LIST: u32 = 43;
-const COUNT: u32 = 44;
-const CLEAR_ALL: u32 = 45;
-const ACK: u32 = 47;
-const REQUEST_INT: u32 = 51;
-const ITEM_INT: u32 = 73;
+const PARTIAL: u32 = MISSION_WRITE_PARTIAL_LIST_DATA::ID;
+const ITEM: u32 = MISSION_ITEM_DATA::ID;
+const REQUEST: u32 = MISSION_REQUEST_DATA::ID;
+const REQUEST_LIST: u32 = MISSION_REQUEST_LIST_DATA::ID;
+const COUNT: u32 = MISSION_COUNT_DATA::ID;
+const CLEAR_ALL: u32 = MISSION_CLEAR_ALL_DATA::ID;
+const ACK: u32 = MISSION_ACK_DATA::ID;
+const REQUEST_INT: u32 = MISSION_REQUEST_INT_DATA::ID;
+const ITEM_INT: u32 = MISSION_ITEM_INT_DATA::ID;
 /// What is under way with the three lists.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Lists([ListState; 3]);
@@ -92,6 +100,12 @@ impl Lists {
     fn of(&mut self, kind: ListKind) -> &mut ListState {
         &mut self.0[usize::from(kind.number())]
     }
+}
+
+/// Whether a message belongs to the protocol.
+pub(super) fn is_part(id: u32) -> bool {
+    let requests = matches!(id, REQUEST | REQUEST_INT | REQUEST_LIST | CLEAR_ALL);
+    requests || matches!(id, PARTIAL | ITEM | ITEM_INT | COUNT | ACK)
 }
 
 /// Answers a message of the protocol; `false` if it is none.

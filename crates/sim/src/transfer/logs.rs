@@ -2,7 +2,12 @@
 
 use std::time::Duration;
 
+use mavlink::MessageData as _;
 use mavlink::dialects::ardupilotmega::MavSeverity::{MAV_SEVERITY_ERROR, MAV_SEVERITY_INFO};
+use mavlink::dialects::ardupilotmega::{
+    LOG_DATA_DATA, LOG_ENTRY_DATA, LOG_ERASE_DATA, LOG_REQUEST_DATA_DATA, LOG_REQUEST_END_DATA,
+    LOG_REQUEST_LIST_DATA,
+};
 
 use super::tree::FolderEntry;
 use super::{Peer, Talk};
@@ -13,12 +18,12 @@ use crate::vehicle::Vehicle;
 pub(super) const FOLDER: &str = "logs";
 const LAST_LOG: &str = "LASTLOG.TXT";
 /// Message ids, and bytes of a log in one message.
-const REQUEST_LIST: u32 = 117;
-const ENTRY: u32 = 118;
-const REQUEST_DATA: u32 = 119;
-const DATA: u32 = 120;
-const ERASE: u32 = 121;
-const REQUEST_END: u32 = 122;
+const REQUEST_LIST: u32 = LOG_REQUEST_LIST_DATA::ID;
+const ENTRY: u32 = LOG_ENTRY_DATA::ID;
+const REQUEST_DATA: u32 = LOG_REQUEST_DATA_DATA::ID;
+const DATA: u32 = LOG_DATA_DATA::ID;
+const ERASE: u32 = LOG_ERASE_DATA::ID;
+const REQUEST_END: u32 = LOG_REQUEST_END_DATA::ID;
 const DATA_BYTES: usize = 90;
 /// Messages of a download in one step.
 const SEND_PER_STEP: usize = 40;
@@ -67,6 +72,11 @@ pub(super) fn file(vehicle: &Vehicle, name: &str) -> Option<Vec<u8>> {
     }
     let log = kept.iter().find(|log| log.file_name() == name)?;
     Some(log.file(&vehicle.parameters))
+}
+
+/// Whether a message belongs to the protocol.
+pub(super) fn is_part(id: u32) -> bool {
+    matches!(id, REQUEST_LIST | REQUEST_DATA | ERASE | REQUEST_END)
 }
 
 /// Answers a message of the protocol; `false` if it is none.
