@@ -64,12 +64,21 @@ impl<'a> Panel<'a> {
 
     /// Draws a rule with a title along its top and returns what is left below it.
     pub fn titled(self, title: &str, buffer: &mut Buffer) -> Rect {
-        let Some(mut x) = put(
-            buffer,
-            self.area,
-            0,
-            &Line::styled("── ", self.style(Role::Border)),
-        ) else {
+        self.ruled(title, '─', self.style(Role::Border), buffer)
+    }
+
+    /// The same for a pane that the keys may go to: a heavy rule says that they do.
+    pub fn focused(self, title: &str, has_keys: bool, buffer: &mut Buffer) -> Rect {
+        if has_keys {
+            self.ruled(title, '━', self.style(Role::Key), buffer)
+        } else {
+            self.titled(title, buffer)
+        }
+    }
+
+    fn ruled(self, title: &str, stroke: char, style: Style, buffer: &mut Buffer) -> Rect {
+        let lead = format!("{stroke}{stroke} ");
+        let Some(mut x) = put(buffer, self.area, 0, &Line::styled(lead, style)) else {
             return self.area;
         };
         let right = self.area.right();
@@ -84,16 +93,28 @@ impl<'a> Panel<'a> {
             )
             .0;
         if x < right {
-            let rest = "─".repeat(usize::from(right - x).saturating_sub(1));
-            buffer.set_stringn(
-                x + 1,
-                self.area.y,
-                rest,
-                usize::from(right - x),
-                self.style(Role::Border),
-            );
+            let columns = usize::from(right - x).saturating_sub(1);
+            let rest = stroke.to_string().repeat(columns);
+            buffer.set_stringn(x + 1, self.area.y, rest, columns, style);
         }
         below(self.area, 1)
+    }
+
+    /// Marks that a list of so many lines goes on above or below what is shown of it from a line on: in the column
+    /// beside it where there is one.
+    pub fn mark_scroll(self, first: usize, count: usize, buffer: &mut Buffer) {
+        if self.area.is_empty() {
+            return;
+        }
+        let x = self.area.right().min(buffer.area.right().saturating_sub(1));
+        let goes_on = first + usize::from(self.area.height) < count;
+        let marks = [
+            (first > 0, self.area.y, "▲"),
+            (goes_on, self.area.bottom() - 1, "▼"),
+        ];
+        for (_, y, mark) in marks.into_iter().filter(|(is_shown, ..)| *is_shown) {
+            buffer.set_stringn(x, y, mark, 1, self.style(Role::Key));
+        }
     }
 
     /// Shows that the cursor is here. What has a ground of its own, such as ARMED, keeps it, so that the cursor hides
@@ -192,6 +213,7 @@ pub fn clip(text: &str, width: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::ui::ascii;
     use crate::ui::theme::Theme;
 
     #[test]
@@ -218,5 +240,35 @@ mod tests {
             let is_turned = before[(8, 0)].modifier.contains(Modifier::REVERSED);
             assert!(is_turned || armed == before[(8, 0)].style(), "{name}");
         }
+    }
+
+    #[test]
+    fn a_list_says_where_it_goes_on_beside_itself_or_in_its_last_column() {
+        let look = Look::default();
+        let marks = |columns: u16, first: usize, count: usize| -> Vec<String> {
+            let mut buffer = Buffer::empty(Rect::new(0, 0, 4, 3));
+            let list = Panel::new(&look, Rect::new(0, 0, columns, 3));
+            list.mark_scroll(first, count, &mut buffer);
+            let rows = buffer.content.chunks(4);
+            rows.map(|row| row.iter().map(ratatui::buffer::Cell::symbol).collect())
+                .collect()
+        };
+        assert_eq!(marks(3, 0, 3), ["    ", "    ", "    "]);
+        assert_eq!(marks(3, 0, 4), ["    ", "    ", "   ▼"]);
+        assert_eq!(marks(2, 1, 5), ["  ▲ ", "    ", "  ▼ "]);
+        assert_eq!(marks(4, 2, 5), ["   ▲", "    ", "    "]);
+    }
+
+    #[test]
+    fn the_pane_with_the_keys_has_a_heavy_rule_in_ascii_too() {
+        let look = Look::default();
+        let rule = |has_keys| {
+            let panel = Panel::new(&look, Rect::new(0, 0, 10, 2));
+            let mut buffer = Buffer::empty(panel.area);
+            panel.focused("list", has_keys, &mut buffer);
+            buffer.content[0].symbol().to_owned()
+        };
+        assert_ne!(rule(true), rule(false));
+        assert_ne!(ascii::line(&rule(true)), ascii::line(&rule(false)));
     }
 }

@@ -49,4 +49,5 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
             &Line::styled(line.as_str(), panel.style(role)),
         );
     }
+    panel.at(column).mark_scroll(first, lines.len(), buffer);
 }

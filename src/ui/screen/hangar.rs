@@ -69,7 +69,7 @@ fn draw_list(state: &State, hangar: &Hangar, panel: Panel<'_>, buffer: &mut Buff
     let title = format!("{}: {}", panel.say("room-hangar"), panel.text(&ready));
     let most = panel.area.height.saturating_sub(8).max(4);
     let rows = (hangar.instances().len().max(1) as u16 + 3).min(most);
-    let inner = panel.upper(rows).titled(&title, buffer);
+    let inner = panel.upper(rows).focused(&title, true, buffer);
     let columns = Columns::new(hangar, inner.width);
     put(
         buffer,
@@ -114,6 +114,9 @@ fn draw_list(state: &State, hangar: &Hangar, panel: Panel<'_>, buffer: &mut Buff
             panel.at(row_of(inner, row as u16)).mark_cursor(buffer);
         }
     }
+    panel
+        .at(inner)
+        .mark_scroll(first, hangar.instances().len(), buffer);
     below(panel.area, rows)
 }
 

@@ -58,7 +58,8 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 
 fn draw_list(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let room = state.rooms().ledger();
-    let inner = panel.titled(&title(state, panel.look), buffer);
+    let is_opened = room.is_opened();
+    let inner = panel.focused(&title(state, panel.look), !is_opened, buffer);
     let width = usize::from(inner.width);
     put(buffer, inner, 0, &headings(panel.look, width));
     let list = below(inner, 1);
@@ -92,6 +93,9 @@ fn draw_list(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
             panel.at(row_of(list, row as u16)).mark_cursor(buffer);
         }
     }
+    panel
+        .at(list)
+        .mark_scroll(first, room.shown().len(), buffer);
 }
 
 fn title(state: &State, look: &Look) -> String {
@@ -198,16 +202,18 @@ fn seconds(time_s: f64) -> String {
 fn draw_rows(state: &State, entry: &LedgerEntry, panel: Panel<'_>, buffer: &mut Buffer) {
     let time = clock(state.session().time(entry.at));
     let title = format!("{time} {}", entry.line);
-    let inner = panel.titled(&title, buffer);
+    let is_opened = state.rooms().ledger().is_opened();
+    let inner = panel.focused(&title, is_opened, buffer);
     let lines = lines(entry, panel.look, usize::from(inner.width));
     let rows = usize::from(inner.height);
-    let scroll = if state.rooms().ledger().is_opened() {
+    let scroll = if is_opened {
         state.rooms().ledger().scroll()
     } else {
         0
     };
     let first = scroll.min(lines.len().saturating_sub(rows));
     let hidden = lines.len().saturating_sub(first + rows);
+    panel.at(inner).mark_scroll(first, lines.len(), buffer);
     for (row, line) in lines.into_iter().skip(first).take(rows).enumerate() {
         put(buffer, inner, row as u16, &line);
     }

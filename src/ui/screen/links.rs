@@ -59,7 +59,7 @@ fn draw_list(state: &State, cursor: usize, panel: Panel<'_>, buffer: &mut Buffer
         );
         title = format!("{title} {}", panel.text(&part));
     }
-    let inner = panel.titled(&title, buffer);
+    let inner = panel.focused(&title, true, buffer);
     let name_width = usize::from(inner.width).saturating_sub(46);
     let head = format!(
         "{:>3} {:name_width$} {:>8} {:>8} {:>6}  {}",
@@ -86,6 +86,7 @@ fn draw_list(state: &State, cursor: usize, panel: Panel<'_>, buffer: &mut Buffer
             panel.at(row_of(inner, row as u16)).mark_cursor(buffer);
         }
     }
+    panel.at(inner).mark_scroll(first, links.len(), buffer);
 }
 
 fn list_line(

@@ -41,7 +41,8 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 }
 
 fn draw_tree(room: &Messages, branches: &[Branch], panel: Panel<'_>, buffer: &mut Buffer) {
-    let inner = panel.titled(&tree_title(room, panel.look), buffer);
+    let has_keys = room.field().is_none();
+    let inner = panel.focused(&tree_title(room, panel.look), has_keys, buffer);
     let is_wide = panel.area.width >= WIDE_TREE;
     let head = heading(is_wide, inner.width, panel.look);
     put(
@@ -73,14 +74,15 @@ fn draw_tree(room: &Messages, branches: &[Branch], panel: Panel<'_>, buffer: &mu
         let line = tree_line(room, branch, is_wide, inner.width, panel.look);
         put(buffer, inner, row as u16, &line);
         if first + row == cursor {
-            let role = if room.field().is_some() {
-                Role::Selected
-            } else {
+            let role = if has_keys {
                 Role::Cursor
+            } else {
+                Role::Selected
             };
             buffer.set_style(row_of(inner, row as u16), panel.style(role));
         }
     }
+    panel.at(inner).mark_scroll(first, branches.len(), buffer);
 }
 
 fn tree_title(room: &Messages, look: &Look) -> String {

@@ -37,6 +37,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
             left,
             width.saturating_sub(2),
         );
+        panel.at(here).mark_scroll(first, page.len(), buffer);
         for (row, line) in page.iter().skip(first).take(rows).enumerate() {
             draw_line(line, panel.at(row_of(here, row as u16)), buffer);
         }

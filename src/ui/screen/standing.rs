@@ -111,14 +111,9 @@ fn draw_summary(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
 }
 
 impl Subject<'_> {
-    /// A pane's rule with its title; the one that the cursor is in has a mark.
+    /// A pane's rule with its title; that of the one that the cursor is in is heavy.
     fn pane(&self, pane: Pane, title: &str, area: Rect, buffer: &mut Buffer) -> Rect {
-        let mark = if self.state.rooms().standing().pane() == pane {
-            "> "
-        } else {
-            ""
-        };
-        Panel::new(self.look, area).titled(&format!("{mark}{title}"), buffer)
+        Panel::new(self.look, area).focused(title, self.has_cursor(pane), buffer)
     }
 
     /// Whether the cursor is in a pane.

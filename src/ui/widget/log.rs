@@ -41,6 +41,7 @@ pub fn draw(state: &State, log: Log, cursor: Option<usize>, panel: Panel<'_>, bu
     // Every entry has a line at least: more of them than rows on either side cannot be seen.
     let near = cursor.saturating_sub(rows)..(cursor + rows + 1).min(count);
     let before = cursor - near.start;
+    let (near_start, near_end) = (near.start, near.end);
     let blocks = blocks(state, log, near, usize::from(inner.width), panel.look);
     if blocks.is_empty() {
         let text = panel.say("fly-nothing-yet");
@@ -73,6 +74,12 @@ pub fn draw(state: &State, log: Log, cursor: Option<usize>, panel: Panel<'_>, bu
             put(buffer, margin, row as u16, &Line::raw(">"));
         }
     }
+    // Of what lies beyond, only the nearest lines were made.
+    let above = first + near_start;
+    let beyond = count.saturating_sub(near_end);
+    panel
+        .at(inner)
+        .mark_scroll(above, above + lines.len() - first + beyond, buffer);
 }
 
 fn blocks<'a>(

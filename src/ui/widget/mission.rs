@@ -74,7 +74,8 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-fn hint_lines(progress: &Progress, width: usize, look: &Look) -> Vec<String> {
+/// What advises the trainee now, in lines of a width.
+pub fn hint_lines(progress: &Progress, width: usize, look: &Look) -> Vec<String> {
     let asked_for = progress.clues.given.last();
     let given =
         asked_for.map(|(level, hint)| text!("mission-hint-of", level = *level, hint = hint));

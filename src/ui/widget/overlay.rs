@@ -94,6 +94,10 @@ fn draw_help(state: &State, scroll: usize, panel: Panel<'_>, buffer: &mut Buffer
     let columns = usize::from((inner.width / HELP_COLUMN).max(1));
     let rows = usize::from(inner.height);
     let first = scroll.min(lines.len().saturating_sub(rows * columns));
+    let count = lines.len().div_ceil(columns);
+    panel
+        .at(inner)
+        .mark_scroll(first.div_ceil(columns), count, buffer);
     for (at, line) in lines
         .into_iter()
         .skip(first)

@@ -1,4 +1,4 @@
-//! The command line: the line itself, the wrong word marked, what could follow.
+//! The command line: what could follow, what is wrong, and the line itself with the wrong word marked.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
@@ -9,7 +9,7 @@ use tui_input::Input;
 use crate::app::State;
 use crate::app::action::{Action, LineAction};
 use crate::app::keymap::Place;
-use crate::app::state::Palette;
+use crate::app::state::{Palette, Room};
 use crate::diagnostic::Diagnostic;
 use crate::language::Completion;
 use crate::text;
@@ -17,10 +17,16 @@ use crate::text::Text;
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{below, clip, put, row_of, wrap};
+use crate::ui::widget::{below, clip, mission, put, row_of, wrap};
 
-/// Rows of the box: frame, line, mark, message, choices.
+/// Rows of the box at most: frame, choices, message, line.
 const HEIGHT: u16 = 13;
+/// Rows and columns of its frame, with the margins inside it.
+const FRAME_ROWS: usize = 2;
+const FRAME: usize = 4;
+/// Below so many rows of the screen the box covers the mission's pane; rows of the running hint in it.
+const LOW: u16 = 36;
+const LESSON_ROWS: usize = 2;
 /// Rows of what is wrong with a word, and of how the verb is written.
 const FAULT_ROWS: usize = 4;
 const HINT_ROWS: usize = 3;
@@ -29,34 +35,9 @@ const LONGEST_WORD: usize = 24;
 /// Columns before the line.
 const PROMPT: u16 = 2;
 
-/// Draws the box above the footer and returns where the terminal's cursor belongs.
+/// Draws the box above the footer, as high as what it says, and returns where the terminal's cursor belongs. The line
+/// is its last row, so that it stays in its place whatever is said above it.
 pub fn draw(state: &State, palette: &Palette, panel: Panel<'_>, buffer: &mut Buffer) -> Position {
-    let place = Rect {
-        y: panel.area.bottom().saturating_sub(HEIGHT + 1),
-        height: HEIGHT,
-        ..panel.area
-    };
-    let title = format!(
-        "{} {}",
-        panel.say("palette-title"),
-        panel.text(palette.recipients())
-    );
-    let inner = panel
-        .at(place)
-        .boxed(title.trim_end(), Role::Accent, buffer);
-    let fault = palette.fault();
-    let (cursor, scroll) = draw_line(palette.input(), fault, panel.at(inner), buffer);
-    let mut rest = below(inner, 1);
-    if let Some(fault) = fault {
-        draw_carets(
-            palette.input().value(),
-            fault,
-            scroll,
-            panel.at(rest),
-            buffer,
-        );
-        rest = below(rest, 1);
-    }
     let grammar = text!(
         "palette-grammar",
         complete = state
@@ -66,17 +47,78 @@ pub fn draw(state: &State, palette: &Palette, panel: Panel<'_>, buffer: &mut Buf
             .keymap()
             .key(Action::Line(LineAction::Older), Place::Prompt)
     );
-    for line in explanation(
+    let width = panel.width().saturating_sub(FRAME);
+    let said = explanation(
         palette,
         &grammar,
-        usize::from(indented(rest).width),
+        width.saturating_sub(PROMPT.into()),
         panel.look,
-    ) {
-        put(buffer, indented(rest), 0, &line);
+    );
+    let lesson = lesson(state, panel.area.height, width, panel.look);
+    let most = usize::from(HEIGHT).saturating_sub(FRAME_ROWS + 1 + said.len() + lesson.len());
+    let choices = choices(palette, most, width, panel.look);
+    let rows = FRAME_ROWS + 1 + said.len() + choices.len() + lesson.len();
+    let place = at_the_bottom(panel.area, rows as u16);
+    let title = format!(
+        "{} {}",
+        panel.say("palette-title"),
+        panel.text(palette.recipients())
+    );
+    let inner = panel
+        .at(place)
+        .boxed(title.trim_end(), Role::Accent, buffer);
+    let mut rest = inner;
+    for line in &lesson {
+        put(buffer, rest, 0, line);
         rest = below(rest, 1);
     }
-    draw_choices(palette, panel.at(below(rest, 1)), buffer);
+    for choice in &choices {
+        put(buffer, rest, 0, &choice.line);
+        if choice.is_chosen {
+            panel.at(row_of(rest, 0)).mark_cursor(buffer);
+        }
+        rest = below(rest, 1);
+    }
+    for line in &said {
+        put(buffer, indented(rest), 0, line);
+        rest = below(rest, 1);
+    }
+    let fault = palette.fault();
+    let (cursor, scroll) = draw_line(palette.input(), fault, panel.at(rest), buffer);
+    if let Some(fault) = fault {
+        // On the frame: a row that comes and goes would move the line.
+        let frame = Rect {
+            y: place.bottom().saturating_sub(1),
+            height: 1,
+            ..inner
+        };
+        let line = palette.input().value();
+        draw_carets(line, fault, scroll, panel.at(frame), buffer);
+    }
     cursor
+}
+
+/// A box above the footer.
+fn at_the_bottom(area: Rect, rows: u16) -> Rect {
+    let height = rows.min(area.height.saturating_sub(1));
+    Rect {
+        y: area.bottom().saturating_sub(height + 1),
+        height,
+        ..area
+    }
+}
+
+/// The running hint, on a screen so low that the box covers its pane: it is what is being typed.
+fn lesson(state: &State, height: u16, width: usize, look: &Look) -> Vec<Line<'static>> {
+    let progress = state.session().mission();
+    let Some(progress) = progress.filter(|_| state.room() == Room::Fly && height < LOW) else {
+        return Vec::new();
+    };
+    let lines = mission::hint_lines(progress, width, look).into_iter();
+    let shown = lines.take(LESSON_ROWS);
+    shown
+        .map(|line| Line::styled(line, look.style(Role::Accent)))
+        .collect()
 }
 
 /// What is wrong, how the verb is written, and what Enter would do.
@@ -180,31 +222,28 @@ fn draw_carets(
     put(buffer, indented(panel.area), 0, &line);
 }
 
-fn draw_choices(palette: &Palette, panel: Panel<'_>, buffer: &mut Buffer) {
+/// A row of the list of choices.
+struct ChoiceRow<'a> {
+    line: Line<'a>,
+    is_chosen: bool,
+}
+
+/// What could follow, in so many rows at most.
+fn choices<'a>(palette: &'a Palette, rows: usize, width: usize, look: &Look) -> Vec<ChoiceRow<'a>> {
     let choices = palette.completions();
-    let (rows, width) = (
-        usize::from(panel.area.height),
-        usize::from(panel.area.width),
-    );
     // The chosen one is the last row once the list has to scroll.
     let first = palette
         .chosen()
         .map_or(0, |chosen| (chosen + 1).saturating_sub(rows));
-    let widest = choices
-        .iter()
-        .skip(first)
-        .take(rows)
-        .map(|choice| choice.text.chars().count())
-        .max();
+    let seen = || choices.iter().enumerate().skip(first).take(rows);
+    let widest = seen().map(|(_, choice)| choice.text.chars().count()).max();
     let name_width = widest.unwrap_or(0).clamp(12, 24);
-    let mut blocks: Vec<Vec<Line<'_>>> = choices
-        .iter()
-        .enumerate()
-        .skip(first)
-        .take(rows)
+    let mut blocks: Vec<Vec<ChoiceRow<'_>>> = seen()
         .map(|(at, choice)| {
             let is_chosen = palette.chosen() == Some(at);
-            choice_lines(choice, is_chosen, name_width, width, panel.look)
+            let lines = choice_lines(choice, is_chosen, name_width, width, look);
+            let rows = lines.into_iter();
+            rows.map(|line| ChoiceRow { line, is_chosen }).collect()
         })
         .collect();
     // Each in full where there is room for all, else a line for each.
@@ -213,17 +252,7 @@ fn draw_choices(palette: &Palette, panel: Panel<'_>, buffer: &mut Buffer) {
             block.truncate(1);
         }
     }
-    let mut rest = panel.area;
-    for (at, block) in blocks.into_iter().enumerate() {
-        let is_chosen = palette.chosen() == Some(first + at);
-        for line in block {
-            put(buffer, rest, 0, &line);
-            if is_chosen {
-                panel.at(row_of(rest, 0)).mark_cursor(buffer);
-            }
-            rest = below(rest, 1);
-        }
-    }
+    blocks.into_iter().flatten().collect()
 }
 
 /// A choice and what it means, in as many lines as that takes.

@@ -12,7 +12,7 @@ use crate::text;
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{centred, clip, put, row_of};
+use crate::ui::widget::{centred, clip, put, row_of, upper};
 
 /// Columns of the list.
 const WIDTH: u16 = 60;
@@ -49,6 +49,8 @@ pub fn draw(state: &State, cursor: usize, panel: Panel<'_>, buffer: &mut Buffer)
             panel.at(row_of(inner, row)).mark_cursor(buffer);
         }
     }
+    let list = upper(inner, rows as u16);
+    panel.at(list).mark_scroll(first, trainees.len(), buffer);
     let keys = text!(
         "profiles-keys",
         scroll = state.keymap().keys(Action::UP_AND_DOWN, Place::List),

@@ -84,7 +84,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         .saturating_sub(rows / 2)
         .min(fly.rows().len().saturating_sub(rows));
     let head = columns(panel.area, 0, panel.area.width.saturating_sub(6));
-    let inner = panel.titled(&title(state, first, rows, panel.at(head)), buffer);
+    let inner = panel.focused(&title(state, first, rows, panel.at(head)), true, buffer);
     let words = Words::new(panel.look);
     let columns = layout::columns(state, &words, panel.look, inner.width.saturating_sub(MARKS));
     draw_titles(&columns, panel.at(inner), buffer);
@@ -118,6 +118,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
             draw_vehicle(&row, &columns, panel.at(line), buffer);
         }
     }
+    panel.at(list).mark_scroll(first, fly.rows().len(), buffer);
 }
 
 /// What the rule above the table says: how many are shown, in which order, and who is selected.

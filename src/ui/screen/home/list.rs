@@ -44,11 +44,12 @@ pub(super) fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let cursor = state.rooms().home().cursor();
     let lines = lines(state, panel.look);
     let cursor_line = lines.iter().position(|(at, _)| *at == Some(cursor));
-    let inner = panel.titled("sortie", buffer);
+    let inner = panel.focused("sortie", true, buffer);
     let rows = usize::from(inner.height);
     let middle = cursor_line.unwrap_or(0).saturating_sub(rows / 2);
     let first = middle.min(lines.len().saturating_sub(rows));
     let count = lines.len();
+    panel.at(inner).mark_scroll(first, count, buffer);
     let items = items(state);
     for (row, (at, text)) in lines.into_iter().skip(first).take(rows).enumerate() {
         let row = row as u16;

@@ -40,7 +40,7 @@ pub(super) fn draw(
         key, tally, now, ..
     } = selected;
     let title = format!("{} ({})", name_of(key.message), key.message);
-    let inner = panel.titled(&title, buffer);
+    let inner = panel.focused(&title, room.field().is_some(), buffer);
     let Some(frame) = Anatomy::of(&tally.last) else {
         return;
     };
@@ -137,6 +137,7 @@ fn draw_rows(rows: &[Row], field: Option<usize>, panel: Panel<'_>, buffer: &mut 
     let height = usize::from(panel.area.height);
     let middle = cursor.saturating_sub(height / 2);
     let first = middle.min(rows.len().saturating_sub(height));
+    panel.mark_scroll(first, rows.len(), buffer);
     for (at, row) in rows.iter().skip(first).take(height).enumerate() {
         put(buffer, panel.area, at as u16, &row.1);
         if is_cursor(row) {

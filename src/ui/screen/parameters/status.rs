@@ -35,7 +35,7 @@ pub fn draw(
             other = named(&comparison.with)
         ),
     };
-    let inner = panel.titled(&panel.text(&title), buffer);
+    let inner = panel.focused(&panel.text(&title), true, buffer);
     let is_lost = state
         .session()
         .vehicles()

@@ -47,6 +47,8 @@ pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
             Panel::new(look, row_of(inner, row)).mark_cursor(buffer);
         }
     }
+    let list_panel = Panel::new(look, upper(inner, rows as u16));
+    list_panel.mark_scroll(first, flown.len(), buffer);
     let used = 2 + rows as u16;
     draw_chart(subject, flown[cursor], below(area, used), buffer);
 }

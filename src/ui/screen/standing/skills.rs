@@ -34,6 +34,7 @@ pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
             Panel::new(look, row_of(inner, row)).mark_cursor(buffer);
         }
     }
+    Panel::new(look, inner).mark_scroll(0, Skill::ALL.len(), buffer);
     let skill = Skill::ALL.get(cursor).copied().unwrap_or(Skill::K1);
     draw_moves(
         subject,
@@ -101,6 +102,7 @@ fn draw_moves(subject: &Subject<'_>, skill: Skill, area: Rect, buffer: &mut Buff
         );
     }
     let rows = usize::from(inner.height);
+    Panel::new(look, inner).mark_scroll(0, moves.len(), buffer);
     for (row, moved) in moves.iter().rev().take(rows).enumerate() {
         let line = moved_line(subject, moved, usize::from(inner.width));
         put(buffer, inner, row as u16, &line);

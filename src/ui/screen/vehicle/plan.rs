@@ -113,6 +113,7 @@ fn draw_items(subject: &Subject<'_>, plan: &Plan, area: Rect, buffer: &mut Buffe
         .unwrap_or(0)
         .saturating_sub(1)
         .min(items.len().saturating_sub(rows));
+    Panel::new(look, area).mark_scroll(first, items.len(), buffer);
     for (row, at) in (first..items.len()).take(rows).enumerate() {
         let is_current = current == Some(at);
         let mark = if is_current { '>' } else { ' ' };

@@ -55,6 +55,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
     let room_for = usize::from(inner.height);
     let first = room.scroll().min(lines.len().saturating_sub(room_for));
+    panel.at(inner).mark_scroll(first, lines.len(), buffer);
     for (row, line) in lines.into_iter().skip(first).take(room_for).enumerate() {
         put(buffer, inner, row as u16, &line);
     }

@@ -34,7 +34,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         (upper(panel.area, rows), below(panel.area, rows))
     };
     let title = text!("bench-fleet", mission = mission_title(state, panel.look));
-    let inner = panel.at(list).titled(&panel.text(&title), buffer);
+    let inner = panel.at(list).focused(&panel.text(&title), true, buffer);
     let name = state.rooms().workshop().bench().design().name.clone();
     let on_bench = panel.text(&text!("bench-fleet-about", name = name));
     let line = Line::styled(format!(" {on_bench}"), panel.style(Role::Muted));
@@ -54,6 +54,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
             show_cursor(panel.look, true, place, buffer);
         }
     }
+    panel.at(inner).mark_scroll(first, all.len(), buffer);
     mission::draw(state, panel.at(columns(needs, 0, LIST)), buffer);
 }
 

@@ -30,7 +30,9 @@ const DETAIL: u16 = 5;
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let bench = state.rooms().workshop().bench();
     let layout = Layout::new(state, panel.area.width);
-    let mut inner = panel.titled(&layout.title(bench.slot(), panel.look), buffer);
+    let has_keys = state.rooms().workshop().pane() == Pane::Parts;
+    let title = layout.title(bench.slot(), panel.look);
+    let mut inner = panel.focused(&title, has_keys, buffer);
     if layout.shown.len() > 1 {
         let style = panel.style(Role::Muted);
         put(
@@ -56,10 +58,10 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
             &layout.line(state, candidate, bench.sheet(), panel.look),
         );
         if at == cursor {
-            let has_keys = state.rooms().workshop().pane() == Pane::Parts;
             show_cursor(panel.look, has_keys, place, buffer);
         }
     }
+    panel.at(list).mark_scroll(first, candidates.len(), buffer);
     if let Some(candidate) = bench.candidate() {
         let place = columns(below(inner, list.height), 1, inner.width.saturating_sub(1));
         draw_detail(state, candidate, panel.at(place), buffer);

@@ -19,7 +19,7 @@ const PRICE: usize = 10;
 const NAME: usize = 28;
 
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
-    let inner = panel.titled(&panel.say("bench-designs"), buffer);
+    let inner = panel.focused(&panel.say("bench-designs"), true, buffer);
     let all = stored(state);
     if all.is_empty() {
         let line = Line::styled(panel.say("bench-no-designs"), panel.style(Role::Muted));
@@ -38,6 +38,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
             show_cursor(panel.look, true, place, buffer);
         }
     }
+    panel.at(inner).mark_scroll(first, all.len(), buffer);
 }
 
 fn line(Stored { design, is_own }: Stored<'_>, look: &Look, width: u16) -> Line<'static> {

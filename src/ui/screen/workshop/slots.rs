@@ -30,7 +30,8 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     } else {
         format!("{name} ({})", panel.say("bench-not-saved"))
     };
-    let inner = panel.titled(&title, buffer);
+    let has_keys = room.pane() == Pane::Slots;
+    let inner = panel.focused(&title, has_keys, buffer);
     let rows = room.bench().rows();
     let cursor = room.bench().row();
     let first = first_shown(cursor, rows.len(), inner.height);
@@ -55,9 +56,10 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
             &line.drawn(room.bench().design(), panel.look),
         );
         if at == cursor {
-            show_cursor(panel.look, room.pane() == Pane::Slots, place, buffer);
+            show_cursor(panel.look, has_keys, place, buffer);
         }
     }
+    panel.at(inner).mark_scroll(first, rows.len(), buffer);
 }
 
 struct Row<'a> {
