@@ -76,6 +76,7 @@ pub use hint::{Clue, Hint, Phase};
 pub use lesson::{LessonStep, STEP_KEY};
 pub use listing::{FitListing, Listing, ObjectiveListing};
 pub use needs::{FitLine, Need};
+pub(crate) use objective::Trying;
 pub use progress::{
     Cell, ClueProgress, Ground, LoadLeft, MovingThing, ObjectiveProgress, ObjectiveState, Progress,
     Reading, ShownContact, ShownMark, Trust,
@@ -201,6 +202,13 @@ impl Mission {
     pub fn objective_skills(&self) -> impl Iterator<Item = (&str, Option<Skill>)> {
         let objectives = self.objectives.iter();
         objectives.map(|objective| (objective.id.as_str(), objective.kind.skill(self.vehicles)))
+    }
+
+    /// How a flight shows that it tried an objective; `None` for an id that is not there.
+    pub(crate) fn trying(&self, objective: &str) -> Option<Trying> {
+        let mut objectives = self.objectives.iter();
+        let found = objectives.find(|it| it.id == objective);
+        found.map(|it| it.kind.trying())
     }
 
     /// Whether something can happen that wants an answer.

@@ -22,8 +22,9 @@ detect-result = F{ $beta } { $score }: { $found }/{ $there } found, { $wrong } f
 detect-outlook = { $count } reported
 detect-quality = recall { $recall }, precision { $precision }
 detect-target = F{ $beta } { $target }, within { $radius } m
-detect-advice-missed = { $missed } were missed and { $wrong } reports were wrong: look again, lower and slower, and confirm before you report
-detect-advice-wrong = { $wrong } reports were wrong: confirm with another sensor, or from nearer, before you report
+detect-target-cost = F{ $beta } { $target }, within { $radius } m; a false report costs { $cost } finds
+detect-advice-missed = missed: { $missed }, wrong reports: { $wrong }. Look again, lower and slower, and confirm before you report
+detect-advice-wrong = wrong reports: { $wrong }. Confirm with another sensor, or from nearer, before you report
 
 # Passing over a zone.
 coverage-result = { $swept } % swept (C { $coverage }; at random it would find { $random } %)

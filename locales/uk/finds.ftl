@@ -22,6 +22,7 @@ detect-result = F{ $beta } { $score }: знайдено { $found }/{ $there }, �
 detect-outlook = повідомлено: { $count }
 detect-quality = повнота { $recall }, точність { $precision }
 detect-target = F{ $beta } { $target }, у межах { $radius } m
+detect-target-cost = F{ $beta } { $target }, у межах { $radius } m; хибне повідомлення коштує { $cost } знахідки
 detect-advice-missed = пропущено { $missed }, помилкових повідомлень { $wrong }: огляньте ще раз, нижче й повільніше, і підтверджуйте перед повідомленням
 detect-advice-wrong = помилкових повідомлень { $wrong }: спершу підтвердьте іншим датчиком або зблизька
 

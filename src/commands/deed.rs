@@ -46,8 +46,23 @@ impl Deed {
 
     /// Whether it concerns the mission as a whole: done with one vehicle, it is done with all.
     pub fn is_of_all(&self) -> bool {
-        let contacts = |subject: &Subject| matches!(subject, Subject::Contacts { .. });
-        matches!(self, Self::Mark { subject, .. } if contacts(subject))
+        match self {
+            Self::Mark {
+                subject: Subject::Spot(spot),
+                ..
+            }
+            | Self::Unmark { spot } => *spot != Spot::Here,
+            Self::Mark {
+                subject: Subject::Contacts { .. },
+                ..
+            } => true,
+            Self::Sample
+            | Self::Drop
+            | Self::Spray { .. }
+            | Self::Predict { .. }
+            | Self::Goal(_)
+            | Self::Hint => false,
+        }
     }
 
     /// What a kind of find is called by people; a word that names none stays as it is.

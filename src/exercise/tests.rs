@@ -267,3 +267,49 @@ fn without_its_sensor_a_mission_cannot_be_passed() {
     let (report, _) = built(|design| design.without(sensor));
     assert!(!report.passed);
 }
+
+/// The part that an objective has of its points when a script flies a mission.
+fn share_of(objective: &str, file: &str, script: &str) -> f64 {
+    let mission = Arc::new(Mission::parse(file).expect("no faults"));
+    let places = mission.places_to_name();
+    let vehicles: Vec<u16> = (1..=mission.vehicles as u16).collect();
+    let context = Context {
+        places: Some(&places),
+        vehicles: &vehicles,
+        ..Context::default()
+    };
+    let script = Script::parse(script, &context).expect("no faults");
+    let mut exercise = Exercise::new(mission, 2, script, Vec::new());
+    while !exercise.is_over() {
+        exercise.step();
+        exercise.take_notices();
+    }
+    let report = exercise.report();
+    let found = report.objectives.iter().find(|it| it.id == objective);
+    let found = found.expect("it is there");
+    found.points / found.points_max
+}
+
+/// The reference pilot up to a line, and from there a report of everything that was found, without a near look.
+fn blind(pilot: &str, until: &str) -> String {
+    let (sweep, _) = pilot.split_once(until).expect("it has this line");
+    format!("{sweep}3 mark contacts as person\nall rtl\nwait all disarmed timeout 200s\n")
+}
+
+#[test]
+fn marking_blindly_does_not_pay_in_the_night_search() {
+    let mission = include_str!("../../missions/05-night-search.toml");
+    let pilot = include_str!("../../missions/pilots/05-night-search.pilot");
+    let blind = share_of("find", mission, &blind(pilot, "all speed 10"));
+    let looked = share_of("find", mission, pilot);
+    assert!(blind < 0.5 && looked > 0.9, "{blind} {looked}");
+}
+
+#[test]
+fn marking_blindly_does_not_pay_in_the_plant_accident() {
+    let mission = include_str!("../../missions/14-combined-final.toml");
+    let pilot = include_str!("../../missions/pilots/14-combined-final.pilot");
+    let blind = share_of("people", mission, &blind(pilot, "3 goto c1"));
+    let looked = share_of("people", mission, pilot);
+    assert!(blind < 0.5 && looked > 0.9, "{blind} {looked}");
+}

@@ -13,6 +13,8 @@ use crate::vehicle::VehicleId;
 /// Something that a detector believes to have found.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Contact {
+    /// What it is called: `c1`, or `fire1` for what burns.
+    pub name: String,
     /// Where the detectors place it: the mean of their looks.
     pub at: Point,
     /// What it is taken for, in a word of [`Deed::KINDS`](crate::commands::Deed::KINDS).
@@ -60,7 +62,10 @@ pub(crate) enum Seen {
     Again,
 }
 
-/// All contacts of a flight; `c1` is the first.
+/// What burns is counted by itself: a fire has dozens of contacts, and what has to be reported must not drown in them.
+const FIRE: &str = "fire";
+
+/// All contacts of a flight, in the order of their first sighting.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Contacts(Vec<Contact>);
 
@@ -76,24 +81,43 @@ impl Contacts {
         self.0.iter_mut().filter(open)
     }
 
-    /// What a contact is called.
-    pub fn name(index: usize) -> String {
-        format!("c{}", index + 1)
+    /// The names that contacts can have, up to so many of each sort.
+    pub fn names(each: usize) -> impl Iterator<Item = String> {
+        let name = |number| [Self::name("", number), Self::name(FIRE, number)];
+        (1..=each).flat_map(name)
+    }
+
+    fn name(kind: &str, number: usize) -> String {
+        match kind {
+            FIRE => format!("{FIRE}{number}"),
+            _ => format!("c{number}"),
+        }
+    }
+
+    /// The contact that a sighting belongs to: the nearest one of its kind, if that is near enough.
+    fn known(&self, sighting: &Sighting) -> Option<usize> {
+        let distances = self.0.iter().enumerate().filter_map(|(index, contact)| {
+            let distance = distance_m(contact.at, sighting.at);
+            let same = contact.kind == sighting.kind && distance <= sighting.merge_within_m;
+            same.then_some((index, distance))
+        });
+        let nearest = distances.min_by(|a, b| a.1.total_cmp(&b.1));
+        nearest.map(|(index, _)| index)
     }
 
     /// Takes in a sighting.
     pub fn see(&mut self, sighting: &Sighting, now: Duration) -> Seen {
-        let near = |contact: &Contact| {
-            contact.kind == sighting.kind
-                && distance_m(contact.at, sighting.at) <= sighting.merge_within_m
-        };
-        if let Some(index) = self.0.iter().position(near) {
+        if let Some(index) = self.known(sighting) {
             return self.0[index].look(sighting, now, index);
         }
         if sighting.harmless {
             return Seen::Again;
         }
+        let is_fire = |kind: &str| kind == FIRE;
+        let sort = is_fire(sighting.kind);
+        let before = self.0.iter().filter(|known| is_fire(known.kind) == sort);
         self.0.push(Contact {
+            name: Self::name(sighting.kind, before.count() + 1),
             at: sighting.at,
             kind: sighting.kind,
             sensors: BTreeSet::from([sighting.sensor]),
@@ -180,6 +204,27 @@ mod tests {
         let first = &contacts.all()[0];
         assert!((first.at[0] - 0.4).abs() < 1e-9 && first.at[1].abs() < 1e-9);
         assert_eq!(first.sensors.len(), 2);
+    }
+
+    #[test]
+    fn fires_are_counted_by_themselves() {
+        let mut contacts = Contacts::default();
+        for (east, kind) in [
+            (0.0, "person"),
+            (50.0, "fire"),
+            (90.0, "fire"),
+            (99.0, "person"),
+        ] {
+            let found = Sighting {
+                kind,
+                ..sighting([east, 0.0], "s_th160")
+            };
+            contacts.see(&found, Duration::ZERO);
+        }
+        let names: Vec<&str> = contacts.all().iter().map(|it| it.name.as_str()).collect();
+        assert_eq!(names, ["c1", "fire1", "fire2", "c2"]);
+        let all: Vec<String> = Contacts::names(2).collect();
+        assert!(names.iter().all(|name| all.iter().any(|it| it == name)));
     }
 
     #[test]

@@ -287,8 +287,8 @@ impl Flight {
     fn step_goals(&mut self) -> Vec<ObjectiveStanding> {
         let mut goals = std::mem::take(&mut self.goals);
         let standings = goals.step(&self.scene());
-        goals.tell_changes(&self.mission.objectives, &standings, &mut self.journal);
         self.goals = goals;
+        self.tell_goals(&standings);
         standings
     }
 
@@ -308,6 +308,12 @@ impl Flight {
             .step(&self.mission, weather, &sight, &mut self.journal);
         let lesson = &self.mission.lesson;
         self.lesson_step = lesson::step_now(lesson, self.threats.engine(), weather, &sight);
+    }
+
+    /// Says which objectives have been met, or are open again.
+    fn tell_goals(&mut self, standings: &[ObjectiveStanding]) {
+        self.goals
+            .tell_changes(&self.mission.objectives, standings, &mut self.journal);
     }
 
     /// What objectives see of it.
@@ -331,6 +337,14 @@ impl Flight {
 
     fn standings(&self) -> Vec<ObjectiveStanding> {
         self.goals.standings(&self.scene())
+    }
+
+    /// How the objectives would stand if it were over now; what is right of the reports counts only then.
+    fn final_standings(&self) -> Vec<ObjectiveStanding> {
+        self.goals.standings(&ObjectiveScene {
+            over: true,
+            ..self.scene()
+        })
     }
 }
 

@@ -50,6 +50,11 @@ pub(crate) trait Field: Debug + Send + Sync {
         &[]
     }
 
+    /// Whether a point is where its things are known to lie, in one place or another.
+    fn may_lie_at(&self, _at: Point) -> bool {
+        true
+    }
+
     /// What a load does to it where it comes down; `None` where the load does not concern it.
     fn affect(&mut self, _load: Load, _at: Point) -> Option<LoadEffect> {
         None

@@ -12,7 +12,7 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, Exp1, StandardNormal};
 
-use super::contact::Sighting;
+use super::contact::{Contact, Sighting};
 use super::craft::Craft;
 use super::sensor::{DetectorSpec, Look, Sensor, View};
 use super::world::{ObjectId, World};
@@ -41,6 +41,8 @@ pub(crate) struct Lookout {
 struct Eye {
     glances: BTreeMap<ObjectId, Glance>,
     alarms: BTreeMap<&'static str, Chance>,
+    /// Until a contact where nothing is turns out to be nothing, by its name.
+    phantoms: BTreeMap<String, Chance>,
 }
 
 /// How a detector has seen an object so far.
@@ -70,9 +72,15 @@ impl Lookout {
         }
     }
 
-    /// A [`TICK`] of a vehicle's detectors; returns what they see. A vehicle that is not in the air or not heard sees
-    /// nothing.
-    pub fn step(&mut self, craft: &Craft, world: &World, now: Duration) -> Vec<Sighting> {
+    /// A [`TICK`] of a vehicle's detectors; returns what they see, also of what has been found before. A vehicle that
+    /// is not in the air or not heard sees nothing.
+    pub fn step(
+        &mut self,
+        craft: &Craft,
+        world: &World,
+        contacts: &[Contact],
+        now: Duration,
+    ) -> Vec<Sighting> {
         let mut seen = Vec::new();
         let Some(at) = craft.at.filter(|_| craft.can_see()) else {
             return seen;
@@ -93,6 +101,7 @@ impl Lookout {
             let eye = self.eyes.entry((craft.id, sensor.id)).or_default();
             watch.objects(&mut eye.glances, &mut seen);
             watch.alarms(&mut eye.alarms, &mut seen);
+            watch.phantoms(&mut eye.phantoms, contacts, &mut seen);
         }
         seen
     }
@@ -149,7 +158,7 @@ impl DetectorWatch<'_> {
         for taken_for in ALARMS {
             let (height_m, light) = (self.craft.height_m, self.world.weather.light);
             let rate = self.spec.false_alarms_per_m(taken_for, height_m, light);
-            if rate <= 0.0 || !self.world.seeks(taken_for) {
+            if rate <= 0.0 || !self.world.seeks(taken_for, self.at) {
                 continue;
             }
             let alarm = alarms
@@ -167,6 +176,39 @@ impl DetectorWatch<'_> {
                     merge_within_m: if taken_for == "mine" { 1.5 } else { 10.0 },
                 };
                 seen.push(self.sighting([self.at[0] + east, self.at[1] + north], &look, None));
+            }
+        }
+    }
+
+    /// What was a false alarm is told by a look from near, as an animal is.
+    fn phantoms(
+        &self,
+        phantoms: &mut BTreeMap<String, Chance>,
+        contacts: &[Contact],
+        seen: &mut Vec<Sighting>,
+    ) {
+        let open = contacts
+            .iter()
+            .filter(|contact| contact.object.is_none() && !contact.harmless);
+        for contact in open {
+            let toward_m = [contact.at[0] - self.at[0], contact.at[1] - self.at[1]];
+            let offset_m = self.craft.course.offset_m(toward_m);
+            let (height_m, light) = (self.craft.height_m, self.world.weather.light);
+            let spec = self.spec;
+            let Some(look) = spec.look_at_nothing(contact.kind, offset_m, height_m, light) else {
+                continue;
+            };
+            let name = contact.name.as_bytes();
+            let chance = phantoms
+                .entry(contact.name.clone())
+                .or_insert_with(|| Chance::new(self.random(&[name])));
+            let exposure = -(1.0 - look.told_apart.min(SUREST)).ln();
+            let every_s = look.every_s.unwrap_or(1.0);
+            if chance.expose(exposure * TICK.as_secs_f64() / every_s) {
+                seen.push(Sighting {
+                    harmless: true,
+                    ..self.sighting(contact.at, &look, None)
+                });
             }
         }
     }

@@ -59,6 +59,17 @@ pub(crate) struct Sought {
     pub within_m: f64,
 }
 
+/// What shows that a flight tried an objective; who never came to it has not failed at it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Trying {
+    /// Every flight tries it.
+    Always,
+    /// Something was reported.
+    Report,
+    /// Some of it was reached.
+    Progress,
+}
+
 /// A square of ground.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct GroundPatch {
@@ -71,6 +82,11 @@ pub(crate) struct GroundPatch {
 pub(crate) trait ObjectiveKind: Debug + Send + Sync {
     /// The skill that it shows in a mission with so many vehicles: one alone is no swarm.
     fn skill(&self, vehicles: usize) -> Option<Skill>;
+
+    /// How a flight shows that it was tried.
+    fn trying(&self) -> Trying {
+        Trying::Progress
+    }
 
     /// The survey that it needs, if it needs one.
     fn survey(&self) -> Option<&SurveyPlan> {

@@ -25,7 +25,7 @@ pub(crate) struct World {
     pub weather: Weather,
     fields: Vec<Box<dyn Field>>,
     /// What there is to report, in words of [`Deed::KINDS`](crate::commands::Deed::KINDS).
-    sought: BTreeSet<&'static str>,
+    sought: BTreeSet<(&'static str, usize)>,
     seed: u64,
 }
 
@@ -40,11 +40,17 @@ impl World {
         };
         let hazards = mission.hazards.iter().map(AsRef::as_ref);
         let fields: Vec<Box<dyn Field>> = hazards.zip((0..=u64::MAX).rev()).map(release).collect();
-        let objects = fields.iter().flat_map(|field| field.objects());
+        let numbered = fields.iter().enumerate();
+        let objects = numbered.flat_map(|(hazard, field)| {
+            let objects = field.objects().iter();
+            objects.map(move |object| (hazard, object))
+        });
         Self {
             seed,
             weather: mission.weather,
-            sought: objects.filter_map(|object| object.class.kind()).collect(),
+            sought: objects
+                .filter_map(|(hazard, object)| Some((object.class.kind()?, hazard)))
+                .collect(),
             fields,
         }
     }
@@ -64,7 +70,7 @@ impl World {
             weather,
             sought: objects
                 .iter()
-                .filter_map(|object| object.class.kind())
+                .filter_map(|object| Some((object.class.kind()?, 0)))
                 .collect(),
             fields: vec![Box::new(Lying(objects))],
         }
@@ -115,9 +121,11 @@ impl World {
         })
     }
 
-    /// Whether anything of a kind was there to be reported from the start.
-    pub fn seeks(&self, kind: &str) -> bool {
-        self.sought.contains(kind)
+    /// Whether anything of a kind is looked for at a point: something was there to be reported from the start.
+    pub fn seeks(&self, kind: &str, at: Point) -> bool {
+        let here = |hazard: usize| self.field(hazard).is_some_and(|it| it.may_lie_at(at));
+        let mut sought = self.sought.iter();
+        sought.any(|&(known, hazard)| known == kind && here(hazard))
     }
 
     /// The hazard at a place in the file.

@@ -16,7 +16,7 @@ pub(super) fn place(table: &mut FileTable<'_>) -> Option<NamedPlace> {
     let at = table.need("at", point(), "where");
     let id = id?;
     if is_taken(id.get_ref()) {
-        let fault = "`pad`, `pad1`, `c1`, `gate1`, `peak`, `peak1` and `next` are names of the flight's own places";
+        let fault = "`pad`, `pad1`, `c1`, `fire1`, `gate1`, `peak`, `peak1` and `next` are names of the flight's own places";
         table.fault_of("id", fault);
     }
     table.draft().add_id("places", &id);
@@ -52,5 +52,8 @@ fn is_taken(name: &str) -> bool {
         let rest = name.strip_prefix(prefix);
         rest.is_some_and(|rest: &str| rest.chars().all(|c| c.is_ascii_digit()))
     };
-    ["pad", "c", "gate", "peak"].into_iter().any(numbered) || name == "next"
+    ["pad", "c", "fire", "gate", "peak"]
+        .into_iter()
+        .any(numbered)
+        || name == "next"
 }

@@ -28,34 +28,49 @@ impl Flight {
         if let Some(recorder) = &mut self.recorder {
             recorder.act(deed, vehicles);
         }
-        let mut rows = Vec::new();
-        // However many vehicles are named, a hint is one.
-        let hint = match deed {
-            Deed::Hint if self.ended.is_none() => Some(self.give_clue().map(Some)),
-            _ => None,
+        let outcomes = if self.ended.is_some() {
+            vec![Err(text!("deed-over")); vehicles.len()]
+        } else {
+            self.outcomes(deed, vehicles)
         };
-        for (at, &vehicle) in vehicles.iter().enumerate() {
-            let outcome = match (self.ended, &hint) {
-                (Some(_), _) => Err(text!("deed-over")),
-                (None, Some(hint)) => hint.clone(),
-                // The first one has reported for all: nothing is left to do.
-                (None, None) if at > 0 && deed.is_of_all() => Ok(None),
-                (None, None) => self.act_with(vehicle, deed),
-            };
+        let row = |(&vehicle, outcome): (&VehicleId, Done)| {
             let (state, explanation) = match outcome {
                 Ok(remark) => (RowState::Done, remark),
                 Err(reason) => (RowState::Refused, Some(reason)),
             };
-            rows.push(RowUpdate {
+            RowUpdate {
                 entry,
                 vehicle,
                 state,
                 tries: 1,
                 at: self.elapsed,
                 explanation,
-            });
+            }
+        };
+        vehicles.iter().zip(outcomes).map(row).collect()
+    }
+
+    fn outcomes(&mut self, deed: &Deed, vehicles: &[VehicleId]) -> Vec<Done> {
+        // However many vehicles are named, a hint is one.
+        if *deed == Deed::Hint {
+            return vec![self.give_clue().map(Some); vehicles.len()];
         }
-        rows
+        let reports_before = self.search.marks().len();
+        let each = vehicles.iter().enumerate().map(|(at, &vehicle)| {
+            // The first one has done it for all: nothing is left to do.
+            if at > 0 && deed.is_of_all() {
+                return Ok(None);
+            }
+            self.act_with(vehicle, deed)
+        });
+        let mut outcomes: Vec<Done> = each.collect();
+        // The reports of all are counted once.
+        let count = self.search.marks().len().saturating_sub(reports_before);
+        let mut done = outcomes.iter_mut().filter(|outcome| outcome.is_ok());
+        if let Some(first) = done.next().filter(|_| count > 0) {
+            *first = Ok(Some(text!("deed-marked", count = count)));
+        }
+        outcomes
     }
 
     /// What the trainee has said before launch.
@@ -180,7 +195,30 @@ mod tests {
     }
 
     #[test]
-    fn contacts_are_reported_by_the_first_vehicle_and_refused_to_no_other() {
+    fn each_report_is_answered_with_the_number_that_it_adds() {
+        let mission = Mission::parse(AIR_SAMPLE).expect("the shipped mission is good");
+        let mut flight = Flight::new(Arc::new(mission), 1);
+        let mut answers = |north_m: f64| {
+            let spot = Spot::Offset {
+                north_m,
+                east_m: 0.0,
+            };
+            let deed = Deed::Mark {
+                subject: Subject::Spot(spot),
+                kind: Some("mine"),
+            };
+            let rows = flight.act(EntryId(0), &deed, &[1, 2]);
+            let words = rows
+                .into_iter()
+                .map(|row| row.explanation.map(|it| it.to_string()));
+            words.collect::<Vec<_>>()
+        };
+        assert_eq!(answers(5.0), [Some("1 reported".to_owned()), None]);
+        assert_eq!(answers(50.0), [Some("1 reported".to_owned()), None]);
+    }
+
+    #[test]
+    fn contacts_and_places_are_reported_by_the_first_vehicle_and_refused_to_no_other() {
         use RowState::{Done, Refused};
         let contacts = |confirmed| Deed::Mark {
             subject: Subject::Contacts { confirmed },
@@ -195,6 +233,13 @@ mod tests {
         };
         assert_eq!(states(&contacts(true)), [Refused, Done, Done]);
         assert_eq!(states(&contacts(false)), [Refused, Done, Done]);
-        assert_eq!(states(&spot), [Done, Refused, Refused]);
+        assert_eq!(states(&spot), [Done, Done, Done]);
+        let unmark = Deed::Unmark {
+            spot: Spot::Offset {
+                north_m: 5.0,
+                east_m: 0.0,
+            },
+        };
+        assert_eq!(states(&unmark), [Refused, Done, Done]);
     }
 }

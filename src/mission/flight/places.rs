@@ -15,7 +15,7 @@ const NAMED_CONTACTS: usize = 200;
 const PEAK: &str = "peak";
 
 impl Flight {
-    /// Places that have come up so far: contacts (`c1`), `peak`, where a sensor has shown the most, `peak1`, where
+    /// Places that have come up so far: contacts (`c1`, `fire1`), `peak`, where a sensor has shown the most, `peak1`, where
     /// that of vehicle 1 has, and those that the seed decides: `gate1`, and `next` for the one to go to.
     pub fn places(&self) -> BTreeMap<String, LatLon> {
         let place = |point| self.mission.origin.place(point);
@@ -23,8 +23,7 @@ impl Flight {
             .search
             .contacts()
             .iter()
-            .enumerate()
-            .map(|(index, contact)| (Contacts::name(index), place(contact.at)));
+            .map(|contact| (contact.name.clone(), place(contact.at)));
         let peaks = self.tracks.peaks().iter();
         let own_peaks = peaks.map(|(id, peak)| (peak_of(*id), place(peak.at)));
         let highest = self.tracks.highest();
@@ -49,7 +48,7 @@ impl Mission {
         let mut places = self.places();
         let own = (1..=self.vehicles as VehicleId).map(peak_of);
         let later = own.chain([PEAK.to_owned()]);
-        for name in later.chain((0..NAMED_CONTACTS).map(Contacts::name)) {
+        for name in later.chain(Contacts::names(NAMED_CONTACTS)) {
             places.entry(name).or_insert(self.origin.at);
         }
         let drawn = self.objectives.iter();

@@ -41,12 +41,12 @@ pub(super) fn facts(flight: &Flight, standings: &[ObjectiveStanding]) -> Facts {
         alerts: flight.threats.engine().alert_facts().to_vec(),
         vehicles: flight.mission.vehicles,
         usage: flight.vehicle_uses(),
-        hints: flight.clues.used(&flight.mission.clues),
+        hints: flight.clues.used(&flight.mission),
     }
 }
 
 pub(super) fn report(flight: &Flight, ledger: &Ledger) -> Report {
-    let mut facts = facts(flight, &flight.standings());
+    let mut facts = facts(flight, &flight.final_standings());
     // Rows may have ended after the last step.
     facts.commands = flight.orders.tally_of(ledger);
     let mission = &flight.mission;

@@ -35,19 +35,23 @@ impl Search {
     pub fn step(&mut self, crafts: &[Craft], world: &World, journal: &mut FlightJournal) {
         let mut seen = Vec::new();
         for craft in crafts {
-            seen.extend(self.lookout.step(craft, world, journal.now()));
+            let contacts = self.contacts.all();
+            seen.extend(self.lookout.step(craft, world, contacts, journal.now()));
         }
         for sighting in seen {
             let text = match self.contacts.see(&sighting, journal.now()) {
                 Seen::New(index) => self.found(index, &sighting),
                 Seen::Confirmed(index) => text!(
                     "contact-confirmed",
-                    contact = Contacts::name(index),
+                    contact = self.contacts()[index].name.as_str(),
                     kind = self.contacts()[index].kind_text(),
                     sensor = sensor_name(&sighting),
                 ),
                 Seen::Harmless(index) => {
-                    text!("contact-harmless", contact = Contacts::name(index))
+                    text!(
+                        "contact-harmless",
+                        contact = self.contacts()[index].name.as_str()
+                    )
                 }
                 Seen::Again => continue,
             };
@@ -60,7 +64,7 @@ impl Search {
         let [east, north] = contact.at;
         text!(
             "contact-found",
-            contact = Contacts::name(index),
+            contact = contact.name.as_str(),
             kind = contact.kind_text(),
             north = format!("{north:.0}"),
             east = format!("{east:.0}"),
@@ -80,7 +84,7 @@ impl Search {
 
     pub fn mark(&mut self, mark: Mark) -> Done {
         if self.marks.add(mark) {
-            Ok(Some(text!("deed-marked", count = self.marks().len())))
+            Ok(None)
         } else {
             Err(text!("deed-marked-before"))
         }
@@ -117,7 +121,7 @@ impl Search {
                 when: journal.now(),
             });
         }
-        Ok(Some(text!("deed-marked", count = self.marks().len())))
+        Ok(None)
     }
 
     /// The contacts as the trainee sees them.
@@ -127,9 +131,8 @@ impl Search {
             0 | 1 => Trust::Seen,
             _ => Trust::Confirmed,
         };
-        let contacts = self.contacts().iter().enumerate();
-        let shown = contacts.map(|(index, contact)| ShownContact {
-            name: Contacts::name(index),
+        let shown = self.contacts().iter().map(|contact| ShownContact {
+            name: contact.name.clone(),
             kind: contact.kind,
             at: origin.place(contact.at),
             trust: trust(contact),

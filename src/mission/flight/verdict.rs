@@ -55,32 +55,38 @@ impl Flight {
     }
 
     pub(super) fn decide(&mut self, now: Duration, standings: &[ObjectiveStanding]) {
-        let mut mandatory = standings
-            .iter()
-            .zip(&self.mission.objectives)
-            .filter(|(_, o)| o.mandatory);
-        let all_met = mandatory.clone().all(|(standing, _)| standing.met);
-        let settled = mandatory.all(|(standing, _)| standing.settled);
+        let settled = self.mandatory(standings).all(|it| it.settled);
         let down = |craft: &Craft| craft.lost || craft.down_for >= DOWN_FOR;
         let all_down = !self.crafts.is_empty() && self.crafts.iter().all(down);
         let all_lost = !self.crafts.is_empty() && self.crafts.iter().all(|craft| craft.lost);
-        let verdict = if all_met {
-            Outcome::Passed
-        } else {
-            Outcome::Failed
-        };
         let mut broken = self.journal.broken_rules().iter();
         let harmed = broken.any(|event| event.kind.is_harm());
         if self.threats.have_failed_it() || harmed {
             self.end(Outcome::Failed);
         } else if all_lost || (settled && all_down) {
-            self.end(verdict);
+            self.end(self.verdict(Outcome::Failed));
         } else if now >= self.mission.time_limit {
-            self.end(if all_met {
-                Outcome::Passed
-            } else {
-                Outcome::TimedOut
-            });
+            self.end(self.verdict(Outcome::TimedOut));
+        }
+    }
+
+    /// How the mandatory objectives stand.
+    fn mandatory<'a>(
+        &'a self,
+        standings: &'a [ObjectiveStanding],
+    ) -> impl Iterator<Item = &'a ObjectiveStanding> {
+        let all = standings.iter().zip(&self.mission.objectives);
+        all.filter(|(_, objective)| objective.mandatory)
+            .map(|(standing, _)| standing)
+    }
+
+    /// How a flight that ends now has ended: `otherwise` without a mandatory objective.
+    fn verdict(&self, otherwise: Outcome) -> Outcome {
+        let standings = self.final_standings();
+        if self.mandatory(&standings).all(|it| it.met) {
+            Outcome::Passed
+        } else {
+            otherwise
         }
     }
 
@@ -91,6 +97,7 @@ impl Flight {
             }
         }
         self.ended = Some(outcome);
+        self.tell_goals(&self.standings());
         let text = text!("mission-over", outcome = outcome.text());
         self.journal
             .say(JournalEntry::new(EventKind::Phase, Severity::Notice, text));

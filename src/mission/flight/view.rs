@@ -112,7 +112,13 @@ impl Flight {
         let open = standings
             .iter()
             .any(|standing| !standing.landing && !standing.settled);
-        if !open {
+        // Down again with reports, there is nothing left but to wait until they are final.
+        let waits = !self.search.marks().is_empty() && self.crafts.iter().any(|craft| craft.flown);
+        let down = self
+            .crafts
+            .iter()
+            .all(|craft| craft.lost || craft.is_down());
+        if !open || (waits && down) {
             Phase::Done
         } else if self.crafts.iter().any(|craft| craft.airborne) {
             Phase::Air

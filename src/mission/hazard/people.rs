@@ -7,6 +7,7 @@ use super::{Field, Load, LoadEffect, Object, ObjectClass, TruthPiece};
 use crate::mission::Point;
 use crate::mission::report::distance_m;
 use crate::mission::weather::Weather;
+use crate::mission::zone::Shape;
 use crate::text;
 
 /// A kit that comes down this near is reached.
@@ -22,6 +23,8 @@ pub(super) struct People {
     fates: Vec<Fate>,
     /// Where nodes are wanted, and whether one stands there.
     nodes: Vec<(Point, bool)>,
+    /// Where they are known to be, if that is known.
+    pub zone: Option<Shape>,
     now: Duration,
 }
 
@@ -114,6 +117,10 @@ impl Field for People {
 
     fn objects(&self) -> &[Object] {
         &self.objects
+    }
+
+    fn may_lie_at(&self, at: Point) -> bool {
+        self.zone.as_ref().is_none_or(|zone| zone.contains(at))
     }
 
     fn affect(&mut self, load: Load, at: Point) -> Option<LoadEffect> {

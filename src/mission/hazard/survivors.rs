@@ -75,6 +75,7 @@ impl Hazard for Survivors {
         let all = self.count + self.animals;
         let places = spread(&self.shape, all, self.gap_m, Vec::new(), &mut random);
         let mut people = People::new(Vec::new());
+        people.zone = Some(self.shape.clone());
         for (index, at) in places.into_iter().enumerate() {
             let [low, high] = self.cover;
             let cover = low + (high - low) * random.random::<f64>();

@@ -36,7 +36,7 @@ fn pass(lookout: &mut Lookout, craft: &mut Craft, world: &World, now: &mut Durat
         craft.at = Some([0.0, way_m - 10.0]);
         *now += TICK;
         seen += lookout
-            .step(craft, world, *now)
+            .step(craft, world, &[], *now)
             .iter()
             .filter(|s| s.object.is_some())
             .count();
@@ -124,7 +124,7 @@ fn false_alarms_come_by_the_area_that_is_swept() {
     let mut craft = craft(1, "s_mag", 1.0, 3.0);
     for tick in 1..=200_000 {
         let now = TICK * tick;
-        let seen = lookout.step(&craft, &world, now);
+        let seen = lookout.step(&craft, &world, &[], now);
         alarms += seen
             .iter()
             .filter(|sighting| sighting.object.is_none())
@@ -137,7 +137,7 @@ fn false_alarms_come_by_the_area_that_is_swept() {
         "{alarms}, not {expected}"
     );
     craft.airborne = false;
-    assert!(lookout.step(&craft, &world, TICK * 200_001).is_empty());
+    assert!(lookout.step(&craft, &world, &[], TICK * 200_001).is_empty());
 }
 
 #[test]
@@ -152,7 +152,7 @@ fn what_one_vehicle_sees_does_not_depend_on_the_order_or_on_the_others() {
             for &id in order {
                 let mut craft = craft(id, "s_mag", 1.0, 2.0);
                 craft.at = Some([0.0, f64::from(step) * 0.2 - 10.0]);
-                let found = lookout.step(&craft, &world, TICK * step);
+                let found = lookout.step(&craft, &world, &[], TICK * step);
                 seen.extend(
                     found
                         .iter()
@@ -168,4 +168,36 @@ fn what_one_vehicle_sees_does_not_depend_on_the_order_or_on_the_others() {
     let second: Vec<_> = both.into_iter().filter(|(id, ..)| *id == 2).collect();
     assert!(!second.is_empty());
     assert_eq!(second, fly(&[2]));
+}
+
+/// How often a look of 5 s from a height tells that there is nothing where something was taken for a person.
+fn told_apart(height_m: f64) -> f64 {
+    let world = world(Vec::new(), Light::Night);
+    let contact = Contact {
+        name: "c1".to_owned(),
+        at: [0.0, -9.0],
+        kind: "person",
+        sensors: ["s_th160"].into(),
+        by: 2,
+        first: Duration::ZERO,
+        last: Duration::ZERO,
+        looks: 1,
+        reported: false,
+        harmless: false,
+        object: None,
+    };
+    let told = (0..SEEDS).filter(|&seed| {
+        let mut lookout = Lookout::new(seed);
+        let craft = craft(1, "s_th160", height_m, 0.0);
+        let contacts = std::slice::from_ref(&contact);
+        let mut ticks = (1..=50).map(|step| lookout.step(&craft, &world, contacts, TICK * step));
+        ticks.any(|seen| seen.iter().any(|sighting| sighting.harmless))
+    });
+    told.count() as f64 / SEEDS as f64
+}
+
+#[test]
+fn a_look_from_near_tells_a_false_alarm_and_one_from_afar_does_not() {
+    let (near, far) = (told_apart(12.0), told_apart(60.0));
+    assert!(near > 0.8 && far < 0.1, "{near} {far}");
 }

@@ -2,7 +2,9 @@
 
 use std::time::Duration;
 
-use super::{DemandedTime, Demands, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
+use super::{
+    DemandedTime, Demands, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker, Trying,
+};
 use crate::mission::format::{FileTable, KindOf, number};
 use crate::mission::skill::Skill;
 use crate::mission::world::World;
@@ -51,6 +53,10 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
 impl ObjectiveKind for ArmTime {
     fn skill(&self, _: usize) -> Option<Skill> {
         Some(Skill::K1)
+    }
+
+    fn trying(&self) -> Trying {
+        Trying::Always
     }
 
     fn demands(&self) -> Demands<'_> {

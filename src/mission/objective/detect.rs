@@ -3,13 +3,17 @@
 //! A report within the radius of an object of its kind that no other report has found is a hit; every other report is
 //! a false alarm. With precision `P` and recall `R`, `F = (1 + beta^2) P R / (beta^2 P + R)`: with a beta of 2, a missed
 //! mine costs far more than a false alarm. Only the first reports up to a budget count as hits, so that reporting
-//! everything earns nothing.
+//! everything earns nothing. Where a near look could have told, a mission makes each wrong report dearer: `false_cost`
+//! times what a find is of all that is there.
+//!
+//! What is right comes out when the flight is over: until then one could ask by reporting.
 
 use std::collections::BTreeSet;
+use std::time::Duration;
 
 use super::{
     DemandedEquipment, Demands, Equipment, ObjectiveKind, ObjectiveScene, ObjectiveStanding,
-    Sought, Tracker,
+    Sought, Tracker, Trying,
 };
 use crate::mission::format::{BetterMeasure, FileTable, KindOf, ObjectiveTarget, number};
 use crate::mission::ground_truth::Object;
@@ -30,8 +34,12 @@ struct Detect {
     beta: f64,
     radius_m: f64,
     budget: f64,
+    false_cost: f64,
     target: ObjectiveTarget,
 }
+
+/// With all vehicles on the ground, the reports are final so long after the last one.
+const FINAL_AFTER: Duration = Duration::from_secs(20);
 
 /// What reports are worth.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,7 +54,7 @@ pub(crate) struct DetectTally {
 
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "detect",
-    about: "met when the F-measure of the reports reaches the target. It makes a product",
+    about: "met when the F-measure of the reports, less what the wrong ones cost, reaches the target. It is counted when the flight is over, and a flight is not over before the last report is 20 s old. It makes a product",
     read,
 };
 
@@ -65,12 +73,19 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
         BUDGET,
         "reports that count for each object",
     );
+    let false_cost = table.or(
+        "false_cost",
+        number(0.0, 10.0, ""),
+        0.0,
+        "what a report of nothing takes away, in finds",
+    );
     let target = table.need_target([0.01, 1.0], BetterMeasure::Higher);
     Some(Box::new(Detect {
         hazard: hazard?,
         beta: beta?,
         radius_m: radius_m?,
         budget,
+        false_cost,
         target: target?,
     }))
 }
@@ -78,6 +93,10 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
 impl ObjectiveKind for Detect {
     fn skill(&self, _: usize) -> Option<Skill> {
         Some(Skill::K7)
+    }
+
+    fn trying(&self) -> Trying {
+        Trying::Report
     }
 
     fn demands(&self) -> Demands<'_> {
@@ -105,15 +124,16 @@ impl ObjectiveKind for Detect {
 impl Tracker for Detect {
     fn standing(&self, scene: &ObjectiveScene<'_>) -> ObjectiveStanding {
         let objects = scene.world.field(self.hazard).map(Field::objects);
-        let tally = self.tally(objects.unwrap_or_default(), scene.marks);
-        let score = tally.f_beta(self.beta);
+        let counted = if scene.over { scene.marks } else { &[] };
+        let tally = self.tally(objects.unwrap_or_default(), counted);
+        let score = tally.worth(self.beta, self.false_cost);
         let met = score >= self.target.met_at;
         let [precision, recall] = tally.precision_and_recall();
         ObjectiveStanding {
             fraction: self.target.credit(score),
             measure: score,
             met,
-            settled: met,
+            settled: scene.over || Self::is_final(scene),
             landing: false,
             product: Some(Product {
                 quality: score,
@@ -126,14 +146,8 @@ impl Tracker for Detect {
                 is_measured: true,
             }),
             result: self.result(tally, score),
-            // How many are there is not for the pilot to know.
             outlook: Some(text!("detect-outlook", count = scene.marks.len())),
-            target: text!(
-                "detect-target",
-                beta = format!("{:.0}", self.beta),
-                target = format!("{:.2}", self.target.met_at),
-                radius = format!("{:.1}", self.radius_m),
-            ),
+            target: self.target_text(),
             advice: tally.advice(),
         }
     }
@@ -150,6 +164,42 @@ impl Detect {
             wrong = tally.false_alarms,
             repeated = tally.repeated,
         )
+    }
+
+    fn target_text(&self) -> Text {
+        let (beta, target) = (
+            format!("{:.0}", self.beta),
+            format!("{:.2}", self.target.met_at),
+        );
+        let radius = format!("{:.1}", self.radius_m);
+        if self.false_cost > 0.0 {
+            let cost = format!("{:.1}", self.false_cost);
+            text!(
+                "detect-target-cost",
+                beta = beta,
+                target = target,
+                radius = radius,
+                cost = cost
+            )
+        } else {
+            text!(
+                "detect-target",
+                beta = beta,
+                target = target,
+                radius = radius
+            )
+        }
+    }
+
+    /// Whether everybody is down, and nothing has been reported for a while.
+    fn is_final(scene: &ObjectiveScene<'_>) -> bool {
+        let last = scene.marks.iter().map(|mark| mark.when).max();
+        let quiet = last.is_some_and(|last| scene.now.saturating_sub(last) >= FINAL_AFTER);
+        quiet
+            && scene
+                .vehicles
+                .iter()
+                .all(|craft| craft.lost || craft.is_down())
     }
 
     /// Matches reports, in the order of their making, with the nearest object that is still open.
@@ -215,6 +265,12 @@ impl DetectTally {
         }
     }
 
+    /// The F-measure, less what wrong reports cost: each `false_cost` finds.
+    fn worth(self, beta: f64, false_cost: f64) -> f64 {
+        let cost = false_cost * self.false_alarms as f64 / self.there.max(1) as f64;
+        (self.f_beta(beta) - cost).max(0.0)
+    }
+
     fn advice(self) -> Text {
         let missed = self.there.saturating_sub(self.found);
         let wrong = self.false_alarms + self.repeated;
@@ -228,8 +284,6 @@ impl DetectTally {
 
 #[cfg(test)]
 mod tests {
-    use std::time::Duration;
-
     use super::*;
     use crate::mission::Point;
     use crate::mission::ground_truth::ObjectClass;
@@ -239,6 +293,7 @@ mod tests {
         beta: 2.0,
         radius_m: 1.0,
         budget: 3.0,
+        false_cost: 0.0,
         target: ObjectiveTarget {
             met_at: 0.8,
             partial_from: 0.3,
@@ -309,6 +364,20 @@ mod tests {
                 "{found} {wrong}"
             );
         }
+    }
+
+    #[test]
+    fn a_wrong_report_costs_more_than_a_right_one_brings_where_the_mission_says_so() {
+        let tally = |found, false_alarms| DetectTally {
+            there: 4,
+            found,
+            false_alarms,
+            repeated: 0,
+        };
+        let worth = |found, wrong| tally(found, wrong).worth(2.0, 1.5);
+        assert!(worth(4, 0) > 0.99);
+        assert!(worth(3, 0) > worth(4, 1), "{} {}", worth(3, 0), worth(4, 1));
+        assert!(worth(3, 5).abs() < 1e-12);
     }
 
     #[test]

@@ -1,13 +1,12 @@
 //! `locate`: report where something is, as near as can be told from afar.
 //!
-//! How near the reports are is revealed when all vehicles are down or the time is up: else one could ask by reporting.
+//! How near the reports are is revealed when the flight is over: else one could ask by reporting.
 
 use super::{
     DemandedEquipment, Demands, Equipment, ObjectiveKind, ObjectiveScene, ObjectiveStanding,
-    Sought, Tracker, partial_credit,
+    Sought, Tracker, Trying, partial_credit,
 };
 use crate::mission::Point;
-use crate::mission::craft::Craft;
 use crate::mission::format::{FileTable, KindOf, number};
 use crate::mission::ground_truth::Object;
 use crate::mission::report::{Mark, distance_m};
@@ -48,7 +47,7 @@ struct LocateReports {
 
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "locate",
-    about: "met when each source or leak was reported near enough to its position; the result is shown after landing. It makes a product",
+    about: "met when each source or leak was reported near enough to its position; the result is shown when the flight is over. It makes a product",
     read,
 };
 
@@ -70,6 +69,10 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
 impl ObjectiveKind for Locate {
     fn skill(&self, _: usize) -> Option<Skill> {
         Some(Skill::K7)
+    }
+
+    fn trying(&self) -> Trying {
+        Trying::Report
     }
 
     fn demands(&self) -> Demands<'_> {
@@ -135,13 +138,6 @@ impl LocateTracker {
         }
     }
 
-    /// Whether it may be told how near the reports are.
-    fn is_closed(&self, scene: &ObjectiveScene<'_>) -> bool {
-        let down = |craft: &Craft| craft.lost || craft.is_down();
-        let all_down = !scene.vehicles.is_empty() && scene.vehicles.iter().all(down);
-        scene.over || (all_down && self.is_settled(scene))
-    }
-
     fn is_settled(&self, scene: &ObjectiveScene<'_>) -> bool {
         self.reports(scene.marks).count() >= self.wanted.len()
     }
@@ -170,7 +166,7 @@ impl LocateTracker {
 
 impl Tracker for LocateTracker {
     fn standing(&self, scene: &ObjectiveScene<'_>) -> ObjectiveStanding {
-        let closed = self.is_closed(scene);
+        let closed = scene.over;
         let found = self.found(if closed { scene.marks } else { &[] });
         let near = |distance: &&Option<f64>| {
             distance.is_some_and(|distance| distance <= self.plan.within_m)

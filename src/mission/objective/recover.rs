@@ -1,6 +1,6 @@
 //! `recover`: every vehicle back on a pad, disarmed, with enough battery left.
 
-use super::{DOWN_FOR, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
+use super::{DOWN_FOR, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker, Trying};
 use crate::mission::craft::Craft;
 use crate::mission::format::{FileTable, KindOf, number};
 use crate::mission::skill::Skill;
@@ -37,6 +37,10 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
 impl ObjectiveKind for Recover {
     fn skill(&self, vehicles: usize) -> Option<Skill> {
         Some(if vehicles > 1 { Skill::K10 } else { Skill::K3 })
+    }
+
+    fn trying(&self) -> Trying {
+        Trying::Always
     }
 
     fn start(&self, _: &World) -> Box<dyn Tracker> {

@@ -9,6 +9,7 @@ use crate::mission::{Mission, ObjectiveState, Outcome, Point};
 const PLUME: &str = include_str!("../../../missions/03-plume-source.toml");
 const WATCH: &str = include_str!("../../../missions/08-fire-watch.toml");
 const ATTACK: &str = include_str!("../../../missions/09-fire-attack.toml");
+const SEARCH: &str = include_str!("../../../missions/05-night-search.toml");
 const RADIATION: &str = include_str!("../../../missions/drills/d10-cross-the-peak.toml");
 
 fn mission(file: &str) -> Mission {
@@ -21,12 +22,16 @@ fn truth(file: &str, seed: u64) -> Point {
     world.objects().next().expect("there is one").1.at
 }
 
-fn mark(pilot: &mut Pilot, [east_m, north_m]: Point) {
+fn mark(pilot: &mut Pilot, at: Point) {
+    mark_as(pilot, at, "leak");
+}
+
+fn mark_as(pilot: &mut Pilot, [east_m, north_m]: Point, kind: &'static str) {
     let now = pilot.now;
     let entry = pilot.ledger.open(now, given("1 arm"), &[1]);
     let deed = Deed::Mark {
         subject: Subject::Spot(Spot::Offset { north_m, east_m }),
-        kind: Some("leak"),
+        kind: Some(kind),
     };
     pilot.flight.act(entry, &deed, &[1]);
 }
@@ -65,6 +70,52 @@ fn reports_lose_worth_with_distance_and_by_those_that_are_astray() {
     let scattered = score(&[10.0, 80.0, -90.0]);
     assert!((scattered.0 - near.0).abs() < 0.1);
     assert!(scattered.1 < near.1, "{scattered:?} {near:?}");
+}
+
+#[test]
+fn in_flight_a_report_is_counted_but_not_judged() {
+    let shown = |offset_m: f64| {
+        let mut pilot = Pilot::flying(mission(SEARCH), 4);
+        let [east, north] = truth(SEARCH, 4);
+        pilot.take_off(30.0);
+        mark_as(&mut pilot, [east, north + offset_m], "person");
+        pilot.wait(1.0);
+        let progress = pilot.flight.progress();
+        let objective = progress.objectives[0].clone();
+        (pilot, objective, progress.score_so_far)
+    };
+    let (mut pilot, right, score) = shown(1.0);
+    assert_eq!(right.state, ObjectiveState::Open);
+    assert_eq!(right.detail, "1 reported");
+    let (_, wrong, score_of_wrong) = shown(30.0);
+    assert_eq!(
+        (right, score),
+        (wrong, score_of_wrong),
+        "no telling which is right"
+    );
+    pilot.land();
+    pilot.wait(30.0);
+    assert_eq!(pilot.flight.outcome(), Some(Outcome::Failed), "one of five");
+    let result = pilot.report().objectives[0].result.to_string();
+    assert!(result.contains("1/5 found, 0 false"), "{result}");
+}
+
+#[test]
+fn a_flight_ends_when_the_last_report_is_20_s_old_right_or_wrong() {
+    let ends_after = |wrong_m: f64| {
+        let mut pilot = Pilot::flying(mission(SEARCH), 4);
+        let [east, north] = truth(SEARCH, 4);
+        pilot.take_off(5.0);
+        pilot.land();
+        assert_eq!(pilot.flight.outcome(), None, "nothing has been reported");
+        let landed = pilot.now;
+        mark_as(&mut pilot, [east + wrong_m, north], "person");
+        while pilot.flight.outcome().is_none() {
+            pilot.tick();
+        }
+        (pilot.now - landed).as_secs()
+    };
+    assert_eq!((ends_after(0.0), ends_after(40.0)), (20, 20));
 }
 
 /// The first map is taken after 100 s.

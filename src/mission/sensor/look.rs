@@ -90,6 +90,35 @@ impl DetectorSpec {
     }
 }
 
+impl DetectorSpec {
+    /// A look at a place that something was wrongly taken for a person at; `None` where it cannot tell anything. What
+    /// is not there is recognised as a person would be.
+    pub fn look_at_nothing(
+        &self,
+        taken_for: &'static str,
+        offset_m: [f64; 2],
+        height_m: f64,
+        light: Light,
+    ) -> Option<Look> {
+        let Self::Camera(camera) = self else {
+            return None;
+        };
+        if taken_for != "person" || !camera.shows(offset_m, height_m) {
+            return None;
+        }
+        let cycles = PERSON_M / (2.0 * camera.pixel_m(height_m));
+        let told = task_performance(cycles / RECOGNISE_CYCLES);
+        Some(Look {
+            chance: 0.0,
+            told_apart: told * camera.contrast(light) * NOTICED,
+            every_s: Some(LOOK_S),
+            taken_for,
+            error_m: 0.0,
+            merge_within_m: 1.0,
+        })
+    }
+}
+
 /// Warm stones and stumps: one in ten hectares.
 const FALSE_PERSONS_PER_M2: f64 = 1e-5;
 
@@ -145,10 +174,7 @@ impl Camera {
         if let Some(axis_deg) = view.object.axis_deg {
             return self.inspect(view, axis_deg);
         }
-        let [across, along] = self.footprint_m(view.height_m);
-        let inside =
-            view.offset_m[0].abs() <= across / 2.0 && view.offset_m[1].abs() <= along / 2.0;
-        if !inside {
+        if !self.shows(view.offset_m, view.height_m) {
             return None;
         }
         let clear = self.transmission(view) * (1.0 - view.object.cover) * NOTICED;
@@ -171,6 +197,13 @@ impl Camera {
             error_m: 1.0 + 0.02 * view.height_m,
             merge_within_m: 10.0,
         })
+    }
+
+    /// Whether a place, across and along the course, is in the picture.
+    fn shows(&self, offset_m: [f64; 2], height_m: f64) -> bool {
+        let footprint_m = self.footprint_m(height_m);
+        let mut axes = offset_m.iter().zip(footprint_m);
+        axes.all(|(offset_m, length_m)| offset_m.abs() <= length_m / 2.0)
     }
 
     fn look_for_mines(&self, view: &View<'_>) -> Option<Look> {

@@ -195,7 +195,7 @@ fn an_exam_that_was_left_counts_as_ended_there_once_nobody_flies_it() {
     let runs = Runs::within(data.path());
     let mut profiles = profiles(data.path());
     let anna = profiles.create("Anna", BEGUN).expect("new");
-    let flown = exam(&runs, exam_seed("d00-arm-and-hover", 1));
+    let flown = exam(&runs, exam_seed("d00-arm-and-hover", 2));
     assert_eq!(recover(&mut profiles, &runs).expect("writable"), []);
     drop(flown);
     let recovered = recover(&mut profiles, &runs).expect("writable");

@@ -49,12 +49,12 @@ const REFUSALS: &[(&str, &str, &str)] = &[
     (
         "[fleet]",
         "[[places]]\nid = \"pad2\"\nat = [0, 0]\n[fleet]",
-        "24:6: `pad`, `pad1`, `c1`, `gate1`, `peak`, `peak1` and `next` are names of the flight's own places",
+        "24:6: `pad`, `pad1`, `c1`, `fire1`, `gate1`, `peak`, `peak1` and `next` are names of the flight's own places",
     ),
     (
         "[fleet]",
         "[[places]]\nid = \"peak1\"\nat = [0, 0]\n[fleet]",
-        "24:6: `pad`, `pad1`, `c1`, `gate1`, `peak`, `peak1` and `next` are names of the flight's own places",
+        "24:6: `pad`, `pad1`, `c1`, `fire1`, `gate1`, `peak`, `peak1` and `next` are names of the flight's own places",
     ),
     (
         "[fleet]",
