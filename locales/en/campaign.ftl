@@ -39,6 +39,7 @@ reward-licence = licence for { $before } -> { $after } drones
 reward-mission = new mission: { $mission }
 reward-parts = new parts on sale: { $parts }
 reward-skill = { $skill } { $before } % -> { $after } %: { $why }
+reward-skill-new = { $skill } { $after } %, first shown: { $why }
 reward-seen = { $what } { $percent } %
 
 profiles-unusable = the profiles cannot be kept in { $path }: { $error }

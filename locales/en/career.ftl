@@ -1,8 +1,21 @@
 # Profiles and progress on the command line.
-mastery-unknown = not shown yet
+mastery-unknown = not tried
 mastery-learning = on the way
 mastery-mastered = mastered
 mastery-due = to be refreshed
+lack-chance = { $percent } %
+lack-flights = { $count ->
+    [one] another flight
+   *[other] { $count } more flights
+}
+lack-missions = { $count ->
+    [one] another mission
+   *[other] { $count } more missions
+}
+lack-days = { $count ->
+    [one] a flight on another day
+   *[other] flights on { $count } more days
+}
 
 mission-state-locked = locked
 mission-state-open = open

@@ -39,6 +39,7 @@ reward-licence = ліцензія на кількість дронів { $before
 reward-mission = нове завдання: { $mission }
 reward-parts = нові деталі в продажу: { $parts }
 reward-skill = { $skill } { $before } % -> { $after } %: { $why }
+reward-skill-new = { $skill } { $after } %, уперше: { $why }
 reward-seen = { $what } { $percent } %
 
 profiles-unusable = профілі не можна зберігати в { $path }: { $error }

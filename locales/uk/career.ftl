@@ -1,8 +1,22 @@
 # Профілі та поступ у командному рядку.
-mastery-unknown = ще не показано
+mastery-unknown = не пробували
 mastery-learning = у дорозі
 mastery-mastered = опановано
 mastery-due = час поновити
+lack-chance = { $percent } %
+lack-flights = { $count ->
+    [one] ще { $count } політ
+    [few] ще { $count } польоти
+   *[other] ще { $count } польотів
+}
+lack-missions = { $count ->
+    [one] ще одне завдання
+   *[other] ще завдань: { $count }
+}
+lack-days = { $count ->
+    [one] політ в інший день
+   *[other] польоти ще у { $count } дні
+}
 
 mission-state-locked = замкнено
 mission-state-open = відкрито

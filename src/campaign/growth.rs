@@ -3,7 +3,6 @@
 
 use std::collections::BTreeMap;
 
-use super::knowledge::Skills;
 use super::{CareerEntry, CareerFlight, CareerStanding, Skill, Stake};
 use crate::scoring::Medal;
 use crate::text::Text;
@@ -40,7 +39,7 @@ pub struct Try {
     pub stake: Stake,
 }
 
-/// How one opportunity moved a skill.
+/// How one flight moved a skill.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SkillMove {
     /// Id of the mission.
@@ -88,23 +87,19 @@ impl Growth {
         if !standing.counts(flight) {
             return;
         }
-        let mut skills = Skills::new();
-        for evidence in &flight.evidence {
-            let skill = evidence.skill;
-            let known = skills.entry(skill).or_insert_with(|| standing.skill(skill));
+        for shown in flight.shown_skills() {
+            let mut known = standing.skill(shown.skill);
             let before = known.chance(flight.day);
-            known.observe(evidence.outcome, flight.tier, &flight.mission, flight.day);
-            self.moves
-                .entry(evidence.skill)
-                .or_default()
-                .push(SkillMove {
-                    mission: flight.mission.clone(),
-                    day: flight.day,
-                    what: evidence.what.clone(),
-                    outcome: evidence.outcome,
-                    before,
-                    after: known.chance(flight.day),
-                });
+            known.observe(shown.outcome, flight.tier, &flight.mission, flight.day);
+            let moves = self.moves.entry(shown.skill).or_default();
+            moves.push(SkillMove {
+                mission: flight.mission.clone(),
+                day: flight.day,
+                what: shown.what,
+                outcome: shown.outcome,
+                before,
+                after: known.chance(flight.day),
+            });
         }
     }
 
@@ -180,16 +175,17 @@ mod tests {
     }
 
     #[test]
-    fn every_opportunity_goes_on_from_the_one_before_less_what_was_forgotten() {
+    fn every_flight_goes_on_from_the_one_before_less_what_was_forgotten() {
         let growth = Growth::of(&history());
         let moves = growth.moves(Skill::K3);
-        assert_eq!(moves.len(), 4);
-        assert!(
-            (moves[2].before - moves[1].after).abs() < 1e-12,
-            "the same day"
+        assert_eq!(
+            moves.len(),
+            3,
+            "one for each flight, however often it was shown"
         );
-        assert!(moves[3].before < moves[2].after, "a week later");
-        assert!(moves[1].after > moves[1].before && moves[3].after > moves[3].before);
+        assert!((moves[1].outcome - 0.75).abs() < 1e-12);
+        assert!(moves[2].before < moves[1].after, "a week later");
+        assert!(moves[1].after > moves[1].before && moves[2].after > moves[2].before);
         assert_eq!(growth.moves(Skill::K9), []);
     }
 

@@ -31,6 +31,8 @@ const MISSIONS: usize = 2;
 const DAYS: usize = 2;
 /// A mastered skill is due when it is less likely than this.
 const DUE: f64 = 0.80;
+/// One flight proves little: it moves a skill by no more than this.
+const MOST_AT_ONCE: f64 = 0.25;
 /// An outcome of this much counts as a success.
 const SUCCESS: f64 = 0.5;
 
@@ -58,6 +60,31 @@ pub enum Mastery {
     Mastered,
     /// Mastered once, and to be refreshed.
     Due,
+}
+
+/// Something that mastery still asks for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Lack {
+    /// To be this likely, in percent.
+    Chance(u8),
+    /// To be shown in so many more flights.
+    Flights(usize),
+    /// In so many other missions.
+    Missions(usize),
+    /// On so many other days.
+    Days(usize),
+}
+
+impl Lack {
+    /// What it is, in words.
+    pub fn text(self) -> Text {
+        match self {
+            Self::Chance(percent) => text!("lack-chance", percent = percent),
+            Self::Flights(count) => text!("lack-flights", count = count),
+            Self::Missions(count) => text!("lack-missions", count = count),
+            Self::Days(count) => text!("lack-days", count = count),
+        }
+    }
 }
 
 impl Mastery {
@@ -121,7 +148,30 @@ impl Knowledge {
         Some(self.last_day + days.ceil() as i64)
     }
 
-    /// How often it could be shown.
+    /// What is missing for mastery on a day; nothing once it was mastered.
+    pub fn lacks(&self, day: i64) -> Vec<Lack> {
+        if self.was_mastered {
+            return Vec::new();
+        }
+        let more = |have: usize, needed: usize| needed.saturating_sub(have);
+        let mut lacks = Vec::new();
+        if self.chance(day) < MASTERED {
+            lacks.push(Lack::Chance((MASTERED * 100.0).round() as u8));
+        }
+        let flights = more(self.opportunities as usize, OPPORTUNITIES as usize);
+        lacks.extend((flights > 0).then_some(Lack::Flights(flights)));
+        let missions = more(self.missions.len(), MISSIONS);
+        lacks.extend((missions > 0).then_some(Lack::Missions(missions)));
+        let days = more(self.days.len(), DAYS);
+        lacks.extend((days > 0).then_some(Lack::Days(days)));
+        if lacks.is_empty() {
+            // All was there at some time, but not together: the next good flight decides.
+            lacks.push(Lack::Flights(1));
+        }
+        lacks
+    }
+
+    /// In how many flights it was shown.
     pub fn opportunities(&self) -> u32 {
         self.opportunities
     }
@@ -131,7 +181,7 @@ impl Knowledge {
         self.missions.len()
     }
 
-    /// What an opportunity with an outcome of 0 to 1 makes of it.
+    /// What a flight with an outcome of 0 to 1 makes of it.
     pub(super) fn observe(&mut self, outcome: f64, tier: u8, mission: &str, day: i64) {
         let before = self.chance(day);
         if self.mastery(day) == Mastery::Due && outcome >= SUCCESS {
@@ -141,7 +191,8 @@ impl Knowledge {
         let right = before * (1.0 - SLIP) / (before * (1.0 - SLIP) + (1.0 - before) * guess);
         let wrong = before * SLIP / (before * SLIP + (1.0 - before) * (1.0 - guess));
         let seen = outcome * right + (1.0 - outcome) * wrong;
-        self.chance = seen + (1.0 - seen) * LEARN;
+        let learnt = seen + (1.0 - seen) * LEARN;
+        self.chance = learnt.clamp(before - MOST_AT_ONCE, before + MOST_AT_ONCE);
         self.last_day = day.max(self.last_day);
         self.opportunities += 1;
         self.missions.insert(mission.to_owned());

@@ -58,6 +58,8 @@ pub struct SkillChange {
     pub skill: Skill,
     /// Its name for people.
     pub title: Text,
+    /// Whether no flight had shown it before.
+    pub is_new: bool,
     /// How likely it was, in percent.
     pub before_percent: u8,
     /// How likely it is now, in percent.
@@ -156,12 +158,17 @@ impl SkillChange {
             let percent = (it.outcome * 100.0).round() as u32;
             text!("reward-seen", what = it.what.clone(), percent = percent)
         };
+        let why = Text::joined(", ", self.why.iter().map(seen).collect());
+        let (skill, after) = (self.title.clone(), self.after_percent);
+        if self.is_new {
+            return text!("reward-skill-new", skill = skill, after = after, why = why);
+        }
         text!(
             "reward-skill",
-            skill = self.title.clone(),
+            skill = skill,
             before = self.before_percent,
-            after = self.after_percent,
-            why = Text::joined(", ", self.why.iter().map(seen).collect())
+            after = after,
+            why = why
         )
     }
 }
@@ -229,6 +236,7 @@ fn skill_changes(
         .map(|skill| SkillChange {
             skill,
             title: skill.title(),
+            is_new: before.skill(skill).opportunities() == 0,
             before_percent: percent(before, skill),
             after_percent: percent(after, skill),
             why: seen(skill).cloned().collect(),

@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use crate::mission::{Mission, Skill};
+use super::CareerFlight;
+use crate::mission::{Mission, Skill, Trying};
 use crate::scoring::{Component, Report};
 use crate::text;
 use crate::text::Text;
@@ -37,6 +38,32 @@ const BLIND_POINTS: f64 = 250.0;
 /// Outcomes are kept to this fraction, so that a career comes back from a file as it was.
 const STEPS: f64 = 1000.0;
 
+/// All that a flight tells of one skill. It counts once: what is shown three times in one flight is no surer for it.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct SkillShown {
+    pub skill: Skill,
+    /// The mean of the outcomes, 0 to 1.
+    pub outcome: f64,
+    /// What was looked at.
+    pub what: Text,
+}
+
+impl CareerFlight {
+    /// What the flight tells of each skill that it shows, in the order of the skills.
+    pub(super) fn shown_skills(&self) -> Vec<SkillShown> {
+        let mut by_skill: BTreeMap<Skill, Vec<&Evidence>> = BTreeMap::new();
+        for evidence in &self.evidence {
+            by_skill.entry(evidence.skill).or_default().push(evidence);
+        }
+        let shown = by_skill.into_iter().map(|(skill, seen)| SkillShown {
+            skill,
+            outcome: seen.iter().map(|it| it.outcome).sum::<f64>() / seen.len() as f64,
+            what: Text::joined(", ", seen.iter().map(|it| it.what.clone()).collect()),
+        });
+        shown.collect()
+    }
+}
+
 impl Evidence {
     fn new(skill: Skill, outcome: f64, what: Text) -> Self {
         Self {
@@ -46,7 +73,7 @@ impl Evidence {
         }
     }
 
-    /// What a flight of a mission tells: every objective of the skill that its kind needs, the components of the score that
+    /// What a flight of a mission tells: every objective that was tried of the skill that its kind needs, the components of the score that
     /// stand for one, and the prediction. Nothing for a flight that was given up before anything was commanded.
     pub fn of(report: &Report, mission: &Mission) -> Vec<Self> {
         if report.ledger.is_empty() {
@@ -56,6 +83,13 @@ impl Evidence {
         let objectives = report.objectives.iter().filter_map(|objective| {
             let skill = skills.get(objective.id.as_str()).copied().flatten()?;
             let share = objective.points / objective.points_max.max(f64::EPSILON);
+            let is_tried = share > 0.0
+                || match mission.trying(&objective.id) {
+                    Some(Trying::Always) => true,
+                    Some(Trying::Report) => !report.truth.marks.is_empty(),
+                    Some(Trying::Progress) | None => false,
+                };
+            is_tried.then_some(())?;
             Some(Self::new(skill, share, objective.title.clone()))
         });
         let has_flown = report.usage.iter().any(|used| used.airborne_s > 0.0);

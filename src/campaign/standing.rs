@@ -135,9 +135,9 @@ impl CareerStanding {
         self.flights += 1;
         // A layout that was seen before shows what was remembered, not what is known.
         if counts {
-            for evidence in &flight.evidence {
-                let known = self.skills.entry(evidence.skill).or_default();
-                known.observe(evidence.outcome, flight.tier, &flight.mission, flight.day);
+            for shown in flight.shown_skills() {
+                let known = self.skills.entry(shown.skill).or_default();
+                known.observe(shown.outcome, flight.tier, &flight.mission, flight.day);
             }
             if flight.stake == Stake::Daily {
                 self.daily.insert((flight.mission.clone(), flight.day));

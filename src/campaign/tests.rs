@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use proptest::sample::select;
 
 use super::{
-    Best, CareerEntry, CareerFlight, CareerProgress, CareerStanding, Evidence, Knowledge,
+    Best, CareerEntry, CareerFlight, CareerProgress, CareerStanding, Evidence, Knowledge, Lack,
     LockReason, Mastery, MissionCourse, MissionStage, Offer, PartState, PurchaseRefusal,
     STARTER_PARTS, Skill, Stake, daily_seed, exam_seed, licence_price,
 };
@@ -281,6 +281,7 @@ fn a_skill_is_mastered_over_missions_and_days_and_comes_due_again() {
     for _ in 0..6 {
         known.observe(1.0, 1, "one", 10);
     }
+    assert_eq!(known.lacks(10), [Lack::Missions(1), Lack::Days(1)]);
     assert_eq!(
         known.mastery(10),
         Mastery::Learning,
@@ -288,6 +289,7 @@ fn a_skill_is_mastered_over_missions_and_days_and_comes_due_again() {
     );
     known.observe(1.0, 1, "two", 11);
     assert_eq!(known.mastery(11), Mastery::Mastered);
+    assert_eq!(known.lacks(11), []);
     let due = known.due_day().expect("mastered");
     assert_eq!(
         known.mastery(due - 1),
@@ -300,6 +302,36 @@ fn a_skill_is_mastered_over_missions_and_days_and_comes_due_again() {
         known.due_day().expect("mastered") - (due + 1) > due - 11,
         "a review lasts longer"
     );
+}
+
+#[test]
+fn one_flight_moves_a_skill_a_quarter_at_most_however_often_it_shows_it() {
+    let seen = |outcome| Evidence {
+        skill: Skill::K3,
+        outcome,
+        what: Text::default(),
+    };
+    let course = course();
+    let flown = |outcomes: &[f64]| {
+        CareerEntry::Flight(CareerFlight {
+            evidence: outcomes.iter().copied().map(seen).collect(),
+            ..flight(&course, "one", 900, 1)
+        })
+    };
+    let chance = |flights: &[CareerEntry]| standing(flights).skill(Skill::K3).chance(1);
+    let one = flown(&[1.0, 1.0, 1.0]);
+    assert!((chance(std::slice::from_ref(&one)) - 0.45).abs() < 1e-9);
+    assert_eq!(
+        standing(std::slice::from_ref(&one))
+            .skill(Skill::K3)
+            .opportunities(),
+        1
+    );
+    let twice = vec![one; 2];
+    let high = chance(&twice);
+    let fallen = chance(&[twice, vec![flown(&[0.0, 0.0])]].concat());
+    let lost = high - fallen;
+    assert!(lost > 0.1 && lost < 0.25 + 1e-9, "{high} {fallen}");
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use std::time::{Duration, UNIX_EPOCH};
 
 use super::table::{Side, TextTable};
-use crate::campaign::{CareerProgress, MissionState, Stake};
+use crate::campaign::{CareerProgress, Mastery, MissionState, Stake};
 use crate::scoring::{FlownBy, Medal};
 use crate::store::{PastRun, utc};
 use crate::text;
@@ -83,7 +83,12 @@ pub(super) fn skills(progress: &CareerProgress, locale: &Locale) -> TextTable {
     for skill in &progress.skills {
         table.push(vec![
             locale.text(&skill.title),
-            format!("{} %", skill.percent),
+            match skill.mastery {
+                Mastery::Unknown => "-".to_owned(),
+                Mastery::Learning | Mastery::Mastered | Mastery::Due => {
+                    format!("{} %", skill.percent)
+                }
+            },
             locale.text(&skill.mastery.title()),
             skill.opportunities.to_string(),
             skill.due_day.map(date).unwrap_or_default(),

@@ -8,6 +8,7 @@ use crate::app::State;
 use crate::app::action::Action;
 use crate::app::room::home::HomeItem;
 use crate::app::state::{Career, Room};
+use crate::campaign::Mastery;
 use crate::notice::sanitised;
 use crate::text;
 use crate::text::Text;
@@ -114,17 +115,20 @@ fn advice(career: &Career) -> Vec<Text> {
     let Some((skill, offer)) = career.next() else {
         return Vec::new();
     };
-    let percent = (career.standing.skill(skill).chance(career.day) * 100.0).round();
-    let (percent, mission) = (percent as u32, &offer.title);
-    vec![
+    let known = career.standing.skill(skill);
+    let percent = (known.chance(career.day) * 100.0).round() as u32;
+    let (skill, mission) = (skill.title(), &offer.title);
+    let in_full = if known.mastery(career.day) == Mastery::Unknown {
+        text!("home-next-new", skill = skill, mission = mission)
+    } else {
         text!(
             "home-next",
-            skill = skill.title(),
+            skill = skill,
             percent = percent,
             mission = mission
-        ),
-        text!("home-next-short", mission = mission),
-    ]
+        )
+    };
+    vec![in_full, text!("home-next-short", mission = mission)]
 }
 
 fn name(state: &State, item: HomeItem, look: &Look) -> String {

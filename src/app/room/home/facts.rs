@@ -135,10 +135,14 @@ fn skills(career: &Career, offer: &Offer) -> Text {
         let known = career.standing.skill(*skill);
         let percent = (known.chance(career.day) * 100.0).round() as u32;
         let title = skill.title();
-        if known.mastery(career.day) == Mastery::Mastered {
-            text!("fact-skill-mastered", skill = title, percent = percent)
-        } else {
-            text!("fact-skill", skill = title, percent = percent)
+        match known.mastery(career.day) {
+            Mastery::Unknown => text!("fact-skill-new", skill = title),
+            Mastery::Mastered => {
+                text!("fact-skill-mastered", skill = title, percent = percent)
+            }
+            Mastery::Learning | Mastery::Due => {
+                text!("fact-skill", skill = title, percent = percent)
+            }
         }
     };
     Text::joined(", ", offer.skills.iter().map(skill).collect())
@@ -146,7 +150,9 @@ fn skills(career: &Career, offer: &Offer) -> Text {
 
 fn pay(career: &Career, offer: &Offer) -> Text {
     let left = career.credits_left(offer);
-    if career.standing.has_passed(&offer.id) {
+    if offer.credits == 0 {
+        text!("fact-pays-nothing")
+    } else if career.standing.has_passed(&offer.id) {
         text!("fact-pays-left", left = left, credits = offer.credits)
     } else {
         text!("fact-pays-first", credits = offer.credits)

@@ -6,8 +6,9 @@ use ratatui::text::{Line, Span};
 
 use super::{Subject, days};
 use crate::app::room::standing::Pane;
-use crate::campaign::{Mastery, Skill, SkillMove};
+use crate::campaign::{Lack, Mastery, Skill, SkillMove};
 use crate::text;
+use crate::text::Text;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, below, clip, put, row_of, width};
@@ -64,19 +65,26 @@ fn line(subject: &Subject<'_>, skill: Skill, under_cursor: bool, name: usize) ->
     } else {
         due.unwrap_or_default()
     };
+    let is_tried = known.mastery(day) != Mastery::Unknown;
+    let shown = if is_tried { chance } else { 0.0 };
+    let percent = if is_tried {
+        format!(" {:>3.0} % ", chance * 100.0)
+    } else {
+        " ".repeat(7)
+    };
     let mark = if under_cursor { '>' } else { ' ' };
     let head = format!(
         "{mark} {:<4}{} ",
         skill.code(),
         aligned(&look.text(&skill.title()), name, false)
     );
-    let filled = (chance * BAR as f64).round() as usize;
+    let filled = (shown * BAR as f64).round() as usize;
     let end_role = if is_next { Role::Accent } else { Role::Muted };
     Line::from(vec![
         Span::raw(head),
         Span::styled("█".repeat(filled), look.style(role)),
         Span::styled("·".repeat(BAR - filled.min(BAR)), look.style(Role::Muted)),
-        Span::raw(format!(" {:>3.0} % ", chance * 100.0)),
+        Span::raw(percent),
         Span::styled(
             aligned(&look.text(&known.mastery(day).title()), MASTERY, false),
             look.style(role),
@@ -90,6 +98,19 @@ fn draw_moves(subject: &Subject<'_>, skill: Skill, area: Rect, buffer: &mut Buff
     let look = subject.look;
     let title = text!("standing-why", skill = skill.title());
     let inner = Panel::new(look, below(area, 1)).titled(&look.text(&title), buffer);
+    let inner = match lacks(subject, skill) {
+        Some(lacks) => {
+            let text = clip(&look.text(&lacks), usize::from(inner.width));
+            put(
+                buffer,
+                inner,
+                0,
+                &Line::styled(text, look.style(Role::Accent)),
+            );
+            below(inner, 1)
+        }
+        None => inner,
+    };
     let moves = subject.career.growth.moves(skill);
     if moves.is_empty() {
         let nothing = look.say("standing-why-nothing");
@@ -107,6 +128,14 @@ fn draw_moves(subject: &Subject<'_>, skill: Skill, area: Rect, buffer: &mut Buff
         let line = moved_line(subject, moved, usize::from(inner.width));
         put(buffer, inner, row as u16, &line);
     }
+}
+
+/// What is missing for mastery of a skill that was shown.
+fn lacks(subject: &Subject<'_>, skill: Skill) -> Option<Text> {
+    let (known, day) = (subject.career.standing.skill(skill), subject.career.day);
+    let lacks = known.lacks(day).into_iter().map(Lack::text).collect();
+    let needs = text!("standing-lacks", lacks = Text::joined(", ", lacks));
+    (known.mastery(day) == Mastery::Learning).then_some(needs)
 }
 
 /// ` 48 -> 62 +14  Air sample: cells sampled 97 %, today`.
