@@ -12,6 +12,7 @@ use crate::diagnostic::Diagnostic;
 
 mod budget;
 mod events;
+mod hints;
 mod idle;
 mod others;
 mod reach;
@@ -46,6 +47,7 @@ impl Mission {
         idle::check(&mut examined);
         events::check(&mut examined);
         scores::check(&mut examined);
+        hints::check(&mut examined);
         let mut found = examined.found;
         found.sort_by_key(|fault| fault.span.start);
         found

@@ -45,7 +45,7 @@ impl Phase {
 /// Advice that has to be asked for, and costs points by its level from the second try on.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Clue {
-    /// 1: where to look; 2: what to do; 3: how to do it, step by step.
+    /// 1: a question or a principle; 2: where to look; 3: how to do it, step by step.
     pub level: u8,
     /// The only phase that it fits, if it is made for one.
     pub phase: Option<Phase>,

@@ -12,17 +12,15 @@ const FLOOR: f64 = 0.70;
 pub struct HintsUsed {
     /// How many of level 1, 2 and 3.
     pub levels: [u32; 3],
-    /// Whether this is the first try at the mission, on which hints are free.
-    pub free: bool,
+    /// The highest level that is free: on the first try, the hints that leave something to think about.
+    pub free_level: u8,
 }
 
 impl HintsUsed {
-    /// `max(0.70, 1 - 0.02 L1 - 0.05 L2 - 0.10 L3)`; 1 where they are free.
+    /// `max(0.70, 1 - 0.02 L1 - 0.05 L2 - 0.10 L3)`, without the levels that are free.
     pub fn factor(&self) -> f64 {
-        if self.free {
-            return 1.0;
-        }
-        let levels = self.levels.iter().zip(PRICES);
+        let free = usize::from(self.free_level);
+        let levels = self.levels.iter().zip(PRICES).skip(free);
         let taken: f64 = levels.map(|(&count, price)| f64::from(count) * price).sum();
         (1.0 - taken).max(FLOOR)
     }
@@ -47,15 +45,16 @@ mod tests {
     use super::*;
 
     #[test]
-    fn hints_cost_by_their_level_down_to_a_floor_and_nothing_on_the_first_try() {
-        for (levels, free, expected) in [
-            ([0, 0, 0], false, 1.0),
-            ([1, 0, 0], false, 0.98),
-            ([1, 1, 1], false, 0.83),
-            ([0, 0, 9], false, 0.70),
-            ([0, 0, 9], true, 1.0),
+    fn hints_cost_by_their_level_down_to_a_floor_unless_their_level_is_free() {
+        for (levels, free_level, expected) in [
+            ([0, 0, 0], 0, 1.0),
+            ([1, 0, 0], 0, 0.98),
+            ([1, 1, 1], 0, 0.83),
+            ([1, 1, 1], 2, 0.90),
+            ([0, 0, 9], 0, 0.70),
+            ([0, 0, 9], 3, 1.0),
         ] {
-            let factor = HintsUsed { levels, free }.factor();
+            let factor = HintsUsed { levels, free_level }.factor();
             assert!((factor - expected).abs() < 1e-9, "{levels:?}: {factor}");
         }
         assert!((HintsUsed::default().price(2) - 0.05).abs() < 1e-9);

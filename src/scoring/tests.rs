@@ -207,11 +207,11 @@ fn harm_to_people_caps_the_score_and_takes_the_medal() {
 
 #[test]
 fn hints_take_their_share_of_the_sum_from_the_second_try_on() {
-    for (free, expected) in [(true, 1000), (false, 930)] {
+    for (free_level, expected) in [(2, 1000), (0, 930)] {
         let mut facts = perfect();
         facts.hints = HintsUsed {
             levels: [1, 1, 0],
-            free,
+            free_level,
         };
         let score = score(&rules(), &facts);
         assert_eq!(score.points, expected);
@@ -220,7 +220,7 @@ fn hints_take_their_share_of_the_sum_from_the_second_try_on() {
             .iter()
             .map(|improvement| improvement.points)
             .collect();
-        assert_eq!(gain, if free { vec![] } else { vec![70] });
+        assert_eq!(gain, if free_level > 0 { vec![] } else { vec![70] });
     }
 }
 

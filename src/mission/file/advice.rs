@@ -41,8 +41,9 @@ pub(super) fn advice(table: &mut FileTable<'_>) -> Option<OneAdvice> {
     let level = table.may(
         "level",
         whole(1, 3, ""),
-        "it has to be asked for (`1 hint`) and costs: 1 (where to look) 2 %, 2 (what to do) 5 %, 3 (how to do it) \
-         10 % of the score, 30 % at most, nothing on the first try; the mildest is given first",
+        "it has to be asked for (`1 hint`) and costs: 1 (a question to think about) 2 %, 2 (where to look) 5 %, \
+         3 (how to do it) 10 % of the score, 30 % at most; on the first try only 3 costs, and nothing does in missions \
+         of tier 0; the mildest is given first",
     );
     let objective_form = text("id of an objective");
     let objective = table.may("objective", objective_form, "it is given until this is met");

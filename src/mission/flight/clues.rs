@@ -5,7 +5,7 @@ use std::time::Duration;
 use super::Flight;
 use super::journal::JournalEntry;
 use crate::mission::hint::{Clue, next_clue};
-use crate::mission::{ClueProgress, Phase};
+use crate::mission::{ClueProgress, Mission, Phase};
 use crate::scoring::{EventKind, HintsUsed};
 use crate::text;
 use crate::text::Text;
@@ -45,13 +45,18 @@ impl CluesGiven {
         self.attempt
     }
 
-    /// What they have cost so far.
-    pub fn used(&self, clues: &[Clue]) -> HintsUsed {
+    /// What they have cost so far. On the first try only the line that does it costs; while the console is learnt,
+    /// nothing does.
+    pub fn used(&self, mission: &Mission) -> HintsUsed {
         let mut used = HintsUsed {
-            free: self.attempt == 1,
+            free_level: match (self.attempt, mission.tier) {
+                (1, 0) => 3,
+                (1, _) => 2,
+                _ => 0,
+            },
             ..HintsUsed::default()
         };
-        for (_, clue) in self.all(clues) {
+        for (_, clue) in self.all(&mission.clues) {
             if let Some(count) = used.levels.get_mut(usize::from(clue.level).wrapping_sub(1)) {
                 *count += 1;
             }
@@ -71,7 +76,7 @@ impl Flight {
     pub(super) fn give_clue(&mut self) -> Result<Text, Text> {
         let index = self.next_clue().ok_or_else(|| text!("deed-no-hint"))?;
         let clue = &self.mission.clues[index];
-        let price = self.clues.used(&self.mission.clues).price(clue.level);
+        let price = self.clues.used(&self.mission).price(clue.level);
         let text = text!(
             "mission-hint-given",
             level = clue.level,
@@ -89,7 +94,7 @@ impl Flight {
     /// How the hints stand, for the mission panel.
     pub(super) fn clue_progress(&self) -> ClueProgress {
         let clues = &self.mission.clues;
-        let used = self.clues.used(clues);
+        let used = self.clues.used(&self.mission);
         let next = self.next_clue().map(|index| clues[index].level);
         let given = self.clues.all(clues);
         ClueProgress {

@@ -81,7 +81,7 @@ prop_compose! {
         (accepted, empty, rejected, dangerous, duplicates) in (0u32..100, 0u32..9, 0u32..100, 0u32..9, 0u32..9),
         alerts in proptest::collection::vec(any_alert(), 0..4),
         usage in proptest::collection::vec(any_use(), 1..9),
-        (levels, free) in (proptest::array::uniform3(0u32..5), any::<bool>()),
+        (levels, free_level) in (proptest::array::uniform3(0u32..5), 0u8..=3),
     ) -> Facts {
         Facts {
             objectives: objectives.into_iter().enumerate().map(numbered).collect(),
@@ -92,7 +92,7 @@ prop_compose! {
             alerts,
             vehicles: usage.len(),
             usage,
-            hints: HintsUsed { levels, free },
+            hints: HintsUsed { levels, free_level },
         }
     }
 }

@@ -135,7 +135,7 @@ proptest! {
     fn hints_only_lower(facts in any_facts()) {
         let without = Facts { hints: HintsUsed::default(), ..facts.clone() };
         prop_assert!(score(&rules(), &facts).points <= score(&rules(), &without).points);
-        let free = Facts { hints: HintsUsed { free: true, ..facts.hints }, ..facts };
+        let free = Facts { hints: HintsUsed { free_level: 3, ..facts.hints }, ..facts };
         prop_assert_eq!(score(&rules(), &free).points, score(&rules(), &without).points);
     }
 
