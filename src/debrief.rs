@@ -7,7 +7,9 @@ use std::fmt::Write as _;
 use unicode_width::UnicodeWidthStr as _;
 
 use crate::notice::sanitised;
-use crate::scoring::{FlightBackend, FlownBy, MissionFile, ObjectiveReport, Report};
+use crate::scoring::{
+    Component, ComponentReport, FlightBackend, FlownBy, Medal, MissionFile, ObjectiveReport, Report,
+};
 use crate::text;
 use crate::text::{Locale, Text, wrap};
 
@@ -85,7 +87,6 @@ impl DebriefPage<'_> {
         let second = text!(
             "debrief-score",
             score = report.score,
-            grade = report.grade.letter(),
             medal = medal,
             seed = report.seed.to_string(),
             backend = backend
@@ -197,7 +198,7 @@ impl DebriefPage<'_> {
         let locale = self.locale;
         let heading = format!(
             "{}{}{}{}",
-            fit(&format!(" {}", locale.say("debrief-objectives")), 39),
+            fit(&format!(" {}", locale.say("debrief-objectives")), 38),
             fit(&locale.say("debrief-result"), 14),
             fit(&locale.say("debrief-target"), 12),
             locale.say("debrief-points")
@@ -213,7 +214,7 @@ impl DebriefPage<'_> {
     fn objective(&mut self, objective: &ObjectiveReport) {
         let locale = self.locale;
         let met = if objective.met { 'x' } else { ' ' };
-        let points = format!("{:.1}/{:.0}", objective.points, objective.points_max);
+        let points = format!("{:>4.1}/{:.0}", objective.points, objective.points_max);
         let [title, result, target] = [&objective.title, &objective.result, &objective.target]
             .map(|words| sanitised(&locale.text(words)));
         let widths = [
@@ -234,7 +235,7 @@ impl DebriefPage<'_> {
             let (title, result, target) = (fit(&title, 22), fit(&result, 13), fit(&target, 11));
             self.line(&format!("{lead} {title} {result} {target} {points}"));
         } else {
-            self.line(&format!("{} {points}", fit(&format!("{lead} {title}"), 62)));
+            self.line(&format!("{} {points}", fit(&format!("{lead} {title}"), 63)));
             let result = text!("debrief-objective-result", result = result, target = target);
             self.wrapped(&" ".repeat(15), &result);
         }
@@ -302,7 +303,7 @@ impl DebriefPage<'_> {
         let good = report
             .components
             .iter()
-            .filter(|component| component.value >= 0.95)
+            .filter(|component| component.value >= 0.95 && is_praise(component, report))
             .max_by(|a, b| a.points.total_cmp(&b.points));
         if let Some(good) = good {
             let lead = fit(&format!("  {}", self.locale.say("debrief-good")), 8);
@@ -327,6 +328,8 @@ impl DebriefPage<'_> {
     fn next(&mut self, report: &Report) {
         self.heading("debrief-next");
         let first = report.improvements.first().map(|first| &first.text);
+        // After gold there is nothing left to win here.
+        let first = first.filter(|_| report.medal != Some(Medal::Gold));
         let text = match (&report.drill, first) {
             (Some(drill), Some(what)) if !report.passed => {
                 text!("debrief-next-drill", drill = drill, what = what)
@@ -361,6 +364,11 @@ impl DebriefPage<'_> {
         }
         self.words.push('\n');
     }
+}
+
+/// Whether what moved a component is good to hear: the objectives may be worth a lot with one of them missed.
+fn is_praise(component: &ComponentReport, report: &Report) -> bool {
+    component.name != Component::Objective.title() || report.objectives.iter().all(|it| it.met)
 }
 
 #[cfg(test)]

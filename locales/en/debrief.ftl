@@ -1,7 +1,7 @@
 # The debrief, 80 columns wide.
 
 debrief-head = DEBRIEF  { $mission } r{ $revision }   { $title }   { $outcome }
-debrief-score = Score { $score } / 1000   grade { $grade }   { $medal }   seed { $seed }   { $backend }
+debrief-score = Score { $score } / 1000   { $medal }   seed { $seed }   { $backend }
 debrief-no-medal = no medal
 debrief-embedded = embedded
 debrief-time = Time { $used } (par { $par }, limit { $limit })   Energy { $energy }   Drones { $count }
@@ -80,7 +80,7 @@ debrief-tries = YOUR TRIES
 
 debrief-next = NEXT
 debrief-next-drill = Fly the drill { $drill }, then this mission again with one thing in mind: { $what }
-debrief-next-again = Fly it again with one thing in mind: { $what }
+debrief-next-again = Next try: { $what }
 debrief-next-on = Go on to the next mission.
 debrief-last-mission = there is no mission after this one
 

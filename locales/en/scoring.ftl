@@ -17,7 +17,8 @@ scoring-bronze = bronze
 # What moved a component.
 scoring-all-met = all { $count } objectives met
 scoring-missed = missed: { $objectives }
-scoring-needs-objectives = needs { $share } of the objectives
+scoring-missed-capped = missed: { $objectives }, which is mandatory: no more than { $most }
+scoring-needs-objectives = counts from { $percent } % of the objectives on
 scoring-seconds = s
 scoring-watt-hours = Wh
 scoring-inside-par = { $by } { $unit } inside par
@@ -37,8 +38,8 @@ scoring-twice = { $count } given twice
 # What would have brought more.
 scoring-improve-quality = Bring the quality from { $from } to { $to } ({ $now }).
 scoring-improve-quality-how = Bring the quality from { $from } to { $to } ({ $now }): { $how }.
-scoring-be-faster = Be { $seconds } s faster: that is par.
-scoring-use-less = Use { $energy } Wh less: that is par.
+scoring-be-faster = Save { $seconds } s to reach par.
+scoring-use-less = Save { $energy } Wh to reach par.
 scoring-advice-commands = Give commands that can work, once: read the reason of a refusal first.
 scoring-advice-mandatory = Reach everything that must be reached, without that it counts for little: { $objectives }.
 scoring-advice-geofence = Stay inside the fence: check a goto's numbers against the map before you send it.

@@ -40,6 +40,7 @@ vehicle-link = link
 vehicle-link-good = { $percent } %  round trip { $trip } ms
 vehicle-link-lost = LOST { $seconds } s ago
 vehicle-wind = wind
+vehicle-wind-unknown = not estimated
 vehicle-wind-from = { $speed } m/s from { $from }°
 vehicle-ground = rangefinder
 vehicle-place-of = position

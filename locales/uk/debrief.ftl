@@ -1,7 +1,7 @@
 # Розбір польоту, завширшки 80 колонок.
 
 debrief-head = РОЗБІР  { $mission } r{ $revision }   { $title }   { $outcome }
-debrief-score = Бали { $score } / 1000   оцінка { $grade }   { $medal }   зерно { $seed }   { $backend }
+debrief-score = Бали { $score } / 1000   { $medal }   зерно { $seed }   { $backend }
 debrief-no-medal = без медалі
 debrief-embedded = симулятор
 debrief-time = Час { $used } (норма { $par }, межа { $limit })   Енергія { $energy }   Дрони { $count }
@@ -80,7 +80,7 @@ debrief-tries = ВАШІ СПРОБИ
 
 debrief-next = ДАЛІ
 debrief-next-drill = Виконайте вправу { $drill }, а тоді це завдання ще раз, зваживши на одне: { $what }
-debrief-next-again = Виконайте завдання ще раз, зваживши на одне: { $what }
+debrief-next-again = Наступна спроба: { $what }
 debrief-next-on = Переходьте до наступного завдання.
 debrief-last-mission = після цього завдань немає
 

@@ -20,7 +20,8 @@ scoring-all-met = { $count ->
    *[many] досягнуто всіх цілей: { $count }
 }
 scoring-missed = не досягнуто: { $objectives }
-scoring-needs-objectives = цілі мають дати щонайменше { $share }
+scoring-missed-capped = не досягнуто обов'язкового: { $objectives }; не більше { $most }
+scoring-needs-objectives = зараховується, коли досягнуто { $percent } % цілей
 scoring-seconds = s
 scoring-watt-hours = Wh
 scoring-inside-par = краще за норму на { $by } { $unit }
@@ -44,8 +45,8 @@ scoring-twice = повторних { $count }
 # Що дало б більше.
 scoring-improve-quality = Підвищте якість з { $from } до { $to } ({ $now }).
 scoring-improve-quality-how = Підвищте якість з { $from } до { $to } ({ $now }): { $how }.
-scoring-be-faster = Виконайте на { $seconds } s швидше: це норма.
-scoring-use-less = Витратьте на { $energy } Wh менше: це норма.
+scoring-be-faster = До норми часу бракує { $seconds } s.
+scoring-use-less = До норми енергії зекономте { $energy } Wh.
 scoring-advice-commands = Давайте лише команди, які можна виконати, і по одному разу: спершу прочитайте причину відмови.
 scoring-advice-mandatory = Досягніть усього обов'язкового, без цього решта важить мало: { $objectives }.
 scoring-advice-geofence = Не вилітайте за геозону: перш ніж надіслати, звірте числа в goto з картою.

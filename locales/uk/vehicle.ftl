@@ -40,6 +40,7 @@ vehicle-link = зв'язок
 vehicle-link-good = { $percent } %  туди й назад { $trip } ms
 vehicle-link-lost = ВТРАЧЕНО { $seconds } s тому
 vehicle-wind = вітер
+vehicle-wind-unknown = немає оцінки
 vehicle-wind-from = { $speed } m/s з { $from }°
 vehicle-ground = далекомір
 vehicle-place-of = координати

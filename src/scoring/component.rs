@@ -201,6 +201,14 @@ fn objective_value(facts: &Facts) -> f64 {
     }
 }
 
+/// Whether the objectives are worth less than was reached, because one that must be met was missed.
+fn is_capped(facts: &Facts) -> bool {
+    let total: f64 = facts.objectives.iter().map(|o| o.value).sum();
+    let reached: f64 = facts.objectives.iter().map(|o| o.value * o.fraction).sum();
+    let missed = facts.objectives.iter().any(|o| o.mandatory && !o.met);
+    missed && reached > total * MISSED_MANDATORY_CAP
+}
+
 fn objective_words(facts: &Facts) -> Text {
     let missed: Vec<&str> = facts
         .objectives
@@ -211,7 +219,17 @@ fn objective_words(facts: &Facts) -> Text {
     if missed.is_empty() {
         text!("scoring-all-met", count = facts.objectives.len())
     } else {
-        text!("scoring-missed", objectives = missed.join(", "))
+        let objectives = missed.join(", ");
+        let most = format!("{MISSED_MANDATORY_CAP:.3}");
+        if is_capped(facts) {
+            text!(
+                "scoring-missed-capped",
+                objectives = objectives,
+                most = most
+            )
+        } else {
+            text!("scoring-missed", objectives = objectives)
+        }
     }
 }
 
@@ -232,7 +250,13 @@ fn time(rules: &ScoreRules, elapsed: Duration, objective: f64) -> (f64, Text) {
         rules.time_limit.as_secs_f64(),
     );
     if objective < TIME_NEEDS_OBJECTIVES {
-        return (0.0, text!("scoring-needs-objectives", share = ".60"));
+        return (
+            0.0,
+            text!(
+                "scoring-needs-objectives",
+                percent = percent(TIME_NEEDS_OBJECTIVES)
+            ),
+        );
     }
     let value = if used <= par {
         1.0
@@ -244,13 +268,23 @@ fn time(rules: &ScoreRules, elapsed: Duration, objective: f64) -> (f64, Text) {
 
 fn energy(rules: &ScoreRules, used_wh: f64, objective: f64) -> (f64, Text) {
     if objective < ENERGY_NEEDS_OBJECTIVES {
-        return (0.0, text!("scoring-needs-objectives", share = ".80"));
+        return (
+            0.0,
+            text!(
+                "scoring-needs-objectives",
+                percent = percent(ENERGY_NEEDS_OBJECTIVES)
+            ),
+        );
     }
     let value = (1.0 - (used_wh / rules.par_energy_wh - 1.0) / 0.6).clamp(0.0, 1.0);
     (
         value,
         against_par(used_wh, rules.par_energy_wh, text!("scoring-watt-hours")),
     )
+}
+
+fn percent(share: f64) -> String {
+    format!("{:.0}", share * 100.0)
 }
 
 fn against_par(used: f64, par: f64, unit: Text) -> Text {

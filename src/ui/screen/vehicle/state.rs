@@ -254,6 +254,10 @@ fn link(subject: &Subject<'_>) -> Entry {
 
 fn wind(vehicle: &Vehicle, look: &Look) -> String {
     vehicle.wind.map_or(UNKNOWN.to_owned(), |wind| {
+        // An autopilot that does not estimate the wind reports a calm from the north.
+        if wind.speed_m_s == 0.0 && wind.from_deg == 0.0 {
+            return look.say("vehicle-wind-unknown");
+        }
         let text = text!(
             "vehicle-wind-from",
             speed = number(Some(wind.speed_m_s), 1),
