@@ -26,6 +26,7 @@ use crate::wire::{
 mod driver;
 mod lock_step;
 mod orders;
+mod paced_clock;
 mod playthrough;
 mod streams;
 #[cfg(test)]
@@ -33,6 +34,7 @@ mod tests;
 
 pub use driver::{FlightDriver, FlightPace};
 pub use lock_step::LockStep;
+pub use paced_clock::PacedClock;
 pub use playthrough::{Playthrough, PlaythroughFlight};
 pub use streams::LiveStreams;
 

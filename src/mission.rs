@@ -134,6 +134,8 @@ pub struct Mission {
     pub outlay: Outlay,
     /// Whether it may stand still while somebody thinks.
     pub pausable: bool,
+    /// How many times as fast time may pass in flight.
+    pub most_speedup: f64,
     /// How many vehicles fly it.
     pub vehicles: usize,
     pub time_limit: Duration,

@@ -68,14 +68,15 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
         options.preferences.config.fps,
         options.preferences.config.mouse,
     )?;
-    let mut ticks = ticks(options.speedup);
     let mut console = Console::new(options, true);
+    let mut ticks = ticks(console.speedup());
     console.measure().await;
     console.draw(&mut screen).await?;
     console.begin().await;
     let mut keyboard = Keyboard::open()?;
     while !console.over {
         let frame = console.next_frame_in(&mut screen);
+        keep_pace(&mut ticks, console.speedup());
         tokio::select! {
             biased;
             happened = signals.next() => match happened {
@@ -116,10 +117,20 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
 
 /// The ticks of a console whose vehicles live so many seconds per second.
 fn ticks(speedup: f64) -> Interval {
-    let every = TICK.div_f64(speedup.max(1.0)).max(LEAST_TICK);
-    let mut ticks = tokio::time::interval(every);
+    let mut ticks = tokio::time::interval(tick_every(speedup));
     ticks.set_missed_tick_behavior(MissedTickBehavior::Skip);
     ticks
+}
+
+fn tick_every(speedup: f64) -> Duration {
+    TICK.div_f64(speedup.max(1.0)).max(LEAST_TICK)
+}
+
+/// Ticks more or less often once the vehicles live faster or slower.
+fn keep_pace(ticks: &mut Interval, speedup: f64) {
+    if ticks.period() != tick_every(speedup) {
+        *ticks = self::ticks(speedup);
+    }
 }
 
 /// An answer of the terminal that comes after us would be typed into the shell.

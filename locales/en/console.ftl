@@ -12,7 +12,8 @@ ask-armed = { $count ->
     [one] 1 vehicle is armed
    *[other] { $count } vehicles are armed
 }
-ask-type = type
+ask-press = press { $answer }
+ask-type = type { $answer }
 ask-how-many = { $answer } (how many vehicles)
 ask-cancelled = cancelled, nothing was done: { $question }
 
@@ -36,7 +37,7 @@ mission-none = no mission is being flown
 debrief-none = No debrief yet: it opens when a mission is over.
 
 ask-sure = are you sure
-ask-taken-back = cancelled, nothing was done   { $submit } or { $escape } goes on
+ask-taken-back = cancelled, nothing was done   { $submit } or { $escape }: back
 ask-else = anything else: no
 
 help-title = help   { $scroll } scroll   { $key } closes

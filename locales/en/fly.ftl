@@ -200,6 +200,7 @@ hint-signs = signs
 hint-trails = trails
 
 header-paused = PAUSED
+header-speedup = { $rate }x
 header-reading = the clock starts when you leave the brief
 hint-predict = predict
 hint-goal = goal

@@ -156,6 +156,14 @@ pause-not-real = no pause: real drones cannot be stopped in the air
 pause-not-allowed = the rules of this mission allow no pause
 pause-refuses = commands wait for nobody: it is paused
 pause-refuses-help = `continue` or { $key } goes on; then give the command
+speedup-is = { $rate }x: time passes faster until something happens; { $key } ends it
+speedup-usual = { $rate }x: time passes as usual
+speedup-nothing = nothing is flown whose time could pass faster
+speedup-not-processes = ArduPilot keeps its own time: choose its pace at the start with --speedup
+speedup-not-real = the time of real drones cannot be changed
+speedup-not-allowed = the rules of this mission allow no faster time
+speedup-too-much = too fast: { $most }x at most
+speedup-too-little = too slow: { $least }x at least
 
 # Before launch, in the room of the mission. Names at most 14 columns.
 mission-launch = before launch

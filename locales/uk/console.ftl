@@ -13,7 +13,8 @@ ask-armed = { $count ->
     [few] { $count } апарати із запущеними двигунами
    *[many] { $count } апаратів із запущеними двигунами
 }
-ask-type = введіть
+ask-press = натисніть { $answer }
+ask-type = введіть { $answer }
 ask-how-many = { $answer } (скільки апаратів)
 ask-cancelled = скасовано, нічого не зроблено: { $question }
 
@@ -37,7 +38,7 @@ mission-none = зараз немає завдання
 debrief-none = Розбору ще немає: він відкриється після завдання.
 
 ask-sure = ви певні?
-ask-taken-back = скасовано, нічого не зроблено   { $submit } або { $escape } - далі
+ask-taken-back = скасовано, нічого не зроблено   { $submit } або { $escape }: назад
 ask-else = будь-що інше: ні
 
 help-title = довідка   { $scroll } гортають   { $key } закриває

@@ -202,6 +202,7 @@ hint-signs = знаки
 hint-trails = сліди
 
 header-paused = ПАУЗА
+header-speedup = { $rate }x
 header-reading = час піде, коли ви закриєте опис
 hint-predict = бали
 hint-goal = мета

@@ -164,6 +164,14 @@ pause-not-real = паузи немає: справжні дрони в пові�
 pause-not-allowed = правила цього завдання не дозволяють пауз
 pause-refuses = на паузі команд не віддають
 pause-refuses-help = `continue` або { $key } - далі; тоді віддайте команду
+speedup-is = { $rate }x: час іде швидше, доки щось не станеться; { $key } повертає звичайний
+speedup-usual = { $rate }x: час іде як звичайно
+speedup-nothing = немає польоту, час якого можна прискорити
+speedup-not-processes = ArduPilot має власний час: темп задають під час запуску через --speedup
+speedup-not-real = час справжніх дронів не змінити
+speedup-not-allowed = правила цього завдання не дозволяють прискорювати час
+speedup-too-much = надто швидко: щонайбільше { $most }x
+speedup-too-little = надто повільно: щонайменше { $least }x
 
 # Перед зльотом, на екрані завдання. Назви щонайбільше 14 колонок.
 mission-launch = перед зльотом

@@ -38,6 +38,10 @@ pub enum Action {
     Aids,
     /// Let the mission stand still, or go on.
     PauseMission,
+    /// Let simulated time pass faster.
+    Faster,
+    /// Let simulated time pass as usual.
+    UsualPace,
     /// End the mission now.
     Abandon,
     /// Back to the home screen.
@@ -134,6 +138,8 @@ impl Action {
             | Self::Profiles
             | Self::Aids
             | Self::PauseMission
+            | Self::Faster
+            | Self::UsualPace
             | Self::Abandon
             | Self::Leave
             | Self::Acknowledge

@@ -169,6 +169,8 @@ pub enum SessionEffect {
     Pause,
     /// Let simulated time go on.
     Continue,
+    /// So many seconds of simulated time pass in one from now on.
+    Speedup(f64),
     /// End the mission now; its report follows as an event.
     Abandon,
     /// Start the same mission again.

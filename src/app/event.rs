@@ -124,6 +124,8 @@ pub enum SessionEvent {
     Started(Box<Started>),
     /// Simulated time stopped, or goes on.
     Paused(bool),
+    /// Simulated time passes so many times as fast as the clock on the wall.
+    Speedup(f64),
     /// How the mission is going.
     Mission(Box<Progress>),
     /// The mission is over.
@@ -199,4 +201,6 @@ pub struct Started {
     pub areas: Vec<Area>,
     /// How many processes are started for it; `None` where none is.
     pub processes: Option<usize>,
+    /// How many times as fast as the clock on the wall simulated time passes.
+    pub speedup: f64,
 }

@@ -186,6 +186,8 @@ pub fn act(state: &mut State, action: Action) -> Answer {
         | Action::Profiles
         | Action::Aids
         | Action::PauseMission
+        | Action::Faster
+        | Action::UsualPace
         | Action::Abandon
         | Action::Leave
         | Action::Acknowledge

@@ -29,6 +29,7 @@ mod links;
 mod names;
 mod notices;
 mod overlay;
+mod pace;
 mod profiles;
 mod time;
 mod views;
@@ -50,6 +51,7 @@ pub use history::{Channel, Histories, History, Window};
 pub use links::LinkSummary;
 pub use notices::{NoticeLine, NoticeLog};
 pub use overlay::{Confirm, Consequence, Log, Overlay, Palette, ParameterSetting, Prompt, Purpose};
+pub use pace::{SessionPace, rate};
 pub use profiles::Trainee;
 pub use time::MissionTime;
 
@@ -75,6 +77,8 @@ pub struct State<R> {
     pub(in crate::app) session: FlightView,
     /// The vehicle list that is being typed, `3-9`; empty if none.
     pub(in crate::app) typed: String,
+    /// When a question was answered with the key before this one.
+    pub(in crate::app) answered_at: Option<Duration>,
     /// What the user has set.
     pub(in crate::app) config: Config,
     /// The words of the language in use.
@@ -145,6 +149,7 @@ impl<R: Default> State<R> {
             room: Room::Home,
             rooms: R::default(),
             typed: String::new(),
+            answered_at: None,
             config: setup.config,
             locale: setup.locale,
             pending: VecDeque::new(),

@@ -21,6 +21,7 @@ mod macros;
 mod mission;
 mod offer;
 mod order;
+mod pace;
 mod palette;
 mod profiles;
 mod prompt;
@@ -30,6 +31,8 @@ mod telemetry;
 pub fn update(state: &mut State, event: Event) -> Effects {
     let (room, had_overlay) = (state.room, state.overlay.is_some());
     let said = state.message().cloned();
+    let alerts = pace::alerts(state);
+    let is_news = alerts.is_some() && pace::is_news(state, &event);
     let mut effects = react(state, event);
     // A message goes with what it was about, unless it has only just been said.
     let is_elsewhere = state.room != room || (state.overlay.is_some() && !had_overlay);
@@ -37,6 +40,9 @@ pub fn update(state: &mut State, event: Event) -> Effects {
         state.hush();
     }
     effects.extend(telemetry::signals(state));
+    if is_news || pace::alerts(state) > alerts && alerts.is_some() {
+        effects.extend(pace::fall_back(state));
+    }
     workshop::weigh(state);
     stay_with_vehicles(state);
     mission::leave_brief(state);
@@ -146,6 +152,7 @@ fn session(state: &mut State, event: SessionEvent) {
     match event {
         SessionEvent::Started(started) => telemetry::started(state, *started),
         SessionEvent::Paused(paused) => mission::paused(state, paused),
+        SessionEvent::Speedup(speedup) => pace::changed(state, speedup),
         SessionEvent::Mission(progress) => telemetry::progress(state, *progress),
         SessionEvent::MissionEnded(report) => telemetry::ended(state, report),
     }

@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use super::PacedClock;
 use crate::mission::{Clock, Flight, TICK};
 use crate::vehicle::VehicleId;
 
@@ -13,8 +14,8 @@ const HEARD_WITHIN: Duration = Duration::from_secs(10);
 pub enum FlightPace {
     /// By the time that the driver is given: the simulator is stepped together with the mission.
     LockStep,
-    /// By the same time, this many mission seconds per second: the simulator keeps up with it.
-    Scaled(f64),
+    /// At a rate, which may change: the simulator keeps up with it.
+    Scaled(PacedClock),
     /// By the vehicles' own clocks: a slow machine slows the mission down with them.
     VehicleClocks(Clock),
 }
@@ -81,6 +82,9 @@ impl FlightDriver {
         let awaited = *self.awaited.get_or_insert(now);
         if are_all_heard || now.saturating_sub(awaited) >= HEARD_WITHIN {
             self.begun = Some(now);
+            if let FlightPace::Scaled(clock) = &mut self.pace {
+                clock.begin(now);
+            }
         }
         self.has_begun()
     }
@@ -95,11 +99,18 @@ impl FlightDriver {
         if let Some(begun) = self.begun {
             self.time = match &mut self.pace {
                 FlightPace::LockStep => now.saturating_sub(begun),
-                FlightPace::Scaled(speedup) => now.saturating_sub(begun).mul_f64(*speedup),
+                FlightPace::Scaled(clock) => clock.at(now),
                 FlightPace::VehicleClocks(clock) => clock.step(now, clocks),
             };
         }
         self.time
+    }
+
+    /// Has time pass at another rate from now on, where it passes at one.
+    pub fn set_rate(&mut self, rate: f64, now: Duration) {
+        if let FlightPace::Scaled(clock) = &mut self.pace {
+            clock.set_rate(rate, now);
+        }
     }
 
     /// The next tick of the flight that is due at a mission time; none after its end.

@@ -5,7 +5,7 @@ use crate::config::{Column, LiveSetting, TableSort};
 use crate::vehicle::VehicleId;
 
 /// A line that the console carries out itself: no vehicle hears of it.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum ConsoleLine {
     /// Show something: on a screen its room, without one as text.
     Report(Report),
@@ -51,6 +51,8 @@ pub enum ConsoleLine {
     Pause,
     /// Let it go on.
     Continue,
+    /// Have so many seconds pass in one.
+    Speedup(f64),
     /// End the mission.
     Abandon,
     /// The same mission again.

@@ -123,19 +123,32 @@ impl From<SimulatorError> for Text {
 }
 
 /// How fast simulated time passes.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SimulatorPace {
     /// Simulated seconds per second.
     pub speedup: f64,
     /// While this is true, nothing moves and nobody is served.
-    pub held: watch::Receiver<bool>,
+    pub held: bool,
 }
 
-impl From<f64> for SimulatorPace {
-    /// A pace that is never held.
+/// Where a running simulator reads its pace, which may change meanwhile.
+#[derive(Debug, Clone)]
+pub struct PaceFeed(watch::Receiver<SimulatorPace>);
+
+impl From<watch::Receiver<SimulatorPace>> for PaceFeed {
+    fn from(feed: watch::Receiver<SimulatorPace>) -> Self {
+        Self(feed)
+    }
+}
+
+impl From<f64> for PaceFeed {
+    /// Always the same pace.
     fn from(speedup: f64) -> Self {
-        let (_, held) = watch::channel(false);
-        Self { speedup, held }
+        let pace = SimulatorPace {
+            speedup,
+            held: false,
+        };
+        Self(watch::channel(pace).1)
     }
 }
 
@@ -168,12 +181,12 @@ impl Simulator {
     /// runs then.
     pub async fn start(
         mut world: World,
-        pace: impl Into<SimulatorPace>,
+        pace: impl Into<PaceFeed>,
         endpoints: &[Endpoint],
         cancel: CancellationToken,
     ) -> Result<StartedSimulator, SimulatorError> {
         let pace = pace.into();
-        let speedup = pace.speedup;
+        let speedup = pace.0.borrow().speedup;
         if !(speedup > 0.0 && speedup <= SPEEDUP_MAX) {
             return Err(SimulatorError::Speedup(speedup));
         }
@@ -308,7 +321,7 @@ struct SteppedWorld {
 }
 
 impl SteppedWorld {
-    async fn run(mut self, given: SimulatorPace, cancel: CancellationToken) {
+    async fn run(mut self, feed: PaceFeed, cancel: CancellationToken) {
         let mut wake = interval(STEP);
         wake.set_missed_tick_behavior(MissedTickBehavior::Skip);
         let mut last = Instant::now();
@@ -319,10 +332,12 @@ impl SteppedWorld {
                 _ = wake.tick() => {}
             }
             let now = Instant::now();
-            if *given.held.borrow() {
+            let given = *feed.0.borrow();
+            if given.held {
                 last = now;
                 continue;
             }
+            self.threads = threads(self.world.vehicles(), given.speedup);
             // A vehicle that was given another pace sets it for all.
             let wanted = self.world.wanted_speedup();
             let pace = wanted.unwrap_or(given.speedup).min(SPEEDUP_MAX);

@@ -55,6 +55,8 @@ pub struct Listing {
     pub medals: Medals,
     /// Whether it may be paused.
     pub pausable: bool,
+    /// How many times as fast time may pass in flight.
+    pub most_speedup: f64,
     /// What has to be shown before.
     pub requires: Requires,
     /// What passing it brings.
@@ -117,6 +119,7 @@ impl Mission {
             weights: Component::ALL.into_iter().filter_map(weight).collect(),
             medals: self.scoring.medals,
             pausable: self.pausable,
+            most_speedup: self.most_speedup,
             requires: self.requires.clone(),
             rewards: self.rewards.clone(),
             outlay: self.outlay.clone(),

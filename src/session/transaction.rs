@@ -39,16 +39,16 @@ enum Phase {
         rejected: bool,
     },
     /// Refused; the reason may still come.
-    AwaitingReason {
-        result: AckResult,
-        until: Duration,
-    },
+    AwaitingReason { result: AckResult, until: Duration },
     /// Accepted, or sent where no answer exists.
     AwaitingEffect {
         since: Duration,
         /// How often a setpoint, which nothing answers, has been said again.
         repeated: u8,
     },
+    /// Carried out: nothing more will happen.
+    Done,
+    /// Ended otherwise.
     Over,
 }
 
@@ -69,13 +69,12 @@ pub(super) struct Transaction {
     effect_was_there: bool,
     /// It was accepted, or sent where nothing accepts it.
     is_accepted: bool,
-    /// What stays true while it holds, and whether telemetry has shown that yet.
+    /// What stays true while it holds.
     claim: Claim,
-    claim_has_held: bool,
+    /// Since when telemetry has shown that.
+    holds_since: Option<Duration>,
     /// The effect has shown while setpoints were being repeated.
     effect_has_shown: bool,
-    /// It was carried out.
-    is_done: bool,
     /// What the vehicle said since the first transmission.
     texts: Vec<Text>,
 }
@@ -120,11 +119,10 @@ impl Transaction {
             effect_was_there: effect.seen(vehicle) == Some(true),
             is_accepted: request.answer == Answer::None,
             claim: order.command.claim(vehicle),
-            claim_has_held: false,
+            holds_since: None,
             effect_has_shown: false,
             effect,
             request,
-            is_done: false,
             texts: Vec::new(),
             order,
         };
@@ -154,7 +152,7 @@ impl Transaction {
 
     /// Whether it was carried out.
     pub fn is_done(&self) -> bool {
-        self.is_done
+        self.phase == Phase::Done
     }
 
     /// Whether a newer movement ends what is awaited of it.
@@ -186,11 +184,13 @@ impl Transaction {
     pub fn yield_to_others(&mut self, vehicle: &Vehicle, now: Duration, output: &mut Output) {
         let by = self.claim.contradicted(vehicle);
         match by {
-            Some(by) if self.claim_has_held => {
+            Some(by) if self.holds_since.is_some() => {
                 self.end(RowState::Overtaken, Some(by), now, output);
             }
             Some(_) => {}
-            None => self.claim_has_held = true,
+            None => {
+                self.holds_since.get_or_insert(now);
+            }
         }
     }
 
@@ -201,14 +201,14 @@ impl Transaction {
             Phase::AwaitingReason { result, until } if now >= until => {
                 self.refuse(result, vehicle, now, output);
             }
-            Phase::AwaitingReason { .. } | Phase::Over => {}
+            Phase::AwaitingReason { .. } | Phase::Done | Phase::Over => {}
             Phase::AwaitingEffect { since, .. } => match self.order.command.repeat() {
                 Some(repeat) => self.keep_up(repeat, vehicle, now, output),
                 None => self.await_effect(since, vehicle, now, output),
             },
         }
         match self.phase {
-            Phase::Over => Progress::Ended,
+            Phase::Done | Phase::Over => Progress::Ended,
             Phase::AwaitingEffect { since, .. } if self.is_settled(since, now) => {
                 Progress::Watching
             }
@@ -245,8 +245,11 @@ impl Transaction {
         now: Duration,
         output: &mut Output,
     ) {
-        self.phase = Phase::Over;
-        self.is_done = state == RowState::Done;
+        self.phase = if state == RowState::Done {
+            Phase::Done
+        } else {
+            Phase::Over
+        };
         self.report(state, explanation, now, output);
     }
 

@@ -79,6 +79,10 @@ impl Console {
                 self.go_on();
                 Ok(())
             }
+            SessionEffect::Speedup(speedup) => {
+                self.set_speedup(speedup);
+                Ok(())
+            }
             SessionEffect::Abandon => {
                 self.abandon();
                 Ok(())

@@ -38,6 +38,21 @@ impl Console {
         }
     }
 
+    /// Has simulated time pass faster or slower.
+    pub(super) fn set_speedup(&mut self, speedup: f64) {
+        let now = self.clock.now();
+        if let Some(running) = &mut self.running {
+            running.set_speedup(speedup, now);
+            self.post(SessionEvent::Speedup(speedup));
+        }
+    }
+
+    /// Seconds that pass for the vehicles in one of the program's.
+    pub(super) fn speedup(&self) -> f64 {
+        let running = self.running.as_ref();
+        running.map_or(self.options.speedup, RunningSession::speedup)
+    }
+
     /// While a brief is read for the first time, a mission in the embedded simulator stands still as soon as its
     /// vehicles are there, and goes on once the brief is left.
     pub(super) fn wait_for_reader(&mut self) {
@@ -91,6 +106,7 @@ mod tests {
 
     use super::*;
     use crate::app::event::TerminalEvent;
+    use crate::app::state::rate;
     use crate::hangar::VehicleBackend;
     use crate::mission::Mission;
     use crate::scoring::FlownBy;
@@ -169,5 +185,57 @@ mod tests {
             .await;
         run(&mut console, 3).await;
         assert!(elapsed(&console) > Duration::from_secs(1));
+    }
+
+    async fn say(console: &mut Console, line: &str) {
+        console.feed(TerminalEvent::Line(line.to_owned())).await;
+    }
+
+    fn pace(console: &Console) -> String {
+        rate(console.app.state().session().pace().now)
+    }
+
+    #[tokio::test(start_paused = true)]
+    async fn time_passes_faster_until_an_order_has_been_carried_out() {
+        let mut console = Box::pin(reading()).await;
+        run(&mut console, 5).await;
+        for line in ["1 guided", "1 arm"] {
+            say(&mut console, line).await;
+            run(&mut console, 5).await;
+        }
+        say(&mut console, "1 takeoff 20").await;
+        run(&mut console, 1).await;
+        let before = elapsed(&console);
+        say(&mut console, "speedup 4").await;
+        run(&mut console, 2).await;
+        let passed = elapsed(&console).saturating_sub(before);
+        assert!((7.0..9.0).contains(&passed.as_secs_f64()), "{passed:?}");
+        assert_eq!(pace(&console), "4");
+        // The takeoff takes 12 s.
+        run(&mut console, 3).await;
+        assert_eq!(pace(&console), "1");
+        let before = elapsed(&console);
+        run(&mut console, 4).await;
+        let passed = elapsed(&console).saturating_sub(before);
+        assert!((3.5..4.5).contains(&passed.as_secs_f64()), "{passed:?}");
+    }
+
+    #[tokio::test(start_paused = true)]
+    async fn keys_make_time_pass_faster_as_far_as_the_mission_allows() {
+        let mut console = Box::pin(reading()).await;
+        run(&mut console, 5).await;
+        console.feed(key(KeyCode::Enter)).await;
+        for expected in ["2", "4", "8", "8"] {
+            console.feed(key(KeyCode::Char('>'))).await;
+            assert_eq!(pace(&console), expected);
+        }
+        console.feed(key(KeyCode::Char('<'))).await;
+        assert_eq!(pace(&console), "1");
+        say(&mut console, "speedup 20").await;
+        assert_eq!(pace(&console), "1");
+        let said = console.app.state().message().map(|it| it.text.clone());
+        assert_eq!(said, Some(text!("speedup-too-much", most = "8")));
+        say(&mut console, "speedup 0.5").await;
+        assert_eq!(pace(&console), "1");
     }
 }

@@ -10,7 +10,7 @@
 
 use std::time::Duration;
 
-use super::{Console, ConsoleOptions, Happened, Opening, Signals, key, ticks};
+use super::{Console, ConsoleOptions, Happened, Opening, Signals, keep_pace, key, ticks};
 use crate::app::event::TerminalEvent;
 use crate::app::state::{Overlay, Room};
 use crate::diagnostic::Diagnostic;
@@ -74,10 +74,11 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<bool> {
     plain.console.begin().await;
     plain.greet();
     let mut lines = input::read();
-    let mut ticks = ticks(plain.console.options.speedup);
+    let mut ticks = ticks(plain.console.speedup());
     let mut told_to_end = false;
     while !plain.is_over() {
         let takes_lines = plain.takes_lines();
+        keep_pace(&mut ticks, plain.console.speedup());
         tokio::select! {
             biased;
             happened = signals.next() => match happened {

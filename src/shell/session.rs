@@ -8,7 +8,9 @@ use tokio_util::sync::CancellationToken;
 
 use crate::app::event::{Event, VehicleEvent};
 use crate::app::room::messages::Wanted;
+use crate::exercise::PacedClock;
 use crate::fleet::{Fleet, FleetEvent};
+use crate::link::SimulatorPace;
 use crate::operator::Operator;
 use crate::parameters::ParameterSnapshot;
 use crate::session::Report;
@@ -46,13 +48,13 @@ pub(super) struct RunningSession {
     /// Reports that the fleet dropped so far.
     dropped: u64,
     mission_run: Option<MissionRun>,
-    /// While this is true, the embedded simulator is paused.
-    held: watch::Sender<bool>,
+    /// How fast the embedded simulator runs, and whether it is paused.
+    pace: watch::Sender<SimulatorPace>,
     operator: Operator,
     /// What was shown last of what vehicles do together.
     paths: Vec<Path>,
-    /// How many seconds pass for the vehicles in one of the program's.
-    speedup: f64,
+    /// The time by which the vehicles move.
+    vehicle_time: PacedClock,
     /// The processes of its vehicles.
     processes: Option<Processes>,
     cancel: CancellationToken,
@@ -75,7 +77,21 @@ impl RunningSession {
 
     /// Pauses or resumes the embedded simulator.
     pub fn hold(&self, held: bool) {
-        self.held.send_replace(held);
+        self.pace.send_modify(|pace| pace.held = held);
+    }
+
+    /// Seconds that pass for the vehicles in one of the program's.
+    pub fn speedup(&self) -> f64 {
+        self.pace.borrow().speedup
+    }
+
+    /// Runs the embedded simulator and the mission faster or slower from now on.
+    pub fn set_speedup(&mut self, speedup: f64, now: Duration) {
+        self.pace.send_modify(|pace| pace.speedup = speedup);
+        self.vehicle_time.set_rate(speedup, now);
+        if let Some(mission_run) = &mut self.mission_run {
+            mission_run.set_speedup(speedup, now);
+        }
     }
 
     /// Everything stood still until now.

@@ -82,6 +82,7 @@ impl Console {
             places: BTreeMap::new(),
             areas: Vec::new(),
             processes: None,
+            speedup: 1.0,
         })));
     }
 

@@ -152,7 +152,7 @@ fn a_mission_that_is_abandoned_ends_in_its_debrief() {
     terminal.see("1 vehicle").see("8 of 9");
     terminal
         .command("abandon")
-        .see("type y")
+        .see("press y")
         .press("y")
         .see("DEBRIEF")
         .see("ABANDONED")
@@ -197,7 +197,7 @@ fn a_mission_is_read_predicted_flown_paused_and_debriefed() {
         .see("paused ")
         .press("\u{1b}");
     terminal.see_no_more("Esc closes");
-    terminal.command("abandon").see("type y").press("y");
+    terminal.command("abandon").see("press y").press("y");
     terminal.see("DEBRIEF").see("ABANDONED");
     signal(&terminal, "-TERM");
     terminal.end();

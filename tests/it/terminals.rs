@@ -57,7 +57,7 @@ fn a_terminal_that_stops_reading_holds_up_no_command_and_has_no_backlog_afterwar
         backlog < 100_000,
         "{backlog} bytes until the screen was right"
     );
-    terminal.command("quit").see("type y").press("y");
+    terminal.command("quit").see("press y").press("y");
     assert_eq!(terminal.end(), 0);
 }
 
@@ -133,7 +133,7 @@ fn a_locale_without_utf8_is_sent_ascii_alone() {
     terminal
         .see("1 vehicle,")
         .press("\u{3}")
-        .see("type y")
+        .see("press y")
         .press("y");
     assert_eq!(terminal.end(), 0);
     assert!(terminal.raw().is_ascii());

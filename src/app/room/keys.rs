@@ -49,6 +49,8 @@ const GENERAL: &[KeyRow] = &[
     does(key('c'), Action::Show(Room::Ledger)),
     does(key('b'), Action::Brief),
     does(key('p'), Action::PauseMission),
+    does(key('>'), Action::Faster),
+    does(key('<'), Action::UsualPace),
     does(Press::Control('c'), Action::Quit),
 ];
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::alert::alert;
-use super::{Alarms, Alert, Hangar, Histories, LinkSummary, MissionTime, Selection};
+use super::{Alarms, Alert, Hangar, Histories, LinkSummary, MissionTime, Selection, SessionPace};
 use crate::app::room_list::Room;
 use crate::doctor::{Cause, LinkFinding, Weight};
 use crate::geo::LatLon;
@@ -66,6 +66,8 @@ pub struct FlightView {
     pub(in crate::app) paths: Vec<Path>,
     /// The entries of the ledger that were under way when the newest for the vehicle was opened, and that one.
     recent: BTreeMap<VehicleId, Vec<EntryId>>,
+    /// How fast simulated time passes.
+    pub(in crate::app) pace: SessionPace,
     /// Whether the user has put the cursor somewhere.
     cursor_placed: bool,
 }

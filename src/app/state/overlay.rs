@@ -146,6 +146,11 @@ impl Confirm {
         self.cancelled
     }
 
+    /// Whether a single key answers it.
+    pub fn wants_one_key(&self) -> bool {
+        self.answer.chars().count() == 1
+    }
+
     /// What has to be typed, and what it is where that is not plain.
     pub fn wanted(&self) -> Text {
         match self.then {

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use super::{
     Activity, Alarms, Career, FlightView, Hangar, Histories, Keymap, LinkSummary, MissionListing,
-    NoticeLog, Overlay, Room, Selection, State, TimeFlow,
+    NoticeLog, Overlay, Room, Selection, SessionPace, State, TimeFlow,
 };
 use crate::campaign::Reward;
 use crate::config::Config;
@@ -183,6 +183,11 @@ impl FlightView {
     /// Whether the mission is over: its debrief is there.
     pub fn is_over(&self) -> bool {
         self.over
+    }
+
+    /// How fast simulated time passes.
+    pub fn pace(&self) -> SessionPace {
+        self.pace
     }
 
     /// Whether the session stands still.

@@ -1,6 +1,6 @@
 //! What actions mean where a room has no meaning of its own for them.
 
-use super::{mission, order, palette, profiles};
+use super::{mission, order, pace, palette, profiles};
 use crate::app::State;
 use crate::app::action::{Action, SelectAction};
 use crate::app::effect::{Effect, Effects, SessionEffect};
@@ -33,6 +33,8 @@ pub fn act(state: &mut State, action: Action) -> Effects {
         Action::Again => return mission::restart(state, false),
         Action::AgainAlike => return mission::restart(state, true),
         Action::PauseMission => return mission::turn(state),
+        Action::Faster => return pace::faster(state),
+        Action::UsualPace => return pace::usual(state),
         Action::Abandon => return mission::abandon(state),
         Action::Leave => return leave(state),
         Action::Profiles => profiles::open(state),

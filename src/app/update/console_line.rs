@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{act, alert_line, macros, mission};
+use super::{act, alert_line, macros, mission, pace};
 use crate::app::State;
 use crate::app::effect::{CareerEffect, Effect, Effects, SessionEffect, TerminalEffect};
 use crate::app::room::{Room, fly, hangar, parameters};
@@ -71,6 +71,7 @@ fn obey(state: &mut State, own: ConsoleLine) -> Result<Effects, Text> {
         ConsoleLine::Alerts(own) => alert_line::carry_out(state, own)?,
         ConsoleLine::Pause => return Ok(mission::pause(state)),
         ConsoleLine::Continue => return Ok(mission::go_on(state)),
+        ConsoleLine::Speedup(speedup) => return Ok(pace::set(state, speedup)),
         ConsoleLine::Abandon => return Ok(mission::abandon(state)),
         ConsoleLine::Restart => return Ok(mission::restart(state, false)),
         ConsoleLine::Leave => return Ok(act::leave(state)),

@@ -1,5 +1,7 @@
 //! Keys: to the overlay if there is one, else through the keymap.
 
+use std::time::Duration;
+
 use crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 use tui_input::{Input, InputRequest};
 
@@ -15,12 +17,18 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
 
+/// An Enter that follows an answer within this time belongs to it.
+const ANSWER_ENDS_WITHIN: Duration = Duration::from_secs(1);
+
 pub fn press(state: &mut State, key: KeyEvent) -> Effects {
     if key.kind == KeyEventKind::Release {
         return Effects::none();
     }
     if state.is_too_small() {
         return unseen(state, key);
+    }
+    if ends_an_answer(state, key) {
+        return Effects::none();
     }
     match state.overlay.take() {
         Some(Overlay::Palette(line)) => palette::key(state, line, key),
@@ -30,6 +38,14 @@ pub fn press(state: &mut State, key: KeyEvent) -> Effects {
         Some(reader) => read(state, reader, key),
         None => on_screen(state, key),
     }
+}
+
+/// Whether this is the Enter that people add to an answer although its last character was enough: it was not meant for
+/// the screen that follows.
+fn ends_an_answer(state: &mut State, key: KeyEvent) -> bool {
+    let answered_at = state.answered_at.take();
+    let is_fresh = answered_at.is_some_and(|at| state.now.saturating_sub(at) < ANSWER_ENDS_WITHIN);
+    is_fresh && key.code == KeyCode::Enter
 }
 
 /// The terminal has another size. A question that cannot be seen any more has been answered with no.
@@ -174,6 +190,7 @@ fn confirm(state: &mut State, mut question: Confirm, key: KeyEvent) -> Effects {
         KeyCode::Char(c) if !question.cancelled => {
             question.typed.push(c);
             if question.typed == question.answer {
+                state.answered_at = Some(state.now);
                 let mut effects = order::carry_out(state, question.then);
                 effects.extend(palette::go_on(state));
                 return effects;

@@ -12,7 +12,7 @@ use crate::app::room::Room;
 use crate::app::room::debrief::Debrief;
 use crate::app::room::map;
 use crate::app::room::{fly, ledger};
-use crate::app::state::{BellCall, FlightView, Hangar, NoticeLog, Overlay, TimeFlow};
+use crate::app::state::{BellCall, FlightView, Hangar, NoticeLog, Overlay, SessionPace, TimeFlow};
 use crate::mission::Progress;
 use crate::notice::Notice;
 use crate::scoring::Report;
@@ -82,6 +82,7 @@ pub fn started(state: &mut State, started: Started) {
     session.listing = started.mission;
     session.began_at = state.now;
     session.areas = started.areas;
+    session.pace = SessionPace::new(started.speedup);
     let starting = |expected| Hangar {
         expected,
         ..Hangar::default()

@@ -142,6 +142,7 @@ fn swarm(vehicles: VehicleId) -> App {
         places: std::collections::BTreeMap::new(),
         areas: Vec::new(),
         processes: None,
+        speedup: 1.0,
     };
     feed(&mut app, SessionEvent::Started(Box::new(started)));
     for id in 1..=vehicles {

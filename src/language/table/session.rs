@@ -9,10 +9,12 @@ use crate::vehicle::{HIGHEST_VEHICLE, VehicleId};
 use crate::verb::Verb;
 
 pub(super) static ROWS: &[VerbRow] = &[
-    HANGAR, MACRO, FLY, CONNECT, INJECT, PAUSE, CONTINUE, ABANDON, RESTART, LEAVE, QUIT,
+    HANGAR, MACRO, FLY, CONNECT, INJECT, PAUSE, CONTINUE, SPEEDUP, ABANDON, RESTART, LEAVE, QUIT,
 ];
 
 const VEHICLE: Kind = Kind::Whole(Unit::None, 1.0, HIGHEST_VEHICLE as f64);
+
+const SPEEDUP_RATE: Kind = Kind::Number(Unit::None, 0.1, 1000.0);
 
 /// A verb that is said to the console, screen or not.
 const fn said(
@@ -109,6 +111,15 @@ const CONTINUE: VerbRow = said(
     "continue",
     &[],
     &[Form::new(&[], |_| console(ConsoleLine::Continue))],
+);
+
+const SPEEDUP: VerbRow = said(
+    "speedup",
+    &["speedup 4", "speedup 1"],
+    &[Form::new(
+        &[Argument::value("rate", SPEEDUP_RATE, "argument-speedup")],
+        |given| console(ConsoleLine::Speedup(given.required("rate")?)),
+    )],
 );
 
 const ABANDON: VerbRow = said(

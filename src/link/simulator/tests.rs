@@ -242,18 +242,44 @@ async fn a_cancelled_simulator_ends_its_pipes() {
 
 #[tokio::test(start_paused = true)]
 async fn while_it_is_held_no_vehicle_moves_or_says_anything() {
-    let (hold, held) = watch::channel(false);
-    let pace = SimulatorPace { speedup: 1.0, held };
+    let moving = SimulatorPace {
+        speedup: 1.0,
+        held: false,
+    };
+    let (hold, pace) = watch::channel(moving);
     let cancel = CancellationToken::new();
     let started = Simulator::start(world(1), pace, &[Endpoint::Pipes], cancel).await;
     let mut started = started.expect("the simulator starts");
     let mut rig = Rig::over(Transport::Pipe(started.pipes.remove(0)));
     assert!(heartbeats(&mut rig, Duration::from_secs(5)).await >= 4);
-    hold.send_replace(true);
+    hold.send_replace(SimulatorPace {
+        held: true,
+        ..moving
+    });
     // What was said before may still be on its way.
     heartbeats(&mut rig, Duration::from_millis(100)).await;
     assert_eq!(heartbeats(&mut rig, Duration::from_secs(60)).await, 0);
-    hold.send_replace(false);
+    hold.send_replace(moving);
     let count = heartbeats(&mut rig, Duration::from_secs(5)).await;
     assert!((4..=6).contains(&count), "{count}: time was made up for");
+}
+
+#[tokio::test(start_paused = true)]
+async fn another_pace_holds_from_then_on() {
+    let slow = SimulatorPace {
+        speedup: 1.0,
+        held: false,
+    };
+    let (pace, feed) = watch::channel(slow);
+    let cancel = CancellationToken::new();
+    let started = Simulator::start(world(1), feed, &[Endpoint::Pipes], cancel).await;
+    let mut started = started.expect("the simulator starts");
+    let mut rig = Rig::over(Transport::Pipe(started.pipes.remove(0)));
+    heartbeats(&mut rig, Duration::from_secs(10)).await;
+    pace.send_replace(SimulatorPace {
+        speedup: 4.0,
+        ..slow
+    });
+    let count = heartbeats(&mut rig, Duration::from_secs(10)).await;
+    assert!((38..=42).contains(&count), "{count}");
 }

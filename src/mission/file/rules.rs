@@ -6,6 +6,7 @@ use crate::mission::format::{FileTable, flag, list, number, text};
 
 const USUAL_MAX_HEIGHT_M: f64 = 120.0;
 const USUAL_RESERVE_PERCENT: f64 = 20.0;
+const USUAL_SPEEDUP: f64 = 8.0;
 
 /// What everybody has to keep to.
 pub(super) struct RuleSet {
@@ -13,6 +14,7 @@ pub(super) struct RuleSet {
     pub land_reserve_percent: f64,
     pub separation_m: Option<f64>,
     pub pausable: bool,
+    pub most_speedup: f64,
     pub open_parameters: Vec<String>,
 }
 
@@ -24,6 +26,7 @@ impl RuleSet {
             land_reserve_percent: USUAL_RESERVE_PERCENT,
             separation_m: None,
             pausable: true,
+            most_speedup: USUAL_SPEEDUP,
             open_parameters: Vec::new(),
         }
     }
@@ -48,6 +51,12 @@ pub(super) fn rules(table: &mut FileTable<'_>) -> Option<RuleSet> {
              and the like keep (2 m at least), which is 5 m otherwise",
         ),
         pausable: table.or("pause", flag(), usual.pausable, "whether it may be paused"),
+        most_speedup: table.or(
+            "speedup",
+            number(1.0, 100.0, ""),
+            usual.most_speedup,
+            "how many times as fast time may pass in flight at most; 1 forbids it",
+        ),
         open_parameters: table
             .may(
                 "parameters",

@@ -41,7 +41,7 @@ impl Transaction {
 
     /// Whether the vehicle has taken up what it was asked to do.
     fn has_begun(&self, vehicle: &Vehicle) -> bool {
-        self.claim_has_held || self.claim.contradicted(vehicle).is_none()
+        self.holds_since.is_some() || self.claim.contradicted(vehicle).is_none()
     }
 
     /// Nothing acknowledges a setpoint, so it is said again in case it was lost. That is no new try: nobody

@@ -8,7 +8,7 @@ use super::RunningSession;
 use super::logbook::Logbook;
 use crate::app::event::{Event, SessionEvent};
 use crate::app::state::{FlightView, Hangar, SitlStage};
-use crate::exercise::{FlightDriver, FlightPace};
+use crate::exercise::{FlightDriver, FlightPace, PacedClock};
 use crate::mission::record::Occasion;
 use crate::mission::{Clock, Demand, Flight, Mission, Pledge, Stake};
 use crate::notice::Notice;
@@ -54,7 +54,8 @@ impl MissionRun {
 
     /// A mission with the embedded simulator, so many simulated seconds per second.
     pub fn embedded(flight: Flight, speedup: f64) -> Self {
-        let driver = FlightDriver::new(flight, FlightPace::Scaled(speedup));
+        let clock = PacedClock::new(speedup, Duration::ZERO);
+        let driver = FlightDriver::new(flight, FlightPace::Scaled(clock));
         Self::new(driver, FlightBackend::Embedded)
     }
 
@@ -74,6 +75,11 @@ impl MissionRun {
             ended: false,
             finished: None,
         }
+    }
+
+    /// Has mission time pass faster or slower from now on.
+    pub fn set_speedup(&mut self, speedup: f64, now: Duration) {
+        self.driver.set_rate(speedup, now);
     }
 
     /// Begins its record, and tells it which try it is; `earlier` are those before it.

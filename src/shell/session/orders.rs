@@ -23,7 +23,7 @@ impl RunningSession {
         now: Duration,
     ) -> Vec<Event> {
         let scene = OperatorScene {
-            now: self.vehicle_time(now),
+            now: self.vehicle_time.at(now),
             vehicles,
             flight: self.mission_run.as_mut().map(MissionRun::flight_mut),
         };
@@ -33,7 +33,7 @@ impl RunningSession {
 
     /// Leads what vehicles do together; returns what came of it.
     pub fn conduct(&mut self, now: Duration, vehicles: &Vehicles) -> Vec<Event> {
-        let work = self.operator.conduct(vehicles, self.vehicle_time(now));
+        let work = self.operator.conduct(vehicles, self.vehicle_time.at(now));
         let mut events = self.dispatch(work, now);
         let paths = self.operator.paths();
         if paths != self.paths {
@@ -41,11 +41,6 @@ impl RunningSession {
             events.push(VehicleEvent::Paths(paths).into());
         }
         events
-    }
-
-    /// The time by which the vehicles move.
-    fn vehicle_time(&self, now: Duration) -> Duration {
-        now.mul_f64(self.speedup)
     }
 
     /// Does the operator's work; its times become those of the program's clock.

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
+use std::time::Duration;
 
 use tokio::sync::watch;
 use tokio_util::sync::CancellationToken;
@@ -13,6 +14,7 @@ use super::links::SessionLinks;
 use super::mission_run::MissionRun;
 use crate::app::event::Started;
 use crate::app::state::Activity;
+use crate::exercise::PacedClock;
 use crate::fleet::{Fleet, FleetClock};
 use crate::geo::LatLon;
 use crate::hangar::{SitlSource, VehicleBackend as Simulation};
@@ -93,10 +95,13 @@ impl RunningSession {
             inspection: Inspection::default(),
             dropped: 0,
             mission_run: None,
-            held: watch::Sender::new(false),
+            pace: watch::Sender::new(SimulatorPace {
+                speedup: backend.speedup,
+                held: false,
+            }),
             operator: Operator::new(plan.swarm_rules()),
             paths: Vec::new(),
-            speedup: backend.speedup,
+            vehicle_time: PacedClock::new(backend.speedup, Duration::ZERO),
             processes: None,
             cancel,
         };
@@ -123,6 +128,7 @@ impl RunningSession {
                 started(Activity::Connected { addresses: names })
             }
         };
+        started.speedup = backend.speedup;
         started.processes = running.processes.as_ref().map(|processes| processes.count);
         Ok((running, started))
     }
@@ -179,10 +185,7 @@ impl RunningSession {
         // One in-memory pipe per vehicle, no port that others could reach.
         let endpoints = [Endpoint::Pipes];
         let cancel = self.cancel.clone();
-        let pace = SimulatorPace {
-            speedup: backend.speedup,
-            held: self.held.subscribe(),
-        };
+        let pace = self.pace.subscribe();
         let simulator = Simulator::start(world, pace, &endpoints, cancel).await?;
         for pipe in simulator.pipes {
             self.fleet.connect(Transport::Pipe(pipe))?;
@@ -219,5 +222,6 @@ fn started(activity: Activity) -> Started {
         places: BTreeMap::new(),
         areas: Vec::new(),
         processes: None,
+        speedup: 1.0,
     }
 }

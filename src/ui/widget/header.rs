@@ -6,7 +6,7 @@ use ratatui::style::Modifier;
 use ratatui::text::{Line, Span};
 
 use crate::app::State;
-use crate::app::state::Room;
+use crate::app::state::{Room, rate};
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
@@ -22,12 +22,16 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
     let activity = state.session().activity();
     let title = activity.map_or_else(String::new, |activity| panel.text(&activity.title()));
     let room = usize::from(panel.area.width);
-    let paused = if state.session().is_paused() {
+    let session = state.session();
+    let pace = if session.is_paused() {
         format!(" {} ", panel.say("header-paused"))
+    } else if session.pace().is_fast() {
+        let rate = rate(session.pace().now);
+        format!(" {} ", panel.text(&text!("header-speedup", rate = rate)))
     } else {
         String::new()
     };
-    let left = width(&name) + width(&paused) + 1;
+    let left = width(&name) + width(&pace) + 1;
     // The figures give way to the title as long as they lose no meaning by it.
     let fits = |right: &String| left + width(&title) + 3 + width(right) < room;
     let long = right_part(state, panel.look, false);
@@ -40,7 +44,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
     let bold = panel.style(Role::Header).add_modifier(Modifier::BOLD);
     let line = Line::from(vec![
         Span::styled(name, bold),
-        Span::styled(paused, panel.style(Role::Cursor)),
+        Span::styled(pace, panel.style(Role::Cursor)),
         Span::raw(format!(" {title}")),
     ]);
     put(buffer, header, 0, &line);

@@ -38,11 +38,16 @@ fn draw_confirm(state: &State, question: &Confirm, panel: Panel<'_>, buffer: &mu
         .at(place)
         .boxed(&panel.say("ask-sure"), Role::Danger, buffer);
     let width = usize::from(inner.width);
+    let answer = question.wanted();
+    let request = if question.wants_one_key() {
+        text!("ask-press", answer = answer)
+    } else {
+        text!("ask-type", answer = answer)
+    };
     let text = format!(
-        "{} - {} {}",
+        "{} - {}",
         panel.text(question.question()),
-        panel.say("ask-type"),
-        panel.text(&question.wanted())
+        panel.text(&request)
     );
     let mut row = 0;
     for line in wrap(&text, width).into_iter().take(3) {
@@ -65,15 +70,20 @@ fn draw_confirm(state: &State, question: &Confirm, panel: Panel<'_>, buffer: &mu
         Line::styled(text, panel.style(Role::Warning))
     } else {
         Line::from(vec![
-            Span::styled(": ", panel.style(Role::Key)),
-            Span::raw(format!("{}_", question.typed())),
-            Span::styled(
-                format!("   {}", panel.say("ask-else")),
-                panel.style(Role::Muted),
-            ),
+            Span::styled(typed_so_far(question), panel.style(Role::Key)),
+            Span::styled(panel.say("ask-else"), panel.style(Role::Muted)),
         ])
     };
     put(buffer, inner, row + 2, &typed);
+}
+
+/// A single key shows no place to type: what is pressed counts at once.
+fn typed_so_far(question: &Confirm) -> String {
+    if question.wants_one_key() {
+        String::new()
+    } else {
+        format!(": {}_   ", question.typed())
+    }
 }
 
 fn draw_help(state: &State, scroll: usize, panel: Panel<'_>, buffer: &mut Buffer) {

@@ -2,7 +2,7 @@
 
 use sortie::app::effect::{Effect, TerminalEffect};
 use sortie::app::event::{SessionEvent, TerminalEvent};
-use sortie::app::state::Overlay;
+use sortie::app::state::{Overlay, Room};
 
 use super::{palette_line, selection};
 use crate::fixtures;
@@ -62,7 +62,7 @@ fn keys_after_a_wrong_answer_reach_nothing_until_enter_or_escape() {
     for end in ["enter", "esc"] {
         let mut console = Console::flying(3);
         console.give("1 kill").write("2 l3-*a1");
-        assert!(console.screen(80, 24).contains("Enter or Esc goes on"));
+        assert!(console.screen(80, 24).contains("Enter or Esc: back"));
         console.press(end);
         assert!(console.effects.is_empty());
         assert!(console.state().overlay().is_none(), "{end}");
@@ -87,6 +87,19 @@ fn a_question_of_yes_or_no_takes_n_at_once() {
     console.vehicle(fixtures::airborne(1, 0.0, 10.0));
     console.press("ctrl-c").press("n");
     assert!(console.state().overlay().is_none() && console.effects.is_empty());
+}
+
+#[test]
+fn an_enter_that_is_added_to_an_answer_is_not_meant_for_what_follows() {
+    for (later_s, is_meant) in [(0, false), (2, true)] {
+        let mut console = Console::flying(1);
+        console.vehicle(fixtures::airborne(1, 0.0, 10.0));
+        console.at(100).give("leave").press("y");
+        assert_eq!(console.state().room(), Room::Home);
+        console.at(100 + later_s).press("enter");
+        let has_begun = !console.effects.is_empty() || console.state().room() != Room::Home;
+        assert_eq!(has_begun, is_meant, "{later_s} s");
+    }
 }
 
 #[test]

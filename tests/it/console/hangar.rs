@@ -62,6 +62,7 @@ pub fn start(mut console: Console, activity: Activity, processes: usize) -> Cons
         places: std::collections::BTreeMap::new(),
         areas: Vec::new(),
         processes: Some(processes),
+        speedup: 1.0,
     })));
     console
 }

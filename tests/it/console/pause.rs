@@ -106,6 +106,7 @@ fn what_cannot_be_paused_says_why() {
         places: std::collections::BTreeMap::new(),
         areas: Vec::new(),
         processes: None,
+        speedup: 1.0,
     })));
     let mut over = flying();
     over.hear(SessionEvent::MissionEnded(Box::new(fixtures::report())));

@@ -268,9 +268,9 @@ fn a_question_names_the_keys_that_end_it() {
         give(&mut console, "1-3 kill");
         console.press("x").screen(100, 30)
     };
-    assert!(shown("").contains("Enter or Esc goes on"), "{}", shown(""));
+    assert!(shown("").contains("Enter or Esc: back"), "{}", shown(""));
     let file = "[prompt]\nesc = false\nf2 = \"escape\"\nenter = false\nf3 = \"submit\"\n";
-    assert!(shown(file).contains("F3 or F2 goes on"), "{}", shown(file));
+    assert!(shown(file).contains("F3 or F2: back"), "{}", shown(file));
 }
 
 /// What is said of keys comes from the keymap: a message that named one would be wrong for whoever has rebound it.

@@ -57,6 +57,7 @@ pub fn surveyed() -> Console {
         places: [("street".to_owned(), fixtures::HOME.moved(0.0, -40.0))].into(),
         areas: areas.clone(),
         processes: None,
+        speedup: 1.0,
     })));
     for id in 3..=6 {
         console.vehicle(fixtures::parked(id));

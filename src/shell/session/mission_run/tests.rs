@@ -33,6 +33,7 @@ impl Console {
             places: [].into(),
             areas: Vec::new(),
             processes,
+            speedup: 1.0,
         })));
         for &id in heard {
             console.hear(VehicleEvent::Telemetry(Vehicle::new(id, 1).into()));
