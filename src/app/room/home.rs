@@ -132,7 +132,9 @@ impl RoomModel for Home {
 pub fn under_cursor(state: &State) -> Option<&Listing> {
     match items(state).get(state.rooms.home.cursor) {
         Some(HomeItem::Mission(at)) => state.missions.get(*at),
-        _ => None,
+        Some(HomeItem::Free | HomeItem::ArduPilot | HomeItem::Connect | HomeItem::Quit) | None => {
+            None
+        }
     }
 }
 
@@ -140,7 +142,7 @@ pub fn under_cursor(state: &State) -> Option<&Listing> {
 pub fn point_at(state: &mut State, mission: Option<&str>) {
     let is_it = |item: &HomeItem| match item {
         HomeItem::Mission(at) => Some(state.missions[*at].id.as_str()) == mission,
-        _ => false,
+        HomeItem::Free | HomeItem::ArduPilot | HomeItem::Connect | HomeItem::Quit => false,
     };
     state.rooms.home.cursor = items(state).iter().position(is_it).unwrap_or(0);
     state.rooms.mission.scroll = 0;

@@ -29,7 +29,30 @@ impl Column {
                 .map_or(SortKey::Missing, |(entry, _)| {
                     SortKey::word(entry.verb.name)
                 }),
-            _ => self
+            Self::Id
+            | Self::Armed
+            | Self::State
+            | Self::Altitude
+            | Self::Speed
+            | Self::Battery
+            | Self::Gps
+            | Self::Link
+            | Self::Home
+            | Self::ToGo
+            | Self::Heading
+            | Self::Climb
+            | Self::Voltage
+            | Self::Current
+            | Self::Used
+            | Self::Hdop
+            | Self::RoundTrip
+            | Self::Ekf
+            | Self::Vibration
+            | Self::Item
+            | Self::Sea
+            | Self::Latitude
+            | Self::Longitude
+            | Self::Alert => self
                 .number(vehicle, session)
                 .map_or(SortKey::Missing, SortKey::Number),
         }
@@ -87,7 +110,16 @@ impl Column {
             Self::Climb | Self::Current => 0.5,
             Self::Voltage | Self::Hdop | Self::Ekf => 0.1,
             Self::Latitude | Self::Longitude => 0.00005,
-            _ => 0.0,
+            Self::Id
+            | Self::Name
+            | Self::Group
+            | Self::Mode
+            | Self::Armed
+            | Self::State
+            | Self::Gps
+            | Self::Command
+            | Self::Item
+            | Self::Alert => 0.0,
         }
     }
 }

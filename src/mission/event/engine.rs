@@ -90,7 +90,7 @@ impl Engine {
         let watch = |event: &super::Event| EventWatch {
             due: match event.trigger {
                 Trigger::At(at) => Some(jittered(at, event.jitter, &mut random)),
-                _ => None,
+                Trigger::When(_) | Trigger::After(..) | Trigger::Instructor => None,
             },
             ..EventWatch::default()
         };

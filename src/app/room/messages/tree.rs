@@ -203,7 +203,7 @@ impl Messages {
     fn order(&self, messages: &mut [Branch]) {
         let id = |branch: &Branch| match branch.node {
             Node::Message(_, key) => key.message,
-            _ => 0,
+            Node::Link(_) | Node::System(..) | Node::Component(..) => 0,
         };
         match self.sort {
             Sort::Number => messages.sort_by_key(id),
