@@ -319,6 +319,7 @@ impl Console {
             }
             Input::Key(key) => self.feed(TerminalEvent::Key(key)).await,
             Input::Paste(text) => self.feed(TerminalEvent::Paste(text)).await,
+            Input::Click { column, row } => self.feed(TerminalEvent::Click { column, row }).await,
         }
     }
 

@@ -93,5 +93,6 @@ truth-over = settled
 truth-unasked = there, not asked for
 truth-decoy = harmless
 truth-false = false report
-truth-strength = strongest
+truth-strength = % of the strongest
+truth-gate = gate
 truth-gaps = not covered

@@ -93,5 +93,6 @@ truth-over = ліквідовано
 truth-unasked = було, але не питали
 truth-decoy = безпечне
 truth-false = хибне повідомлення
-truth-strength = найсильніше
+truth-strength = % від найсильнішого
+truth-gate = ворота
 truth-gaps = не обстежено

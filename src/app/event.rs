@@ -59,6 +59,11 @@ pub enum TerminalEvent {
     /// A key was pressed (releases and repeats of modifiers are ignored).
     Key(KeyEvent),
     Paste(String),
+    /// A cell was clicked, counted from the upper left corner.
+    Click {
+        column: u16,
+        row: u16,
+    },
     /// The terminal has this size now.
     Resize {
         columns: u16,
@@ -112,7 +117,7 @@ pub enum ProcessEvent {
         vehicle: VehicleId,
         /// Whether the lines that are known already are to be dropped.
         anew: bool,
-        /// Lines, oldest first.
+        /// The new lines of its output, oldest first.
         lines: Vec<String>,
     },
 }

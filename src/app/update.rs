@@ -84,6 +84,7 @@ fn terminal(state: &mut State, event: TerminalEvent) -> Effects {
         TerminalEvent::Key(key) => return keys::press(state, key),
         TerminalEvent::Line(line) => return palette::give(state, &line),
         TerminalEvent::Paste(text) => keys::paste(state, &text),
+        TerminalEvent::Click { column, row } => keys::click(state, column, row),
         TerminalEvent::Resize { columns, rows } => keys::resize(state, columns, rows),
         TerminalEvent::Told => told(state),
         TerminalEvent::SlowLine(bytes_per_s) => state.slow_line = bytes_per_s,

@@ -256,6 +256,7 @@ mod tests {
                 vehicle: 1,
                 points: (0..10).map(|step| [f64::from(step) * 5.0, 10.0]).collect(),
             }],
+            ..TruthReport::default()
         }
     }
 

@@ -125,6 +125,11 @@ pub(crate) trait Tracker: Debug + Send + Sync {
         Vec::new()
     }
 
+    /// Where it asked for a look and there was one.
+    fn swept(&self) -> Vec<GroundPatch> {
+        Vec::new()
+    }
+
     /// What the trainee's map of the ground shows, for kinds that keep one.
     fn mapped(&self, _world: &World) -> Vec<GroundPatch> {
         Vec::new()
@@ -198,7 +203,7 @@ pub(crate) struct ObjectiveStanding {
 }
 
 /// What the place to go to next is called.
-const NEXT_PLACE: &str = "next";
+pub(crate) const NEXT_PLACE: &str = "next";
 
 /// How long vehicles must stand still on the ground before the flight counts as over.
 pub(crate) const DOWN_FOR: Duration = Duration::from_secs(2);

@@ -56,6 +56,8 @@ pub struct Progress {
     pub cells: Vec<Cell>,
     /// The ground that the trainee's map has as burnt: what was seen, as it was when it was seen.
     pub mapped: Vec<Ground>,
+    /// The ground that has been searched as an objective asks for it.
+    pub swept: Vec<Ground>,
     /// The areas that are there now; events bring some and take others away.
     pub areas: Vec<Area>,
     /// People, aircraft and drones of others that are on the way.

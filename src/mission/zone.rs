@@ -103,6 +103,9 @@ pub(crate) enum Shape {
     Circle { center: Point, radius_m: f64 },
 }
 
+/// Corners of the polygon that stands for a circle.
+const ROUND: u32 = 24;
+
 impl Shape {
     /// Whether a point lies inside (polygons by the even-odd rule).
     pub fn contains(&self, [x, y]: Point) -> bool {
@@ -149,6 +152,23 @@ impl Shape {
                 far.fold(0.0, f64::max)
             }
             Self::Circle { center, radius_m } => distance_m(from, *center) + radius_m,
+        }
+    }
+
+    /// Its corners; those of a polygon that stands for it where it is round.
+    pub fn corners(&self) -> Vec<Point> {
+        match self {
+            Self::Polygon(corners) => corners.clone(),
+            Self::Circle { center, radius_m } => {
+                let corner = |at: u32| {
+                    let turn = f64::from(at) / f64::from(ROUND) * std::f64::consts::TAU;
+                    [
+                        center[0] + radius_m * turn.sin(),
+                        center[1] + radius_m * turn.cos(),
+                    ]
+                };
+                (0..ROUND).map(corner).collect()
+            }
         }
     }
 

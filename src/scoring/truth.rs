@@ -17,6 +17,12 @@ pub struct TruthReport {
     /// What of the task was not covered, by squares; their strength is 0.
     pub gaps: Vec<SquareReport>,
     pub pads: Vec<Place>,
+    /// The corners of the fences that had to be kept; none in records of earlier versions.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub fences: Vec<Vec<Place>>,
+    /// The gates that had to be flown through, where the seed had put them; none in records of earlier versions.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub gates: Vec<Place>,
     /// The ways of the vehicles.
     pub tracks: Vec<TrackReport>,
 }

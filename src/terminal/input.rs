@@ -12,6 +12,11 @@ pub enum Input {
     /// A key was pressed.
     Key(KeyEvent),
     Paste(String),
+    /// The left button of the mouse was pressed on a cell, counted from 0.
+    Click {
+        column: u16,
+        row: u16,
+    },
     /// The terminal has read everything up to the question.
     Answer,
 }
@@ -198,7 +203,7 @@ fn sequence(bytes: &[u8]) -> Found {
 
 fn meaning(parameters: &str, last: u8) -> Option<Input> {
     if let Some(mouse) = parameters.strip_prefix('<') {
-        return (last == b'M').then(|| wheel(mouse)).flatten();
+        return (last == b'M').then(|| mouse_input(mouse)).flatten();
     }
     let mut numbers = parameters
         .split(';')
@@ -271,14 +276,20 @@ fn numbered_key(number: u32) -> Option<KeyCode> {
     })
 }
 
-/// The wheel moves as the arrows do; buttons are nobody's. `button;column;row`.
-fn wheel(parameters: &str) -> Option<Input> {
-    let code = match parameters.split(';').next()? {
-        "64" => KeyCode::Up,
-        "65" => KeyCode::Down,
-        _ => return None,
-    };
-    Some(key(code, KeyModifiers::NONE))
+/// The wheel moves as the arrows do, the left button points, the others do nothing. `button;column;row`, counted from 1.
+fn mouse_input(parameters: &str) -> Option<Input> {
+    let mut parts = parameters.split(';');
+    let button = parts.next()?;
+    let mut place = parts.map(|part| part.parse::<u16>().ok()?.checked_sub(1));
+    match button {
+        "0" => Some(Input::Click {
+            column: place.next()??,
+            row: place.next()??,
+        }),
+        "64" => Some(key(KeyCode::Up, KeyModifiers::NONE)),
+        "65" => Some(key(KeyCode::Down, KeyModifiers::NONE)),
+        _ => None,
+    }
 }
 
 #[cfg(test)]

@@ -177,6 +177,7 @@ pub fn progress() -> Progress {
         ],
         loads: Vec::new(),
         mapped: Vec::new(),
+        swept: Vec::new(),
         readings: vec![Reading {
             vehicle: 1,
             sensor: "co".into(),

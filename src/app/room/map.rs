@@ -28,8 +28,10 @@ const AHEAD: f64 = 0.7;
 const LEGEND_LEAST: GridSize = GridSize::new(110, 30);
 /// Columns of the legend, beside the canvas, with a gap.
 pub const LEGEND_WIDTH: u16 = 35;
-/// Rows of the screen that are not the canvas: the header, the title, the line about the cursor, the footer.
-const OTHER_ROWS: u16 = 4;
+/// Rows of the screen above the canvas: the header, the title.
+const ROWS_ABOVE: u16 = 2;
+/// Rows of the screen that are not the canvas: those above, the line about the cursor, the footer.
+const OTHER_ROWS: u16 = ROWS_ABOVE + 2;
 
 /// The map's own state.
 #[derive(Debug, Clone, Default)]
@@ -154,6 +156,18 @@ impl Map {
                 y: f64::from(view.rows * 2) + f64::from(shift.1) * 4.0,
             };
             self.aim = Aim::Place(view.place(middle), view.zoom);
+        }
+    }
+
+    /// Puts the cursor on a cell of a screen of some size, if the canvas is there.
+    pub fn click(&mut self, screen: GridSize, column: u16, row: u16) {
+        let size = self.canvas(screen);
+        let row = row.checked_sub(ROWS_ABOVE);
+        if let (Some(view), Some(row)) = (self.view(size), row)
+            && column < size.columns
+            && row < size.rows
+        {
+            self.cursor = Some(view.middle_of(column.into(), row.into()));
         }
     }
 

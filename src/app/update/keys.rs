@@ -10,6 +10,7 @@ use crate::app::State;
 use crate::app::action::Action;
 use crate::app::effect::{Effect, Effects};
 use crate::app::keymap::{Meaning, Place};
+use crate::app::room::Room;
 use crate::app::state::{Confirm, Overlay, help_lines};
 use crate::language::{Word, words};
 use crate::notice::sanitised;
@@ -46,6 +47,14 @@ fn ends_an_answer(state: &mut State, key: KeyEvent) -> bool {
     let answered_at = state.answered_at.take();
     let is_fresh = answered_at.is_some_and(|at| state.now.saturating_sub(at) < ANSWER_ENDS_WITHIN);
     is_fresh && key.code == KeyCode::Enter
+}
+
+/// A cell was clicked. What lies over a room takes no clicks.
+pub fn click(state: &mut State, column: u16, row: u16) {
+    if state.overlay.is_none() && state.room == Room::Map && !state.is_too_small() {
+        let size = state.size.into();
+        state.rooms.map.click(size, column, row);
+    }
 }
 
 /// The terminal has another size. A question that cannot be seen any more has been answered with no.

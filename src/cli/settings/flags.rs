@@ -33,7 +33,7 @@ pub(in crate::cli) struct Common {
     /// What curves and maps are drawn with: braille, block, ascii.
     #[arg(long, global = true, value_name = "KIND", help_heading = "Settings")]
     symbols: Option<String>,
-    /// Listen to the mouse: its wheel moves the cursor.
+    /// Listen to the mouse: its wheel moves the cursor, a click points at a place of the map.
     #[arg(
         long,
         global = true,

@@ -3,9 +3,10 @@
 use super::Flight;
 use crate::mission::Point;
 use crate::mission::ground_truth::{ObjectClass, TruthShape};
-use crate::mission::objective::{Sought, Tracker};
+use crate::mission::objective::{NEXT_PLACE, Sought, Tracker};
 use crate::mission::report::{Mark, distance_m};
 use crate::mission::survey::Survey;
+use crate::mission::zone::ZoneKind;
 use crate::scoring::{MarkReport, ObjectReport, SquareReport, TrackReport, TruthReport};
 use crate::text::rounded;
 
@@ -16,6 +17,8 @@ impl Flight {
     pub(super) fn truth_report(&self) -> TruthReport {
         let mut truth = TruthReport {
             pads: self.mission.pads.iter().map(|&pad| tenths(pad)).collect(),
+            fences: self.fences(),
+            gates: self.gates(),
             ..TruthReport::default()
         };
         let mut found = vec![false; self.search.marks().len()];
@@ -56,6 +59,21 @@ impl Flight {
         truth.gaps = self.gaps();
         truth.tracks = self.track_reports();
         truth
+    }
+
+    fn fences(&self) -> Vec<Vec<Point>> {
+        let zones = self.mission.zones.iter();
+        let fences = zones.filter(|zone| matches!(zone.kind, ZoneKind::Geofence { .. }));
+        let corners = fences.map(|zone| zone.shape.corners());
+        corners
+            .map(|corners| corners.into_iter().map(tenths).collect())
+            .collect()
+    }
+
+    fn gates(&self) -> Vec<Point> {
+        let places = self.goals.trackers().flat_map(Tracker::places);
+        let gates = places.filter(|(name, _)| name != NEXT_PLACE);
+        gates.map(|(_, at)| tenths(at)).collect()
     }
 
     fn track_reports(&self) -> Vec<TrackReport> {

@@ -4,6 +4,7 @@ use super::{Craft, Flight, ObjectiveStanding, result};
 use crate::language::Findings;
 use crate::mission::event::alert::OpenAlert;
 use crate::mission::event::mover::Mover;
+use crate::mission::objective::{GroundPatch, Tracker};
 use crate::mission::sensor::Probe;
 use crate::mission::survey::Survey;
 use crate::mission::{
@@ -59,6 +60,7 @@ impl Flight {
             marks: self.search.shown_marks(&self.mission.origin),
             cells: self.cells(),
             mapped: self.mapped(),
+            swept: self.swept(),
             areas: self.areas_now(),
             movers: self.moving_things(),
             alerts: self.open_alerts(),
@@ -143,11 +145,19 @@ impl Flight {
     fn mapped(&self) -> Vec<Ground> {
         let trackers = self.goals.trackers();
         let mapped = trackers.flat_map(|tracker| tracker.mapped(&self.world));
-        let ground = mapped.map(|patch| Ground {
+        mapped.map(|patch| self.ground(patch)).collect()
+    }
+
+    fn swept(&self) -> Vec<Ground> {
+        let swept = self.goals.trackers().flat_map(Tracker::swept);
+        swept.map(|patch| self.ground(patch)).collect()
+    }
+
+    fn ground(&self, patch: GroundPatch) -> Ground {
+        Ground {
             centre: self.mission.origin.place(patch.at),
             side_m: patch.side_m,
-        });
-        ground.collect()
+        }
     }
 
     fn cells(&self) -> Vec<Cell> {

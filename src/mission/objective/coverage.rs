@@ -218,6 +218,10 @@ impl Tracker for Sweep {
         gaps::gaps(&self.grid)
     }
 
+    fn swept(&self) -> Vec<GroundPatch> {
+        gaps::swept(&self.grid)
+    }
+
     fn standing(&self, _: &ObjectiveScene<'_>) -> ObjectiveStanding {
         let swept = self.grid.swept();
         let met = swept >= self.target.met_at;

@@ -82,9 +82,18 @@ fn a_paste_is_one_thing_whatever_is_in_it() {
 }
 
 #[test]
-fn the_wheel_moves_and_buttons_do_nothing() {
+fn the_wheel_moves_and_the_left_button_points() {
     let none = KeyModifiers::NONE;
-    assert_eq!(inputs(b"\x1b[<0;10;5M\x1b[<0;10;5m"), []);
+    let click = Input::Click { column: 9, row: 4 };
+    assert_eq!(inputs(b"\x1b[<0;10;5M\x1b[<0;10;5m"), [click]);
+    for other in [
+        "\x1b[<2;10;5M",
+        "\x1b[<0;0;5M",
+        "\x1b[<0;10M",
+        "\x1b[<0;99999;5M",
+    ] {
+        assert_eq!(inputs(other.as_bytes()), [], "{other:?}");
+    }
     assert_eq!(inputs(b"\x1b[<64;1;1M"), [key(KeyCode::Up, none)]);
     assert_eq!(inputs(b"\x1b[<65;1;1M"), [key(KeyCode::Down, none)]);
 }

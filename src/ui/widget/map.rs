@@ -15,10 +15,14 @@ use crate::ui::widget::{below, centred, put, row_of, wrap};
 
 mod canvas;
 mod finds;
+mod fire;
 mod ground;
 mod heat;
+mod labels;
 mod legend;
 mod markers;
+mod squares;
+mod swept;
 mod truth;
 
 pub use legend::{draw as draw_legend, length};
@@ -63,16 +67,23 @@ fn draw_view(
     area: Rect,
     buffer: &mut Buffer,
 ) -> usize {
+    let panel = Panel::new(look, area);
+    swept::draw(state, view, panel, buffer);
     let field = state.rooms().map().field();
     if let Some((_, field)) = field {
-        heat::draw(field, look, view, area, buffer);
+        heat::draw(field, view, panel, buffer);
     }
+    fire::draw(state, view, panel, buffer);
     ground::draw(state, look, view, area, buffer);
     let outside = markers::draw(state, look, view, area, buffer);
     legend::draw_scale(look, view, area, buffer);
+    let mut last = area.height.saturating_sub(1);
     if let Some((_, field)) = field {
-        let last = row_of(area, area.height.saturating_sub(1));
-        heat::draw_scale(field, Panel::new(look, last), buffer);
+        heat::draw_scale(field, panel.at(row_of(area, last)), buffer);
+        last = last.saturating_sub(1);
+    }
+    if fire::is_any(state) {
+        fire::draw_scale(state, view, panel.at(row_of(area, last)), buffer);
     }
     outside
 }

@@ -56,6 +56,28 @@ fn the_cursor_goes_where_its_keys_say() {
 }
 
 #[test]
+fn a_click_points_at_a_place_of_the_map_and_nowhere_else() {
+    let mut console = on_the_map();
+    let click = |console: &mut Console, column, row| {
+        console.hear(TerminalEvent::Click { column, row });
+        pointed(console)
+    };
+    let size = (120, 40).into();
+    let map = console.state().rooms().map();
+    let view = map.view(map.canvas(size)).expect("a view");
+    // Below the header and the title of the map.
+    let place = click(&mut console, 20, 2 + 9);
+    assert_eq!(view.cell(place), Some((20, 9)));
+    for (column, row) in [(20, 1), (20, 39), (119, 10)] {
+        let same = click(&mut console, column, row);
+        assert!(same.distance_m(place) < 0.01, "{column} {row}");
+    }
+    console.press("?");
+    let under_help = click(&mut console, 30, 12);
+    assert!(under_help.distance_m(place) < 0.01);
+}
+
+#[test]
 fn goto_is_written_with_the_place_under_the_cursor_and_sent_only_by_enter() {
     let mut console = on_the_map();
     for id in 1..=4 {

@@ -170,12 +170,11 @@ fn burnt_ground_is_edged_as_it_was_seen_and_explained() {
     let mut console = resized(crowded(), size);
     console.press("M").press("z");
     let before = drawn(&console, Symbols::Ascii, Language::English, size);
-    assert!(!before.contains("burnt"), "{before}");
+    assert!(!before.contains("fire: burnt"), "{before}");
     let ground = |north_m, east_m| Ground {
         centre: fixtures::HOME.moved(north_m, east_m),
         side_m: 20.0,
     };
-    // A block of three by three: only its outer edges are drawn.
     let block = [-20.0, 0.0, 20.0].map(|north| [-20.0, 0.0, 20.0].map(|east| (north, east)));
     let block = block.concat().into_iter();
     let progress = Progress {
@@ -187,7 +186,10 @@ fn burnt_ground_is_edged_as_it_was_seen_and_explained() {
     console.hear(SessionEvent::Mission(Box::new(progress)));
     console.press("z");
     let text = drawn(&console, Symbols::Ascii, Language::English, size);
-    assert!(text.contains("burnt, as you saw it"), "{text}");
+    assert!(
+        text.contains("fire: burnt to flames") && text.contains("%%%"),
+        "{text}"
+    );
     insta::assert_snapshot!("burnt_map_120x40", text);
 }
 
@@ -197,9 +199,9 @@ fn names_on_the_map_are_whole_or_only_a_sign_but_never_run_into_each_other() {
     let mut console = resized(crowded(), size);
     let contact = |number: u32| ShownContact {
         name: format!("c{number}"),
-        kind: "fire",
+        kind: "mine",
         at: fixtures::HOME.moved(100.0, f64::from(number) * 4.0),
-        trust: Trust::Seen,
+        trust: Trust::Confirmed,
     };
     let progress = Progress {
         contacts: (10..30).map(contact).collect(),
@@ -210,10 +212,10 @@ fn names_on_the_map_are_whole_or_only_a_sign_but_never_run_into_each_other() {
     let text = drawn(&console, Symbols::Ascii, Language::English, size);
     let row = text
         .lines()
-        .find(|line| line.contains("?c29"))
+        .find(|line| line.contains("!c29"))
         .expect("the newest contact");
-    for word in row.split_whitespace().filter(|word| word.starts_with('?')) {
-        let name = word.trim_start_matches('?');
+    for word in row.split_whitespace().filter(|word| word.starts_with('!')) {
+        let name = word.trim_start_matches('!');
         let known = name
             .strip_prefix('c')
             .and_then(|number| number.parse().ok());
@@ -222,6 +224,91 @@ fn names_on_the_map_are_whole_or_only_a_sign_but_never_run_into_each_other() {
             "{row}"
         );
     }
+}
+
+#[test]
+fn what_one_sensor_has_seen_is_a_sign_and_only_the_nearest_has_its_name() {
+    let size = (120, 40);
+    let mut console = resized(crowded(), size);
+    let contact = |number: u32| ShownContact {
+        name: format!("c{number}"),
+        kind: "mine",
+        at: fixtures::HOME.moved(
+            100.0 + f64::from(number % 7) * 12.0,
+            f64::from(number) * 5.0,
+        ),
+        trust: Trust::Seen,
+    };
+    let progress = Progress {
+        contacts: (10..30).map(contact).collect(),
+        ..progress()
+    };
+    console.hear(SessionEvent::Mission(Box::new(progress)));
+    console.press("M").press("z");
+    let named = |console: &Console| {
+        let text = drawn(console, Symbols::Ascii, Language::English, size);
+        let words = text.split_whitespace().map(str::to_owned);
+        words
+            .filter(|word| word.starts_with("?c"))
+            .collect::<Vec<_>>()
+    };
+    // The legend has one, too.
+    assert_eq!(named(&console).len(), 2, "nearest to the vehicle");
+    for _ in 0..12 {
+        console.press("l");
+    }
+    let names = named(&console);
+    assert!(
+        (2..=3).contains(&names.len()),
+        "also to the cursor: {names:?}"
+    );
+}
+
+#[test]
+fn fire_is_a_field_and_what_was_searched_a_light_shade() {
+    let size = (120, 40);
+    let mut console = resized(crowded(), size);
+    let fire = |number: u32| ShownContact {
+        name: format!("c{number}"),
+        kind: "fire",
+        at: fixtures::HOME.moved(100.0, f64::from(number) * 12.0 - 200.0),
+        trust: if number > 8 {
+            Trust::Confirmed
+        } else {
+            Trust::Seen
+        },
+    };
+    let ground = |north_m, east_m| Ground {
+        centre: fixtures::HOME.moved(north_m, east_m),
+        side_m: 20.0,
+    };
+    let progress = Progress {
+        contacts: (1..12).map(fire).collect(),
+        mapped: (0..6)
+            .map(|at| ground(120.0, f64::from(at) * 20.0 - 200.0))
+            .collect(),
+        swept: (0..6)
+            .map(|at| ground(60.0, f64::from(at) * 20.0 - 200.0))
+            .collect(),
+        ..progress()
+    };
+    console.hear(SessionEvent::Mission(Box::new(progress)));
+    console.press("M").press("z");
+    let text = drawn(&console, Symbols::Braille, Language::English, size);
+    let names = text.matches("?c").count() + text.matches("!c").count();
+    assert!(names <= 1, "a field has no names but the nearest: {text}");
+    for shown in [
+        "fire ▒ burnt",
+        "▓ flames, one sensor",
+        "█ flames, confirmed",
+        "····",
+        "searched or sampled",
+    ] {
+        assert!(text.contains(shown), "{shown}: {text}");
+    }
+    insta::assert_snapshot!("fire_map_120x40", text);
+    let text = drawn(&console, Symbols::Ascii, Language::English, size);
+    assert!(text.contains("^^^") && text.contains(",,,"), "{text}");
 }
 
 #[test]

@@ -244,6 +244,26 @@ fn what_the_cursors_vehicle_has_on_board() {
     assert_eq!(borders.count(), 1, "two vehicles share it");
 }
 
+#[test]
+fn everything_in_view_is_the_task_and_the_drones_but_not_the_fence() {
+    let console = surveyed();
+    let map = console.state().rooms().map();
+    let frame = map.overview().frame().expect("a frame");
+    let yard = Outline::square(fixtures::HOME.moved(40.0, 10.0), 60.0);
+    assert!(
+        yard.corners()
+            .into_iter()
+            .all(|corner| frame.contains(corner))
+    );
+    let fence = Outline::square(fixtures::HOME.moved(40.0, 10.0), 160.0);
+    assert!(
+        !fence
+            .corners()
+            .into_iter()
+            .any(|corner| frame.contains(corner))
+    );
+}
+
 /// The truth of a hazard has to be found by sensors: nothing of it is told to the map.
 #[test]
 fn a_mission_tells_its_areas_and_nothing_of_its_hazards() {

@@ -155,18 +155,24 @@ fn go(state: &mut State, size: GridSize, step: Step) {
         Step::Down => (0, 1),
         Step::PageUp => (0, -PAGE),
         Step::PageDown => (0, PAGE),
-        Step::First | Step::Last => {
-            let place = vehicle.and_then(|vehicle| match step {
-                Step::First => vehicle.home.map(|home| home.at_point),
-                _ => vehicle.global.map(|global| global.at_point),
-            });
-            return match place {
-                Some(place) => point_at(state, size, place),
-                None => state.say(Severity::Notice, text!("map-no-vehicle")),
-            };
+        Step::First => {
+            let home = vehicle.and_then(|vehicle| vehicle.home);
+            return point_at_or_say(state, size, home.map(|home| home.at_point));
+        }
+        Step::Last => {
+            let here = vehicle.and_then(|vehicle| vehicle.global);
+            return point_at_or_say(state, size, here.map(|here| here.at_point));
         }
     };
     state.rooms.map.step(size, right, down);
+}
+
+/// Puts the cursor on the place of a vehicle, or says that there is none.
+fn point_at_or_say(state: &mut State, size: GridSize, place: Option<LatLon>) {
+    match place {
+        Some(place) => point_at(state, size, place),
+        None => state.say(Severity::Notice, text!("map-no-vehicle")),
+    }
 }
 
 /// Puts the cursor on a place; the view moves there if it has to.

@@ -3,7 +3,7 @@
 use super::{Aim, planned};
 use crate::app::State;
 use crate::geo::{LatLon, Outline};
-use crate::mission::Progress;
+use crate::mission::{AreaKind, Progress};
 use crate::vehicle::{Vehicle, VehicleId};
 
 /// Of the points of a trail, one in so many decides how large the view of everything is.
@@ -96,7 +96,8 @@ pub fn refit(state: &mut State) {
     state.rooms.map.aim = Aim::All;
 }
 
-/// Everything that has a place.
+/// Everything that the view of everything has to show. What only limits a flight, such as a fence, is seen as far as
+/// there is room, where there is a task to look at.
 fn places(state: &State) -> Vec<LatLon> {
     let session = &state.session;
     let vehicles = session.vehicles.values().flat_map(|vehicle| {
@@ -105,13 +106,20 @@ fn places(state: &State) -> Vec<LatLon> {
         let target = leg(vehicle).map(|(_, target)| target);
         home.into_iter().chain(here).chain(target)
     });
+    let has_task = session.areas.iter().any(|area| area.kind == AreaKind::Task);
     let areas = session.areas.iter();
+    let areas = areas.filter(|area| area.kind == AreaKind::Task || !has_task);
     let areas = areas.flat_map(|area| area.outline.corners());
+    let named = session.places.values().copied();
     let cells = session.mission.iter().flat_map(|progress| &progress.cells);
     let cells = cells.flat_map(|cell| Outline::square(cell.centre, cell.side_m).corners());
     let map = &state.rooms.map;
     let trails = map.trails.values().filter(|_| !map.trails_hidden);
     let trails = trails.flat_map(|trail| trail.points().iter().step_by(TRAIL_STEP).copied());
-    let known = vehicles.chain(areas).chain(cells).chain(trails);
+    let known = vehicles
+        .chain(areas)
+        .chain(named)
+        .chain(cells)
+        .chain(trails);
     known.chain(planned(state)).collect()
 }

@@ -1,4 +1,4 @@
-//! Where nobody has looked, in as few squares as show it.
+//! Which ground was searched and which was not, in as few squares as show it.
 
 use super::CoverageGrid;
 use crate::mission::Point;
@@ -6,81 +6,104 @@ use crate::mission::objective::GroundPatch;
 
 /// A debrief has no use for more squares than this.
 const MOST: usize = 400;
+/// The map of a flight under way shows about so many squares at most.
+const MOST_SWEPT: f64 = 1000.0;
 
 /// The cells that are not swept, gathered into squares; into coarser ones if there would be too many.
 pub(super) fn gaps(grid: &CoverageGrid) -> Vec<GroundPatch> {
     let coarsest = grid.columns.max(grid.cells.len() / grid.columns.max(1));
-    let tries = (1..=coarsest.max(1)).map(|step| squares(&Blocks::of(grid, step)));
+    let tries = (1..=coarsest.max(1)).map(|step| squares(&Blocks::of(grid, step, false)));
     tries
         .into_iter()
         .find(|squares| squares.len() <= MOST)
         .unwrap_or_default()
 }
 
-/// Cells by blocks of some size: whether at least half of those in a block are open.
+/// The cells that are swept, by blocks of so many cells that there are not too many.
+pub(super) fn swept(grid: &CoverageGrid) -> Vec<GroundPatch> {
+    let step = (grid.cells.len() as f64 / MOST_SWEPT).sqrt().ceil();
+    let blocks = Blocks::of(grid, step.max(1.0) as usize, true);
+    let marked = blocks.marked.iter().enumerate().filter(|(_, it)| **it);
+    let patch = |(at, _): (usize, &bool)| {
+        let middle =
+            |axis: usize, place: usize| blocks.corner[axis] + (place as f64 + 0.5) * blocks.side_m;
+        GroundPatch {
+            at: [
+                middle(0, at % blocks.columns),
+                middle(1, at / blocks.columns),
+            ],
+            side_m: blocks.side_m,
+        }
+    };
+    marked.map(patch).collect()
+}
+
+/// Cells by blocks of some size: whether at least half of those in a block are swept, or are not.
 struct Blocks {
     corner: Point,
     side_m: f64,
     columns: usize,
-    open: Vec<bool>,
+    marked: Vec<bool>,
 }
 
 impl Blocks {
-    fn of(grid: &CoverageGrid, step: usize) -> Self {
+    fn of(grid: &CoverageGrid, step: usize, wants_swept: bool) -> Self {
         let rows = grid.cells.len() / grid.columns;
         let (across, down) = (grid.columns.div_ceil(step), rows.div_ceil(step));
-        let is_open = |block: usize| {
+        let is_marked = |block: usize| {
             let (left, low) = (block % across * step, block / across * step);
-            let (mut open, mut all) = (0, 0);
+            let (mut marked, mut all) = (0, 0);
             for row in low..(low + step).min(rows) {
                 for column in left..(left + step).min(grid.columns) {
                     if let Some(swept) = grid.cells[row * grid.columns + column] {
                         all += 1;
-                        open += usize::from(!swept);
+                        marked += usize::from(swept == wants_swept);
                     }
                 }
             }
-            open > 0 && open * 2 >= all
+            marked > 0 && marked * 2 >= all
         };
         Self {
             corner: grid.corner,
             side_m: grid.side_m * step as f64,
             columns: across,
-            open: (0..across * down).map(is_open).collect(),
+            marked: (0..across * down).map(is_marked).collect(),
         }
     }
 
-    /// Whether all of a square of blocks is open.
-    fn is_open(&self, place: [usize; 2], size: usize) -> bool {
+    /// Whether all of a square of blocks is marked.
+    fn is_marked(&self, place: [usize; 2], size: usize) -> bool {
         let [column, row] = place;
-        let rows = self.open.len() / self.columns;
+        let rows = self.marked.len() / self.columns;
         column + size <= self.columns
             && row + size <= rows
             && (row..row + size).all(|row| {
                 let first = row * self.columns + column;
-                self.open[first..first + size].iter().all(|open| *open)
+                self.marked[first..first + size]
+                    .iter()
+                    .all(|marked| *marked)
             })
     }
 }
 
-/// Squares that cover the open blocks, each the largest that begins where the one before left off.
+/// Squares that cover the marked blocks, each the largest that begins where the one before left off.
 fn squares(blocks: &Blocks) -> Vec<GroundPatch> {
     let mut left = Blocks {
-        open: blocks.open.clone(),
+        marked: blocks.marked.clone(),
         ..*blocks
     };
     let mut squares = Vec::new();
-    for at in 0..left.open.len() {
+    for at in 0..left.marked.len() {
         let place = [at % left.columns, at / left.columns];
         let size = (1..=left.columns)
-            .take_while(|size| left.is_open(place, *size))
+            .take_while(|size| left.is_marked(place, *size))
             .last();
         let Some(size) = size else {
             continue;
         };
         for row in place[1]..place[1] + size {
             let first = row * left.columns + place[0];
-            left.open[first..first + size].fill(false);
+            left.marked[first..first + size].fill(false);
         }
         let middle = |axis: usize, first: usize| {
             left.corner[axis] + (first as f64 + size as f64 / 2.0) * left.side_m
@@ -128,8 +151,11 @@ mod tests {
         let patches = gaps(&grid);
         let places: Vec<Point> = patches.iter().map(|patch| patch.at).collect();
         assert_eq!(places, [[2.5, 0.5], [2.5, 1.5], [2.5, 2.5], [2.5, 3.5]]);
+        assert!((area_m2(&swept(&grid)) - 16.0).abs() < 1e-9);
         grid.cells.fill(Some(true));
         assert_eq!(gaps(&grid), []);
+        grid.cells.fill(Some(false));
+        assert_eq!(swept(&grid), []);
     }
 
     #[test]
@@ -144,5 +170,9 @@ mod tests {
             "{}",
             patches.len()
         );
+        grid.cells.fill(Some(true));
+        let patches = swept(&grid);
+        assert!(patches.len() as f64 <= MOST_SWEPT, "{}", patches.len());
+        assert!(area_m2(&patches) >= 10_000.0);
     }
 }

@@ -4,15 +4,15 @@ use std::collections::BTreeSet;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
-use unicode_width::UnicodeWidthStr as _;
 
 use super::canvas::{Canvas, Stroke};
 use super::finds;
+use super::labels::{self, Label, MapCell};
 use crate::app::State;
 use crate::app::room::map::{Sketch, SketchKind, leg, sketches};
 use crate::geo::{DOTS_ACROSS, GridSize, LatLon, Outline, Viewport};
-use crate::mission::{Ground, MoverKind};
-use crate::ui::look::Look;
+use crate::mission::MoverKind;
+use crate::ui::look::{Badge, Look};
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::vehicle::VehicleId;
@@ -23,9 +23,15 @@ const MANY: usize = 64;
 /// The cells of a survey.
 const CELL: Stroke = Stroke::dotted(Role::Muted);
 /// Where a vehicle has been.
-pub const TRAIL: Stroke = Stroke::solid(Role::Muted);
+pub fn trail(vehicle: VehicleId) -> Stroke {
+    Stroke::solid(Badge::of_vehicle(vehicle).role)
+}
+
 /// Where it is going.
-pub const TARGET: Stroke = Stroke::dashed(Role::Accent);
+pub fn target(vehicle: VehicleId) -> Stroke {
+    Stroke::dashed(Badge::of_vehicle(vehicle).role)
+}
+
 /// From the mark to the cursor.
 pub const RULER: Stroke = Stroke::dotted(Role::Key);
 
@@ -56,22 +62,11 @@ pub const fn sign(kind: SketchKind) -> &'static str {
     }
 }
 
-/// The edge of ground that the trainee's map has as burnt.
-pub const BURNT: Stroke = Stroke::solid(Role::Danger);
-
-/// A text at a cell.
-pub struct Label {
-    pub cell: (u16, u16),
-    pub text: String,
-    pub role: Role,
-}
-
 /// Draws all lines, and the words that belong to them.
 pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mut Buffer) {
     let mut canvas = Canvas::new(GridSize::new(view.columns, view.rows), look.symbols);
     let mut labels = Vec::new();
     draw_cells(state, view, &mut canvas, &mut labels);
-    draw_mapped(state, view, &mut canvas);
     for sketch in sketches(state) {
         draw_sketch(&sketch, view, &mut canvas, &mut labels);
     }
@@ -84,55 +79,17 @@ pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mu
         canvas.line(view.dot(mark), view.dot(map.pointed(view)), RULER);
     }
     canvas.draw(Panel::new(look, area), buffer);
-    for label in readable(labels, &vehicle_cells(state, view)) {
-        let (column, row) = label.cell;
-        let width = area.width.saturating_sub(column);
-        let at = (area.x + column, area.y + row);
-        buffer.set_stringn(
-            at.0,
-            at.1,
-            &label.text,
-            usize::from(width),
-            look.style(label.role),
-        );
-    }
+    let vehicles = vehicle_cells(state, view);
+    labels::draw(labels, &vehicles, Panel::new(look, area), buffer);
 }
 
 /// What vehicles will cover: their signs, and brackets or numbers beside them.
-fn vehicle_cells(state: &State, view: &Viewport) -> BTreeSet<(u16, u16)> {
+fn vehicle_cells(state: &State, view: &Viewport) -> BTreeSet<MapCell> {
     let vehicles = state.session().vehicles().values();
     let places = vehicles.filter_map(|vehicle| view.cell(vehicle.global?.at_point));
     places
-        .flat_map(|(column, row)| (column.saturating_sub(1)..=column + 2).map(move |at| (row, at)))
+        .flat_map(|(column, row)| (column.saturating_sub(1)..=column + 2).map(move |at| (at, row)))
         .collect()
-}
-
-/// The labels without those that would be read as one word with another: the later ones are worth more. Where only the
-/// name of something has no room, the sign that it begins with stays. Vehicles are drawn over everything: what they
-/// would leave a piece of goes as well.
-fn readable(labels: Vec<Label>, vehicles: &BTreeSet<(u16, u16)>) -> Vec<Label> {
-    let mut taken: BTreeSet<(u16, u16)> = BTreeSet::new();
-    let mut kept = Vec::new();
-    for mut label in labels.into_iter().rev() {
-        let (column, row) = label.cell;
-        let width = label.text.width() as u16;
-        // Words with a blank to both sides; signs may stand side by side.
-        let margin = u16::from(width > 1);
-        let mut around = column.saturating_sub(margin)..column + width + margin;
-        let is_cut = width > 1 && (column..column + width).any(|at| vehicles.contains(&(row, at)));
-        if is_cut || around.any(|at| taken.contains(&(row, at))) {
-            let is_free = !taken.contains(&(row, column));
-            let sign = label.text.chars().next();
-            let Some(sign) = sign.filter(|c| is_free && !c.is_alphanumeric()) else {
-                continue;
-            };
-            label.text = sign.to_string();
-        }
-        let width = label.text.width() as u16;
-        taken.extend((column..column + width).map(|at| (row, at)));
-        kept.push(label);
-    }
-    kept
 }
 
 /// The cells of surveys: their names until they are sampled, then what was found.
@@ -161,35 +118,6 @@ fn draw_cells(state: &State, view: &Viewport, canvas: &mut Canvas, labels: &mut 
         {
             let cell = (column.saturating_sub(width / 2), row);
             labels.push(Label { cell, text, role });
-        }
-    }
-}
-
-/// The ground that has burnt as far as it was seen: the edges that its squares do not share.
-fn draw_mapped(state: &State, view: &Viewport, canvas: &mut Canvas) {
-    let Some(progress) = state.session().mission() else {
-        return;
-    };
-    let Some(first) = progress.mapped.first() else {
-        return;
-    };
-    let key = |ground: &Ground| {
-        let (north_m, east_m) = first.centre.offset_to(ground.centre);
-        let side = |metres: f64| (metres / first.side_m).round() as i32;
-        (side(north_m), side(east_m))
-    };
-    let known: BTreeSet<(i32, i32)> = progress.mapped.iter().map(key).collect();
-    for ground in &progress.mapped {
-        let ((north, east), half_m) = (key(ground), ground.side_m / 2.0);
-        for (to_north, to_east) in [(1, 0), (0, 1), (-1, 0), (0, -1)] {
-            if known.contains(&(north + to_north, east + to_east)) {
-                continue;
-            }
-            let (north_m, east_m) = (f64::from(to_north) * half_m, f64::from(to_east) * half_m);
-            // The ends of an edge lie to both sides of its middle.
-            let from = ground.centre.moved(north_m + east_m, east_m + north_m);
-            let to = ground.centre.moved(north_m - east_m, east_m - north_m);
-            canvas.line(view.dot(from), view.dot(to), BURNT);
         }
     }
 }
@@ -239,8 +167,9 @@ fn draw_ways(state: &State, view: &Viewport, canvas: &mut Canvas, labels: &mut V
             .get(&vehicle.id)
             .filter(|_| !map.hides_trails());
         if let Some(trail) = trail {
+            let stroke = self::trail(vehicle.id);
             for pair in trail.points().windows(2) {
-                canvas.line(view.dot(pair[0]), view.dot(pair[1]), TRAIL);
+                canvas.line(view.dot(pair[0]), view.dot(pair[1]), stroke);
             }
         }
         if let Some((from, to)) = leg(vehicle) {
@@ -248,11 +177,12 @@ fn draw_ways(state: &State, view: &Viewport, canvas: &mut Canvas, labels: &mut V
             let here = view.cell(from).map_or(from, |(column, row)| {
                 view.middle_of(i32::from(column), i32::from(row))
             });
-            canvas.line(view.dot(to), view.dot(here), TARGET);
+            let stroke = target(vehicle.id);
+            canvas.line(view.dot(to), view.dot(here), stroke);
             labels.extend(view.cell(to).map(|cell| Label {
                 cell,
                 text: "x".to_owned(),
-                role: TARGET.role,
+                role: stroke.role,
             }));
         }
     }
@@ -315,29 +245,5 @@ fn draw_movers(state: &State, view: &Viewport, canvas: &mut Canvas, labels: &mut
             text: format!("{letter}:{}", mover.name),
             role,
         }));
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_vehicle_leaves_no_piece_of_a_word() {
-        let label = |column, text: &str| Label {
-            cell: (column, 0),
-            text: text.to_owned(),
-            role: Role::Danger,
-        };
-        let kept = |vehicle: u16| -> Vec<String> {
-            let labels = vec![label(10, "peak4"), label(20, "!c2"), label(30, "H")];
-            let covered = (vehicle..vehicle + 3).map(|column| (0, column)).collect();
-            let kept = readable(labels, &covered);
-            kept.into_iter().rev().map(|label| label.text).collect()
-        };
-        assert_eq!(kept(40), ["peak4", "!c2", "H"]);
-        assert_eq!(kept(8), ["!c2", "H"]);
-        assert_eq!(kept(22), ["peak4", "!", "H"], "a sign says what is there");
-        assert_eq!(kept(29), ["peak4", "!c2", "H"], "a sign is never in pieces");
     }
 }

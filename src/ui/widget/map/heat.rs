@@ -1,40 +1,33 @@
 //! What the sensors have shown, as shaded cells beneath everything else.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
+use super::{labels, squares};
 use crate::app::room::map::SampleField;
 use crate::config::Symbols;
-use crate::geo::{DOTS_ACROSS, DOTS_DOWN, Dot, Viewport};
-use crate::ui::look::Look;
+use crate::geo::Viewport;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::put;
 
 /// Shades from little to much.
 const SHADES: [char; 4] = ['░', '▒', '▓', '█'];
 /// The same in ASCII, where digits can be read best.
 const DIGITS: [char; 9] = ['1', '2', '3', '4', '5', '6', '7', '8', '9'];
 
-pub fn draw(field: &SampleField, look: &Look, view: &Viewport, area: Rect, buffer: &mut Buffer) {
-    let shades = shades(look.symbols);
+pub fn draw(field: &SampleField, view: &Viewport, panel: Panel<'_>, buffer: &mut Buffer) {
+    let shades = shades(panel.look.symbols);
     let top = field.top();
-    let style = look.style(Role::Hazard);
+    let style = panel.style(Role::Hazard);
     for (cell, mean) in means(field, view).into_iter().enumerate() {
         let Some(mean) = mean else {
             continue;
         };
         let level = (mean / top * shades.len() as f64).ceil().max(1.0) as usize;
         let shade = shades[level.min(shades.len()) - 1];
-        let (column, row) = (
-            cell % usize::from(view.columns),
-            cell / usize::from(view.columns),
-        );
-        let at = (area.x + column as u16, area.y + row as u16);
-        if let Some(cell) = buffer.cell_mut(at) {
-            cell.set_char(shade).set_style(style);
-        }
+        let columns = usize::from(view.columns);
+        let cell = ((cell % columns) as u16, (cell / columns) as u16);
+        squares::fill(cell, shade, style, panel, buffer);
     }
 }
 
@@ -42,7 +35,7 @@ pub fn draw(field: &SampleField, look: &Look, view: &Viewport, area: Rect, buffe
 pub fn draw_scale(field: &SampleField, panel: Panel<'_>, buffer: &mut Buffer) {
     let shades = shades(panel.look.symbols);
     let top = field.top();
-    let name = format!("{} ", panel.text(&field.name));
+    let name = format!(" {}, {} ", panel.text(&field.name), field.unit);
     let mut spans = vec![Span::styled(name, panel.style(Role::Muted))];
     for (at, shade) in shades.iter().enumerate() {
         // Nine digits need no nine numbers.
@@ -56,15 +49,7 @@ pub fn draw_scale(field: &SampleField, panel: Panel<'_>, buffer: &mut Buffer) {
             panel.style(Role::Muted),
         ));
     }
-    spans.push(Span::styled(field.unit, panel.style(Role::Muted)));
-    let line = Line::from(spans);
-    let width = (line.width() as u16).min(panel.area.width);
-    let right = Rect {
-        x: panel.area.right() - width,
-        width,
-        ..panel.area
-    };
-    put(buffer, right, 0, &line);
+    labels::stamp_right(&Line::from(spans), panel, buffer);
 }
 
 /// The shade for a share of the most; none for nothing.
@@ -72,6 +57,18 @@ pub fn shade(share: f64, symbols: Symbols) -> Option<char> {
     let shades = shades(symbols);
     let level = (share.clamp(0.0, 1.0) * shades.len() as f64).ceil() as usize;
     shades.get(level.checked_sub(1)?).copied()
+}
+
+/// The shades with the share of the most that each stands for, in percent; of many, some.
+pub fn shares(symbols: Symbols) -> String {
+    let shades = shades(symbols);
+    let step = shades.len().div_ceil(SHADES.len());
+    let shown = shades.iter().enumerate().skip(step - 1).step_by(step);
+    let share = |(at, shade): (usize, &char)| {
+        let percent = (at + 1) * 100 / shades.len();
+        format!("{shade} {percent}")
+    };
+    shown.map(share).collect::<Vec<_>>().join(" ")
 }
 
 fn shades(symbols: Symbols) -> &'static [char] {
@@ -94,44 +91,27 @@ fn figure(value: f64) -> String {
 /// The mean of what was shown in each cell of the view, row by row: of the square that the middle of the cell
 /// lies in, or of the squares that lie in the cell.
 fn means(field: &SampleField, view: &Viewport) -> Vec<Option<f64>> {
-    let (columns, rows) = (i64::from(view.columns), i64::from(view.rows));
-    let mut sums = vec![(0.0, 0.0); (columns * rows) as usize];
-    let half = field.side_m() / view.metres_per_dot() / 2.0;
+    let (columns, rows) = (usize::from(view.columns), usize::from(view.rows));
+    let mut sums = vec![(0.0, 0.0); columns * rows];
     for (middle, mean) in field.squares() {
-        let Dot { x, y } = view.dot(middle);
-        let across = covered(x, half, f64::from(DOTS_ACROSS), columns);
-        let down = covered(y, half, f64::from(DOTS_DOWN), rows);
-        for row in down {
-            for column in across.clone() {
-                let cell = &mut sums[(row * columns + column) as usize];
-                *cell = (cell.0 + mean, cell.1 + 1.0);
-            }
+        for (column, row) in squares::cells(view, middle, field.side_m()) {
+            let cell = &mut sums[usize::from(row) * columns + usize::from(column)];
+            *cell = (cell.0 + mean, cell.1 + 1.0);
         }
     }
     let mean = |(sum, count): (f64, f64)| (count > 0.0).then(|| sum / count);
     sums.into_iter().map(mean).collect()
 }
 
-/// The cells of a row whose middles lie within `half` of a dot; at least the one that the dot is in.
-fn covered(dot: f64, half: f64, dots: f64, count: i64) -> std::ops::Range<i64> {
-    let from = ((dot - half) / dots - 0.5).ceil();
-    let to = ((dot + half) / dots - 0.5).ceil();
-    let (from, to) = if from < to {
-        (from, to)
-    } else {
-        ((dot / dots).floor(), (dot / dots).floor() + 1.0)
-    };
-    let within = |at: f64| at.clamp(0.0, count as f64) as i64;
-    within(from)..within(to)
-}
-
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
+    use ratatui::layout::Rect;
 
     use super::*;
     use crate::app::room::map::Samples;
     use crate::geo::{GridSize, LatLon, Zoom};
+    use crate::ui::look::Look;
 
     const HOME: LatLon = LatLon::new(50.45, 30.52);
 
@@ -176,7 +156,7 @@ mod tests {
                 symbols,
                 ..Look::default()
             };
-            draw(field, &look, &view, area, &mut buffer);
+            draw(field, &view, Panel::new(&look, area), &mut buffer);
             let cells = buffer.content.iter();
             cells.map(ratatui::buffer::Cell::symbol).collect::<String>()
         };

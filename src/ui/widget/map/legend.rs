@@ -5,9 +5,10 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use super::canvas::Stroke;
-use super::finds;
-use super::ground::{BURNT, RULER, TARGET, TRAIL, stroke};
+use super::ground::{RULER, stroke, target, trail};
+use super::labels::blank;
 use super::markers::arrow;
+use super::{finds, fire, swept};
 use crate::app::State;
 use crate::app::room::map::SketchKind::{
     Course, Fence, Jamming, KeepOut, NoFly, People, Plan, Radio, Rally, Task,
@@ -18,9 +19,12 @@ use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::put;
+use crate::vehicle::VehicleId;
 
 /// Columns of the scale bar at most.
 const LONGEST_BAR: u16 = 24;
+/// The vehicle whose colour the legend shows; the others have theirs.
+const FIRST: VehicleId = 1;
 /// Columns of the signs in the legend.
 const SIGN_WIDTH: usize = 5;
 
@@ -32,7 +36,14 @@ pub fn draw_scale(look: &Look, view: &Viewport, area: Rect, buffer: &mut Buffer)
         Span::styled(format!("├{line}┤"), look.style(Role::Muted)),
         Span::styled(format!(" {} ", length(length_m)), look.style(Role::Text)),
     ]);
-    put(buffer, area, area.height.saturating_sub(1), &bar);
+    let corner = Rect {
+        y: area.bottom().saturating_sub(1),
+        width: (bar.width() as u16).min(area.width),
+        height: 1.min(area.height),
+        ..area
+    };
+    blank(Panel::new(look, corner), buffer);
+    put(buffer, corner, 0, &bar);
     let north = format!(" N{}", arrow(0.0, look.symbols));
     let corner = Rect {
         x: area.right().saturating_sub(3),
@@ -109,25 +120,41 @@ fn lines(state: &State, look: &Look) -> Vec<Line<'static>> {
         .into_iter()
         .chain(finds)
         .chain(movers)
+        .chain(shades(state, look))
         .chain(strokes)
         .map(row)
         .collect()
 }
 
+/// The shades of the ground that are on the map.
+fn shades(state: &State, look: &Look) -> Vec<(String, Role, &'static str)> {
+    let swept = swept::sign(look.symbols).to_string().repeat(3);
+    let fire = fire::sample(look.symbols);
+    let shades = [
+        (
+            swept::is_any(state),
+            (swept, swept::ROLE, "map-legend-swept"),
+        ),
+        (
+            fire::is_any(state),
+            (fire, fire::role(look), "map-legend-fire"),
+        ),
+    ];
+    let shown = shades.into_iter().filter(|(shown, _)| *shown);
+    shown.map(|(_, row)| row).collect()
+}
+
 /// The kinds of lines, and whether there are any on the map.
-fn strokes(state: &State) -> [(bool, Stroke, &'static str); 14] {
+fn strokes(state: &State) -> [(bool, Stroke, &'static str); 13] {
     let map = state.rooms().map();
     let sketches = sketches(state);
     let has = |kind| sketches.iter().any(|sketch| sketch.kind == kind);
     let trails = !map.hides_trails() && !map.trails().is_empty();
     let mut vehicles = state.session().vehicles().values();
     let targets = vehicles.any(|vehicle| leg(vehicle).is_some());
-    let mission = state.session().mission();
-    let burnt = mission.is_some_and(|it| !it.mapped.is_empty());
     [
-        (burnt, BURNT, "map-legend-burnt"),
-        (trails, TRAIL, "map-legend-trail"),
-        (targets, TARGET, "map-legend-target"),
+        (trails, trail(FIRST), "map-legend-trail"),
+        (targets, target(FIRST), "map-legend-target"),
         (has(Task), stroke(Task), "map-legend-task"),
         (has(Fence), stroke(Fence), "map-legend-fence"),
         (has(KeepOut), stroke(KeepOut), "map-legend-keep-out"),

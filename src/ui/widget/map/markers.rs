@@ -6,10 +6,12 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
 use ratatui::style::Style;
 
+use super::labels::{part, stamp};
 use crate::app::State;
 use crate::config::Symbols;
 use crate::geo::Viewport;
-use crate::ui::look::Look;
+use crate::ui::look::{Badge, Look};
+use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::severity_role;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
@@ -40,7 +42,7 @@ pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mu
     let under_cursor = markers.iter().position(|it| Some(it.id) == cursor);
     let chosen = under_cursor.map(|at| Chosen::new(markers.swap_remove(at), &mut markers));
     markers.sort_by_key(|it| (it.row, it.column, it.id));
-    let mut board = Board::new(area, buffer);
+    let mut board = Board::new(Panel::new(look, area), buffer);
     if let Some(chosen) = &chosen {
         board.put_chosen(chosen, look);
     }
@@ -139,7 +141,7 @@ fn marker(vehicle: &Vehicle, cell: Position, state: &State, look: &Look) -> Mark
         _ if lost => (Role::Danger, 0),
         Some(alarm) => (severity_role(alarm.severity), 0),
         None if selected => (Role::Selected, 1),
-        None if vehicle.armed() => (Role::Text, 2),
+        None if vehicle.armed() => (Badge::of_vehicle(vehicle.id).role, 2),
         None => (Role::Muted, 2),
     };
     Marker {
@@ -215,36 +217,38 @@ fn gather<'a>(
 
 /// The cells of the map and which of them hold a sign or a number already.
 struct Board<'a> {
-    area: Rect,
+    panel: Panel<'a>,
     buffer: &'a mut Buffer,
     taken: Vec<bool>,
 }
 
 impl<'a> Board<'a> {
-    fn new(area: Rect, buffer: &'a mut Buffer) -> Self {
-        let cells = usize::from(area.width) * usize::from(area.height);
+    fn new(panel: Panel<'a>, buffer: &'a mut Buffer) -> Self {
+        let cells = usize::from(panel.area.width) * usize::from(panel.area.height);
         Self {
-            area,
+            panel,
             buffer,
             taken: vec![false; cells],
         }
     }
 
     fn put(&mut self, column: u16, row: u16, text: &str, style: Style) {
-        let width = self.area.width.saturating_sub(column);
-        let (x, y) = (self.area.x + column, self.area.y + row);
-        let (end, _) = self
-            .buffer
-            .set_stringn(x, y, text, usize::from(width), style);
-        let from = usize::from(row) * usize::from(self.area.width) + usize::from(column);
-        let written = usize::from(end - x);
-        self.taken[from..from + written].fill(true);
+        let area = self.panel.area;
+        let place = Rect {
+            x: area.x + column,
+            y: area.y + row,
+            width: area.width.saturating_sub(column),
+            height: 1,
+        };
+        let written = stamp(text, style, self.panel.at(place), self.buffer);
+        let from = usize::from(row) * usize::from(area.width) + usize::from(column);
+        self.taken[from..from + usize::from(written)].fill(true);
     }
 
     /// Whether nothing stands there yet, and the row is long enough.
     fn is_free(&self, column: u16, row: u16, width: u16) -> bool {
-        let from = usize::from(row) * usize::from(self.area.width) + usize::from(column);
-        let fits = column + width <= self.area.width;
+        let from = usize::from(row) * usize::from(self.panel.area.width) + usize::from(column);
+        let fits = column + width <= self.panel.area.width;
         fits && !self.taken[from..from + usize::from(width)].contains(&true)
     }
 
@@ -268,19 +272,16 @@ impl<'a> Board<'a> {
             return false;
         };
         self.put(at, marker.row, text, look.style(marker.role));
-        self.part(at + width, marker.row);
+        for beside in [at.checked_sub(1), Some(at + width)].into_iter().flatten() {
+            self.part(beside, marker.row);
+        }
         true
     }
 
-    /// A figure of the ground right after a number would read as a part of it.
+    /// A figure of the ground right beside a number would read as a part of it.
     fn part(&mut self, column: u16, row: u16) {
-        let free = self.is_free(column, row, 1);
-        let place = (self.area.x + column, self.area.y + row);
-        if let Some(cell) = self.buffer.cell_mut(place)
-            && free
-            && cell.symbol().starts_with(char::is_alphanumeric)
-        {
-            cell.set_char(' ');
+        if self.is_free(column, row, 1) {
+            part(self.panel, (column, row), self.buffer);
         }
     }
 
@@ -288,6 +289,10 @@ impl<'a> Board<'a> {
         let marker = &chosen.marker;
         let style = look.style(marker.role).patch(look.style(Role::Cursor));
         self.put(chosen.from, marker.row, &chosen.text, style);
+        let beside = [chosen.from.checked_sub(1), Some(chosen.end())];
+        for column in beside.into_iter().flatten() {
+            self.part(column, marker.row);
+        }
     }
 
     fn put_count(&mut self, those: &[Marker], from: u16, look: &Look) {

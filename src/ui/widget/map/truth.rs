@@ -5,8 +5,9 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use super::canvas::{Canvas, Stroke};
-use super::ground::{TRAIL, outline};
+use super::ground::{outline, trail};
 use super::heat;
+use super::labels::stamp;
 use super::legend::draw_scale;
 use crate::geo::{Dot, Extent, GridSize, LatLon, Outline, Viewport};
 use crate::scoring::{ObjectReport, SquareReport, TruthReport};
@@ -19,6 +20,8 @@ use crate::ui::widget::{below, put, upper, wrap};
 const ORIGIN: LatLon = LatLon::new(0.0, 0.0);
 /// What was not covered.
 const GAP: Stroke = Stroke::dotted(Role::Warning);
+/// A border that had to be kept.
+const FENCE: Stroke = Stroke::dashed(Role::Fence);
 /// Land around everything, as a share of it and in metres.
 const EDGE: (f64, f64) = (0.04, 5.0);
 
@@ -30,8 +33,9 @@ const OVER: Sign = ('+', Role::Info, "truth-over");
 const UNASKED: Sign = ('*', Role::Info, "truth-unasked");
 const DECOY: Sign = ('o', Role::Muted, "truth-decoy");
 const FALSE: Sign = ('?', Role::Warning, "truth-false");
+const GATE: Sign = ('G', Role::Info, "truth-gate");
 const PAD: Sign = ('H', Role::Title, "map-legend-home");
-const SIGNS: [Sign; 7] = [FOUND, MISSED, OVER, UNASKED, DECOY, FALSE, PAD];
+const SIGNS: [Sign; 8] = [FOUND, MISSED, OVER, UNASKED, DECOY, FALSE, GATE, PAD];
 
 /// Draws the map as a pane with a title; the signs that are on it are explained below it.
 pub fn draw(truth: &TruthReport, panel: Panel<'_>, buffer: &mut Buffer) {
@@ -56,17 +60,22 @@ pub fn draw(truth: &TruthReport, panel: Panel<'_>, buffer: &mut Buffer) {
         let corners = Outline::square(place(gap.at), gap.side_m).corners();
         outline(&corners, &view, &mut canvas, GAP);
     }
+    for fence in &truth.fences {
+        let corners: Vec<LatLon> = fence.iter().copied().map(place).collect();
+        outline(&corners, &view, &mut canvas, FENCE);
+    }
     for track in &truth.tracks {
+        let stroke = trail(track.vehicle);
         for pair in track.points.windows(2) {
             let ends = [pair[0], pair[1]].map(|at| view.dot(place(at)));
-            canvas.line(ends[0], ends[1], TRAIL);
+            canvas.line(ends[0], ends[1], stroke);
         }
     }
     canvas.draw(panel.at(canvas_area), buffer);
     for ((sign, role, _), at) in labels {
         if let Some((column, row)) = view.cell(place(at)) {
-            let at = (canvas_area.x + column, canvas_area.y + row);
-            buffer.set_string(at.0, at.1, sign.to_string(), panel.style(role));
+            let cell = Rect::new(canvas_area.x + column, canvas_area.y + row, 1, 1);
+            stamp(&sign.to_string(), panel.style(role), panel.at(cell), buffer);
         }
     }
     draw_scale(panel.look, &view, canvas_area, buffer);
@@ -87,12 +96,19 @@ fn places(truth: &TruthReport) -> impl Iterator<Item = LatLon> {
     let marks = truth.marks.iter().map(|it| it.at);
     let tracks = truth.tracks.iter().flat_map(|it| it.points.iter().copied());
     let points = objects.chain(marks).chain(tracks);
-    corners.chain(points.chain(truth.pads.iter().copied()).map(place))
+    let pads = truth.pads.iter().copied();
+    corners.chain(
+        points
+            .chain(pads)
+            .chain(truth.gates.iter().copied())
+            .map(place),
+    )
 }
 
 /// The signs with their places, the most important last.
 fn labels(truth: &TruthReport) -> Vec<(Sign, [f64; 2])> {
     let pads = truth.pads.iter().map(|&at| (PAD, at));
+    let gates = truth.gates.iter().map(|&at| (GATE, at));
     let sign = |object: &ObjectReport| match (object.kind.as_str(), object.found) {
         ("decoy", _) => DECOY,
         (_, true) => FOUND,
@@ -106,7 +122,7 @@ fn labels(truth: &TruthReport) -> Vec<(Sign, [f64; 2])> {
         .iter()
         .filter(|mark| !mark.right)
         .map(|mark| (FALSE, mark.at));
-    let mut labels: Vec<(Sign, [f64; 2])> = pads.chain(objects).chain(wrong).collect();
+    let mut labels: Vec<(Sign, [f64; 2])> = pads.chain(gates).chain(objects).chain(wrong).collect();
     // What was missed shows also where it shares its cell with something else.
     labels.sort_by_key(|(sign, _)| *sign == MISSED);
     labels
@@ -156,16 +172,32 @@ fn legend(
             words.push(format!("{} {} {count}", sign.0, look.say(sign.2)));
         }
     }
-    let strongest = heat::shade(1.0, look.symbols).filter(|_| !truth.squares.is_empty());
-    words.extend(strongest.map(|shade| format!("{shade} {}", look.say("truth-strength"))));
+    if !truth.squares.is_empty() {
+        words.push(format!(
+            "{} {}",
+            heat::shares(look.symbols),
+            look.say("truth-strength")
+        ));
+    }
+    if !truth.fences.is_empty() {
+        words.push(format!(
+            "{} {}",
+            sample(FENCE, look),
+            look.say("map-legend-fence")
+        ));
+    }
     if !truth.gaps.is_empty() {
-        let (line, count) = (GAP.sample(look.symbols), truth.gaps.len());
-        // A piece of it without a blank, at which the words would be broken.
-        let line = line.split(' ').next().unwrap_or_default().to_owned();
+        let (line, count) = (sample(GAP, look), truth.gaps.len());
         words.push(format!("{line} {} {count}", look.say("truth-gaps")));
     }
     let lines = wrap(&words.join(", "), width).into_iter();
     lines
         .map(|line| Line::from(Span::styled(line, look.style(Role::Muted))))
         .collect()
+}
+
+/// A piece of a line without a blank, at which the words of the legend would be broken.
+fn sample(stroke: Stroke, look: &Look) -> String {
+    let line = stroke.sample(look.symbols);
+    line.split(' ').next().unwrap_or_default().to_owned()
 }

@@ -1,0 +1,226 @@
+//! Words on the map. They stand on top of everything that is drawn, and nothing of it shows through.
+
+use std::collections::BTreeSet;
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::Style;
+use ratatui::text::Line;
+use unicode_width::UnicodeWidthStr as _;
+
+use crate::ui::panel::Panel;
+use crate::ui::theme::Role;
+use crate::ui::widget::put;
+
+/// A column and a row of the map.
+pub type MapCell = (u16, u16);
+
+/// A text at a cell.
+pub struct Label {
+    pub cell: MapCell,
+    pub text: String,
+    pub role: Role,
+}
+
+impl Label {
+    fn width(&self) -> u16 {
+        self.text.width() as u16
+    }
+
+    /// Whether it is no word, and would be read as a part of one that it stands beside.
+    fn is_sign(&self) -> bool {
+        self.text.chars().all(|c| !c.is_alphanumeric())
+    }
+}
+
+/// Writes the labels that can be read, on a panel that is the map; `vehicles` are the cells that vehicles will cover.
+pub fn draw(
+    labels: Vec<Label>,
+    vehicles: &BTreeSet<MapCell>,
+    panel: Panel<'_>,
+    buffer: &mut Buffer,
+) {
+    let labels = readable(labels, vehicles);
+    for label in &labels {
+        let (column, row) = label.cell;
+        let area = panel.area;
+        let place = Rect {
+            x: area.x + column,
+            y: area.y + row,
+            width: area.width.saturating_sub(column),
+            height: 1,
+        };
+        stamp(
+            &label.text,
+            panel.style(label.role),
+            panel.at(place),
+            buffer,
+        );
+    }
+    // What lies beside a word must not be read as a part of it.
+    let written: BTreeSet<MapCell> = labels.iter().flat_map(cells).collect();
+    for label in &labels {
+        for cell in beside(label).filter(|cell| !written.contains(cell)) {
+            part(panel, cell, buffer);
+        }
+    }
+}
+
+fn cells(label: &Label) -> impl Iterator<Item = MapCell> + use<> {
+    let (column, row) = label.cell;
+    (column..column + label.width()).map(move |column| (column, row))
+}
+
+/// The cells to both sides of a label.
+fn beside(label: &Label) -> impl Iterator<Item = MapCell> + use<> {
+    let (column, row) = label.cell;
+    let columns = [column.checked_sub(1), Some(column + label.width())];
+    columns
+        .into_iter()
+        .flatten()
+        .map(move |column| (column, row))
+}
+
+/// Writes a text from the first cell of a panel on, as far as the panel is wide, over whatever is there: neither its
+/// characters nor its styles show any more. Returns how many cells were written.
+pub fn stamp(text: &str, style: Style, panel: Panel<'_>, buffer: &mut Buffer) -> u16 {
+    let area = panel.area;
+    let width = (text.width() as u16).min(area.width);
+    let written = Rect {
+        width,
+        height: 1,
+        ..area
+    };
+    blank(panel.at(written), buffer);
+    let (end, _) = buffer.set_stringn(area.x, area.y, text, usize::from(width), style);
+    end - area.x
+}
+
+/// Puts a line at the right end of the first row of a panel, over whatever is there.
+pub fn stamp_right(line: &Line<'_>, panel: Panel<'_>, buffer: &mut Buffer) {
+    let width = (line.width() as u16).min(panel.area.width);
+    let right = Rect {
+        x: panel.area.right() - width,
+        width,
+        height: 1,
+        ..panel.area
+    };
+    blank(panel.at(right), buffer);
+    put(buffer, right, 0, line);
+}
+
+/// Takes everything away from the cells of a panel, their styles too.
+pub fn blank(panel: Panel<'_>, buffer: &mut Buffer) {
+    let area = panel.area.intersection(buffer.area);
+    for place in area.positions() {
+        if let Some(cell) = buffer.cell_mut(place) {
+            cell.reset();
+            cell.set_style(panel.style(Role::Text));
+        }
+    }
+}
+
+/// Makes a cell of the map blank if what it shows would be read as a part of the word beside it.
+pub fn part(panel: Panel<'_>, (column, row): MapCell, buffer: &mut Buffer) {
+    let area = panel.area;
+    if column < area.width
+        && row < area.height
+        && let Some(cell) = buffer.cell_mut((area.x + column, area.y + row))
+        && cell.symbol().starts_with(char::is_alphanumeric)
+    {
+        cell.set_char(' ');
+    }
+}
+
+/// The labels without those that would be read as one word with another: the later ones are worth more. Where only the
+/// name of something has no room, the sign that it begins with stays. Vehicles are drawn over everything: what they
+/// would leave a piece of goes as well.
+fn readable(labels: Vec<Label>, vehicles: &BTreeSet<MapCell>) -> Vec<Label> {
+    let mut taken: BTreeSet<MapCell> = BTreeSet::new();
+    let mut words: BTreeSet<MapCell> = BTreeSet::new();
+    let mut kept = Vec::new();
+    for mut label in labels.into_iter().rev() {
+        let (column, row) = label.cell;
+        let width = label.width();
+        // Words with a blank to both sides; signs may stand beside each other.
+        let margin = u16::from(width > 1);
+        let mut around = column.saturating_sub(margin)..column + width + margin;
+        let is_cut = width > 1 && (column..column + width).any(|at| vehicles.contains(&(at, row)));
+        if is_cut || around.any(|at| taken.contains(&(at, row))) {
+            let is_free = !taken.contains(&(column, row));
+            let sign = label.text.chars().next();
+            let Some(sign) = sign.filter(|c| is_free && !c.is_alphanumeric()) else {
+                continue;
+            };
+            label.text = sign.to_string();
+        }
+        if label.width() > 1 {
+            words.extend(cells(&label));
+        } else if label.is_sign() && beside(&label).any(|at| words.contains(&at)) {
+            continue;
+        }
+        taken.extend(cells(&label));
+        kept.push(label);
+    }
+    kept
+}
+
+#[cfg(test)]
+mod tests {
+    use ratatui::style::Modifier;
+
+    use super::*;
+    use crate::ui::look::Look;
+
+    fn label(column: u16, text: &str) -> Label {
+        Label {
+            cell: (column, 0),
+            text: text.to_owned(),
+            role: Role::Danger,
+        }
+    }
+
+    #[test]
+    fn a_vehicle_leaves_no_piece_of_a_word() {
+        let kept = |vehicle: u16| -> Vec<String> {
+            let labels = vec![label(10, "peak4"), label(20, "!c2"), label(30, "H")];
+            let covered = (vehicle..vehicle + 3).map(|column| (column, 0)).collect();
+            let kept = readable(labels, &covered);
+            kept.into_iter().rev().map(|label| label.text).collect()
+        };
+        assert_eq!(kept(40), ["peak4", "!c2", "H"]);
+        assert_eq!(kept(8), ["!c2", "H"]);
+        assert_eq!(kept(22), ["peak4", "!", "H"], "a sign says what is there");
+        assert_eq!(kept(29), ["peak4", "!c2", "H"], "a sign is never in pieces");
+    }
+
+    #[test]
+    fn a_sign_never_stands_beside_a_word() {
+        let labels = vec![label(13, "?"), label(14, "?"), label(10, "!c2")];
+        let kept = readable(labels, &BTreeSet::new());
+        let texts: Vec<&str> = kept.iter().rev().map(|it| it.text.as_str()).collect();
+        assert_eq!(texts, ["?", "!c2"]);
+        assert_eq!(kept[1].cell, (14, 0));
+    }
+
+    #[test]
+    fn a_label_takes_no_style_from_below_and_no_figure_from_beside() {
+        let look = Look::default();
+        let area = Rect::new(0, 0, 8, 1);
+        let mut buffer = Buffer::empty(area);
+        let below = Style::new().add_modifier(Modifier::BOLD | Modifier::REVERSED);
+        buffer.set_string(0, 0, "66666666", below);
+        let panel = Panel::new(&look, area);
+        draw(vec![label(2, "A3")], &BTreeSet::new(), panel, &mut buffer);
+        let shown: String = buffer
+            .content
+            .iter()
+            .map(ratatui::buffer::Cell::symbol)
+            .collect();
+        assert_eq!(shown, "6 A3 666");
+        let style = look.style(Role::Text).patch(look.style(Role::Danger));
+        for cell in &buffer.content[2..4] {
+            assert_eq!(cell.modifier, style.add_modifier);
+        }
+    }
+}
