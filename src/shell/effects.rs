@@ -125,28 +125,15 @@ impl Console {
 
 #[cfg(test)]
 mod tests {
-    use crate::scoring::FlownBy;
     use std::time::Duration;
 
     use super::*;
-    use crate::hangar::VehicleBackend;
     use crate::notice::Notice;
-    use crate::shell::{ConsoleOptions, Opening, Preferences};
-    use crate::ui::Look;
+    use crate::shell::{ConsoleOptions, Opening};
     use crate::vehicle::Severity;
 
     fn console() -> Console {
-        let options = ConsoleOptions {
-            flown_by: FlownBy::Hand,
-            opening: Opening::Home,
-            backend: VehicleBackend::default(),
-            ardupilot: None,
-            vehicles: 1,
-            seed: Some(1),
-            speedup: 1.0,
-            look: Look::default(),
-            preferences: Preferences::default(),
-        };
+        let options = ConsoleOptions::for_test(Opening::Home);
         Console::new(options, true)
     }
 

@@ -45,6 +45,24 @@ pub struct ConsoleOptions {
     pub preferences: Preferences,
 }
 
+#[cfg(test)]
+impl ConsoleOptions {
+    /// One simulated vehicle, the same every time, flown by hand.
+    pub fn for_test(opening: Opening) -> Self {
+        Self {
+            flown_by: FlownBy::Hand,
+            opening,
+            backend: VehicleBackend::default(),
+            ardupilot: None,
+            vehicles: 1,
+            seed: Some(1),
+            speedup: 1.0,
+            look: Look::default(),
+            preferences: Preferences::default(),
+        }
+    }
+}
+
 /// What a user brings along.
 #[derive(Debug, Clone, Default)]
 pub struct Preferences {

@@ -107,28 +107,15 @@ mod tests {
     use super::*;
     use crate::app::event::TerminalEvent;
     use crate::app::state::rate;
-    use crate::hangar::VehicleBackend;
     use crate::mission::Mission;
-    use crate::scoring::FlownBy;
-    use crate::shell::{ConsoleOptions, Opening, Preferences, TICK, key};
-    use crate::ui::Look;
+    use crate::shell::{ConsoleOptions, Opening, TICK, key};
 
     const FIRST: &str = include_str!("../../missions/00-first-flight.toml");
 
     /// A console in which the brief of a mission is shown.
     async fn reading() -> Console {
         let mission = Mission::parse(FIRST).expect("it is good");
-        let options = ConsoleOptions {
-            flown_by: FlownBy::Hand,
-            opening: Opening::Mission(Arc::new(mission)),
-            backend: VehicleBackend::default(),
-            ardupilot: None,
-            vehicles: 1,
-            seed: Some(1),
-            speedup: 1.0,
-            look: Look::default(),
-            preferences: Preferences::default(),
-        };
+        let options = ConsoleOptions::for_test(Opening::Mission(Arc::new(mission)));
         let mut console = Console::new(options, true);
         let (columns, rows) = (120, 40);
         console.feed(TerminalEvent::Resize { columns, rows }).await;

@@ -83,14 +83,14 @@ pub struct Selected<'a> {
 /// What messages are ordered by.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Sort {
-    /// By their numbers.
+    /// The lowest MAVLink id first.
     #[default]
     Number,
-    /// By their names.
+    /// The names of the messages, in alphabetical order.
     Name,
-    /// The most frequent first.
+    /// The most frequent first, by messages per second.
     Rate,
-    /// The newest first.
+    /// The one that came last first.
     Age,
 }
 

@@ -95,7 +95,7 @@ pub enum Activity {
     },
     /// Simulated vehicles without a task.
     Free,
-    /// Vehicles elsewhere.
+    /// Vehicles that were there already, at these addresses.
     Connected { addresses: Vec<String> },
 }
 

@@ -83,12 +83,12 @@ impl Channel {
 /// How far back a curve reaches.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Window {
-    /// 30 s.
+    /// The last 30 s.
     #[default]
     Short,
-    /// 2 min.
+    /// The last 2 minutes.
     Middle,
-    /// 10 min.
+    /// The last 10 minutes.
     Long,
 }
 

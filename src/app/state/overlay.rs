@@ -181,7 +181,7 @@ pub struct ParameterSetting {
     pub name: String,
     /// The value to take.
     pub value: f32,
-    /// The vehicles, sorted.
+    /// The vehicles that it is set on, in rising order.
     pub vehicles: Vec<VehicleId>,
     /// How often it is given again where no answer comes: taking the same value twice does no harm.
     pub again: u8,

@@ -22,7 +22,7 @@ use crate::workshop::Design;
 
 /// What is shown, and where one is in it.
 impl<R> State<R> {
-    /// The program's clock.
+    /// Time since the program began.
     pub fn now(&self) -> Duration {
         self.now
     }
@@ -47,7 +47,7 @@ impl<R> State<R> {
         &self.session
     }
 
-    /// What was said.
+    /// The notices so far, oldest first.
     pub fn notices(&self) -> &NoticeLog {
         &self.notices
     }

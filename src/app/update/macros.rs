@@ -12,9 +12,9 @@ use crate::vehicle::VehicleClass;
 /// A line of a macro.
 #[derive(Clone, Copy)]
 struct MacroLine<'a> {
-    /// The macro's name.
+    /// What the macro is called.
     name: &'a str,
-    /// Counted from 1.
+    /// Which of its lines it is, counted from 1.
     number: usize,
     line: &'a str,
 }

@@ -1,0 +1,73 @@
+//! The seats of a mission.
+
+use super::*;
+
+#[test]
+fn a_fleet_is_chosen_given_back_and_flown() {
+    let mut state = workshop(None);
+    press(&mut state, "f enter");
+    let id = state.missions[0].id.clone();
+    assert_eq!(state.fleets[&id], [starter()]);
+    let effects = press(&mut state, "g");
+    let launch = state.launch(&id);
+    assert_eq!(launch.fleet, [starter()]);
+    assert_eq!(
+        effects,
+        [Effect::Session(SessionEffect::StartMission(launch))]
+    );
+    press(&mut state, "x");
+    assert!(state.fleets.is_empty());
+}
+
+#[test]
+fn the_mission_says_what_it_needs_and_what_a_part_would_bring() {
+    let mut state = workshop(None);
+    let met = |state: &State| -> Vec<bool> {
+        let fit = state.rooms.workshop.fit.as_ref().expect("a mission");
+        let stands = fit.groups.iter().flat_map(|(_, stands)| stands);
+        stands.map(|stand| stand.line.met).collect()
+    };
+    let needs = &state.missions[0].needs;
+    let first = needs[0].sensors.first().copied();
+    let sensor = first.and_then(crate::workshop::part).expect("it needs one");
+    let before = met(&state).iter().filter(|met| **met).count();
+    let has = design(&state).has(sensor.id);
+    if has {
+        press(&mut state, "n");
+    }
+    put(&mut state, PartSlot::Payload, sensor.id);
+    let after = met(&state).iter().filter(|met| **met).count();
+    assert!(has || after == before + 1, "{before} {after}");
+    let design = design(&state).without(sensor);
+    assert!(met(&state)[0] && !state.missions[0].needs[0].fit(&design)[0].met);
+}
+
+#[test]
+fn what_does_not_fly_or_is_not_owned_takes_no_seat() {
+    let mut state = workshop(Some(career()));
+    put(&mut state, PartSlot::Motor, "m2215_900");
+    press(&mut state, "f enter");
+    assert!(state.fleets.is_empty(), "the motors are not owned");
+    let mut state = workshop(None);
+    press(&mut state, "x f enter");
+    assert!(state.fleets.is_empty(), "a frame is missing");
+}
+
+#[test]
+fn a_design_that_does_not_fly_in_the_air_of_the_mission_takes_no_seat() {
+    let mut state = workshop(None);
+    for need in &mut state.missions[0].needs {
+        need.air.altitude_m = 9000.0;
+    }
+    press(&mut state, "f enter");
+    assert!(state.fleets.is_empty(), "the air is too thin");
+}
+
+#[test]
+fn a_fleet_beyond_the_budget_stays_on_the_ground() {
+    let mut state = workshop(None);
+    state.missions[0].outlay.budget = Some(starter().credits() - 1);
+    assert_eq!(press(&mut state, "f * g"), []);
+    state.missions[0].outlay.budget = Some(starter().credits());
+    assert_eq!(press(&mut state, "g").len(), 1);
+}
