@@ -16,6 +16,7 @@ pub mod alerts;
 pub mod bars;
 pub mod curve;
 pub mod footer;
+pub mod gauge;
 pub mod header;
 pub mod ledger;
 pub mod log;

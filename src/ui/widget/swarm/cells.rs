@@ -11,6 +11,7 @@ use crate::text;
 use crate::text::{Text, figure};
 use crate::ui::look::{Badge, Look};
 use crate::ui::theme::Role;
+use crate::ui::widget::gauge::{battery_role, link_role};
 use crate::ui::widget::{clip, row_role, severity_role, short_clock, width};
 use crate::vehicle::{FixType, LandedState, Severity, Vehicle};
 
@@ -190,12 +191,7 @@ fn battery(vehicle: &Vehicle) -> Cell {
         let voltage = battery.and_then(|battery| battery.voltage_v);
         return voltage.map_or_else(unknown, |voltage| (figure(voltage, 1), Role::Text));
     };
-    let role = match left {
-        0..=10 => Role::Danger,
-        11..=25 => Role::Warning,
-        _ => Role::Text,
-    };
-    (format!("{left}%"), role)
+    (format!("{left}%"), calm(battery_role(left)))
 }
 
 fn gps(vehicle: &Vehicle, look: &Look) -> Cell {
@@ -219,12 +215,12 @@ fn link(row: &Row<'_>) -> Cell {
     if link.lost {
         return (row.words.lost.clone(), Role::Danger);
     }
-    let role = if link.percent() < 90 {
-        Role::Warning
-    } else {
-        Role::Text
-    };
-    (format!("{}%", link.percent()), role)
+    (format!("{}%", link.percent()), calm(link_role(link)))
+}
+
+/// In a table only what is not well has a colour.
+fn calm(role: Role) -> Role {
+    if role == Role::Ok { Role::Text } else { role }
 }
 
 fn item(vehicle: &Vehicle) -> Cell {

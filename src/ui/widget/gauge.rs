@@ -1,0 +1,120 @@
+//! Gauges: a share in a few cells, in the colour of what it means.
+
+use ratatui::text::Span;
+
+use crate::ui::look::Look;
+use crate::ui::theme::Role;
+use crate::vehicle::{HomeReach, LinkQuality};
+
+/// Below these shares of its charge a battery is low, and nearly empty.
+const LOW_PERCENT: u8 = 25;
+const EMPTY_PERCENT: u8 = 10;
+/// Of a good link so much is heard at least.
+const GOOD_PERCENT: u8 = 90;
+
+/// A share between nothing and all.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Gauge {
+    /// How much of it is filled, 0 to 1.
+    pub share: f64,
+    /// A share that matters beside it, such as what the way home takes of the battery.
+    pub mark: Option<f64>,
+    pub role: Role,
+}
+
+impl Gauge {
+    /// The gauge in so many cells: what is there at all is seen.
+    pub fn spans(&self, cells: usize, look: &Look) -> Vec<Span<'static>> {
+        let cell = |share: f64| (share.clamp(0.0, 1.0) * cells as f64).round() as usize;
+        let least = usize::from(self.share > 0.0);
+        let filled = cell(self.share).max(least).min(cells);
+        let mark = self.mark.map(|share| cell(share).clamp(1, cells) - 1);
+        let part = |from: usize, to: usize, sign: &str, role: Role| {
+            Span::styled(sign.repeat(to - from), look.style(role))
+        };
+        let ends = [
+            (0, filled, "█", self.role),
+            (filled, cells, "·", Role::Muted),
+        ];
+        let mut spans = Vec::new();
+        for (from, to, sign, role) in ends {
+            match mark.filter(|at| (from..to).contains(at)) {
+                Some(at) => spans.extend([
+                    part(from, at, sign, role),
+                    part(at, at + 1, "┃", Role::Text),
+                    part(at + 1, to, sign, role),
+                ]),
+                None => spans.push(part(from, to, sign, role)),
+            }
+        }
+        spans
+    }
+}
+
+/// How the charge of a battery looks.
+pub fn battery_role(left_percent: u8) -> Role {
+    if left_percent <= EMPTY_PERCENT {
+        Role::Danger
+    } else if left_percent <= LOW_PERCENT {
+        Role::Warning
+    } else {
+        Role::Ok
+    }
+}
+
+/// How a link looks.
+pub fn link_role(link: &LinkQuality) -> Role {
+    if link.lost {
+        Role::Danger
+    } else if link.percent() < GOOD_PERCENT {
+        Role::Warning
+    } else {
+        Role::Ok
+    }
+}
+
+/// How the way home looks beside what is left.
+pub fn reach_role(reach: HomeReach) -> Role {
+    match reach {
+        HomeReach::Ample => Role::Ok,
+        HomeReach::TurnBack => Role::Warning,
+        HomeReach::OutOfReach => Role::Danger,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn drawn(share: f64, mark: Option<f64>) -> String {
+        let gauge = Gauge {
+            share,
+            mark,
+            role: Role::Ok,
+        };
+        let spans = gauge.spans(8, &Look::default());
+        spans.iter().map(|span| span.content.as_ref()).collect()
+    }
+
+    #[test]
+    fn a_gauge_is_filled_by_its_share_and_never_hides_a_rest() {
+        assert_eq!(drawn(0.0, None), "········");
+        assert_eq!(drawn(0.01, None), "█·······");
+        assert_eq!(drawn(0.5, None), "████····");
+        assert_eq!(drawn(1.7, None), "████████");
+    }
+
+    #[test]
+    fn a_mark_stands_where_its_share_ends_and_takes_no_room() {
+        assert_eq!(drawn(1.0, Some(0.5)), "███┃████");
+        assert_eq!(drawn(0.25, Some(0.5)), "██·┃····");
+        assert_eq!(drawn(0.5, Some(0.0)), "┃███····");
+    }
+
+    #[test]
+    fn thresholds_change_the_colour() {
+        let roles = [100, 26, 25, 11, 10, 0].map(battery_role);
+        let (ok, warning, danger) = (Role::Ok, Role::Warning, Role::Danger);
+        assert_eq!(roles, [ok, ok, warning, warning, danger, danger]);
+    }
+}

@@ -1,0 +1,357 @@
+//! What the lines of the telemetry pane say.
+
+use std::time::Duration;
+
+use crate::app::State;
+use crate::text;
+use crate::text::{Text, figure};
+use crate::ui::theme::Role;
+use crate::ui::widget::gauge::{Gauge, battery_role, link_role, reach_role};
+use crate::vehicle::{EkfFlags, Grade, LandedState, Vehicle};
+
+/// A line: its label, a gauge where the value has one, and the value.
+pub struct Reading {
+    pub label: &'static str,
+    pub gauge: Option<Gauge>,
+    pub parts: Vec<(Text, Role)>,
+}
+
+impl Reading {
+    fn new(label: &'static str, text: Text) -> Self {
+        Self {
+            label,
+            gauge: None,
+            parts: vec![(text, Role::Text)],
+        }
+    }
+
+    fn with(self, gauge: Option<Gauge>) -> Self {
+        Self { gauge, ..self }
+    }
+
+    fn is_empty(&self) -> bool {
+        self.parts.iter().all(|(text, _)| text.is_empty())
+    }
+}
+
+/// What a vehicle says, the most needed first: in the compact form without what only an engineer reads, all of which
+/// the room of the vehicle has.
+pub fn readings(vehicle: &Vehicle, state: &State, compact: bool) -> Vec<Reading> {
+    let heard = Gauge {
+        share: f64::from(vehicle.link.percent()) / 100.0,
+        mark: None,
+        role: link_role(&vehicle.link),
+    };
+    let mut lines = vec![
+        Reading {
+            label: "telemetry-mode",
+            gauge: None,
+            parts: mode(vehicle),
+        },
+        Reading::new("telemetry-height", altitude(vehicle)),
+        Reading::new("telemetry-speed", speed(vehicle)),
+        Reading::new("telemetry-battery", battery(vehicle, compact)).with(charge(vehicle)),
+        Reading::new("telemetry-return", way_home(vehicle)).with(way_home_share(vehicle)),
+        Reading::new("telemetry-link", link(vehicle, state)).with(Some(heard)),
+        Reading::new("telemetry-home", home(vehicle)),
+        Reading::new("telemetry-target", target(vehicle)),
+        Reading::new("telemetry-wind", wind(vehicle)),
+        Reading::new("telemetry-gps", gps(vehicle)),
+        Reading::new("telemetry-ekf", ekf(vehicle)),
+        Reading::new("telemetry-ground", ground(vehicle)),
+        Reading::new("telemetry-plan", plan(vehicle)),
+        Reading::new("telemetry-reboots", reboots(vehicle).into()),
+    ];
+    if !compact {
+        lines.extend([
+            Reading::new("telemetry-place", place(vehicle).into()),
+            Reading::new("telemetry-attitude", attitude(vehicle)),
+            Reading::new("telemetry-vibration", vibration(vehicle)),
+            Reading::new("telemetry-rc", channels(vehicle).into()),
+            Reading::new("telemetry-servos", pulses(&vehicle.servos_us).into()),
+            Reading::new("telemetry-load", load(vehicle).into()),
+            Reading::new("telemetry-firmware", firmware(vehicle).into()),
+        ]);
+    }
+    lines.retain(|line| !line.is_empty());
+    lines
+}
+
+fn mode(vehicle: &Vehicle) -> Vec<(Text, Role)> {
+    let Some(heartbeat) = vehicle.heartbeat else {
+        return vec![(text!("telemetry-no-heartbeat"), Role::Warning)];
+    };
+    let armed = if heartbeat.armed {
+        (text!("telemetry-armed"), Role::Armed)
+    } else {
+        (text!("telemetry-disarmed"), Role::Muted)
+    };
+    let mode = heartbeat.mode.to_string().into();
+    vec![
+        (mode, Role::Text),
+        armed,
+        (landed(vehicle.landed), Role::Text),
+    ]
+}
+
+fn landed(state: LandedState) -> Text {
+    match state {
+        LandedState::Undefined => text!("landed-unknown"),
+        LandedState::OnGround => text!("landed-ground"),
+        LandedState::InAir => text!("landed-air"),
+        LandedState::Takeoff => text!("landed-takeoff"),
+        LandedState::Landing => text!("landed-landing"),
+    }
+}
+
+fn altitude(vehicle: &Vehicle) -> Text {
+    let Some(global) = vehicle.global else {
+        return Text::default();
+    };
+    let climb = figure(-global.down_m_s, 1);
+    let sign = if climb.starts_with('-') { "" } else { "+" };
+    text!(
+        "telemetry-altitudes",
+        altitude = figure(global.altitude_m, 1),
+        climb = format!("{sign}{climb}"),
+        sea = figure(global.altitude_amsl_m, 0)
+    )
+}
+
+fn speed(vehicle: &Vehicle) -> Text {
+    let Some(speed) = vehicle.ground_speed_m_s() else {
+        return Text::default();
+    };
+    let speed = figure(speed, 1);
+    match vehicle.heading_deg() {
+        Some(deg) => text!(
+            "telemetry-speed-heading",
+            speed = speed,
+            heading = figure(deg, 0)
+        ),
+        None => text!("telemetry-speed-alone", speed = speed),
+    }
+}
+
+/// The charge of the first battery beside what the way home takes of it.
+fn charge(vehicle: &Vehicle) -> Option<Gauge> {
+    let left = vehicle.battery()?.remaining_percent?;
+    let needed = vehicle.endurance().map(|it| it.needed_percent / 100.0);
+    Some(Gauge {
+        share: f64::from(left) / 100.0,
+        mark: needed,
+        role: battery_role(left),
+    })
+}
+
+fn battery(vehicle: &Vehicle, compact: bool) -> Text {
+    let packs = vehicle.batteries.iter().map(|pack| {
+        let used = pack.consumed_mah.filter(|_| !compact);
+        let parts = [
+            pack.remaining_percent.map(|left| format!("{left} %")),
+            pack.voltage_v
+                .map(|volts| format!("{} V", figure(volts, 1))),
+            pack.current_a.map(|amps| format!("{} A", figure(amps, 1))),
+            used.map(|mah| format!("{} mAh", figure(mah, 0))),
+        ];
+        parts.into_iter().flatten().collect::<Vec<_>>().join("  ")
+    });
+    packs.collect::<Vec<_>>().join(" | ").into()
+}
+
+/// How much of what is left the way home takes.
+fn way_home_share(vehicle: &Vehicle) -> Option<Gauge> {
+    let endurance = vehicle.endurance()?;
+    Some(Gauge {
+        share: endurance.needed_percent / endurance.left_percent.max(1.0),
+        mark: None,
+        role: reach_role(endurance.reach()),
+    })
+}
+
+/// What the way home takes, and what there is: both in percent of the charge and in minutes.
+fn way_home(vehicle: &Vehicle) -> Text {
+    let clock = |time: Duration| format!("{}:{:02}", time.as_secs() / 60, time.as_secs() % 60);
+    vehicle.endurance().map_or_else(Text::default, |endurance| {
+        text!(
+            "telemetry-way-home",
+            needed = figure(endurance.needed_percent.ceil(), 0),
+            time = clock(endurance.needed),
+            left = figure(endurance.left_percent, 0),
+            lasts = clock(endurance.left)
+        )
+    })
+}
+
+fn home(vehicle: &Vehicle) -> Text {
+    let (Some(global), Some(home)) = (vehicle.global, vehicle.home) else {
+        return Text::default();
+    };
+    let bearing = global.at_point.bearing_deg(home.at_point);
+    let distance = global.at_point.distance_m(home.at_point);
+    if distance < 1.0 {
+        return text!("telemetry-here");
+    }
+    text!(
+        "telemetry-bearing",
+        distance = figure(distance, 0),
+        bearing = figure(bearing, 0)
+    )
+}
+
+fn target(vehicle: &Vehicle) -> Text {
+    let (Some(global), Some(target)) = (vehicle.global, vehicle.target) else {
+        return Text::default();
+    };
+    let distance = target.at_point.map(|to| {
+        let distance = global.at_point.distance_m(to);
+        text!("telemetry-away", distance = figure(distance, 0))
+    });
+    let altitude = target
+        .altitude_m
+        .map(|altitude_m| text!("telemetry-at", altitude = figure(altitude_m, 0)));
+    Text::joined("  ", [distance, altitude].into_iter().flatten().collect())
+}
+
+fn place(vehicle: &Vehicle) -> String {
+    let point = vehicle.global.map(|global| global.at_point);
+    point.map_or(String::new(), |point| {
+        format!("{:.6} {:.6}", point.lat_deg, point.lon_deg)
+    })
+}
+
+fn gps(vehicle: &Vehicle) -> Text {
+    let Some(gps) = vehicle.gps else {
+        return Text::default();
+    };
+    let fix = gps.fix.text();
+    let satellites = gps
+        .satellites
+        .map(|count| text!("telemetry-satellites", count = count));
+    let hdop = gps
+        .hdop
+        .map(|hdop| Text::from(format!("HDOP {}", figure(hdop, 1))));
+    let parts = [Some(fix), satellites, hdop].into_iter().flatten();
+    Text::joined("  ", parts.collect())
+}
+
+fn ekf(vehicle: &Vehicle) -> Text {
+    let Some(ekf) = vehicle.ekf else {
+        return Text::default();
+    };
+    let position = EkfFlags::POSITION_HORIZONTAL_ABSOLUTE;
+    // Beside a longer word there is room for the tenths that the limits are given in.
+    let (state, decimals) = match Grade::of_ekf(&ekf) {
+        _ if vehicle.link.lost => (text!("vehicle-grade-old"), 1),
+        _ if !ekf.flags.has(position) => (text!("telemetry-ekf-lost"), 1),
+        Grade::Good => (text!("telemetry-ekf-ok"), 2),
+        Grade::Poor => (text!("vehicle-grade-poor"), 1),
+        Grade::Bad => (text!("vehicle-grade-bad"), 1),
+    };
+    let ratios = [
+        ekf.velocity_variance,
+        ekf.position_horizontal_variance,
+        ekf.compass_variance,
+    ];
+    let [velocity, position, compass] = ratios.map(|ratio| figure(ratio, decimals));
+    let figures = format!("vel {velocity} pos {position} mag {compass}");
+    Text::joined("  ", vec![state, figures.into()])
+}
+
+fn attitude(vehicle: &Vehicle) -> Text {
+    vehicle.attitude.map_or_else(Text::default, |attitude| {
+        // Adding zero turns a rounded -0 into +0, which does not flicker.
+        let [roll, pitch] = [attitude.roll_deg, attitude.pitch_deg].map(|deg| deg.round() + 0.0);
+        text!(
+            "telemetry-roll-pitch",
+            roll = format!("{roll:+.0}"),
+            pitch = format!("{pitch:+.0}")
+        )
+    })
+}
+
+fn link(vehicle: &Vehicle, state: &State) -> Text {
+    let link = &vehicle.link;
+    let quality = if link.lost {
+        let heard = link.last_heard.unwrap_or_default();
+        let silent = state.now().saturating_sub(heard);
+        text!("telemetry-link-lost", seconds = silent.as_secs())
+    } else {
+        format!("{} %", link.percent()).into()
+    };
+    let trip = link
+        .round_trip
+        .map(|trip| text!("telemetry-round-trip", ms = trip.as_millis() as u64));
+    let parts = [Some(quality), trip].into_iter().flatten();
+    Text::joined("  ", parts.collect())
+}
+
+/// How often it has rebooted, if it has.
+fn reboots(vehicle: &Vehicle) -> String {
+    let count = Some(vehicle.link.reboots).filter(|&count| count > 0);
+    count.map_or(String::new(), |count| count.to_string())
+}
+
+fn wind(vehicle: &Vehicle) -> Text {
+    let wind = vehicle.wind.filter(|wind| wind.speed_m_s >= 0.05);
+    wind.map_or_else(Text::default, |wind| {
+        text!(
+            "telemetry-wind-from",
+            speed = figure(wind.speed_m_s, 1),
+            from = figure(wind.from_deg, 0)
+        )
+    })
+}
+
+fn vibration(vehicle: &Vehicle) -> Text {
+    vehicle.vibration.map_or_else(Text::default, |vibration| {
+        let [x, y, z] = vibration.level_m_s2.map(|level| figure(level, 0));
+        let clipped: u32 = vibration.clipping.iter().sum();
+        text!(
+            "telemetry-vibrations",
+            levels = format!("{x} {y} {z}"),
+            clipped = clipped
+        )
+    })
+}
+
+fn ground(vehicle: &Vehicle) -> Text {
+    let metres = vehicle.rangefinder_m;
+    metres.map_or_else(Text::default, |m| {
+        text!("telemetry-below", metres = figure(m, 1))
+    })
+}
+
+fn plan(vehicle: &Vehicle) -> Text {
+    match vehicle.plan.total {
+        Some(total) if total > 0 => {
+            text!("telemetry-item", item = vehicle.plan.current, total = total)
+        }
+        _ => Text::default(),
+    }
+}
+
+fn channels(vehicle: &Vehicle) -> String {
+    vehicle
+        .rc
+        .map_or(String::new(), |rc| pulses(&rc.channels_us))
+}
+
+/// The first channels that carry something.
+fn pulses(pulses_us: &[u16]) -> String {
+    let used = pulses_us.iter().take(5).filter(|&&pulse| pulse > 0);
+    used.map(u16::to_string).collect::<Vec<_>>().join(" ")
+}
+
+fn load(vehicle: &Vehicle) -> String {
+    vehicle.health.map_or(String::new(), |health| {
+        format!("{} %", figure(health.load_percent, 0))
+    })
+}
+
+fn firmware(vehicle: &Vehicle) -> String {
+    vehicle.version.map_or(String::new(), |version| {
+        let (major, minor, patch) = version.firmware;
+        format!("{major}.{minor}.{patch}")
+    })
+}
