@@ -33,3 +33,14 @@ home-best = Best of { $count ->
     [one] { $count } try
    *[other] { $count } tries
 }: { $score } points, { $medal }.
+home-site = area and par
+home-par = par
+home-limit = limit
+home-par-energy = energy
+home-energy = par { $wh } Wh
+home-wind = wind
+home-calm = calm
+home-drones = drones
+home-best-so-far = best
+home-best-is = { $score }, { $medal }
+home-never-flown = not flown yet

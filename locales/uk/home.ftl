@@ -33,3 +33,14 @@ home-best = Найкраще з { $count ->
     [one] { $count } спроби
    *[other] { $count } спроб
 }: { $score } балів, { $medal }.
+home-site = місце і норма
+home-par = норма
+home-limit = межа
+home-par-energy = енергія
+home-energy = норма { $wh } Wh
+home-wind = вітер
+home-calm = штиль
+home-drones = дрони
+home-best-so-far = найкраще
+home-best-is = { $score }, { $medal }
+home-never-flown = ще не літали

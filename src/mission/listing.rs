@@ -1,10 +1,12 @@
 //! What can be told of a mission before it is flown.
 
+use std::collections::BTreeMap;
 use std::time::Duration;
 
 use super::objective::ObjectiveScene;
 use super::world::World;
 use super::{Area, Hint, Mission, Need, Outlay, Requires, Rewards};
+use crate::geo::LatLon;
 use crate::scoring::{Component, Medals};
 use crate::text::Text;
 use crate::vehicle::VehicleId;
@@ -45,6 +47,8 @@ pub struct Listing {
     pub fits: Vec<FitListing>,
     /// The areas that are known from the start.
     pub areas: Vec<Area>,
+    /// The places that have a name from the start, and the pads.
+    pub places: BTreeMap<String, LatLon>,
     /// What has to be reached.
     pub objectives: Vec<ObjectiveListing>,
     /// Advice by phase of the flight.
@@ -114,6 +118,7 @@ impl Mission {
             needs: self.needs(),
             fits: self.listed_fits(),
             areas: self.areas(),
+            places: self.places(),
             objectives: self.listed_objectives(),
             hints: self.hints.clone(),
             weights: Component::ALL.into_iter().filter_map(weight).collect(),

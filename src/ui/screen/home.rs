@@ -6,7 +6,7 @@ use ratatui::text::{Line, Span};
 
 use crate::app::State;
 use crate::app::action::Action;
-use crate::app::room::home::HomeItem;
+use crate::app::room::home::{HomeItem, under_cursor};
 use crate::app::state::{Career, Room};
 use crate::campaign::Mastery;
 use crate::notice::sanitised;
@@ -19,9 +19,14 @@ use crate::ui::widget::{below, clip, columns, put, width};
 
 mod about;
 mod list;
+mod site;
 
-/// Columns of the list.
-const LIST_WIDTH: u16 = 34;
+/// Columns of the list: as many as its longest line takes, between these.
+const LIST_LEAST: u16 = 34;
+const LIST_MOST: u16 = 60;
+/// Rows of the sketch of a mission's area, and rows of the text above it, at least.
+const SITE_ROWS: u16 = 16;
+const TEXT_ROWS: u16 = 18;
 /// Columns of the text at most: longer lines are hard to read.
 const TEXT_WIDTH: u16 = 88;
 /// Columns of what a mission means to the career at least, where it stands beside the text.
@@ -32,13 +37,12 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let trainee = panel.at(draw_heads(state, panel, buffer));
     draw_trainee(state, trainee, buffer);
     let body = trainee.below(1);
-    list::draw(state, body.columns(1, LIST_WIDTH), buffer);
-    let before = LIST_WIDTH + 3;
-    let rest = columns(
-        body.area,
-        before,
-        body.area.width.saturating_sub(before + 1),
-    );
+    let most = (body.area.width * 2 / 5).clamp(LIST_LEAST, LIST_MOST);
+    let list = list::wanted_width(state, body.look).clamp(LIST_LEAST, most);
+    list::draw(state, body.columns(1, list), buffer);
+    let before = list + 3;
+    let rest = body.columns(before, body.area.width.saturating_sub(before + 1));
+    let rest = draw_site(state, rest, buffer).area;
     let facts = rest.width.saturating_sub(TEXT_WIDTH + 3);
     if state.career().is_some() && facts >= FACTS_WIDTH {
         let text = columns(rest, 0, TEXT_WIDTH);
@@ -48,6 +52,16 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         let text = columns(rest, 0, rest.width.min(TEXT_WIDTH));
         about::draw(state, panel.at(text), None, buffer);
     }
+}
+
+/// Where the chosen mission is flown, below everything else where there is room; returns what is left above it.
+fn draw_site<'a>(state: &State, panel: Panel<'a>, buffer: &mut Buffer) -> Panel<'a> {
+    let above = panel.area.height.saturating_sub(SITE_ROWS + 1);
+    let Some(mission) = under_cursor(state).filter(|_| above >= TEXT_ROWS) else {
+        return panel;
+    };
+    site::draw(state, mission, panel.below(above + 1), buffer);
+    panel.upper(above)
 }
 
 /// What goes on, if anything does; returns what is left below it.

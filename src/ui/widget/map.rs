@@ -23,9 +23,11 @@ mod legend;
 mod markers;
 mod squares;
 mod swept;
+mod sketch;
 mod truth;
 
 pub use legend::{draw as draw_legend, length};
+pub use sketch::draw as draw_site;
 pub use truth::draw as draw_truth;
 
 /// Draws the map as a pane with a title.

@@ -5,6 +5,7 @@ use ratatui::text::Line;
 
 use super::name;
 use crate::app::State;
+use crate::app::action::{Action, Step};
 use crate::app::room::home::{HomeItem, items};
 use crate::app::state::Career;
 use crate::campaign::MissionStage;
@@ -17,6 +18,9 @@ use crate::ui::widget::{aligned, below, put, row_of, stars, width};
 const TIERS: [&str; 4] = ["home-tier-0", "home-tier-1", "home-tier-2", "home-tier-3"];
 /// Up to so many lines are set apart by blank ones.
 const FEW: usize = 12;
+/// Columns before a name, and of the best score after it.
+const MARKS: usize = 2;
+const BEST: usize = 10;
 /// What the signs before missions mean.
 const SIGNS: [(Sign, &str); 4] = [
     (Sign::Passed, "home-sign-passed"),
@@ -37,6 +41,13 @@ enum Sign {
     Locked,
     /// It may be flown.
     Open,
+}
+
+/// Columns that no line of the list would be cut in.
+pub(super) fn wanted_width(state: &State, look: &Look) -> u16 {
+    let items = items(state).into_iter();
+    let longest = items.map(|item| width(&listed(state, item, look))).max();
+    (longest.unwrap_or(0) + MARKS + BEST) as u16
 }
 
 /// Draws the list with its cursor in sight.
@@ -67,6 +78,8 @@ pub(super) fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
             inner.width.into(),
         );
         put(buffer, inner, row, &Line::styled(line, panel.style(role)));
+        let click = Action::Move(Step::Row(at));
+        panel.look.hits.add(row_of(inner, row), click);
         if at == cursor {
             panel.at(row_of(inner, row)).mark_cursor(buffer);
         }

@@ -1,0 +1,124 @@
+//! Where a mission will be flown, before it is: its areas, its places and its pads.
+
+use std::collections::BTreeSet;
+
+use ratatui::buffer::Buffer;
+use unicode_width::UnicodeWidthStr as _;
+
+use super::canvas::Canvas;
+use super::ground::{outline, sign, stroke};
+use super::legend::draw_scale;
+use crate::app::room::map::SketchKind;
+use crate::geo::{Extent, GridSize, LatLon, Viewport};
+use crate::mission::{Area, AreaKind, Listing};
+use crate::ui::panel::Panel;
+use crate::ui::theme::Role;
+
+/// Land around everything, as a share of it and in metres.
+const EDGE: (f64, f64) = (0.05, 10.0);
+/// More places than these are the cells of a survey, whose area is drawn anyway.
+const MOST_PLACES: usize = 8;
+
+/// A word at a cell of the sketch.
+struct Word {
+    cell: (u16, u16),
+    text: String,
+    role: Role,
+}
+
+/// Draws it into the whole panel; false where there is nothing to draw.
+pub fn draw(mission: &Listing, panel: Panel<'_>, buffer: &mut Buffer) -> bool {
+    let area = panel.area;
+    let Some(extent) = extent(mission).filter(|_| !area.is_empty()) else {
+        return false;
+    };
+    let extent = extent.with_margin(EDGE.0, EDGE.1);
+    let size = GridSize {
+        columns: area.width,
+        rows: area.height,
+    };
+    let view = Viewport::new(extent.centre(), extent.zoom(size), size);
+    let mut canvas = Canvas::new(size, panel.look.symbols);
+    for zone in &mission.areas {
+        let corners = zone.outline.corners();
+        outline(&corners, &view, &mut canvas, stroke(kind(zone)));
+    }
+    canvas.draw(panel, buffer);
+    draw_words(&words(mission, &view), panel, buffer);
+    draw_scale(panel.look, &view, area, buffer);
+    true
+}
+
+/// What the sketch has to show: the fence only where there is nothing else.
+fn extent(mission: &Listing) -> Option<Extent> {
+    let inside = mission
+        .areas
+        .iter()
+        .filter(|zone| zone.kind != AreaKind::Geofence);
+    let corners = inside.flat_map(|zone| zone.outline.corners());
+    let within = Extent::around(corners.chain(mission.places.values().copied()));
+    let has_size = |it: &Extent| it.size_m().iter().any(|&side_m| side_m > 1.0);
+    let all = mission.areas.iter().flat_map(|zone| zone.outline.corners());
+    within.filter(has_size).or_else(|| Extent::around(all))
+}
+
+fn kind(zone: &Area) -> SketchKind {
+    match zone.kind {
+        AreaKind::Task => SketchKind::Task,
+        AreaKind::Geofence => SketchKind::Fence,
+        AreaKind::NoFly => SketchKind::NoFly,
+        AreaKind::Jamming => SketchKind::Jamming,
+        AreaKind::People => SketchKind::People,
+        AreaKind::Radio => SketchKind::Radio,
+    }
+}
+
+/// The pads first, then places, then areas: of words that would cover each other the first one stays.
+fn words(mission: &Listing, view: &Viewport) -> Vec<Word> {
+    let is_pad = |name: &str| name.starts_with("pad");
+    let word = |at: LatLon, text: String, role| {
+        let cell = view.cell(at)?;
+        Some(Word { cell, text, role })
+    };
+    let (pads, places): (Vec<_>, Vec<_>) =
+        mission.places.iter().partition(|(name, _)| is_pad(name));
+    let pads = pads
+        .into_iter()
+        .filter_map(|(_, &at)| word(at, "H".to_owned(), Role::Title));
+    let few = if places.len() > MOST_PLACES {
+        0
+    } else {
+        places.len()
+    };
+    let places = places
+        .into_iter()
+        .take(few)
+        .filter_map(|(name, &at)| word(at, format!("+{name}"), Role::Info));
+    let areas = mission.areas.iter().filter_map(|zone| {
+        let kind = kind(zone);
+        let corners = zone.outline.corners().into_iter();
+        let cells = corners.filter_map(|corner| view.cell(corner));
+        let (column, row) = cells.min_by_key(|&(column, row)| (row, column))?;
+        Some(Word {
+            cell: (column + 1, row),
+            text: format!("{}{}", sign(kind), zone.name),
+            role: stroke(kind).role,
+        })
+    });
+    pads.chain(places).chain(areas).collect()
+}
+
+fn draw_words(words: &[Word], panel: Panel<'_>, buffer: &mut Buffer) {
+    let mut taken: BTreeSet<(u16, u16)> = BTreeSet::new();
+    for word in words {
+        let ((column, row), width) = (word.cell, word.text.width() as u16);
+        let mut cells = (column..column + width).map(|at| (row, at));
+        if column + width > panel.area.width || cells.any(|cell| taken.contains(&cell)) {
+            continue;
+        }
+        taken.extend((column.saturating_sub(1)..=column + width).map(|at| (row, at)));
+        let (x, y) = (panel.area.x + column, panel.area.y + row);
+        let style = panel.style(Role::Text).patch(panel.style(word.role));
+        buffer.set_string(x, y, &word.text, style);
+    }
+}
