@@ -19,6 +19,8 @@ mod swarm;
 mod timeline;
 mod tries;
 
+pub use timeline::{TimelineMark, strip};
+
 use layout::{clock, fit, pieces, right};
 
 /// Columns of the page.
@@ -30,8 +32,42 @@ pub fn text(report: &Report, locale: &Locale) -> String {
 
 /// The same with what the flight brought to a career, if anything, before what moved the score.
 pub fn text_with(report: &Report, career: &[Text], locale: &Locale) -> String {
+    let lines = lines_with(report, career, locale).into_iter();
+    let lines: Vec<String> = lines.map(|line| line.text).collect();
+    lines.join("\n") + "\n"
+}
+
+/// What a line tells, for screens that can show it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum DebriefTone {
+    /// The result: mission, score and medal.
+    Head,
+    /// The name of a section.
+    Heading,
+    #[default]
+    Plain,
+    /// What went well.
+    Good,
+    /// What did not.
+    Bad,
+    /// What may bring points.
+    Gain,
+    /// What happened, by its kind.
+    Event(TimelineMark),
+}
+
+/// A line of the page.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct DebriefLine {
+    pub text: String,
+    pub tone: DebriefTone,
+}
+
+/// The page line by line, for screens that show what each tells.
+pub fn lines_with(report: &Report, career: &[Text], locale: &Locale) -> Vec<DebriefLine> {
     let mut page = DebriefPage {
         words: String::new(),
+        tones: Vec::new(),
         locale,
     };
     page.head(report);
@@ -46,13 +82,22 @@ pub fn text_with(report: &Report, career: &[Text], locale: &Locale) -> String {
     page.next(report);
     // A stored report may hold anything; the page stays as wide as it is.
     let cut = |line: &str| fit(line, WIDTH).trim_end().to_owned();
-    let lines: Vec<String> = page.words.lines().map(cut).collect();
-    lines.join("\n") + "\n"
+    let tones = page.tones.iter().copied();
+    let tones = tones.chain(std::iter::repeat(DebriefTone::Plain));
+    let lines = page.words.lines().zip(tones);
+    lines
+        .map(|(line, tone)| DebriefLine {
+            text: cut(line),
+            tone,
+        })
+        .collect()
 }
 
 /// A page while it is written.
 struct DebriefPage<'a> {
     words: String,
+    /// What the lines tell, as far as it has been said.
+    tones: Vec<DebriefTone>,
     locale: &'a Locale,
 }
 
@@ -64,7 +109,20 @@ impl DebriefPage<'_> {
 
     fn heading(&mut self, id: &str) {
         let heading = format!(" {}", self.locale.say(id));
-        self.line(&heading);
+        self.line_of(&heading, DebriefTone::Heading);
+    }
+
+    /// A line that tells something of its own.
+    fn line_of(&mut self, line: &str, tone: DebriefTone) {
+        self.toned(DebriefTone::Plain);
+        self.line(line);
+        self.toned(tone);
+    }
+
+    /// Says what the lines tell that were written since it was said last.
+    fn toned(&mut self, tone: DebriefTone) {
+        let written = self.words.matches('\n').count();
+        self.tones.resize(written, tone);
     }
 
     fn head(&mut self, report: &Report) {
@@ -105,6 +163,7 @@ impl DebriefPage<'_> {
             }
         }
         self.line(&rule);
+        self.toned(DebriefTone::Head);
         self.spent(report);
     }
 
@@ -203,9 +262,14 @@ impl DebriefPage<'_> {
             fit(&locale.say("debrief-target"), 12),
             locale.say("debrief-points")
         );
-        self.line(&heading);
+        self.line_of(&heading, DebriefTone::Heading);
         for objective in &report.objectives {
             self.objective(objective);
+            self.toned(match (objective.met, objective.mandatory) {
+                (true, _) => DebriefTone::Good,
+                (false, true) => DebriefTone::Bad,
+                (false, false) => DebriefTone::Plain,
+            });
         }
         self.gap();
     }
@@ -251,7 +315,7 @@ impl DebriefPage<'_> {
             right(&locale.say("debrief-points"), 8),
             locale.say("debrief-moved")
         );
-        self.line(&heading);
+        self.line_of(&heading, DebriefTone::Heading);
         for component in &report.components {
             let lead = format!(
                 "  {} {:>6.3} {:>6.3} {:>8.1}   ",
@@ -300,6 +364,7 @@ impl DebriefPage<'_> {
             let gain = format!("+{}", improvement.points);
             self.wrapped(&format!("  {gain:>4}  "), &improvement.text);
         }
+        self.toned(DebriefTone::Gain);
         let good = report
             .components
             .iter()

@@ -72,6 +72,7 @@ debrief-sign-found = found
 debrief-sign-missed = missed
 debrief-sign-shades = { $shades } weak to strong
 debrief-scale = a column is { $metres } m
+debrief-height = { $metres } m
 debrief-found = found { $found } of { $all }, false reports { $wrong }
 debrief-gaps = not covered: { $area } m², most of it around n { $north } e { $east }
 debrief-missed = missed: { $kind } at n { $north } e { $east }

@@ -72,6 +72,7 @@ debrief-sign-found = знайдено
 debrief-sign-missed = пропущено
 debrief-sign-shades = { $shades } від слабкого до сильного
 debrief-scale = колонка - { $metres } m
+debrief-height = { $metres } м
 debrief-found = знайдено { $found } з { $all }, хибних повідомлень { $wrong }
 debrief-gaps = не обстежено: { $area } m², найбільше біля n { $north } e { $east }
 debrief-missed = пропущено: { $kind }, n { $north } e { $east }

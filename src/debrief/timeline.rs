@@ -1,7 +1,7 @@
 //! What happened, in its order: commands, events, mistakes, and how alerts were answered.
 
-use super::DebriefPage;
 use super::layout::clock;
+use super::{DebriefPage, DebriefTone};
 use crate::ledger::RowState;
 use crate::scoring::{AlertReport, EventKind, EventReport, EventSubject, LedgerReport, Report};
 use crate::text;
@@ -14,12 +14,16 @@ const ROWS: usize = 40;
 
 /// What a row is about. Later marks are drawn over earlier ones in the strip of time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum TimelineMark {
+pub enum TimelineMark {
+    /// A command that was taken.
     Command,
+    /// Something worth knowing.
     Remark,
     Objective,
     Alert,
+    /// A command that was refused.
     Rejected,
+    /// A safety rule was broken.
     Rule,
 }
 
@@ -50,7 +54,8 @@ impl TimelineMark {
         }
     }
 
-    fn letter(self) -> char {
+    /// The letter that stands for it.
+    pub fn letter(self) -> char {
         match self {
             Self::Command => '>',
             Self::Remark => '.',
@@ -76,11 +81,16 @@ impl DebriefPage<'_> {
         self.heading("debrief-timeline");
         let rows = rows(report);
         let end = clock(report.sim_time_s);
-        let strip = strip(&rows, report.sim_time_s);
+        let strip: String = marks_along(&rows, report.sim_time_s, STRIP)
+            .into_iter()
+            .map(|mark| mark.map_or('-', TimelineMark::letter))
+            .collect();
         self.line(&format!("  00:00 |{strip}| {end}"));
+        self.toned(DebriefTone::Plain);
         for row in &rows {
             let lead = format!("   {} {} ", clock(row.at_s), row.mark.letter());
             self.wrapped(&lead, &row.text);
+            self.toned(DebriefTone::Event(row.mark));
         }
         self.gap();
     }
@@ -144,17 +154,24 @@ fn alert_row(alert: &AlertReport) -> TimelineRow {
     }
 }
 
-/// The marks of what happened, along the time of the flight.
-fn strip(rows: &[TimelineRow], length_s: f64) -> String {
-    let mut strip = vec!['-'; STRIP];
+/// What happened along the time of a flight, in so many equal parts: where several things fall into one, the gravest.
+pub fn strip(report: &Report, parts: usize) -> Vec<Option<TimelineMark>> {
+    marks_along(&rows(report), report.sim_time_s, parts)
+}
+
+fn marks_along(rows: &[TimelineRow], length_s: f64, parts: usize) -> Vec<Option<TimelineMark>> {
+    let mut strip = vec![None; parts];
+    let Some(last) = parts.checked_sub(1) else {
+        return strip;
+    };
     let length_s = length_s.max(0.1);
     for mark in TimelineMark::ALL {
         for row in rows.iter().filter(|row| row.mark == mark) {
-            let at = (row.at_s / length_s * (STRIP - 1) as f64).round() as usize;
-            strip[at.min(STRIP - 1)] = mark.letter();
+            let at = (row.at_s / length_s * last as f64).round() as usize;
+            strip[at.min(last)] = Some(mark);
         }
     }
-    strip.into_iter().collect()
+    strip
 }
 
 fn event_row(event: &EventReport) -> TimelineRow {

@@ -406,7 +406,7 @@ impl Plain {
         if let Some(debrief) = state.rooms().debrief() {
             passed = debrief.report().passed;
             for line in debrief.lines(state.reward(), state.locale()) {
-                self.say(&Text::from(line.as_str()));
+                self.say(&Text::from(line.text.as_str()));
             }
         }
         self.output.finish(told_to_end)?;

@@ -9,9 +9,9 @@ use crate::app::action::{Action, DebriefAction, StartAction, Step};
 use crate::app::keymap::{ESCAPE, KeyHint, KeyRow, Press, does, hint, key};
 use crate::app::room::home::fly_drill;
 use crate::app::room::{Answer, Room, RoomModel, RoomRequest, footer_keys};
-use crate::app::state::Career;
+use crate::app::state::{Career, Channel, Window};
 use crate::campaign::Reward;
-use crate::debrief;
+use crate::debrief::{self, DebriefLine, DebriefTone};
 use crate::mission::Listing;
 use crate::notice::sanitised;
 use crate::scoring::{Report, TruthReport};
@@ -26,6 +26,11 @@ const DEAF: Duration = Duration::from_secs(1);
 pub const TEXT_WIDTH: u16 = 80;
 /// Columns from which on the truth is shown beside it.
 const TRUTH_LEAST: u16 = 60;
+/// Rows of a screen from which on a summary stands above the text; rows of its head, and of the components below it.
+const TALL: u16 = 36;
+const SUMMARY_HEAD: u16 = 4;
+const SUMMARY_LEAST: u16 = 6;
+const SUMMARY_MOST: u16 = 10;
 
 #[derive(Debug, Clone)]
 pub struct Debrief {
@@ -36,6 +41,8 @@ pub struct Debrief {
     pub(in crate::app) map: bool,
     /// When it opened: keys that were meant for the flight must not close it.
     pub(in crate::app) since: Duration,
+    /// How high the highest vehicle was, in metres, at equal times of the flight.
+    pub(in crate::app) heights: Vec<Option<f64>>,
 }
 
 impl Debrief {
@@ -53,11 +60,44 @@ impl Debrief {
         self.map
     }
 
-    /// The result as text, with what the flight brought to a career, line by line, in the words of a language.
-    pub fn lines(&self, reward: Option<&Reward>, locale: &Locale) -> Vec<String> {
+    /// How high the highest vehicle was, in metres, at equal times of the flight.
+    pub fn heights(&self) -> &[Option<f64>] {
+        &self.heights
+    }
+
+    /// Rows of the summary above the text on a screen of so many rows; none where the text needs them all.
+    pub fn summary_rows(&self, height: u16) -> u16 {
+        if height < TALL {
+            return 0;
+        }
+        let components = self.report.components.iter().filter(|it| it.weight > 0.0);
+        SUMMARY_HEAD + (components.count() as u16).clamp(SUMMARY_LEAST, SUMMARY_MOST)
+    }
+
+    /// The result, with what the flight brought to a career, line by line, in the words of a language.
+    pub fn lines(&self, reward: Option<&Reward>, locale: &Locale) -> Vec<DebriefLine> {
         let reward = reward.map_or_else(Vec::new, Reward::lines);
-        let text = debrief::text_with(&self.report, &reward, locale);
-        text.lines().map(sanitised).collect()
+        let lines = debrief::lines_with(&self.report, &reward, locale).into_iter();
+        lines
+            .map(|line| DebriefLine {
+                text: sanitised(&line.text),
+                ..line
+            })
+            .collect()
+    }
+
+    /// The lines that a screen of so many rows shows: a summary has the result already.
+    pub fn shown_lines(
+        &self,
+        reward: Option<&Reward>,
+        locale: &Locale,
+        height: u16,
+    ) -> Vec<DebriefLine> {
+        let mut lines = self.lines(reward, locale);
+        if self.summary_rows(height) > 0 {
+            lines.retain(|line| line.tone != DebriefTone::Head);
+        }
+        lines
     }
 
     /// Whether a screen of this width shows the truth beside the text.
@@ -183,23 +223,43 @@ pub(super) fn act(state: &mut State, action: DebriefAction) -> Vec<RoomRequest> 
 /// Shows another line first, made from the present one, the first lines of the sections, and how many lines can be
 /// first: scrolling ends with the last page.
 fn turn(state: &mut State, to: impl FnOnce(usize, &[usize], usize) -> usize) {
-    // The header and the footer take a row each.
-    let rows = usize::from(state.size.1).saturating_sub(2);
+    let height = state.size.1;
     if let Some(debrief) = &mut state.rooms.debrief {
-        let lines = debrief.lines(state.reward.as_ref(), &state.locale);
+        // The header and the footer take a row each.
+        let rows = height.saturating_sub(2 + debrief.summary_rows(height));
+        let rows = usize::from(rows);
+        let lines = debrief.shown_lines(state.reward.as_ref(), &state.locale, height);
         let positions = (lines.len() + 1).saturating_sub(rows).max(1);
         let sections = lines
             .iter()
             .enumerate()
-            .filter(|(_, line)| is_section(line));
+            .filter(|(_, line)| line.tone == DebriefTone::Heading);
         let sections: Vec<usize> = sections.map(|(at, _)| at.min(positions - 1)).collect();
         debrief.scroll = to(debrief.scroll.min(positions - 1), &sections, positions);
     }
 }
 
-/// Whether a line is the name of a section: the debrief writes those in capitals, after one blank.
-pub fn is_section(line: &str) -> bool {
-    line.starts_with(' ') && line.chars().skip(1).take(2).all(char::is_uppercase)
+/// The heights of the highest vehicle, one after another at equal times, as far back as they were kept.
+pub(in crate::app) fn heights(state: &State) -> Vec<Option<f64>> {
+    let session = &state.session;
+    let known = session.vehicles.keys();
+    let histories = known.filter_map(|&id| session.histories.of(id));
+    let mut highest: Vec<Option<f64>> = Vec::new();
+    for history in histories {
+        let readings = history.readings(Channel::Altitude, Window::Long);
+        let readings: Vec<Option<f64>> = readings.map(|it| it.map(f64::from)).collect();
+        // All end now.
+        let missing = readings.len().saturating_sub(highest.len());
+        highest.splice(0..0, std::iter::repeat_n(None, missing));
+        let first = highest.len() - readings.len();
+        for (most, reading) in highest[first..].iter_mut().zip(readings) {
+            *most = match (*most, reading) {
+                (Some(a), Some(b)) => Some(a.max(b)),
+                (a, b) => a.or(b),
+            };
+        }
+    }
+    highest
 }
 
 /// Flies what the trainee does best to fly next; where nobody's flights are kept, the mission after the one that was

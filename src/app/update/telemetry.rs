@@ -9,7 +9,7 @@ use crate::app::effect::{Effect, Effects, TerminalEffect};
 use crate::app::event::Started;
 use crate::app::lesson;
 use crate::app::room::Room;
-use crate::app::room::debrief::Debrief;
+use crate::app::room::debrief::{self, Debrief};
 use crate::app::room::map;
 use crate::app::room::{fly, ledger};
 use crate::app::state::{BellCall, FlightView, Hangar, NoticeLog, Overlay, SessionPace, TimeFlow};
@@ -168,6 +168,7 @@ pub fn ended(state: &mut State, report: Box<Report>) {
         state.tries.insert(report.mission.clone(), tries);
     }
     state.rooms.debrief = Some(Debrief {
+        heights: debrief::heights(state),
         report,
         scroll: 0,
         map: false,

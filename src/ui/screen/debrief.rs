@@ -4,11 +4,14 @@ use ratatui::buffer::Buffer;
 use ratatui::text::Line;
 
 use crate::app::State;
-use crate::app::room::debrief::{TEXT_WIDTH, is_section};
+use crate::app::room::debrief::TEXT_WIDTH;
+use crate::debrief::{DebriefTone, TimelineMark};
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::map::draw_truth;
 use crate::ui::widget::{below, centred, columns, put};
+
+mod summary;
 
 /// Draws the text from the first line shown on; the last page stays full.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
@@ -30,24 +33,45 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         panel.area
     };
     let (lines, scroll) = (
-        debrief.lines(state.reward(), &panel.look.locale),
+        debrief.shown_lines(state.reward(), &panel.look.locale, state.size().1),
         debrief.scroll(),
     );
-    let column = centred(TEXT_WIDTH, page.height, page);
+    let height = state.size().1;
+    let page = panel.at(centred(TEXT_WIDTH, page.height, page));
+    let summary = debrief.summary_rows(height);
+    if summary > 0 {
+        summary::draw(debrief, page.upper(summary), buffer);
+    }
+    let column = page.below(summary).area;
     let rows = usize::from(column.height);
     let first = scroll.min(lines.len().saturating_sub(rows));
     for (row, line) in lines.iter().skip(first).take(rows).enumerate() {
-        let role = if is_section(line) {
-            Role::Title
-        } else {
-            Role::Text
-        };
-        put(
-            buffer,
-            column,
-            row as u16,
-            &Line::styled(line.as_str(), panel.style(role)),
-        );
+        let role = tone_role(line.tone, debrief.report().passed);
+        let line = Line::styled(line.text.as_str(), panel.style(role));
+        put(buffer, column, row as u16, &line);
     }
     panel.at(column).mark_scroll(first, lines.len(), buffer);
+}
+
+fn tone_role(tone: DebriefTone, passed: bool) -> Role {
+    match tone {
+        DebriefTone::Head if passed => Role::Ok,
+        DebriefTone::Head | DebriefTone::Bad => Role::Danger,
+        DebriefTone::Heading => Role::Title,
+        DebriefTone::Plain => Role::Text,
+        DebriefTone::Good => Role::Ok,
+        DebriefTone::Gain => Role::Accent,
+        DebriefTone::Event(mark) => event_role(mark),
+    }
+}
+
+/// How what happened looks in the timeline.
+fn event_role(mark: TimelineMark) -> Role {
+    match mark {
+        TimelineMark::Command => Role::Muted,
+        TimelineMark::Remark => Role::Text,
+        TimelineMark::Objective => Role::Ok,
+        TimelineMark::Alert => Role::Warning,
+        TimelineMark::Rejected | TimelineMark::Rule => Role::Danger,
+    }
 }

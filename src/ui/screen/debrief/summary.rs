@@ -1,0 +1,209 @@
+//! The result at a glance: outcome, medal and score; a bar for each component; how high was flown, and what happened
+//! along the way.
+
+use ratatui::buffer::Buffer;
+use ratatui::style::Modifier;
+use ratatui::text::{Line, Span};
+
+use super::event_role;
+use crate::app::room::debrief::Debrief;
+use crate::debrief::{TimelineMark, strip};
+use crate::scoring::{Medal, Report};
+use crate::text;
+use crate::ui::panel::Panel;
+use crate::ui::theme::Role;
+use crate::ui::widget::curve::{self, Curve};
+use crate::ui::widget::gauge::Gauge;
+use crate::ui::widget::{aligned, clip, clock, put, width};
+
+/// Points of a perfect flight.
+const PERFECT: f64 = 1000.0;
+/// Cells of the bar of the score, and of those of its components.
+const SCORE_BAR: usize = 24;
+const BAR: usize = 14;
+/// Columns of a component's name.
+const NAME: usize = 12;
+/// Columns of the components; the flight has the rest.
+const COMPONENTS: u16 = 40;
+/// Columns before the curve of the height.
+const AXIS: u16 = 6;
+/// What of a component is good, and what is poor.
+const GOOD: f64 = 0.8;
+const POOR: f64 = 0.5;
+
+/// Draws it into the whole panel.
+pub(super) fn draw(debrief: &Debrief, panel: Panel<'_>, buffer: &mut Buffer) {
+    let report = debrief.report();
+    put(buffer, panel.area, 0, &title(report, panel));
+    put(buffer, panel.area, 1, &outcome(report, panel));
+    let below = panel.below(3);
+    for (row, line) in components(report, panel).iter().enumerate() {
+        let place = below.columns(1, COMPONENTS - 2).area;
+        put(buffer, place, row as u16, line);
+    }
+    let flight = below.columns(
+        COMPONENTS,
+        panel.area.width - COMPONENTS.min(panel.area.width),
+    );
+    draw_flight(debrief, flight, buffer);
+}
+
+fn title(report: &Report, panel: Panel<'_>) -> Line<'static> {
+    let words = format!(" {}", panel.text(&report.title));
+    Line::styled(clip(&words, panel.width()), panel.style(Role::Title))
+}
+
+/// `PASSED  ★★★ GOLD  ████████·· 887 / 1000  A`.
+fn outcome(report: &Report, panel: Panel<'_>) -> Line<'static> {
+    let role = if report.passed {
+        Role::Ok
+    } else {
+        Role::Danger
+    };
+    let word = format!(" {} ", panel.text(&report.outcome).to_uppercase());
+    let badge = panel
+        .style(role)
+        .add_modifier(Modifier::BOLD | Modifier::REVERSED);
+    let (stars, medal) = match report.medal {
+        Some(medal) => (
+            shown_stars(medal),
+            panel.text(&medal.title()).to_uppercase(),
+        ),
+        None => ("", panel.say("debrief-no-medal")),
+    };
+    let gauge = Gauge {
+        share: f64::from(report.score) / PERFECT,
+        mark: None,
+        role,
+    };
+    let score = format!(
+        " {} / {PERFECT:.0}   {}",
+        report.score,
+        report.grade.letter()
+    );
+    let mut spans = vec![
+        Span::raw(" "),
+        Span::styled(word, badge),
+        Span::styled(format!("  {stars} {medal}  "), panel.style(Role::Title)),
+    ];
+    spans.extend(gauge.spans(SCORE_BAR, panel.look));
+    spans.push(Span::styled(score, panel.style(Role::Title)));
+    Line::from(spans)
+}
+
+fn shown_stars(medal: Medal) -> &'static str {
+    match medal {
+        Medal::Gold => "★★★",
+        Medal::Silver => "★★",
+        Medal::Bronze => "★",
+    }
+}
+
+/// A bar for each: how much of its points there is.
+fn components(report: &Report, panel: Panel<'_>) -> Vec<Line<'static>> {
+    let line = |name: String, value: f64, points: f64, most: f64| {
+        let role = match value {
+            value if value >= GOOD => Role::Ok,
+            value if value >= POOR => Role::Warning,
+            _ => Role::Danger,
+        };
+        let gauge = Gauge {
+            share: value,
+            mark: None,
+            role,
+        };
+        let mut spans = vec![Span::raw(aligned(&name, NAME, false))];
+        spans.extend(gauge.spans(BAR, panel.look));
+        spans.push(Span::raw(format!(" {points:>4.0}/{most:.0}")));
+        Line::from(spans)
+    };
+    let shown = report.components.iter().filter(|it| it.weight > 0.0);
+    shown
+        .map(|it| {
+            let name = panel.text(&it.name);
+            line(name, it.value, it.points, it.weight * PERFECT)
+        })
+        .collect()
+}
+
+/// The height over the time of the flight, and below it what happened.
+fn draw_flight(debrief: &Debrief, panel: Panel<'_>, buffer: &mut Buffer) {
+    let report = debrief.report();
+    let rows = panel.area.height.saturating_sub(3);
+    let plot = panel.columns(AXIS, panel.area.width.saturating_sub(AXIS + 1));
+    if rows == 0 || plot.area.width == 0 {
+        return;
+    }
+    let heights = debrief.heights();
+    let top_m = heights
+        .iter()
+        .flatten()
+        .fold(0.0, |most: f64, it| most.max(*it));
+    if top_m > 0.0 {
+        let symbols = panel.look.symbols;
+        let values = spread(heights, curve::steps(plot.area.width, symbols));
+        let shown = Curve {
+            values: &values,
+            low: 0.0,
+            high: top_m,
+            style: panel.style(Role::Accent),
+        };
+        curve::draw(&shown, symbols, plot.upper(rows).area, buffer);
+        let muted = panel.style(Role::Muted);
+        let top = panel.text(&text!("debrief-height", metres = format!("{top_m:.0}")));
+        put(
+            buffer,
+            panel.area,
+            0,
+            &Line::styled(aligned(&top, usize::from(AXIS) - 1, true), muted),
+        );
+    }
+    let marks = strip(report, usize::from(plot.area.width));
+    put(buffer, plot.area, rows, &strip_line(&marks, panel));
+    put(buffer, plot.area, rows + 1, &times(report, plot));
+}
+
+fn strip_line(marks: &[Option<TimelineMark>], panel: Panel<'_>) -> Line<'static> {
+    let spans = marks.iter().map(|mark| match mark {
+        Some(mark) => Span::styled(mark.letter().to_string(), panel.style(event_role(*mark))),
+        None => Span::styled("─", panel.style(Role::Border)),
+    });
+    spans.collect()
+}
+
+/// The time at both ends of the strip.
+fn times(report: &Report, panel: Panel<'_>) -> Line<'static> {
+    let end = clock(std::time::Duration::from_secs_f64(
+        report.sim_time_s.max(0.0),
+    ));
+    let room = panel.width().saturating_sub(width("00:00"));
+    let line = format!("00:00{}", aligned(&end, room, true));
+    Line::styled(line, panel.style(Role::Muted))
+}
+
+/// As many values as there are steps: the highest of those that fall into each.
+fn spread(values: &[Option<f64>], steps: usize) -> Vec<Option<f64>> {
+    let count = values.len();
+    let highest = |step: usize| {
+        let (from, to) = (step * count / steps, (step + 1) * count / steps);
+        let part = values.get(from..to.max(from + 1).min(count))?;
+        part.iter().flatten().copied().reduce(f64::max)
+    };
+    (0..steps).map(highest).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::spread;
+
+    #[test]
+    fn many_values_share_a_step_and_few_are_stretched() {
+        let values = [Some(1.0), Some(5.0), None, Some(2.0)];
+        assert_eq!(spread(&values, 2), [Some(5.0), Some(2.0)]);
+        assert_eq!(
+            spread(&values[..2], 4),
+            [Some(1.0), Some(1.0), Some(5.0), Some(5.0)]
+        );
+        assert_eq!(spread(&[], 2), [None, None]);
+    }
+}
