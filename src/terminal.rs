@@ -40,9 +40,14 @@ const QUESTION: &[u8] = b"\x1b[5n";
 /// Presses of buttons, with coordinates beyond 223.
 const MOUSE_ON: &[u8] = b"\x1b[?1000h\x1b[?1006h";
 const MOUSE_OFF: &[u8] = b"\x1b[?1006l\x1b[?1000l";
+/// XTWINOPS: the terminal keeps the title of its window, and takes it back.
+const KEEP_TITLE: &[u8] = b"\x1b[22;2t";
+const TAKE_TITLE_BACK: &[u8] = b"\x1b[23;2t";
 
 /// Whether the terminal is ours, so that it is given back exactly once.
 static TAKEN: AtomicBool = AtomicBool::new(false);
+/// Whether the title of its window has been kept, to be given back with it.
+static KEPT_TITLE: AtomicBool = AtomicBool::new(false);
 
 /// The screen of the console.
 pub struct Screen {
@@ -51,6 +56,9 @@ pub struct Screen {
     pace: Pace,
     clock: Instant,
     mouse: bool,
+    /// Whether its window has a title that may be set, and the one that it was given last.
+    has_title: bool,
+    title: String,
 }
 
 impl Screen {
@@ -78,6 +86,8 @@ impl Screen {
             pace: Pace::new(frames_per_s),
             clock: Instant::now(),
             mouse,
+            has_title: Environment::of_process().has_window_title(),
+            title: String::new(),
         };
         screen.enter()?;
         Ok(screen)
@@ -93,6 +103,11 @@ impl Screen {
         queue!(writer, EnterAlternateScreen, event::EnableBracketedPaste)?;
         if self.mouse {
             writer.write_all(MOUSE_ON)?;
+        }
+        if self.has_title {
+            writer.write_all(KEEP_TITLE)?;
+            KEPT_TITLE.store(true, Ordering::SeqCst);
+            self.title.clear();
         }
         writer.forget_cursor();
         // The first question is answered at once, also over a slow line, and tells that the terminal answers.
@@ -115,6 +130,8 @@ impl Screen {
             pace: Pace::unread(),
             clock: Instant::now(),
             mouse: false,
+            has_title: false,
+            title: String::new(),
         })
     }
 
@@ -176,6 +193,20 @@ impl Screen {
         Write::flush(writer)?;
         self.pace.drawn(now, self.traffic.bytes() - before, asks);
         Ok(())
+    }
+
+    /// Gives the window a title (OSC 2), where it has none of that name.
+    ///
+    /// # Errors
+    /// The terminal is gone.
+    pub fn entitle(&mut self, title: &str) -> io::Result<()> {
+        if !self.has_title || self.title == title {
+            return Ok(());
+        }
+        title.clone_into(&mut self.title);
+        let writer = self.terminal.backend_mut();
+        write!(writer, "\x1b]2;{title}\x1b\\")?;
+        Write::flush(writer)
     }
 
     /// Rings the terminal's bell, after what has been drawn.
@@ -251,6 +282,11 @@ fn give_back() {
         std::thread::spawn(move || {
             let mut terminal = io::stdout();
             drop(terminal.write_all(MOUSE_OFF));
+            if KEPT_TITLE.swap(false, Ordering::SeqCst) {
+                // A terminal that cannot take it back shows none.
+                drop(terminal.write_all(b"\x1b]2;\x1b\\"));
+                drop(terminal.write_all(TAKE_TITLE_BACK));
+            }
             drop(execute!(
                 terminal,
                 EndSynchronizedUpdate,

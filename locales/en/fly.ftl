@@ -201,6 +201,11 @@ hint-trails = trails
 
 header-paused = PAUSED
 header-speedup = { $rate }x
+window-over = finished
+window-paused = paused
+window-reading = brief
+window-armed = { $armed } of { $all } armed
+window-ground = on the ground
 header-reading = the clock starts when you leave the brief
 hint-predict = predict
 hint-goal = goal

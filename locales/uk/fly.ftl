@@ -203,6 +203,11 @@ hint-trails = сліди
 
 header-paused = ПАУЗА
 header-speedup = { $rate }x
+window-over = завершено
+window-paused = пауза
+window-reading = опис
+window-armed = увімкнено { $armed } з { $all }
+window-ground = на землі
 header-reading = час піде, коли ви закриєте опис
 hint-predict = бали
 hint-goal = мета

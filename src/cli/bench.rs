@@ -11,6 +11,7 @@ mod campaign;
 mod decode;
 mod fidelity;
 mod frame;
+mod latency;
 mod load;
 mod missions;
 mod scale;
@@ -27,6 +28,8 @@ pub(super) enum BenchCommand {
     Fidelity(fidelity::FidelityArguments),
     /// Time and bytes per frame of the console, with a tenth of the vehicles changing.
     Frame(frame::FrameArguments),
+    /// From a key to the bytes that show it, beside a program that only echoes.
+    Latency(latency::LatencyArguments),
     /// Share of a core that the whole process takes with flying embedded vehicles.
     Load(load::LoadArguments),
     /// How much faster than real time the reference pilots fly the shipped missions.
@@ -43,6 +46,7 @@ pub(super) fn bench(bench: &BenchCommand, settings: &CliSettings) -> Result<Exit
         BenchCommand::Decode(options) => decode::decode(options),
         BenchCommand::Fidelity(options) => fidelity::fidelity(options),
         BenchCommand::Frame(options) => frame::frame(options),
+        BenchCommand::Latency(options) => latency::latency(options),
         BenchCommand::Load(options) => load::load(options),
         BenchCommand::Missions(options) => missions::missions(options),
         BenchCommand::Scale(options) => scale::scale(options, settings),

@@ -64,6 +64,12 @@ impl Environment {
         }
     }
 
+    /// Whether the window has a title that a program may set: others would show it as garbage.
+    pub fn has_window_title(&self) -> bool {
+        let is_plain = matches!(self.term.as_str(), "" | "dumb" | "linux");
+        !is_plain && !["vt1", "vt2"].iter().any(|old| self.term.starts_with(old))
+    }
+
     /// What curves and maps are drawn with. A locale without a name is that of a shell that has lost its own, as
     /// under `su` or `cron`: there nothing but ASCII is certain.
     pub fn symbols(&self) -> Symbols {
@@ -145,6 +151,22 @@ mod tests {
         for (term, locale, symbols) in cases {
             let found = environment(term, "", "", locale).symbols();
             assert_eq!(found, symbols, "{term} {locale:?}");
+        }
+    }
+
+    #[test]
+    fn a_title_goes_only_where_there_is_a_window() {
+        let cases = [
+            ("xterm-256color", true),
+            ("tmux-256color", true),
+            ("linux", false),
+            ("vt100", false),
+            ("dumb", false),
+            ("", false),
+        ];
+        for (term, has) in cases {
+            let found = environment(term, "", "", "").has_window_title();
+            assert_eq!(found, has, "{term:?}");
         }
     }
 

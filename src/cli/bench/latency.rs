@@ -1,0 +1,214 @@
+//! `sortie bench latency`: from a key to the bytes that show it, through a terminal of its own.
+
+use std::fs::File;
+use std::io::{self, Read as _, Write as _};
+use std::os::fd::OwnedFd;
+use std::path::PathBuf;
+use std::process::{Child, Command, ExitCode, Stdio};
+use std::sync::mpsc::{self, Receiver};
+use std::time::{Duration, Instant};
+
+use clap::Args;
+use nix::pty::{Winsize, openpty};
+use nix::sys::termios::{SetArg, cfmakeraw, tcgetattr, tcsetattr};
+use serde::Serialize;
+
+use super::super::Failure;
+
+/// Keys that move the cursor down and up again on the home screen.
+const KEYS: [&[u8]; 2] = [b"j", b"k"];
+/// A terminal that has sent nothing for so long has nothing more to show.
+const QUIET: Duration = Duration::from_millis(120);
+/// How long the console may take to show its first screen.
+const STARTING: Duration = Duration::from_secs(10);
+/// A key that shows nothing for so long is a fault.
+const PATIENCE: Duration = Duration::from_secs(2);
+/// The question that the console asks a terminal, and what a terminal answers.
+const QUESTION: &[u8] = b"\x1b[5n";
+const ANSWER: &[u8] = b"\x1b[0n";
+
+/// Options of `sortie bench latency`.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    sortie bench latency\n  \
+    sortie bench latency --keys 200 --frame-rate 1")]
+pub(in crate::cli) struct LatencyArguments {
+    /// How many keys are pressed.
+    #[arg(long, default_value_t = 60, value_parser = clap::value_parser!(u32).range(10..=2000))]
+    keys: u32,
+    /// Frames per second of the console.
+    #[arg(long, default_value_t = 10, value_parser = clap::value_parser!(u8).range(1..=60))]
+    frame_rate: u8,
+    /// One JSON document instead of the table.
+    #[arg(long)]
+    json: bool,
+}
+
+/// What the keys took, in milliseconds.
+#[derive(Debug, Serialize)]
+struct LatencyCost {
+    program: &'static str,
+    keys: u32,
+    median_ms: f64,
+    p95_ms: f64,
+}
+
+pub(in crate::cli) fn latency(options: &LatencyArguments) -> Result<ExitCode, Failure> {
+    let measured = [
+        measure("echo", Command::new("cat"), options)?,
+        measure("console", console(options)?, options)?,
+    ];
+    if options.json {
+        say!("{}", serde_json::to_string(&measured)?)?;
+        return Ok(ExitCode::SUCCESS);
+    }
+    say!("from a key to bytes on the terminal, {} keys", options.keys)?;
+    say!("program     median ms    p95 ms")?;
+    for row in measured {
+        say!(
+            "{:<9} {:>11.2} {:>9.2}",
+            row.program,
+            row.median_ms,
+            row.p95_ms
+        )?;
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// This program on its home screen, with a folder of its own for everything that it keeps.
+fn console(options: &LatencyArguments) -> io::Result<Command> {
+    let mut command = Command::new(std::env::current_exe()?);
+    command.args(["--fps", &options.frame_rate.to_string(), "--theme", "dark"]);
+    let home = home();
+    std::fs::create_dir_all(&home)?;
+    command.env_clear();
+    command.envs(std::env::var_os("PATH").map(|path| ("PATH", path)));
+    command.env("HOME", home).env("TERM", "xterm-256color");
+    command.env("LC_ALL", "C.UTF-8");
+    Ok(command)
+}
+
+fn home() -> PathBuf {
+    std::env::temp_dir().join(format!("sortie-latency-{}", std::process::id()))
+}
+
+fn measure(
+    program: &'static str,
+    command: Command,
+    options: &LatencyArguments,
+) -> Result<LatencyCost, Failure> {
+    let mut typist = Typist::begin(command)?;
+    let took = typist.type_keys(program, options.keys);
+    drop(typist);
+    drop(std::fs::remove_dir_all(home()));
+    let mut took = took?;
+    took.sort_unstable();
+    let at = |share: f64| {
+        let place = (share * (took.len() - 1) as f64).round() as usize;
+        took[place].as_secs_f64() * 1e3
+    };
+    Ok(LatencyCost {
+        program,
+        keys: options.keys,
+        median_ms: at(0.5),
+        p95_ms: at(0.95),
+    })
+}
+
+/// Types on the terminal of a program, and sees what comes.
+struct Typist {
+    child: Child,
+    terminal: File,
+    pieces: Receiver<(Instant, Vec<u8>)>,
+}
+
+impl Typist {
+    fn begin(mut command: Command) -> io::Result<Self> {
+        let size = Winsize {
+            ws_row: 40,
+            ws_col: 120,
+            ws_xpixel: 0,
+            ws_ypixel: 0,
+        };
+        let pty = openpty(&size, None)?;
+        // Raw from the beginning: the kernel's own echo would be measured otherwise.
+        let mut mode = tcgetattr(&pty.slave)?;
+        cfmakeraw(&mut mode);
+        tcsetattr(&pty.slave, SetArg::TCSANOW, &mode)?;
+        let slave = || -> io::Result<Stdio> { Ok(OwnedFd::try_clone(&pty.slave)?.into()) };
+        let child = command
+            .stdin(slave()?)
+            .stdout(slave()?)
+            .stderr(slave()?)
+            .spawn()?;
+        let terminal = File::from(pty.master);
+        let mut read = terminal.try_clone()?;
+        let (sender, pieces) = mpsc::channel();
+        std::thread::spawn(move || {
+            let mut buffer = [0; 65536];
+            while let Ok(count @ 1..) = read.read(&mut buffer) {
+                if sender
+                    .send((Instant::now(), buffer[..count].to_vec()))
+                    .is_err()
+                {
+                    break;
+                }
+            }
+        });
+        Ok(Self {
+            child,
+            terminal,
+            pieces,
+        })
+    }
+
+    /// Presses keys one after another, each in a pause of the program; how long each took to show.
+    fn type_keys(&mut self, program: &str, keys: u32) -> Result<Vec<Duration>, Failure> {
+        self.press(b"j")?;
+        self.wait(STARTING)
+            .ok_or_else(|| anyhow::anyhow!("{program} shows nothing"))?;
+        let mut took = Vec::new();
+        for at in 0..keys {
+            self.settle();
+            // Not in step with anything that happens in the program.
+            std::thread::sleep(Duration::from_micros(u64::from(at * 7919 % 50) * 1000));
+            let pressed = Instant::now();
+            self.press(KEYS[at as usize % KEYS.len()])?;
+            let seen = self
+                .wait(PATIENCE)
+                .ok_or_else(|| anyhow::anyhow!("{program} did not show key {at}"))?;
+            took.push(seen.saturating_duration_since(pressed));
+        }
+        Ok(took)
+    }
+
+    fn press(&mut self, key: &[u8]) -> io::Result<()> {
+        self.terminal.write_all(key)
+    }
+
+    /// When something came, if anything does in time.
+    fn wait(&mut self, patience: Duration) -> Option<Instant> {
+        let (at, piece) = self.pieces.recv_timeout(patience).ok()?;
+        self.answer(&piece);
+        Some(at)
+    }
+
+    /// Takes what comes until nothing more does.
+    fn settle(&mut self) {
+        while self.wait(QUIET).is_some() {}
+    }
+
+    /// Answers what the program asks its terminal. A console whose question is lost goes on after a while.
+    fn answer(&mut self, piece: &[u8]) {
+        if piece.windows(QUESTION.len()).any(|part| part == QUESTION) {
+            drop(self.press(ANSWER));
+        }
+    }
+}
+
+impl Drop for Typist {
+    fn drop(&mut self) {
+        drop(self.child.kill());
+        drop(self.child.wait());
+    }
+}
