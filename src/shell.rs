@@ -304,6 +304,7 @@ impl Console {
         self.drawn = Some(self.app.state().revision());
         self.look.locale = Arc::clone(self.app.state().locale());
         self.look.symbols = self.app.state().config().symbols.unwrap_or_default();
+        screen.entitle(&ui::window_title(self.app.state(), &self.look))?;
         screen.draw(|frame| ui::draw(self.app.state(), &self.look, frame))
     }
 
@@ -319,7 +320,11 @@ impl Console {
             }
             Input::Key(key) => self.feed(TerminalEvent::Key(key)).await,
             Input::Paste(text) => self.feed(TerminalEvent::Paste(text)).await,
-            Input::Click { column, row } => self.feed(TerminalEvent::Click { column, row }).await,
+            Input::Click { column, row } => {
+                let chosen = self.look.hits.at(column, row);
+                let event = chosen.map_or(TerminalEvent::Click { column, row }, TerminalEvent::Choose);
+                self.feed(event).await;
+            }
         }
     }
 

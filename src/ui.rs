@@ -8,14 +8,18 @@ use crate::config::Symbols;
 use crate::ui::panel::Panel;
 
 pub mod ascii;
+mod hits;
 mod look;
 mod panel;
 mod screen;
 mod theme;
 mod widget;
+mod window;
 
+pub use hits::Hits;
 pub use look::{Badge, Look};
 pub use theme::{ColourDepth, Role, Theme, ThemeError, ThemeFile, Themes};
+pub use window::window_title;
 
 /// Draws the whole console, with no more than the characters that the terminal has.
 pub fn draw(state: &State, look: &Look, frame: &mut Frame<'_>) {
@@ -26,6 +30,7 @@ pub fn draw(state: &State, look: &Look, frame: &mut Frame<'_>) {
 }
 
 fn draw_all(state: &State, look: &Look, frame: &mut Frame<'_>) {
+    look.hits.clear();
     let area = frame.area();
     frame.buffer_mut().set_style(area, look.style(Role::Text));
     if area.width < SMALLEST.0 || area.height < SMALLEST.1 {

@@ -40,7 +40,8 @@ ask-sure = are you sure
 ask-taken-back = cancelled, nothing was done   { $submit } or { $escape }: back
 ask-else = anything else: no
 
-help-title = help   { $scroll } scroll   { $key } closes
+help-title = help   { $scroll } scroll   { $search } search   { $key } closes
+help-none = nothing of that in the help
 help-targets = targets: 3  1-4,7  @group  all; none means the selection
 
 small-needs = sortie needs { $columns }x{ $rows }, this terminal is { $now_columns }x{ $now_rows }

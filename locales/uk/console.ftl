@@ -41,7 +41,8 @@ ask-sure = ви певні?
 ask-taken-back = скасовано, нічого не зроблено   { $submit } або { $escape }: назад
 ask-else = будь-що інше: ні
 
-help-title = довідка   { $scroll } гортають   { $key } закриває
+help-title = довідка   { $scroll } гортають   { $search } шукає   { $key } закриває
+help-none = у довідці такого немає
 help-targets = цілі: 3  1-4,7  @group  all; без цілей - вибрані апарати
 
 small-needs = sortie потребує { $columns }x{ $rows }, а термінал має { $now_columns }x{ $now_rows }

@@ -370,6 +370,9 @@ pub enum Step {
     First,
     /// To the last line.
     Last,
+    /// To a line that was pointed at, counted from 0. No key means it.
+    #[strum(disabled)]
+    Row(usize),
 }
 
 impl Step {
@@ -384,6 +387,7 @@ impl Step {
             Self::PageDown => at.saturating_add(10).min(last),
             Self::First => 0,
             Self::Last => last,
+            Self::Row(row) => row.min(last),
         }
     }
 }

@@ -6,6 +6,7 @@ use std::time::Duration;
 
 use crossterm::event::KeyEvent;
 
+use super::action::Action;
 use super::effect::FileKind;
 use super::room::messages::LinkTraffic;
 use super::state::{Activity, Career, Instance, LinkSummary};
@@ -64,6 +65,8 @@ pub enum TerminalEvent {
         column: u16,
         row: u16,
     },
+    /// Something was clicked on that was drawn for an action.
+    Choose(Action),
     /// The terminal has this size now.
     Resize {
         columns: u16,

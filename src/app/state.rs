@@ -46,7 +46,7 @@ pub use column::SortKey;
 pub use filter::VehicleFilter;
 pub use flight_view::{Activity, FlightView, TimeFlow};
 pub use hangar::{Hangar, Instance, SitlStage};
-pub use help::{HelpLine, SHORT_USAGE, command_help, help_lines};
+pub use help::{HelpLine, HelpPage, SHORT_USAGE, command_help, help_lines};
 pub use history::{Channel, Histories, History, Window};
 pub use links::LinkSummary;
 pub use notices::{NoticeLine, NoticeLog};

@@ -25,6 +25,7 @@ mod pace;
 mod palette;
 mod profiles;
 mod prompt;
+mod reader;
 mod telemetry;
 
 /// Takes in what happened and says what the shell has to do.
@@ -86,6 +87,7 @@ fn terminal(state: &mut State, event: TerminalEvent) -> Effects {
         TerminalEvent::Paste(text) => keys::paste(state, &text),
         TerminalEvent::Click { column, row } => keys::click(state, column, row),
         TerminalEvent::Resize { columns, rows } => keys::resize(state, columns, rows),
+        TerminalEvent::Choose(action) => return keys::choose(state, action),
         TerminalEvent::Told => told(state),
         TerminalEvent::SlowLine(bytes_per_s) => state.slow_line = bytes_per_s,
     }

@@ -134,6 +134,7 @@ fn look(settings: &CliSettings) -> Look {
         theme: settings.theme.for_colours(environment.colour_depth()),
         locale: Arc::new(Locale::new(settings.language())),
         symbols: settings.symbols(),
+        ..Look::default()
     }
 }
 

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use ratatui::style::Style;
 
+use super::hits::Hits;
 use super::theme::{Role, Theme};
 use crate::config::Symbols;
 use crate::notice::sanitised;
@@ -17,6 +18,8 @@ pub struct Look {
     pub locale: Arc<Locale>,
     /// What curves and maps are drawn with.
     pub symbols: Symbols,
+    /// What can be clicked on in the frame that was drawn last.
+    pub hits: Hits,
 }
 
 /// What tells a drone or a team from the others: neighbours differ in both, and thirty follow one another before any

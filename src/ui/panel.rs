@@ -8,6 +8,7 @@ use ratatui::widgets::{Block, Clear, Widget as _};
 
 use super::look::Look;
 use super::theme::Role;
+use crate::app::action::{Action, Step};
 use crate::text::Text;
 
 /// A part of the screen, and how things are shown in it.
@@ -114,6 +115,18 @@ impl<'a> Panel<'a> {
         ];
         for (_, y, mark) in marks.into_iter().filter(|(is_shown, ..)| *is_shown) {
             buffer.set_stringn(x, y, mark, 1, self.style(Role::Key));
+        }
+    }
+
+    /// A list of so many lines, shown from a line on, a row for each: it marks where it goes on, and where it has the
+    /// keys, a click on a row moves the cursor there.
+    pub fn mark_list(self, first: usize, count: usize, has_keys: bool, buffer: &mut Buffer) {
+        self.mark_scroll(first, count, buffer);
+        let shown = usize::from(self.area.height).min(count.saturating_sub(first));
+        for row in (0..shown).filter(|_| has_keys) {
+            let place = row_of(self.area, row as u16);
+            let action = Action::Move(Step::Row(first + row));
+            self.look.hits.add(place, action);
         }
     }
 

@@ -21,6 +21,7 @@ mod palette;
 mod panes;
 pub mod parameters;
 mod pause;
+mod pointer;
 mod swarm;
 
 fn selection(console: &Console) -> Vec<u16> {

@@ -16,7 +16,7 @@ use sortie::app::{App, Setup};
 use sortie::ledger::{EntryId, RowState, RowUpdate};
 use sortie::notice::Notice;
 use sortie::text::{Language, Locale, Text};
-use sortie::ui::{self, Look, Theme};
+use sortie::ui::{self, Hits, Look, Theme};
 use sortie::vehicle::{Severity, Vehicle};
 
 use crate::fixtures;
@@ -189,6 +189,26 @@ impl Console {
 
     /// The screen as text, with blanks at the ends of lines cut.
     pub fn screen(&self, width: u16, height: u16) -> String {
+        self.drawn(width, height).0
+    }
+
+    /// Clicks on the first place at which a text stands; whether that means anything.
+    pub fn click(&mut self, text: &str) -> bool {
+        let (screen, hits) = self.drawn(120, 40);
+        let lines = screen.lines().enumerate();
+        let mut found = lines.filter_map(|(row, line)| {
+            let column = line.split_once(text)?.0.chars().count();
+            Some((column as u16, row as u16))
+        });
+        let (column, row) = found.next().expect("the text is on the screen");
+        let action = hits.at(column, row);
+        if let Some(action) = action {
+            self.hear(TerminalEvent::Choose(action));
+        }
+        action.is_some()
+    }
+
+    fn drawn(&self, width: u16, height: u16) -> (String, Hits) {
         let backend = TestBackend::new(width, height);
         let mut terminal = Terminal::new(backend).expect("a test terminal");
         let look = Look {
@@ -204,6 +224,6 @@ impl Console {
             let line: String = row.iter().map(ratatui::buffer::Cell::symbol).collect();
             line.trim_end().to_owned()
         });
-        lines.collect::<Vec<_>>().join("\n")
+        (lines.collect::<Vec<_>>().join("\n"), look.hits)
     }
 }

@@ -3,7 +3,7 @@
 use crossterm::event::KeyCode;
 
 use super::{Room, keys};
-use crate::app::action::{Action, LineAction, SelectAction, Step};
+use crate::app::action::{Action, LineAction, SelectAction, Step, ViewAction};
 use crate::app::keymap::{
     Binding, ENTER, ESCAPE, KeyRow, Keymap, Meaning, Place, Press, does, key, writes,
 };
@@ -74,6 +74,7 @@ const READER: &[KeyRow] = &[
     does(key('q'), Action::Escape),
     does(key('?'), Action::Escape),
     does(ENTER, Action::Escape),
+    does(key('/'), Action::View(ViewAction::Filter)),
     does(Press::Control('c'), Action::Escape),
 ];
 

@@ -27,6 +27,76 @@ pub enum HelpLine {
     Blank,
 }
 
+/// The help while it is read.
+#[derive(Debug, Clone, Default)]
+pub struct HelpPage {
+    /// The first line shown.
+    pub(in crate::app) scroll: usize,
+    /// What the lines that are shown contain.
+    pub(in crate::app) search: String,
+    /// Whether that is being written.
+    pub(in crate::app) is_searching: bool,
+}
+
+impl HelpPage {
+    /// The first line shown.
+    pub fn scroll(&self) -> usize {
+        self.scroll
+    }
+
+    /// What the lines that are shown contain.
+    pub fn search(&self) -> &str {
+        &self.search
+    }
+
+    /// Whether what is searched for is being written.
+    pub fn is_searching(&self) -> bool {
+        self.is_searching
+    }
+
+    /// The lines of the help that are shown.
+    pub fn lines(&self, keymap: &Keymap, here: Room, locale: &Locale) -> Vec<HelpLine> {
+        let lines = help_lines(keymap, here, locale);
+        if self.search.is_empty() {
+            return lines;
+        }
+        found(&lines, &self.search)
+    }
+}
+
+/// The sections that contain a text, each with its title and what of it does: an entry goes with the notes below it,
+/// and a title that contains it with its whole section.
+fn found(lines: &[HelpLine], text: &str) -> Vec<HelpLine> {
+    let wanted = text.to_lowercase();
+    let holds = |line: &HelpLine| {
+        let words = match line {
+            HelpLine::Title(words) | HelpLine::Note(words) => words.clone(),
+            HelpLine::Entry(what, meaning) => format!("{what} {meaning}"),
+            HelpLine::Blank => String::new(),
+        };
+        words.to_lowercase().contains(&wanted)
+    };
+    let mut found = Vec::new();
+    for section in lines.split(|line| *line == HelpLine::Blank) {
+        let Some((title, entries)) = section.split_first() else {
+            continue;
+        };
+        let is_note = |line: &HelpLine| matches!(line, HelpLine::Note(_));
+        let parts = entries.chunk_by(|_, next| is_note(next));
+        let hits: Vec<HelpLine> = parts
+            .filter(|part| holds(title) || part.iter().any(holds))
+            .flatten()
+            .cloned()
+            .collect();
+        if !hits.is_empty() {
+            found.push(title.clone());
+            found.extend(hits);
+            found.push(HelpLine::Blank);
+        }
+    }
+    found
+}
+
 /// The whole help, in a language: the keys of the room that one is in come first.
 pub fn help_lines(keymap: &Keymap, here: Room, locale: &Locale) -> Vec<HelpLine> {
     let mut lines = Vec::new();
@@ -119,6 +189,35 @@ fn keys(keymap: &Keymap, place: Place, locale: &Locale) -> Vec<HelpLine> {
 mod tests {
     use super::*;
     use crate::text::Language;
+
+    #[test]
+    fn a_search_keeps_entries_with_their_notes_below_the_titles_of_their_sections() {
+        let lines = || {
+            let entry = |what: &str, meaning: &str| HelpLine::Entry(what.into(), meaning.into());
+            vec![
+                HelpLine::Title("keys".into()),
+                entry("a", "arm"),
+                entry("t", "take off"),
+                HelpLine::Blank,
+                HelpLine::Title("commands".into()),
+                entry("takeoff M", ""),
+                HelpLine::Note("climb straight up".into()),
+                entry("land", "come down"),
+                HelpLine::Blank,
+            ]
+        };
+        let places = |text: &str| -> Vec<usize> {
+            let lines = lines();
+            let kept = found(&lines, text).into_iter();
+            let kept = kept.filter(|line| *line != HelpLine::Blank);
+            let place = |line| lines.iter().position(|known| *known == line);
+            kept.filter_map(place).collect()
+        };
+        assert_eq!(places("CLIMB"), [4, 5, 6]);
+        assert_eq!(places("take"), [0, 2, 4, 5, 6]);
+        assert_eq!(places("commands"), [4, 5, 6, 7]);
+        assert_eq!(places("hover"), [0; 0]);
+    }
 
     #[test]
     fn the_keys_of_the_room_come_first_and_no_line_is_cut() {

@@ -2,6 +2,7 @@
 
 use tui_input::Input;
 
+use super::HelpPage;
 use crate::app::effect::Effect;
 use crate::app::room_list::Room;
 use crate::commands::Order;
@@ -24,10 +25,7 @@ pub enum Overlay {
         /// The line under the cursor.
         cursor: usize,
     },
-    Help {
-        /// The first line shown.
-        scroll: usize,
-    },
+    Help(HelpPage),
     Log {
         log: Log,
         /// The entry under the cursor; `None` is the newest, also when newer ones come.

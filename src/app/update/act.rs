@@ -5,8 +5,7 @@ use crate::app::State;
 use crate::app::action::{Action, SelectAction};
 use crate::app::effect::{Effect, Effects, SessionEffect};
 use crate::app::room::{self, Room, RoomRequest, fly, standing};
-use crate::app::state::Activity;
-use crate::app::state::{Consequence, FlightView, Log, Overlay};
+use crate::app::state::{Activity, Consequence, FlightView, HelpPage, Log, Overlay};
 use crate::language::{parse_ranges, ranges};
 use crate::mission::Stake;
 use crate::text;
@@ -23,7 +22,7 @@ pub fn act(state: &mut State, action: Action) -> Effects {
     match action {
         Action::Show(room) => show(state, room),
         Action::CommandLine => open_palette(state, ""),
-        Action::Help => state.overlay = Some(Overlay::Help { scroll: 0 }),
+        Action::Help => state.overlay = Some(Overlay::Help(HelpPage::default())),
         Action::Notices => look_back(state, Log::Notices),
         Action::Brief => brief(state),
         Action::Move(step) => fly::move_cursor(state, step),

@@ -6,7 +6,7 @@ use super::{act, alert_line, macros, mission, pace};
 use crate::app::State;
 use crate::app::effect::{CareerEffect, Effect, Effects, SessionEffect, TerminalEffect};
 use crate::app::room::{Room, fly, hangar, parameters};
-use crate::app::state::{Log, Overlay};
+use crate::app::state::{HelpPage, Log, Overlay};
 use crate::config::{LiveSetting, Symbols};
 use crate::diagnostic::Diagnostic;
 use crate::language::{
@@ -83,7 +83,7 @@ fn obey(state: &mut State, own: ConsoleLine) -> Result<Effects, Text> {
 /// Shows a report in its room; the console without a screen says it in lines instead.
 fn show(state: &mut State, report: &Report) {
     match report {
-        Report::Help => state.overlay = Some(Overlay::Help { scroll: 0 }),
+        Report::Help => state.overlay = Some(Overlay::Help(HelpPage::default())),
         Report::Links => act::show(state, Room::Links),
         Report::Ledger => act::show(state, Room::Ledger),
         Report::Notices => act::look_back(state, Log::Notices),

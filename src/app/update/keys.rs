@@ -5,13 +5,13 @@ use std::time::Duration;
 use crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 use tui_input::{Input, InputRequest};
 
-use super::{act, order, palette, profiles, prompt};
+use super::{act, order, palette, profiles, prompt, reader};
 use crate::app::State;
 use crate::app::action::Action;
 use crate::app::effect::{Effect, Effects};
 use crate::app::keymap::{Meaning, Place};
 use crate::app::room::Room;
-use crate::app::state::{Confirm, Overlay, help_lines};
+use crate::app::state::{Confirm, Overlay};
 use crate::language::{Word, words};
 use crate::notice::sanitised;
 use crate::text;
@@ -36,7 +36,14 @@ pub fn press(state: &mut State, key: KeyEvent) -> Effects {
         Some(Overlay::Confirm(question)) => confirm(state, question, key),
         Some(Overlay::Prompt(prompt)) => prompt::key(state, prompt, key),
         Some(Overlay::Profiles { cursor }) => profiles::key(state, cursor, key),
-        Some(reader) => read(state, reader, key),
+        Some(Overlay::Help(page)) => {
+            reader::help(state, page, key);
+            Effects::none()
+        }
+        Some(Overlay::Log { log, cursor }) => {
+            reader::log(state, log, cursor, key);
+            Effects::none()
+        }
         None => on_screen(state, key),
     }
 }
@@ -75,6 +82,14 @@ fn unseen(state: &State, key: KeyEvent) -> Effects {
         Some(Action::Quit) => Effects::from(Effect::Quit),
         _ => Effects::none(),
     }
+}
+
+/// A click on what was drawn for an action. What lies over a room takes keys only.
+pub fn choose(state: &mut State, action: Action) -> Effects {
+    if state.is_too_small() || state.is_deaf() || state.overlay.is_some() {
+        return Effects::none();
+    }
+    act::act(state, action)
 }
 
 pub fn paste(state: &mut State, text: &str) {
@@ -222,26 +237,4 @@ fn refuse(state: &mut State, question: &Confirm) {
 
 fn cancelled(question: &Confirm) -> Text {
     text!("ask-cancelled", question = &question.question)
-}
-
-fn read(state: &mut State, mut reader: Overlay, key: KeyEvent) -> Effects {
-    match state.keymap.action(key, Place::Reader) {
-        Some(Action::Escape) => return Effects::none(),
-        Some(Action::Move(step)) => {
-            if let Overlay::Log { log, cursor } = &mut reader {
-                let count = state.log_length(*log);
-                let at = step.apply(cursor.unwrap_or(count.saturating_sub(1)), count);
-                *cursor = Some(at).filter(|at| at + 1 < count);
-            }
-            if let Overlay::Help { scroll } = &mut reader {
-                *scroll = step.apply(
-                    *scroll,
-                    help_lines(&state.keymap, state.room, &state.locale).len(),
-                );
-            }
-        }
-        _ => {}
-    }
-    state.overlay = Some(reader);
-    Effects::none()
 }

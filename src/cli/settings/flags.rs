@@ -33,7 +33,8 @@ pub(in crate::cli) struct Common {
     /// What curves and maps are drawn with: braille, block, ascii.
     #[arg(long, global = true, value_name = "KIND", help_heading = "Settings")]
     symbols: Option<String>,
-    /// Listen to the mouse: its wheel moves the cursor, a click points at a place of the map.
+    /// Listen to the mouse: its wheel moves the cursor, a click chooses a row, presses a key of the last line or points
+    /// at a place of the map.
     #[arg(
         long,
         global = true,

@@ -116,7 +116,7 @@ fn draw_list(state: &State, hangar: &Hangar, panel: Panel<'_>, buffer: &mut Buff
     }
     panel
         .at(inner)
-        .mark_scroll(first, hangar.instances().len(), buffer);
+        .mark_list(first, hangar.instances().len(), true, buffer);
     below(panel.area, rows)
 }
 

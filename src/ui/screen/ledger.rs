@@ -95,7 +95,7 @@ fn draw_list(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
     panel
         .at(list)
-        .mark_scroll(first, room.shown().len(), buffer);
+        .mark_list(first, room.shown().len(), !is_opened, buffer);
 }
 
 fn title(state: &State, look: &Look) -> String {

@@ -86,7 +86,7 @@ fn draw_list(state: &State, cursor: usize, panel: Panel<'_>, buffer: &mut Buffer
             panel.at(row_of(inner, row as u16)).mark_cursor(buffer);
         }
     }
-    panel.at(inner).mark_scroll(first, links.len(), buffer);
+    panel.at(inner).mark_list(first, links.len(), true, buffer);
 }
 
 fn list_line(

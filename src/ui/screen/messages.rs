@@ -82,7 +82,9 @@ fn draw_tree(room: &Messages, branches: &[Branch], panel: Panel<'_>, buffer: &mu
             buffer.set_style(row_of(inner, row as u16), panel.style(role));
         }
     }
-    panel.at(inner).mark_scroll(first, branches.len(), buffer);
+    panel
+        .at(inner)
+        .mark_list(first, branches.len(), has_keys, buffer);
 }
 
 fn tree_title(room: &Messages, look: &Look) -> String {

@@ -5,11 +5,10 @@ use ratatui::text::{Line, Span};
 
 use crate::app::State;
 use crate::app::action::Action;
-use crate::app::keymap::Place;
+use crate::app::keymap::{HintKeys, Place};
 use crate::app::room;
 use crate::text;
 use crate::text::Text;
-use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{below, put, severity_role, width as width_of};
@@ -17,15 +16,11 @@ use crate::ui::widget::{below, put, severity_role, width as width_of};
 /// Draws the footer into the last row of the screen.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let row = below(panel.area, panel.area.height.saturating_sub(1));
-    put(
-        buffer,
-        row,
-        0,
-        &line(state, panel.look, usize::from(panel.area.width)),
-    );
+    put(buffer, row, 0, &line(state, panel.at(row)));
 }
 
-fn line<'a>(state: &'a State, look: &Look, width: usize) -> Line<'a> {
+fn line<'a>(state: &'a State, panel: Panel<'_>) -> Line<'a> {
+    let (look, width) = (panel.look, panel.width());
     let muted = |text: String| Span::styled(text, look.style(Role::Muted));
     if !state.typed().is_empty() {
         return Line::from(vec![
@@ -51,9 +46,14 @@ fn line<'a>(state: &'a State, look: &Look, width: usize) -> Line<'a> {
             continue;
         };
         let what = look.say(hint.about);
+        let from = used;
         used += width_of(&key) + width_of(&what) + 3;
         if used > width {
             break;
+        }
+        if let HintKeys::Actions([action]) = hint.keys {
+            let place = panel.columns(from as u16, (used - from - 2) as u16);
+            look.hits.add(place.area, *action);
         }
         spans.push(Span::styled(key, look.style(Role::Key)));
         spans.push(muted(format!(" {what}  ")));

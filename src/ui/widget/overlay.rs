@@ -5,9 +5,10 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use crate::app::State;
-use crate::app::action::Action;
+use crate::app::action::{Action, ViewAction};
 use crate::app::keymap::Place;
-use crate::app::state::{Confirm, HelpLine, Overlay, SHORT_USAGE, help_lines};
+use crate::app::state::{Confirm, HelpLine, HelpPage, Overlay, SHORT_USAGE};
+use crate::notice::sanitised;
 use crate::text;
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
@@ -24,7 +25,7 @@ pub fn draw(state: &State, overlay: &Overlay, panel: Panel<'_>, buffer: &mut Buf
         Overlay::Profiles { cursor } => {
             super::profiles::draw(state, *cursor, panel, buffer);
         }
-        Overlay::Help { scroll } => draw_help(state, *scroll, panel, buffer),
+        Overlay::Help(page) => draw_help(state, page, panel, buffer),
         Overlay::Log { log, cursor } => {
             super::log::draw(state, *log, *cursor, panel, buffer);
         }
@@ -86,13 +87,27 @@ fn typed_so_far(question: &Confirm) -> String {
     }
 }
 
-fn draw_help(state: &State, scroll: usize, panel: Panel<'_>, buffer: &mut Buffer) {
-    let title = text!(
+/// What the frame of the help says: what is searched for, and the keys.
+fn help_title(state: &State, page: &HelpPage, look: &Look) -> String {
+    let keys = text!(
         "help-title",
         scroll = state.keymap().keys(Action::UP_AND_DOWN, Place::Reader),
+        search = state
+            .keymap()
+            .key(Action::View(ViewAction::Filter), Place::Reader),
         key = state.keymap().key(Action::Escape, Place::Reader)
     );
-    let lines = help_lines(state.keymap(), state.room(), &panel.look.locale);
+    let keys = look.text(&keys);
+    let cursor = if page.is_searching() { "_" } else { "" };
+    if page.search().is_empty() && cursor.is_empty() {
+        return keys;
+    }
+    format!("/{}{cursor}   {keys}", sanitised(page.search()))
+}
+
+fn draw_help(state: &State, page: &HelpPage, panel: Panel<'_>, buffer: &mut Buffer) {
+    let scroll = page.scroll();
+    let lines = page.lines(state.keymap(), state.room(), &panel.look.locale);
     let place = centred(
         (panel.area.width / HELP_COLUMN).max(1) * HELP_COLUMN + 6,
         panel.area.height - 2,
@@ -100,7 +115,11 @@ fn draw_help(state: &State, scroll: usize, panel: Panel<'_>, buffer: &mut Buffer
     );
     let inner = panel
         .at(place)
-        .boxed(&panel.text(&title), Role::Accent, buffer);
+        .boxed(&help_title(state, page, panel.look), Role::Accent, buffer);
+    if lines.is_empty() {
+        let nothing = Line::styled(panel.say("help-none"), panel.style(Role::Muted));
+        put(buffer, inner, 0, &nothing);
+    }
     let columns = usize::from((inner.width / HELP_COLUMN).max(1));
     let rows = usize::from(inner.height);
     let first = scroll.min(lines.len().saturating_sub(rows * columns));

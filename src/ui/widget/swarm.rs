@@ -118,7 +118,9 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
             draw_vehicle(&row, &columns, panel.at(line), buffer);
         }
     }
-    panel.at(list).mark_scroll(first, fly.rows().len(), buffer);
+    panel
+        .at(list)
+        .mark_list(first, fly.rows().len(), true, buffer);
 }
 
 /// What the rule above the table says: how many are shown, in which order, and who is selected.

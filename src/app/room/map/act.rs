@@ -155,6 +155,8 @@ fn go(state: &mut State, size: GridSize, step: Step) {
         Step::Down => (0, 1),
         Step::PageUp => (0, -PAGE),
         Step::PageDown => (0, PAGE),
+        // The map has no lines.
+        Step::Row(_) => (0, 0),
         Step::First => {
             let home = vehicle.and_then(|vehicle| vehicle.home);
             return point_at_or_say(state, size, home.map(|home| home.at_point));

@@ -62,7 +62,7 @@ pub fn draw(state: &State, shown: &ShownRows<'_>, panel: Panel<'_>, buffer: &mut
             panel.at(place).mark_cursor(buffer);
         }
     }
-    panel.at(list).mark_scroll(top, rows.len(), buffer);
+    panel.at(list).mark_list(top, rows.len(), true, buffer);
 }
 
 fn heading(state: &State, others: &[VehicleId], look: &Look) -> String {

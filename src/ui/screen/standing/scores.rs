@@ -48,7 +48,7 @@ pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
         }
     }
     let list_panel = Panel::new(look, upper(inner, rows as u16));
-    list_panel.mark_scroll(first, flown.len(), buffer);
+    list_panel.mark_list(first, flown.len(), subject.has_cursor(Pane::Scores), buffer);
     let used = 2 + rows as u16;
     draw_chart(subject, flown[cursor], below(area, used), buffer);
 }

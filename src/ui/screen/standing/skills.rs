@@ -11,7 +11,7 @@ use crate::text;
 use crate::text::Text;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{aligned, below, clip, put, row_of, width};
+use crate::ui::widget::{aligned, below, clip, put, row_of, upper, width};
 
 /// Columns of a skill's name, of its bar, and of where its owner stands with it.
 const NAME: usize = 34;
@@ -35,7 +35,9 @@ pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
             Panel::new(look, row_of(inner, row)).mark_cursor(buffer);
         }
     }
-    Panel::new(look, inner).mark_scroll(0, Skill::ALL.len(), buffer);
+    let list = upper(inner, Skill::ALL.len() as u16);
+    let has_keys = subject.has_cursor(Pane::Skills);
+    Panel::new(look, list).mark_list(0, Skill::ALL.len(), has_keys, buffer);
     let skill = Skill::ALL.get(cursor).copied().unwrap_or(Skill::K1);
     draw_moves(
         subject,

@@ -54,7 +54,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
             show_cursor(panel.look, true, place, buffer);
         }
     }
-    panel.at(inner).mark_scroll(first, all.len(), buffer);
+    panel.at(inner).mark_list(first, all.len(), true, buffer);
     mission::draw(state, panel.at(columns(needs, 0, LIST)), buffer);
 }
 

@@ -61,7 +61,9 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
             show_cursor(panel.look, has_keys, place, buffer);
         }
     }
-    panel.at(list).mark_scroll(first, candidates.len(), buffer);
+    panel
+        .at(list)
+        .mark_list(first, candidates.len(), has_keys, buffer);
     if let Some(candidate) = bench.candidate() {
         let place = columns(below(inner, list.height), 1, inner.width.saturating_sub(1));
         draw_detail(state, candidate, panel.at(place), buffer);

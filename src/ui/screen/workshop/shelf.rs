@@ -38,7 +38,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
             show_cursor(panel.look, true, place, buffer);
         }
     }
-    panel.at(inner).mark_scroll(first, all.len(), buffer);
+    panel.at(inner).mark_list(first, all.len(), true, buffer);
 }
 
 fn line(Stored { design, is_own }: Stored<'_>, look: &Look, width: u16) -> Line<'static> {

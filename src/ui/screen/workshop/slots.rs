@@ -59,7 +59,9 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
             show_cursor(panel.look, has_keys, place, buffer);
         }
     }
-    panel.at(inner).mark_scroll(first, rows.len(), buffer);
+    panel
+        .at(inner)
+        .mark_list(first, rows.len(), has_keys, buffer);
 }
 
 struct Row<'a> {

@@ -1,0 +1,61 @@
+//! Keys while help or notices are read.
+
+use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+
+use crate::app::State;
+use crate::app::action::{Action, ViewAction};
+use crate::app::keymap::Place;
+use crate::app::state::{HelpPage, Log, Overlay};
+
+/// A key for the help, which may be searched.
+pub fn help(state: &mut State, mut page: HelpPage, key: KeyEvent) {
+    if page.is_searching && write(&mut page, key) {
+        state.overlay = Some(Overlay::Help(page));
+        return;
+    }
+    match state.keymap.action(key, Place::Reader) {
+        Some(Action::Escape) if page.is_searching && key.code == KeyCode::Enter => {
+            page.is_searching = false;
+        }
+        // What was searched for is cleared first; only then the help closes.
+        Some(Action::Escape) if !page.search.is_empty() || page.is_searching => {
+            page = HelpPage::default();
+        }
+        Some(Action::Escape) => return,
+        Some(Action::View(ViewAction::Filter)) => page.is_searching = true,
+        Some(Action::Move(step)) => {
+            let count = page.lines(&state.keymap, state.room, &state.locale).len();
+            page.scroll = step.apply(page.scroll, count);
+        }
+        _ => {}
+    }
+    state.overlay = Some(Overlay::Help(page));
+}
+
+/// Takes a character of the search in, or the last one back; false if the key means something else.
+fn write(page: &mut HelpPage, key: KeyEvent) -> bool {
+    let plain = KeyModifiers::NONE | KeyModifiers::SHIFT;
+    match key.code {
+        KeyCode::Char(c) if plain.contains(key.modifiers) => page.search.push(c),
+        KeyCode::Backspace => {
+            page.search.pop();
+        }
+        _ => return false,
+    }
+    page.scroll = 0;
+    true
+}
+
+/// A key for a log, whose newest entry stays under the cursor when newer ones come.
+pub fn log(state: &mut State, log: Log, cursor: Option<usize>, key: KeyEvent) {
+    let cursor = match state.keymap.action(key, Place::Reader) {
+        Some(Action::Escape) => return,
+        Some(Action::Move(step)) => {
+            let count = state.log_length(log);
+            let at = step.apply(cursor.unwrap_or(count.saturating_sub(1)), count);
+            Some(at).filter(|at| at + 1 < count)
+        }
+        _ => cursor,
+    };
+    state.overlay = Some(Overlay::Log { log, cursor });
+}
