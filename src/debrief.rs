@@ -14,11 +14,13 @@ use crate::text;
 use crate::text::{Locale, Text, wrap};
 
 mod layout;
+mod line;
 mod map;
 mod swarm;
 mod timeline;
 mod tries;
 
+pub use line::{DebriefLine, DebriefTone};
 pub use timeline::{TimelineMark, strip};
 
 use layout::{clock, fit, pieces, right};
@@ -35,32 +37,6 @@ pub fn text_with(report: &Report, career: &[Text], locale: &Locale) -> String {
     let lines = lines_with(report, career, locale).into_iter();
     let lines: Vec<String> = lines.map(|line| line.text).collect();
     lines.join("\n") + "\n"
-}
-
-/// What a line tells, for screens that can show it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum DebriefTone {
-    /// The result: mission, score and medal.
-    Head,
-    /// The name of a section.
-    Heading,
-    #[default]
-    Plain,
-    /// What went well.
-    Good,
-    /// What did not.
-    Bad,
-    /// What may bring points.
-    Gain,
-    /// What happened, by its kind.
-    Event(TimelineMark),
-}
-
-/// A line of the page.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct DebriefLine {
-    pub text: String,
-    pub tone: DebriefTone,
 }
 
 /// The page line by line, for screens that show what each tells.
@@ -105,24 +81,6 @@ impl DebriefPage<'_> {
     fn line(&mut self, line: &str) {
         self.words.push_str(line);
         self.words.push('\n');
-    }
-
-    fn heading(&mut self, id: &str) {
-        let heading = format!(" {}", self.locale.say(id));
-        self.line_of(&heading, DebriefTone::Heading);
-    }
-
-    /// A line that tells something of its own.
-    fn line_of(&mut self, line: &str, tone: DebriefTone) {
-        self.toned(DebriefTone::Plain);
-        self.line(line);
-        self.toned(tone);
-    }
-
-    /// Says what the lines tell that were written since it was said last.
-    fn toned(&mut self, tone: DebriefTone) {
-        let written = self.words.matches('\n').count();
-        self.tones.resize(written, tone);
     }
 
     fn head(&mut self, report: &Report) {

@@ -174,3 +174,34 @@ fn the_structure_of_a_debrief_does_not_depend_on_the_words() {
     let structure = || flights().map(|(_, report)| timeline::marks(&report));
     assert_eq!(without_words(structure), structure());
 }
+
+#[test]
+fn every_line_says_what_it_tells_in_any_language() {
+    for language in Language::ALL {
+        let report = bad_flight();
+        let lines = lines_with(&report, &[], &Locale::new(language));
+        let tone = |wanted| lines.iter().filter(move |line| line.tone == wanted).count();
+        assert!(lines[..4].iter().all(|line| line.tone == DebriefTone::Head));
+        // A section is told by its name, and no other line is taken for one.
+        let capitals = |line: &&DebriefLine| {
+            let mut letters = line.text.strip_prefix(' ').unwrap_or_default().chars();
+            letters.next().is_some_and(char::is_uppercase)
+                && letters.next().is_some_and(char::is_uppercase)
+        };
+        let named = lines.iter().filter(capitals);
+        assert!(named.clone().count() >= 5, "{language:?}");
+        assert!(
+            named.clone().all(|line| line.tone == DebriefTone::Heading),
+            "{language:?}"
+        );
+        let missed = report
+            .objectives
+            .iter()
+            .filter(|it| !it.met && it.mandatory);
+        assert!(tone(DebriefTone::Bad) >= missed.count());
+        assert!(tone(DebriefTone::Event(TimelineMark::Rule)) > 0);
+        let text: Vec<String> = lines.into_iter().map(|line| line.text).collect();
+        let locale = Locale::new(language);
+        assert_eq!(text.join("\n") + "\n", super::text(&report, &locale));
+    }
+}

@@ -89,7 +89,7 @@ fn a_stalled_terminal_can_be_left() {
 }
 
 #[test]
-fn a_flood_of_keys_draws_no_more_frames_than_wanted() {
+fn a_flood_of_keys_is_no_flood_of_frames() {
     let mut terminal = Terminal::start(&["fly", "--fps", "2"], 80, 24);
     terminal.see("4 vehicles");
     let (began, before) = (Instant::now(), terminal.raw().matches(FRAME).count());
@@ -99,10 +99,11 @@ fn a_flood_of_keys_draws_no_more_frames_than_wanted() {
     terminal.press("j?").see("in the room");
     terminal.press("\u{1b}").see_no_more("in the room");
     let frames = terminal.raw().matches(FRAME).count() - before;
-    let most = 2 * began.elapsed().as_secs() as usize + 4;
+    // A key is drawn at once, but no more than 120 times a second.
+    let most = (120.0 * began.elapsed().as_secs_f64()) as usize + 4;
     assert!(
-        frames <= most,
-        "{frames} frames, {most} were wanted at most"
+        frames <= most.min(300),
+        "{frames} frames for 600 keys, {most} at most"
     );
     terminal.press("\u{3}");
     assert_eq!(terminal.end(), 0);

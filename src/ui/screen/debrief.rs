@@ -13,6 +13,9 @@ use crate::ui::widget::{below, centred, columns, put};
 
 mod summary;
 
+/// Rows of the screen that are no part of the room.
+const HEADER_AND_FOOTER: u16 = 2;
+
 /// Draws the text from the first line shown on; the last page stays full.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let Some(debrief) = state.rooms().debrief() else {
@@ -32,11 +35,11 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     } else {
         panel.area
     };
+    let height = panel.area.height + HEADER_AND_FOOTER;
     let (lines, scroll) = (
-        debrief.shown_lines(state.reward(), &panel.look.locale, state.size().1),
+        debrief.shown_lines(state.reward(), &panel.look.locale, height),
         debrief.scroll(),
     );
-    let height = state.size().1;
     let page = panel.at(centred(TEXT_WIDTH, page.height, page));
     let summary = debrief.summary_rows(height);
     if summary > 0 {

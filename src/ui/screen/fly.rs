@@ -6,6 +6,7 @@ use ratatui::layout::Rect;
 use crate::app::State;
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
+use crate::ui::widget::telemetry::Detail;
 use crate::ui::widget::{
     alerts, below, columns, ledger, map, mission, notices, swarm, telemetry, upper, urgent,
 };
@@ -77,9 +78,18 @@ fn draw_map(state: &State, panel: Panel<'_>, notices_too: bool, buffer: &mut Buf
     below(panel.area, rows)
 }
 
+/// What is told of a vehicle on a screen of a width.
+fn detail(width: u16) -> Detail {
+    if width >= THREE_COLUMNS {
+        Detail::Engineer
+    } else {
+        Detail::Pilot
+    }
+}
+
 /// Rows that telemetry and mission need.
 fn side_height(state: &State, look: &Look, width: u16) -> u16 {
-    let telemetry = telemetry::height(state, look, SIDE_WIDTH).max(TELEMETRY_LEAST);
+    let telemetry = telemetry::height(state, look, SIDE_WIDTH, detail(width)).max(TELEMETRY_LEAST);
     match state.session().mission() {
         Some(progress) if width >= THREE_COLUMNS => {
             telemetry.max(mission::height(progress, MISSION_WIDTH, look))
@@ -93,21 +103,22 @@ fn side_height(state: &State, look: &Look, width: u16) -> u16 {
 fn draw_side(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
     let side = columns(panel.area, 0, SIDE_WIDTH);
     let log = columns(panel.area, SIDE_WIDTH + 1, panel.area.width);
+    let detail = detail(panel.area.width);
     let Some(progress) = state.session().mission() else {
-        telemetry::draw(state, panel.at(side), buffer);
+        telemetry::draw(state, panel.at(side), detail, buffer);
         return log;
     };
     if panel.area.width >= THREE_COLUMNS {
-        telemetry::draw(state, panel.at(side), buffer);
+        telemetry::draw(state, panel.at(side), detail, buffer);
         mission::draw(state, panel.at(columns(log, 0, MISSION_WIDTH)), buffer);
         return columns(log, MISSION_WIDTH + 1, log.width);
     }
     let left = side
         .height
         .saturating_sub(mission::height(progress, side.width, panel.look));
-    let most = telemetry::height(state, panel.look, side.width).max(TELEMETRY_LEAST);
+    let most = telemetry::height(state, panel.look, side.width, detail).max(TELEMETRY_LEAST);
     let rows = left.clamp(TELEMETRY_LEAST, most);
-    telemetry::draw(state, panel.at(upper(side, rows)), buffer);
+    telemetry::draw(state, panel.at(upper(side, rows)), detail, buffer);
     mission::draw(state, panel.at(below(side, rows)), buffer);
     log
 }

@@ -24,9 +24,10 @@ mod site;
 /// Columns of the list: as many as its longest line takes, between these.
 const LIST_LEAST: u16 = 34;
 const LIST_MOST: u16 = 60;
-/// Rows of the sketch of a mission's area, and rows of the text above it, at least.
-const SITE_ROWS: u16 = 16;
-const TEXT_ROWS: u16 = 18;
+/// Rows of the sketch of a mission's area at least, and of the text above it, without a career and with one.
+const SITE_ROWS: u16 = 12;
+const TEXT_ROWS: u16 = 14;
+const CAREER_ROWS: u16 = 23;
 /// Columns of the text at most: longer lines are hard to read.
 const TEXT_WIDTH: u16 = 88;
 /// Columns of what a mission means to the career at least, where it stands beside the text.
@@ -56,8 +57,15 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 
 /// Where the chosen mission is flown, below everything else where there is room; returns what is left above it.
 fn draw_site<'a>(state: &State, panel: Panel<'a>, buffer: &mut Buffer) -> Panel<'a> {
-    let above = panel.area.height.saturating_sub(SITE_ROWS + 1);
-    let Some(mission) = under_cursor(state).filter(|_| above >= TEXT_ROWS) else {
+    let text = if state.career().is_some() {
+        CAREER_ROWS
+    } else {
+        TEXT_ROWS
+    };
+    let left = panel.area.height.saturating_sub(text + 1);
+    let site = left.min(panel.area.height / 2);
+    let above = panel.area.height.saturating_sub(site + 1);
+    let Some(mission) = under_cursor(state).filter(|_| site >= SITE_ROWS) else {
         return panel;
     };
     site::draw(state, mission, panel.below(above + 1), buffer);

@@ -26,6 +26,9 @@ mod slots;
 
 /// Rows from which on both lists are shown below each other.
 const TALL: u16 = 34;
+/// Columns from which on the lists have more than half, and rows of a chart below them at least.
+const ROOMY: u16 = 110;
+const CHART_ROWS: u16 = 9;
 /// Percent of a wide screen for the list of slots, and columns of the figures.
 const SLOTS_PERCENT: u16 = 30;
 const WIDE_FIGURES: u16 = 56;
@@ -65,7 +68,9 @@ fn draw_wide(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 /// The lists to the left, and what the user wants to see to the right.
 fn draw_narrow(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let room = state.rooms().workshop();
-    let width = panel.area.width * 45 / 100;
+    // The names of parts are longer than figures.
+    let share = if panel.area.width >= ROOMY { 56 } else { 45 };
+    let width = panel.area.width * share / 100;
     let left = columns(panel.area, 0, width);
     let right = columns(panel.area, width + 1, panel.area.width - width - 1);
     if panel.area.height >= TALL {
@@ -86,6 +91,10 @@ fn draw_narrow(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     };
     figures::draw(state, panel.at(figures), buffer);
     match room.view() {
+        View::Figures if rest.height >= FINDINGS_ROWS + CHART_ROWS => {
+            findings::draw(state, panel.at(upper(rest, FINDINGS_ROWS)), buffer);
+            chart::draw(state, panel.at(below(rest, FINDINGS_ROWS)), buffer);
+        }
         View::Figures => findings::draw(state, panel.at(rest), buffer),
         View::Polar | View::Payload => chart::draw(state, panel.at(rest), buffer),
         View::Mission => mission::draw(state, panel.at(rest), buffer),

@@ -35,30 +35,18 @@ const LONGEST_WORD: usize = 24;
 /// Columns before the line.
 const PROMPT: u16 = 2;
 
+/// What stands in the box above the line, from the top.
+struct Above<'a> {
+    lesson: Vec<Line<'static>>,
+    choices: Vec<ChoiceRow<'a>>,
+    said: Vec<Line<'static>>,
+}
+
 /// Draws the box above the footer, as high as what it says, and returns where the terminal's cursor belongs. The line
 /// is its last row, so that it stays in its place whatever is said above it.
 pub fn draw(state: &State, palette: &Palette, panel: Panel<'_>, buffer: &mut Buffer) -> Position {
-    let grammar = text!(
-        "palette-grammar",
-        complete = state
-            .keymap()
-            .key(Action::Line(LineAction::Complete), Place::Prompt),
-        older = state
-            .keymap()
-            .key(Action::Line(LineAction::Older), Place::Prompt)
-    );
-    let width = panel.width().saturating_sub(FRAME);
-    let said = explanation(
-        palette,
-        &grammar,
-        width.saturating_sub(PROMPT.into()),
-        panel.look,
-    );
-    let lesson = lesson(state, panel.area.height, width, panel.look);
-    let most = usize::from(HEIGHT).saturating_sub(FRAME_ROWS + 1 + said.len() + lesson.len());
-    let choices = choices(palette, most, width, panel.look);
-    let rows = FRAME_ROWS + 1 + said.len() + choices.len() + lesson.len();
-    let place = at_the_bottom(panel.area, rows as u16);
+    let above = Above::of(state, palette, panel);
+    let place = at_the_bottom(panel.area, (FRAME_ROWS + 1 + above.rows()) as u16);
     let title = format!(
         "{} {}",
         panel.say("palette-title"),
@@ -67,22 +55,7 @@ pub fn draw(state: &State, palette: &Palette, panel: Panel<'_>, buffer: &mut Buf
     let inner = panel
         .at(place)
         .boxed(title.trim_end(), Role::Accent, buffer);
-    let mut rest = inner;
-    for line in &lesson {
-        put(buffer, rest, 0, line);
-        rest = below(rest, 1);
-    }
-    for choice in &choices {
-        put(buffer, rest, 0, &choice.line);
-        if choice.is_chosen {
-            panel.at(row_of(rest, 0)).mark_cursor(buffer);
-        }
-        rest = below(rest, 1);
-    }
-    for line in &said {
-        put(buffer, indented(rest), 0, line);
-        rest = below(rest, 1);
-    }
+    let rest = above.draw(panel.at(inner), buffer);
     let fault = palette.fault();
     let (cursor, scroll) = draw_line(palette.input(), fault, panel.at(rest), buffer);
     if let Some(fault) = fault {
@@ -96,6 +69,53 @@ pub fn draw(state: &State, palette: &Palette, panel: Panel<'_>, buffer: &mut Buf
         draw_carets(line, fault, scroll, panel.at(frame), buffer);
     }
     cursor
+}
+
+impl<'a> Above<'a> {
+    fn of(state: &State, palette: &'a Palette, panel: Panel<'_>) -> Self {
+        let key = |action| state.keymap().key(Action::Line(action), Place::Prompt);
+        let grammar = text!(
+            "palette-grammar",
+            complete = key(LineAction::Complete),
+            older = key(LineAction::Older)
+        );
+        let width = panel.width().saturating_sub(FRAME);
+        let room = width.saturating_sub(PROMPT.into());
+        let said = explanation(palette, &grammar, room, panel.look);
+        let lesson = lesson(state, panel.area.height, width, panel.look);
+        let used = FRAME_ROWS + 1 + said.len() + lesson.len();
+        let left = usize::from(HEIGHT).saturating_sub(used);
+        Self {
+            choices: choices(palette, left, width, panel.look),
+            lesson,
+            said,
+        }
+    }
+
+    fn rows(&self) -> usize {
+        self.lesson.len() + self.choices.len() + self.said.len()
+    }
+
+    /// Draws it and returns what is left below it.
+    fn draw(&self, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
+        let mut rest = panel.area;
+        for line in &self.lesson {
+            put(buffer, rest, 0, line);
+            rest = below(rest, 1);
+        }
+        for choice in &self.choices {
+            put(buffer, rest, 0, &choice.line);
+            if choice.is_chosen {
+                panel.at(row_of(rest, 0)).mark_cursor(buffer);
+            }
+            rest = below(rest, 1);
+        }
+        for line in &self.said {
+            put(buffer, indented(rest), 0, line);
+            rest = below(rest, 1);
+        }
+        rest
+    }
 }
 
 /// A box above the footer.

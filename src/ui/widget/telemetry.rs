@@ -15,24 +15,23 @@ use crate::vehicle::Vehicle;
 
 mod values;
 
+pub use values::Detail;
 use values::{Reading, readings};
 
 /// Columns of the labels.
 const LABEL_WIDTH: usize = 9;
 /// Columns of a gauge.
 const GAUGE: usize = 8;
-/// From so many columns of the screen on there is room for what only an engineer reads.
-const ROOMY: u16 = 160;
 /// Alerts that are told here; the rest wait until these are over.
 const MOST_ALERTS: usize = 3;
 
 /// Rows that the pane would like to have.
-pub fn height(state: &State, look: &Look, width: u16) -> u16 {
+pub fn height(state: &State, look: &Look, width: u16, detail: Detail) -> u16 {
     let Some(vehicle) = state.session().under_cursor() else {
         return 1;
     };
     let alerts = alert_lines(vehicle, state, look, usize::from(width)).len();
-    let lines = readings(vehicle, state, is_compact(state));
+    let lines = readings(vehicle, state, detail);
     (1 + alerts + usize::from(vehicle.link.lost) + lines.len()) as u16
 }
 
@@ -48,7 +47,7 @@ pub fn last_known(vehicle: &Vehicle, state: &State, look: &Look) -> Option<Line<
 }
 
 /// Draws as many lines as fit; a vehicle in trouble says so first, in full.
-pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
+pub fn draw(state: &State, panel: Panel<'_>, detail: Detail, buffer: &mut Buffer) {
     let Some(vehicle) = state.session().under_cursor() else {
         panel.titled(&panel.say("telemetry-title"), buffer);
         return;
@@ -68,16 +67,11 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         put(buffer, inner, 0, &line);
         inner = below(inner, 1);
     }
-    let lines = readings(vehicle, state, is_compact(state)).into_iter();
+    let lines = readings(vehicle, state, detail).into_iter();
     for (row, reading) in lines.take(usize::from(inner.height)).enumerate() {
         let line = reading_line(&reading, vehicle.link.lost, panel.look);
         put(buffer, inner, row as u16, &line);
     }
-}
-
-/// Whether the screen is one on which every row counts.
-fn is_compact(state: &State) -> bool {
-    state.size().0 < ROOMY
 }
 
 /// What is not of now is muted.

@@ -10,7 +10,7 @@ use crate::harness::Console;
 fn a_click_on_a_row_moves_the_cursor_there() {
     let mut console = Console::flying(5);
     assert_eq!(console.state().session().cursor(), Some(1));
-    assert!(console.click("   4 STABILIZE"));
+    assert!(console.click("  4 copter"));
     assert_eq!(console.state().session().cursor(), Some(4));
     assert!(!console.click("swarm"), "a rule means nothing");
 }
@@ -20,14 +20,13 @@ fn a_click_on_a_line_of_home_chooses_it_and_one_on_a_key_presses_it() {
     let mut console = Console::new();
     assert!(console.click("Connect to vehicles"));
     let shown = console.screen(120, 40);
-    assert!(shown.contains("> ") && shown.contains("Connect to vehicles"));
     assert!(
         shown
             .lines()
             .any(|line| line.contains(">") && line.contains("Connect")),
         "{shown}"
     );
-    assert!(console.click("help"));
+    assert!(console.click("? help"));
     assert!(matches!(console.state().overlay(), Some(Overlay::Help(_))));
 }
 
@@ -44,16 +43,14 @@ fn the_help_narrows_to_what_is_searched_for_until_esc_clears_it() {
     let mut console = Console::flying(1);
     console.press("?");
     let whole = console.screen(120, 40);
+    assert!(whole.contains("leave the program"), "{whole}");
     console.press("/").write("takeoff");
     let found = console.screen(120, 40);
     assert!(
         found.contains("/takeoff_") && found.contains("climb"),
         "{found}"
     );
-    assert!(
-        found.lines().count() > 0 && !found.contains("geofence"),
-        "{found}"
-    );
+    assert!(!found.contains("leave the program"), "{found}");
     console.press("enter");
     assert!(
         console.screen(120, 40).contains("/takeoff "),

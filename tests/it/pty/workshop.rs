@@ -66,7 +66,7 @@ fn a_drone_is_built_from_nothing_for_a_mission_and_saved() {
     terminal.press("\u{15}First\r").see("kept: First");
     terminal.press("o").see("yours").press("\u{1b}");
     terminal
-        .see("── First ──")
+        .see("━━ First ━━")
         .press("\u{1b}")
         .see("HOME")
         .press("q");

@@ -9,6 +9,15 @@ use crate::ui::theme::Role;
 use crate::ui::widget::gauge::{Gauge, battery_role, link_role, reach_role};
 use crate::vehicle::{EkfFlags, Grade, LandedState, Vehicle};
 
+/// How much of a vehicle is told.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Detail {
+    /// What is needed to fly.
+    Pilot,
+    /// What only an engineer reads too.
+    Engineer,
+}
+
 /// A line: its label, a gauge where the value has one, and the value.
 pub struct Reading {
     pub label: &'static str,
@@ -34,9 +43,8 @@ impl Reading {
     }
 }
 
-/// What a vehicle says, the most needed first: in the compact form without what only an engineer reads, all of which
-/// the room of the vehicle has.
-pub fn readings(vehicle: &Vehicle, state: &State, compact: bool) -> Vec<Reading> {
+/// What a vehicle says, the most needed first. The room of the vehicle has all of it.
+pub fn readings(vehicle: &Vehicle, state: &State, detail: Detail) -> Vec<Reading> {
     let heard = Gauge {
         share: f64::from(vehicle.link.percent()) / 100.0,
         mark: None,
@@ -50,7 +58,7 @@ pub fn readings(vehicle: &Vehicle, state: &State, compact: bool) -> Vec<Reading>
         },
         Reading::new("telemetry-height", altitude(vehicle)),
         Reading::new("telemetry-speed", speed(vehicle)),
-        Reading::new("telemetry-battery", battery(vehicle, compact)).with(charge(vehicle)),
+        Reading::new("telemetry-battery", battery(vehicle, detail)).with(charge(vehicle)),
         Reading::new("telemetry-return", way_home(vehicle)).with(way_home_share(vehicle)),
         Reading::new("telemetry-link", link(vehicle, state)).with(Some(heard)),
         Reading::new("telemetry-home", home(vehicle)),
@@ -62,7 +70,7 @@ pub fn readings(vehicle: &Vehicle, state: &State, compact: bool) -> Vec<Reading>
         Reading::new("telemetry-plan", plan(vehicle)),
         Reading::new("telemetry-reboots", reboots(vehicle).into()),
     ];
-    if !compact {
+    if detail == Detail::Engineer {
         lines.extend([
             Reading::new("telemetry-place", place(vehicle).into()),
             Reading::new("telemetry-attitude", attitude(vehicle)),
@@ -144,9 +152,9 @@ fn charge(vehicle: &Vehicle) -> Option<Gauge> {
     })
 }
 
-fn battery(vehicle: &Vehicle, compact: bool) -> Text {
+fn battery(vehicle: &Vehicle, detail: Detail) -> Text {
     let packs = vehicle.batteries.iter().map(|pack| {
-        let used = pack.consumed_mah.filter(|_| !compact);
+        let used = pack.consumed_mah.filter(|_| detail == Detail::Engineer);
         let parts = [
             pack.remaining_percent.map(|left| format!("{left} %")),
             pack.voltage_v
