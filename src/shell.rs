@@ -322,7 +322,8 @@ impl Console {
             Input::Paste(text) => self.feed(TerminalEvent::Paste(text)).await,
             Input::Click { column, row } => {
                 let chosen = self.look.hits.at(column, row);
-                let event = chosen.map_or(TerminalEvent::Click { column, row }, TerminalEvent::Choose);
+                let event =
+                    chosen.map_or(TerminalEvent::Click { column, row }, TerminalEvent::Choose);
                 self.feed(event).await;
             }
         }

@@ -19,7 +19,6 @@ pub fn line(text: &str) -> String {
 fn nearest(c: char) -> char {
     match c {
         ' '..='~' => c,
-        '━' | '═' => '=',
         '─' | '╌' | '┄' | '╴' | '╶' | '–' | '—' | '−' | '‐' | '‑' | '▃' | '▄' | '░' => {
             '-'
         }
@@ -45,7 +44,7 @@ fn nearest(c: char) -> char {
         // A letter or a digit would become part of the figure before it, a quotation mark would say minutes.
         '°' | 'º' | '\u{a0}' | '\u{2000}'..='\u{200a}' | '\u{2800}' => ' ',
         '▁' | '▂' | '⎽' => '_',
-        '▅' | '▆' | '▒' => '=',
+        '━' | '═' | '▅' | '▆' | '▒' => '=',
         '▇' | '█' | '▀' | '▓' | '■' | '▪' | '◼' => '#',
         // Braille, by how much of the cell is dots.
         '\u{2801}'..='\u{28ff}' => match (u32::from(c) - 0x2800).count_ones() {

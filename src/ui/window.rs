@@ -53,6 +53,7 @@ mod tests {
             places: BTreeMap::new(),
             areas: Vec::new(),
             processes: None,
+            speedup: 1.0,
         };
         let _effects = app.update(SessionEvent::Started(Box::new(started)));
         assert_eq!(

@@ -145,7 +145,7 @@ impl Typist {
         let mut read = terminal.try_clone()?;
         let (sender, pieces) = mpsc::channel();
         std::thread::spawn(move || {
-            let mut buffer = [0; 65536];
+            let mut buffer = vec![0; 65536];
             while let Ok(count @ 1..) = read.read(&mut buffer) {
                 if sender
                     .send((Instant::now(), buffer[..count].to_vec()))

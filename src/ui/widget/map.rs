@@ -21,9 +21,9 @@ mod heat;
 mod labels;
 mod legend;
 mod markers;
+mod sketch;
 mod squares;
 mod swept;
-mod sketch;
 mod truth;
 
 pub use legend::{draw as draw_legend, length};
