@@ -250,8 +250,16 @@ impl<R> State<R> {
 
     /// Asks for a line; what is entered already may be changed.
     pub fn prompt(&mut self, purpose: Purpose, entered: impl Into<String>) {
+        let is_proposal = matches!(
+            purpose,
+            Purpose::SaveDesign
+                | Purpose::CopyDesign(_)
+                | Purpose::RenameDesign(_)
+                | Purpose::ExportDesign
+        );
         self.overlay = Some(Overlay::Prompt(Prompt {
             input: entered.into().into(),
+            is_proposal,
             ..Prompt::new(purpose)
         }));
     }

@@ -154,7 +154,9 @@ pub fn air() -> Air {
 
 /// The mission that is built for: the one that is flown, else the one under the cursor of the home screen.
 pub fn mission(state: &State) -> Option<&Listing> {
-    super::mission::shown(state)
+    // What has been flown to its end is done: the bench is for the next one.
+    let chosen = super::home::under_cursor(state).filter(|_| state.session.is_over());
+    chosen.or_else(|| super::mission::shown(state))
 }
 
 /// From this width on everything is shown at a time.

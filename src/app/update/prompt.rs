@@ -1,6 +1,6 @@
 //! Lines that are asked for.
 
-use crossterm::event::KeyEvent;
+use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use super::{batch, keys, mission, profiles};
 use crate::app::State;
@@ -16,7 +16,7 @@ pub fn key(state: &mut State, mut prompt: Prompt, key: KeyEvent) -> Effects {
     let submitted = match state.keymap.action(key, Place::Prompt) {
         Some(Action::Escape) => return Effects::none(),
         Some(Action::Submit) => true,
-        _ if keys::edit(&mut prompt.input, key) => false,
+        _ if edit(&mut prompt, key) => false,
         _ => {
             state.overlay = Some(Overlay::Prompt(prompt));
             return Effects::none();
@@ -38,6 +38,16 @@ pub fn key(state: &mut State, mut prompt: Prompt, key: KeyEvent) -> Effects {
         state.overlay = Some(Overlay::Prompt(prompt));
     }
     effects
+}
+
+/// Applies a key to the line; false if it is no editing key. A letter replaces what was only proposed.
+fn edit(prompt: &mut Prompt, key: KeyEvent) -> bool {
+    let commands = KeyModifiers::CONTROL | KeyModifiers::ALT;
+    let is_letter = matches!(key.code, KeyCode::Char(_)) && !key.modifiers.intersects(commands);
+    if std::mem::take(&mut prompt.is_proposal) && is_letter {
+        prompt.input.reset();
+    }
+    keys::edit(&mut prompt.input, key)
 }
 
 /// Takes what was entered.

@@ -229,7 +229,7 @@ fn next_view(state: &mut State) {
 
 /// Builds for the mission before or after.
 fn other_mission(state: &mut State, step: Step) {
-    if state.session.activity.is_some() {
+    if state.session.activity.is_some() && !state.session.is_over() {
         return state.say(Severity::Notice, text!("bench-mission-flown"));
     }
     let items = home::items(state);

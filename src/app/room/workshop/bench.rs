@@ -49,7 +49,7 @@ pub struct Candidate {
     pub part: &'static Part,
     /// How many of it the slot holds already.
     pub on_board: usize,
-    /// What the design would be with it; that of the design itself where nothing would change.
+    /// What the design would be with it; that of the design itself for a part that is on board.
     pub sheet: Sheet,
     /// Why it does not fit: the fault that the design would have in this slot, or the one elsewhere that it does not
     /// have now.
@@ -302,7 +302,12 @@ impl Bench {
         Candidate {
             part,
             on_board,
-            sheet,
+            // What is on board is not compared with two of its kind.
+            sheet: if on_board > 0 {
+                self.sheet.clone()
+            } else {
+                sheet
+            },
             misfit: self.misfit(part.slot(), &findings),
         }
     }

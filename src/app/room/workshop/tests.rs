@@ -59,6 +59,8 @@ fn press(state: &mut State, keys: &str) -> Vec<Effect> {
             "esc" => KeyCode::Esc,
             "tab" => KeyCode::Tab,
             "home" => KeyCode::Home,
+            "left" => KeyCode::Left,
+            "right" => KeyCode::Right,
             "ctrl-r" => {
                 let key = KeyEvent::new(KeyCode::Char('r'), KeyModifiers::CONTROL);
                 effects.extend(hear(state, TerminalEvent::Key(key)));

@@ -31,8 +31,20 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         None => "workshop-figures",
     };
     let inner = panel.titled(&panel.say(title), buffer);
+    let fits = room
+        .bench()
+        .candidate()
+        .is_none_or(|it| it.misfit.is_none());
     for (row, measure) in Measure::ALL.into_iter().enumerate() {
-        let line = line(measure, room.bench().sheet(), candidate, panel.at(inner));
+        let mut line = line(measure, room.bench().sheet(), candidate, panel.at(inner));
+        // No gain is one that cannot be had.
+        if let Some(change) = line
+            .spans
+            .last_mut()
+            .filter(|_| !fits && candidate.is_some())
+        {
+            change.style = panel.style(Role::Muted);
+        }
         put(buffer, inner, row as u16, &line);
     }
 }

@@ -159,7 +159,16 @@ impl Layout {
                 let reason = aligned(&look.text(reason), room, false);
                 spans.push(Span::styled(format!("  {reason}"), look.style(Role::Muted)));
             }
-            _ => spans.extend(self.changes(&candidate.sheet, before, look)),
+            misfit => {
+                let mut changes = self.changes(&candidate.sheet, before, look);
+                if misfit.is_some() {
+                    // No gain is one that cannot be had.
+                    for span in &mut changes {
+                        span.style = look.style(Role::Muted);
+                    }
+                }
+                spans.extend(changes);
+            }
         }
         Line::from(spans)
     }

@@ -149,3 +149,18 @@ fn what_is_locked_says_by_which_mission() {
         "{said:?}"
     );
 }
+
+#[test]
+fn a_part_on_board_changes_nothing() {
+    let mut state = workshop(None);
+    put(&mut state, PartSlot::Battery, "b3s5000");
+    state.rooms.workshop.pane = Pane::Slots;
+    press(&mut state, "home");
+    while state.rooms.workshop.bench.slot() != PartSlot::Battery {
+        press(&mut state, "j");
+    }
+    let bench = &state.rooms.workshop.bench;
+    let on_board = bench.candidates().iter().find(|it| it.on_board > 0);
+    let on_board = on_board.expect("it was put in");
+    assert_eq!(on_board.sheet, *bench.sheet());
+}

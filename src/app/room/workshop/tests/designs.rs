@@ -35,6 +35,23 @@ fn a_design_is_saved_under_a_name_and_another_of_that_name_only_after_a_question
 }
 
 #[test]
+fn typing_replaces_a_name_that_is_only_proposed_and_an_edit_keeps_it() {
+    for (keys, name) in [
+        ("s Mine enter", "Mine"),
+        ("s left right 2 enter", "Starter 4502"),
+    ] {
+        let mut state = workshop(Some(career()));
+        let effects = press(&mut state, keys);
+        let kept = starter().named(name).expect("a name");
+        assert_eq!(
+            effects,
+            [Effect::Career(CareerEffect::KeepDesign(kept))],
+            "{keys}"
+        );
+    }
+}
+
+#[test]
 fn without_a_profile_nothing_is_kept_but_files_are_written() {
     let mut state = workshop(None);
     assert_eq!(press(&mut state, "s"), []);

@@ -46,7 +46,8 @@ proptest! {
             } else if candidate.misfit.is_some() {
                 prop_assert!(in_slot || brings, "{}", candidate.part.id);
             }
-            prop_assert_eq!(&candidate.sheet, &Sheet::of(&with, air()));
+            let shown = if candidate.on_board > 0 { &design } else { &with };
+            prop_assert_eq!(&candidate.sheet, &Sheet::of(shown, air()));
         }
         let first_misfit = bench.candidates().iter().position(|it| it.misfit.is_some());
         let fits_after = |at: usize| bench.candidates()[at..].iter().any(|it| it.misfit.is_none());
