@@ -140,6 +140,7 @@ header-links-short = links { $up }/{ $all }
 footer-vehicles = vehicles
 footer-list = { $submit } selects   { $commands } commands them   { $escape } drops
 footer-deaf = keys work in a moment
+footer-paste-lines = nothing was pasted: it has { $count } lines, and the command line takes one at a time
 footer-paste-dropped = nothing was pasted: open the command line with { $key } first
 
 hint-move = move

@@ -154,3 +154,19 @@ verb-quit = leave the program
 argument-alert = kind of alert
 argument-file = name of a file
 argument-file-or-vehicle = name of a file, or number of a vehicle
+
+# What else people call a verb: the command line finds it by these words, too.
+words-arm = motors on, start the motors
+words-disarm = motors off
+words-kill = emergency stop
+words-takeoff = launch, lift off, climb
+words-land = touch down, descend
+words-rtl = return home, go home
+words-hold = stop, stay, pause
+words-goto = fly to, move
+words-altitude = height, climb, descend
+words-speed = faster, slower
+words-survey = lines, lawnmower, mow
+words-formation = wedge, line abreast, column
+words-mark = report, find
+words-hint = help, clue

@@ -69,7 +69,7 @@ severity-alert = ТРИВ.
 severity-critical = КРИТ.
 severity-error = ПОМИЛ
 severity-warning = УВАГА
-severity-notice = заув.
+severity-notice = прим.
 severity-info = інфо
 severity-debug = налаг
 
@@ -141,6 +141,7 @@ header-links-short = зв'язок { $up }/{ $all }
 footer-vehicles = апарати
 footer-list = { $submit } вибирає   { $commands } командують   { $escape } скасовує
 footer-deaf = клавіші запрацюють за мить
+footer-paste-lines = нічого не вставлено: рядків { $count }, а командний рядок бере по одному
 footer-paste-dropped = нічого не вставлено: спершу відкрийте командний рядок клавішею { $key }
 
 hint-move = рух
@@ -215,7 +216,7 @@ hint-hint = порада
 hint-pause = пауза
 hint-abandon = припинити
 hint-section = розділ
-hint-alike = те саме зерно
+hint-alike = той самий варіант
 hint-next = наступне
 hint-fly = летіти
 hint-drill = вправа

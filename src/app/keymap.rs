@@ -11,10 +11,12 @@ use crate::text::Text;
 
 mod file;
 mod hint;
+mod layout;
 mod press;
 mod show;
 
 pub use hint::{HintKeys, KeyHint, hint, hint_words};
+pub use layout::latin;
 pub use press::Press;
 
 /// Where a binding holds.
@@ -104,8 +106,17 @@ impl Keymap {
         }
     }
 
-    /// What a key means at a place. What a room says of a key comes before what holds anywhere.
+    /// What a key means at a place. What a room says of a key comes before what holds anywhere. Where no line is edited,
+    /// a Ukrainian letter without a meaning of its own is the Latin key in its position.
     pub fn resolve(&self, key: KeyEvent, place: Place) -> Option<&Meaning> {
+        self.written(key, place).or_else(|| {
+            let by_position = layout::by_position(key).filter(|_| place != Place::Prompt)?;
+            self.written(by_position, place)
+        })
+    }
+
+    /// What a key means as it is written.
+    fn written(&self, key: KeyEvent, place: Place) -> Option<&Meaning> {
         let at = |place: Place| {
             let mut found = self.bindings.iter().filter(move |it| it.place == place);
             found

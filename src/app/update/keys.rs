@@ -9,7 +9,7 @@ use super::{act, order, palette, profiles, prompt, reader};
 use crate::app::State;
 use crate::app::action::Action;
 use crate::app::effect::{Effect, Effects};
-use crate::app::keymap::{Meaning, Place};
+use crate::app::keymap::{Meaning, Place, latin};
 use crate::app::room::Room;
 use crate::app::state::{Confirm, Overlay};
 use crate::language::{Word, words};
@@ -96,7 +96,17 @@ pub fn paste(state: &mut State, text: &str) {
     if state.is_too_small() {
         return;
     }
-    let first_line = text.lines().next().unwrap_or_default();
+    // Terminals end pasted lines as the Enter key does.
+    let mut lines = text
+        .split(['\n', '\r'])
+        .filter(|line| !line.trim().is_empty());
+    let first_line = lines.next().unwrap_or_default();
+    let more = lines.count();
+    if more > 0 {
+        // Glued together or cut off, they would give another command than what was copied.
+        let text = text!("footer-paste-lines", count = more + 1);
+        return state.say(Severity::Warning, text);
+    }
     let text = sanitised(first_line);
     match state.overlay.take() {
         Some(Overlay::Palette(mut line)) => {
@@ -210,8 +220,9 @@ fn confirm(state: &mut State, mut question: Confirm, key: KeyEvent) -> Effects {
         // Whatever a keymap file makes of them, they never confirm and never leave the question standing.
         KeyCode::Enter | KeyCode::Esc => refuse(state, &question),
         KeyCode::Char(_) if control => refuse(state, &question),
-        KeyCode::Char('n') if question.answer == "y" => refuse(state, &question),
+        KeyCode::Char('n' | 'т') if question.answer == "y" => refuse(state, &question),
         KeyCode::Char(c) if !question.cancelled => {
+            let c = latin(c).filter(|_| question.answer.is_ascii()).unwrap_or(c);
             question.typed.push(c);
             if question.typed == question.answer {
                 state.answered_at = Some(state.now);

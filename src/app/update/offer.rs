@@ -27,7 +27,9 @@ pub fn lines(state: &State, written: &str) -> Vec<Completion> {
     let mut scored: Vec<(u32, (String, Text))> = all
         .into_iter()
         .filter_map(|(line, hint)| {
-            let searched = format!("{line} {}", state.locale.text(&hint));
+            let synonyms = synonyms(&line).map(|words| state.locale.text(&words));
+            let hint_words = state.locale.text(&hint);
+            let searched = format!("{line} {hint_words} {}", synonyms.unwrap_or_default());
             let score = pattern.score(Utf32Str::new(&searched, &mut buffer), &mut matcher)?;
             Some((score, (line, hint)))
         })
@@ -41,6 +43,28 @@ pub fn lines(state: &State, written: &str) -> Vec<Completion> {
             replaces: 0..written.len(),
         })
         .collect()
+}
+
+/// What people also call the verb that a line begins with, in the language of the screens.
+fn synonyms(line: &str) -> Option<Text> {
+    let verb = language::row(line.split(' ').next()?)?.name();
+    Some(match verb {
+        "arm" => text!("words-arm"),
+        "disarm" => text!("words-disarm"),
+        "kill" => text!("words-kill"),
+        "takeoff" => text!("words-takeoff"),
+        "land" => text!("words-land"),
+        "rtl" => text!("words-rtl"),
+        "hold" => text!("words-hold"),
+        "goto" => text!("words-goto"),
+        "altitude" => text!("words-altitude"),
+        "speed" => text!("words-speed"),
+        "survey" => text!("words-survey"),
+        "formation" => text!("words-formation"),
+        "mark" => text!("words-mark"),
+        "hint" => text!("words-hint"),
+        _ => return None,
+    })
 }
 
 /// Vehicles and groups, to be selected.

@@ -295,3 +295,28 @@ fn what_the_console_has_said_goes_with_what_it_was_about() {
     console.hear(SessionEvent::MissionEnded(report));
     assert!(!said(&console), "the debrief opens");
 }
+
+#[test]
+fn lines_are_never_glued_together_by_a_paste() {
+    for pasted in ["all guided\nall arm\n", "all guided\rall arm", "a\r\nb"] {
+        let mut console = Console::flying(2);
+        console.press(":");
+        console.hear(TerminalEvent::Paste(pasted.to_owned()));
+        assert_eq!(palette_line(&console), "", "{pasted:?}");
+        let told = "nothing was pasted: it has 2 lines";
+        assert!(console.screen(120, 40).contains(told), "{pasted:?}");
+        console.hear(TerminalEvent::Paste("all arm\r\n".to_owned()));
+        assert_eq!(palette_line(&console), "all arm");
+    }
+}
+
+#[test]
+fn keys_work_in_a_ukrainian_layout_and_letters_stay_letters_in_a_line() {
+    let mut console = Console::flying(2);
+    console.press("Ж");
+    assert_eq!(palette_line(&console), "");
+    console.write("злет");
+    assert_eq!(palette_line(&console), "злет");
+    console.press("esc").press("ф");
+    assert_eq!(palette_line(&console), "arm", "ф lies on the key of a");
+}
