@@ -27,7 +27,7 @@ detect-advice-missed = missed: { $missed }, wrong reports: { $wrong }. Look agai
 detect-advice-wrong = wrong reports: { $wrong }. Confirm with another sensor, or from nearer, before you report
 
 # Passing over a zone.
-coverage-result = { $swept } % swept (C { $coverage }; at random it would find { $random } %)
+coverage-result = { $swept } % swept (random search: { $random } %)
 coverage-outlook = { $swept } % swept
 coverage-target = { $target } % swept
 coverage-advice = Lines as far apart as the sensor's strip leave no gap: { $left } % was not swept, though the way would do for { $coverage } times the zone.

@@ -3,7 +3,7 @@
 refused-not-heard = it has not been heard yet
 refused-not-guided = { $verb } needs GUIDED: it is in { $mode }; say `{ $vehicle } guided` first
 refused-not-armed = { $verb } needs an armed vehicle: say `{ $vehicle } arm` first
-refused-taking-off = { $verb } would break off a takeoff: it is still taking off: wait
+refused-taking-off = still taking off: wait for "takeoff done", then { $verb }
 refused-on-the-ground = { $verb } needs a flying vehicle: it is on the ground; say `{ $vehicle } takeoff 10` first, and wait until it has climbed
 refused-too-low = { $metres } m above home is too low to fly to; say `{ $vehicle } land` to come down
 refused-plane = it is a plane: it goes to LAT LON or `by n .. e ..`, not to local metres

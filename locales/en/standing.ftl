@@ -5,7 +5,7 @@ action-standing = own progress: skills, scores, credits
 action-daily = fly the mission with the seed of the day
 action-exam = fly the mission's exam
 action-practise = fly the mission for practice, with a seed
-action-profiles = choose who trains here
+action-profiles = choose a profile
 action-aids = more or less advice that comes by itself
 keys-list = lists to choose from
 hint-trainee = who trains
@@ -66,10 +66,10 @@ fact-daily-open = seed of the day not flown yet
 fact-daily-flown = seed of the day flown: again it is practice
 
 # The list of profiles.
-profiles-title = who trains here
+profiles-title = profiles
 profiles-now = (now)
-profiles-new = somebody new ...
-profiles-nobody = nobody: flights are not kept
+profiles-new = new profile ...
+profiles-nobody = guest: flights are not kept
 profiles-keys = { $scroll } move   { $submit } takes   { $escape } back
 profiles-in-flight = a mission is under way: end it first, its result is yours
 profiles-nameless = write a name
@@ -80,7 +80,7 @@ prompt-seed-advice = a number; the same seed is the same flight. { $submit } alo
 
 # Own progress.
 standing-nobody = Nobody trains here whose flights are kept. Press { $key } to choose a profile or to make one; then this room shows skills, scores, credits and experience over time.
-standing-nobody-yet = choose who trains here first: { $key }
+standing-nobody-yet = choose a profile first: { $key }
 standing-level = level { $level }
 standing-experience = { $experience }/{ $needed } xp
 standing-credits = { $credits } cr

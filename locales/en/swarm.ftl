@@ -1,6 +1,6 @@
 ### What several vehicles do together.
 
-swarm-usual-spacing = { $metres } m between lines, because nothing else was said
+swarm-usual-spacing = line spacing { $metres } m (default)
 swarm-gaps = { $metres } m of the lines lie outside of the area, over its gaps
 swarm-swath-spacing = { $metres } m between lines, as wide as the sensor sees
 swarm-staggered = every second vehicle flies { $metres } m higher, because the lines are so near to each other

@@ -1,7 +1,7 @@
 # Розбір польоту, завширшки 80 колонок.
 
 debrief-head = РОЗБІР  { $mission } r{ $revision }   { $title }   { $outcome }
-debrief-score = Бали { $score } / 1000   { $medal }   зерно { $seed }   { $backend }
+debrief-score = Бали { $score } / 1000   { $medal }   варіант { $seed }   { $backend }
 debrief-no-medal = без медалі
 debrief-embedded = симулятор
 debrief-time = Час { $used } (норма { $par }, межа { $limit })   Енергія { $energy }   Дрони { $count }

@@ -27,7 +27,7 @@ detect-advice-missed = пропущено { $missed }, помилкових по
 detect-advice-wrong = помилкових повідомлень { $wrong }: спершу підтвердьте іншим датчиком або зблизька
 
 # Прохід над зоною.
-coverage-result = обстежено { $swept } % (C { $coverage }; навмання знайшлося б { $random } %)
+coverage-result = обстежено { $swept } % (випадковий пошук: { $random } %)
 coverage-outlook = обстежено { $swept } %
 coverage-target = обстежити { $target } %
 coverage-advice = Смуги з кроком у ширину захвату датчика не лишають прогалин: не обстежено { $left } %, хоча пройденого вистачило б на { $coverage } зони.

@@ -141,6 +141,6 @@ vehicle-severity-alert = тривога
 vehicle-severity-critical = критично
 vehicle-severity-error = помилка
 vehicle-severity-warning = попередження
-vehicle-severity-notice = зауваження
+vehicle-severity-notice = примітка
 vehicle-severity-info = інформація
 vehicle-severity-debug = діагностика

@@ -187,7 +187,7 @@ fn a_mission_is_read_predicted_flown_paused_and_debriefed() {
     terminal.press("p").see("PAUSED");
     terminal
         .command("1 rtl")
-        .see("commands wait for nobody")
+        .see("the mission is paused")
         .press("\u{1b}")
         .see_no_more("command to 1");
     terminal.command("continue").see_no_more("PAUSED");

@@ -237,7 +237,6 @@ impl Tracker for Sweep {
             result: text!(
                 "coverage-result",
                 swept = percent(swept),
-                coverage = format!("{coverage:.2}"),
                 random = percent(random_search(coverage)),
             ),
             outlook: Some(text!("coverage-outlook", swept = percent(swept))),

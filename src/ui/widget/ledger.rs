@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use ratatui::buffer::Buffer;
 use ratatui::style::Style;
 use ratatui::text::{Line, Span};
+use unicode_width::UnicodeWidthStr as _;
 
 use crate::app::State;
 use crate::app::action::Action;
@@ -21,6 +22,8 @@ use crate::vehicle::VehicleId;
 
 /// Columns before what became of a command.
 const INDENT: usize = 2;
+/// Columns of a remark that is a value rather than a sentence.
+const LONGEST_VALUE: usize = 24;
 
 /// Draws the newest entries that fit.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
@@ -209,6 +212,11 @@ fn outcome(entry: &LedgerEntry, look: &Look) -> Option<String> {
     if let [(text, _)] = remarks.as_slice() {
         return Some(short(text));
     }
+    // Sentences that differ run together on one line: each gets its own below.
+    let is_long = |(text, _): &(Text, Vec<VehicleId>)| look.text(text).width() > LONGEST_VALUE;
+    if remarks.iter().any(is_long) {
+        return None;
+    }
     let parts = remarks.into_iter().map(|(text, vehicles)| {
         let text = short(&text);
         format!("{}: {}", ranges(vehicles), text.trim_start_matches("= "))
@@ -238,10 +246,46 @@ fn explanations(entry: &LedgerEntry) -> Vec<(Text, Vec<VehicleId>)> {
 
 #[cfg(test)]
 mod tests {
+    use std::time::Duration;
+
     use super::*;
+    use crate::language::verb;
+    use crate::ledger::{Given, Ledger, Risk, RowUpdate};
 
     fn texts(lines: &[Line<'_>]) -> Vec<String> {
         lines.iter().map(ToString::to_string).collect()
+    }
+
+    #[test]
+    fn sentences_that_differ_stand_below_each_other_and_values_on_one_line() {
+        let look = Look::default();
+        let told = |remarks: [&str; 2]| {
+            let mut ledger = Ledger::new();
+            let given = Given {
+                line: "all drop",
+                verb: verb("drop").expect("a verb"),
+                risk: Risk::None,
+            };
+            let id = ledger.open(Duration::ZERO, given, &[1, 2]);
+            for (vehicle, remark) in (1..).zip(remarks) {
+                ledger.apply(&RowUpdate {
+                    entry: id,
+                    vehicle,
+                    state: RowState::Done,
+                    tries: 1,
+                    at: Duration::ZERO,
+                    explanation: Some(Text::verbatim(remark)),
+                });
+            }
+            let entry = ledger.entries().next().expect("it was opened");
+            outcome(entry, &look)
+        };
+        assert_eq!(told(["= 500", "= 700"]).as_deref(), Some("1: 500   2: 700"));
+        let sentences = [
+            "a person 2 m away has it; 1 left",
+            "nobody within 8 m; 1 left",
+        ];
+        assert_eq!(told(sentences), None);
     }
 
     #[test]

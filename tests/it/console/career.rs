@@ -314,7 +314,7 @@ fn advice_goes_round_and_is_kept() {
     let mut console = nobody();
     console.press("T").press("a");
     assert!(console.effects.is_empty());
-    assert!(said(&console).contains("choose who trains here"));
+    assert!(said(&console).contains("choose a profile"));
 }
 
 #[test]
