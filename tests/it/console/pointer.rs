@@ -23,7 +23,7 @@ fn a_click_on_a_line_of_home_chooses_it_and_one_on_a_key_presses_it() {
     assert!(
         shown
             .lines()
-            .any(|line| line.contains(">") && line.contains("Connect")),
+            .any(|line| line.contains('>') && line.contains("Connect")),
         "{shown}"
     );
     assert!(console.click("? help"));
