@@ -77,7 +77,7 @@ pub struct State<R> {
     pub(in crate::app) session: FlightView,
     /// The vehicle list that is being typed, `3-9`; empty if none.
     pub(in crate::app) typed: String,
-    /// When a question was answered with the key before this one.
+    /// When the key before this one answered a question and so changed what is flown.
     pub(in crate::app) answered_at: Option<Duration>,
     /// What the user has set.
     pub(in crate::app) config: Config,

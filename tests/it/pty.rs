@@ -77,7 +77,7 @@ fn a_kill_names_its_targets_and_wants_their_number() {
         .command("1,3,4 kill")
         .see("KILL vehicles 1 3 4")
         .press("x")
-        .see("Enter or Esc goes on")
+        .see("Enter or Esc: back")
         .press("\u{1b}");
     terminal.see_no_more("KILL vehicles 1 3 4");
     terminal

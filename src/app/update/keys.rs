@@ -11,7 +11,7 @@ use crate::app::action::Action;
 use crate::app::effect::{Effect, Effects};
 use crate::app::keymap::{Meaning, Place, latin};
 use crate::app::room::Room;
-use crate::app::state::{Confirm, Overlay};
+use crate::app::state::{Confirm, Consequence, Overlay};
 use crate::language::{Word, words};
 use crate::notice::sanitised;
 use crate::text;
@@ -225,7 +225,10 @@ fn confirm(state: &mut State, mut question: Confirm, key: KeyEvent) -> Effects {
             let c = latin(c).filter(|_| question.answer.is_ascii()).unwrap_or(c);
             question.typed.push(c);
             if question.typed == question.answer {
-                state.answered_at = Some(state.now);
+                // Only a change of what is flown brings another screen.
+                if matches!(question.then, Consequence::Effect(Effect::Session(_))) {
+                    state.answered_at = Some(state.now);
+                }
                 let mut effects = order::carry_out(state, question.then);
                 effects.extend(palette::go_on(state));
                 return effects;
