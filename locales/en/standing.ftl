@@ -13,7 +13,7 @@ hint-mission = mission
 hint-aids = advice
 
 # The first line of the home screen.
-home-nobody = says who trains here: without a profile no flight is kept
+home-nobody = chooses a profile: without one no flight is kept
 home-trainee = level { $level }   { $credits } cr   licence { $licence }
 home-next = next: { $skill } { $percent } %, { $mission }
 home-next-new = next: { $skill } (not tried), { $mission }

@@ -13,7 +13,7 @@ hint-mission = завдання
 hint-aids = поради
 
 # Перший рядок початкового екрана.
-home-nobody = скаже, хто тренується: без профілю польоти не зберігаються
+home-nobody = обирає профіль: без нього польоти не зберігаються
 home-trainee = рівень { $level }   { $credits } cr   ліцензія { $licence }
 home-next = далі: { $skill } { $percent } %, { $mission }
 home-next-new = далі: { $skill } (не пробували), { $mission }

@@ -139,7 +139,11 @@ impl Runs {
     ) -> BTreeMap<String, Vec<TryReport>> {
         let mut tries: BTreeMap<String, Vec<TryReport>> = BTreeMap::new();
         let files = self.files().into_iter().filter(|path| wanted(path));
-        let outlines = files.filter_map(|path| outline(&path).ok());
+        // What is being flown is no try yet.
+        let outlines = files.filter_map(|path| {
+            let (head, end) = outline(&path).ok()?;
+            (end.is_some() || !is_flown(&path)).then_some((head, end))
+        });
         for (head, end) in outlines.filter(|(head, _)| head.profile.as_deref() == whose) {
             let one = as_try(&head, end.as_ref());
             tries.entry(head.mission).or_default().push(one);

@@ -9,6 +9,21 @@ const END: &str = "{\"end\":{\"t\":100,\"end\":{\"score\":812,\"medal\":\"silver
     \"sim_time_s\":0.1}}}\n";
 
 #[test]
+fn a_run_that_is_still_flown_is_no_try_yet() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let runs = Runs::within(&folder.path().join("data"));
+    let mut run = runs.begin("01-a", "2026-11-20T14:03:22Z").expect("created");
+    run.append(HEAD).expect("written");
+    assert_eq!(runs.all_tries(None).get("01-a"), None);
+    run.append(END).expect("written");
+    assert_eq!(runs.all_tries(None)["01-a"].len(), 1, "it has ended");
+    let mut left = runs.begin("01-a", "2026-11-20T14:04:22Z").expect("created");
+    left.append(HEAD).expect("written");
+    drop(left);
+    assert_eq!(runs.all_tries(None)["01-a"].len(), 2, "its console is gone");
+}
+
+#[test]
 fn the_tries_at_a_mission_are_told_by_first_and_last_lines() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let runs = Runs::within(&folder.path().join("data"));
