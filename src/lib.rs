@@ -2,14 +2,14 @@
 //!
 //! # Code map
 //! Dependencies point down only, and the parts of a module depend on each other one way only:
-//! `tests/it/layering.rs` reads the sources and enforces both. It looks at modules and their direct parts. What others
-//! can use as well are libraries of the workspace, below everything else.
+//! `tests/it/layering.rs` reads the sources and enforces both. It looks at modules and their direct parts. What other
+//! programs could use as well is in libraries of the workspace, below everything else.
 //!
 //! | layer | module | home of |
 //! | --- | --- | --- |
 //! | shell | [`cli`] | the subcommands, their options and what they print |
 //! | | [`shell`] | the run loop: carries out effects, feeds events; the console without a screen (`--plain`) |
-//! | | [`terminal`] | keys in, cells out: what the terminal can do, and how fast |
+//! | | [`terminal`] | keys in, cells out: which features the terminal has, and how fast it is |
 //! | | [`ui`] | screens and widgets: state in, cells out |
 //! | | [`app`] | state, events, effects, key bindings, the rooms' behaviour, one `update`; when an alert holds, rings and is muted |
 //! | input and output | [`fleet`] | a task for each vehicle, and the hub that finds it |
@@ -18,23 +18,23 @@
 //! | | [`store`] | files: missions, pilots, designs, themes, settings, profiles, runs |
 //! | pure | [`exercise`] | when a mission begins and by whose clock its time passes (in the console, too); a mission flown by a pilot script |
 //! | | [`operator`] | from a line to the vehicles, and back to the ledger |
-//! | | [`campaign`] | a career: what is unlocked, earned, owned and known, and what a try counts for |
+//! | | [`campaign`] | a career: what is unlocked, earned and owned, how surely each skill is mastered, and what a try counts for |
 //! | | [`debrief`] | a report as text |
-//! | | [`mission`] | what a mission file says, and the flight's referee: hazards, sensors, objectives, events |
+//! | | [`mission`] | what a mission file says, and the flight's referee: hazards, sensors, radio, objectives, events |
 //! | | [`scoring`] | marks, medals, and the report of a flight |
 //! | | [`fidelity`] | the simulator beside recordings of the real vehicle |
 //! | | [`sitl`] | the command line and the files of one SITL process |
 //! | | [`swarm`] | manoeuvres of several vehicles |
-//! | | [`session`] | the conversation with one vehicle: commands, sent again as their verb says, plans, parameters |
-//! | | [`language`] | the grammar, and the one table of verbs: to vehicles, to the mission, to the console; with each one's values: retries, danger, precedence |
-//! | | [`commands`] | typed commands, and how they are encoded |
+//! | | [`session`] | the conversation with one vehicle: commands, sent again as their verb says, and when they end; plans, parameters; when it counts as lost |
+//! | | [`language`] | the grammar, and the one table of verbs: to vehicles, to the mission, to the console; with each one's values: retries, danger, precedence, what `wait arrived` waits for |
+//! | | [`commands`] | typed commands: when one is refused, how it is encoded, and what telemetry shows that it is done |
 //! | | [`messages`] | telemetry: a handler for each kind of message |
 //! | | [`ledger`], [`notice`], [`alert`] | what became of each command; what is said to people; the kinds of alerts |
 //! | | [`vehicle`] | the model of one vehicle |
 //! | | [`doctor`] | what is wrong with a link (`sortie doctor`, about this machine, is in [`cli`]) |
 //! | | [`inspector`] | messages counted, and taken apart field by field |
 //! | | [`parameters`] | parameter lists, files, differences |
-//! | | [`workshop`] | parts, designs, and what a design can do |
+//! | | [`workshop`] | parts, designs, and what a design can do: how long it flies, how far its radio reaches |
 //! | | [`config`] | settings and where each came from |
 //! | | [`diagnostic`] | faults in files and lines, with place and advice |
 //! | | [`text`](mod@text) | messages in the user's language (`locales/`) |

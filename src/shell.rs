@@ -83,6 +83,7 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
                 Happened::End => break,
                 Happened::Resized => console.measure().await,
                 Happened::Stopped => {
+                    hear_last_answer(&mut screen, &mut keyboard).await;
                     screen.leave();
                     terminal::stop();
                 }
@@ -111,7 +112,7 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
         console.draw(&mut screen).await?;
     }
     console.close().await;
-    hear_last_answer(&screen, &mut keyboard).await;
+    hear_last_answer(&mut screen, &mut keyboard).await;
     Ok(())
 }
 
@@ -134,11 +135,13 @@ fn keep_pace(ticks: &mut Interval, speedup: f64) {
 }
 
 /// An answer of the terminal that comes after us would be typed into the shell.
-async fn hear_last_answer(screen: &Screen, keyboard: &mut Keyboard) {
+async fn hear_last_answer(screen: &mut Screen, keyboard: &mut Keyboard) {
     let answer = async {
         while screen.expects_answer() {
-            if matches!(keyboard.next().await, None | Some(Input::Answer)) {
-                break;
+            match keyboard.next().await {
+                None => break,
+                Some(Input::Answer) => screen.answered(),
+                Some(_) => {}
             }
         }
     };

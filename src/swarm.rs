@@ -7,11 +7,11 @@
 //! **Separation.** Everybody first takes a way on which nobody meets anybody (`transit`), then works where nobody
 //! else of the same manoeuvre comes: survey lines lie side by side (every second vehicle flies higher where they are
 //! nearer than the separation), searches and followers have a height each, a formation moves as a rigid body
-//! (`march`). Who would come too near to a vehicle outside of its manoeuvre waits (`guard`).
+//! (`march`). A vehicle that would come too near to one outside of its manoeuvre waits (`guard`).
 //!
 //! **Who leads.** The first of the targets leads a formation. A `goto` or an `altitude` that is given to it, alone or
 //! with others, moves the whole formation, and the rows of those that go with it end when it has arrived. Any
-//! other movement takes a vehicle out of what it was doing; the others close up, or take over its lines. A formation goes
+//! other movement takes a vehicle out of what it was doing; the others close up, or share its lines (`lanes`). A formation goes
 //! as fast as its leader was told to (`speed`).
 
 use std::time::Duration;

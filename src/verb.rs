@@ -91,7 +91,7 @@ pub enum Movement {
     Turn,
     /// It moves or stops them and takes the place of the movement before.
     To(Arrival),
-    /// The same, and when they are in their places, to stay there is their task.
+    /// As `To(Done)`; once in their places, it is the task of the vehicles to stay there.
     Station,
 }
 
@@ -119,7 +119,8 @@ impl Movement {
     }
 }
 
-/// When a vehicle has arrived.
+/// When a vehicle has arrived, for `wait arrived`. When the ledger calls an order done is decided by
+/// [`Effect`](crate::commands::Effect).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Arrival {
     /// When the order is done; where no effect was seen in time, when it stands still at its target.

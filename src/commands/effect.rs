@@ -143,7 +143,7 @@ pub(super) fn mode_effect(before: &Vehicle, name: &str) -> Effect {
     }
 }
 
-/// On the ground in a mode that brings a multirotor down. Of other classes only the mode is known to end it.
+/// On the ground in a mode that brings a multirotor down. For other classes the change of mode alone counts as done.
 pub(super) fn landing_effect(before: &Vehicle, name: &str) -> Effect {
     match mode_named(before, name) {
         Some(mode) if mode.class == VehicleClass::Copter => {
@@ -156,8 +156,8 @@ pub(super) fn landing_effect(before: &Vehicle, name: &str) -> Effect {
     }
 }
 
-/// Within 1 m, or a share of the height where that is more, but never so wide that the ground would do. Half a metre
-/// a second is slow for any copter.
+/// Within a share of the height, at least 1 m and at most 1.5 m, but never more than half the height, so that the ground
+/// does not count. The time that it may take assumes 0.5 m/s.
 pub(super) fn altitude_effect(before: &Vehicle, altitude_m: f64, share: f64) -> Effect {
     let way_m = (altitude_m - before.altitude_m().unwrap_or(0.0)).abs();
     let tolerance_m = (share * altitude_m)

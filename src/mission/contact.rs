@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::time::Duration;
 
 use super::Point;
-use super::report::distance_m;
+use super::report::{SAME_WITHIN_M, distance_m};
 use super::world::ObjectId;
 use crate::commands::Deed;
 use crate::text::Text;
@@ -79,6 +79,14 @@ impl Contacts {
     pub fn unreported(&mut self) -> impl Iterator<Item = &mut Contact> {
         let open = |contact: &&mut Contact| !contact.reported && !contact.harmless;
         self.0.iter_mut().filter(open)
+    }
+
+    /// Notes that the contact at a point was reported, or that the report was taken back.
+    pub fn note_report(&mut self, at: Point, is_reported: bool) {
+        let there = |contact: &&mut Contact| distance_m(contact.at, at) < SAME_WITHIN_M;
+        for contact in self.0.iter_mut().filter(there) {
+            contact.reported = is_reported;
+        }
     }
 
     /// The names that contacts can have, up to so many of each sort.
@@ -204,6 +212,17 @@ mod tests {
         let first = &contacts.all()[0];
         assert!((first.at[0] - 0.4).abs() < 1e-9 && first.at[1].abs() < 1e-9);
         assert_eq!(first.sensors.len(), 2);
+    }
+
+    #[test]
+    fn a_report_of_its_place_is_a_report_of_the_contact_until_it_is_taken_back() {
+        let mut contacts = Contacts::default();
+        contacts.see(&sighting([0.0, 0.0], "s_th160"), Duration::ZERO);
+        contacts.see(&sighting([50.0, 0.0], "s_th160"), Duration::ZERO);
+        contacts.note_report([0.0, 0.0], true);
+        assert_eq!(contacts.unreported().count(), 1);
+        contacts.note_report([0.0, 0.0], false);
+        assert_eq!(contacts.unreported().count(), 2);
     }
 
     #[test]

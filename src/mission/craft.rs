@@ -18,6 +18,8 @@ const FALL_FROM_M: f64 = 2.0;
 const NEAR_GROUND_M: f64 = 3.0;
 /// Touching down faster than this is a crash; `ArduCopter` lands with 0.5 m/s.
 const HARD_TOUCHDOWN_M_S: f64 = 2.5;
+/// A vehicle that holds a height swings about it by some decimetres: it is above a limit from this much on.
+const SWING_M: f64 = 1.0;
 /// A landing farther than this from every pad costs safety.
 const OFF_PAD_M: f64 = 3.0;
 
@@ -217,7 +219,7 @@ impl Craft {
 
     fn place_breaches(&self, mission: &Mission, active: &[bool]) -> Vec<Breach> {
         let mut breaches = Vec::new();
-        if self.height_m > mission.max_height_m {
+        if self.height_m > mission.max_height_m + SWING_M {
             let text = text!(
                 "mission-too-high",
                 height = format!("{:.0}", mission.max_height_m)
@@ -228,7 +230,7 @@ impl Craft {
         let zones = mission.zones.iter().zip(active);
         for (zone, _) in zones.filter(|(_, active)| **active) {
             if let ZoneKind::Geofence { ceiling_m } = zone.kind {
-                let over = ceiling_m.is_some_and(|ceiling| self.height_m > ceiling);
+                let over = ceiling_m.is_some_and(|ceiling| self.height_m > ceiling + SWING_M);
                 if over || !zone.shape.contains(at) {
                     let text = text!("mission-outside-fence", fence = &zone.id);
                     breaches.push((SafetyKind::Geofence, text));

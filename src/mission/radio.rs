@@ -86,11 +86,11 @@ pub(crate) struct RadioNode {
 const LOWEST_ANTENNA_M: f64 = 0.3;
 /// Nearer than this, nothing gets stronger.
 const NEAREST_M: f64 = 1.0;
-/// A path is looked at in so many places for what stands in its way.
+/// A path is checked for ridges at this many points.
 const PLACES: u32 = 64;
 /// Light, in metres a microsecond.
 const LIGHT_M_US: f64 = 299.792_458;
-/// From this margin down, half of all frames is lost.
+/// At this margin half of all frames are lost; below it, more.
 const HALF_LOST_DB: f64 = 3.0;
 const LOSS_SLOPE_DB: f64 = 1.5;
 /// The time on the way of a frame that comes through at once.

@@ -16,7 +16,7 @@ pub(crate) struct Mark {
 }
 
 /// Reports nearer than this to one another are the same.
-const SAME_WITHIN_M: f64 = 0.5;
+pub(crate) const SAME_WITHIN_M: f64 = 0.5;
 /// A report is taken back within this of the place that is named.
 const UNMARK_WITHIN_M: f64 = 15.0;
 

@@ -9,7 +9,7 @@ use crate::geo::LatLon;
 const LOAD_TIME_S: f32 = 15.0;
 /// Below this the motors stand still, in amperes.
 const IDLE_A: f32 = 1.0;
-/// Percent are whole numbers: until so many are used, they do not say how large the battery is.
+/// Charge is reported in whole percent: until this much is used, the capacity cannot be estimated from it.
 const USED_AT_LEAST: f32 = 2.0;
 /// What is to be left after the landing, in percent.
 const RESERVE_PERCENT: f64 = 20.0;
@@ -24,9 +24,9 @@ const LANDING_HEIGHT_M: f64 = 10.0;
 const LANDING_M_S: f64 = 0.5;
 /// Gaining speed and losing it, `RTL_LOIT_TIME`, and until the motors stop.
 const PAUSES_S: f64 = 12.0;
-/// In a wind as fast as this less the return's speed, it takes longer, in m/s through the air.
+/// The fastest that a return flies through the air: a headwind above this less `RETURN_SPEED_M_S` slows it.
 const FASTEST_M_S: f64 = 15.0;
-/// However strong the wind is.
+/// The slowest ground speed that is assumed, however strong the wind.
 const SLOWEST_M_S: f64 = 1.0;
 /// Current by speed: 12 % more at 10 m/s through the air, as was measured, and rising with the square.
 const DRAG_PER_SPEED2: f64 = 0.0012;

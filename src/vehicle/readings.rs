@@ -264,7 +264,7 @@ pub struct AutopilotVersion {
 pub struct LinkQuality {
     /// When anything last came from it.
     pub last_heard: Option<Duration>,
-    /// Whether it has been silent for longer than the limit.
+    /// Whether it has been silent for `session::LOST_AFTER` or longer.
     pub lost: bool,
     /// Frames received from it.
     pub received: u64,

@@ -9,7 +9,7 @@ use super::{act, order, palette, profiles, prompt, reader};
 use crate::app::State;
 use crate::app::action::Action;
 use crate::app::effect::{Effect, Effects};
-use crate::app::keymap::{Meaning, Place, latin};
+use crate::app::keymap::{Meaning, Place};
 use crate::app::room::Room;
 use crate::app::state::{Confirm, Consequence, Overlay};
 use crate::language::{Word, words};
@@ -220,9 +220,10 @@ fn confirm(state: &mut State, mut question: Confirm, key: KeyEvent) -> Effects {
         // Whatever a keymap file makes of them, they never confirm and never leave the question standing.
         KeyCode::Enter | KeyCode::Esc => refuse(state, &question),
         KeyCode::Char(_) if control => refuse(state, &question),
-        KeyCode::Char('n' | 'т') if question.answer == "y" => refuse(state, &question),
+        // By its position `н` would be `y`, but it begins the Ukrainian word for no: letters of another layout never
+        // confirm.
+        KeyCode::Char('n' | 'т' | 'н') if question.answer == "y" => refuse(state, &question),
         KeyCode::Char(c) if !question.cancelled => {
-            let c = latin(c).filter(|_| question.answer.is_ascii()).unwrap_or(c);
             question.typed.push(c);
             if question.typed == question.answer {
                 // Only a change of what is flown brings another screen.

@@ -83,7 +83,9 @@ impl Search {
     }
 
     pub fn mark(&mut self, mark: Mark) -> Done {
+        let at = mark.at;
         if self.marks.add(mark) {
+            self.contacts.note_report(at, true);
             Ok(None)
         } else {
             Err(text!("deed-marked-before"))
@@ -92,8 +94,9 @@ impl Search {
 
     /// Takes the report back that is nearest to a point.
     pub fn unmark(&mut self, at: Point) -> Done {
-        let mark = self.marks.remove(at);
-        mark.map(|_| None).ok_or_else(|| text!("deed-no-mark"))
+        let mark = self.marks.remove(at).ok_or_else(|| text!("deed-no-mark"))?;
+        self.contacts.note_report(mark.at, false);
+        Ok(None)
     }
 
     /// Reports all open contacts that `wants` takes.

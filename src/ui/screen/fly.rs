@@ -11,7 +11,7 @@ use crate::ui::widget::{
     alerts, below, columns, ledger, map, mission, notices, swarm, telemetry, upper, urgent,
 };
 
-/// From this width on, telemetry and mission have a column each.
+/// From this width on, telemetry and mission have a column each, and telemetry shows what an engineer reads.
 const THREE_COLUMNS: u16 = 160;
 /// Columns of the telemetry pane, and of the mission below it.
 const SIDE_WIDTH: u16 = 40;

@@ -90,6 +90,16 @@ fn a_question_of_yes_or_no_takes_n_at_once() {
 }
 
 #[test]
+fn letters_of_another_layout_never_confirm() {
+    for letter in ["н", "т", "й"] {
+        let mut console = Console::flying(1);
+        console.vehicle(fixtures::airborne(1, 0.0, 10.0));
+        console.press("ctrl-c").write(letter);
+        assert!(console.effects.is_empty(), "{letter}");
+    }
+}
+
+#[test]
 fn an_enter_that_is_added_to_an_answer_is_not_meant_for_what_follows() {
     for (later_s, is_meant) in [(0, false), (2, true)] {
         let mut console = Console::flying(1);
