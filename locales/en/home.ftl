@@ -39,7 +39,6 @@ home-limit = limit
 home-par-energy = energy
 home-energy = par { $wh } Wh
 home-wind = wind
-home-calm = calm
 home-drones = drones
 home-best-so-far = best
 home-best-is = { $score }, { $medal }

@@ -13,7 +13,7 @@ hint-mission = mission
 hint-aids = advice
 
 # The first line of the home screen.
-home-nobody = chooses a profile: without one no flight is kept
+home-no-profile = choose a profile: without one, flights are not kept
 home-trainee = level { $level }   { $credits } cr   licence { $licence }
 home-next = next: { $skill } { $percent } %, { $mission }
 home-next-new = next: { $skill } (not tried), { $mission }
@@ -69,7 +69,7 @@ fact-daily-flown = seed of the day flown: again it is practice
 profiles-title = profiles
 profiles-now = (now)
 profiles-new = new profile ...
-profiles-nobody = guest: flights are not kept
+profiles-guest = Guest (flights are not kept)
 profiles-keys = { $scroll } move   { $submit } takes   { $escape } back
 profiles-in-flight = a mission is under way: end it first, its result is yours
 profiles-nameless = write a name
@@ -79,8 +79,8 @@ prompt-seed = seed for practice
 prompt-seed-advice = a number; the same seed is the same flight. { $submit } alone takes that of --seed, or 1. Practice earns nothing
 
 # Own progress.
-standing-nobody = Nobody trains here whose flights are kept. Press { $key } to choose a profile or to make one; then this room shows skills, scores, credits and experience over time.
-standing-nobody-yet = choose a profile first: { $key }
+standing-no-profile = Guests have no record. Press { $key } to choose a profile or to make one; then this room shows skills, scores, credits and experience over time.
+standing-choose-first = choose a profile first, with { $key }
 standing-level = level { $level }
 standing-experience = { $experience }/{ $needed } xp
 standing-credits = { $credits } cr

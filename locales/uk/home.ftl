@@ -39,7 +39,6 @@ home-limit = межа
 home-par-energy = енергія
 home-energy = норма { $wh } Wh
 home-wind = вітер
-home-calm = штиль
 home-drones = дрони
 home-best-so-far = найкраще
 home-best-is = { $score }, { $medal }

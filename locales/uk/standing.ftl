@@ -13,7 +13,7 @@ hint-mission = завдання
 hint-aids = поради
 
 # Перший рядок початкового екрана.
-home-nobody = обирає профіль: без нього польоти не зберігаються
+home-no-profile = обрати профіль: без нього польоти не зберігаються
 home-trainee = рівень { $level }   { $credits } cr   ліцензія { $licence }
 home-next = далі: { $skill } { $percent } %, { $mission }
 home-next-new = далі: { $skill } (не пробували), { $mission }
@@ -63,7 +63,7 @@ fact-daily-flown = з варіантом дня виконано: удруге �
 profiles-title = хто тренується
 profiles-now = (зараз)
 profiles-new = хтось новий ...
-profiles-nobody = ніхто: польоти не зберігаються
+profiles-guest = ніхто: польоти не зберігаються
 profiles-keys = { $scroll } рухають   { $submit } бере   { $escape } назад
 profiles-in-flight = завдання триває: спершу завершіть його, результат ваш
 profiles-nameless = впишіть ім'я
@@ -73,8 +73,8 @@ prompt-seed = варіант для вправи
 prompt-seed-advice = число; той самий варіант - той самий політ. Сам { $submit } бере варіант з командного рядка або 1. Тренування нічого не платить
 
 # Власний поступ.
-standing-nobody = Тут не тренується ніхто, чиї польоти зберігаються. Натисніть { $key }, щоб вибрати або створити профіль; тоді тут будуть навички, бали, кредити й досвід у часі.
-standing-nobody-yet = спершу виберіть, хто тренується: { $key }
+standing-no-profile = Тут не тренується ніхто, чиї польоти зберігаються. Натисніть { $key }, щоб вибрати або створити профіль; тоді тут будуть навички, бали, кредити й досвід у часі.
+standing-choose-first = спершу оберіть профіль: { $key }
 standing-level = рівень { $level }
 standing-experience = досвід { $experience }/{ $needed }
 standing-credits = { $credits } cr

@@ -23,7 +23,7 @@ pub enum Answer {
 pub struct Request {
     /// The messages, in order; usually one.
     pub messages: Vec<Outgoing>,
-    /// The speeds that were asked for, said again after the messages of each try; nobody waits for their answers.
+    /// The speeds that were asked for, sent again after the messages of each try. Their acknowledgements are ignored.
     pub speeds: Vec<Outgoing>,
     /// What to wait for.
     pub answer: Answer,

@@ -31,7 +31,7 @@ pub fn asked_again(vehicle: &Vehicle) -> Result<Vec<Outgoing>, Text> {
         .collect()
 }
 
-/// `SPEED_TYPE`.
+/// The `SPEED_TYPE` of MAVLink.
 fn speed_type(axis: SpeedAxis) -> f32 {
     match axis {
         SpeedAxis::Ground => 1.0,

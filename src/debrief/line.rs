@@ -11,9 +11,9 @@ pub enum DebriefTone {
     Heading,
     #[default]
     Plain,
-    /// What went well.
+    /// A result that earned its points.
     Good,
-    /// What did not.
+    /// A result that cost points, or a failure.
     Bad,
     /// What may bring points.
     Gain,

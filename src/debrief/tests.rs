@@ -182,7 +182,7 @@ fn every_line_says_what_it_tells_in_any_language() {
         let lines = lines_with(&report, &[], &Locale::new(language));
         let tone = |wanted| lines.iter().filter(move |line| line.tone == wanted).count();
         assert!(lines[..4].iter().all(|line| line.tone == DebriefTone::Head));
-        // A section is told by its name, and no other line is taken for one.
+        // Every line that begins with capitals is a section title, and no other line has that tone.
         let capitals = |line: &&DebriefLine| {
             let mut letters = line.text.strip_prefix(' ').unwrap_or_default().chars();
             letters.next().is_some_and(char::is_uppercase)

@@ -17,7 +17,7 @@ const ROWS: usize = 40;
 pub enum TimelineMark {
     /// A command that was taken.
     Command,
-    /// Something worth knowing.
+    /// Neither good nor bad: a fact that explains the flight.
     Remark,
     Objective,
     Alert,

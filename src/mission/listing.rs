@@ -8,6 +8,7 @@ use super::world::World;
 use super::{Area, Hint, Mission, Need, Outlay, Requires, Rewards};
 use crate::geo::LatLon;
 use crate::scoring::{Component, Medals};
+use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
@@ -69,6 +70,21 @@ pub struct Listing {
     pub outlay: Outlay,
     /// What gold needs besides points.
     pub gold_requires: Vec<Text>,
+}
+
+impl Listing {
+    /// Speed and direction of its wind.
+    pub fn wind(&self) -> Text {
+        if self.wind_m_s > 0.0 {
+            text!(
+                "mission-rule-wind-is",
+                speed = format!("{:.1}", self.wind_m_s),
+                direction = format!("{:.0}", self.wind_from_deg)
+            )
+        } else {
+            text!("mission-rule-calm")
+        }
+    }
 }
 
 /// What some of the vehicles carry.

@@ -180,7 +180,7 @@ impl DetectorWatch<'_> {
         }
     }
 
-    /// What was a false alarm is told by a look from near, as an animal is.
+    /// False alarms of the sensors. A look from near tells them apart from real finds, as it does with animals.
     fn phantoms(
         &self,
         phantoms: &mut BTreeMap<String, Chance>,

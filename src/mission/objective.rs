@@ -64,7 +64,7 @@ pub(crate) struct Sought {
 pub(crate) enum Trying {
     /// Every flight tries it.
     Always,
-    /// Something was reported.
+    /// Once the trainee has reported a find.
     Report,
     /// Some of it was reached.
     Progress,

@@ -48,7 +48,7 @@ enum Phase {
     },
     /// Carried out: nothing more will happen.
     Done,
-    /// Ended otherwise.
+    /// Refused, silent, without effect, or taken over by something else.
     Over,
 }
 

@@ -337,7 +337,7 @@ impl Console {
         });
         match shown {
             Ok((names, career, own)) => {
-                let all = own.unwrap_or_else(|| self.tries_of_nobody());
+                let all = own.unwrap_or_else(|| self.tries_of_guests());
                 let tries = missions::current(all, self.app.state().missions());
                 self.post(CareerEvent::Profiles(names));
                 self.post(CareerEvent::Career(career));
@@ -351,7 +351,7 @@ impl Console {
     }
 
     /// The tries that belong to nobody's career.
-    fn tries_of_nobody(&self) -> Tries {
+    fn tries_of_guests(&self) -> Tries {
         let runs = self.options.preferences.runs.as_ref();
         runs.map_or_else(Tries::new, |runs| runs.all_tries(None))
     }

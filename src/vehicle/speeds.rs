@@ -3,7 +3,7 @@
 /// Which speed a `DO_CHANGE_SPEED` changes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SpeedAxis {
-    /// Over ground.
+    /// The speed over ground.
     Ground,
     Climb,
     Descend,

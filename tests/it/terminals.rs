@@ -3,7 +3,6 @@
 use std::io::Write as _;
 use std::path::Path;
 use std::process::{Command, Stdio};
-use std::time::Instant;
 
 use crate::terminal::{Terminal, program};
 
@@ -92,19 +91,13 @@ fn a_stalled_terminal_can_be_left() {
 fn a_flood_of_keys_is_no_flood_of_frames() {
     let mut terminal = Terminal::start(&["fly", "--fps", "2"], 80, 24);
     terminal.see("4 vehicles");
-    let (began, before) = (Instant::now(), terminal.raw().matches(FRAME).count());
-    for _ in 0..300 {
-        terminal.press("jk");
-    }
-    terminal.press("j?").see("in the room");
+    let before = terminal.raw().matches(FRAME).count();
+    terminal.press(&"jk".repeat(300)).press("j?");
+    terminal.see("in the room");
     terminal.press("\u{1b}").see_no_more("in the room");
     let frames = terminal.raw().matches(FRAME).count() - before;
-    // A key is drawn at once, but no more than 120 times a second.
-    let most = (120.0 * began.elapsed().as_secs_f64()) as usize + 4;
-    assert!(
-        frames <= most.min(300),
-        "{frames} frames for 600 keys, {most} at most"
-    );
+    // Keys that have come together are drawn together, however long that takes.
+    assert!(frames <= 100, "{frames} frames for 600 keys");
     terminal.press("\u{3}");
     assert_eq!(terminal.end(), 0);
 }

@@ -71,7 +71,7 @@ impl GridSize {
 }
 
 impl From<(u16, u16)> for GridSize {
-    /// Columns, rows.
+    /// From a number of columns and a number of rows.
     fn from((columns, rows): (u16, u16)) -> Self {
         Self { columns, rows }
     }
@@ -82,7 +82,7 @@ impl From<(u16, u16)> for GridSize {
 pub struct Dot {
     /// Dots to the right.
     pub x: f64,
-    /// Dots down.
+    /// Dots from the top, downwards.
     pub y: f64,
 }
 

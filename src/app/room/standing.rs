@@ -152,7 +152,7 @@ fn walk(state: &mut State, step: Step) {
 pub fn change_aids(state: &mut State) -> Vec<RoomRequest> {
     let Some(career) = &state.career else {
         let key = state.key(Action::Profiles);
-        state.say(Severity::Notice, text!("standing-nobody-yet", key = key));
+        state.say(Severity::Notice, text!("standing-choose-first", key = key));
         return Vec::new();
     };
     let aids = career.aids.next();

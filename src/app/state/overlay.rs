@@ -207,7 +207,7 @@ pub struct Prompt {
     pub(in crate::app) purpose: Purpose,
     /// The line and its cursor.
     pub(in crate::app) input: Input,
-    /// Whether the line is a proposal that nobody has touched: the first letter typed replaces it.
+    /// Whether the line is still the proposed text: the first letter typed replaces it.
     pub(in crate::app) is_proposal: bool,
     /// What was wrong with it.
     pub(in crate::app) fault: Option<Text>,

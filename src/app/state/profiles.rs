@@ -10,14 +10,14 @@ pub enum Trainee {
     /// Somebody who is to have one.
     New,
     /// Somebody whose flights are not kept.
-    Nobody,
+    Guest,
 }
 
 impl<R> State<R> {
     /// Everybody who could train here, in the order of the list.
     pub fn trainees(&self) -> Vec<Trainee> {
         let known = self.profiles.iter().cloned().map(Trainee::Known);
-        known.chain([Trainee::New, Trainee::Nobody]).collect()
+        known.chain([Trainee::New, Trainee::Guest]).collect()
     }
 
     /// Whether this is who trains here now.
@@ -26,7 +26,7 @@ impl<R> State<R> {
         match trainee {
             Trainee::Known(name) => current == Some(name),
             Trainee::New => false,
-            Trainee::Nobody => current.is_none(),
+            Trainee::Guest => current.is_none(),
         }
     }
 }

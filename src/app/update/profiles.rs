@@ -52,7 +52,7 @@ fn take(state: &mut State, trainee: Trainee) -> Effects {
     }
     match trainee {
         Trainee::Known(name) => Effects::from(Effect::Career(CareerEffect::Choose(name))),
-        Trainee::Nobody => Effects::from(Effect::Career(CareerEffect::Leave)),
+        Trainee::Guest => Effects::from(Effect::Career(CareerEffect::Leave)),
         Trainee::New => {
             state.overlay = Some(Overlay::Prompt(Prompt::new(Purpose::NewProfile)));
             Effects::none()

@@ -198,7 +198,7 @@ impl Typist {
         while self.wait(QUIET).is_some() {}
     }
 
-    /// Answers what the program asks its terminal. A console whose question is lost goes on after a while.
+    /// Answers what the program asks its terminal. The console also draws on without an answer, only later.
     fn answer(&mut self, piece: &[u8]) {
         if piece.windows(QUESTION.len()).any(|part| part == QUESTION) {
             drop(self.press(ANSWER));

@@ -12,6 +12,17 @@ fn last(scene: &Scene, entry: u32) -> RowState {
     *scene.states(entry).last().expect("a row")
 }
 
+/// Under way to a target, and then ordered home by entry 2, which the vehicle has accepted.
+fn returning() -> Scene {
+    let mut scene = under_way();
+    scene.order(2, "rtl", Command::Flight(FlightCommand::ReturnToLaunch));
+    scene.ack(
+        MavCmd::MAV_CMD_NAV_RETURN_TO_LAUNCH,
+        MavResult::MAV_RESULT_ACCEPTED,
+    );
+    scene
+}
+
 fn says(scene: &mut Scene, landed_state: MavLandedState) {
     scene.hear(MavMessage::EXTENDED_SYS_STATE(EXTENDED_SYS_STATE_DATA {
         landed_state,
@@ -53,12 +64,7 @@ fn an_order_of_ours_takes_the_place_of_a_goto_also_if_the_mode_shows_before_the_
 
 #[test]
 fn a_return_is_done_when_the_vehicle_has_landed() {
-    let mut scene = under_way();
-    scene.order(2, "rtl", Command::Flight(FlightCommand::ReturnToLaunch));
-    scene.ack(
-        MavCmd::MAV_CMD_NAV_RETURN_TO_LAUNCH,
-        MavResult::MAV_RESULT_ACCEPTED,
-    );
+    let mut scene = returning();
     scene.heartbeat(RTL, true);
     for _ in 0..60 {
         scene.pass(ms(1000));
@@ -71,12 +77,7 @@ fn a_return_is_done_when_the_vehicle_has_landed() {
 
 #[test]
 fn a_return_that_does_not_begin_has_no_effect() {
-    let mut scene = under_way();
-    scene.order(2, "rtl", Command::Flight(FlightCommand::ReturnToLaunch));
-    scene.ack(
-        MavCmd::MAV_CMD_NAV_RETURN_TO_LAUNCH,
-        MavResult::MAV_RESULT_ACCEPTED,
-    );
+    let mut scene = returning();
     for _ in 0..4 {
         scene.heartbeat(GUIDED, true);
         scene.pass(ms(1000));
@@ -87,12 +88,7 @@ fn a_return_that_does_not_begin_has_no_effect() {
 
 #[test]
 fn a_return_that_something_else_breaks_off_is_overtaken() {
-    let mut scene = under_way();
-    scene.order(2, "rtl", Command::Flight(FlightCommand::ReturnToLaunch));
-    scene.ack(
-        MavCmd::MAV_CMD_NAV_RETURN_TO_LAUNCH,
-        MavResult::MAV_RESULT_ACCEPTED,
-    );
+    let mut scene = returning();
     scene.heartbeat(RTL, true);
     scene.heartbeat(LAND, true);
     assert_eq!(last(&scene, 2), RowState::Overtaken);

@@ -99,7 +99,7 @@ fn draw_trainee(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
                 panel.style(Role::Key),
             ),
             Span::styled(
-                format!(" {}", panel.say("home-nobody")),
+                format!(" {}", panel.say("home-no-profile")),
                 panel.style(Role::Muted),
             ),
         ]);

@@ -62,7 +62,10 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 }
 
 fn draw_nobody(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
-    let text = panel.text(&text!("standing-nobody", key = state.key(Action::Profiles)));
+    let text = panel.text(&text!(
+        "standing-no-profile",
+        key = state.key(Action::Profiles)
+    ));
     let lines = wrap(
         &text,
         usize::from(panel.area.width.saturating_sub(2)).min(80),

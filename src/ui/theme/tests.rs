@@ -57,18 +57,20 @@ fn a_theme_that_inherits_nothing_needs_no_role_that_has_a_stand_in() {
     );
 }
 
+/// The roles that must not look alike.
+const MEANINGS: [Role; 8] = [
+    Role::Armed,
+    Role::Ready,
+    Role::Alert,
+    Role::Warning,
+    Role::Fence,
+    Role::Contact,
+    Role::Hazard,
+    Role::Locked,
+];
+
 #[test]
 fn one_look_has_one_meaning() {
-    const MEANINGS: [Role; 8] = [
-        Role::Armed,
-        Role::Ready,
-        Role::Alert,
-        Role::Warning,
-        Role::Fence,
-        Role::Contact,
-        Role::Hazard,
-        Role::Locked,
-    ];
     for name in Theme::names() {
         let theme = Theme::named(name).expect("embedded");
         for depth in [ColourDepth::True, ColourDepth::Sixteen, ColourDepth::None] {

@@ -65,6 +65,6 @@ fn name(trainee: &Trainee, look: &Look) -> String {
     match trainee {
         Trainee::Known(name) => sanitised(name),
         Trainee::New => look.say("profiles-new"),
-        Trainee::Nobody => look.say("profiles-nobody"),
+        Trainee::Guest => look.say("profiles-guest"),
     }
 }

@@ -215,7 +215,7 @@ fn profiles_are_chosen_made_and_left() {
             Trainee::Known("oksana".to_owned()),
             Trainee::Known("taras".to_owned()),
             Trainee::New,
-            Trainee::Nobody
+            Trainee::Guest
         ]
     );
     // The one that holds now is under the cursor, and taking it changes nothing.

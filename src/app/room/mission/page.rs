@@ -249,15 +249,7 @@ impl Page<'_> {
     fn rules(&mut self) {
         let mission = self.mission;
         self.title(&text!("mission-rules"));
-        let wind = if mission.wind_m_s > 0.0 {
-            text!(
-                "mission-rule-wind-is",
-                speed = format!("{:.1}", mission.wind_m_s),
-                direction = format!("{:.0}", mission.wind_from_deg)
-            )
-        } else {
-            text!("mission-rule-calm")
-        };
+        let wind = mission.wind();
         let mut rows = vec![
             (
                 text!("mission-rule-time"),

@@ -19,7 +19,7 @@ pub(super) fn gaps(grid: &CoverageGrid) -> Vec<GroundPatch> {
         .unwrap_or_default()
 }
 
-/// The cells that are swept, by blocks of so many cells that there are not too many.
+/// The ground that has been swept. Cells are joined into blocks, so that there are never more than `MOST_SWEPT`.
 pub(super) fn swept(grid: &CoverageGrid) -> Vec<GroundPatch> {
     let step = (grid.cells.len() as f64 / MOST_SWEPT).sqrt().ceil();
     let blocks = Blocks::of(grid, step.max(1.0) as usize, true);

@@ -29,21 +29,12 @@ pub(super) fn draw(state: &State, mission: &Listing, panel: Panel<'_>, buffer: &
 }
 
 fn draw_figures(state: &State, mission: &Listing, panel: Panel<'_>, buffer: &mut Buffer) {
-    let wind = if mission.wind_m_s > 0.0 {
-        text!(
-            "mission-rule-wind-is",
-            speed = format!("{:.1}", mission.wind_m_s),
-            direction = format!("{:.0}", mission.wind_from_deg)
-        )
-    } else {
-        text!("home-calm")
-    };
     let energy = text!("home-energy", wh = format!("{:.1}", mission.par_energy_wh));
     let rows = [
         ("home-par", clock(mission.par_time).into()),
         ("home-limit", clock(mission.time_limit).into()),
         ("home-par-energy", energy),
-        ("home-wind", wind),
+        ("home-wind", mission.wind()),
         ("home-drones", mission.vehicles.to_string().into()),
         ("home-best-so-far", best(state, mission)),
     ];

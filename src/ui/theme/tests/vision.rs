@@ -2,7 +2,7 @@
 
 use ratatui::style::{Color, Style};
 
-use super::{Role, Theme};
+use super::{MEANINGS, Role, Theme};
 
 type Rgb = [f64; 3];
 
@@ -159,16 +159,6 @@ fn faults_among(roles: &[Role], least: f64) -> Vec<String> {
 
 #[test]
 fn what_lies_on_a_map_and_the_drones_stay_apart_for_every_kind_of_colour_vision() {
-    const MEANINGS: [Role; 8] = [
-        Role::Armed,
-        Role::Ready,
-        Role::Alert,
-        Role::Warning,
-        Role::Fence,
-        Role::Contact,
-        Role::Hazard,
-        Role::Locked,
-    ];
     let faults = [
         faults_among(&MEANINGS, 12.0),
         faults_among(&Role::DRONES, 12.0),
