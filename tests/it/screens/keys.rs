@@ -254,11 +254,9 @@ fn no_screen_shows_a_key_that_has_been_rebound() {
         assert_eq!(named_key(&shown), None, "{name}:\n{shown}");
     }
     let usual = all_shown("").into_iter();
-    let shows_one = usual.filter(|(_, console)| named_key(&console.screen(140, 50)).is_some());
-    assert!(
-        shows_one.count() > 100,
-        "with the usual keys, they are shown"
-    );
+    let mut shows_one = usual.filter(|(_, console)| named_key(&console.screen(140, 50)).is_some());
+    let hundredth = shows_one.nth(99);
+    assert!(hundredth.is_some(), "with the usual keys, they are shown");
 }
 
 #[test]

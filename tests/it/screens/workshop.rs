@@ -12,7 +12,7 @@ use sortie::text::{Language, Locale};
 use sortie::ui::{self, Look};
 use sortie::workshop::Design;
 
-use super::SIZES;
+use super::{SIZES, draw_at_some_sizes};
 use crate::harness::Console;
 
 fn design(source: &str) -> Design {
@@ -129,11 +129,6 @@ fn no_size_of_terminal_panics_in_the_workshop() {
         console.press(keys[0]).press(keys[1]);
         consoles.push(console);
     }
-    for console in &consoles {
-        for width in [80, 81, 97, 120, 149, 150, 160, 200, 250] {
-            for height in [24, 25, 33, 36, 37, 50, 80] {
-                console.screen(width, height);
-            }
-        }
-    }
+    let widths = [80, 81, 97, 120, 149, 150, 160, 200, 250];
+    draw_at_some_sizes(&consoles, &widths, &[24, 25, 33, 36, 37, 50, 80]);
 }
