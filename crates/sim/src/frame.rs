@@ -1,0 +1,51 @@
+//! The numbers of the `MAV_FRAME`s that the vehicle knows, by name, and what heights in them count from. They travel
+//! as numbers, as any may come.
+
+#![expect(
+    deprecated,
+    reason = "ground stations in use still send what the dialect calls superseded"
+)]
+
+use mavlink::dialects::ardupilotmega::MavFrame;
+
+pub(crate) const GLOBAL: u8 = MavFrame::MAV_FRAME_GLOBAL as u8;
+pub(crate) const LOCAL_NED: u8 = MavFrame::MAV_FRAME_LOCAL_NED as u8;
+pub(crate) const MISSION: u8 = MavFrame::MAV_FRAME_MISSION as u8;
+/// The frame that a `COMMAND_LONG` with a place means.
+pub(crate) const GLOBAL_RELATIVE_ALT: u8 = MavFrame::MAV_FRAME_GLOBAL_RELATIVE_ALT as u8;
+const GLOBAL_INT: u8 = MavFrame::MAV_FRAME_GLOBAL_INT as u8;
+const GLOBAL_RELATIVE_ALT_INT: u8 = MavFrame::MAV_FRAME_GLOBAL_RELATIVE_ALT_INT as u8;
+pub(crate) const LOCAL_OFFSET_NED: u8 = MavFrame::MAV_FRAME_LOCAL_OFFSET_NED as u8;
+pub(crate) const BODY_NED: u8 = MavFrame::MAV_FRAME_BODY_NED as u8;
+pub(crate) const BODY_OFFSET_NED: u8 = MavFrame::MAV_FRAME_BODY_OFFSET_NED as u8;
+const GLOBAL_TERRAIN_ALT: u8 = MavFrame::MAV_FRAME_GLOBAL_TERRAIN_ALT as u8;
+const GLOBAL_TERRAIN_ALT_INT: u8 = MavFrame::MAV_FRAME_GLOBAL_TERRAIN_ALT_INT as u8;
+
+/// What a height in a global frame counts from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum HeightOrigin {
+    Sea,
+    Home,
+    Terrain,
+}
+
+impl HeightOrigin {
+    /// The origin of a frame's heights; `None` if the vehicle has no such global frame.
+    pub(crate) fn of(frame: u8) -> Option<Self> {
+        match frame {
+            GLOBAL | GLOBAL_INT => Some(Self::Sea),
+            GLOBAL_RELATIVE_ALT | GLOBAL_RELATIVE_ALT_INT => Some(Self::Home),
+            GLOBAL_TERRAIN_ALT | GLOBAL_TERRAIN_ALT_INT => Some(Self::Terrain),
+            _ => None,
+        }
+    }
+
+    /// The frame that the vehicle itself names for it.
+    pub(crate) fn frame(self) -> u8 {
+        match self {
+            Self::Sea => GLOBAL,
+            Self::Home => GLOBAL_RELATIVE_ALT,
+            Self::Terrain => GLOBAL_TERRAIN_ALT,
+        }
+    }
+}
