@@ -7,7 +7,8 @@
 use std::collections::VecDeque;
 use std::time::Duration;
 
-use mavlink::MavlinkVersion;
+use mavlink::dialects::ardupilotmega::HEARTBEAT_DATA;
+use mavlink::{MavlinkVersion, MessageData as _};
 
 use crate::inspector::{Census, Direction, FrameSource, MessageTally};
 use crate::wire::{Anatomy, Counters};
@@ -21,7 +22,7 @@ pub use diagnosis::{Cause, LinkFinding, Weight, diagnose};
 pub const WINDOW: Duration = Duration::from_secs(10);
 /// A sender that has been silent for so long is gone.
 const GONE_AFTER: Duration = Duration::from_secs(5);
-const HEARTBEAT: u32 = 0;
+const HEARTBEAT: u32 = HEARTBEAT_DATA::ID;
 
 /// What kind of way a link is: the advice depends on it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

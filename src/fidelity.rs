@@ -25,7 +25,7 @@ pub use observed::Observed;
 pub use replay::replay;
 pub use series::Series;
 
-use crate::wire::{Decoder, Frame};
+use crate::wire::{Decoder, Frame, frame_len};
 
 /// A frame and when it passed, since the beginning of its recording.
 #[derive(Debug, Clone, PartialEq)]
@@ -69,13 +69,8 @@ fn records(mut tlog: &[u8]) -> Vec<Timed> {
     let mut decoder = Decoder::new();
     let mut found = Vec::new();
     while let Some((time, rest)) = tlog.split_first_chunk::<8>() {
-        let len = match rest {
-            [0xFD, len, flags, ..] if flags & 1 != 0 => usize::from(*len) + 25,
-            [0xFD, len, ..] => usize::from(*len) + 12,
-            [0xFE, len, ..] => usize::from(*len) + 8,
-            _ => break,
-        };
-        let Some((frame, after)) = rest.split_at_checked(len) else {
+        let len = rest.first_chunk().and_then(|head| frame_len(*head));
+        let Some((frame, after)) = len.and_then(|len| rest.split_at_checked(len)) else {
             break;
         };
         decoder.push(frame);

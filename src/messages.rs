@@ -4,7 +4,8 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use mavlink::dialects::ardupilotmega::MavMessage;
+use mavlink::MessageData as _;
+use mavlink::dialects::ardupilotmega::{HEARTBEAT_DATA, MavMessage};
 
 use crate::alert::AlertKind;
 use crate::notice::Notice;
@@ -36,8 +37,7 @@ mod testing;
 mod version;
 mod vibration;
 
-/// The message id of HEARTBEAT.
-const HEARTBEAT_ID: u32 = 0;
+const HEARTBEAT_ID: u32 = HEARTBEAT_DATA::ID;
 
 /// What the handlers of one vehicle remember beside the model: half-received texts, parameters as they
 /// pass, and how far its clock can be trusted.

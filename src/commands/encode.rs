@@ -2,11 +2,11 @@
 //! stops ArduPilot's simulator for good.
 
 use mavlink::dialects::ardupilotmega::{
-    MavCmd, MavFrame, MavMessage, MavParamType, PARAM_REQUEST_READ_DATA, PARAM_SET_DATA,
-    PositionTargetTypemask, SET_POSITION_TARGET_GLOBAL_INT_DATA,
-    SET_POSITION_TARGET_LOCAL_NED_DATA,
+    COMMAND_INT_DATA, COMMAND_LONG_DATA, MavCmd, MavFrame, MavMessage, MavParamType,
+    PARAM_REQUEST_READ_DATA, PARAM_SET_DATA, PositionTargetTypemask as Mask,
+    SET_POSITION_TARGET_GLOBAL_INT_DATA, SET_POSITION_TARGET_LOCAL_NED_DATA,
 };
-use mavlink::{MavlinkVersion, Message as _};
+use mavlink::{MavlinkVersion, Message as _, MessageData as _};
 
 use crate::geo::LatLon;
 use crate::text;
@@ -14,21 +14,31 @@ use crate::text::Text;
 use crate::vehicle::Vehicle;
 use crate::wire::Outgoing;
 
-const COMMAND_INT: u32 = 75;
-const COMMAND_LONG: u32 = 76;
+const COMMAND_INT: u32 = COMMAND_INT_DATA::ID;
+const COMMAND_LONG: u32 = COMMAND_LONG_DATA::ID;
 /// Where `COMMAND_LONG`'s payload carries the confirmation.
 const CONFIRMATION_OFFSET: usize = 32;
 
 /// `MAV_FRAME_GLOBAL`: heights above mean sea level.
-pub(super) const FRAME_GLOBAL: u8 = 0;
-/// `MAV_FRAME_GLOBAL_RELATIVE_ALT_INT`: heights above home.
-pub(super) const FRAME_RELATIVE: u8 = 6;
+pub(super) const FRAME_GLOBAL: u8 = MavFrame::MAV_FRAME_GLOBAL as u8;
+/// Heights above home.
+#[expect(
+    deprecated,
+    reason = "older autopilots know only the _INT spelling of the frame, newer ones both"
+)]
+pub(super) const FRAME_RELATIVE: u8 = MavFrame::MAV_FRAME_GLOBAL_RELATIVE_ALT_INT as u8;
 
-const IGNORE_POSITION: u16 = 0x0007;
-const IGNORE_VELOCITY: u16 = 0x0038;
-const IGNORE_ACCELERATION: u16 = 0x01C0;
-const IGNORE_YAW: u16 = 0x0400;
-const IGNORE_YAW_RATE: u16 = 0x0800;
+const IGNORE_POSITION: Mask = Mask::POSITION_TARGET_TYPEMASK_X_IGNORE
+    .union(Mask::POSITION_TARGET_TYPEMASK_Y_IGNORE)
+    .union(Mask::POSITION_TARGET_TYPEMASK_Z_IGNORE);
+const IGNORE_VELOCITY: Mask = Mask::POSITION_TARGET_TYPEMASK_VX_IGNORE
+    .union(Mask::POSITION_TARGET_TYPEMASK_VY_IGNORE)
+    .union(Mask::POSITION_TARGET_TYPEMASK_VZ_IGNORE);
+const IGNORE_ACCELERATION: Mask = Mask::POSITION_TARGET_TYPEMASK_AX_IGNORE
+    .union(Mask::POSITION_TARGET_TYPEMASK_AY_IGNORE)
+    .union(Mask::POSITION_TARGET_TYPEMASK_AZ_IGNORE);
+const IGNORE_YAW: Mask = Mask::POSITION_TARGET_TYPEMASK_YAW_IGNORE;
+const IGNORE_YAW_RATE: Mask = Mask::POSITION_TARGET_TYPEMASK_YAW_RATE_IGNORE;
 
 /// Command and parameters of a `COMMAND_LONG`.
 pub(super) struct LongFields {
@@ -166,7 +176,7 @@ pub(super) fn velocity(vehicle: &Vehicle, ned_m_s: [f64; 3]) -> Result<Outgoing,
             vx,
             vy,
             vz,
-            type_mask: mask(IGNORE_POSITION | IGNORE_ACCELERATION | IGNORE_YAW | IGNORE_YAW_RATE),
+            type_mask: IGNORE_POSITION | IGNORE_ACCELERATION | IGNORE_YAW | IGNORE_YAW_RATE,
             ..Default::default()
         },
     ))
@@ -222,7 +232,7 @@ pub(super) fn moving_position(
     let mut message = global_position(vehicle, point, altitude_m, None)?;
     if let Outgoing::Message(MavMessage::SET_POSITION_TARGET_GLOBAL_INT(fields)) = &mut message {
         (fields.vx, fields.vy, fields.vz) = (vx, vy, vz);
-        fields.type_mask = mask(IGNORE_ACCELERATION | IGNORE_YAW | IGNORE_YAW_RATE);
+        fields.type_mask = IGNORE_ACCELERATION | IGNORE_YAW | IGNORE_YAW_RATE;
     }
     Ok(message)
 }
@@ -260,13 +270,13 @@ fn parameter_id(name: &str) -> Result<[u8; 16], Text> {
     Ok(id)
 }
 
-fn position_mask(yaw_deg: Option<f64>) -> PositionTargetTypemask {
-    let yaw = if yaw_deg.is_some() { 0 } else { IGNORE_YAW };
-    mask(IGNORE_VELOCITY | IGNORE_ACCELERATION | IGNORE_YAW_RATE | yaw)
-}
-
-fn mask(bits: u16) -> PositionTargetTypemask {
-    PositionTargetTypemask::from_bits_retain(bits)
+fn position_mask(yaw_deg: Option<f64>) -> Mask {
+    let yaw = if yaw_deg.is_some() {
+        Mask::empty()
+    } else {
+        IGNORE_YAW
+    };
+    IGNORE_VELOCITY | IGNORE_ACCELERATION | IGNORE_YAW_RATE | yaw
 }
 
 fn checked(point: LatLon) -> Result<LatLon, Text> {

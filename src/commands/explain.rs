@@ -1,5 +1,7 @@
 //! Why a command was refused, in plain words.
 
+use mavlink::dialects::ardupilotmega::MavResult;
+
 use super::{Command, MotionCommand};
 use crate::text;
 use crate::text::Text;
@@ -30,22 +32,30 @@ pub enum AckResult {
     Other(u8),
 }
 
+const NAMED: [(MavResult, AckResult); 10] = [
+    (MavResult::MAV_RESULT_ACCEPTED, AckResult::Accepted),
+    (
+        MavResult::MAV_RESULT_TEMPORARILY_REJECTED,
+        AckResult::TemporarilyRejected,
+    ),
+    (MavResult::MAV_RESULT_DENIED, AckResult::Denied),
+    (MavResult::MAV_RESULT_UNSUPPORTED, AckResult::Unsupported),
+    (MavResult::MAV_RESULT_FAILED, AckResult::Failed),
+    (MavResult::MAV_RESULT_IN_PROGRESS, AckResult::InProgress),
+    (MavResult::MAV_RESULT_CANCELLED, AckResult::Cancelled),
+    (MavResult::MAV_RESULT_COMMAND_LONG_ONLY, AckResult::LongOnly),
+    (MavResult::MAV_RESULT_COMMAND_INT_ONLY, AckResult::IntOnly),
+    (
+        MavResult::MAV_RESULT_COMMAND_UNSUPPORTED_MAV_FRAME,
+        AckResult::UnsupportedFrame,
+    ),
+];
+
 impl AckResult {
     /// From the wire number.
     pub fn from_wire(number: u8) -> Self {
-        match number {
-            0 => Self::Accepted,
-            1 => Self::TemporarilyRejected,
-            2 => Self::Denied,
-            3 => Self::Unsupported,
-            4 => Self::Failed,
-            5 => Self::InProgress,
-            6 => Self::Cancelled,
-            7 => Self::LongOnly,
-            8 => Self::IntOnly,
-            9 => Self::UnsupportedFrame,
-            other => Self::Other(other),
-        }
+        let named = NAMED.iter().find(|(wire, _)| *wire as u8 == number);
+        named.map_or(Self::Other(number), |(_, result)| *result)
     }
 }
 

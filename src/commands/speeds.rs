@@ -4,7 +4,7 @@
 //! or during a takeoff is gone with the first `goto` (`ModeGuided::pva_control_start`). A place to fly to is therefore
 //! followed by the speeds that were asked for.
 
-use mavlink::dialects::ardupilotmega::MavCmd;
+use mavlink::dialects::ardupilotmega::{MavCmd, SpeedType};
 
 use super::encode::{self, LongFields};
 use crate::text::Text;
@@ -33,9 +33,10 @@ pub fn asked_again(vehicle: &Vehicle) -> Result<Vec<Outgoing>, Text> {
 
 /// The `SPEED_TYPE` of MAVLink.
 fn speed_type(axis: SpeedAxis) -> f32 {
-    match axis {
-        SpeedAxis::Ground => 1.0,
-        SpeedAxis::Climb => 2.0,
-        SpeedAxis::Descend => 3.0,
-    }
+    let kind = match axis {
+        SpeedAxis::Ground => SpeedType::SPEED_TYPE_GROUNDSPEED,
+        SpeedAxis::Climb => SpeedType::SPEED_TYPE_CLIMB_SPEED,
+        SpeedAxis::Descend => SpeedType::SPEED_TYPE_DESCENT_SPEED,
+    };
+    f32::from(kind as u8)
 }

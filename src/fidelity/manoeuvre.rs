@@ -1,5 +1,8 @@
 //! A flight cut into manoeuvres by what was sent.
 
+use mavlink::dialects::ardupilotmega::CopterMode::{
+    COPTER_MODE_AUTO, COPTER_MODE_LAND, COPTER_MODE_RTL,
+};
 use mavlink::dialects::ardupilotmega::{
     COMMAND_INT_DATA, COMMAND_LONG_DATA, MavCmd, MavFrame, MavMessage, PositionTargetTypemask,
     SET_POSITION_TARGET_LOCAL_NED_DATA,
@@ -40,11 +43,6 @@ pub struct Manoeuvre {
     /// What it is for.
     pub aim: Aim,
 }
-
-/// `MAV_FRAME_LOCAL_NED`.
-const LOCAL_NED: u32 = 1;
-/// `MAV_FRAME_BODY_NED`, which the dialect calls outdated and everybody uses.
-const BODY_NED: u32 = 8;
 
 /// Manoeuvres shorter than this tell nothing, seconds.
 const SHORTEST_S: f64 = 1.5;
@@ -128,8 +126,8 @@ fn asked(message: &MavMessage, real: &Observed, at_s: f64) -> Option<(String, Ai
 }
 
 fn long(data: &COMMAND_LONG_DATA) -> Option<(String, Aim)> {
-    let mode = |number: f32| {
-        let name = mode_name(number as u32);
+    let mode = |number: u8| {
+        let name = mode_name(u32::from(number));
         let aim = match name.as_str() {
             "RTL" | "LAND" | "SMART_RTL" | "AUTO" => Aim::Landed,
             _ => Aim::Velocity,
@@ -145,10 +143,10 @@ fn long(data: &COMMAND_LONG_DATA) -> Option<(String, Aim)> {
             let relative = if data.param4 > 0.0 { " more" } else { "" };
             Some((format!("yaw {}{relative}", data.param1), Aim::Heading))
         }
-        MavCmd::MAV_CMD_DO_SET_MODE => mode(data.param2),
-        MavCmd::MAV_CMD_NAV_LAND => mode(9.0),
-        MavCmd::MAV_CMD_NAV_RETURN_TO_LAUNCH => mode(6.0),
-        MavCmd::MAV_CMD_MISSION_START => mode(3.0),
+        MavCmd::MAV_CMD_DO_SET_MODE => mode(data.param2 as u8),
+        MavCmd::MAV_CMD_NAV_LAND => mode(COPTER_MODE_LAND as u8),
+        MavCmd::MAV_CMD_NAV_RETURN_TO_LAUNCH => mode(COPTER_MODE_RTL as u8),
+        MavCmd::MAV_CMD_MISSION_START => mode(COPTER_MODE_AUTO as u8),
         MavCmd::MAV_CMD_DO_PAUSE_CONTINUE if data.param1 > 0.0 => {
             Some(("continue".to_owned(), Aim::Velocity))
         }
@@ -171,11 +169,15 @@ fn int(data: &COMMAND_INT_DATA, real: &Observed) -> Option<(String, Aim)> {
     Some((name_of_place("reposition to", place), Aim::Place(place)))
 }
 
+#[expect(
+    deprecated,
+    reason = "the dialect calls the frame of the body outdated, and everybody uses it"
+)]
 fn local(data: &SET_POSITION_TARGET_LOCAL_NED_DATA) -> (String, Aim) {
     let ignores = |bit| data.type_mask.contains(bit);
-    let frame = match data.coordinate_frame as u32 {
-        LOCAL_NED => "",
-        BODY_NED => " of the body",
+    let frame = match data.coordinate_frame {
+        MavFrame::MAV_FRAME_LOCAL_NED => "",
+        MavFrame::MAV_FRAME_BODY_NED => " of the body",
         _ => " from here",
     };
     if !ignores(PositionTargetTypemask::POSITION_TARGET_TYPEMASK_X_IGNORE) {

@@ -1,6 +1,7 @@
 //! What a ground station can know of a flight.
 
-use mavlink::dialects::ardupilotmega::{MavMessage, MavModeFlag};
+use mavlink::MessageData as _;
+use mavlink::dialects::ardupilotmega::{COMMAND_ACK_DATA, MavMessage, MavModeFlag};
 
 use super::answers::Said;
 use super::{Series, Timed};
@@ -8,8 +9,7 @@ use crate::geo::{LatLon, wrap_180};
 use crate::sim::Start;
 use crate::wire::Content;
 
-/// The message id of `COMMAND_ACK`.
-const COMMAND_ACK: u32 = 77;
+const COMMAND_ACK: u32 = COMMAND_ACK_DATA::ID;
 
 /// What one vehicle said, sorted by subject. Times are seconds since the beginning of the recording.
 #[derive(Debug, Clone, Default, PartialEq)]

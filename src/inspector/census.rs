@@ -3,6 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::time::Duration;
 
+use mavlink::MessageData as _;
+use mavlink::dialects::ardupilotmega::{COMMAND_ACK_DATA, HEARTBEAT_DATA, TIMESYNC_DATA};
+
 use crate::wire::{Anatomy, ComponentId, SystemId};
 
 /// Rates are taken over so many whole seconds.
@@ -366,9 +369,9 @@ impl Census {
 /// Whether a message is the answer to one of ours: `COMMAND_ACK`, or a TIMESYNC that is not a question itself.
 /// Parameters and the like are sent to everybody when anybody asks.
 fn answers(frame: &Anatomy<'_>) -> bool {
-    const COMMAND_ACK: u32 = 77;
+    const COMMAND_ACK: u32 = COMMAND_ACK_DATA::ID;
     /// TIMESYNC; its first field, eight bytes of `tc1`, is zero in a question.
-    const TIMESYNC: u32 = 111;
+    const TIMESYNC: u32 = TIMESYNC_DATA::ID;
     match frame.id {
         COMMAND_ACK => true,
         TIMESYNC => frame.payload.iter().take(8).any(|&byte| byte != 0),
@@ -380,7 +383,9 @@ impl Census {
     /// How many messages other than heartbeats were sent to a peer.
     pub fn asked(&self, peer: u32) -> u64 {
         let ours = self.tallies.iter().filter(|(key, _)| {
-            key.source.direction == Direction::Out && key.source.peer == peer && key.message != 0
+            key.source.direction == Direction::Out
+                && key.source.peer == peer
+                && key.message != HEARTBEAT_DATA::ID
         });
         ours.map(|(_, tally)| tally.count).sum()
     }

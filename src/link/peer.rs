@@ -4,7 +4,7 @@ use mavlink::MavlinkVersion;
 
 use super::meter::LinkMeter;
 use super::{LinkConfig, LinkPeer};
-use crate::wire::{Decoder, Encoder, Frame, LossMeter, Outgoing};
+use crate::wire::{Decoder, Encoder, Frame, LossMeter, Outgoing, is_frame_start};
 
 /// What is kept per peer. Each has an encoder of its own, so that the numbering that it sees has no gaps where
 /// a message was for another peer.
@@ -49,7 +49,7 @@ impl PeerStream {
     ) -> Vec<Frame> {
         let before = self.decoder.counters();
         let mut frames = Vec::new();
-        if ending == StreamEnding::Datagram && matches!(bytes.first(), Some(0xFD | 0xFE)) {
+        if ending == StreamEnding::Datagram && bytes.first().copied().is_some_and(is_frame_start) {
             self.take_frames(StreamEnding::Closed, meter, &mut frames);
         }
         self.decoder.push(bytes);

@@ -5,6 +5,7 @@ use std::io::{self, Read, Write};
 
 use crate::text;
 use crate::text::Text;
+use crate::wire::frame_len;
 
 mod salvage;
 
@@ -99,16 +100,17 @@ impl<R: Read> TlogReader<R> {
         let truncated = TlogError::Truncated {
             offset: self.offset,
         };
-        if got > STAMP_LEN && !matches!(head[STAMP_LEN], 0xFD | 0xFE) {
-            return Err(TlogError::Damaged {
-                offset: self.offset,
-                found: head[STAMP_LEN],
-            });
-        }
-        let ([stamp @ .., start, payload_len, flags], true) = (head, got == head.len()) else {
+        let [stamp @ .., start, payload_len, flags] = head;
+        if got <= STAMP_LEN {
             return Err(truncated);
-        };
-        let len = frame_len(start, payload_len, flags);
+        }
+        let len = frame_len([start, payload_len, flags]).ok_or(TlogError::Damaged {
+            offset: self.offset,
+            found: start,
+        })?;
+        if got < head.len() {
+            return Err(truncated);
+        }
         let mut bytes = [0; LONGEST_FRAME];
         bytes[..3].copy_from_slice(&head[STAMP_LEN..]);
         if self.fill(&mut bytes[3..len])? < len - 3 {
@@ -181,17 +183,6 @@ impl<W: Write> TlogWriter<W> {
     /// Those of the output.
     pub fn flush(&mut self) -> io::Result<()> {
         self.output.flush()
-    }
-}
-
-/// The length of a whole frame, from its first three bytes.
-pub(super) fn frame_len(start: u8, payload_len: u8, flags: u8) -> usize {
-    let payload_len = usize::from(payload_len);
-    if start == 0xFE {
-        6 + payload_len + 2
-    } else {
-        let signature = if flags & 1 == 0 { 0 } else { 13 };
-        10 + payload_len + 2 + signature
     }
 }
 

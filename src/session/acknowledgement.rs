@@ -2,13 +2,13 @@
 
 use std::time::Duration;
 
-use mavlink::dialects::ardupilotmega::MavMessage;
+use mavlink::MessageData as _;
+use mavlink::dialects::ardupilotmega::{COMMAND_ACK_DATA, MavMessage};
 
 use crate::commands::AckResult;
 use crate::wire::{Content, Frame, GROUND_STATION_SYSTEM};
 
-/// MAVLink id of `COMMAND_ACK`.
-const COMMAND_ACK: u32 = 77;
+const COMMAND_ACK: u32 = COMMAND_ACK_DATA::ID;
 
 /// What a vehicle answered to a command.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

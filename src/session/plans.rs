@@ -10,7 +10,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use mavlink::dialects::ardupilotmega::{MISSION_CURRENT_DATA, MavMessage};
+use mavlink::dialects::ardupilotmega::{MISSION_CURRENT_DATA, MavMessage, MavProtocolCapability};
 
 use crate::vehicle::{FencePlan, Plan, PlanItem, PlanKind, RallyPlan, Transfer, Vehicle};
 use crate::wire::{Content, Frame};
@@ -45,11 +45,10 @@ const AFTER_FAILURE: [Duration; 3] = [
     Duration::from_secs(300),
 ];
 
-// `MAV_PROTOCOL_CAPABILITY` bits.
-const MISSION_FLOAT: u64 = 0x1;
-const MISSION_INT: u64 = 0x4;
-const MISSION_FENCE: u64 = 0x4000;
-const MISSION_RALLY: u64 = 0x8000;
+const MISSION_FLOAT: u64 = MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_MISSION_FLOAT.bits();
+const MISSION_INT: u64 = MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_MISSION_INT.bits();
+const MISSION_FENCE: u64 = MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_MISSION_FENCE.bits();
+const MISSION_RALLY: u64 = MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_MISSION_RALLY.bits();
 
 /// What `ArduPilot` says after an upload (`GCS_MAVLINK::handle_mission_item`, `AC_PolyFence_loader`).
 const UPLOAD_TEXTS: [(&[u8], PlanKind); 2] = [

@@ -3,6 +3,7 @@
 
 use std::fmt;
 
+use mavlink::dialects::ardupilotmega::MavType;
 use serde::{Deserialize, Serialize};
 
 /// Which mode table a vehicle uses.
@@ -116,15 +117,47 @@ const SUB: &[(u32, &str)] = &[
     (21, "SURFTRAK"),
 ];
 
+const COPTER_TYPES: &[MavType] = &[
+    MavType::MAV_TYPE_QUADROTOR,
+    MavType::MAV_TYPE_COAXIAL,
+    MavType::MAV_TYPE_HELICOPTER,
+    MavType::MAV_TYPE_HEXAROTOR,
+    MavType::MAV_TYPE_OCTOROTOR,
+    MavType::MAV_TYPE_TRICOPTER,
+    MavType::MAV_TYPE_DODECAROTOR,
+];
+
+const PLANE_TYPES: &[MavType] = &[
+    MavType::MAV_TYPE_FIXED_WING,
+    MavType::MAV_TYPE_FLAPPING_WING,
+    MavType::MAV_TYPE_VTOL_TAILSITTER_DUOROTOR,
+    MavType::MAV_TYPE_VTOL_TAILSITTER_QUADROTOR,
+    MavType::MAV_TYPE_VTOL_TILTROTOR,
+    MavType::MAV_TYPE_VTOL_FIXEDROTOR,
+    MavType::MAV_TYPE_VTOL_TAILSITTER,
+    MavType::MAV_TYPE_VTOL_TILTWING,
+    MavType::MAV_TYPE_VTOL_RESERVED5,
+];
+
+const ROVER_TYPES: &[MavType] = &[
+    MavType::MAV_TYPE_GROUND_ROVER,
+    MavType::MAV_TYPE_SURFACE_BOAT,
+];
+
 impl VehicleClass {
     /// The class of a `MAV_TYPE`.
     pub fn from_mav_type(mav_type: u8) -> Self {
-        match mav_type {
-            2 | 3 | 4 | 13 | 14 | 15 | 29 => Self::Copter,
-            1 | 16 | 19..=25 => Self::Plane,
-            10 | 11 => Self::Rover,
-            12 => Self::Sub,
-            _ => Self::Other,
+        let of_class = |types: &[MavType]| types.iter().any(|known| *known as u8 == mav_type);
+        if of_class(COPTER_TYPES) {
+            Self::Copter
+        } else if of_class(PLANE_TYPES) {
+            Self::Plane
+        } else if of_class(ROVER_TYPES) {
+            Self::Rover
+        } else if mav_type == MavType::MAV_TYPE_SUBMARINE as u8 {
+            Self::Sub
+        } else {
+            Self::Other
         }
     }
 

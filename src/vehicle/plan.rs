@@ -3,6 +3,8 @@
 
 use std::sync::Arc;
 
+use mavlink::dialects::ardupilotmega::MavFrame;
+
 use crate::geo::LatLon;
 
 /// `MAV_CMD_NAV_FENCE_*` and `MAV_CMD_NAV_RALLY_POINT`: the only items that fences and rally points consist of.
@@ -106,13 +108,27 @@ pub enum HeightFrame {
 
 impl HeightFrame {
     /// From the number of a `MAV_FRAME`.
+    #[expect(
+        deprecated,
+        reason = "older autopilots name the _INT spelling of a frame"
+    )]
     pub fn from_wire(frame: u8) -> Self {
-        match frame {
-            0 | 5 => Self::SeaLevel,
-            3 | 6 => Self::Home,
-            10 | 11 => Self::Terrain,
-            _ => Self::Other,
-        }
+        const NAMED: [(MavFrame, HeightFrame); 6] = [
+            (MavFrame::MAV_FRAME_GLOBAL, HeightFrame::SeaLevel),
+            (MavFrame::MAV_FRAME_GLOBAL_INT, HeightFrame::SeaLevel),
+            (MavFrame::MAV_FRAME_GLOBAL_RELATIVE_ALT, HeightFrame::Home),
+            (
+                MavFrame::MAV_FRAME_GLOBAL_RELATIVE_ALT_INT,
+                HeightFrame::Home,
+            ),
+            (MavFrame::MAV_FRAME_GLOBAL_TERRAIN_ALT, HeightFrame::Terrain),
+            (
+                MavFrame::MAV_FRAME_GLOBAL_TERRAIN_ALT_INT,
+                HeightFrame::Terrain,
+            ),
+        ];
+        let named = NAMED.iter().find(|(wire, _)| *wire as u8 == frame);
+        named.map_or(Self::Other, |(_, origin)| *origin)
     }
 }
 

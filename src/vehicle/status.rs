@@ -3,6 +3,7 @@
 
 use std::fmt;
 
+use mavlink::dialects::ardupilotmega::{GpsFixType, MavSeverity, MavState};
 use serde::{Deserialize, Serialize};
 
 use crate::text;
@@ -27,15 +28,16 @@ pub enum SystemStatus {
 impl SystemStatus {
     /// From the wire number.
     pub fn from_wire(number: u8) -> Self {
-        match number {
-            1 => Self::Boot,
-            2 => Self::Calibrating,
-            3 => Self::Standby,
-            4 => Self::Active,
-            5 => Self::Critical,
-            6 => Self::Emergency,
-            other => Self::Other(other),
-        }
+        const NAMED: [(MavState, SystemStatus); 6] = [
+            (MavState::MAV_STATE_BOOT, SystemStatus::Boot),
+            (MavState::MAV_STATE_CALIBRATING, SystemStatus::Calibrating),
+            (MavState::MAV_STATE_STANDBY, SystemStatus::Standby),
+            (MavState::MAV_STATE_ACTIVE, SystemStatus::Active),
+            (MavState::MAV_STATE_CRITICAL, SystemStatus::Critical),
+            (MavState::MAV_STATE_EMERGENCY, SystemStatus::Emergency),
+        ];
+        let named = NAMED.iter().find(|(wire, _)| *wire as u8 == number);
+        named.map_or(Self::Other(number), |(_, status)| *status)
     }
 }
 
@@ -72,16 +74,17 @@ pub enum FixType {
 impl FixType {
     /// From the wire number.
     pub fn from_wire(number: u8) -> Self {
-        match number {
-            0 => Self::NoGps,
-            1 => Self::NoFix,
-            2 => Self::Fix2d,
-            3 => Self::Fix3d,
-            4 => Self::Dgps,
-            5 => Self::RtkFloat,
-            6 => Self::RtkFixed,
-            _ => Self::Other,
-        }
+        const NAMED: [(GpsFixType, FixType); 7] = [
+            (GpsFixType::GPS_FIX_TYPE_NO_GPS, FixType::NoGps),
+            (GpsFixType::GPS_FIX_TYPE_NO_FIX, FixType::NoFix),
+            (GpsFixType::GPS_FIX_TYPE_2D_FIX, FixType::Fix2d),
+            (GpsFixType::GPS_FIX_TYPE_3D_FIX, FixType::Fix3d),
+            (GpsFixType::GPS_FIX_TYPE_DGPS, FixType::Dgps),
+            (GpsFixType::GPS_FIX_TYPE_RTK_FLOAT, FixType::RtkFloat),
+            (GpsFixType::GPS_FIX_TYPE_RTK_FIXED, FixType::RtkFixed),
+        ];
+        let named = NAMED.iter().find(|(wire, _)| *wire as u8 == number);
+        named.map_or(Self::Other, |(_, fix)| *fix)
     }
 }
 
@@ -152,16 +155,17 @@ pub enum Severity {
 impl Severity {
     /// From the wire number; anything beyond the known is `Debug`.
     pub fn from_wire(number: u8) -> Self {
-        match number {
-            0 => Self::Emergency,
-            1 => Self::Alert,
-            2 => Self::Critical,
-            3 => Self::Error,
-            4 => Self::Warning,
-            5 => Self::Notice,
-            6 => Self::Info,
-            _ => Self::Debug,
-        }
+        const NAMED: [(MavSeverity, Severity); 7] = [
+            (MavSeverity::MAV_SEVERITY_EMERGENCY, Severity::Emergency),
+            (MavSeverity::MAV_SEVERITY_ALERT, Severity::Alert),
+            (MavSeverity::MAV_SEVERITY_CRITICAL, Severity::Critical),
+            (MavSeverity::MAV_SEVERITY_ERROR, Severity::Error),
+            (MavSeverity::MAV_SEVERITY_WARNING, Severity::Warning),
+            (MavSeverity::MAV_SEVERITY_NOTICE, Severity::Notice),
+            (MavSeverity::MAV_SEVERITY_INFO, Severity::Info),
+        ];
+        let named = NAMED.iter().find(|(wire, _)| *wire as u8 == number);
+        named.map_or(Self::Debug, |(_, severity)| *severity)
     }
 }
 

@@ -9,7 +9,8 @@ pub(super) mod telemetry;
 use std::sync::Arc;
 use std::time::Duration;
 
-use mavlink::dialects::ardupilotmega::{MavMessage, MavSeverity, TIMESYNC_DATA};
+use mavlink::MessageData as _;
+use mavlink::dialects::ardupilotmega::{HEARTBEAT_DATA, MavMessage, MavSeverity, TIMESYNC_DATA};
 
 use super::Start;
 use super::airframe::Airframe;
@@ -169,7 +170,7 @@ impl Autopilot {
             BootEvent::Print(text) => vehicle.boot.print(text),
             BootEvent::Initialised => {
                 self.go_back_to_first_mode();
-                let heartbeat = telemetry::message(0, self);
+                let heartbeat = telemetry::message(HEARTBEAT_DATA::ID, self);
                 self.vehicle.outbox.extend(heartbeat);
             }
             BootEvent::Origin => vehicle.set_home_here(),

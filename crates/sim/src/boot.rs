@@ -1,5 +1,7 @@
 //! What happens between switching on and being ready, in seconds or like the real thing.
 
+use mavlink::dialects::ardupilotmega::{EkfStatusFlags, GpsFixType};
+
 use super::estimator::{FLAGS_GIVEN_UP, FLAGS_GOOD};
 use super::mode::Mode;
 
@@ -141,11 +143,11 @@ impl Boot {
     }
 
     /// `fix_type` and satellites of a receiver that has not come up yet.
-    pub(super) fn early_fix(&self) -> Option<(u8, u8)> {
+    pub(super) fn early_fix(&self) -> Option<(GpsFixType, u8)> {
         if self.is_before(at::GPS_SEEN) {
-            Some((0, 0))
+            Some((GpsFixType::GPS_FIX_TYPE_NO_GPS, 0))
         } else if self.is_before(at::GPS_FIXED) {
-            Some((1, 3))
+            Some((GpsFixType::GPS_FIX_TYPE_NO_FIX, 3))
         } else {
             None
         }
@@ -162,13 +164,13 @@ impl Boot {
     }
 
     /// `EKF_STATUS_REPORT.flags` during the boot.
-    pub(super) fn flags(&self) -> u16 {
+    pub(super) fn flags(&self) -> EkfStatusFlags {
         if self.over {
             FLAGS_GOOD
         } else if self.is_before(at::EKF_STARTED) {
-            0x0400
+            EkfStatusFlags::EKF_UNINITIALIZED
         } else if self.is_before(at::ALIGNED) {
-            0
+            EkfStatusFlags::empty()
         } else {
             FLAGS_GIVEN_UP
         }

@@ -14,7 +14,7 @@ mod lanes;
 use std::time::Duration;
 
 use glam::{DVec2, DVec3};
-use mavlink::dialects::ardupilotmega::{MavMessage, MavSeverity};
+use mavlink::dialects::ardupilotmega::{EkfStatusFlags, MavMessage, MavSeverity};
 
 use self::barometer::Barometer;
 use self::compass::Compass;
@@ -51,11 +51,18 @@ const LEVEL_ERROR_M_S2: f64 = 0.05;
 const NEGLIGIBLE_M: f64 = 1e-3;
 
 /// Flags of `EKF_STATUS_REPORT`: all good with GPS, without a trusted position, with a constant position.
-pub(super) const FLAGS_GOOD: u16 = 0x033F;
-const FLAGS_DISTRUSTED: u16 = 0x0025;
-pub(super) const FLAGS_GIVEN_UP: u16 = 0x00A7;
-const FLAG_HEIGHT: u16 = 0x0020;
-const FLAG_GLITCH: u16 = 0x8000;
+pub(super) const FLAGS_GOOD: EkfStatusFlags = FLAGS_DISTRUSTED
+    .union(EkfStatusFlags::EKF_VELOCITY_HORIZ)
+    .union(EkfStatusFlags::EKF_POS_HORIZ_REL)
+    .union(EkfStatusFlags::EKF_POS_HORIZ_ABS)
+    .union(EkfStatusFlags::EKF_PRED_POS_HORIZ_REL)
+    .union(EkfStatusFlags::EKF_PRED_POS_HORIZ_ABS);
+const FLAGS_DISTRUSTED: EkfStatusFlags = EkfStatusFlags::EKF_ATTITUDE
+    .union(EkfStatusFlags::EKF_VELOCITY_VERT)
+    .union(EkfStatusFlags::EKF_POS_VERT_ABS);
+pub(super) const FLAGS_GIVEN_UP: EkfStatusFlags = FLAGS_DISTRUSTED
+    .union(EkfStatusFlags::EKF_VELOCITY_HORIZ)
+    .union(EkfStatusFlags::EKF_CONST_POS_MODE);
 
 /// How far the horizontal position is trusted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -167,17 +174,17 @@ impl Estimator {
     }
 
     /// `EKF_STATUS_REPORT.flags`.
-    pub(super) fn flags(&self) -> u16 {
+    pub(super) fn flags(&self) -> EkfStatusFlags {
         let mut flags = match self.trust {
             Trust::Good => FLAGS_GOOD,
             Trust::Distrusted => FLAGS_DISTRUSTED,
             Trust::GivenUp => FLAGS_GIVEN_UP,
         };
         if self.barometer.lost {
-            flags &= !FLAG_HEIGHT;
+            flags.remove(EkfStatusFlags::EKF_POS_VERT_ABS);
         }
         if self.glitching {
-            flags |= FLAG_GLITCH;
+            flags.insert(EkfStatusFlags::EKF_GPS_GLITCHING);
         }
         flags
     }

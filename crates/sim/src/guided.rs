@@ -1,8 +1,10 @@
 //! `SET_POSITION_TARGET_LOCAL_NED` and _`GLOBAL_INT`, and `SET_ATTITUDE_TARGET`, in GUIDED.
 
 use glam::{DQuat, DVec2, DVec3, EulerRot};
+use mavlink::dialects::ardupilotmega::{AttitudeTargetTypemask, PositionTargetTypemask as Mask};
 
 use super::autopilot::Autopilot;
+use super::frame::{self, HeightOrigin};
 use super::mode;
 use super::place::Place;
 use super::task::{Attitude, Lift, Task};
@@ -11,19 +13,32 @@ use super::yaw::YawDemand;
 use sortie_geo::LatLon;
 
 /// Bits of the type mask; a set bit means "ignore". A group of three counts as a whole.
-const POSITION: u16 = 0x007;
-const VELOCITY: u16 = 0x038;
-const ACCELERATION: u16 = 0x1C0;
+const POSITION: u16 = Mask::POSITION_TARGET_TYPEMASK_X_IGNORE.bits()
+    | Mask::POSITION_TARGET_TYPEMASK_Y_IGNORE.bits()
+    | Mask::POSITION_TARGET_TYPEMASK_Z_IGNORE.bits();
+const VELOCITY: u16 = Mask::POSITION_TARGET_TYPEMASK_VX_IGNORE.bits()
+    | Mask::POSITION_TARGET_TYPEMASK_VY_IGNORE.bits()
+    | Mask::POSITION_TARGET_TYPEMASK_VZ_IGNORE.bits();
+const ACCELERATION: u16 = Mask::POSITION_TARGET_TYPEMASK_AX_IGNORE.bits()
+    | Mask::POSITION_TARGET_TYPEMASK_AY_IGNORE.bits()
+    | Mask::POSITION_TARGET_TYPEMASK_AZ_IGNORE.bits();
 /// Forces instead of accelerations: not supported.
-const FORCE: u16 = 0x200;
-const YAW: u16 = 0x400;
-const YAW_RATE: u16 = 0x800;
+const FORCE: u16 = Mask::POSITION_TARGET_TYPEMASK_FORCE_SET.bits();
+const YAW: u16 = Mask::POSITION_TARGET_TYPEMASK_YAW_IGNORE.bits();
+const YAW_RATE: u16 = Mask::POSITION_TARGET_TYPEMASK_YAW_RATE_IGNORE.bits();
+/// A mask that leaves only the position.
+pub(super) const POSITION_ONLY: u16 = VELOCITY | ACCELERATION | YAW | YAW_RATE;
+/// A mask that leaves velocity and acceleration.
+pub(super) const VELOCITY_ONLY: u16 = POSITION | YAW | YAW_RATE;
 /// Bits of an attitude's type mask.
-const NO_ROLL_RATE: u8 = 0x01;
-const NO_PITCH_RATE: u8 = 0x02;
-const NO_YAW_RATE: u8 = 0x04;
-const NO_THRUST: u8 = 0x40;
-const NO_ATTITUDE: u8 = 0x80;
+const NO_ROLL_RATE: u8 =
+    AttitudeTargetTypemask::ATTITUDE_TARGET_TYPEMASK_BODY_ROLL_RATE_IGNORE.bits();
+const NO_PITCH_RATE: u8 =
+    AttitudeTargetTypemask::ATTITUDE_TARGET_TYPEMASK_BODY_PITCH_RATE_IGNORE.bits();
+const NO_YAW_RATE: u8 =
+    AttitudeTargetTypemask::ATTITUDE_TARGET_TYPEMASK_BODY_YAW_RATE_IGNORE.bits();
+const NO_THRUST: u8 = AttitudeTargetTypemask::ATTITUDE_TARGET_TYPEMASK_THROTTLE_IGNORE.bits();
+const NO_ATTITUDE: u8 = AttitudeTargetTypemask::ATTITUDE_TARGET_TYPEMASK_ATTITUDE_IGNORE.bits();
 /// A quaternion may be off the unit length by this much.
 const UNIT_WITHIN: f64 = 1e-3;
 /// The bit of `GUID_OPTIONS` that makes the thrust of an attitude a thrust instead of a climb.
@@ -236,15 +251,16 @@ fn goal_of(vehicle: &Vehicle, setpoint: &Setpoint) -> Option<DVec3> {
     match setpoint.point {
         TargetPoint::Local(offset) => Some(match setpoint.frame {
             // Offsets start where the vehicle is.
-            7..=9 => vehicle.believed().position_m + in_north_east(vehicle, setpoint, offset),
+            frame::LOCAL_OFFSET_NED | frame::BODY_NED | frame::BODY_OFFSET_NED => {
+                vehicle.believed().position_m + in_north_east(vehicle, setpoint, offset)
+            }
             _ => offset,
         }),
         TargetPoint::Global { at, height_m } => {
             // Without terrain data the ground counts as level with the sea, as in ArduCopter.
-            let frame = if matches!(setpoint.frame, 10 | 11) {
-                0
-            } else {
-                setpoint.frame
+            let frame = match HeightOrigin::of(setpoint.frame)? {
+                HeightOrigin::Sea | HeightOrigin::Terrain => frame::GLOBAL,
+                HeightOrigin::Home => frame::GLOBAL_RELATIVE_ALT,
             };
             let altitude_amsl_m = vehicle.datum.altitude_amsl_m(frame, height_m)?;
             at.is_valid().then(|| {
@@ -285,15 +301,18 @@ fn aim_nose(vehicle: &mut Vehicle, setpoint: &Setpoint) {
     }
 }
 
-/// `MAV_FRAME_BODY_NED` and `MAV_FRAME_BODY_OFFSET_NED`.
 fn is_body_frame(setpoint: &Setpoint) -> bool {
-    matches!(setpoint.point, TargetPoint::Local(_)) && matches!(setpoint.frame, 8 | 9)
+    matches!(setpoint.point, TargetPoint::Local(_))
+        && matches!(setpoint.frame, frame::BODY_NED | frame::BODY_OFFSET_NED)
 }
 
 fn is_frame_known(setpoint: &Setpoint) -> bool {
     match setpoint.point {
-        TargetPoint::Local(_) => matches!(setpoint.frame, 1 | 7 | 8 | 9),
-        TargetPoint::Global { .. } => matches!(setpoint.frame, 0 | 3 | 5 | 6 | 10 | 11),
+        TargetPoint::Local(_) => matches!(
+            setpoint.frame,
+            frame::LOCAL_NED | frame::LOCAL_OFFSET_NED | frame::BODY_NED | frame::BODY_OFFSET_NED
+        ),
+        TargetPoint::Global { .. } => HeightOrigin::of(setpoint.frame).is_some(),
     }
 }
 

@@ -3,10 +3,10 @@
 mod fields;
 
 use mavlink::MessageData as _;
-use mavlink::dialects::ardupilotmega::COMMAND_ACK_DATA;
 use mavlink::dialects::ardupilotmega::{
-    MISSION_CURRENT_DATA, MavMessage, MavResult, MavSeverity, PARAM_REQUEST_READ_DATA,
-    PARAM_VALUE_DATA, RC_CHANNELS_OVERRIDE_DATA, SETUP_SIGNING_DATA, TIMESYNC_DATA,
+    AUTOPILOT_VERSION_DATA, COMMAND_ACK_DATA, MISSION_CURRENT_DATA, MavMessage, MavModeFlag,
+    MavResult, MavSeverity, PARAM_REQUEST_READ_DATA, PARAM_VALUE_DATA, RC_CHANNELS_OVERRIDE_DATA,
+    SETUP_SIGNING_DATA, TIMESYNC_DATA,
 };
 
 use self::fields::{Addressed, StationRequest};
@@ -22,6 +22,8 @@ use super::{guided, texts};
 use sortie_geo::LatLon;
 use sortie_wire::{Content, Frame, Outgoing};
 
+/// The bit of `SET_MODE` without which its custom mode does not count.
+const CUSTOM_MODE: u8 = MavModeFlag::MAV_MODE_FLAG_CUSTOM_MODE_ENABLED.bits();
 const COMMAND_ACK: u32 = COMMAND_ACK_DATA::ID;
 
 pub(super) fn handle(
@@ -61,7 +63,7 @@ fn carry_out(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, request:
                 .insert(place, acknowledgement(command, result, frame));
         }
         StationRequest::Setpoint(setpoint) => guided::take_setpoint(autopilot, setpoint),
-        StationRequest::SetMode { base, custom } if base & 1 == 1 => {
+        StationRequest::SetMode { base, custom } if base & CUSTOM_MODE != 0 => {
             // Only the lowest byte counts, as in the real vehicle.
             autopilot.set_mode(*custom as u8);
         }
@@ -116,7 +118,7 @@ fn converse(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, message: 
         MavMessage::TIMESYNC(data) if data.tc1 == 0 => link.reply(time(autopilot, frame, data.ts1)),
         MavMessage::AUTOPILOT_VERSION_REQUEST(data) if own(data.target_system) => {
             link.replies
-                .extend(telemetry::message(148, autopilot).map(Into::into));
+                .extend(telemetry::message(AUTOPILOT_VERSION_DATA::ID, autopilot).map(Into::into));
         }
         MavMessage::SETUP_SIGNING(data) if own(data.target_system) => {
             set_up_signing(autopilot, link, data);
@@ -187,7 +189,8 @@ fn take_home(autopilot: &mut Autopilot, at: LatLon, altitude_amsl_m: f64) {
 /// acknowledgement.
 fn set_current(autopilot: &mut Autopilot, link: &mut Link, seq: u16) {
     if autopilot.auto_plan.set_item(&mut autopilot.vehicle, seq)
-        && let Some(MavMessage::MISSION_CURRENT(now)) = telemetry::message(42, autopilot)
+        && let Some(MavMessage::MISSION_CURRENT(now)) =
+            telemetry::message(MISSION_CURRENT_DATA::ID, autopilot)
     {
         link.reply(MavMessage::MISSION_CURRENT(MISSION_CURRENT_DATA {
             seq,

@@ -41,7 +41,7 @@
 //! From the bottom up; a module uses those before it, and no two use each other.
 //!
 //! - What really happens: `kinematics`, `airframe`, `battery`, `wind`, `body`, with a motor lost `upset` and `mixer`.
-//! - Facts: `parameters`, `mode`, `cmd` (numbers of commands), `plan` (lists of items), `place` (where on the earth a
+//! - Facts: `parameters`, `mode`, `cmd` and `frame` (numbers of commands and frames), `plan` (lists of items), `place` (where on the earth a
 //!   point is), `radio` (sticks), `texts`, `payload`.
 //! - Parts that own what they remember, are given what they need of the others, and return what they want done
 //!   (`reaction`): `estimator` (what is believed of the motion), `control` and `yaw` (the path and the nose), `task` (what
@@ -72,6 +72,7 @@ mod estimator;
 mod failsafe;
 mod fence;
 mod flight_log;
+mod frame;
 mod guided;
 mod inbound;
 mod kinematics;

@@ -1,5 +1,7 @@
 //! The flight modes and what holds in each.
 
+use mavlink::dialects::ardupilotmega::CopterMode;
+
 /// What it takes to enter a mode.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum ModeEntry {
@@ -42,22 +44,28 @@ const fn refused(number: u8, name: &'static str, texts: &'static [&'static str])
     mode(number, name, ModeEntry::Refused(texts), [false; 3])
 }
 
-pub(super) const STABILIZE: u8 = 0;
-pub(super) const ACRO: u8 = 1;
-pub(super) const ALT_HOLD: u8 = 2;
-pub(super) const AUTO: u8 = 3;
-pub(super) const GUIDED: u8 = 4;
-pub(super) const LOITER: u8 = 5;
-pub(super) const RTL: u8 = 6;
-pub(super) const CIRCLE: u8 = 7;
-pub(super) const LAND: u8 = 9;
-pub(super) const DRIFT: u8 = 11;
-pub(super) const POSHOLD: u8 = 16;
-pub(super) const BRAKE: u8 = 17;
-pub(super) const GUIDED_NOGPS: u8 = 20;
-pub(super) const SMART_RTL: u8 = 21;
-pub(super) const ZIGZAG: u8 = 24;
-pub(super) const AUTO_RTL: u8 = 27;
+pub(super) const AUTOTUNE: u8 = CopterMode::COPTER_MODE_AUTOTUNE as u8;
+pub(super) const FLOWHOLD: u8 = CopterMode::COPTER_MODE_FLOWHOLD as u8;
+const FLIP: u8 = CopterMode::COPTER_MODE_FLIP as u8;
+const THROW: u8 = CopterMode::COPTER_MODE_THROW as u8;
+const FOLLOW: u8 = CopterMode::COPTER_MODE_FOLLOW as u8;
+const TURTLE: u8 = CopterMode::COPTER_MODE_TURTLE as u8;
+pub(super) const STABILIZE: u8 = CopterMode::COPTER_MODE_STABILIZE as u8;
+pub(super) const ACRO: u8 = CopterMode::COPTER_MODE_ACRO as u8;
+pub(super) const ALT_HOLD: u8 = CopterMode::COPTER_MODE_ALT_HOLD as u8;
+pub(super) const AUTO: u8 = CopterMode::COPTER_MODE_AUTO as u8;
+pub(super) const GUIDED: u8 = CopterMode::COPTER_MODE_GUIDED as u8;
+pub(super) const LOITER: u8 = CopterMode::COPTER_MODE_LOITER as u8;
+pub(super) const RTL: u8 = CopterMode::COPTER_MODE_RTL as u8;
+pub(super) const CIRCLE: u8 = CopterMode::COPTER_MODE_CIRCLE as u8;
+pub(super) const LAND: u8 = CopterMode::COPTER_MODE_LAND as u8;
+pub(super) const DRIFT: u8 = CopterMode::COPTER_MODE_DRIFT as u8;
+pub(super) const POSHOLD: u8 = CopterMode::COPTER_MODE_POSHOLD as u8;
+pub(super) const BRAKE: u8 = CopterMode::COPTER_MODE_BRAKE as u8;
+pub(super) const GUIDED_NOGPS: u8 = CopterMode::COPTER_MODE_GUIDED_NOGPS as u8;
+pub(super) const SMART_RTL: u8 = CopterMode::COPTER_MODE_SMART_RTL as u8;
+pub(super) const ZIGZAG: u8 = CopterMode::COPTER_MODE_ZIGZAG as u8;
+pub(super) const AUTO_RTL: u8 = CopterMode::COPTER_MODE_AUTO_RTL as u8;
 
 /// Facts in the order: autonomous, controls the height, armable.
 const MODES: &[Mode] = &[
@@ -76,15 +84,19 @@ const MODES: &[Mode] = &[
     mode(CIRCLE, "CIRCLE", ModeEntry::Position, [true, true, false]),
     mode(LAND, "LAND", ModeEntry::Free, [false, true, false]),
     mode(DRIFT, "DRIFT", ModeEntry::Position, [false, false, true]),
-    refused(14, "FLIP", &["Mode change to FLIP failed: init failed"]),
+    refused(FLIP, "FLIP", &["Mode change to FLIP failed: init failed"]),
     refused(
-        15,
+        AUTOTUNE,
         "AUTOTUNE",
         &["Mode change to AUTOTUNE failed: init failed"],
     ),
     mode(POSHOLD, "POSHOLD", ModeEntry::Position, [true, true, true]),
     mode(BRAKE, "BRAKE", ModeEntry::Position, [true, true, false]),
-    refused(18, "THROW", &["Mode change to THROW failed: init failed"]),
+    refused(
+        THROW,
+        "THROW",
+        &["Mode change to THROW failed: init failed"],
+    ),
     mode(
         GUIDED_NOGPS,
         "GUIDED_NOGPS",
@@ -98,12 +110,12 @@ const MODES: &[Mode] = &[
         [true, true, false],
     ),
     refused(
-        22,
+        FLOWHOLD,
         "FLOWHOLD",
         &["Mode change to FLOWHOLD failed: init failed"],
     ),
     refused(
-        23,
+        FOLLOW,
         "FOLLOW",
         &[
             "Set FOLL_ENABLE = 1",
@@ -119,7 +131,11 @@ const MODES: &[Mode] = &[
             "Mode change to AUTO RTL failed: No return path or landing sequence found",
         ],
     ),
-    refused(28, "TURTLE", &["Mode change to TURTLE failed: init failed"]),
+    refused(
+        TURTLE,
+        "TURTLE",
+        &["Mode change to TURTLE failed: init failed"],
+    ),
 ];
 
 /// Modes that take setpoints from a ground station.

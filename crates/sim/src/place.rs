@@ -4,6 +4,7 @@ use glam::DVec3;
 use mavlink::dialects::ardupilotmega::{GPS_GLOBAL_ORIGIN_DATA, HOME_POSITION_DATA, MavMessage};
 
 use super::Start;
+use super::frame::HeightOrigin;
 use sortie_geo::LatLon;
 
 /// Home lies at most this far above or below the origin.
@@ -24,12 +25,11 @@ pub(super) fn altitude_amsl_m(
     start: &Start,
     home_m: DVec3,
 ) -> Option<f64> {
-    match frame {
-        0 | 5 => Some(height_m),
-        3 | 6 => Some(start.altitude_amsl_m - home_m.z + height_m),
-        10 | 11 => Some(start.altitude_amsl_m + height_m),
-        _ => None,
-    }
+    Some(match HeightOrigin::of(frame)? {
+        HeightOrigin::Sea => height_m,
+        HeightOrigin::Home => start.altitude_amsl_m - home_m.z + height_m,
+        HeightOrigin::Terrain => start.altitude_amsl_m + height_m,
+    })
 }
 
 /// Where a vehicle's north, east and down begin, and its home.

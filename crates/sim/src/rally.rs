@@ -81,7 +81,7 @@ mod tests {
         let (x, y) = crate::tests::start().at.moved(north_m, east_m).to_e7();
         Item {
             command: cmd::NAV_RALLY_POINT,
-            frame: 3,
+            frame: crate::frame::GLOBAL_RELATIVE_ALT,
             x,
             y,
             z,

@@ -1,12 +1,17 @@
 //! Which messages one serial port sends, and how often.
 
+#![expect(
+    deprecated,
+    reason = "ground stations in use still ask for streams, which the dialect calls superseded"
+)]
+
 use std::time::Duration;
 
 use mavlink::MessageData as _;
 use mavlink::dialects::ardupilotmega::{
     AHRS_DATA, AHRS2_DATA, ATTITUDE_DATA, BATTERY_STATUS_DATA, EKF_STATUS_REPORT_DATA,
     ESC_TELEMETRY_1_TO_4_DATA, FENCE_STATUS_DATA, GLOBAL_POSITION_INT_DATA, GPS_RAW_INT_DATA,
-    HEARTBEAT_DATA, LOCAL_POSITION_NED_DATA, MEMINFO_DATA, MISSION_CURRENT_DATA,
+    HEARTBEAT_DATA, LOCAL_POSITION_NED_DATA, MEMINFO_DATA, MISSION_CURRENT_DATA, MavDataStream,
     NAV_CONTROLLER_OUTPUT_DATA, POSITION_TARGET_GLOBAL_INT_DATA, POWER_STATUS_DATA, RAW_IMU_DATA,
     RC_CHANNELS_DATA, SCALED_IMU2_DATA, SCALED_IMU3_DATA, SCALED_PRESSURE_DATA,
     SCALED_PRESSURE2_DATA, SERVO_OUTPUT_RAW_DATA, SIMSTATE_DATA, SYS_STATUS_DATA, SYSTEM_TIME_DATA,
@@ -29,9 +34,9 @@ const TERRAIN_US: i64 = 2_000_000;
 const LATE_INTERVALS: u64 = 4;
 
 /// The stream groups of `REQUEST_DATA_STREAM` with the ends of their parameters' names and the messages of each.
-const STREAMS: &[(u8, &str, &[u32])] = &[
+const STREAMS: &[(MavDataStream, &str, &[u32])] = &[
     (
-        1,
+        MavDataStream::MAV_DATA_STREAM_RAW_SENSORS,
         "RAW_SENS",
         &[
             RAW_IMU_DATA::ID,
@@ -42,7 +47,7 @@ const STREAMS: &[(u8, &str, &[u32])] = &[
         ],
     ),
     (
-        2,
+        MavDataStream::MAV_DATA_STREAM_EXTENDED_STATUS,
         "EXT_STAT",
         &[
             SYS_STATUS_DATA::ID,
@@ -56,23 +61,27 @@ const STREAMS: &[(u8, &str, &[u32])] = &[
         ],
     ),
     (
-        3,
+        MavDataStream::MAV_DATA_STREAM_RC_CHANNELS,
         "RC_CHAN",
         &[SERVO_OUTPUT_RAW_DATA::ID, RC_CHANNELS_DATA::ID],
     ),
     (
-        6,
+        MavDataStream::MAV_DATA_STREAM_POSITION,
         "POSITION",
         &[LOCAL_POSITION_NED_DATA::ID, GLOBAL_POSITION_INT_DATA::ID],
     ),
     (
-        10,
+        MavDataStream::MAV_DATA_STREAM_EXTRA1,
         "EXTRA1",
         &[ATTITUDE_DATA::ID, SIMSTATE_DATA::ID, AHRS2_DATA::ID],
     ),
-    (11, "EXTRA2", &[VFR_HUD_DATA::ID]),
     (
-        12,
+        MavDataStream::MAV_DATA_STREAM_EXTRA2,
+        "EXTRA2",
+        &[VFR_HUD_DATA::ID],
+    ),
+    (
+        MavDataStream::MAV_DATA_STREAM_EXTRA3,
         "EXTRA3",
         &[
             SYSTEM_TIME_DATA::ID,
@@ -87,7 +96,7 @@ const STREAMS: &[(u8, &str, &[u32])] = &[
     ),
 ];
 /// The group that means all groups.
-const ALL_STREAMS: u8 = 0;
+const ALL_STREAMS: u8 = MavDataStream::MAV_DATA_STREAM_ALL as u8;
 
 #[derive(Debug, Clone, Copy)]
 struct ScheduleEntry {
@@ -121,7 +130,7 @@ impl Schedule {
         for (group, name, _) in STREAMS {
             let rate_hz = parameters.value(&format!("SR{}_{name}", serial.index()));
             if rate_hz > 0.0 {
-                schedule.set_stream(*group, rate_hz as u16, now);
+                schedule.set_stream(*group as u8, rate_hz as u16, now);
             }
         }
         schedule
@@ -182,7 +191,7 @@ impl Schedule {
             rate => 1_000_000 / i64::from(rate),
         };
         for (group, _, ids) in STREAMS {
-            if stream == ALL_STREAMS || stream == *group {
+            if stream == ALL_STREAMS || stream == *group as u8 {
                 for &id in *ids {
                     self.set(id, interval_us, now);
                 }

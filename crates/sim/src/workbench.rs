@@ -3,8 +3,12 @@
 
 use std::time::Duration;
 
+use mavlink::dialects::ardupilotmega::MotorTestThrottleType;
+
 /// A motor test lasts at most this long, in seconds.
 const TEST_MAX_S: f32 = 600.0;
+const PERCENT: i32 = MotorTestThrottleType::MOTOR_TEST_THROTTLE_PERCENT as i32;
+const PULSE_WIDTH: i32 = MotorTestThrottleType::MOTOR_TEST_THROTTLE_PWM as i32;
 /// The vehicle has three compasses.
 const COMPASSES: u8 = 0b111;
 
@@ -36,7 +40,7 @@ pub(super) struct MotorTest {
 }
 
 impl MotorTest {
-    /// A test as the command asks for it: motor, kind of throttle (0 percent, 1 pulse width) and number of motors;
+    /// A test as the command asks for it: motor, kind of throttle (`MOTOR_TEST_THROTTLE_TYPE`) and number of motors;
     /// the throttle in that kind; seconds.
     pub(super) fn new(
         [motor, kind, motors]: [i32; 3],
@@ -45,8 +49,8 @@ impl MotorTest {
         now: Duration,
     ) -> Self {
         let pulse = match kind {
-            0 => (throttle <= 100.0).then_some(1000.0 + throttle * 10.0),
-            1 => Some(throttle),
+            PERCENT => (throttle <= 100.0).then_some(1000.0 + throttle * 10.0),
+            PULSE_WIDTH => Some(throttle),
             _ => None,
         };
         let seconds = if lasts_s.is_finite() { lasts_s } else { 0.0 };

@@ -5,6 +5,10 @@ use mavlink::{MavlinkVersion, calculate_crc};
 use super::decoder::{FLAG_SIGNED, SIGNATURE_LEN, STX_V1, STX_V2};
 use super::{ComponentId, SystemId};
 
+const V1_HEADER_LEN: usize = 6;
+const V2_HEADER_LEN: usize = 10;
+const CHECKSUM_LEN: usize = 2;
+
 /// One frame taken apart, without a look at what its payload means.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Anatomy<'a> {
@@ -27,21 +31,32 @@ pub struct Anatomy<'a> {
     checksum: u16,
 }
 
+/// The length of a whole frame in bytes, from its first three; `None` if no frame begins so.
+pub fn frame_len(head: [u8; 3]) -> Option<usize> {
+    let [start, payload_len, flags] = head;
+    let (header_len, signature_len) = match start {
+        STX_V1 => (V1_HEADER_LEN, 0),
+        STX_V2 if flags & FLAG_SIGNED != 0 => (V2_HEADER_LEN, SIGNATURE_LEN),
+        STX_V2 => (V2_HEADER_LEN, 0),
+        _ => return None,
+    };
+    Some(header_len + usize::from(payload_len) + CHECKSUM_LEN + signature_len)
+}
+
 impl<'a> Anatomy<'a> {
     /// Takes the bytes of exactly one frame apart; `None` if they are not laid out as one.
     pub fn of(bytes: &'a [u8]) -> Option<Self> {
         let (version, header_len, flags, id) = match *bytes {
-            [STX_V1, _, _, _, _, id, ..] => (MavlinkVersion::V1, 6, 0, u32::from(id)),
+            [STX_V1, _, _, _, _, id, ..] => (MavlinkVersion::V1, V1_HEADER_LEN, 0, u32::from(id)),
             [STX_V2, _, flags, _, _, _, _, id0, id1, id2, ..] => {
                 let id = u32::from_le_bytes([id0, id1, id2, 0]);
-                (MavlinkVersion::V2, 10, flags, id)
+                (MavlinkVersion::V2, V2_HEADER_LEN, flags, id)
             }
             _ => return None,
         };
         let signed = flags & FLAG_SIGNED != 0;
         let crc_at = header_len + usize::from(bytes[1]);
-        let end = crc_at + 2 + if signed { SIGNATURE_LEN } else { 0 };
-        if bytes.len() != end {
+        if frame_len([bytes[0], bytes[1], bytes[2]]) != Some(bytes.len()) {
             return None;
         }
         let sender = match version {

@@ -17,6 +17,11 @@ pub(super) const SIGNATURE_LEN: usize = 13;
 /// Consumed bytes are given back once this many have gathered.
 const COMPACT_AT: usize = 4096;
 
+/// Whether frames begin with a byte.
+pub fn is_frame_start(byte: u8) -> bool {
+    matches!(byte, STX_V1 | STX_V2)
+}
+
 /// What a decoder has seen since it was made.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Counters {
@@ -134,7 +139,7 @@ impl Decoder {
         let rest = &self.buffer[self.position..];
         let gap = rest
             .iter()
-            .position(|&byte| byte == STX_V2 || byte == STX_V1)
+            .position(|&byte| is_frame_start(byte))
             .unwrap_or(rest.len());
         self.skip(gap);
     }
@@ -180,7 +185,7 @@ impl Decoder {
         let followed_by_start = self
             .buffer
             .get(self.position + end)
-            .is_none_or(|&byte| byte == STX_V1 || byte == STX_V2);
+            .is_none_or(|&byte| is_frame_start(byte));
         if !is_known(layout.id) {
             // No CRC seed, so only the surroundings tell a foreign message from noise.
             if !followed_by_start {

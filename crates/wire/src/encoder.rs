@@ -3,7 +3,7 @@
 use mavlink::dialects::ardupilotmega::MavMessage;
 use mavlink::{MavlinkVersion, Message as _, calculate_crc};
 
-use super::decoder::FLAG_SIGNED;
+use super::decoder::{FLAG_SIGNED, STX_V1, STX_V2};
 use super::signature::{self, SigningKey, Stamp};
 use super::{ComponentId, SystemId};
 
@@ -150,13 +150,13 @@ impl Encoder {
         let [id0, id1, id2, _] = head.id.to_le_bytes();
         match head.version {
             MavlinkVersion::V1 => {
-                bytes.extend_from_slice(&[0xFE, len]);
+                bytes.extend_from_slice(&[STX_V1, len]);
                 bytes.extend_from_slice(&sender);
                 bytes.push(id0);
             }
             MavlinkVersion::V2 => {
                 let flags = if head.signed { FLAG_SIGNED } else { 0 };
-                bytes.extend_from_slice(&[0xFD, len, flags, 0]);
+                bytes.extend_from_slice(&[STX_V2, len, flags, 0]);
                 bytes.extend_from_slice(&sender);
                 bytes.extend_from_slice(&[id0, id1, id2]);
             }

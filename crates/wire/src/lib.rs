@@ -17,8 +17,8 @@ mod encoder;
 mod loss;
 mod signature;
 
-pub use anatomy::Anatomy;
-pub use decoder::{Counters, Decoder};
+pub use anatomy::{Anatomy, frame_len};
+pub use decoder::{Counters, Decoder, is_frame_start};
 pub use encoder::{Encoder, Outgoing};
 pub use loss::LossMeter;
 pub use signature::{SigningKey, Stamp, is_signed_with};

@@ -9,8 +9,8 @@ use futures_util::stream::{FuturesUnordered, StreamExt as _};
 use tokio::io::{AsyncReadExt, AsyncWriteExt, DuplexStream};
 use tokio::net::{TcpListener, TcpStream, UdpSocket};
 
-use crate::link::tlog::frame_len;
 use crate::sim::{PortId, Serial, World};
+use crate::wire::frame_len;
 
 /// Clients per TCP port; further ones are turned away.
 const CLIENT_CAP: usize = 16;
@@ -306,8 +306,9 @@ impl UdpTransport {
 fn datagrams(mut frames: &[u8]) -> impl Iterator<Item = &[u8]> {
     std::iter::from_fn(move || {
         let mut len = 0;
-        while let Some(&[start, payload_len, flags, ..]) = frames.get(len..) {
-            let next = len + frame_len(start, payload_len, flags);
+        let frame_at = |at: usize| frame_len(*frames.get(at..)?.first_chunk()?);
+        while let Some(frame) = frame_at(len) {
+            let next = len + frame;
             if len > 0 && next > DATAGRAM_LEN {
                 break;
             }

@@ -2,8 +2,8 @@
 
 use std::io::{self, Read};
 
-use super::{LONGEST_FRAME, STAMP_LEN, TlogError, TlogRecord, frame_len};
-use crate::wire::{Decoder, Frame};
+use super::{LONGEST_FRAME, STAMP_LEN, TlogError, TlogRecord};
+use crate::wire::{Decoder, Frame, frame_len, is_frame_start};
 
 const LONGEST_RECORD: usize = STAMP_LEN + LONGEST_FRAME;
 const READ_LEN: usize = 64 * 1024;
@@ -153,10 +153,7 @@ impl<R: Read> Iterator for Salvage<R> {
 /// The time and the frame of a whole record, as its header says.
 fn head(bytes: &[u8]) -> Option<(u64, &[u8])> {
     let (stamp, frame) = bytes.split_first_chunk::<STAMP_LEN>()?;
-    let &[start @ (0xFD | 0xFE), payload_len, flags, ..] = frame else {
-        return None;
-    };
-    let frame = frame.get(..frame_len(start, payload_len, flags))?;
+    let frame = frame.get(..frame_len(*frame.first_chunk()?)?)?;
     Some((u64::from_be_bytes(*stamp), frame))
 }
 
@@ -164,7 +161,7 @@ fn head(bytes: &[u8]) -> Option<(u64, &[u8])> {
 fn is_cut(bytes: &[u8]) -> bool {
     match bytes.get(STAMP_LEN..) {
         None | Some([]) => true,
-        Some([start, ..]) => matches!(start, 0xFD | 0xFE) && head(bytes).is_none(),
+        Some([start, ..]) => is_frame_start(*start) && head(bytes).is_none(),
     }
 }
 

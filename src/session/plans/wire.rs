@@ -5,6 +5,7 @@
     reason = "older vehicles answer only to what the dialect calls superseded"
 )]
 
+use mavlink::MessageData as _;
 use mavlink::dialects::ardupilotmega::{
     MISSION_ACK_DATA, MISSION_ITEM_DATA, MISSION_ITEM_INT_DATA, MISSION_REQUEST_DATA,
     MISSION_REQUEST_INT_DATA, MISSION_REQUEST_LIST_DATA, MavMessage, MavMissionResult,
@@ -16,8 +17,8 @@ use crate::vehicle::{HeightFrame, PlanItem, PlanKind};
 use crate::wire::{Content, Frame, GROUND_STATION_SYSTEM, MavAddress};
 
 /// MAVLink ids of the messages that carry an item.
-const MISSION_ITEM: u32 = 39;
-const MISSION_ITEM_INT: u32 = 73;
+const MISSION_ITEM: u32 = MISSION_ITEM_DATA::ID;
+const MISSION_ITEM_INT: u32 = MISSION_ITEM_INT_DATA::ID;
 
 /// Something about a list that the vehicle says to us.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -134,7 +135,8 @@ fn mission_type(kind: PlanKind) -> MavMissionType {
 }
 
 fn kind(mission_type: u8) -> Option<PlanKind> {
-    PlanKind::ALL.get(usize::from(mission_type)).copied()
+    let mut kinds = PlanKind::ALL.iter().copied();
+    kinds.find(|kind| self::mission_type(*kind) as u8 == mission_type)
 }
 
 fn item_int(data: &MISSION_ITEM_INT_DATA) -> PlanItem {

@@ -2,6 +2,8 @@
 
 use std::time::Duration;
 
+use mavlink::MessageData as _;
+use mavlink::dialects::ardupilotmega::HEARTBEAT_DATA;
 use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};
 
@@ -189,7 +191,8 @@ fn label(room: &Messages, node: Node, look: &Look) -> String {
 /// What a component says it is, by its last heartbeat.
 fn kind(room: &Messages, link: usize, source: FrameSource) -> String {
     let census = room.traffic().get(link).and_then(|it| it.census.as_ref());
-    let heartbeat = census.and_then(|census| census.of(source).find(|(id, _)| *id == 0));
+    let heartbeat =
+        census.and_then(|census| census.of(source).find(|(id, _)| *id == HEARTBEAT_DATA::ID));
     let kind = |tally: &MessageTally| {
         let reading = read(&Anatomy::of(&tally.last)?);
         let kind = reading.values.iter().find(|value| value.name == "type")?;

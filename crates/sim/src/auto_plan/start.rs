@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use glam::DVec3;
-use mavlink::dialects::ardupilotmega::MavSeverity;
+use mavlink::dialects::ardupilotmega::{MavSeverity, SpeedType};
 
 use super::place::{item_down_m, item_place, item_point, reference_point};
 use super::{AutoPlan, PlanWait, command, sequence};
@@ -261,14 +261,18 @@ fn announce_item(vehicle: &mut Vehicle, at: u16) -> Option<Item> {
     Some(item)
 }
 
+/// The kinds of speed that are not over ground, of `DO_CHANGE_SPEED`.
+const CLIMB: i32 = SpeedType::SPEED_TYPE_CLIMB_SPEED as i32;
+const DESCENT: i32 = SpeedType::SPEED_TYPE_DESCENT_SPEED as i32;
+
 fn change_mission_speed(vehicle: &mut Vehicle, item: &Item) {
     let speed = f64::from(item.p[1]);
     if !(speed > 0.0 && speed.is_finite()) {
         return;
     }
     match item.p[0] as i32 {
-        2 => vehicle.flight.speeds.up_m_s = Some(speed),
-        3 => vehicle.flight.speeds.down_m_s = Some(speed),
+        CLIMB => vehicle.flight.speeds.up_m_s = Some(speed),
+        DESCENT => vehicle.flight.speeds.down_m_s = Some(speed),
         _ => vehicle.flight.speeds.ground_m_s = Some(speed.max(0.2)),
     }
 }

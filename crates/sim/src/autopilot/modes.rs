@@ -3,7 +3,8 @@
 use std::time::Duration;
 
 use glam::DVec2;
-use mavlink::dialects::ardupilotmega::{MavMessage, MavSeverity};
+use mavlink::MessageData as _;
+use mavlink::dialects::ardupilotmega::{HEARTBEAT_DATA, MavMessage, MavSeverity};
 
 use super::{Autopilot, telemetry};
 use crate::mode::{self, Mode, ModeEntry};
@@ -99,7 +100,7 @@ impl Autopilot {
             .iter()
             .position(|message| matches!(message, MavMessage::STATUSTEXT(_)))
             .unwrap_or(self.vehicle.outbox.len());
-        if let Some(heartbeat) = telemetry::message(0, self) {
+        if let Some(heartbeat) = telemetry::message(HEARTBEAT_DATA::ID, self) {
             self.vehicle.outbox.insert(before_texts, heartbeat);
         }
         self.vehicle.fence.mode_changed(self.vehicle.uptime());

@@ -15,7 +15,7 @@ const HIGH: i32 = 2;
 const MODES: &[(i32, u8)] = &[
     (4, mode::RTL),
     (16, mode::AUTO),
-    (17, 15),
+    (17, mode::AUTOTUNE),
     (18, mode::LAND),
     (33, mode::BRAKE),
     (42, mode::SMART_RTL),
@@ -23,9 +23,9 @@ const MODES: &[(i32, u8)] = &[
     (55, mode::GUIDED),
     (56, mode::LOITER),
     (68, mode::STABILIZE),
-    (69, 16),
+    (69, mode::POSHOLD),
     (70, mode::ALT_HOLD),
-    (71, 22),
+    (71, mode::FLOWHOLD),
     (72, mode::CIRCLE),
     (73, mode::DRIFT),
 ];

@@ -2,10 +2,13 @@
 
 use std::time::Duration;
 
-use mavlink::dialects::ardupilotmega::{MavResult, MavSeverity};
+use mavlink::dialects::ardupilotmega::{
+    MavModeFlag, MavModeFlagDecodePosition, MavResult, MavSeverity,
+};
 
 use super::{Command, done};
 use crate::autopilot::Autopilot;
+use crate::frame::GLOBAL_RELATIVE_ALT;
 use crate::link::Link;
 use crate::mode;
 use crate::task::{Takeoff, Task};
@@ -14,15 +17,14 @@ use crate::task::{Takeoff, Task};
 const FORCE: f32 = 21196.0;
 /// The second parameter that makes arming ignore what can be ignored.
 const FORCE_ARMING: f32 = 2989.0;
-/// `MAV_FRAME_GLOBAL_RELATIVE_ALT`.
-const RELATIVE_ALTITUDE: u8 = 3;
 /// What a takeoff in a mode with a pilot lifts before a throttle that is all the way down counts again.
 const PILOTED_TAKEOFF_M: f64 = 1.0;
 /// The highest altitude a command may ask for.
 const ALTITUDE_MAX_M: f64 = 83_000.0;
 /// Bits of the base mode: the custom mode counts; the safety switch is meant.
-const CUSTOM_MODE: i32 = 1;
-const SAFETY_SWITCH: i32 = 128;
+const CUSTOM_MODE: i32 = MavModeFlag::MAV_MODE_FLAG_CUSTOM_MODE_ENABLED.bits() as i32;
+const SAFETY_SWITCH: i32 =
+    MavModeFlagDecodePosition::MAV_MODE_FLAG_DECODE_POSITION_SAFETY.bits() as i32;
 /// BRAKE by the pause button turns into LOITER after this.
 const PAUSE_BUTTON_BRAKE: Duration = Duration::from_millis(2500);
 
@@ -93,7 +95,7 @@ pub(super) fn start_return_path(autopilot: &mut Autopilot, _: &mut Link, _: &Com
 pub(super) fn takeoff(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
     if command
         .frame
-        .is_some_and(|frame| frame != RELATIVE_ALTITUDE)
+        .is_some_and(|frame| frame != GLOBAL_RELATIVE_ALT)
     {
         return MavResult::MAV_RESULT_DENIED;
     }

@@ -1,10 +1,11 @@
 //! Commands that change how the vehicle moves: heading, speed, goal.
 
 use glam::DVec3;
-use mavlink::dialects::ardupilotmega::{MavResult, MavSeverity};
+use mavlink::dialects::ardupilotmega::{MavDoRepositionFlags, MavResult, MavSeverity};
 
 use super::{Command, done};
 use crate::autopilot::Autopilot;
+use crate::frame::GLOBAL_RELATIVE_ALT;
 use crate::guided;
 use crate::link::Link;
 use crate::mode;
@@ -15,8 +16,8 @@ use crate::yaw::YawDemand;
 
 /// Heights beyond this cannot be stored in a location.
 const HEIGHT_MAX_M: f64 = 83_000.0;
-/// The frame that a `COMMAND_LONG` with a place means: `MAV_FRAME_GLOBAL_RELATIVE_ALT`.
-const RELATIVE_ALTITUDE: u8 = 3;
+/// The flag of `DO_REPOSITION` that lets it enter GUIDED.
+const CHANGE_MODE: i32 = MavDoRepositionFlags::MAV_DO_REPOSITION_FLAGS_CHANGE_MODE.bits() as i32;
 
 pub(super) fn yaw(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
     let [angle, rate, direction, relative] = command.p.map(f64::from);
@@ -88,7 +89,9 @@ pub(super) fn reposition(autopilot: &mut Autopilot, _: &mut Link, command: &Comm
     let Some(frame) = command.frame else {
         return MavResult::MAV_RESULT_UNSUPPORTED;
     };
-    let may_change_mode = command.whole(1).is_some_and(|flags| flags & 1 == 1);
+    let may_change_mode = command
+        .whole(1)
+        .is_some_and(|flags| flags & CHANGE_MODE != 0);
     let guided = mode::is_guided(autopilot.vehicle.flight.mode.number);
     let somewhere = command.at().is_valid() && (command.x, command.y) != (0, 0);
     if !somewhere || !(guided || may_change_mode) {
@@ -147,7 +150,7 @@ pub(super) fn pause_or_continue(
 }
 
 pub(super) fn look_at(autopilot: &mut Autopilot, link: &mut Link, command: &Command) -> MavResult {
-    let frame = command.frame.unwrap_or(RELATIVE_ALTITUDE);
+    let frame = command.frame.unwrap_or(GLOBAL_RELATIVE_ALT);
     let Some(place) = place(autopilot, command, frame) else {
         return MavResult::MAV_RESULT_DENIED;
     };

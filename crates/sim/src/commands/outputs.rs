@@ -1,6 +1,8 @@
 //! Commands to servos, relays, motors and what else hangs on the outputs.
 
-use mavlink::dialects::ardupilotmega::{MavResult, MavSeverity};
+use mavlink::dialects::ardupilotmega::{
+    MavResult, MavSeverity, ParachuteAction, SafetySwitchState,
+};
 
 use super::{Command, done};
 use crate::autopilot::Autopilot;
@@ -14,6 +16,11 @@ const RC_THROUGH: std::ops::RangeInclusive<i32> = 51..=66;
 /// Outputs with and without pins.
 const SERVOS: std::ops::RangeInclusive<i32> = 1..=16;
 const BACK_SERVOS: std::ops::RangeInclusive<i32> = 17..=32;
+const PARACHUTE_DISABLE: i32 = ParachuteAction::PARACHUTE_DISABLE as i32;
+const PARACHUTE_ENABLE: i32 = ParachuteAction::PARACHUTE_ENABLE as i32;
+const PARACHUTE_RELEASE: i32 = ParachuteAction::PARACHUTE_RELEASE as i32;
+const SAFE: i32 = SafetySwitchState::SAFETY_SWITCH_STATE_SAFE as i32;
+const DANGEROUS: i32 = SafetySwitchState::SAFETY_SWITCH_STATE_DANGEROUS as i32;
 
 pub(super) fn servo(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
     let (Some(channel), Some(width_us)) = (command.whole(0), command.whole(1)) else {
@@ -53,13 +60,16 @@ pub(super) fn relay(autopilot: &mut Autopilot, _: &mut Link, command: &Command) 
 
 pub(super) fn parachute(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
     match command.whole(0) {
-        Some(on @ (0 | 1)) => autopilot.workbench.parachute = on == 1,
-        Some(2) if autopilot.workbench.parachute && autopilot.vehicle.safety.landed => {
+        Some(PARACHUTE_DISABLE) => autopilot.workbench.parachute = false,
+        Some(PARACHUTE_ENABLE) => autopilot.workbench.parachute = true,
+        Some(PARACHUTE_RELEASE)
+            if autopilot.workbench.parachute && autopilot.vehicle.safety.landed =>
+        {
             autopilot
                 .vehicle
                 .say(MavSeverity::MAV_SEVERITY_INFO, "Parachute: Landed");
         }
-        Some(2) => {}
+        Some(PARACHUTE_RELEASE) => {}
         _ => return MavResult::MAV_RESULT_FAILED,
     }
     MavResult::MAV_RESULT_ACCEPTED
@@ -71,8 +81,8 @@ pub(super) fn safety_switch(
     command: &Command,
 ) -> MavResult {
     match command.whole(0) {
-        Some(0) => autopilot.workbench.safety_on = true,
-        Some(1) => autopilot.workbench.safety_on = false,
+        Some(SAFE) => autopilot.workbench.safety_on = true,
+        Some(DANGEROUS) => autopilot.workbench.safety_on = false,
         _ => return MavResult::MAV_RESULT_DENIED,
     }
     MavResult::MAV_RESULT_ACCEPTED

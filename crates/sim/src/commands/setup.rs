@@ -1,13 +1,22 @@
 //! Commands that configure the vehicle.
 
-use mavlink::dialects::ardupilotmega::{MavResult, MavSeverity};
+use mavlink::dialects::ardupilotmega::{
+    MavResult, MavSeverity, PreflightStorageParameterAction, RebootShutdownAction,
+};
 
 use super::{Command, done, motion};
 use crate::autopilot::Autopilot;
+use crate::frame;
 use crate::link::Link;
 
 /// The sixth parameter that reboots an armed vehicle too.
 const FORCE_REBOOT: i32 = 20_190_226;
+/// The first parameter of `PREFLIGHT_STORAGE` that brings the defaults back.
+const ERASE: f32 = PreflightStorageParameterAction::PARAM_RESET_FACTORY_DEFAULT as u8 as f32;
+/// The first parameters of `PREFLIGHT_REBOOT_SHUTDOWN` that the vehicle knows.
+const REBOOT: f32 = RebootShutdownAction::REBOOT_SHUTDOWN_ACTION_REBOOT as u8 as f32;
+const REBOOT_TO_BOOTLOADER: f32 =
+    RebootShutdownAction::REBOOT_SHUTDOWN_ACTION_REBOOT_TO_BOOTLOADER as u8 as f32;
 
 pub(super) fn set_home(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
     if !autopilot.vehicle.is_ready() {
@@ -20,7 +29,8 @@ pub(super) fn set_home(autopilot: &mut Autopilot, _: &mut Link, command: &Comman
     if command.p[0] != 0.0 {
         return MavResult::MAV_RESULT_FAILED;
     }
-    let Some(place) = motion::place(autopilot, command, command.frame.unwrap_or(0)) else {
+    let Some(place) = motion::place(autopilot, command, command.frame.unwrap_or(frame::GLOBAL))
+    else {
         return MavResult::MAV_RESULT_DENIED;
     };
     done(
@@ -80,7 +90,7 @@ pub(super) fn run_checks(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -
 
 /// The store is erased, also in flight; the values at work stay until the reboot.
 pub(super) fn storage(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
-    if !command.is(0, 2.0) {
+    if !command.is(0, ERASE) {
         return MavResult::MAV_RESULT_DENIED;
     }
     autopilot.workbench.erased = true;
@@ -95,7 +105,7 @@ pub(super) fn reboot(autopilot: &mut Autopilot, _: &mut Link, command: &Command)
     if autopilot.vehicle.safety.armed && command.y != FORCE_REBOOT {
         return MavResult::MAV_RESULT_FAILED;
     }
-    if !command.is(0, 1.0) && !command.is(0, 3.0) {
+    if !command.is(0, REBOOT) && !command.is(0, REBOOT_TO_BOOTLOADER) {
         return MavResult::MAV_RESULT_UNSUPPORTED;
     }
     autopilot.schedule_reboot();

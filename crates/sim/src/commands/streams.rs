@@ -1,6 +1,10 @@
 //! Commands that ask for messages.
 
-use mavlink::dialects::ardupilotmega::{MESSAGE_INTERVAL_DATA, MavMessage, MavResult, MavSeverity};
+use mavlink::MessageData as _;
+use mavlink::dialects::ardupilotmega::{
+    AUTOPILOT_VERSION_DATA, GPS_GLOBAL_ORIGIN_DATA, HOME_POSITION_DATA, MESSAGE_INTERVAL_DATA,
+    MavMessage, MavResult, MavSeverity,
+};
 
 use super::{Command, done};
 use crate::autopilot::Autopilot;
@@ -73,16 +77,16 @@ pub(super) fn capabilities(
     let asked = (command.p[0] - 1.0).abs() < f32::EPSILON;
     if asked {
         link.replies
-            .extend(telemetry::message(148, autopilot).map(Into::into));
+            .extend(telemetry::message(AUTOPILOT_VERSION_DATA::ID, autopilot).map(Into::into));
     }
     done(asked)
 }
 
 pub(super) fn home_position(autopilot: &mut Autopilot, link: &mut Link, _: &Command) -> MavResult {
-    let home = telemetry::message(242, autopilot);
+    let home = telemetry::message(HOME_POSITION_DATA::ID, autopilot);
     let known = home.is_some();
     link.replies.extend(home.map(Into::into));
     link.replies
-        .extend(telemetry::message(49, autopilot).map(Into::into));
+        .extend(telemetry::message(GPS_GLOBAL_ORIGIN_DATA::ID, autopilot).map(Into::into));
     done(known)
 }

@@ -3,15 +3,15 @@
 use std::time::Duration;
 
 use glam::DVec3;
+use mavlink::dialects::ardupilotmega::GpsFixType;
 
 use super::faults::GpsFault;
 use sortie_geo::METRES_PER_DEGREE;
 
 /// A receiver without a position still sees this many satellites.
 const SATELLITES_WITHOUT_FIX: u8 = 3;
-/// RTK fixed; no fix.
-const FIXED: u8 = 6;
-const NO_FIX: u8 = 1;
+const FIXED: GpsFixType = GpsFixType::GPS_FIX_TYPE_RTK_FIXED;
+const NO_FIX: GpsFixType = GpsFixType::GPS_FIX_TYPE_NO_FIX;
 /// How far a jammed receiver's position leaps, and how fast it claims to be.
 const JAM_LEAP_M: f64 = 200.0;
 const JAM_SPEED_M_S: f64 = 400.0;
@@ -21,8 +21,7 @@ const JAM_SILENCE_S: (f64, f64) = (1.0, 6.0);
 /// One report of the receiver, as the difference to the truth.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Fix {
-    /// `fix_type` on the wire.
-    pub(crate) kind: u8,
+    pub(crate) kind: GpsFixType,
     pub(crate) satellites: u8,
     /// Metres north, east and down.
     pub(crate) offset_m: DVec3,
@@ -33,7 +32,7 @@ pub(crate) struct Fix {
 impl Fix {
     /// Whether there is a position.
     pub(crate) fn is_locked(&self) -> bool {
-        self.kind >= 3
+        self.kind as u8 >= GpsFixType::GPS_FIX_TYPE_3D_FIX as u8
     }
 }
 

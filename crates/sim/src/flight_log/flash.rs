@@ -2,6 +2,8 @@
 //!
 //! What was recorded is kept small; the file is made of it when somebody reads it.
 
+use mavlink::dialects::ardupilotmega::GpsFixType;
+
 use crate::parameters::Parameters;
 
 /// Every record begins with these bytes and its type.
@@ -56,7 +58,7 @@ const ATTITUDE: u8 = 68;
 const POSITION: u8 = 69;
 const BATTERY: u8 = 70;
 const TEXT_BYTES: usize = 64;
-const RTK_FIXED: u8 = 6;
+const RTK_FIXED: u8 = GpsFixType::GPS_FIX_TYPE_RTK_FIXED as u8;
 const WEEK_MS: u64 = 7 * 24 * 3600 * 1000;
 /// Milliseconds of the Unix epoch at which GPS time began (1980-01-06), and the leap seconds since.
 const GPS_EPOCH_MS: u64 = 315_964_800_000;

@@ -2,6 +2,7 @@
 //! dialect has no name.
 
 use glam::DVec3;
+use mavlink::MessageData as _;
 use mavlink::dialects::ardupilotmega::{
     COMMAND_INT_DATA, COMMAND_LONG_DATA, MavMessage, PARAM_SET_DATA, SET_ATTITUDE_TARGET_DATA,
     SET_POSITION_TARGET_GLOBAL_INT_DATA, SET_POSITION_TARGET_LOCAL_NED_DATA,
@@ -12,6 +13,14 @@ use crate::guided::{AttitudeTarget, Setpoint, TargetPoint};
 use crate::payload::Payload;
 use sortie_geo::LatLon;
 use sortie_wire::Content;
+
+/// The ids of the messages that are read by hand.
+const PARAM_SET: u32 = PARAM_SET_DATA::ID;
+const COMMAND_INT: u32 = COMMAND_INT_DATA::ID;
+const COMMAND_LONG: u32 = COMMAND_LONG_DATA::ID;
+const ATTITUDE: u32 = SET_ATTITUDE_TARGET_DATA::ID;
+const TARGET_LOCAL: u32 = SET_POSITION_TARGET_LOCAL_NED_DATA::ID;
+const TARGET_GLOBAL: u32 = SET_POSITION_TARGET_GLOBAL_INT_DATA::ID;
 
 /// A request together with the system it is meant for.
 #[derive(Debug, Clone, PartialEq)]
@@ -173,10 +182,12 @@ fn vector_at(payload: &Payload, at: usize) -> DVec3 {
 /// The offsets are those of the `MAVLink` definitions after sorting by field size.
 fn by_hand(id: u32, payload: &Payload) -> Option<Addressed> {
     let (target_at, request) = match id {
-        23 => (4, parameter_by_hand(payload)),
-        75 | 76 => (30, StationRequest::Command(command_by_hand(id, payload))),
-        82 => (36, StationRequest::Attitude(attitude_by_hand(payload))),
-        84 | 86 => (50, StationRequest::Setpoint(setpoint_by_hand(id, payload))),
+        PARAM_SET => (4, parameter_by_hand(payload)),
+        COMMAND_INT | COMMAND_LONG => (30, StationRequest::Command(command_by_hand(id, payload))),
+        ATTITUDE => (36, StationRequest::Attitude(attitude_by_hand(payload))),
+        TARGET_LOCAL | TARGET_GLOBAL => {
+            (50, StationRequest::Setpoint(setpoint_by_hand(id, payload)))
+        }
         _ => return None,
     };
     Some(Addressed {
@@ -195,7 +206,7 @@ fn attitude_by_hand(payload: &Payload) -> AttitudeTarget {
 }
 
 fn setpoint_by_hand(id: u32, payload: &Payload) -> Setpoint {
-    let point = if id == 84 {
+    let point = if id == TARGET_LOCAL {
         TargetPoint::Local(vector_at(payload, 4))
     } else {
         TargetPoint::Global {
@@ -217,7 +228,7 @@ fn setpoint_by_hand(id: u32, payload: &Payload) -> Setpoint {
 fn command_by_hand(id: u32, payload: &Payload) -> Command {
     let number = payload.short(28);
     let p = [0, 4, 8, 12].map(|at| payload.float(at));
-    if id == 75 {
+    if id == COMMAND_INT {
         Command {
             number,
             p,

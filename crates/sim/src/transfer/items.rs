@@ -1,6 +1,8 @@
 //! What the vehicle keeps of an item: its storage is small, and what does not fit is cut off or forgotten, so that
 //! a download shows what will be flown.
 
+use std::ops::RangeInclusive;
+
 use mavlink::dialects::ardupilotmega::MavMissionResult::{
     self, MAV_MISSION_INVALID, MAV_MISSION_INVALID_PARAM1, MAV_MISSION_INVALID_PARAM2,
     MAV_MISSION_INVALID_PARAM3, MAV_MISSION_INVALID_PARAM4, MAV_MISSION_INVALID_PARAM5_X,
@@ -9,11 +11,15 @@ use mavlink::dialects::ardupilotmega::MavMissionResult::{
 };
 
 use crate::cmd;
+use crate::frame::{self, HeightOrigin};
 use crate::plan::Item;
 use sortie_geo::LatLon;
 
 /// Altitudes in metres from here on do not fit.
 const ALTITUDE_LIMIT_M: f32 = 83_000.0;
+
+/// Numbers that the vehicle uses for itself and takes from nobody.
+const NEVER_COMMANDS: RangeInclusive<u16> = 0..=1;
 
 /// How the seven parameters of each command are kept, one letter each: `.` not at all, `B` and `b` as unsigned and
 /// signed byte, `H` and `h` as 16 bits, `f` as a float, `c` in hundredths, `o` as a yes or no, `L` as part of a place,
@@ -98,7 +104,7 @@ pub(super) fn has_place(command: u16) -> bool {
 /// The item of a mission as the vehicle keeps it, or why it does not take it.
 pub(super) fn mission_item(item: &Item) -> Result<Item, MavMissionResult> {
     check_numbers(item)?;
-    if item.command <= 1 {
+    if NEVER_COMMANDS.contains(&item.command) {
         return Err(MAV_MISSION_INVALID);
     }
     let kept = letters(item.command).ok_or(MAV_MISSION_UNSUPPORTED)?;
@@ -119,7 +125,7 @@ pub(super) fn mission_item(item: &Item) -> Result<Item, MavMissionResult> {
         stored.y = item.y;
         stored.z = (item.z * 100.0).trunc() * 0.01;
         stored.frame = match item.frame {
-            2 => 0,
+            frame::MISSION => HeightOrigin::Sea.frame(),
             other => height_frame(other)?,
         };
     } else {
@@ -211,12 +217,9 @@ fn check_numbers(item: &Item) -> Result<(), MavMissionResult> {
 
 /// The frame as a download names it: sea level, home, terrain.
 fn height_frame(frame: u8) -> Result<u8, MavMissionResult> {
-    match frame {
-        0 | 5 => Ok(0),
-        3 | 6 => Ok(3),
-        10 | 11 => Ok(10),
-        _ => Err(MAV_MISSION_UNSUPPORTED_FRAME),
-    }
+    HeightOrigin::of(frame)
+        .map(HeightOrigin::frame)
+        .ok_or(MAV_MISSION_UNSUPPORTED_FRAME)
 }
 
 fn shortened(letter: u8, value: f32) -> f32 {
@@ -245,7 +248,7 @@ mod tests {
     fn item(command: u16, p: [f32; 4]) -> Item {
         Item {
             command,
-            frame: 3,
+            frame: frame::GLOBAL_RELATIVE_ALT,
             p,
             x: -353_632_620,
             y: 1_491_652_370,

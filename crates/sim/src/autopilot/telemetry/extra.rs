@@ -10,6 +10,7 @@ use mavlink::dialects::ardupilotmega::{
 
 use super::{boot_ms, boot_us, health, sensors};
 use crate::autopilot::Autopilot;
+use crate::estimator::FLAGS_GOOD;
 use crate::kinematics::GRAVITY_M_S2;
 use sortie_geo::wrap_360;
 
@@ -26,8 +27,6 @@ const TERRAIN_MASK: u64 = (1 << 56) - 1;
 const TERRAIN_CORNER_M: (f64, f64) = (1281.0, 1038.0);
 /// A motor of a SITL quad at full output, revolutions per minute.
 const FULL_RPM: f64 = 7000.0;
-/// `HIGH_LATENCY2`'s failure flag of the differential pressure sensor, which a copter lacks.
-const NO_AIRSPEED: u16 = 2;
 
 pub(super) fn servo_output_raw(autopilot: &Autopilot) -> MavMessage {
     let mut servos = autopilot.vehicle.servos_us;
@@ -254,7 +253,8 @@ pub(super) fn high_latency2(autopilot: &Autopilot) -> MavMessage {
         altitude: here.altitude_amsl_m as i16,
         target_altitude: (here.altitude_amsl_m - way.z) as i16,
         target_distance: (way.truncate().length() / 10.0) as u16,
-        failure_flags: HlFailureFlag::from_bits_truncate(NO_AIRSPEED),
+        // A copter has no airspeed sensor.
+        failure_flags: HlFailureFlag::HL_FAILURE_FLAG_DIFFERENTIAL_PRESSURE,
         mavtype: MavType::MAV_TYPE_QUADROTOR,
         autopilot: MavAutopilot::MAV_AUTOPILOT_ARDUPILOTMEGA,
         heading,
@@ -280,7 +280,7 @@ pub(super) fn state_for_gimbal(autopilot: &Autopilot) -> MavMessage {
         vx: v.x as f32,
         vy: v.y as f32,
         vz: v.z as f32,
-        estimator_status: EstimatorStatusFlags::from_bits_truncate(0x033F),
+        estimator_status: EstimatorStatusFlags::from_bits_truncate(FLAGS_GOOD.bits()),
         target_system: autopilot.vehicle.system,
         landed_state: MavLandedState::MAV_LANDED_STATE_UNDEFINED,
         angular_velocity_z: autopilot.vehicle.plant.body.yaw_rate_deg_s.to_radians() as f32,

@@ -2,7 +2,7 @@
 
 use mavlink::dialects::ardupilotmega::{
     AUTOPILOT_VERSION_DATA, BATTERY_STATUS_DATA, EKF_STATUS_REPORT_DATA, EXTENDED_SYS_STATE_DATA,
-    EkfStatusFlags, HEARTBEAT_DATA, MEMINFO_DATA, MavAutopilot, MavBatteryFunction, MavBatteryType,
+    GpsFixType, HEARTBEAT_DATA, MEMINFO_DATA, MavAutopilot, MavBatteryFunction, MavBatteryType,
     MavLandedState, MavMessage, MavModeFlag, MavPowerStatus, MavProtocolCapability, MavState,
     MavSysStatusSensor, MavSysStatusSensorExtended, MavVtolState, POWER_STATUS_DATA,
     SYS_STATUS_DATA, SYSTEM_TIME_DATA,
@@ -16,22 +16,51 @@ use crate::task::Task;
 
 /// Gyro, accelerometer, compass, barometer, GPS, rate, attitude and yaw control, motors, RC, AHRS, battery,
 /// pre-arm check, propulsion. There is no terrain data, and the log is not claimed.
-const SENSORS: u32 = 0x5221_9C2F;
-const GYRO: u32 = 0x01;
-const ACCELEROMETER: u32 = 0x02;
-const COMPASS: u32 = 0x04;
-const BAROMETER: u32 = 0x08;
-const GPS: u32 = 0x20;
-const RADIO: u32 = 0x0001_0000;
-const BATTERY: u32 = 0x0200_0000;
-const HEIGHT_CONTROL: u32 = 0x2000;
-const POSITION_CONTROL: u32 = 0x4000;
-const AHRS: u32 = 0x0020_0000;
-const FENCE: u32 = 0x0010_0000;
-const PREARM_CHECK: u32 = 0x1000_0000;
+const SENSORS: MavSysStatusSensor = GYRO
+    .union(ACCELEROMETER)
+    .union(COMPASS)
+    .union(BAROMETER)
+    .union(GPS)
+    .union(MavSysStatusSensor::MAV_SYS_STATUS_SENSOR_ANGULAR_RATE_CONTROL)
+    .union(MavSysStatusSensor::MAV_SYS_STATUS_SENSOR_ATTITUDE_STABILIZATION)
+    .union(MavSysStatusSensor::MAV_SYS_STATUS_SENSOR_YAW_POSITION)
+    .union(MavSysStatusSensor::MAV_SYS_STATUS_SENSOR_MOTOR_OUTPUTS)
+    .union(RADIO)
+    .union(AHRS)
+    .union(BATTERY)
+    .union(PREARM_CHECK)
+    .union(MavSysStatusSensor::MAV_SYS_STATUS_SENSOR_PROPULSION);
+const GYRO: MavSysStatusSensor = MavSysStatusSensor::MAV_SYS_STATUS_SENSOR_3D_GYRO;
+const ACCELEROMETER: MavSysStatusSensor = MavSysStatusSensor::MAV_SYS_STATUS_SENSOR_3D_ACCEL;
+const COMPASS: MavSysStatusSensor = MavSysStatusSensor::MAV_SYS_STATUS_SENSOR_3D_MAG;
+const BAROMETER: MavSysStatusSensor = MavSysStatusSensor::MAV_SYS_STATUS_SENSOR_ABSOLUTE_PRESSURE;
+const GPS: MavSysStatusSensor = MavSysStatusSensor::MAV_SYS_STATUS_SENSOR_GPS;
+const RADIO: MavSysStatusSensor = MavSysStatusSensor::MAV_SYS_STATUS_SENSOR_RC_RECEIVER;
+const BATTERY: MavSysStatusSensor = MavSysStatusSensor::MAV_SYS_STATUS_SENSOR_BATTERY;
+const HEIGHT_CONTROL: MavSysStatusSensor =
+    MavSysStatusSensor::MAV_SYS_STATUS_SENSOR_Z_ALTITUDE_CONTROL;
+const POSITION_CONTROL: MavSysStatusSensor =
+    MavSysStatusSensor::MAV_SYS_STATUS_SENSOR_XY_POSITION_CONTROL;
+const AHRS: MavSysStatusSensor = MavSysStatusSensor::MAV_SYS_STATUS_AHRS;
+const FENCE: MavSysStatusSensor = MavSysStatusSensor::MAV_SYS_STATUS_GEOFENCE;
+const PREARM_CHECK: MavSysStatusSensor = MavSysStatusSensor::MAV_SYS_STATUS_PREARM_CHECK;
 /// Missions, fences and rally points, parameters, `COMMAND_INT`, FTP, setpoints of attitude and position, terrain,
 /// flight termination, compass calibration, `MAVLink` 2.
-const CAPABILITIES: u64 = 0xFBEF;
+const CAPABILITIES: MavProtocolCapability =
+    MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_MISSION_FLOAT
+        .union(MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_PARAM_FLOAT)
+        .union(MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_MISSION_INT)
+        .union(MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_COMMAND_INT)
+        .union(MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_FTP)
+        .union(MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_SET_ATTITUDE_TARGET)
+        .union(MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_SET_POSITION_TARGET_LOCAL_NED)
+        .union(MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_SET_POSITION_TARGET_GLOBAL_INT)
+        .union(MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_TERRAIN)
+        .union(MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_FLIGHT_TERMINATION)
+        .union(MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_COMPASS_CALIBRATION)
+        .union(MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_MAVLINK2)
+        .union(MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_MISSION_FENCE)
+        .union(MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_MISSION_RALLY);
 
 pub(super) fn heartbeat(autopilot: &Autopilot) -> MavMessage {
     let mut base_mode = MavModeFlag::MAV_MODE_FLAG_CUSTOM_MODE_ENABLED
@@ -60,36 +89,36 @@ pub(super) fn heartbeat(autopilot: &Autopilot) -> MavMessage {
 }
 
 /// Which sensors and functions there are at present, which are in use, and which of these are healthy.
-fn sensors(autopilot: &Autopilot) -> [u32; 3] {
+fn sensors(autopilot: &Autopilot) -> [MavSysStatusSensor; 3] {
     let mut present = SENSORS | HEIGHT_CONTROL | POSITION_CONTROL;
     let mut enabled = SENSORS;
     if autopilot
         .vehicle
         .boot
         .early_fix()
-        .is_some_and(|(kind, _)| kind == 0)
+        .is_some_and(|(kind, _)| kind == GpsFixType::GPS_FIX_TYPE_NO_GPS)
     {
-        present &= !GPS;
-        enabled &= !GPS;
+        present.remove(GPS);
+        enabled.remove(GPS);
     }
     if !autopilot.vehicle.boot.has_reference() {
-        enabled &= !AHRS;
+        enabled.remove(AHRS);
     }
     if autopilot.vehicle.flight.mode.controls_height {
-        enabled |= HEIGHT_CONTROL;
+        enabled.insert(HEIGHT_CONTROL);
     }
     if autopilot.vehicle.flight.mode.autonomous {
-        enabled |= POSITION_CONTROL;
+        enabled.insert(POSITION_CONTROL);
     }
     let fence = autopilot
         .vehicle
         .fence
         .health(&autopilot.vehicle.tuning.flight.fence);
     if fence.is_enabled {
-        enabled |= FENCE;
+        enabled.insert(FENCE);
     }
     if fence.is_present {
-        present |= FENCE;
+        present.insert(FENCE);
     }
     // A fence that does not exist is never breached: ground stations look at this bit alone.
     let healthy = if fence.is_healthy {
@@ -100,7 +129,7 @@ fn sensors(autopilot: &Autopilot) -> [u32; 3] {
     [present, enabled, healthy & !failed(autopilot)]
 }
 
-fn failed(autopilot: &Autopilot) -> u32 {
+fn failed(autopilot: &Autopilot) -> MavSysStatusSensor {
     let faults = &autopilot.vehicle.tuning.faults;
     let failures = [
         (!autopilot.is_armable(), PREARM_CHECK),
@@ -115,16 +144,16 @@ fn failed(autopilot: &Autopilot) -> u32 {
     failures
         .into_iter()
         .filter(|(is_so, _)| *is_so)
-        .fold(0, |bits, (_, bit)| bits | bit)
+        .fold(MavSysStatusSensor::empty(), |bits, (_, bit)| bits | bit)
 }
 
 pub(super) fn sys_status(autopilot: &Autopilot) -> MavMessage {
     let [present, enabled, health] = sensors(autopilot);
     let none = MavSysStatusSensorExtended::empty();
     MavMessage::SYS_STATUS(SYS_STATUS_DATA {
-        onboard_control_sensors_present: MavSysStatusSensor::from_bits_truncate(present),
-        onboard_control_sensors_enabled: MavSysStatusSensor::from_bits_truncate(enabled),
-        onboard_control_sensors_health: MavSysStatusSensor::from_bits_truncate(health),
+        onboard_control_sensors_present: present,
+        onboard_control_sensors_enabled: enabled,
+        onboard_control_sensors_health: health,
         voltage_battery: (autopilot.vehicle.plant.battery.voltage_v * 1000.0) as u16,
         current_battery: (autopilot.vehicle.plant.battery.current_a * 100.0) as i16,
         battery_remaining: remaining(autopilot),
@@ -196,7 +225,7 @@ pub(super) fn ekf_status_report(autopilot: &Autopilot) -> MavMessage {
         pos_horiz_variance: ratios.position as f32,
         pos_vert_variance: ratios.height as f32,
         compass_variance: ratios.compass as f32,
-        flags: EkfStatusFlags::from_bits_truncate(flags),
+        flags: flags,
         ..Default::default()
     })
 }
@@ -224,7 +253,7 @@ pub(super) fn autopilot_version(autopilot: &Autopilot) -> MavMessage {
     uid2[..8].copy_from_slice(&autopilot.vehicle.board_id.to_le_bytes());
     uid2[8] = autopilot.vehicle.system;
     MavMessage::AUTOPILOT_VERSION(AUTOPILOT_VERSION_DATA {
-        capabilities: MavProtocolCapability::from_bits_truncate(CAPABILITIES),
+        capabilities: CAPABILITIES,
         uid: autopilot.vehicle.board_id,
         flight_sw_version: 0x0406_0000,
         flight_custom_version: *b"sortie\0\0",

@@ -8,13 +8,13 @@ use mavlink::dialects::ardupilotmega::{
 
 use super::{boot_ms, boot_us};
 use crate::autopilot::Autopilot;
+use crate::guided::{POSITION_ONLY, VELOCITY_ONLY};
 use crate::mode;
 use crate::task::Task;
 use sortie_geo::{wrap_180, wrap_360};
 
-/// Only the position is meant, and only the velocity is meant.
-const POSITION_ONLY: u16 = 0x0DF8;
-const VELOCITY_ONLY: u16 = 0x0C07;
+/// The vehicle also sets the bits that have no meaning.
+const WITHOUT_MEANING: u16 = !PositionTargetTypemask::all().bits();
 
 pub(super) fn home_position(autopilot: &Autopilot) -> Option<MavMessage> {
     autopilot.vehicle.datum.home_position(boot_us(autopilot))
@@ -77,7 +77,7 @@ pub(super) fn position_target_global_int(autopilot: &Autopilot) -> Option<MavMes
             lat_int,
             lon_int,
             alt: place.altitude_amsl_m as f32,
-            type_mask: PositionTargetTypemask::from_bits_retain(0xF000 | POSITION_ONLY),
+            type_mask: PositionTargetTypemask::from_bits_retain(WITHOUT_MEANING | POSITION_ONLY),
             coordinate_frame: MavFrame::MAV_FRAME_GLOBAL,
             ..Default::default()
         },

@@ -47,7 +47,7 @@ pub(super) fn gps_raw_int(autopilot: &Autopilot) -> MavMessage {
 /// Fix type, satellites, and how far position (metres) and velocity (metres per second) are from the truth.
 fn reception(autopilot: &Autopilot) -> (GpsFixType, u8, DVec3, DVec3) {
     if let Some((kind, satellites)) = autopilot.vehicle.boot.early_fix() {
-        return (fix_type(kind), satellites, DVec3::ZERO, DVec3::ZERO);
+        return (kind, satellites, DVec3::ZERO, DVec3::ZERO);
     }
     autopilot.vehicle.estimator.fix().map_or(
         (
@@ -57,18 +57,14 @@ fn reception(autopilot: &Autopilot) -> (GpsFixType, u8, DVec3, DVec3) {
             DVec3::ZERO,
         ),
         |fix| {
-            let kind = fix_type(fix.kind);
-            (kind, fix.satellites, fix.offset_m, fix.velocity_offset_m_s)
+            (
+                fix.kind,
+                fix.satellites,
+                fix.offset_m,
+                fix.velocity_offset_m_s,
+            )
         },
     )
-}
-
-fn fix_type(kind: u8) -> GpsFixType {
-    match kind {
-        0 => GpsFixType::GPS_FIX_TYPE_NO_GPS,
-        1 => GpsFixType::GPS_FIX_TYPE_NO_FIX,
-        _ => GpsFixType::GPS_FIX_TYPE_RTK_FIXED,
-    }
 }
 
 /// Specific force in milli-g and rotation in milli-radians per second, in the body's axes.

@@ -7,7 +7,7 @@ use mavlink::dialects::ardupilotmega::MavMissionResult::{
 
 use crate::autopilot::Autopilot;
 use crate::cmd;
-use crate::guided::{Setpoint, TargetPoint};
+use crate::guided::{self, Setpoint, TargetPoint};
 use crate::mode;
 use crate::plan::Item;
 use crate::transfer::items;
@@ -16,8 +16,6 @@ use sortie_geo::LatLon;
 /// In the `current` field of an item: where to go now, and how high.
 const GO_THERE: u8 = 2;
 const CHANGE_HEIGHT: u8 = 3;
-/// A setpoint that asks for a position only.
-const POSITION_ONLY: u16 = 0x0DF8;
 
 /// Whether an item with that `current` field is not for the mission.
 pub(super) fn is_meant(current: u8) -> bool {
@@ -36,7 +34,7 @@ pub(super) fn go(autopilot: &mut Autopilot, item: &Item, current: u8) -> MavMiss
     if autopilot.vehicle.flight.mode.number != mode::GUIDED || item.command != cmd::NAV_WAYPOINT {
         return MAV_MISSION_ERROR;
     }
-    crate::guided::take_setpoint(
+    guided::take_setpoint(
         autopilot,
         &Setpoint {
             point: TargetPoint::Global {
@@ -47,7 +45,7 @@ pub(super) fn go(autopilot: &mut Autopilot, item: &Item, current: u8) -> MavMiss
             accel_m_s2: DVec3::ZERO,
             yaw_rad: 0.0,
             yaw_rate_rad_s: 0.0,
-            mask: POSITION_ONLY,
+            mask: guided::POSITION_ONLY,
             frame: item.frame,
         },
     );
