@@ -6,7 +6,7 @@
 
 use std::collections::BTreeMap;
 use std::ffi::OsStr;
-use std::io::{Read as _, Write as _};
+use std::io::Read as _;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
@@ -22,6 +22,7 @@ use crate::workshop::Design;
 mod folders;
 mod history;
 mod journal;
+mod output;
 mod profiles;
 mod runs;
 #[cfg(test)]
@@ -30,6 +31,7 @@ mod tests;
 pub use folders::Folders;
 pub use history::History;
 pub use journal::{Landing, Recovery, day_of, open_profiles, recover};
+pub use output::{write, write_output};
 pub use profiles::{
     PastRun, Profile, ProfileError, ProfileFile, ProfileSettings, Profiles, Rescue, RunEntry,
 };
@@ -156,43 +158,6 @@ pub fn read(path: &Path, kind: &'static str) -> Result<Source, StoreError> {
         name: path.display().to_string(),
         text,
     })
-}
-
-/// Writes a text file whole or not at all: whoever reads it meanwhile finds the old one or the new one.
-///
-/// # Errors
-/// It cannot be written, or it exists already and is not to be replaced.
-pub fn write(path: &Path, text: &str, replace: bool) -> Result<(), StoreError> {
-    let unwritable = |error| StoreError::Unwritable {
-        path: path.to_owned(),
-        error,
-    };
-    let Some(name) = path.file_name().filter(|_| !path.is_dir()) else {
-        return Err(unwritable(io::ErrorKind::IsADirectory.into()));
-    };
-    let mut beside = OsStr::new(".").to_owned();
-    beside.push(name);
-    beside.push(format!(".{}.part", std::process::id()));
-    let beside = path.with_file_name(beside);
-    let written = fs::File::create(&beside).and_then(|mut file| {
-        file.write_all(text.as_bytes())?;
-        file.sync_all()?;
-        // A link to an existing name fails, where renaming would replace what is there.
-        if replace {
-            fs::rename(&beside, path)
-        } else {
-            fs::hard_link(&beside, path)
-        }
-    });
-    if !replace || written.is_err() {
-        drop(fs::remove_file(&beside));
-    }
-    match written {
-        Err(error) if error.kind() == io::ErrorKind::AlreadyExists => Err(StoreError::Exists {
-            path: path.to_owned(),
-        }),
-        written => written.map_err(unwritable),
-    }
 }
 
 /// A path as a person writes it: `~/` is their home folder.

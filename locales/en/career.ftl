@@ -51,6 +51,7 @@ flown-by-hand = hand
 flown-by-script = script
 flown-by-bundled-pilot = bundled pilot
 progress-runs = Flights
+progress-trainee = trainee
 progress-mission = mission
 progress-state = state
 progress-medal = medal

@@ -52,6 +52,7 @@ flown-by-hand = людина
 flown-by-script = скрипт
 flown-by-bundled-pilot = скрипт із комплекту
 progress-runs = Польоти
+progress-trainee = хто тренується
 progress-mission = завдання
 progress-state = стан
 progress-medal = медаль

@@ -57,7 +57,7 @@ enum ProfileCommand {
     Export {
         /// Whose; that of the settings or the only one where none is named.
         name: Option<String>,
-        /// Write to this file instead of standard output.
+        /// Write to this file; `-` is standard output.
         #[arg(long, value_name = "FILE")]
         output: Option<PathBuf>,
     },
@@ -262,7 +262,7 @@ impl ProfileCommands<'_> {
         let file = self.profiles.export(&profile);
         let text = file.map_err(|error| self.refused(&error))?.write();
         match output {
-            Some(path) => store::write(path, &text, true)?,
+            Some(path) => store::write_output(path, &text)?,
             None => say!("{}", text.trim_end())?,
         }
         Ok(ExitCode::SUCCESS)

@@ -28,7 +28,7 @@ pub(super) struct ReportArguments {
     /// Which table goes into a CSV file.
     #[arg(long, value_enum, default_value = "runs")]
     table: Which,
-    /// Write it to this file instead of standard output.
+    /// Write it to this file; `-` is standard output.
     #[arg(long, value_name = "FILE")]
     output: Option<PathBuf>,
 }
@@ -76,11 +76,15 @@ pub(super) fn report(
     let progress = CareerProgress::of(&store::course(), &history, day_of(SystemTime::now()));
     let text = match options.format {
         Format::Md => markdown(&profile, &progress, &runs, &locale),
-        Format::Csv => match options.table {
-            Which::Missions => progress::missions(&progress, &locale).csv()?,
-            Which::Skills => progress::skills(&progress, &locale).csv()?,
-            Which::Runs => progress::runs(&runs, &locale).csv()?,
-        },
+        Format::Csv => {
+            let table = match options.table {
+                Which::Missions => progress::missions(&progress, &locale),
+                Which::Skills => progress::skills(&progress, &locale),
+                Which::Runs => progress::runs(&runs, &locale),
+            };
+            let trainee = text!("progress-trainee");
+            table.led_by(&trainee, &profile.name, &locale).csv()?
+        }
         Format::Json => {
             let document = ReportDocument {
                 profile: &profile.name,
@@ -92,7 +96,7 @@ pub(super) fn report(
         }
     };
     match &options.output {
-        Some(path) => store::write(path, &text, true)?,
+        Some(path) => store::write_output(path, &text)?,
         None => say!("{}", text.trim_end_matches('\n'))?,
     }
     Ok(ExitCode::SUCCESS)

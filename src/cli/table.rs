@@ -37,6 +37,15 @@ impl TextTable {
             .push(row.into_iter().map(|it| sanitised(&it)).collect());
     }
 
+    /// The same table with a first column that says the same in every row.
+    pub fn led_by(mut self, name: &Text, value: &str, locale: &Locale) -> Self {
+        self.columns.insert(0, (locale.text(name), Side::Left));
+        for row in &mut self.rows {
+            row.insert(0, sanitised(value));
+        }
+        self
+    }
+
     /// In columns as wide as they need to be.
     pub fn plain(&self) -> String {
         let widths: Vec<usize> = (0..self.columns.len())
@@ -126,9 +135,10 @@ pub(super) fn escaped(cell: &str) -> String {
 
 /// A cell that no spreadsheet takes for a formula.
 fn inert(cell: &str, side: Side) -> String {
-    // Figures may begin with a minus.
+    // Figures may begin with a minus, and a dash alone says that there is none.
     let is_figure = side == Side::Right && cell.parse::<f64>().is_ok();
-    let is_formula = cell.starts_with(['=', '+', '-', '@', '\t', '\r']) && !is_figure;
+    let is_formula =
+        cell.starts_with(['=', '+', '-', '@', '\t', '\r']) && !is_figure && cell != "-";
     if is_formula {
         format!("'{cell}")
     } else {
@@ -165,6 +175,7 @@ mod tests {
             ("-rm", "'-rm"),
             ("+\"a\",b", "\"'+\"\"a\"\",b\""),
             ("plain", "plain"),
+            ("-", "-"),
         ] {
             let csv = table(&[cell, "-1.5"])
                 .csv()
@@ -173,6 +184,14 @@ mod tests {
         }
         let csv = table(&["a", "-x"]).csv().expect("as many cells as columns");
         assert!(csv.contains("'-x"), "not a number");
+    }
+
+    #[test]
+    fn a_column_may_lead_all_rows() {
+        let locale = Locale::new(Language::English);
+        let led = table(&["a", "1"]).led_by(&"trainee".into(), "=Olena", &locale);
+        let csv = led.csv().expect("as many cells as columns");
+        assert_eq!(csv, "trainee,word,n\r\n'=Olena,a,1\r\n");
     }
 
     #[test]

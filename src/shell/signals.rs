@@ -1,7 +1,10 @@
 //! What the operating system tells the console.
 
+use std::future::poll_fn;
 use std::io;
+use std::task::Poll;
 
+use nix::sys::signal::Signal as Number;
 use tokio::signal::unix::{Signal, SignalKind, signal};
 
 /// What the operating system can tell the console.
@@ -16,9 +19,24 @@ pub enum Happened {
     Continued,
 }
 
+/// The signals that end the program. Left to themselves, all of them would end it with the terminal in raw mode.
+const ENDS: &[Number] = &[
+    Number::SIGTERM,
+    Number::SIGHUP,
+    Number::SIGINT,
+    Number::SIGQUIT,
+    Number::SIGUSR1,
+    Number::SIGUSR2,
+    Number::SIGALRM,
+    Number::SIGVTALRM,
+    Number::SIGPROF,
+    Number::SIGXCPU,
+    Number::SIGXFSZ,
+];
+
 /// Signals; Ctrl-C, Ctrl-\ and Ctrl-Z are keys in raw mode, so that all of these come from elsewhere.
 pub struct Signals {
-    ends: [Signal; 4],
+    ends: Vec<Signal>,
     resized: Signal,
     stopped: Signal,
     continued: Signal,
@@ -30,28 +48,32 @@ impl Signals {
     /// # Errors
     /// The operating system refuses.
     pub fn new() -> io::Result<Self> {
-        use nix::sys::signal::Signal as Number;
         let numbered = |number: Number| signal(SignalKind::from_raw(number as i32));
         Ok(Self {
-            ends: [
-                signal(SignalKind::terminate())?,
-                signal(SignalKind::hangup())?,
-                signal(SignalKind::interrupt())?,
-                signal(SignalKind::quit())?,
-            ],
+            ends: ENDS
+                .iter()
+                .copied()
+                .map(numbered)
+                .collect::<io::Result<_>>()?,
             resized: signal(SignalKind::window_change())?,
             stopped: numbered(Number::SIGTSTP)?,
             continued: numbered(Number::SIGCONT)?,
         })
     }
 
+    /// Waits for the next one.
     pub async fn next(&mut self) -> Happened {
-        let [terminated, hung_up, interrupted, quit] = &mut self.ends;
+        let ends = &mut self.ends;
+        let end = poll_fn(|context| {
+            let has_come = |it: &mut Signal| it.poll_recv(context).is_ready();
+            if ends.iter_mut().any(has_come) {
+                Poll::Ready(())
+            } else {
+                Poll::Pending
+            }
+        });
         tokio::select! {
-            _ = terminated.recv() => Happened::End,
-            _ = hung_up.recv() => Happened::End,
-            _ = interrupted.recv() => Happened::End,
-            _ = quit.recv() => Happened::End,
+            () = end => Happened::End,
             _ = self.resized.recv() => Happened::Resized,
             _ = self.stopped.recv() => Happened::Stopped,
             _ = self.continued.recv() => Happened::Continued,

@@ -224,9 +224,13 @@ impl Profiles {
     }
 
     fn fault(&self, error: rusqlite::Error) -> ProfileError {
-        ProfileError::Database {
-            path: self.path.clone(),
-            error,
+        let path = self.path.clone();
+        match error {
+            rusqlite::Error::Utf8Error(_, error) => ProfileError::Damaged {
+                path,
+                fault: error.to_string(),
+            },
+            error => ProfileError::Database { path, error },
         }
     }
 

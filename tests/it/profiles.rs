@@ -185,6 +185,11 @@ fn a_report_has_missions_skills_and_flights_in_every_format() {
     let lines: Vec<&str> = csv.lines().collect();
     assert_eq!(lines.len(), 2, "{csv}");
     assert_eq!(lines[0].split(',').count(), lines[1].split(',').count());
+    assert!(lines[0].starts_with("trainee,"), "{csv}");
+    assert!(lines[1].starts_with("Anna,"), "{csv}");
+    assert!(!csv.contains("'-"), "{csv}");
+    let shown = said(data, &["report", "--format", "json", "--output", "-"]);
+    assert_eq!(json(&shown)["profile"], "Anna");
     let skills = said(data, &["report", "--format", "csv", "--table", "skills"]);
     assert_eq!(skills.lines().count(), 13, "{skills}");
     let file = data.join("report.json");

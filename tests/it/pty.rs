@@ -233,7 +233,7 @@ fn keys_pressed_blindly_on_a_small_terminal_do_nothing_but_leave() {
 
 #[test]
 fn being_terminated_gives_the_terminal_back() {
-    for name in ["-TERM", "-HUP", "-INT", "-QUIT"] {
+    for name in ["-TERM", "-HUP", "-INT", "-QUIT", "-USR1", "-ALRM"] {
         let mut terminal = free_flight(80, 24);
         signal(&terminal, name);
         terminal.end();

@@ -40,6 +40,19 @@ const STEPS: [&str; 1] = ["
     ) STRICT, WITHOUT ROWID;
 "];
 
+/// How a document of this program is written in a column.
+pub(super) enum Notation {
+    Json,
+    Toml,
+}
+
+/// The tables and columns that hold a document in each row.
+pub(super) const DOCUMENTS: [(&str, &str, Notation); 3] = [
+    ("entries", "entry", Notation::Json),
+    ("runs", "report", Notation::Json),
+    ("designs", "design", Notation::Toml),
+];
+
 /// The version of the tables that this program writes.
 pub(super) const VERSION: i32 = STEPS.len() as i32;
 

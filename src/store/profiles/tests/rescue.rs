@@ -7,6 +7,7 @@ use rusqlite::Connection;
 
 use super::super::rescue::back_up;
 use super::{Profiles, anna, open, run};
+use crate::workshop::{Design, part};
 
 /// A folder with Anna's flights and a copy of them, closed; and the file.
 fn folder_with_copy(flights: u32) -> (tempfile::TempDir, PathBuf) {
@@ -86,6 +87,55 @@ fn damage_in_the_middle_is_found_and_without_a_copy_it_begins_anew() {
     assert_eq!(rescue.copy, None);
     assert!(rescue.text().to_string().contains("damaged-"));
     assert_eq!(profiles.list().expect("readable"), []);
+}
+
+/// Replaces one byte within the document of a flight by one that no UTF-8 text holds.
+fn rot(file: &Path) {
+    let mut bytes = fs::read(file).expect("readable");
+    let document = b"\"mission\":\"one\"";
+    let mut places = bytes.windows(document.len());
+    let at = places.position(|it| it == document).expect("it is there");
+    bytes[at + document.len() - 2] = 0xFF;
+    fs::write(file, bytes).expect("writable");
+}
+
+#[test]
+fn a_rotten_byte_in_a_flight_is_healed_from_the_copy() {
+    let (data, file) = folder_with_copy(3);
+    rot(&file);
+    let (profiles, rescue) = Profiles::open(data.path()).expect("restored");
+    let rescue = rescue.expect("it was damaged");
+    assert!(rescue.fault.contains("utf-8"), "{}", rescue.fault);
+    assert!(rescue.copy.is_some());
+    assert_eq!(flights(&profiles), 3);
+}
+
+#[test]
+fn flights_and_designs_that_are_sound_are_left_alone() {
+    let (data, _) = folder_with_copy(2);
+    let profiles = open(data.path());
+    let anna = profiles.find("Anna").expect("she is there");
+    let design = Design::new("Scout").with(part("fr_5q_226").expect("known"));
+    profiles.keep_design(&anna, &design).expect("kept");
+    profiles.back_up().expect("copied");
+    drop(profiles);
+    let (profiles, rescue) = Profiles::open(data.path()).expect("it opens");
+    assert_eq!(rescue, None);
+    assert_eq!(profiles.designs(&anna).expect("readable"), [design]);
+}
+
+#[test]
+fn without_a_copy_a_rotten_byte_costs_no_profile() {
+    let (data, file) = folder_with_copy(3);
+    fs::remove_file(data.path().join("profiles.sqlite.backup")).expect("there");
+    rot(&file);
+    let (profiles, rescue) = Profiles::open(data.path()).expect("it opens");
+    assert_eq!(rescue, None);
+    let anna = profiles.find("Anna").expect("she is still there");
+    let error = profiles.history(&anna).expect_err("a flight is damaged");
+    let said = error.text().to_string();
+    assert!(said.contains("profiles.sqlite"), "{said}");
+    assert!(said.contains("utf-8"), "{said}");
 }
 
 #[test]

@@ -1,0 +1,252 @@
+//! Writing a file whole or not at all, into whatever the path names: a file, a link, a device, a FIFO, standard output.
+
+use std::ffi::OsStr;
+use std::fs::{File, Metadata, OpenOptions};
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+use std::{fs, io};
+
+use super::StoreError;
+
+/// The path that stands for standard output.
+const STANDARD_OUTPUT: &str = "-";
+
+/// Folders in which a path names something that is open or a device, also where it looks like a file.
+const OF_THE_SYSTEM: &[&str] = &["/dev", "/proc"];
+
+/// How a file gets a second name; file systems without hard links refuse it.
+type LinkFile = fn(&Path, &Path) -> io::Result<()>;
+
+/// Writes a text file whole or not at all: whoever reads it meanwhile finds the old one or the new one.
+///
+/// A link stays a link, and its target is written. A file that is replaced keeps its mode, and its owner where the
+/// system lets us. What is no file (a device, a FIFO) is written into.
+///
+/// # Errors
+/// It cannot be written, or it exists already and is not to be replaced.
+pub fn write(path: &Path, text: &str, replace: bool) -> Result<(), StoreError> {
+    let written = match present(path) {
+        Ok(Some(found)) if is_written_into(path, &found) => append(path, text),
+        Ok(Some(found)) if found.is_dir() => Err(io::ErrorKind::IsADirectory.into()),
+        Ok(Some(_)) if !replace => Err(io::ErrorKind::AlreadyExists.into()),
+        Ok(Some(found)) => replace_file(path, text, &found),
+        Ok(None) => create_file(path, text, |from, to| fs::hard_link(from, to)),
+        Err(error) => Err(error),
+    };
+    written.map_err(|error| match error.kind() {
+        io::ErrorKind::AlreadyExists => StoreError::Exists {
+            path: path.to_owned(),
+        },
+        _ => StoreError::Unwritable {
+            path: path.to_owned(),
+            error,
+        },
+    })
+}
+
+/// Writes where a command was told to put its result: `-` is standard output, a file is replaced.
+///
+/// # Errors
+/// It cannot be written.
+pub fn write_output(path: &Path, text: &str) -> Result<(), StoreError> {
+    if path != Path::new(STANDARD_OUTPUT) {
+        return write(path, text, true);
+    }
+    let mut output = io::stdout().lock();
+    let written = output.write_all(text.as_bytes());
+    written
+        .and_then(|()| output.flush())
+        .map_err(|error| StoreError::Unwritable {
+            path: path.to_owned(),
+            error,
+        })
+}
+
+/// What a path names, links followed.
+fn present(path: &Path) -> io::Result<Option<Metadata>> {
+    match fs::metadata(path) {
+        Ok(found) => Ok(Some(found)),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
+        Err(error) => Err(error),
+    }
+}
+
+fn is_written_into(path: &Path, found: &Metadata) -> bool {
+    let is_of_the_system = || OF_THE_SYSTEM.iter().any(|folder| path.starts_with(folder));
+    !found.is_dir() && (!found.is_file() || is_of_the_system())
+}
+
+fn append(path: &Path, text: &str) -> io::Result<()> {
+    let mut target = OpenOptions::new().append(true).open(path)?;
+    target.write_all(text.as_bytes())
+}
+
+fn replace_file(path: &Path, text: &str, found: &Metadata) -> io::Result<()> {
+    let target = fs::canonicalize(path)?;
+    let part = Part::write(&target, text)?;
+    fs::set_permissions(&part.path, found.permissions())?;
+    keep_owner(&part.path, found);
+    fs::rename(&part.path, &target)
+}
+
+/// A link in the place of a new file leads to where the file is to be.
+fn create_file(path: &Path, text: &str, link: LinkFile) -> io::Result<()> {
+    let target = match fs::read_link(path) {
+        Ok(leads_to) => path.parent().unwrap_or(Path::new("")).join(leads_to),
+        Err(_) => path.to_owned(),
+    };
+    let part = Part::write(&target, text)?;
+    // Linking fails if the name is taken meanwhile, where renaming would replace what is there.
+    match link(&part.path, &target) {
+        Err(error) if error.kind() != io::ErrorKind::AlreadyExists => write_new(&target, text),
+        linked => linked,
+    }
+}
+
+/// Without hard links: the name is taken first, so that nothing is replaced, and given up if the text does not fit.
+fn write_new(target: &Path, text: &str) -> io::Result<()> {
+    let mut file = OpenOptions::new()
+        .write(true)
+        .create_new(true)
+        .open(target)?;
+    let written = file
+        .write_all(text.as_bytes())
+        .and_then(|()| file.sync_all());
+    if written.is_err() {
+        drop(fs::remove_file(target));
+    }
+    written
+}
+
+#[cfg(unix)]
+fn keep_owner(path: &Path, found: &Metadata) {
+    use std::os::unix::fs::{MetadataExt as _, chown};
+    // Only the superuser may give a file away; for everybody else the new file is their own.
+    drop(chown(path, Some(found.uid()), Some(found.gid())));
+}
+
+#[cfg(not(unix))]
+fn keep_owner(_: &Path, _: &Metadata) {}
+
+/// A file beside the one that is to be, which is gone when it is no longer needed.
+struct Part {
+    path: PathBuf,
+}
+
+impl Part {
+    fn write(target: &Path, text: &str) -> io::Result<Self> {
+        let Some(name) = target.file_name() else {
+            return Err(io::ErrorKind::IsADirectory.into());
+        };
+        let mut beside = OsStr::new(".").to_owned();
+        beside.push(name);
+        beside.push(format!(".{}.part", std::process::id()));
+        let part = Self {
+            path: target.with_file_name(beside),
+        };
+        let mut file = File::create(&part.path)?;
+        file.write_all(text.as_bytes())?;
+        file.sync_all()?;
+        Ok(part)
+    }
+}
+
+impl Drop for Part {
+    /// A part that has become the file is no longer there.
+    fn drop(&mut self) {
+        drop(fs::remove_file(&self.path));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn folder() -> tempfile::TempDir {
+        tempfile::tempdir().expect("a folder")
+    }
+
+    fn names(folder: &Path) -> Vec<String> {
+        let entries = fs::read_dir(folder).expect("readable").flatten();
+        let mut names: Vec<String> = entries
+            .map(|entry| entry.file_name().to_string_lossy().into_owned())
+            .collect();
+        names.sort();
+        names
+    }
+
+    #[test]
+    fn a_file_system_without_hard_links_takes_new_files_and_keeps_old_ones() {
+        let folder = folder();
+        let path = folder.path().join("copter.parm");
+        let refuse: LinkFile = |_, _| Err(io::ErrorKind::PermissionDenied.into());
+        create_file(&path, "A,1\n", refuse).expect("it is written");
+        assert_eq!(fs::read_to_string(&path).expect("readable"), "A,1\n");
+        let again = create_file(&path, "A,2\n", refuse).expect_err("it is there");
+        assert_eq!(again.kind(), io::ErrorKind::AlreadyExists);
+        assert_eq!(fs::read_to_string(&path).expect("readable"), "A,1\n");
+        assert_eq!(names(folder.path()), ["copter.parm"]);
+    }
+
+    #[cfg(unix)]
+    mod unix {
+        use std::os::unix::fs::{PermissionsExt as _, symlink};
+        use std::process::Command;
+        use std::thread;
+
+        use super::*;
+
+        #[test]
+        fn a_link_stays_and_its_target_keeps_its_mode() {
+            let folder = folder();
+            let (target, link) = (folder.path().join("target"), folder.path().join("link"));
+            fs::write(&target, "old").expect("written");
+            fs::set_permissions(&target, fs::Permissions::from_mode(0o640)).expect("ours");
+            symlink("target", &link).expect("made");
+            write(&link, "new", true).expect("written");
+            assert!(link.is_symlink());
+            assert_eq!(fs::read_to_string(&target).expect("readable"), "new");
+            let mode = fs::metadata(&target).expect("there").permissions().mode();
+            assert_eq!(mode & 0o777, 0o640);
+            assert_eq!(names(folder.path()), ["link", "target"]);
+        }
+
+        #[test]
+        fn a_link_to_a_file_that_is_not_there_yet_makes_it() {
+            let folder = folder();
+            let link = folder.path().join("link");
+            symlink("target", &link).expect("made");
+            write(&link, "new", false).expect("written");
+            assert!(link.is_symlink());
+            assert_eq!(fs::read_to_string(&link).expect("readable"), "new");
+        }
+
+        #[test]
+        fn a_device_is_written_into() {
+            let folder = folder();
+            let link = folder.path().join("null");
+            symlink("/dev/null", &link).expect("made");
+            write(&link, "text", true).expect("it takes everything");
+            assert!(link.is_symlink());
+            let full = folder.path().join("full");
+            symlink("/dev/full", &full).expect("made");
+            let error = write(&full, "text", true).expect_err("it takes nothing");
+            assert!(matches!(error, StoreError::Unwritable { .. }));
+            assert_eq!(names(folder.path()), ["full", "null"]);
+        }
+
+        #[test]
+        fn the_reader_of_a_fifo_gets_the_text() {
+            let folder = folder();
+            let fifo = folder.path().join("fifo");
+            let made = Command::new("mkfifo").arg(&fifo).status().expect("it runs");
+            assert!(made.success());
+            let reader = {
+                let fifo = fifo.clone();
+                thread::spawn(move || fs::read_to_string(fifo).expect("readable"))
+            };
+            write(&fifo, "text", true).expect("it is read");
+            assert_eq!(reader.join().expect("it ends"), "text");
+        }
+    }
+}
