@@ -24,7 +24,7 @@ pub(super) struct Safety {
     /// When the motors were armed last; they take their time before they lift.
     pub(super) armed_at: Duration,
     /// Above this height (metres up from the start) the yaw is aligned in flight; `None` once that is done.
-    pub(super) aligns_above_m: Option<f64>,
+    aligns_above_m: Option<f64>,
     /// When the reasons against arming are told next without being asked.
     pub(super) reports_at: Duration,
     /// Whether nothing spoke against arming at the last look.
@@ -126,6 +126,13 @@ impl Safety {
             self.reports_at = now + checks::REPORT_EVERY;
         }
         due
+    }
+
+    /// Whether the yaw is aligned now, at a height in metres above the start; once after each arming.
+    pub(super) fn aligns_at(&mut self, height_m: f64) -> bool {
+        self.aligns_above_m
+            .take_if(|above_m| height_m > *above_m)
+            .is_some()
     }
 
     /// When a takeoff that is commanded now begins.

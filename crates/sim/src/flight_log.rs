@@ -1,12 +1,14 @@
 //! Recording flights: what the vehicle keeps of them.
 
 mod flash;
+mod sample;
 
 use std::time::Duration;
 
 use super::parameters::Parameters;
 use flash::Groups;
-pub(super) use flash::{LogSample, RecordedLog};
+pub(super) use flash::RecordedLog;
+pub(super) use sample::{LogInputs, LogSample};
 
 /// When the world's clock starts: 2026-01-01, in microseconds of the Unix epoch.
 pub(super) const EPOCH_US: u64 = 1_767_225_600_000_000;

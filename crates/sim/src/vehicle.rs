@@ -1,6 +1,7 @@
 //! A vehicle that can be flown: what it is, where it believes to be, and what it is doing now. What decides what it
 //! does next (commands, plans, failsafes) is above it, in the autopilot.
 
+mod flight;
 mod fly;
 mod plant;
 
@@ -10,97 +11,27 @@ use std::time::Duration;
 use glam::DVec3;
 use mavlink::dialects::ardupilotmega::{MavMessage, MavSeverity, PARAM_VALUE_DATA};
 
+pub(super) use self::flight::{AskedSpeeds, FlightState};
 pub(super) use self::plant::Plant;
 use super::airframe::Airframe;
 use super::arming::Safety;
 use super::body::Body;
 use super::boot::Boot;
-use super::control::{Limits, PositionControl};
 use super::estimator::Estimator;
 use super::failsafe::RadioInputs;
 use super::fence::Geofence;
-use super::flight_log::{self, FlightLog, LogSample};
-use super::mode::{self, Mode};
+use super::flight_log::{self, FlightLog, LogInputs, LogSample};
+use super::mode;
 use super::parameters::{BY_NAME, Parameters};
 use super::place::{LocalDatum, Place};
 use super::plan::Plans;
 use super::radio::{Radio, Sticks};
 use super::rally::Rally;
-use super::task::{Cockpit, FlightTuning, Pilot, Task};
-use super::trail::Trail;
+use super::task::{Cockpit, Task};
 use super::tuning::Tuning;
 use super::wind::Wind;
-use super::yaw::{YawControl, YawDemand};
+use super::yaw::YawDemand;
 use super::{STEP, Start, texts};
-
-/// Speeds asked by commands; they last until the mode changes, in GUIDED also only as long as one kind of target.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-#[expect(clippy::struct_field_names, reason = "the unit belongs to each name")]
-pub(super) struct AskedSpeeds {
-    pub(super) ground_m_s: Option<f64>,
-    pub(super) up_m_s: Option<f64>,
-    pub(super) down_m_s: Option<f64>,
-}
-
-/// What the vehicle is doing.
-#[derive(Debug, Clone)]
-pub(super) struct FlightState {
-    pub(super) mode: Mode,
-    pub(super) task: Task,
-    /// The task that `DO_PAUSE_CONTINUE` interrupted.
-    pub(super) paused: Option<Task>,
-    pub(super) speeds: AskedSpeeds,
-    pub(super) control: PositionControl,
-    pub(super) yaw: YawControl,
-    /// What the modes with a pilot remember.
-    pub(super) pilot: Pilot,
-    /// The way back of `SMART_RTL`.
-    pub(super) trail: Trail,
-    /// Where the last takeoff ended, until the vehicle is told where to fly.
-    pub(super) takeoff_m: Option<DVec3>,
-    /// When BRAKE, entered by the pause button, turns into LOITER.
-    pub(super) brake_until: Option<Duration>,
-}
-
-impl FlightState {
-    fn resting(body: &Body) -> Self {
-        Self {
-            mode: Mode::BOOT,
-            task: Task::Manual,
-            paused: None,
-            speeds: AskedSpeeds::default(),
-            control: PositionControl::at(body),
-            yaw: YawControl::holding(body.yaw_deg),
-            pilot: Pilot::default(),
-            trail: Trail::default(),
-            takeoff_m: None,
-            brake_until: None,
-        }
-    }
-
-    /// Whether the vehicle is landing.
-    pub(super) fn is_landing(&self) -> bool {
-        self.mode.number == mode::LAND
-            || matches!(&self.task, Task::Return(way) if way.landing().is_some())
-    }
-
-    /// Whether it still stands where a takeoff has ended, and nothing else was asked since.
-    pub(super) fn holds_takeoff(&self) -> bool {
-        matches!(&self.task, Task::Goto { goal_m, .. } if self.takeoff_m == Some(*goal_m))
-    }
-
-    /// The task of the mode for a vehicle that stands on the ground.
-    pub(super) fn wait_on_ground(&mut self) {
-        self.task = match self.mode.number {
-            mode::STABILIZE | mode::ACRO | mode::DRIFT => Task::Manual,
-            mode::GUIDED | mode::GUIDED_NOGPS | mode::AUTO | mode::BRAKE | mode::CIRCLE => {
-                Task::Wait
-            }
-            mode::RTL | mode::SMART_RTL | mode::LAND => self.task.clone(),
-            _ => Task::Piloted,
-        };
-    }
-}
 
 /// What a reboot does not change.
 #[derive(Debug)]
@@ -249,7 +180,7 @@ impl Vehicle {
         work: impl FnOnce(&mut Task, &mut Cockpit<'_>) -> T,
     ) -> T {
         let mut cockpit = Cockpit {
-            limits: limits(&self.tuning.flight, self.flight.speeds),
+            limits: self.flight.limits(&self.tuning.flight),
             sticks: self.sticks(),
             piloted: self.uptime() < self.radio.until,
             home_m: self.datum.home_point(),
@@ -383,80 +314,34 @@ impl Vehicle {
     /// Tells of the alignment of the yaw in the air.
     pub(super) fn watch_alignment(&mut self) {
         let height_m = self.believed().height_m();
-        let due = self
-            .safety
-            .aligns_above_m
-            .is_some_and(|above_m| height_m > above_m);
-        let Some(compass) = self.estimator.compass_in_use().filter(|_| due) else {
+        let Some(compass) = self.estimator.compass_in_use() else {
             return;
         };
-        self.safety.aligns_above_m = None;
+        if !self.safety.aligns_at(height_m) {
+            return;
+        }
         for core in 0..2 {
             let text = format!("EKF3 IMU{core} MAG{compass} in-flight yaw alignment complete");
             self.say(MavSeverity::MAV_SEVERITY_INFO, &text);
         }
     }
 
-    /// Records what is due after a step.
+    /// Records what is due after a step. A log tells what the autopilot believed.
     pub(super) fn record(&mut self) {
         if !self.steps.is_multiple_of(flight_log::EVERY_STEPS) {
             return;
         }
         let (rules, now) = (self.tuning.recorder, self.uptime());
         if self.log.wants_sample(rules, self.safety.armed, now) {
-            let sample = self.sample();
+            let sample = LogSample::taken(&LogInputs {
+                now,
+                body: self.believed(),
+                datum: &self.datum,
+                battery: &self.plant.battery,
+                capacity_mah: self.tuning.battery_capacity_mah,
+                satellites: self.tuning.faults.gps.satellites,
+            });
             self.log.add(sample, self.flight.mode.number);
         }
-    }
-
-    fn sample(&self) -> LogSample {
-        // A log tells what the autopilot believed.
-        let body = self.believed();
-        let here = self.here();
-        let (lat_e7, lon_e7) = here.at.to_e7();
-        let home_m = self
-            .datum
-            .home
-            .map_or(here.altitude_amsl_m, |home| home.altitude_amsl_m);
-        let (roll, pitch) = body.roll_pitch_rad();
-        let velocity = body.velocity_m_s;
-        let centi = |value: f64| value * 100.0;
-        let degrees = |rad: f64| centi(rad.to_degrees());
-        LogSample {
-            boot_ms: self.uptime().as_millis() as u32,
-            lat_e7,
-            lon_e7,
-            altitude_amsl_cm: centi(here.altitude_amsl_m) as i32,
-            above_home_cm: centi(here.altitude_amsl_m - home_m) as i32,
-            above_origin_cm: centi(-body.position_m.z) as i32,
-            speed_cm_s: centi(velocity.truncate().length()) as u16,
-            course_cd: degrees(velocity.y.atan2(velocity.x)).rem_euclid(36_000.0) as u16,
-            down_cm_s: centi(velocity.z) as i16,
-            roll_cd: degrees(roll) as i16,
-            pitch_cd: degrees(pitch) as i16,
-            yaw_cd: centi(sortie_geo::wrap_360(body.yaw_deg)) as u16,
-            voltage_cv: centi(self.plant.battery.voltage_v) as u16,
-            current_ca: centi(self.plant.battery.current_a) as u16,
-            consumed_mah: self.plant.battery.consumed_mah as u16,
-            remaining_percent: self
-                .plant
-                .battery
-                .remaining_percent(self.tuning.battery_capacity_mah)
-                as u8,
-            satellites: self.tuning.faults.gps.satellites,
-        }
-    }
-}
-
-/// The limits of the flight: parameters, with what commands changed.
-fn limits(tuning: &FlightTuning, speeds: AskedSpeeds) -> Limits {
-    Limits {
-        speed_m_s: speeds.ground_m_s.unwrap_or(tuning.speed_m_s),
-        speed_up_m_s: speeds.up_m_s.unwrap_or(tuning.speed_up_m_s),
-        speed_down_m_s: speeds.down_m_s.unwrap_or(tuning.speed_down_m_s),
-        accel_m_s2: tuning.accel_m_s2,
-        accel_z_m_s2: tuning.accel_z_m_s2,
-        jerk_m_s3: tuning.jerk_m_s3,
-        jerk_z_m_s3: tuning.jerk_z_m_s3,
     }
 }

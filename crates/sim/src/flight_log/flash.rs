@@ -4,6 +4,7 @@
 
 use mavlink::dialects::ardupilotmega::GpsFixType;
 
+use super::sample::LogSample;
 use crate::parameters::Parameters;
 
 /// Every record begins with these bytes and its type.
@@ -63,29 +64,6 @@ const WEEK_MS: u64 = 7 * 24 * 3600 * 1000;
 /// Milliseconds of the Unix epoch at which GPS time began (1980-01-06), and the leap seconds since.
 const GPS_EPOCH_MS: u64 = 315_964_800_000;
 const LEAP_MS: u64 = 18_000;
-
-/// What is recorded at one moment, in the units of the log.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct LogSample {
-    pub(crate) boot_ms: u32,
-    pub(crate) lat_e7: i32,
-    pub(crate) lon_e7: i32,
-    pub(crate) altitude_amsl_cm: i32,
-    /// Above home, and above where the estimator began.
-    pub(crate) above_home_cm: i32,
-    pub(crate) above_origin_cm: i32,
-    pub(crate) speed_cm_s: u16,
-    pub(crate) course_cd: u16,
-    pub(crate) down_cm_s: i16,
-    pub(crate) roll_cd: i16,
-    pub(crate) pitch_cd: i16,
-    pub(crate) yaw_cd: u16,
-    pub(crate) voltage_cv: u16,
-    pub(crate) current_ca: u16,
-    pub(crate) consumed_mah: u16,
-    pub(crate) remaining_percent: u8,
-    pub(crate) satellites: u8,
-}
 
 /// Which groups of records a log has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

@@ -1,0 +1,169 @@
+//! What the vehicle is doing: the mode, the task at hand, and the path and the nose that follow it.
+
+use std::time::Duration;
+
+use glam::{DVec2, DVec3};
+
+use crate::body::{Body, Demand};
+use crate::control::{Limits, PositionControl};
+use crate::mode::{self, Mode};
+use crate::task::{Act, FlightTuning, Pilot, Task};
+use crate::trail::Trail;
+use crate::yaw::{Turning, YawControl, YawDemand};
+
+/// Speeds asked by commands; they last until the mode changes, in GUIDED also only as long as one kind of target.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[expect(clippy::struct_field_names, reason = "the unit belongs to each name")]
+pub(crate) struct AskedSpeeds {
+    pub(crate) ground_m_s: Option<f64>,
+    pub(crate) up_m_s: Option<f64>,
+    pub(crate) down_m_s: Option<f64>,
+}
+
+/// What the vehicle is doing.
+#[derive(Debug, Clone)]
+pub(crate) struct FlightState {
+    pub(crate) mode: Mode,
+    pub(crate) task: Task,
+    /// The task that `DO_PAUSE_CONTINUE` interrupted.
+    pub(crate) paused: Option<Task>,
+    pub(crate) speeds: AskedSpeeds,
+    pub(crate) control: PositionControl,
+    pub(crate) yaw: YawControl,
+    /// What the modes with a pilot remember.
+    pub(crate) pilot: Pilot,
+    /// The way back of `SMART_RTL`.
+    pub(crate) trail: Trail,
+    /// Where the last takeoff ended, until the vehicle is told where to fly.
+    pub(crate) takeoff_m: Option<DVec3>,
+    /// When BRAKE, entered by the pause button, turns into LOITER.
+    pub(crate) brake_until: Option<Duration>,
+}
+
+impl FlightState {
+    pub(super) fn resting(body: &Body) -> Self {
+        Self {
+            mode: Mode::BOOT,
+            task: Task::Manual,
+            paused: None,
+            speeds: AskedSpeeds::default(),
+            control: PositionControl::at(body),
+            yaw: YawControl::holding(body.yaw_deg),
+            pilot: Pilot::default(),
+            trail: Trail::default(),
+            takeoff_m: None,
+            brake_until: None,
+        }
+    }
+
+    /// Whether the vehicle is landing.
+    pub(crate) fn is_landing(&self) -> bool {
+        self.mode.number == mode::LAND
+            || matches!(&self.task, Task::Return(way) if way.landing().is_some())
+    }
+
+    /// Whether it still stands where a takeoff has ended, and nothing else was asked since.
+    pub(crate) fn holds_takeoff(&self) -> bool {
+        matches!(&self.task, Task::Goto { goal_m, .. } if self.takeoff_m == Some(*goal_m))
+    }
+
+    /// The task of the mode for a vehicle that stands on the ground.
+    pub(crate) fn wait_on_ground(&mut self) {
+        self.task = match self.mode.number {
+            mode::STABILIZE | mode::ACRO | mode::DRIFT => Task::Manual,
+            mode::GUIDED | mode::GUIDED_NOGPS | mode::AUTO | mode::BRAKE | mode::CIRCLE => {
+                Task::Wait
+            }
+            mode::RTL | mode::SMART_RTL | mode::LAND => self.task.clone(),
+            _ => Task::Piloted,
+        };
+    }
+
+    /// The limits of the flight: parameters, with what commands changed.
+    pub(super) fn limits(&self, tuning: &FlightTuning) -> Limits {
+        let asked = self.speeds;
+        Limits {
+            speed_m_s: asked.ground_m_s.unwrap_or(tuning.speed_m_s),
+            speed_up_m_s: asked.up_m_s.unwrap_or(tuning.speed_up_m_s),
+            speed_down_m_s: asked.down_m_s.unwrap_or(tuning.speed_down_m_s),
+            accel_m_s2: tuning.accel_m_s2,
+            accel_z_m_s2: tuning.accel_z_m_s2,
+            jerk_m_s3: tuning.jerk_m_s3,
+            jerk_z_m_s3: tuning.jerk_z_m_s3,
+        }
+    }
+
+    /// What an act of the task asks of a body that believes to be somewhere, and keeps level with an error in m/s².
+    pub(super) fn demand(
+        &mut self,
+        act: Act,
+        believed: &Body,
+        level_error_m_s2: DVec2,
+        tuning: &FlightTuning,
+    ) -> Demand {
+        match act {
+            Act::Idle => Demand::Off,
+            Act::Throttle(throttle) => Demand::Throttle(throttle),
+            Act::Accelerate(wanted) => Demand::Acceleration(wanted),
+            Act::Fly => Demand::Acceleration(self.control.demand(
+                believed,
+                tuning.lean_max_rad,
+                tuning.accel_m_s2,
+            )),
+            Act::Level => {
+                let down = self.control.demand_level(believed);
+                Demand::Acceleration(level_error_m_s2.extend(down))
+            }
+        }
+    }
+
+    /// A turning rate lasts as long as the setpoint that asked for it.
+    pub(super) fn end_turn(&mut self, now: Duration) {
+        let until = match &self.task {
+            Task::Velocity { until, .. } | Task::Accelerate { until, .. } => *until,
+            Task::Attitude(attitude) => attitude.until,
+            _ => return,
+        };
+        if now >= until && matches!(self.yaw.demand, YawDemand::Rate(_)) {
+            self.yaw.demand = YawDemand::Hold;
+        }
+    }
+
+    /// A stick that is over turns the nose, in degrees per second; one let go ends what it began.
+    pub(super) fn turn_by_stick(&mut self, rate_deg_s: f64) {
+        let turning = matches!(self.yaw.demand, YawDemand::Stick(_));
+        if rate_deg_s != 0.0 || turning {
+            self.yaw.demand = YawDemand::Stick(rate_deg_s);
+        }
+    }
+
+    /// The rate at which the nose of a body turns in this step, in degrees per second.
+    pub(super) fn nose_rate_deg_s(&mut self, body: &Body, turning: Turning) -> f64 {
+        let moving = self.control.velocity_m_s.truncate();
+        let here = body.position_m.truncate();
+        self.yaw.step(body.yaw_deg, moving, here, turning)
+    }
+
+    /// After a takeoff to a point the vehicle waits there for what its mode brings.
+    pub(super) fn end_takeoff(&mut self, goal_m: DVec3) {
+        self.takeoff_m = Some(goal_m);
+        self.task = match self.mode.number {
+            mode::GUIDED => Task::goto(goal_m),
+            // The mission goes on by itself.
+            mode::AUTO => return,
+            _ => Task::Piloted,
+        };
+    }
+
+    /// Follows an estimate of the position that has jumped.
+    pub(super) fn follow_jump(&mut self, jump_m: DVec3) {
+        self.control.path_m += jump_m;
+        // The height of a takeoff is held where the vehicle is, wherever that is said to be.
+        if let (Task::Goto { goal_m, .. }, Some(hold_m)) = (&mut self.task, &mut self.takeoff_m)
+            && *goal_m == *hold_m
+        {
+            *goal_m += jump_m;
+            *hold_m = *goal_m;
+        }
+    }
+}
