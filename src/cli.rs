@@ -1,7 +1,7 @@
 //! The command line: what scripts rely on. Errors go to standard error.
 
 use std::fs::{self, File};
-use std::io;
+use std::io::{self, Write as _};
 use std::path::Path;
 use std::process::ExitCode;
 use std::sync::Mutex;
@@ -15,7 +15,8 @@ use settings::{CliSettings, Common};
 macro_rules! say {
     ($($words:tt)*) => {{
         use std::io::Write as _;
-        writeln!(std::io::stdout(), $($words)*)
+        let printed = crate::notice::sanitised_lines(&format!($($words)*));
+        writeln!(std::io::stdout(), "{printed}")
     }};
 }
 
@@ -23,7 +24,8 @@ macro_rules! say {
 macro_rules! tell {
     ($($words:tt)*) => {{
         use std::io::Write as _;
-        drop(writeln!(std::io::stderr(), $($words)*));
+        let printed = crate::notice::sanitised_lines(&format!($($words)*));
+        drop(writeln!(std::io::stderr(), "{printed}"));
     }};
 }
 
@@ -148,6 +150,9 @@ enum Failure {
     Failed(anyhow::Error),
     /// Wrong usage or an invalid file; exit code 2. The text may have several lines.
     Invalid(String),
+    /// An invalid file, shown with the lines of its faults and in colour where the terminal has it; exit code 2.
+    /// Nothing in it that comes from the file moves a terminal.
+    Shown(String),
 }
 
 impl<E: Into<anyhow::Error>> From<E> for Failure {
@@ -172,6 +177,10 @@ pub fn main(arguments: CliArguments) -> ExitCode {
         }
         Err(Failure::Invalid(text)) => {
             tell!("{text}");
+            ExitCode::from(2)
+        }
+        Err(Failure::Shown(text)) => {
+            drop(writeln!(std::io::stderr(), "{text}"));
             ExitCode::from(2)
         }
     }

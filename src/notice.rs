@@ -22,22 +22,43 @@ pub struct Notice {
     pub text: Text,
 }
 
-/// Makes foreign text safe to show: control characters (escape sequences begin with one) and
+/// Makes foreign text safe to show in a line: control characters (escape sequences begin with one) and
 /// bidirectional overrides become `?`, and trailing blanks go.
 pub fn sanitised(text: &str) -> String {
-    let cleaned: String = text
-        .chars()
-        .map(|c| {
-            let reorders = matches!(c, '\u{202A}'..='\u{202E}' | '\u{2066}'..='\u{2069}' | '\u{200E}' | '\u{200F}');
-            if c.is_control() || reorders { '?' } else { c }
-        })
-        .collect();
+    let cleaned: String = text.chars().map(harmless).collect();
     cleaned.trim_end().to_owned()
+}
+
+/// Makes a whole output safe to print: as [`sanitised`] does, but lines, tabs and blanks stay.
+pub fn sanitised_lines(text: &str) -> String {
+    let mut letters = text.chars().peekable();
+    let mut cleaned = String::with_capacity(text.len());
+    while let Some(letter) = letters.next() {
+        let ends_line = letter == '\n' || (letter == '\r' && letters.peek() == Some(&'\n'));
+        let stays = ends_line || letter == '\t';
+        cleaned.push(if stays { letter } else { harmless(letter) });
+    }
+    cleaned
+}
+
+fn harmless(letter: char) -> char {
+    let reorders = matches!(letter, '\u{202A}'..='\u{202E}' | '\u{2066}'..='\u{2069}' | '\u{200E}' | '\u{200F}');
+    if letter.is_control() || reorders {
+        '?'
+    } else {
+        letter
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn lines_stay_lines_without_escape_sequences() {
+        let text = "a\tb \r\n\u{1b}[31mc\rd\n";
+        assert_eq!(sanitised_lines(text), "a\tb \r\n?[31mc?d\n");
+    }
 
     #[test]
     fn escape_sequences_do_not_survive() {

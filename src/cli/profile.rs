@@ -179,7 +179,7 @@ impl ProfileCommands<'_> {
                 Ok(member) => members.push(member),
                 Err(error) => {
                     let words = self.locale.text(&error.text());
-                    eprintln!("sortie: {}: {words}", profile.name);
+                    tell!("sortie: {}: {words}", profile.name);
                     code = ExitCode::FAILURE;
                 }
             }

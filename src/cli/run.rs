@@ -22,6 +22,7 @@ use crate::hangar::VehicleBackend;
 use crate::language::{Context, Script};
 use crate::mission::record::Occasion;
 use crate::mission::{Mission, Report};
+use crate::notice::sanitised;
 use crate::scoring::FlownBy;
 use crate::store::{self, Runs, Source, StoreError, day_of, utc};
 use crate::text;
@@ -388,9 +389,11 @@ fn invalid(error: &StoreError) -> Failure {
 fn explain(source: &Source, faults: &[Diagnostic]) -> Failure {
     use std::io::IsTerminal as _;
     let colour = std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
+    // The renderer writes out the control characters of the file's text, and not those of its name.
+    let name = sanitised(&source.name);
     let lines: Vec<String> = faults
         .iter()
-        .map(|fault| fault.render(&source.name, &source.text, colour))
+        .map(|fault| fault.render(&name, &source.text, colour))
         .collect();
-    Failure::Invalid(lines.join("\n\n"))
+    Failure::Shown(lines.join("\n\n"))
 }

@@ -258,6 +258,23 @@ fn faults_say_what_and_what_to_do() {
 }
 
 #[test]
+fn names_with_escape_sequences_reach_no_terminal() {
+    let folder = folder_with(&[("a\u{1b}[31mb.toml", "schema = ")]);
+    for arguments in [
+        &["check", "a\u{1b}[31mb.toml"][..],
+        &["check", "no\u{1b}[31msuch.toml"],
+        &["run", "no\u{1b}[31msuch", "--pilot", "00"],
+        &["run", "a\u{1b}[31mb.toml", "--pilot", "00"],
+    ] {
+        let output = sortie_in(folder.path(), arguments);
+        assert_ne!(output.status.code(), Some(0));
+        let said = text(&output.stdout) + &text(&output.stderr);
+        assert!(said.contains("?[31m"), "{said}");
+        assert!(!said.contains('\u{1b}'), "{said:?}");
+    }
+}
+
+#[test]
 fn the_simulator_is_measured_in_one_document() {
     let output = sortie(&[
         "bench",
