@@ -1,4 +1,4 @@
-//! `sortie bench`: the measurements that README quotes.
+//! `sortie bench`: the measurements that docs/measurements.md quotes.
 
 use std::process::ExitCode;
 

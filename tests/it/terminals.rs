@@ -246,20 +246,20 @@ fn a_pipe_flies_line_by_line_and_its_end_ends_the_flight() {
     );
 }
 
-/// The lines of the readme's example of a pipe, and the arguments of its program.
-fn readme_example() -> (Vec<String>, String) {
-    let readme = include_str!("../../README.md");
-    let example = readme.split("<<'END'\n").nth(1).expect("an example");
+/// The lines of the example of a pipe in the documents, and the arguments of its program.
+fn documented_example() -> (Vec<String>, String) {
+    let document = include_str!("../../docs/console.md");
+    let example = document.split("<<'END'\n").nth(1).expect("an example");
     let (lines, _) = example.split_once("\nEND\n").expect("its end");
-    let (before, _) = readme.split_once(" <<'END'").expect("an example");
+    let (before, _) = document.split_once(" <<'END'").expect("an example");
     let command = before.lines().next_back().expect("a command");
     let words = command.split(' ').skip(1).map(str::to_owned);
     (words.collect(), format!("{lines}\n"))
 }
 
 #[test]
-fn the_example_of_the_readme_flies_and_comes_back() {
-    let (arguments, lines) = readme_example();
+fn the_documented_example_of_a_pipe_flies_and_comes_back() {
+    let (arguments, lines) = documented_example();
     let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
     let (said, code) = plain(&arguments, &lines);
     assert_eq!(code, Some(0), "{said}");

@@ -245,7 +245,7 @@ fn listening_for_other_machines_asks_everybody_for_the_token_and_warns() {
     assert!(log.contains("every user of this machine"), "{log}");
 }
 
-/// The examples of README, where there is a curl: `$HANGAR` is where the service listens. They give no token: the
+/// The examples of docs/hangar.md, where there is a curl: `$HANGAR` is where the service listens. They give no token: the
 /// system tells that the curl is this user's.
 #[test]
 fn the_examples_with_curl_work_as_written() {
