@@ -147,6 +147,21 @@ impl<L> Exercise<L> {
         self.driver.is_over()
     }
 
+    /// The vehicles as they were heard at the last tick.
+    pub fn vehicles(&self) -> &Vehicles {
+        &self.vehicles
+    }
+
+    /// What became of the commands so far.
+    pub fn ledger(&self) -> &Ledger {
+        &self.ledger
+    }
+
+    /// The flight, for reading.
+    pub fn flight(&self) -> &Flight {
+        self.driver.flight()
+    }
+
     /// The flight, for what concerns its try and its record.
     pub fn flight_mut(&mut self) -> &mut Flight {
         self.driver.flight_mut()
