@@ -9,7 +9,6 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
-use tokio::time::{Interval, MissedTickBehavior};
 
 use crate::app::event::{Event, TerminalEvent, VehicleEvent};
 use crate::app::room::{hangar, messages};
@@ -22,7 +21,6 @@ use crate::terminal::input::Input;
 use crate::terminal::{self, Keyboard, Screen};
 use crate::text;
 use crate::text::Text;
-use crate::ui::{self, Look};
 
 mod begin;
 mod career;
@@ -32,23 +30,21 @@ mod files;
 mod missions;
 mod options;
 mod orders;
+mod pace;
 mod pause;
 pub mod plain;
 mod session;
+mod sight;
 mod signals;
 
 use career::Careers;
 pub use drive::drive;
 use missions::{Tries, listings};
 pub use options::{ConsoleOptions, Opening, Preferences};
+use pace::Pace;
 use session::{RunningSession, SessionEnding, SessionPlan};
+use sight::Sight;
 use signals::{Happened, Signals};
-
-/// The simulated time between two ticks, at which telemetry is collected and missions are stepped: a mission sees
-/// as much of its vehicles at any speedup.
-const TICK: Duration = Duration::from_millis(100);
-/// However fast simulated time passes, there is this much between two ticks.
-const LEAST_TICK: Duration = Duration::from_millis(5);
 
 /// How often what other consoles and commands have stored is looked for.
 const LOOK_EVERY: Duration = Duration::from_secs(2);
@@ -69,14 +65,16 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
         options.preferences.config.mouse,
     )?;
     let mut console = Console::new(options, true);
-    let mut ticks = ticks(console.speedup());
+    let mut pace = Pace::of(console.speedup());
     console.measure().await;
     console.draw(&mut screen).await?;
     console.begin().await;
     let mut keyboard = Keyboard::open()?;
     while !console.over {
-        let frame = console.next_frame_in(&mut screen);
-        keep_pace(&mut ticks, console.speedup());
+        let frame = console
+            .sight
+            .next_frame_in(console.app.state(), &mut screen);
+        pace.keep(console.speedup());
         tokio::select! {
             biased;
             happened = signals.next() => match happened {
@@ -90,10 +88,10 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
                 Happened::Continued => {
                     screen.take_again()?;
                     console.measure().await;
-                    console.drawn = None;
+                    console.sight.forget();
                 }
             },
-            _ = ticks.tick() => console.tick().await,
+            () = pace.tick() => console.tick().await,
             input = keyboard.next() => match input {
                 Some(input) => {
                     console.hear(input, &mut screen).await;
@@ -114,24 +112,6 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
     console.close().await;
     hear_last_answer(&mut screen, &mut keyboard).await;
     Ok(())
-}
-
-/// The ticks of a console whose vehicles live so many seconds per second.
-fn ticks(speedup: f64) -> Interval {
-    let mut ticks = tokio::time::interval(tick_every(speedup));
-    ticks.set_missed_tick_behavior(MissedTickBehavior::Skip);
-    ticks
-}
-
-fn tick_every(speedup: f64) -> Duration {
-    TICK.div_f64(speedup.max(1.0)).max(LEAST_TICK)
-}
-
-/// Ticks more or less often once the vehicles live faster or slower.
-fn keep_pace(ticks: &mut Interval, speedup: f64) {
-    if ticks.period() != tick_every(speedup) {
-        *ticks = self::ticks(speedup);
-    }
 }
 
 /// An answer of the terminal that comes after us would be typed into the shell.
@@ -177,7 +157,7 @@ struct Console {
     options: ConsoleOptions,
     clock: FleetClock,
     app: App,
-    look: Look,
+    sight: Sight,
     running: Option<RunningSession>,
     /// The try at what runs.
     attempt: Attempt,
@@ -195,13 +175,6 @@ struct Console {
     warnings: Vec<Text>,
     /// The last line of the history that its file has.
     kept: Option<String>,
-    /// The revision of the state that was drawn last.
-    drawn: Option<u64>,
-    /// A new limit for frames, until the screen has heard of it.
-    fps: Option<u8>,
-    bell: bool,
-    /// Desktop notifications that are to be shown.
-    notes: Vec<String>,
     over: bool,
 }
 
@@ -236,7 +209,7 @@ impl Console {
         let mut console = Self {
             warnings,
             kept,
-            look: options.look.clone(),
+            sight: Sight::new(options.look.clone()),
             options,
             clock: FleetClock::start(),
             app: App::new(setup),
@@ -246,10 +219,6 @@ impl Console {
             next_look: LOOK_EVERY,
             awaits_reader: false,
             ending: SessionEnding::default(),
-            drawn: None,
-            fps: None,
-            bell: false,
-            notes: Vec::new(),
             inbox: VecDeque::new(),
             over: false,
         };
@@ -278,37 +247,17 @@ impl Console {
         self.tell_failure(outcome);
     }
 
-    /// How long the frame that is wanted has to wait; `None` if none is wanted or only the terminal can tell.
-    fn next_frame_in(&self, screen: &mut Screen) -> Option<Duration> {
-        let wanted =
-            self.bell || !self.notes.is_empty() || self.drawn != Some(self.app.state().revision());
-        wanted.then(|| screen.next_frame_in()).flatten()
-    }
-
     /// Draws if something changed and the terminal can take a frame.
     async fn draw(&mut self, screen: &mut Screen) -> io::Result<()> {
-        if self.next_frame_in(screen) != Some(Duration::ZERO) {
+        if self.sight.next_frame_in(self.app.state(), screen) != Some(Duration::ZERO) {
             return Ok(());
         }
-        if let Some(fps) = self.fps.take() {
-            screen.limit(fps);
-        }
-        // A bell that waits is one bell, however often it was to ring.
-        if std::mem::take(&mut self.bell) {
-            screen.ring()?;
-        }
-        for note in std::mem::take(&mut self.notes) {
-            screen.notify(&note)?;
-        }
+        self.sight.prepare(screen)?;
         let slow = screen.slow_bytes_per_s().map(|rate| rate as u32);
         if slow != self.app.state().slow_line() {
             self.feed(TerminalEvent::SlowLine(slow)).await;
         }
-        self.drawn = Some(self.app.state().revision());
-        self.look.locale = Arc::clone(self.app.state().locale());
-        self.look.symbols = self.app.state().config().symbols.unwrap_or_default();
-        screen.entitle(&ui::window_title(self.app.state(), &self.look))?;
-        screen.draw(|frame| ui::draw(self.app.state(), &self.look, frame))
+        self.sight.draw(self.app.state(), screen)
     }
 
     async fn hear(&mut self, input: Input, screen: &mut Screen) {
@@ -324,7 +273,7 @@ impl Console {
             Input::Key(key) => self.feed(TerminalEvent::Key(key)).await,
             Input::Paste(text) => self.feed(TerminalEvent::Paste(text)).await,
             Input::Click { column, row } => {
-                let chosen = self.look.hits.at(column, row);
+                let chosen = self.sight.look.hits.at(column, row);
                 let event =
                     chosen.map_or(TerminalEvent::Click { column, row }, TerminalEvent::Choose);
                 self.feed(event).await;
@@ -416,23 +365,6 @@ impl Console {
             && let Some(event) = running.inspect(wanted.as_ref(), now)
         {
             self.feed(event).await;
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// At 20 seconds per second a tick of 100 ms let a mission see its vehicles every other second only.
-    #[tokio::test]
-    async fn a_mission_sees_as_much_of_its_vehicles_at_any_speedup() {
-        for (speedup, every_ms) in [(0.5, 100), (1.0, 100), (4.0, 25), (20.0, 5), (1000.0, 5)] {
-            assert_eq!(
-                ticks(speedup).period(),
-                Duration::from_millis(every_ms),
-                "{speedup}"
-            );
         }
     }
 }

@@ -6,7 +6,8 @@ use std::time::Duration;
 use crossterm::event::KeyCode;
 use ratatui::layout::Size;
 
-use super::{Console, ConsoleOptions, TICK, key};
+use super::pace::TICK;
+use super::{Console, ConsoleOptions, key};
 use crate::app::event::TerminalEvent;
 use crate::terminal::Screen;
 

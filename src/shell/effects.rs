@@ -98,10 +98,12 @@ impl Console {
     fn adjust(&mut self, effect: TerminalEffect) {
         match effect {
             TerminalEffect::SetTheme(name) => self.set_theme(&name),
-            TerminalEffect::SetFps(fps) => self.fps = Some(fps),
-            TerminalEffect::Bell => self.bell = true,
+            TerminalEffect::SetFps(fps) => self.sight.fps = Some(fps),
+            TerminalEffect::Bell => self.sight.bell = true,
             TerminalEffect::Notify(text) => {
-                self.notes.push(sanitised(&self.look.locale.text(&text)));
+                self.sight
+                    .notes
+                    .push(sanitised(&self.sight.look.locale.text(&text)));
             }
         }
     }
@@ -116,7 +118,7 @@ impl Console {
     fn set_theme(&mut self, name: &str) {
         match self.options.preferences.themes.named(name) {
             Ok(theme) => {
-                self.look.theme = theme.for_colours(Environment::of_process().colour_depth());
+                self.sight.look.theme = theme.for_colours(Environment::of_process().colour_depth());
             }
             Err(error) => self.post(Event::Failed(Text::from(&error))),
         }
@@ -148,9 +150,9 @@ mod tests {
             text: "Crash: Disarming".into(),
         });
         console.adjust(TerminalEffect::SetTheme("none of that name".to_owned()));
-        assert!(!console.bell, "nothing is taken in meanwhile");
+        assert!(!console.sight.bell, "nothing is taken in meanwhile");
         console.take_in().await;
-        assert!(console.bell);
+        assert!(console.sight.bell);
         assert_eq!(console.app.state().notices().lines().len(), 2);
     }
 
@@ -159,6 +161,6 @@ mod tests {
         let mut console = console();
         console.adjust(TerminalEffect::Notify("one".into()));
         console.adjust(TerminalEffect::Notify("two".into()));
-        assert_eq!(console.notes, ["one", "two"]);
+        assert_eq!(console.sight.notes, ["one", "two"]);
     }
 }

@@ -108,7 +108,8 @@ mod tests {
     use crate::app::event::TerminalEvent;
     use crate::app::state::rate;
     use crate::mission::Mission;
-    use crate::shell::{ConsoleOptions, Opening, TICK, key};
+    use crate::shell::pace::TICK;
+    use crate::shell::{ConsoleOptions, Opening, key};
 
     const FIRST: &str = include_str!("../../missions/00-first-flight.toml");
 

@@ -10,7 +10,7 @@
 
 use std::time::Duration;
 
-use super::{Console, ConsoleOptions, Happened, Opening, Signals, keep_pace, key, ticks};
+use super::{Console, ConsoleOptions, Happened, Opening, Pace, Signals, key};
 use crate::app::event::TerminalEvent;
 use crate::app::state::{Overlay, Room};
 use crate::diagnostic::Diagnostic;
@@ -28,18 +28,13 @@ mod input;
 mod output;
 mod report;
 
-use end::Patience;
+use end::{Beginning, Patience, START_PATIENCE};
 use input::PlainLine;
 use output::PlainOutput;
 use report::PlainReport;
 
 /// How often news is said: what many vehicles say at once becomes one line.
 const NEWS_EVERY: Duration = Duration::from_millis(500);
-/// How long lines from a pipe wait for the vehicles to be heard.
-const HEARD_PATIENCE: Duration = Duration::from_secs(30);
-/// How long lines from a pipe wait for a process that has crashed, and for one that cannot be had at all: longer than
-/// any pause before it is started again. Vehicles that are there but not ready to arm are waited for as long.
-const START_PATIENCE: Duration = Duration::from_secs(12);
 /// How long the end of the input waits for a mission to end by itself.
 const LANDING_PATIENCE: Duration = Duration::from_secs(10);
 
@@ -52,7 +47,7 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<bool> {
     let is_person = options.flown_by == FlownBy::Hand;
     let mut signals = Signals::new()?;
     let mut plain = Plain {
-        expected: expected(&options),
+        beginning: Beginning::of(expected(&options), is_person),
         console: Console::new(options, false),
         report: PlainReport::default(),
         output: PlainOutput::start(is_person),
@@ -61,7 +56,6 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<bool> {
         ended: false,
         said_at: Duration::ZERO,
         start: Patience::new(START_PATIENCE),
-        ready: (!is_person).then(|| Patience::new(START_PATIENCE)),
         landing: Patience::new(LANDING_PATIENCE),
         failed: false,
     };
@@ -74,11 +68,11 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<bool> {
     plain.console.begin().await;
     plain.greet();
     let mut lines = input::read();
-    let mut ticks = ticks(plain.console.speedup());
+    let mut pace = Pace::of(plain.console.speedup());
     let mut told_to_end = false;
     while !plain.is_over() {
         let takes_lines = plain.takes_lines();
-        keep_pace(&mut ticks, plain.console.speedup());
+        pace.keep(plain.console.speedup());
         tokio::select! {
             biased;
             happened = signals.next() => match happened {
@@ -89,7 +83,7 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<bool> {
                 Happened::Stopped => crate::terminal::stop(),
                 Happened::Continued | Happened::Resized => {}
             },
-            _ = ticks.tick() => plain.tick().await?,
+            () = pace.tick() => plain.tick().await?,
             line = lines.recv(), if takes_lines => match line {
                 Some(line) => plain.take(&line).await?,
                 None => plain.end_of_input().await,
@@ -115,16 +109,14 @@ struct Plain {
     output: PlainOutput,
     /// The wait that holds the next line.
     pilot: Option<Pilot>,
-    /// Vehicles that will be heard, if that is known.
-    expected: usize,
+    /// What the first line waits for.
+    beginning: Beginning,
     is_person: bool,
     /// Whether the input has ended.
     ended: bool,
     said_at: Duration,
     /// Vehicles that do not start are waited for so long.
     start: Patience,
-    /// Vehicles that are heard but not ready to arm are waited for so long; `None` once lines are taken.
-    ready: Option<Patience>,
     /// A mission that is as good as passed is waited for so long.
     landing: Patience,
     /// Whether the vehicles did not start, or a line from a pipe could not be carried out.
@@ -144,7 +136,7 @@ impl Plain {
     }
 
     fn say(&mut self, text: &Text) {
-        self.output.say(&self.console.look, text);
+        self.output.say(&self.console.sight.look, text);
     }
 
     fn is_over(&self) -> bool {
@@ -156,23 +148,7 @@ impl Plain {
 
     /// Whether the next line can be carried out.
     fn takes_lines(&self) -> bool {
-        !self.ended && (self.is_person || (self.ready.is_none() && self.is_idle()))
-    }
-
-    /// Lets lines from a pipe begin once the vehicles are ready, or that was waited for long enough.
-    fn look_for_ready(&mut self) {
-        let Some(patience) = &mut self.ready else {
-            return;
-        };
-        let state = self.console.app.state();
-        let (session, now) = (state.session(), state.now());
-        let all_heard = session.vehicles().len() >= self.expected;
-        let waited_for_all = now.saturating_sub(session.began_at()) >= HEARD_PATIENCE;
-        let is_there = (all_heard || waited_for_all) && !session.is_starting();
-        let waited = patience.is_over(is_there, now);
-        if is_there && (waited || end::is_ready(session)) {
-            self.ready = None;
-        }
+        !self.ended && (self.is_person || (self.beginning.is_over() && self.is_idle()))
     }
 
     fn is_idle(&self) -> bool {
@@ -183,10 +159,10 @@ impl Plain {
     async fn tick(&mut self) -> anyhow::Result<()> {
         self.console.tick().await;
         // The plain console has neither bell nor desktop notifications.
-        self.console.bell = false;
-        self.console.notes.clear();
+        self.console.sight.bell = false;
+        self.console.sight.notes.clear();
         self.hold();
-        self.look_for_ready();
+        self.beginning.look(self.console.app.state());
         let now = self.console.app.state().now();
         if now.saturating_sub(self.said_at) >= NEWS_EVERY {
             self.said_at = now;

@@ -1,10 +1,11 @@
 //! `SET_POSITION_TARGET_LOCAL_NED` and _`GLOBAL_INT`, and `SET_ATTITUDE_TARGET`, in GUIDED.
 
 use glam::{DQuat, DVec2, DVec3, EulerRot};
-use mavlink::dialects::ardupilotmega::{AttitudeTargetTypemask, PositionTargetTypemask as Mask};
+use mavlink::dialects::ardupilotmega::AttitudeTargetTypemask;
 
 use super::autopilot::Autopilot;
 use super::frame::{self, HeightOrigin};
+use super::mask::{ACCELERATION, FORCE, POSITION, VELOCITY, YAW, YAW_RATE};
 use super::mode;
 use super::place::Place;
 use super::task::{Attitude, Lift, Task};
@@ -12,24 +13,6 @@ use super::vehicle::{AskedSpeeds, Vehicle};
 use super::yaw::YawDemand;
 use sortie_geo::LatLon;
 
-/// Bits of the type mask; a set bit means "ignore". A group of three counts as a whole.
-const POSITION: u16 = Mask::POSITION_TARGET_TYPEMASK_X_IGNORE.bits()
-    | Mask::POSITION_TARGET_TYPEMASK_Y_IGNORE.bits()
-    | Mask::POSITION_TARGET_TYPEMASK_Z_IGNORE.bits();
-const VELOCITY: u16 = Mask::POSITION_TARGET_TYPEMASK_VX_IGNORE.bits()
-    | Mask::POSITION_TARGET_TYPEMASK_VY_IGNORE.bits()
-    | Mask::POSITION_TARGET_TYPEMASK_VZ_IGNORE.bits();
-const ACCELERATION: u16 = Mask::POSITION_TARGET_TYPEMASK_AX_IGNORE.bits()
-    | Mask::POSITION_TARGET_TYPEMASK_AY_IGNORE.bits()
-    | Mask::POSITION_TARGET_TYPEMASK_AZ_IGNORE.bits();
-/// Forces instead of accelerations: not supported.
-const FORCE: u16 = Mask::POSITION_TARGET_TYPEMASK_FORCE_SET.bits();
-const YAW: u16 = Mask::POSITION_TARGET_TYPEMASK_YAW_IGNORE.bits();
-const YAW_RATE: u16 = Mask::POSITION_TARGET_TYPEMASK_YAW_RATE_IGNORE.bits();
-/// A mask that leaves only the position.
-pub(super) const POSITION_ONLY: u16 = VELOCITY | ACCELERATION | YAW | YAW_RATE;
-/// A mask that leaves velocity and acceleration.
-pub(super) const VELOCITY_ONLY: u16 = POSITION | YAW | YAW_RATE;
 /// Bits of an attitude's type mask.
 const NO_ROLL_RATE: u8 =
     AttitudeTargetTypemask::ATTITUDE_TARGET_TYPEMASK_BODY_ROLL_RATE_IGNORE.bits();

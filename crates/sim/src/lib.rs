@@ -41,7 +41,7 @@
 //! From the bottom up; a module uses those before it, and no two use each other.
 //!
 //! - What really happens: `kinematics`, `airframe`, `battery`, `wind`, `body`, with a motor lost `upset` and `mixer`.
-//! - Facts: `parameters`, `mode`, `cmd` and `frame` (numbers of commands and frames), `plan` (lists of items), `place` (where on the earth a
+//! - Facts: `config` (what a world begins with), `parameters`, `mode`, `cmd`, `frame` and `mask` (the numbers of MAVLink), `plan` (lists of items), `place` (where on the earth a
 //!   point is), `radio` (sticks), `texts`, `payload`.
 //! - Parts that own what they remember, are given what they need of the others, and return what they want done
 //!   (`reaction`): `estimator` (what is believed of the motion), `control` and `yaw` (the path and the nose), `task` (what
@@ -51,7 +51,7 @@
 //!   parts in order. Its `telemetry` reports.
 //! - Ground stations: `commands`, `guided` (setpoints) and `transfer` (lists, files, logs) are what they ask for;
 //!   `inbound` understands it. `schedule`, `signing`, `link` and `port` are the way there; `slot` is a vehicle with its
-//!   connections. `collision` is between bodies.
+//!   connections, `truth` what really becomes of it. `collision` is between bodies.
 
 #![warn(missing_docs)]
 
@@ -65,6 +65,7 @@ mod boot;
 mod cmd;
 mod collision;
 mod commands;
+mod config;
 mod control;
 mod counters;
 mod crash;
@@ -77,6 +78,7 @@ mod guided;
 mod inbound;
 mod kinematics;
 mod link;
+mod mask;
 mod mixer;
 mod mode;
 mod parameters;
@@ -94,6 +96,7 @@ mod task;
 mod texts;
 mod trail;
 mod transfer;
+mod truth;
 mod tuning;
 mod upset;
 mod vehicle;
@@ -104,7 +107,6 @@ mod yaw;
 #[cfg(test)]
 mod tests;
 
-use std::sync::Arc;
 use std::time::Duration;
 
 pub use mavlink;
@@ -115,130 +117,23 @@ pub use self::airframe::{Airframe, AirframeError};
 use self::autopilot::Autopilot;
 use self::collision::Collisions;
 pub use self::collision::{Collision, Met, Obstacle, Placement, Shape};
+pub use self::config::{Serial, Start, WorldConfig};
 pub use self::parameters::{AliasSense, other_name};
 use self::slot::VehicleSlot;
+pub use self::truth::Truth;
 use self::wind::Wind;
-use sortie_geo::{LatLon, wrap_360};
 
 /// The fixed time step of [`World::step`].
 pub const STEP: Duration = Duration::from_millis(10);
-/// How far apart the vehicles of a row stand.
-const ROW_SPACING_M: f64 = 5.0;
 /// Vehicles have the system ids 1 to 254 (255 is the ground station's); further vehicles begin again at 1 and can
 /// only be told apart by their ports.
 pub const SYSTEMS: usize = 254;
-
-/// What a world consists of.
-#[derive(Debug, Clone, PartialEq)]
-pub struct WorldConfig {
-    /// One start per vehicle; the first has system id 1.
-    pub starts: Vec<Start>,
-    /// The airframe of each vehicle, in the order of the starts; the last one is also that of all vehicles that
-    /// follow, and without any the vehicles are [`Airframe::standard`] quadcopters.
-    pub airframes: Vec<Arc<Airframe>>,
-    /// Seed of everything random (gusts).
-    pub seed: u64,
-    /// What stands in the way.
-    pub obstacles: Vec<Obstacle>,
-    /// Whether the vehicles take as long to boot as real ones: half a minute and more until they can be armed in
-    /// GUIDED. Else they are ready after little more than a second.
-    pub realistic_boot: bool,
-}
-
-impl WorldConfig {
-    /// Vehicles side by side to the east, 5 m apart, seed 0.
-    pub fn row(vehicles: usize, first: Start) -> Self {
-        let starts = (0..vehicles)
-            .map(|place| Start {
-                at: first.at.moved(0.0, ROW_SPACING_M * place as f64),
-                ..first
-            })
-            .collect();
-        Self {
-            starts,
-            airframes: Vec::new(),
-            seed: 0,
-            realistic_boot: false,
-            obstacles: Vec::new(),
-        }
-    }
-
-    fn airframe(&self, vehicle: usize, usual: &Arc<Airframe>) -> Arc<Airframe> {
-        let own = self.airframes.get(vehicle).or(self.airframes.last());
-        Arc::clone(own.unwrap_or(usual))
-    }
-}
-
-/// Where a vehicle stands when it is switched on.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Start {
-    /// Latitude and longitude in degrees.
-    pub at: LatLon,
-    /// Height of the ground there, metres above mean sea level.
-    pub altitude_amsl_m: f64,
-    /// Where the nose points, degrees clockwise from north.
-    pub heading_deg: f64,
-}
-
-/// A serial port of a vehicle. Each has its own rates of telemetry.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Serial {
-    /// Where a cable is supposed to be: it accepts unsigned packets too.
-    Zero,
-    /// The first radio: it refuses unsigned packets once a signing key is set.
-    One,
-    /// The second radio, with the same rules as the first.
-    Two,
-}
-
-impl Serial {
-    /// All that a vehicle has.
-    pub const ALL: [Self; 3] = [Self::Zero, Self::One, Self::Two];
-
-    /// Its number, from 0.
-    pub fn index(self) -> usize {
-        self as usize
-    }
-}
 
 /// A connection of a ground station to a vehicle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct PortId {
     vehicle: usize,
     number: u64,
-}
-
-/// What really is the case, whatever the telemetry says: for tests and benches.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Truth {
-    /// Where the vehicle is.
-    pub at: LatLon,
-    /// Metres above mean sea level.
-    pub altitude_amsl_m: f64,
-    /// Metres north, east and down from the start.
-    pub position_ned_m: [f64; 3],
-    /// Metres per second north, east and down.
-    pub velocity_ned_m_s: [f64; 3],
-    /// Degrees; positive to the right.
-    pub roll_deg: f64,
-    /// Degrees; positive nose up.
-    pub pitch_deg: f64,
-    /// Degrees clockwise from north, 0 to 360.
-    pub heading_deg: f64,
-    /// Whether the motors are armed.
-    pub armed: bool,
-    /// Whether the vehicle touches the ground.
-    pub on_ground: bool,
-    /// The flight mode as `ArduCopter`'s `custom_mode` (0 is STABILIZE).
-    pub mode: u8,
-    /// Volts at the battery's terminals, under load.
-    pub battery_voltage_v: f64,
-    /// Amperes drawn from the battery.
-    pub battery_current_a: f64,
-    /// Milliampere hours drawn since boot.
-    pub battery_consumed_mah: f64,
-    /// Throttle, 0 to 1.
-    pub throttle: f64,
 }
 
 /// Vehicles and the ground stations on them.
@@ -398,7 +293,7 @@ impl World {
     /// # Panics
     /// If there is no such vehicle ([`vehicles`](Self::vehicles) tells how many there are).
     pub fn truth(&self, vehicle: usize) -> Truth {
-        truth_of(&self.slots[vehicle].autopilot)
+        Truth::of(&self.slots[vehicle].autopilot)
     }
 }
 
@@ -412,27 +307,5 @@ impl Part<'_> {
         for slot in self.0 {
             slot.step();
         }
-    }
-}
-
-fn truth_of(autopilot: &Autopilot) -> Truth {
-    let body = &autopilot.vehicle.plant.body;
-    let here = autopilot.vehicle.truly_here();
-    let (roll, pitch) = body.roll_pitch_rad();
-    Truth {
-        at: here.at,
-        altitude_amsl_m: here.altitude_amsl_m,
-        position_ned_m: body.position_m.to_array(),
-        velocity_ned_m_s: body.velocity_m_s.to_array(),
-        roll_deg: roll.to_degrees(),
-        pitch_deg: pitch.to_degrees(),
-        heading_deg: wrap_360(body.yaw_deg),
-        armed: autopilot.vehicle.safety.armed,
-        on_ground: body.on_ground,
-        mode: autopilot.reported_mode(),
-        battery_voltage_v: autopilot.vehicle.plant.battery.voltage_v,
-        battery_current_a: autopilot.vehicle.plant.battery.current_a,
-        battery_consumed_mah: autopilot.vehicle.plant.battery.consumed_mah,
-        throttle: body.throttle,
     }
 }

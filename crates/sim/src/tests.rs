@@ -22,6 +22,7 @@ mod timeline;
 mod transfers;
 
 use super::*;
+use sortie_geo::LatLon;
 
 pub(super) use ground::Ground;
 

@@ -7,6 +7,12 @@ use crate::app::state::{FlightView, Instance};
 use crate::ledger::Ledger;
 use crate::mission::ObjectiveState;
 
+/// How long lines from a pipe wait for the vehicles to be heard.
+const HEARD_PATIENCE: Duration = Duration::from_secs(30);
+/// How long lines from a pipe wait for a process that has crashed, and for one that cannot be had at all: longer than
+/// any pause before it is started again. Vehicles that are there but not ready to arm are waited for as long.
+pub(super) const START_PATIENCE: Duration = Duration::from_secs(12);
+
 /// Waits for something to change that has been so for a while.
 #[derive(Debug)]
 pub(super) struct Patience {
@@ -29,6 +35,44 @@ impl Patience {
     }
 }
 
+/// What holds the first line from a pipe: until the vehicles are ready, or that was waited for long enough.
+#[derive(Debug)]
+pub(super) struct Beginning {
+    /// How many vehicles will be heard, if that is known.
+    expected: usize,
+    /// Vehicles that are heard but not ready to arm are waited for so long; `None` once lines are taken.
+    ready: Option<Patience>,
+}
+
+impl Beginning {
+    /// A person waits for nothing.
+    pub fn of(expected: usize, is_person: bool) -> Self {
+        Self {
+            expected,
+            ready: (!is_person).then(|| Patience::new(START_PATIENCE)),
+        }
+    }
+
+    /// Whether lines are taken.
+    pub fn is_over(&self) -> bool {
+        self.ready.is_none()
+    }
+
+    pub fn look(&mut self, state: &State) {
+        let Some(patience) = &mut self.ready else {
+            return;
+        };
+        let (session, now) = (state.session(), state.now());
+        let all_heard = session.vehicles().len() >= self.expected;
+        let waited_for_all = now.saturating_sub(session.began_at()) >= HEARD_PATIENCE;
+        let is_there = (all_heard || waited_for_all) && !session.is_starting();
+        let waited = patience.is_over(is_there, now);
+        if is_there && (waited || is_ready(session)) {
+            self.ready = None;
+        }
+    }
+}
+
 /// Whether the vehicles, which have to be started first, do not start.
 pub(super) fn cannot_start(state: &State) -> bool {
     let hangar = state.session().hangar();
@@ -40,7 +84,7 @@ pub(super) fn cannot_start(state: &State) -> bool {
 }
 
 /// Whether every vehicle can be armed, or is already.
-pub(super) fn is_ready(session: &FlightView) -> bool {
+fn is_ready(session: &FlightView) -> bool {
     let mut vehicles = session.vehicles().values();
     vehicles.all(|vehicle| vehicle.ready_to_arm() || vehicle.armed())
 }

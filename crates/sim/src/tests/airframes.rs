@@ -1,6 +1,8 @@
 //! Motors that fail, batteries that empty, frames of other sizes, wind: against figures measured on a SITL of the
 //! same version with the same frame.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 use mavlink::dialects::ardupilotmega::{MavCmd, MavMessage, MavType};
 

@@ -1,5 +1,7 @@
 //! A ground station for tests.
 
+use std::sync::Arc;
+
 use mavlink::dialects::ardupilotmega::{
     COMMAND_ACK_DATA, COMMAND_INT_DATA, COMMAND_LONG_DATA, HEARTBEAT_DATA, MavCmd, MavFrame,
     MavMessage, MavResult, PARAM_SET_DATA, PositionTargetTypemask, RC_CHANNELS_OVERRIDE_DATA,

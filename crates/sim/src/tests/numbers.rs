@@ -1,6 +1,8 @@
 //! No parameter, no airframe and no mode makes a vehicle lose its numbers, sink into the ground, fly by energy that
 //! its motors did not give, or charge its battery.
 
+use std::sync::Arc;
+
 use proptest::prelude::*;
 
 use mavlink::dialects::ardupilotmega::{MavCmd, MavMessage, RC_CHANNELS_OVERRIDE_DATA};

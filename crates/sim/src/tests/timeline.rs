@@ -4,6 +4,7 @@ use mavlink::dialects::ardupilotmega::{MavCmd, MavMessage};
 
 use super::super::*;
 use super::Ground;
+use sortie_geo::LatLon;
 
 /// Health bits that belong to sensors and failsafes: without logging, terrain, proximity and fence.
 const JUDGED: u32 = !0x0550_0000;

@@ -8,7 +8,7 @@ use mavlink::dialects::ardupilotmega::{
 
 use super::{boot_ms, boot_us};
 use crate::autopilot::Autopilot;
-use crate::guided::{POSITION_ONLY, VELOCITY_ONLY};
+use crate::mask::{POSITION_ONLY, VELOCITY_ONLY};
 use crate::mode;
 use crate::task::Task;
 use sortie_geo::{wrap_180, wrap_360};

@@ -8,6 +8,7 @@ use mavlink::dialects::ardupilotmega::MavMissionResult::{
 use crate::autopilot::Autopilot;
 use crate::cmd;
 use crate::guided::{self, Setpoint, TargetPoint};
+use crate::mask::POSITION_ONLY;
 use crate::mode;
 use crate::plan::Item;
 use crate::transfer::items;
@@ -45,7 +46,7 @@ pub(super) fn go(autopilot: &mut Autopilot, item: &Item, current: u8) -> MavMiss
             accel_m_s2: DVec3::ZERO,
             yaw_rad: 0.0,
             yaw_rate_rad_s: 0.0,
-            mask: guided::POSITION_ONLY,
+            mask: POSITION_ONLY,
             frame: item.frame,
         },
     );

@@ -1,0 +1,84 @@
+//! What a world begins with: vehicles, where they stand, and what stands in their way.
+
+use std::sync::Arc;
+
+use super::airframe::Airframe;
+use super::collision::Obstacle;
+use sortie_geo::LatLon;
+
+/// How far apart the vehicles of a row stand.
+const ROW_SPACING_M: f64 = 5.0;
+
+/// What a world consists of.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WorldConfig {
+    /// One start per vehicle; the first has system id 1.
+    pub starts: Vec<Start>,
+    /// The airframe of each vehicle, in the order of the starts; the last one is also that of all vehicles that
+    /// follow, and without any the vehicles are [`Airframe::standard`] quadcopters.
+    pub airframes: Vec<Arc<Airframe>>,
+    /// Seed of everything random (gusts).
+    pub seed: u64,
+    /// What stands in the way.
+    pub obstacles: Vec<Obstacle>,
+    /// Whether the vehicles take as long to boot as real ones: half a minute and more until they can be armed in
+    /// GUIDED. Else they are ready after little more than a second.
+    pub realistic_boot: bool,
+}
+
+impl WorldConfig {
+    /// Vehicles side by side to the east, 5 m apart, seed 0.
+    pub fn row(vehicles: usize, first: Start) -> Self {
+        let starts = (0..vehicles)
+            .map(|place| Start {
+                at: first.at.moved(0.0, ROW_SPACING_M * place as f64),
+                ..first
+            })
+            .collect();
+        Self {
+            starts,
+            airframes: Vec::new(),
+            seed: 0,
+            realistic_boot: false,
+            obstacles: Vec::new(),
+        }
+    }
+
+    /// The airframe of a vehicle; the usual one if none was given.
+    pub(super) fn airframe(&self, vehicle: usize, usual: &Arc<Airframe>) -> Arc<Airframe> {
+        let own = self.airframes.get(vehicle).or(self.airframes.last());
+        Arc::clone(own.unwrap_or(usual))
+    }
+}
+
+/// Where a vehicle stands when it is switched on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Start {
+    /// Latitude and longitude in degrees.
+    pub at: LatLon,
+    /// Height of the ground there, metres above mean sea level.
+    pub altitude_amsl_m: f64,
+    /// Where the nose points, degrees clockwise from north.
+    pub heading_deg: f64,
+}
+
+/// A serial port of a vehicle. Each has its own rates of telemetry.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Serial {
+    /// Where a cable is supposed to be: it accepts unsigned packets too.
+    Zero,
+    /// The first radio: it refuses unsigned packets once a signing key is set.
+    One,
+    /// The second radio, with the same rules as the first.
+    Two,
+}
+
+impl Serial {
+    /// All that a vehicle has.
+    pub const ALL: [Self; 3] = [Self::Zero, Self::One, Self::Two];
+
+    /// Its number, from 0.
+    pub fn index(self) -> usize {
+        self as usize
+    }
+}

@@ -1,0 +1,59 @@
+//! How often the console ticks: more often the faster the vehicles live.
+
+use std::time::Duration;
+
+use tokio::time::{Interval, MissedTickBehavior};
+
+/// The simulated time between two ticks, at which telemetry is collected and missions are stepped: a mission sees
+/// as much of its vehicles at any speedup.
+pub(super) const TICK: Duration = Duration::from_millis(100);
+/// However fast simulated time passes, there is this much between two ticks.
+const LEAST_TICK: Duration = Duration::from_millis(5);
+
+/// The ticks of a console.
+#[derive(Debug)]
+pub(super) struct Pace {
+    ticks: Interval,
+}
+
+impl Pace {
+    /// For vehicles that live so many seconds per second.
+    pub fn of(speedup: f64) -> Self {
+        let mut ticks = tokio::time::interval(tick_every(speedup));
+        ticks.set_missed_tick_behavior(MissedTickBehavior::Skip);
+        Self { ticks }
+    }
+
+    /// Ticks more or less often once the vehicles live faster or slower.
+    pub fn keep(&mut self, speedup: f64) {
+        if self.ticks.period() != tick_every(speedup) {
+            *self = Self::of(speedup);
+        }
+    }
+
+    /// Waits for the next tick.
+    pub async fn tick(&mut self) {
+        self.ticks.tick().await;
+    }
+}
+
+fn tick_every(speedup: f64) -> Duration {
+    TICK.div_f64(speedup.max(1.0)).max(LEAST_TICK)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// At 20 seconds per second a tick of 100 ms let a mission see its vehicles every other second only.
+    #[tokio::test]
+    async fn a_mission_sees_as_much_of_its_vehicles_at_any_speedup() {
+        for (speedup, every_ms) in [(0.5, 100), (1.0, 100), (4.0, 25), (20.0, 5), (1000.0, 5)] {
+            assert_eq!(
+                Pace::of(speedup).ticks.period(),
+                Duration::from_millis(every_ms),
+                "{speedup}"
+            );
+        }
+    }
+}
