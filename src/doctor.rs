@@ -94,6 +94,8 @@ pub struct Observation {
     pub counters: Counters,
     /// Frames missing by their numbering.
     pub lost: u64,
+    /// Frames whose number lies before one that had been heard.
+    pub late: u64,
     pub senders: Vec<Sender>,
     /// The last bytes in which no frame was found.
     pub noise: Vec<u8>,
@@ -170,6 +172,7 @@ struct ChartChange {
     skipped: u64,
     unknown: u64,
     lost: u64,
+    late: u64,
 }
 
 impl Chart {
@@ -225,6 +228,7 @@ impl Chart {
             skipped: to.skipped_bytes.saturating_sub(from.skipped_bytes),
             unknown: to.unknown_messages.saturating_sub(from.unknown_messages),
             lost: last.lost.saturating_sub(first.lost),
+            late: last.late.saturating_sub(first.late),
         }
     }
 

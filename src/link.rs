@@ -189,6 +189,8 @@ pub struct LinkStatus {
     pub lost: Vec<((SystemId, ComponentId), u64)>,
     /// The sum of `lost`.
     pub lost_total: u64,
+    /// Frames whose number lies before one that had been heard.
+    pub late_total: u64,
     /// How often the link has come up again.
     pub reconnects: u32,
     /// What went wrong last; cleared when the link comes up.
@@ -210,6 +212,7 @@ impl LinkStatus {
             rates: Rates::default(),
             lost: Vec::new(),
             lost_total: 0,
+            late_total: 0,
             reconnects: 0,
             last_error: None,
         }

@@ -16,11 +16,17 @@ doctor-duplicate-system = system id { $system } comes from two places
 doctor-signed = vehicle { $system } signs its frames and does not answer ours, which are unsigned
 doctor-signed-but-answers = vehicle { $system } signs its frames, but takes ours unsigned
 doctor-one-way = vehicle { $system } is heard, but never answers: it does not hear us
+doctor-one-way-vehicles = { $count } vehicles are heard and never answer
+doctor-noise = { $percent } % of the bytes that arrive are not MAVLink
 doctor-version-1 = vehicle { $system } speaks MAVLink 1 only
 doctor-damaged = { $percent } % of the frames arrive damaged (wrong checksum)
 doctor-lossy = { $percent } % of the frames do not arrive
 doctor-recording = a recording is played: nobody answers
 doctor-listening = listening ...
+doctor-unanswered = { $count ->
+    [one] { $count } vehicle is heard; waiting for its first answer
+   *[other] { $count } vehicles are heard; waiting for their first answers
+}
 doctor-well = { $count ->
     [one] all is well: { $count } vehicle is heard and answers
    *[other] all is well: { $count } vehicles are heard and answer
@@ -40,6 +46,8 @@ doctor-try-duplicate = Give one vehicle another SYSID_THISMAV and reboot it. If 
 doctor-try-signed = This program does not sign. Switch signing off on the vehicle, or use a port without it (USB takes unsigned frames).
 doctor-try-one-way = Do replies find the way back? Look at firewall, NAT and router: the vehicle must accept UDP or TCP from this machine, and may heed another ground station only (SYSID_MYGCS, SYSID_ENFORCE).
 doctor-try-one-way-serial = Is the TX wire joined, and is the radio's uplink up? The vehicle may heed another ground station only (SYSID_MYGCS, SYSID_ENFORCE).
+doctor-try-one-way-vehicles = Do replies find the way back (firewall, NAT, router)? So many silent system ids may also be forged by another sender on this port.
+doctor-try-noise = Another program sends to this port, or two share the serial line: find it and stop it. The vehicles' frames are still read.
 doctor-try-version-1 = It works, but signing and newer messages do not. Set the port's SERIALn_PROTOCOL to 2.
 doctor-try-damaged = Look for an overloaded or weak radio on the way, or for two programs that share one serial port.
 doctor-try-damaged-serial = Look at cable, ground and flow control, try a lower baud rate, and see that no other program reads the port.

@@ -11,6 +11,13 @@ use crate::wire::{GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM, SystemId};
 const PATIENCE: Duration = Duration::from_secs(4);
 /// So long a vehicle may take to answer: it is asked every five seconds.
 const ANSWER_WITHIN: Duration = Duration::from_secs(12);
+/// A vehicle that has answered before has lost its way back after so long: some answers are lost on any radio.
+const ANSWERS_AGAIN_WITHIN: Duration = Duration::from_secs(30);
+/// More vehicles than this that do not answer are told by their number.
+const MOST_NAMED: usize = 3;
+/// A larger share of bytes that belong to no frame, and more of them in the window than this, are noise.
+const MOST_NOISE: f64 = 0.5;
+const NOISE_THAT_MATTERS: u64 = 2000;
 /// So many messages are enough to expect an answer.
 const ASKED_ENOUGH: u64 = 3;
 /// More frames than this share with a wrong checksum are a fault; a radio at its limit stays below.
@@ -78,6 +85,10 @@ pub enum Cause {
     SignedButAnswers(SystemId),
     /// The vehicle is heard but does not answer.
     OneWay(SystemId),
+    /// So many vehicles are heard and never answer.
+    OneWayVehicles(usize),
+    /// This share of the bytes belongs to no frame, in percent.
+    Noise(u8),
     /// The vehicle speaks MAVLink 1 only.
     Version1(SystemId),
     /// This share of the frames arrives damaged, in percent.
@@ -88,6 +99,8 @@ pub enum Cause {
     Recording,
     /// It is too early to say anything.
     Listening,
+    /// So many vehicles are heard, and it is too early to expect an answer from them.
+    Unanswered(usize),
     /// So many vehicles are heard and answer.
     Well(usize),
 }
@@ -108,13 +121,15 @@ impl Cause {
             Self::DuplicateSystem(_)
             | Self::Signed(_)
             | Self::OneWay(_)
+            | Self::OneWayVehicles(_)
+            | Self::Noise(_)
             | Self::Damaged(_)
             | Self::Lossy(_) => Weight::Fault,
             Self::ForeignMessages(_)
             | Self::SignedButAnswers(_)
             | Self::Version1(_)
             | Self::Recording => Weight::Remark,
-            Self::Listening | Self::Well(_) => Weight::Fine,
+            Self::Listening | Self::Unanswered(_) | Self::Well(_) => Weight::Fine,
         }
     }
 }
@@ -130,7 +145,7 @@ pub fn diagnose(charts: &[Chart]) -> Vec<LinkFinding> {
             .collect();
         causes.extend(examine(chart));
         if causes.is_empty() {
-            causes.push(Cause::Well(autopilots(chart).count()));
+            causes = fine(chart);
         }
         findings.extend(causes.into_iter().map(|cause| LinkFinding {
             link,
@@ -140,6 +155,15 @@ pub fn diagnose(charts: &[Chart]) -> Vec<LinkFinding> {
     }
     findings.sort_by_key(|finding| finding.cause.weight());
     findings
+}
+
+/// What is said of a link without a fault.
+fn fine(chart: &Chart) -> Vec<Cause> {
+    let (answering, silent): (Vec<&Sender>, Vec<&Sender>) =
+        autopilots(chart).partition(|sender| sender.answered_ago.is_some());
+    let unanswered = (!silent.is_empty()).then(|| Cause::Unanswered(silent.len()));
+    let well = (!answering.is_empty()).then(|| Cause::Well(answering.len()));
+    unanswered.into_iter().chain(well).collect()
 }
 
 /// The faults of one link, seen by itself.
@@ -157,6 +181,12 @@ fn examine(chart: &Chart) -> Vec<Cause> {
     let mut causes: Vec<Cause> = autopilots(chart)
         .filter_map(|sender| answering(chart.way(), sender))
         .collect();
+    let is_one_way = |cause: &Cause| matches!(cause, Cause::OneWay(_));
+    let one_way = causes.iter().filter(|cause| is_one_way(cause)).count();
+    if one_way > MOST_NAMED {
+        causes.retain(|cause| !is_one_way(cause));
+        causes.push(Cause::OneWayVehicles(one_way));
+    }
     let is_cut = |cause: &Cause| chart.way() == Way::File && matches!(cause, Cause::Lossy(_));
     causes.extend(quality(&change).into_iter().filter(|cause| !is_cut(cause)));
     causes.extend(
@@ -229,7 +259,9 @@ fn strangers(chart: &Chart) -> Cause {
 /// Whether a vehicle hears us.
 fn answering(way: Way, sender: &Sender) -> Option<Cause> {
     let system = sender.source.system;
-    let answers = sender.answered_ago.is_some_and(|ago| ago < ANSWER_WITHIN);
+    let answers = sender
+        .answered_ago
+        .is_some_and(|ago| ago < ANSWERS_AGAIN_WITHIN);
     if answers || way == Way::File {
         return sender.signed.then_some(Cause::SignedButAnswers(system));
     }
@@ -256,6 +288,10 @@ fn quality(change: &ChartChange) -> Vec<Cause> {
     } else if lost > MOST_LOST {
         causes.push(Cause::Lossy(percent(lost)));
     }
+    let noise = share(change.skipped, change.bytes);
+    if noise > MOST_NOISE && change.skipped > NOISE_THAT_MATTERS {
+        causes.push(Cause::Noise(percent(noise)));
+    }
     if change.unknown >= FOREIGN_ENOUGH && foreign > 0.01 {
         causes.push(Cause::ForeignMessages(percent(foreign).max(1)));
     }
@@ -280,7 +316,8 @@ fn duplicates(charts: &[Chart]) -> BTreeMap<SystemId, Vec<usize>> {
             }
             // Over UDP two vehicles are two peers; one with an odd numbering has restarted or counts wrongly.
             let may_share = !matches!(chart.way(), Way::Udp | Way::UdpIn);
-            let jumps = may_share && change.lost > change.frames / 2;
+            // Two numberings in turn: nothing else steps back so often on a way that keeps the order.
+            let jumps = may_share && change.late > change.frames / 4;
             if jumps && sender.heartbeat_hz >= TWO_HEARTBEATS_HZ {
                 doubled.entry(sender.source.system).or_default().push(link);
             }

@@ -22,11 +22,14 @@ impl Cause {
             Self::Signed(_) => "signed",
             Self::SignedButAnswers(_) => "signed-but-answers",
             Self::OneWay(_) => "one-way",
+            Self::OneWayVehicles(_) => "one-way-vehicles",
+            Self::Noise(_) => "noise",
             Self::Version1(_) => "version-1",
             Self::Damaged(_) => "damaged",
             Self::Lossy(_) => "lossy",
             Self::Recording => "recording",
             Self::Listening => "listening",
+            Self::Unanswered(_) => "unanswered",
             Self::Well(_) => "well",
         }
     }
@@ -47,11 +50,14 @@ impl Cause {
             Self::Signed(system) => text!("doctor-signed", system = system),
             Self::SignedButAnswers(system) => text!("doctor-signed-but-answers", system = system),
             Self::OneWay(system) => text!("doctor-one-way", system = system),
+            Self::OneWayVehicles(count) => text!("doctor-one-way-vehicles", count = count),
+            Self::Noise(percent) => text!("doctor-noise", percent = percent),
             Self::Version1(system) => text!("doctor-version-1", system = system),
             Self::Damaged(percent) => text!("doctor-damaged", percent = percent),
             Self::Lossy(percent) => text!("doctor-lossy", percent = percent),
             Self::Recording => text!("doctor-recording"),
             Self::Listening => text!("doctor-listening"),
+            Self::Unanswered(count) => text!("doctor-unanswered", count = count),
             Self::Well(count) => text!("doctor-well", count = count),
         }
     }
@@ -78,14 +84,18 @@ impl LinkFinding {
             Cause::Signed(_) => text!("doctor-try-signed"),
             Cause::OneWay(_) if self.way == Way::Serial => text!("doctor-try-one-way-serial"),
             Cause::OneWay(_) => text!("doctor-try-one-way"),
+            Cause::OneWayVehicles(_) => text!("doctor-try-one-way-vehicles"),
+            Cause::Noise(_) => text!("doctor-try-noise"),
             Cause::Version1(_) => text!("doctor-try-version-1"),
             Cause::Damaged(_) | Cause::Lossy(_) if self.way == Way::Serial => {
                 text!("doctor-try-damaged-serial")
             }
             Cause::Damaged(_) | Cause::Lossy(_) => text!("doctor-try-damaged"),
-            Cause::SignedButAnswers(_) | Cause::Recording | Cause::Listening | Cause::Well(_) => {
-                Text::default()
-            }
+            Cause::SignedButAnswers(_)
+            | Cause::Recording
+            | Cause::Listening
+            | Cause::Unanswered(_)
+            | Cause::Well(_) => Text::default(),
         }
     }
 }

@@ -11,7 +11,7 @@ use tokio::time::Instant;
 
 use super::{LinkState, LinkStatus, Rates, Tap};
 use crate::text::Text;
-use crate::wire::{ComponentId, Counters, Frame, SystemId};
+use crate::wire::{ComponentId, Counters, Frame, SequenceStep, SystemId};
 
 /// Over how long the rates are taken.
 const RATE_WINDOW: Duration = Duration::from_secs(2);
@@ -147,14 +147,15 @@ impl LinkMeter {
         self.status.decoder.skipped_bytes += bytes;
     }
 
-    /// Notes that so many more frames of a sender never came, or that some came late after all.
-    pub(super) fn lost(&mut self, frame: &Frame, change: i16) {
-        if change != 0 {
+    /// Notes what the number of a frame says.
+    pub(super) fn numbered(&mut self, frame: &Frame, step: SequenceStep) {
+        self.status.late_total += u64::from(step.is_late);
+        if step.missing != 0 {
             let lost = self
                 .lost
                 .entry((frame.system, frame.component))
                 .or_default();
-            *lost = lost.saturating_add_signed(change.into());
+            *lost = lost.saturating_add_signed(step.missing.into());
         }
     }
 

@@ -71,8 +71,8 @@ impl PeerStream {
             StreamEnding::Open | StreamEnding::Datagram => self.decoder.next_frame(),
             StreamEnding::Closed => self.decoder.next_frame_at_end(),
         } {
-            let change = self.loss.note(&frame);
-            meter.lost(&frame, change);
+            let step = self.loss.note(&frame);
+            meter.numbered(&frame, step);
             let bytes = self.decoder.bytes_of(&frame);
             meter.tap.received(self.peer, bytes, frame.is_verified());
             if frame.is_verified() {

@@ -41,6 +41,7 @@ impl Tap {
             up: status.state == LinkState::Up,
             counters: status.decoder,
             lost: status.lost_total,
+            late: status.late_total,
             senders,
             noise,
         }

@@ -20,7 +20,7 @@ mod signature;
 pub use anatomy::{Anatomy, frame_len};
 pub use decoder::{Counters, Decoder, is_frame_start};
 pub use encoder::{Encoder, Outgoing};
-pub use loss::LossMeter;
+pub use loss::{LossMeter, SequenceStep};
 pub use signature::{SigningKey, Stamp, is_signed_with};
 
 /// A MAVLink system id. 0 addresses everybody and is never a sender.

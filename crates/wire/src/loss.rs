@@ -6,10 +6,21 @@ use super::{ComponentId, Frame, SystemId};
 
 /// A step in the numbering that is longer than this leads back: the frame is late, or the sender has restarted.
 const LONGEST_GAP: u8 = 127;
-/// So many steps back in a row are no reordering but a sender that has begun to count anew.
+/// So many numbers in a row that have been heard before are no doubled frames but a sender that counts anew.
 const RESTART_AFTER: u8 = 8;
 
-/// Counts frames that never arrived, by the gaps in each sender's sequence numbers.
+/// What a frame's number says.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct SequenceStep {
+    /// How many more frames of the sender are missing now: those that a gap left out, or -1 when one comes late that
+    /// was counted as missing.
+    pub missing: i16,
+    /// The number lies before one that has been heard: the frame is late, or another sender has the same ids.
+    pub is_late: bool,
+}
+
+/// Counts frames that never arrived, by the gaps in each sender's sequence numbers. A frame that comes late is no
+/// longer missing, however many others have overtaken it.
 #[derive(Debug, Clone, Default)]
 pub struct LossMeter {
     senders: BTreeMap<(SystemId, ComponentId), Numbering>,
@@ -17,61 +28,82 @@ pub struct LossMeter {
 }
 
 /// What is known of one sender's numbering.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 struct Numbering {
     last: u8,
-    lost: u64,
-    /// How many frames in a row have stepped back, and how many of them were taken for found again.
-    late: u8,
+    /// Which of the numbers behind the last one have not been heard.
+    missing: [bool; 256],
+    /// Since the last step forward: how many numbers were heard a second time, and how many were found again.
+    repeated: u8,
     found: u8,
 }
 
 impl Numbering {
-    /// How many more frames are missing than before.
-    fn step_to(&mut self, sequence: u8) -> i16 {
+    fn beginning_at(sequence: u8) -> Self {
+        Self {
+            last: sequence,
+            missing: [false; 256],
+            repeated: 0,
+            found: 0,
+        }
+    }
+
+    fn step_to(&mut self, sequence: u8) -> SequenceStep {
         match sequence.wrapping_sub(self.last) {
-            0 => return 0, // the same frame twice, as UDP may deliver it
+            0 => SequenceStep::default(), // the same frame twice, as UDP may deliver it
             step @ 1..=LONGEST_GAP => {
-                (self.late, self.found) = (0, 0);
-                self.last = sequence;
-                return i16::from(step - 1);
+                for passed in 1..step {
+                    self.missing[usize::from(self.last.wrapping_add(passed))] = true;
+                }
+                self.move_to(sequence);
+                SequenceStep {
+                    missing: i16::from(step - 1),
+                    is_late: false,
+                }
             }
-            _ => self.late += 1,
+            _ => SequenceStep {
+                missing: self.step_back_to(sequence),
+                is_late: true,
+            },
         }
-        if self.late == RESTART_AFTER {
-            // What seemed to be found were new frames: those that were missing still are.
-            let found = std::mem::take(&mut self.found);
-            self.late = 0;
-            self.last = sequence;
-            return i16::from(found);
+    }
+
+    /// How many more frames are missing than before.
+    fn step_back_to(&mut self, sequence: u8) -> i16 {
+        if std::mem::take(&mut self.missing[usize::from(sequence)]) {
+            self.found = self.found.saturating_add(1);
+            return -1;
         }
-        if self.lost == 0 {
+        self.repeated += 1;
+        if self.repeated < RESTART_AFTER {
             return 0;
         }
-        self.found += 1;
-        -1
+        // What seemed to be found were new frames: those that were missing still are.
+        let found = self.found;
+        self.missing = [false; 256];
+        self.move_to(sequence);
+        i16::from(found)
+    }
+
+    fn move_to(&mut self, sequence: u8) {
+        self.last = sequence;
+        self.missing[usize::from(sequence)] = false;
+        (self.repeated, self.found) = (0, 0);
     }
 }
 
 impl LossMeter {
-    /// Takes note of a frame and returns how many more of its sender are missing now: those that a gap left
-    /// out, or -1 when one comes late that was counted as lost. A frame of an unknown message may be noise and
-    /// makes no sender known.
-    pub fn note(&mut self, frame: &Frame) -> i16 {
+    /// Takes note of a frame's number. A frame of an unknown message may be noise and makes no sender known.
+    pub fn note(&mut self, frame: &Frame) -> SequenceStep {
         let sender = (frame.system, frame.component);
         if !frame.is_verified() && !self.senders.contains_key(&sender) {
-            return 0;
+            return SequenceStep::default();
         }
-        let numbering = self.senders.entry(sender).or_insert(Numbering {
-            last: frame.sequence,
-            lost: 0,
-            late: 0,
-            found: 0,
-        });
-        let change = numbering.step_to(frame.sequence);
-        numbering.lost = numbering.lost.saturating_add_signed(change.into());
-        self.lost = self.lost.saturating_add_signed(change.into());
-        change
+        let numbering = self.senders.entry(sender);
+        let numbering = numbering.or_insert_with(|| Numbering::beginning_at(frame.sequence));
+        let step = numbering.step_to(frame.sequence);
+        self.lost = self.lost.saturating_add_signed(step.missing.into());
+        step
     }
 
     /// Frames lost so far.
@@ -103,7 +135,7 @@ mod tests {
         let mut meter = LossMeter::default();
         let mut sum = 0;
         for sequence in sequences {
-            sum += i64::from(meter.note(&frame(1, sequence as u8)));
+            sum += i64::from(meter.note(&frame(1, sequence as u8)).missing);
         }
         assert_eq!(sum, meter.lost() as i64, "the changes add up");
         meter.lost()
@@ -129,6 +161,36 @@ mod tests {
         assert_eq!(lost([250, 251, 3, 252, 4]), 6);
     }
 
+    /// Delays of up to 40 frames, as jitter of 400 ms gives them at 100 Hz.
+    fn shuffled(count: u32) -> Vec<u32> {
+        let mut arrivals: Vec<(u32, u32)> = (0..count)
+            .map(|number| (number + number.wrapping_mul(2_654_435_761) % 40, number))
+            .collect();
+        arrivals.sort_unstable();
+        arrivals.into_iter().map(|(_, number)| number).collect()
+    }
+
+    #[test]
+    fn frames_that_overtake_each_other_by_far_are_not_lost() {
+        // Those that the very first frame to arrive has overtaken are not known to be missing.
+        assert_eq!(lost(shuffled(5000)), 0);
+    }
+
+    #[test]
+    fn of_frames_that_overtake_each_other_the_lost_ones_are_counted() {
+        let kept = |number: &u32| !(1000..1100).contains(number) || number % 4 != 0;
+        assert_eq!(lost(shuffled(5000).into_iter().filter(kept)), 25);
+    }
+
+    #[test]
+    fn doubled_frames_that_come_late_are_no_restart() {
+        let doubled = (0..1000).flat_map(|number: u32| {
+            let late = number.checked_sub(20).filter(|late| late % 3 == 0);
+            std::iter::once(number).chain(late)
+        });
+        assert_eq!(lost(doubled), 0);
+    }
+
     #[test]
     fn a_frame_from_before_the_first_one_leaves_the_count_alone() {
         assert_eq!(lost([5, 4, 6, 7]), 0);
@@ -148,7 +210,7 @@ mod tests {
             unknown(7, 9),
             frame(7, 20),
         ] {
-            assert_eq!(meter.note(&frame), 0, "{frame:?}");
+            assert_eq!(meter.note(&frame).missing, 0, "{frame:?}");
         }
     }
 

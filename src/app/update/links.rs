@@ -47,7 +47,7 @@ fn tell(state: &mut State, finding: &LinkFinding) {
     let is_news = match finding.cause {
         // The link says itself why it is not open, and the fleet that a system id is not unique.
         Cause::NotOpen | Cause::DuplicateSystem(_) => false,
-        Cause::OneWay(_) | Cause::Signed(_) => true,
+        Cause::OneWay(_) | Cause::OneWayVehicles(_) | Cause::Signed(_) => true,
         _ => waits && finding.cause.weight() == Weight::Fatal,
     };
     if !is_news

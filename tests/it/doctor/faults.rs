@@ -239,9 +239,59 @@ async fn a_vehicle_that_never_answers_is_one_way_until_it_does() {
         patient.second().await;
         said.push(patient.causes());
     }
-    assert_eq!(said[5], [Cause::Well(1)], "it may still answer");
+    assert_eq!(said[5], [Cause::Unanswered(1)], "it may still answer");
     assert_eq!(said[28], [Cause::OneWay(7)]);
     assert_eq!(said[39], [Cause::Well(1)]);
+}
+
+#[tokio::test(start_paused = true)]
+async fn a_vehicle_that_has_answered_may_lose_some_answers() {
+    let (mut patient, remote) = Patient::listening().await;
+    let mut voice = Voice::new(7, 1);
+    for at in 0..40 {
+        patient.ask();
+        let mut bytes = voice.second();
+        if at == 5 || at == 20 {
+            bytes.extend(voice.answer());
+        }
+        remote.send(&bytes).await.expect("sent");
+        patient.given += bytes.len() as u64;
+        patient.second().await;
+        let causes = patient.causes();
+        assert!(!causes.contains(&Cause::OneWay(7)), "after {at} s");
+    }
+}
+
+#[tokio::test(start_paused = true)]
+async fn many_that_never_answer_are_one_finding_and_hide_no_other() {
+    let (mut patient, remote) = Patient::listening().await;
+    let mut voice = Voice::new(1, 1);
+    let mut ghosts: Vec<Voice> = (7..=250).map(|system| Voice::new(system, 1)).collect();
+    for _ in 0..20 {
+        patient.ask();
+        let mut said = vec![[voice.second(), voice.answer()].concat()];
+        said.extend(ghosts.iter_mut().map(|ghost| ghost.say(heartbeat())));
+        for bytes in said {
+            remote.send(&bytes).await.expect("sent");
+            patient.given += bytes.len() as u64;
+            // Few at a time fit into a socket's buffer.
+            tokio::task::yield_now().await;
+        }
+        patient.second().await;
+    }
+    assert_eq!(patient.causes(), [Cause::OneWayVehicles(244)]);
+}
+
+#[tokio::test(start_paused = true)]
+async fn noise_around_a_vehicle_is_told() {
+    let (mut patient, mut far) = Patient::piped(Way::Udp);
+    let mut voice = Voice::new(2, 1);
+    for _ in 0..10 {
+        let bytes = [voice.answer(), voice.second(), vec![0x55; 4000]].concat();
+        patient.feed(&mut far, &bytes, 1).await;
+    }
+    let causes = patient.causes();
+    assert!(matches!(causes[..], [Cause::Noise(85..=99)]), "{causes:?}");
 }
 
 #[tokio::test(start_paused = true)]
