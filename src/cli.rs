@@ -2,7 +2,7 @@
 
 use std::fs::{self, File};
 use std::io::{self, Write as _};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Mutex;
 
@@ -139,8 +139,12 @@ enum CliCommand {
     /// Prints the manual page: this command line, and the language of commands.
     #[command(after_help = "Examples:\n  \
                             sortie man | man -l -\n  \
-                            sortie man > ~/.local/share/man/man1/sortie.1")]
-    Man,
+                            sortie man --dir ~/.local/share/man/man1")]
+    Man {
+        /// Write pages to this folder instead: `sortie.1`, and one for each subcommand, such as `sortie-fly.1`.
+        #[arg(long, value_name = "DIR")]
+        dir: Option<PathBuf>,
+    },
 }
 
 /// Why a command did not do what it was asked.
@@ -240,7 +244,7 @@ fn dispatch(
         Some(CliCommand::Config(options)) => config::config(&options, &settings),
         Some(CliCommand::Bench(bench)) => bench::bench(&bench, &settings),
         Some(CliCommand::Completions { shell }) => manual::completions(shell),
-        Some(CliCommand::Man) => manual::man(),
+        Some(CliCommand::Man { dir }) => manual::man(dir.as_deref()),
     }
 }
 

@@ -1,6 +1,8 @@
 //! `sortie completions` and `sortie man`: made from the definitions that the command line itself is read by.
 
+use std::fs;
 use std::io::{self, Write as _};
+use std::path::Path;
 use std::process::ExitCode;
 
 use clap::{Command, CommandFactory as _};
@@ -20,10 +22,52 @@ pub(super) fn completions(shell: Shell) -> Result<ExitCode, Failure> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// Prints the manual page: the program, its subcommands, and the language of commands.
-pub(super) fn man() -> Result<ExitCode, Failure> {
-    io::stdout().write_all(&page()?)?;
+/// Prints the manual page: the program, its subcommands, and the language of commands. With a folder, writes it there
+/// with a page for each subcommand.
+pub(super) fn man(folder: Option<&Path>) -> Result<ExitCode, Failure> {
+    let Some(folder) = folder else {
+        io::stdout().write_all(&page()?)?;
+        return Ok(ExitCode::SUCCESS);
+    };
+    fs::create_dir_all(folder)?;
+    for (file, page) in pages()? {
+        fs::write(folder.join(file), page)?;
+    }
     Ok(ExitCode::SUCCESS)
+}
+
+/// The manual page, and a page for each subcommand, by the names of their files.
+fn pages() -> io::Result<Vec<(String, Vec<u8>)>> {
+    let mut program = CliArguments::command();
+    program.build();
+    let mut pages = vec![("sortie.1".to_owned(), page()?)];
+    for command in program.get_subcommands() {
+        page_of(command, &mut pages)?;
+    }
+    Ok(pages)
+}
+
+/// The pages of a subcommand and of those below it.
+fn page_of(command: &Command, pages: &mut Vec<(String, Vec<u8>)>) -> io::Result<()> {
+    if command.get_name() == "help" {
+        return Ok(());
+    }
+    let man = Man::new(command.clone());
+    let mut page = Vec::new();
+    man.render_title(&mut page)?;
+    man.render_name_section(&mut page)?;
+    man.render_synopsis_section(&mut page)?;
+    man.render_description_section(&mut page)?;
+    man.render_options_section(&mut page)?;
+    if command.has_subcommands() {
+        man.render_subcommands_section(&mut page)?;
+    }
+    examples(command, &mut page)?;
+    pages.push((man.get_filename(), page));
+    for below in command.get_subcommands() {
+        page_of(below, pages)?;
+    }
+    Ok(())
 }
 
 fn page() -> io::Result<Vec<u8>> {
@@ -126,5 +170,20 @@ mod tests {
         for row in language::rows() {
             assert!(page.contains(row.name()), "{}", row.name());
         }
+    }
+
+    #[test]
+    fn every_subcommand_has_a_page() {
+        let pages = pages().expect("memory takes it");
+        let text = |file: &str| {
+            let found = pages.iter().find(|(name, _)| name == file);
+            let (_, page) = found.unwrap_or_else(|| panic!("no {file}"));
+            String::from_utf8_lossy(page).into_owned()
+        };
+        assert!(text("sortie.1").contains("THE LANGUAGE OF COMMANDS"));
+        assert!(text("sortie-fly.1").contains("sortie fly 05 \\-\\-design"));
+        assert!(text("sortie-hangar.1").contains("sortie\\-hangar\\-status"));
+        assert!(text("sortie-hangar-status.1").contains(".TH sortie-hangar-status 1"));
+        assert!(pages.iter().all(|(name, _)| !name.contains("help")));
     }
 }

@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# Builds the Linux archive of a release: the static program, completions, manual pages, documents and licences.
+#
+#   contrib/release.sh [TARGET] [FOLDER]
+#
+# TARGET is x86_64-unknown-linux-musl or aarch64-unknown-linux-musl, that of this machine by default; FOLDER is
+# target/dist. Needs `rustup target add TARGET` and musl's C compiler (`apt install musl-tools`). Equal commits, toolchains
+# and C compilers make equal archives.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+target=${1:-$(uname -m)-unknown-linux-musl}
+dist=${2:-target/dist}
+version=$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -n 1)
+name=sortie-$version-$target
+stage=$dist/$name
+
+# No path and no time of this machine in the program.
+SOURCE_DATE_EPOCH=$(git log -1 --format=%ct)
+home=${CARGO_HOME:-$HOME/.cargo}
+export SOURCE_DATE_EPOCH CARGO_INCREMENTAL=0
+export CFLAGS="-ffile-prefix-map=$PWD=/sortie -ffile-prefix-map=$home=/cargo"
+separator=$'\x1f'
+CARGO_ENCODED_RUSTFLAGS="--remap-path-prefix=$PWD=/sortie$separator--remap-path-prefix=$home=/cargo"
+CARGO_ENCODED_RUSTFLAGS+="$separator-Ctarget-feature=+crt-static"
+export CARGO_ENCODED_RUSTFLAGS
+cargo build --release --locked --target "$target" --bin sortie
+unset CARGO_ENCODED_RUSTFLAGS CFLAGS
+program=target/$target/release/sortie
+
+rm -rf "$stage"
+mkdir -p "$stage/completions" "$stage/docs/images" "$stage/systemd"
+cp "$program" README.md CHANGELOG.md LICENSE "$stage/"
+cp docs/*.md "$stage/docs/"
+cp docs/images/*.svg "$stage/docs/images/"
+cp contrib/sortie-hangar.service "$stage/systemd/"
+for shell in bash zsh fish elvish powershell; do
+    "$program" completions "$shell" >"$stage/completions/sortie.$shell"
+done
+"$program" man --dir "$stage/man/man1"
+cargo run --quiet --locked --example third_party -- "$target" >"$stage/THIRD-PARTY.md"
+
+# What a static program must not need.
+if ldd "$program" 2>/dev/null | grep -q '=>'; then
+    echo "$program is not static" >&2
+    exit 1
+fi
+tar --create --sort=name --mtime="@$SOURCE_DATE_EPOCH" --owner=0 --group=0 --numeric-owner \
+    --mode=go=rX,u+rw --directory "$dist" "$name" | gzip --no-name --best >"$dist/$name.tar.gz"
+(cd "$dist" && sha256sum "$name.tar.gz" >"$name.tar.gz.sha256")
+cat "$dist/$name.tar.gz.sha256"

@@ -1,0 +1,164 @@
+//! Prints the licences of all crates that are in the program, for the archives of a release.
+//!
+//! `cargo run --example third_party -- x86_64-unknown-linux-musl > THIRD-PARTY.md`
+//!
+//! Cargo says which crates those are; the texts come from the crates' own packages.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+use anyhow::{Context as _, ensure};
+use serde::Deserialize;
+
+/// How the names of files with licences begin, in lower case.
+const LICENCE_FILES: [&str; 6] = [
+    "license",
+    "licence",
+    "copying",
+    "unlicense",
+    "copyright",
+    "notice",
+];
+
+/// What `cargo metadata` says, as far as it is used.
+#[derive(Deserialize)]
+struct Metadata {
+    packages: Vec<Package>,
+    resolve: Resolve,
+}
+
+#[derive(Deserialize)]
+struct Package {
+    id: String,
+    name: String,
+    version: String,
+    license: Option<String>,
+    #[serde(default)]
+    authors: Vec<String>,
+    repository: Option<String>,
+    manifest_path: String,
+    /// Where it comes from; none for the crates of this repository.
+    source: Option<String>,
+}
+
+#[derive(Deserialize)]
+struct Resolve {
+    nodes: Vec<Node>,
+    /// The package of the program.
+    root: String,
+}
+
+#[derive(Deserialize)]
+struct Node {
+    id: String,
+    deps: Vec<Dependency>,
+}
+
+#[derive(Deserialize)]
+struct Dependency {
+    pkg: String,
+    dep_kinds: Vec<DependencyKind>,
+}
+
+#[derive(Deserialize)]
+struct DependencyKind {
+    /// `dev`, `build`, or nothing for what becomes a part of the program.
+    kind: Option<String>,
+}
+
+fn main() -> anyhow::Result<()> {
+    let target = std::env::args().nth(1);
+    let metadata = metadata(target.as_deref())?;
+    let inside = inside(&metadata.resolve);
+    let packages = metadata.packages.iter();
+    let mut foreign: Vec<&Package> = packages
+        .filter(|package| package.source.is_some() && inside.contains(package.id.as_str()))
+        .collect();
+    foreign.sort_by_key(|package| (&package.name, &package.version));
+    print_document(&foreign)
+}
+
+fn metadata(target: Option<&str>) -> anyhow::Result<Metadata> {
+    let mut cargo = Command::new(env!("CARGO"));
+    cargo.args(["metadata", "--format-version", "1", "--locked"]);
+    if let Some(target) = target {
+        cargo.args(["--filter-platform", target]);
+    }
+    let output = cargo.output().context("cargo does not run")?;
+    ensure!(
+        output.status.success(),
+        "cargo metadata: {}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+    Ok(serde_json::from_slice(&output.stdout)?)
+}
+
+/// The ids of the packages that become a part of the program.
+fn inside(resolve: &Resolve) -> BTreeSet<&str> {
+    let nodes = resolve.nodes.iter();
+    let nodes: BTreeMap<&str, &Node> = nodes.map(|node| (node.id.as_str(), node)).collect();
+    let mut found = BTreeSet::new();
+    let mut open = vec![resolve.root.as_str()];
+    while let Some(id) = open.pop() {
+        if found.insert(id) {
+            let deps = nodes[id].deps.iter();
+            let normal = deps.filter(|dep| dep.dep_kinds.iter().any(|it| it.kind.is_none()));
+            open.extend(normal.map(|dep| dep.pkg.as_str()));
+        }
+    }
+    found
+}
+
+/// A list of the packages, and each text of a licence once, below the packages that have it.
+fn print_document(packages: &[&Package]) -> anyhow::Result<()> {
+    println!("# Third-party software in sortie\n");
+    println!("| package | version | licence | source |\n| --- | --- | --- | --- |");
+    let mut texts: BTreeMap<String, Vec<String>> = BTreeMap::new();
+    for package in packages {
+        let name = format!("{} {}", package.name, package.version);
+        println!(
+            "| {} | {} | {} | {} |",
+            package.name,
+            package.version,
+            package.license.as_deref().unwrap_or("see below"),
+            package.repository.as_deref().unwrap_or_default()
+        );
+        for text in licences(package)? {
+            texts.entry(text).or_default().push(name.clone());
+        }
+    }
+    for (text, names) in texts {
+        println!("\n## {}\n\n```\n{}\n```", names.join(", "), text.trim_end());
+    }
+    Ok(())
+}
+
+/// The texts of a package's licences; who has it where the package holds none.
+fn licences(package: &Package) -> anyhow::Result<Vec<String>> {
+    let folder = Path::new(&package.manifest_path).parent();
+    let folder = folder.context("a manifest is in a folder")?;
+    let mut paths = Vec::new();
+    for entry in fs::read_dir(folder)? {
+        let entry = entry?;
+        let name = entry.file_name().to_string_lossy().to_lowercase();
+        let is_licence = LICENCE_FILES.iter().any(|begin| name.starts_with(begin));
+        if is_licence && entry.file_type()?.is_file() {
+            paths.push(entry.path());
+        }
+    }
+    paths.sort();
+    if paths.is_empty() {
+        let authors = package.authors.join(", ");
+        let licence = package.license.as_deref().unwrap_or("unknown licence");
+        return Ok(vec![format!(
+            "{licence}\n\nThe package holds no text of it. Authors: {authors}"
+        )]);
+    }
+    let texts = paths.into_iter().map(|path| {
+        let bytes = fs::read(path)?;
+        Ok(String::from_utf8_lossy(&bytes).replace("\r\n", "\n"))
+    });
+    texts.collect()
+}
