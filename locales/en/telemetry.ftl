@@ -17,7 +17,7 @@ heard-fence-boundary = fence breached (boundary)
 heard-fence-back = back inside the fence
 heard-two-vehicles = two vehicles answer as system id { $system }: give one another SYSID_THISMAV
 heard-two-places = system id { $system } comes from two places: { $used } (used), { $ignored } (ignored). Two vehicles? Give one another SYSID_THISMAV and reboot it
-heard-another-sender = another sender there
+heard-from-peer = { $link } (from { $peer })
 heard-by-another-link = is heard by { $link } now, no longer by { $before }
 
 fix-no-gps = no gps

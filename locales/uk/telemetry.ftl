@@ -17,7 +17,7 @@ heard-fence-boundary = геозону порушено (межа)
 heard-fence-back = знову в межах геозони
 heard-two-vehicles = два апарати відповідають за номером системи { $system }: задайте одному інший SYSID_THISMAV
 heard-two-places = номер системи { $system } надходить із двох місць: { $used } (у роботі), { $ignored } (без уваги). Два апарати? Задайте одному інший SYSID_THISMAV і перезапустіть його
-heard-another-sender = інший відправник там само
+heard-from-peer = { $link } (від { $peer })
 heard-by-another-link = тепер на зв'язку через { $link }, більше не через { $before }
 
 fix-no-gps = без GPS

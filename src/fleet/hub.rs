@@ -10,6 +10,7 @@ use tokio_util::sync::CancellationToken;
 
 use super::vehicle_task::{ParameterFeed, ToVehicle, VehicleTask};
 use super::{FleetClock, FleetEvent, FleetRequest};
+use crate::inspector::Census;
 use crate::ledger::RowState;
 use crate::link::{self, Inbound, LinkHandle, LinkId, LinkPeer, Transport};
 use crate::notice::Notice;
@@ -260,8 +261,8 @@ impl Hub {
         let before = std::mem::replace(&mut route.sender, from);
         let text = text!(
             "heard-by-another-link",
-            link = self.name_of(from.link),
-            before = self.name_of(before.link)
+            link = self.name_of(from),
+            before = self.name_of(before)
         );
         self.warn(system, text, now).await;
         true
@@ -309,17 +310,12 @@ impl Hub {
             return;
         }
         route.conflict_said_at = Some(now);
-        let used = route.sender.link;
-        let other = if used == from.link {
-            text!("heard-another-sender")
-        } else {
-            self.name_of(from.link).into()
-        };
+        let used = route.sender;
         let text = text!(
             "heard-two-places",
             system = system,
             used = self.name_of(used),
-            ignored = other
+            ignored = self.name_of(from)
         );
         self.warn(system, text, now).await;
     }
@@ -335,10 +331,17 @@ impl Hub {
         self.tell(FleetEvent::Report(Report::Notice(notice))).await;
     }
 
-    fn name_of(&self, link: LinkId) -> String {
-        self.links
-            .get(usize::from(link.0))
-            .map_or_else(String::new, |link| link.status().borrow().name.clone())
+    /// The link, and the peer's network address where the link has several peers.
+    fn name_of(&self, sender: FrameSender) -> Text {
+        let Some(link) = self.links.get(usize::from(sender.link.0)) else {
+            return Text::default();
+        };
+        let name = link.status().borrow().name.clone();
+        let peer = |census: &mut Census, _| census.peer_name(sender.peer.0).map(str::to_owned);
+        match link.tap().look(peer) {
+            Some(peer) => text!("heard-from-peer", link = name, peer = peer),
+            None => name.into(),
+        }
     }
 
     /// Rare occurrences may wait for the console; frames go on waiting in the links meanwhile.

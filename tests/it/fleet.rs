@@ -6,6 +6,7 @@ use std::time::Duration;
 
 use futures_util::FutureExt as _;
 use futures_util::future::{pending, select_all};
+use mavlink::dialects::ardupilotmega::{HEARTBEAT_DATA, MavAutopilot, MavMessage, MavType};
 use sortie::commands::{Act, Command};
 use sortie::fleet::{Fleet, FleetClock, FleetEvent};
 use sortie::geo::LatLon;
@@ -16,6 +17,8 @@ use sortie::parameters::ParameterSnapshot;
 use sortie::session::{Report, VehicleCommand};
 use sortie::sim::{Start, World, WorldConfig};
 use sortie::vehicle::{Vehicle, VehicleId};
+use sortie::wire::Encoder;
+use tokio::net::UdpSocket;
 use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
@@ -327,6 +330,48 @@ async fn two_vehicles_with_one_system_id_are_named() {
     assert_eq!(console.vehicles.len(), 1);
     cancel_first.cancel();
     cancel_second.cancel();
+}
+
+#[tokio::test]
+async fn a_vehicle_that_another_sender_takes_over_is_named_with_both_addresses() {
+    let mut console = Console::start();
+    console.connect("udpin:127.0.0.1:0");
+    console
+        .until("it listens", |console| {
+            let mut links = console.links.iter();
+            links.any(|link| link.borrow().local.is_some())
+        })
+        .await;
+    let port = console.links[0].borrow().local.expect("bound");
+    let mut heartbeat = Vec::new();
+    let beat = MavMessage::HEARTBEAT(HEARTBEAT_DATA {
+        mavtype: MavType::MAV_TYPE_QUADROTOR,
+        autopilot: MavAutopilot::MAV_AUTOPILOT_ARDUPILOTMEGA,
+        ..HEARTBEAT_DATA::default()
+    });
+    Encoder::new(5, 1).encode(&beat.into(), &mut heartbeat);
+    let first = UdpSocket::bind("127.0.0.1:0").await.expect("a port");
+    first.send_to(&heartbeat, port).await.expect("sent");
+    console
+        .until("it is heard", |console| console.vehicle(5).is_some())
+        .await;
+    let second = UdpSocket::bind("127.0.0.1:0").await.expect("a port");
+    let [before, now] = [&first, &second].map(|socket| socket.local_addr().expect("bound"));
+    let names = format!("(from {now}) now, no longer by ");
+    let is_told = |console: &Console| {
+        let mut notices = console.notices.iter();
+        notices.any(|text| text.contains(&names) && text.contains(&format!("(from {before})")))
+    };
+    let forging = async {
+        loop {
+            second.send_to(&heartbeat, port).await.expect("sent");
+            tokio::time::sleep(Duration::from_millis(200)).await;
+        }
+    };
+    tokio::select! {
+        () = console.until("the takeover is told", is_told) => {}
+        () = forging => {}
+    }
 }
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
