@@ -165,6 +165,11 @@ impl<E: Into<anyhow::Error>> From<E> for Failure {
     }
 }
 
+/// Prints faults of files on standard error as they were drawn, in colour.
+fn show(faults: &str) {
+    drop(writeln!(io::stderr(), "{faults}"));
+}
+
 /// Runs the program and returns its exit code.
 pub fn main(arguments: CliArguments) -> ExitCode {
     let outcome = settings::gather(&arguments.common).and_then(|settings| {
@@ -184,7 +189,7 @@ pub fn main(arguments: CliArguments) -> ExitCode {
             ExitCode::from(2)
         }
         Err(Failure::Shown(text)) => {
-            drop(writeln!(std::io::stderr(), "{text}"));
+            show(&text);
             ExitCode::from(2)
         }
     }

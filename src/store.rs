@@ -300,10 +300,9 @@ pub fn course() -> MissionCourse {
     MissionCourse::new(course_missions().iter().map(Offer::of).collect::<Vec<_>>())
 }
 
-/// The themes of the user's folder.
+/// The themes of the folders of the administrator and of the user.
 pub fn themes() -> Vec<Source> {
-    let folder = Folders::find().map(|folders| folders.themes());
-    folder.map_or(Vec::new(), |folder| files(&folder, "file-theme", "toml"))
+    merged("file-theme", &[], folders::THEMES, "toml")
 }
 
 /// The files in a folder with that ending, by name; those that cannot be read are left out and logged.
@@ -352,16 +351,18 @@ fn at_path(kind: &'static str, path: &str) -> Option<Result<Source, StoreError>>
     (path.exists() && !path.is_dir()).then(|| read(path, kind))
 }
 
-/// What is embedded and what the user's folder has of a kind, by name; the user's own comes before the embedded.
+/// What is embedded and what the folders have of a kind, by name: the user's own comes before the administrator's, and
+/// that before the embedded.
 fn merged(kind: &'static str, known: &[(&str, &str)], folder: &str, ending: &str) -> Vec<Source> {
     let mut all: BTreeMap<String, Source> = known
         .iter()
         .map(|&(name, text)| (name.to_owned(), embedded(name, ending, text)))
         .collect();
     if let Some(folders) = Folders::find() {
-        for source in files(&folders.config.join(folder), kind, ending) {
-            all.insert(source.stem().to_owned(), source);
-        }
+        let found = folders
+            .layers()
+            .flat_map(|layer| files(&layer.join(folder), kind, ending));
+        all.extend(found.map(|source| (source.stem().to_owned(), source)));
     }
     all.into_values().collect()
 }

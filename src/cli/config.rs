@@ -33,19 +33,29 @@ pub(super) fn config(
     settings: &CliSettings,
 ) -> Result<ExitCode, Failure> {
     if options.paths {
+        // As TOML too, so that scripts read both the same way.
         for (name, path) in paths(settings) {
-            // As TOML too, so that scripts read both the same way.
-            let value = toml::Value::String(path.display().to_string());
-            say!("{name} = {value}")?;
+            say!("{name} = {}", toml_string(&path))?;
+        }
+        for (name, paths) in system_paths(settings) {
+            let list: Vec<toml::Value> = paths.iter().map(|path| toml_string(path)).collect();
+            say!("{name} = {}", toml::Value::Array(list))?;
         }
     } else if options.keys {
         let locale = Locale::new(settings.language());
         say!("{}", settings.keymap.show(&locale).trim_end())?;
     } else {
         say!("# A value comes from the first that has it: flag, environment, file, default.")?;
-        for (name, path) in paths(settings) {
+        let own = paths(settings).into_iter();
+        let system = system_paths(settings)
+            .into_iter()
+            .flat_map(|(name, paths)| {
+                let paths = paths.into_iter();
+                paths.map(move |path| (name, path))
+            });
+        for (name, path) in own.chain(system) {
             let missing = if path.exists() { "" } else { " (not there)" };
-            say!("# {name:<11} {}{missing}", path.display())?;
+            say!("# {name:<13} {}{missing}", path.display())?;
         }
         say!("")?;
         say!("{}", settings.layers.show().trim_end())?;
@@ -65,6 +75,8 @@ fn paths(settings: &CliSettings) -> Vec<(&'static str, PathBuf)> {
             config,
             data,
             state,
+            system_config: _,
+            system_data: _,
         } = folders;
         let within = |folder: &Path, name: &str| folder.join(name);
         paths.extend([
@@ -81,4 +93,20 @@ fn paths(settings: &CliSettings) -> Vec<(&'static str, PathBuf)> {
         paths.push(("log", PathBuf::from(log)));
     }
     paths
+}
+
+/// What the administrator may set for everybody, by name; the one that counts most comes first.
+fn system_paths(settings: &CliSettings) -> Vec<(&'static str, Vec<PathBuf>)> {
+    let folders = settings.folders.iter();
+    let lists = folders.flat_map(|folders| {
+        [
+            ("system_config", folders.system_config.clone()),
+            ("system_data", folders.system_data.clone()),
+        ]
+    });
+    lists.collect()
+}
+
+fn toml_string(path: &Path) -> toml::Value {
+    toml::Value::String(path.display().to_string())
 }

@@ -15,6 +15,7 @@ use crate::app::keymap::Keymap;
 use crate::app::lines;
 use crate::config::{Config, Layers, Origin};
 use crate::diagnostic::Diagnostic;
+use crate::notice::{sanitised, sanitised_lines};
 use crate::store::{self, Folders, Source};
 use crate::text;
 use crate::text::{Language, Text};
@@ -49,8 +50,8 @@ pub(super) struct CliSettings {
     pub file: Option<PathBuf>,
     /// What is wrong with the files.
     pub faults: Vec<SettingsFault>,
-    /// The configuration file, as far as it could be read.
-    source: Option<Source>,
+    /// The configuration files, as far as they could be read.
+    sources: Vec<Source>,
     /// Whether the configuration file was named, so that a fault in it is one of usage.
     is_named: bool,
 }
@@ -81,9 +82,9 @@ impl SettingsFault {
         match self {
             Self::Inside(source, fault) => {
                 let colour = std::io::stderr().is_terminal() && env::var_os("NO_COLOR").is_none();
-                fault.render(&source.name, &source.text, colour)
+                fault.render(&sanitised(&source.name), &source.text, colour)
             }
-            Self::Whole(text) => format!("sortie: {text}"),
+            Self::Whole(text) => sanitised_lines(&format!("sortie: {text}")),
         }
     }
 }
@@ -117,9 +118,10 @@ pub(super) fn gather(common: &Common) -> Result<CliSettings, Failure> {
         data,
         file,
         faults: Vec::new(),
-        source: None,
+        sources: Vec::new(),
         is_named,
     };
+    settings.read_system_files();
     settings.read_file()?;
     settings.read_words(common)?;
     settings.config = settings.layers.config();
@@ -153,6 +155,37 @@ pub(super) fn theme_names(themes: &Themes) -> Vec<String> {
 }
 
 impl CliSettings {
+    /// What the administrator has set. A fault there is told, and keeps nobody from flying.
+    fn read_system_files(&mut self) {
+        let files: Vec<PathBuf> = self
+            .folders
+            .iter()
+            .flat_map(Folders::system_files)
+            .filter(|path| path.exists())
+            .collect();
+        for path in files {
+            match store::read(&path, "file-configuration") {
+                Ok(source) => {
+                    let faults = self.lay_on(&source);
+                    self.faults.extend(faults_of(&source, faults));
+                }
+                Err(error) => {
+                    let text = Text::verbatim(error.to_string());
+                    self.faults.push(SettingsFault::Whole(text));
+                }
+            }
+        }
+    }
+
+    /// Lays a configuration file over what is set already; what is wrong in it is returned.
+    fn lay_on(&mut self, source: &Source) -> Vec<Diagnostic> {
+        let themes = theme_names(&self.themes);
+        let check = |setting: &str, word: &str| check(setting, word, &themes);
+        let read = self.layers.file(&source.name, &source.text, &check);
+        self.sources.push(source.clone());
+        read.err().unwrap_or_default()
+    }
+
     fn read_file(&mut self) -> Result<(), Failure> {
         let Some(path) = self.file.clone() else {
             return Ok(());
@@ -166,11 +199,7 @@ impl CliSettings {
                 return self.told(SettingsFault::Whole(Text::verbatim(error.to_string())));
             }
         };
-        let themes = theme_names(&self.themes);
-        let check = |setting: &str, word: &str| check(setting, word, &themes);
-        let read = self.layers.file(&source.name, &source.text, &check);
-        self.source = Some(source.clone());
-        let faults = read.err().unwrap_or_default();
+        let faults = self.lay_on(&source);
         self.all_told(&source, faults)
     }
 
@@ -230,15 +259,9 @@ impl CliSettings {
         Ok(())
     }
 
-    /// Paths of the section hangar in the configuration file lie beside it, unless they say otherwise.
+    /// Paths of the section hangar in a configuration file lie beside it, unless they say otherwise.
     fn place_hangar_files(&mut self) {
-        let folder = self
-            .file
-            .as_deref()
-            .and_then(Path::parent)
-            .unwrap_or(Path::new(""))
-            .to_owned();
-        let of_file = [
+        let folders = [
             "arducopter",
             "arduplane",
             "ardurover",
@@ -246,7 +269,7 @@ impl CliSettings {
             "folder",
             "token_file",
         ]
-        .map(|key| self.is_of_file(&format!("hangar.{key}")));
+        .map(|key| self.folder_of(&format!("hangar.{key}")));
         let set = &mut self.config.hangar;
         let paths = [
             &mut set.arducopter,
@@ -257,8 +280,8 @@ impl CliSettings {
             &mut set.token_file,
         ]
         .into_iter()
-        .zip(of_file);
-        for path in paths.filter_map(|(path, of_file)| path.as_mut().filter(|_| of_file)) {
+        .zip(folders);
+        for (path, folder) in paths.filter_map(|(path, folder)| path.as_mut().zip(folder)) {
             *path = folder.join(store::user_path(path)).display().to_string();
         }
     }
@@ -293,11 +316,10 @@ impl CliSettings {
     /// The keymap file, whether it is there or not. One that the configuration names lies beside it.
     pub fn keymap_file(&self) -> Option<PathBuf> {
         match &self.config.keymap {
-            Some(name) if self.is_of_file("keymap") => {
-                let folder = self.file.as_deref().and_then(Path::parent);
-                Some(folder.unwrap_or(Path::new("")).join(name))
-            }
-            Some(name) => Some(PathBuf::from(name)),
+            Some(name) => Some(match self.folder_of("keymap") {
+                Some(folder) => folder.join(name),
+                None => PathBuf::from(name),
+            }),
             None => self.folders.as_ref().map(Folders::keymap_file),
         }
     }
@@ -319,17 +341,32 @@ impl CliSettings {
         matches!(self.layers.origin(setting), Origin::File { .. })
     }
 
+    /// The folder of the configuration file that sets it.
+    fn folder_of(&self, setting: &str) -> Option<PathBuf> {
+        match self.layers.origin(setting) {
+            Origin::File { name, .. } => {
+                let folder = Path::new(name).parent();
+                Some(folder.unwrap_or(Path::new("")).to_owned())
+            }
+            Origin::Default | Origin::Environment(_) | Origin::Flag(_) => None,
+        }
+    }
+
     /// The value of a setting is wrong: a fault of its place in the file, else of usage.
     fn wrong(&mut self, setting: &str, text: &str) -> Result<(), Failure> {
-        let place: Option<Range<usize>> = match self.layers.origin(setting) {
-            Origin::File { span, .. } => Some(span.clone()),
-            _ => None,
+        let place: Option<(Source, Range<usize>)> = match self.layers.origin(setting) {
+            Origin::File { name, span, .. } => {
+                let mut sources = self.sources.iter();
+                let source = sources.find(|source| source.name == *name);
+                source.cloned().zip(Some(span.clone()))
+            }
+            Origin::Default | Origin::Environment(_) | Origin::Flag(_) => None,
         };
-        match (place, self.source.clone()) {
-            (Some(span), Some(source)) => {
+        match place {
+            Some((source, span)) => {
                 self.told(SettingsFault::Inside(source, Diagnostic::new(span, text)))
             }
-            _ => Err(Failure::Invalid(format!("sortie: {text}"))),
+            None => Err(Failure::Invalid(format!("sortie: {text}"))),
         }
     }
 
@@ -344,7 +381,7 @@ impl CliSettings {
 
     fn told(&mut self, fault: SettingsFault) -> Result<(), Failure> {
         if self.is_named {
-            return Err(Failure::Invalid(fault.explained()));
+            return Err(Failure::Shown(fault.explained()));
         }
         self.faults.push(fault);
         Ok(())
@@ -353,7 +390,7 @@ impl CliSettings {
     /// Prints what is wrong with the files on standard error.
     pub fn complain(&self) {
         for fault in &self.faults {
-            tell!("{}", fault.explained());
+            super::show(&fault.explained());
         }
     }
 
@@ -401,7 +438,7 @@ fn faults_of(source: &Source, faults: Vec<Diagnostic>) -> Vec<SettingsFault> {
 
 fn explained(faults: &[SettingsFault]) -> Failure {
     let texts: Vec<String> = faults.iter().map(SettingsFault::explained).collect();
-    Failure::Invalid(texts.join("\n\n"))
+    Failure::Shown(texts.join("\n\n"))
 }
 
 /// An environment variable that is set to something.

@@ -1,8 +1,13 @@
 //! Where the program keeps its files: the folders of the XDG Base Directory Specification.
 
 use std::path::PathBuf;
+use std::{env, iter};
 
 use etcetera::BaseStrategy as _;
+
+/// Where themes lie in a folder.
+pub(super) const THEMES: &str = "themes";
+const CONFIG_FILE: &str = "config.toml";
 
 /// The program's folders. None of them needs to exist.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -13,10 +18,15 @@ pub struct Folders {
     pub data: PathBuf,
     /// What may be lost: the history of the command line, logs.
     pub state: PathBuf,
+    /// What the administrator has set for everybody on this machine, the folder that counts most first.
+    pub system_config: Vec<PathBuf>,
+    /// What the administrator has installed for everybody, the folder that counts most first.
+    pub system_data: Vec<PathBuf>,
 }
 
 impl Folders {
-    /// By `XDG_CONFIG_HOME`, `XDG_DATA_HOME`, `XDG_STATE_HOME` or their defaults; `None` without a home folder.
+    /// By `XDG_CONFIG_HOME`, `XDG_DATA_HOME`, `XDG_STATE_HOME`, `XDG_CONFIG_DIRS`, `XDG_DATA_DIRS` or their defaults;
+    /// `None` without a home folder.
     pub fn find() -> Option<Self> {
         let base = etcetera::choose_base_strategy().ok()?;
         let data = base.data_dir();
@@ -27,12 +37,28 @@ impl Folders {
                 .unwrap_or_else(|| data.clone())
                 .join("sortie"),
             data: data.join("sortie"),
+            system_config: system("XDG_CONFIG_DIRS", "/etc/xdg"),
+            system_data: system("XDG_DATA_DIRS", "/usr/local/share:/usr/share"),
         })
+    }
+
+    /// The folders that hold missions, designs or themes. Of files with one name the last folder's counts: the
+    /// user's, then those of the administrator.
+    pub fn layers(&self) -> impl Iterator<Item = &PathBuf> {
+        let system = self.system_data.iter().rev();
+        let configured = system.chain(self.system_config.iter().rev());
+        configured.chain(iter::once(&self.config))
+    }
+
+    /// The configuration files of the administrator. What the last one says counts.
+    pub fn system_files(&self) -> impl Iterator<Item = PathBuf> {
+        let folders = self.system_config.iter().rev();
+        folders.map(|folder| folder.join(CONFIG_FILE))
     }
 
     /// The configuration file that is read unless another is named.
     pub fn config_file(&self) -> PathBuf {
-        self.config.join("config.toml")
+        self.config.join(CONFIG_FILE)
     }
 
     /// The keymap file that is read unless another is named.
@@ -41,6 +67,16 @@ impl Folders {
     }
 
     pub fn themes(&self) -> PathBuf {
-        self.config.join("themes")
+        self.config.join(THEMES)
     }
+}
+
+/// The program's folders below those of a variable or its default. The specification has relative paths ignored.
+fn system(variable: &str, usual: &str) -> Vec<PathBuf> {
+    let set = env::var_os(variable).filter(|value| !value.is_empty());
+    let list = set.unwrap_or_else(|| usual.into());
+    env::split_paths(&list)
+        .filter(|folder| folder.is_absolute())
+        .map(|folder| folder.join("sortie"))
+        .collect()
 }

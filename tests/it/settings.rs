@@ -228,6 +228,65 @@ fn paths_are_those_of_the_variables() {
 }
 
 #[test]
+fn the_administrator_sets_for_everybody_what_a_user_may_change() {
+    let home = home(&[("config.toml", "fps = 20\n")]);
+    let write = |name: &str, content: &str| {
+        let path = home.path().join(name);
+        fs::create_dir_all(path.parent().expect("a folder")).expect("created");
+        fs::write(path, content).expect("written");
+    };
+    write(
+        "etc/sortie/config.toml",
+        "lang = \"uk\"\nfps = 5\n[hangar]\narducopter = \"bin/arducopter\"\n",
+    );
+    write("share/sortie/themes/lab.toml", "inherits = \"dark\"\n");
+    let mission = fs::read_to_string("missions/00-first-flight.toml").expect("it ships");
+    let own = mission.replace("00-first-flight", "lab-one");
+    write("share/sortie/missions/lab-one.toml", &own);
+
+    let config = sortie(home.path(), &[], &["config"]);
+    let printed = text(&config.stdout);
+    assert_eq!(config.status.code(), Some(0), "{}", text(&config.stderr));
+    assert!(line_of(&printed, "lang").contains("\"uk\""), "{printed}");
+    assert!(line_of(&printed, "lang").contains("etc/sortie/config.toml:1"));
+    assert!(line_of(&printed, "fps").contains("20"), "the user's counts");
+    let copter = line_of(&printed, "arducopter");
+    assert!(copter.contains("bin/arducopter"), "{printed}");
+    let paths = text(&sortie(home.path(), &[], &["config", "--paths"]).stdout);
+    let paths: toml::Table = toml::from_str(&paths).expect("it is TOML");
+    let base = home.path().to_str().expect("plain");
+    let system = toml::Value::from(vec![format!("{base}/etc/sortie")]);
+    assert_eq!(paths["system_config"], system);
+    let shared = toml::Value::from(vec![format!("{base}/share/sortie")]);
+    assert_eq!(paths["system_data"], shared);
+
+    let themed = sortie(home.path(), &[("SORTIE_THEME", "lab")], &["config"]);
+    assert_eq!(themed.status.code(), Some(0), "{}", text(&themed.stderr));
+    let arguments = ["run", "lab-one", "--pilot", "d00", "--json", "--no-timing"];
+    let flown = sortie(home.path(), &[], &arguments);
+    assert!(
+        text(&flown.stdout).contains("lab-one"),
+        "{}",
+        text(&flown.stderr)
+    );
+}
+
+#[test]
+fn a_fault_of_the_administrators_file_is_told_and_keeps_nobody_from_flying() {
+    let home = home(&[]);
+    let path = home.path().join("etc/sortie/config.toml");
+    fs::create_dir_all(path.parent().expect("a folder")).expect("created");
+    fs::write(path, "fps = \"many\"\ntheme = \"light\"\n").expect("written");
+    let output = sortie(home.path(), &[], &["config"]);
+    assert_eq!(output.status.code(), Some(2));
+    let told = text(&output.stderr);
+    assert!(told.contains("etc/sortie/config.toml:1"), "{told}");
+    assert!(text(&output.stdout).contains("theme = \"light\""));
+    let named = ["config", "--theme", "dark", "--paths"];
+    assert!(!sortie(home.path(), &[], &named).stdout.is_empty());
+}
+
+#[test]
 fn a_shell_is_given_completions_and_a_manual_page() {
     let home = home(&[]);
     for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {

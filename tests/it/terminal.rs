@@ -21,11 +21,13 @@ pub fn program() -> Vec<String> {
 }
 
 /// What makes a folder the home of the program's user, who speaks English.
-pub fn home_variables(home: &Path) -> [(&'static str, PathBuf); 5] {
+pub fn home_variables(home: &Path) -> [(&'static str, PathBuf); 7] {
     [
         ("XDG_CONFIG_HOME", home.join("config")),
         ("XDG_DATA_HOME", home.join("data")),
         ("XDG_STATE_HOME", home.join("state")),
+        ("XDG_CONFIG_DIRS", home.join("etc")),
+        ("XDG_DATA_DIRS", home.join("share")),
         ("LC_ALL", PathBuf::new()),
         ("LANG", PathBuf::from("C.UTF-8")),
     ]
