@@ -64,7 +64,7 @@ pub enum Command {
     /// What a vehicle is to say.
     Query(QueryCommand),
     Parameter(ParameterCommand),
-    /// Bare MAVLink.
+    /// Sent as it is written, without being understood.
     Raw(RawCommand),
 }
 

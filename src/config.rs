@@ -103,7 +103,7 @@ pub struct HangarConfig {
     pub ardurover: Option<String>,
     /// The program of submarines.
     pub ardusub: Option<String>,
-    /// Instances at once.
+    /// How many instances may run at the same time.
     pub instances: u16,
     /// Address space of one instance, in mebibytes.
     pub memory: u64,

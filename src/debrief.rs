@@ -34,8 +34,8 @@ pub fn text(report: &Report, locale: &Locale) -> String {
 
 /// The same with what the flight brought to a career, if anything, before what moved the score.
 pub fn text_with(report: &Report, career: &[Text], locale: &Locale) -> String {
-    let lines = lines_with(report, career, locale).into_iter();
-    let lines: Vec<String> = lines.map(|line| line.text).collect();
+    let page = lines_with(report, career, locale).into_iter();
+    let lines: Vec<String> = page.map(|line| line.text).collect();
     lines.join("\n") + "\n"
 }
 
@@ -58,8 +58,8 @@ pub fn lines_with(report: &Report, career: &[Text], locale: &Locale) -> Vec<Debr
     page.next(report);
     // A stored report may hold anything; the page stays as wide as it is.
     let cut = |line: &str| fit(line, WIDTH).trim_end().to_owned();
-    let tones = page.tones.iter().copied();
-    let tones = tones.chain(std::iter::repeat(DebriefTone::Plain));
+    let given = page.tones.iter().copied();
+    let tones = given.chain(std::iter::repeat(DebriefTone::Plain));
     let lines = page.words.lines().zip(tones);
     lines
         .map(|(line, tone)| DebriefLine {
@@ -350,9 +350,9 @@ impl DebriefPage<'_> {
     /// The one thing to do next.
     fn next(&mut self, report: &Report) {
         self.heading("debrief-next");
-        let first = report.improvements.first().map(|first| &first.text);
+        let improvement = report.improvements.first().map(|first| &first.text);
         // After gold there is nothing left to win here.
-        let first = first.filter(|_| report.medal != Some(Medal::Gold));
+        let first = improvement.filter(|_| report.medal != Some(Medal::Gold));
         let text = match (&report.drill, first) {
             (Some(drill), Some(what)) if !report.passed => {
                 text!("debrief-next-drill", drill = drill, what = what)

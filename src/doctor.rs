@@ -7,7 +7,7 @@
 use std::collections::VecDeque;
 use std::time::Duration;
 
-use mavlink::dialects::ardupilotmega::HEARTBEAT_DATA;
+use mavlink::dialects::ardupilotmega::{HEARTBEAT_DATA, MavAutopilot, MavType};
 use mavlink::{MavlinkVersion, MessageData as _};
 
 use crate::inspector::{Census, Direction, FrameSource, MessageTally};
@@ -140,10 +140,8 @@ fn dress(tally: &MessageTally) -> Option<(MavlinkVersion, bool)> {
 }
 
 fn role(heartbeat: &MessageTally) -> HeartbeatRole {
-    /// `MAV_TYPE_GCS`.
-    const GROUND_STATION: u8 = 6;
-    /// `MAV_AUTOPILOT_INVALID`.
-    const NONE: u8 = 8;
+    const GROUND_STATION: u8 = MavType::MAV_TYPE_GCS as u8;
+    const NONE: u8 = MavAutopilot::MAV_AUTOPILOT_INVALID as u8;
     let byte = |at| {
         let frame = Anatomy::of(&heartbeat.last);
         frame.and_then(|frame| frame.payload.get(at).copied())

@@ -24,6 +24,7 @@ mod form;
 mod ids;
 mod lexer;
 mod manual;
+mod modes;
 mod names;
 mod parse;
 mod pilot;

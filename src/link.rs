@@ -148,7 +148,6 @@ impl LinkState {
 }
 
 impl fmt::Display for LinkState {
-    /// In English.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.text().fmt(f)
     }

@@ -121,7 +121,7 @@ pub struct Mission {
     pub untranslated: Vec<Diagnostic>,
     /// Difficulty, 0 (first steps) to 3.
     pub tier: u8,
-    /// Subjects, for lists.
+    /// What it is about, for lists and searches.
     pub tags: Vec<String>,
     pub authors: Vec<String>,
     /// The id of the mission that it is a short exercise for.

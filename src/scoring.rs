@@ -128,7 +128,7 @@ pub struct Product {
 pub struct Facts {
     /// How the objectives went, in the mission's order.
     pub objectives: Vec<ObjectiveFact>,
-    /// Mission time used.
+    /// How much mission time has passed.
     pub elapsed: Duration,
     /// Energy used by all vehicles in Wh; `None` where no vehicle reports it.
     pub energy_wh: Option<f64>,

@@ -23,7 +23,7 @@ use crate::notice::Notice;
 use crate::session::Steering;
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{VehicleId, Vehicles};
+use crate::vehicle::{GlobalPosition, Vehicle, VehicleId, Vehicles};
 use crate::verb::Verb;
 
 mod act;
@@ -83,7 +83,7 @@ struct Call<'a> {
     entry: EntryId,
     verb: &'static Verb,
     manoeuvre: &'a Manoeuvre,
-    /// The leader first.
+    /// The vehicles that take part, the leader first.
     targets: &'a [VehicleId],
 }
 
@@ -304,7 +304,7 @@ fn is_guided(command: &Command) -> bool {
 /// Where a command takes a formation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct FormationGoal {
-    /// The first vehicle's.
+    /// Where the first vehicle is to go.
     place: LatLon,
     /// Above home; `None` keeps the height.
     altitude_m: Option<f64>,
@@ -314,44 +314,65 @@ struct FormationGoal {
 fn goal(command: &Command, act: &ActiveManoeuvre, vehicles: &Vehicles) -> Option<FormationGoal> {
     let leader = vehicles.get(&act.leader()?)?;
     let here = leader.global?;
-    match *command {
+    match command {
         Command::Motion(MotionCommand::Altitude { altitude_m }) => Some(FormationGoal {
             place: here.at_point,
-            altitude_m: Some(altitude_m),
+            altitude_m: Some(*altitude_m),
         }),
-        Command::Motion(MotionCommand::Goto { destination, .. }) => match destination {
-            Destination::Global {
-                at_point,
-                altitude_m,
-            } => Some(FormationGoal {
-                place: at_point,
-                altitude_m,
-            }),
-            Destination::Local {
-                north_m,
-                east_m,
-                up_m,
-            } => {
-                let [north, east, down] = leader.local?.ned_m.map(f64::from);
-                let place = here.at_point.moved(north_m - north, east_m - east);
-                // Heights count from the origin here, and home may lie higher.
-                Some(FormationGoal {
-                    place,
-                    altitude_m: up_m.map(|up_m| here.altitude_m + up_m + down),
-                })
-            }
-            Destination::Offset {
-                north_m,
-                east_m,
-                up_m,
-            } => {
-                let place = here.at_point.moved(north_m, east_m);
-                Some(FormationGoal {
-                    place,
-                    altitude_m: Some(here.altitude_m + up_m),
-                })
-            }
-        },
-        _ => None,
+        Command::Motion(MotionCommand::Goto { destination, .. }) => {
+            destined(*destination, leader, here)
+        }
+        Command::Motion(
+            MotionCommand::Speed { .. }
+            | MotionCommand::Yaw { .. }
+            | MotionCommand::Velocity { .. }
+            | MotionCommand::Orbit { .. }
+            | MotionCommand::RegionOfInterest { .. }
+            | MotionCommand::SetHome { .. },
+        )
+        | Command::Arming(_)
+        | Command::Flight(_)
+        | Command::Device(_)
+        | Command::Query(_)
+        | Command::Parameter(_)
+        | Command::Raw(_) => None,
     }
+}
+
+/// Where a destination of a leader takes its formation; `None` if that depends on a position that it has not told.
+fn destined(
+    destination: Destination,
+    leader: &Vehicle,
+    here: GlobalPosition,
+) -> Option<FormationGoal> {
+    let goal = match destination {
+        Destination::Global {
+            at_point,
+            altitude_m,
+        } => FormationGoal {
+            place: at_point,
+            altitude_m,
+        },
+        Destination::Local {
+            north_m,
+            east_m,
+            up_m,
+        } => {
+            let [north, east, down] = leader.local?.ned_m.map(f64::from);
+            FormationGoal {
+                place: here.at_point.moved(north_m - north, east_m - east),
+                // Heights count from the origin here, and home may lie higher.
+                altitude_m: up_m.map(|up_m| here.altitude_m + up_m + down),
+            }
+        }
+        Destination::Offset {
+            north_m,
+            east_m,
+            up_m,
+        } => FormationGoal {
+            place: here.at_point.moved(north_m, east_m),
+            altitude_m: Some(here.altitude_m + up_m),
+        },
+    };
+    Some(goal)
 }

@@ -172,7 +172,7 @@ impl Text {
     }
 }
 
-/// Programs read English.
+/// Programs read English, whatever the language of the console.
 impl serde::Serialize for Text {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_str(self)

@@ -57,7 +57,7 @@ pub struct Vehicle {
     pub global: Option<GlobalPosition>,
     /// `LOCAL_POSITION_NED`: metres from the EKF origin.
     pub local: Option<LocalPosition>,
-    /// `HOME_POSITION`.
+    /// Where home is, once it has been told (`HOME_POSITION`).
     pub home: Option<Place>,
     /// `POSITION_TARGET_GLOBAL_INT` or _`LOCAL_NED`: where the autopilot is heading.
     pub target: Option<Target>,
@@ -65,18 +65,18 @@ pub struct Vehicle {
     /// `GPS_RAW_INT`, where the receiver knows its own errors.
     pub gps_accuracy: Option<GpsAccuracy>,
     pub hud: Option<Hud>,
-    /// `SYS_STATUS`.
+    /// Which sensors there are and which are well (`SYS_STATUS`).
     pub health: Option<Health>,
     /// `BATTERY_STATUS`, one per pack, in order of the pack's id; pack 0 falls back to `SYS_STATUS`.
     pub batteries: Vec<Battery>,
     /// What its motors have drawn of late; `None` while they stand still.
     pub load: Option<Load>,
-    /// `EKF_STATUS_REPORT`.
+    /// How the estimator is doing (`EKF_STATUS_REPORT`).
     pub ekf: Option<Ekf>,
     pub vibration: Option<Vibration>,
-    /// `EXTENDED_SYS_STATE`.
+    /// Whether it is on the ground (`EXTENDED_SYS_STATE`).
     pub landed: LandedState,
-    /// `MISSION_CURRENT` and `MISSION_ITEM_REACHED`.
+    /// How far AUTO has flown its plan (`MISSION_CURRENT` and `MISSION_ITEM_REACHED`).
     pub plan: PlanProgress,
     /// The plan, the fence and the rally points on board, as far as they have been read.
     pub plans: Plans,

@@ -16,6 +16,7 @@ mod design;
 mod drive;
 mod figures;
 mod forward;
+pub(crate) mod loss;
 mod measure;
 mod pack;
 mod part;

@@ -149,8 +149,8 @@ impl PracticeReason {
                 text!("practice-locked", why = Text::joined("; ", reasons))
             }
             Self::MissingParts { design, parts } => {
-                let parts = parts.iter().map(|(part, _)| part.name()).collect();
-                let parts = Text::joined(", ", parts);
+                let part_names = parts.iter().map(|(part, _)| part.name()).collect();
+                let parts = Text::joined(", ", part_names);
                 text!("practice-parts", design = design.as_str(), parts = parts)
             }
             Self::OwnAirframes => text!("practice-airframes"),

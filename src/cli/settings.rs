@@ -4,7 +4,6 @@
 //! the files of the configuration folder keeps nobody from flying: what is wrong is left out, and told.
 
 use std::env;
-use std::io::IsTerminal as _;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -15,15 +14,17 @@ use crate::app::keymap::Keymap;
 use crate::app::lines;
 use crate::config::{Config, Layers, Origin};
 use crate::diagnostic::Diagnostic;
-use crate::notice::{sanitised, sanitised_lines};
 use crate::store::{self, Folders, Source};
 use crate::text;
 use crate::text::{Language, Text};
 use crate::ui::{Theme, ThemeError, ThemeFile, Themes};
 
+mod fault;
 mod flags;
 mod shown;
 
+pub(super) use fault::SettingsFault;
+use fault::{explained, faults_of};
 pub(super) use flags::Common;
 
 /// The variable that names the configuration file.
@@ -54,39 +55,6 @@ pub(super) struct CliSettings {
     sources: Vec<Source>,
     /// Whether the configuration file was named, so that a fault in it is one of usage.
     is_named: bool,
-}
-
-/// What is wrong with a file.
-#[derive(Debug)]
-pub(super) enum SettingsFault {
-    Inside(Source, Diagnostic),
-    /// The whole of it.
-    Whole(Text),
-}
-
-impl SettingsFault {
-    /// In one line, which has no room for the folder.
-    pub fn text(&self) -> Text {
-        match self {
-            Self::Inside(source, fault) => {
-                let path = Path::new(&source.name);
-                let name = path.file_name().unwrap_or(path.as_os_str());
-                fault.text(&name.to_string_lossy(), &source.text)
-            }
-            Self::Whole(text) => text.clone(),
-        }
-    }
-
-    /// With the lines around it.
-    pub fn explained(&self) -> String {
-        match self {
-            Self::Inside(source, fault) => {
-                let colour = std::io::stderr().is_terminal() && env::var_os("NO_COLOR").is_none();
-                fault.render(&sanitised(&source.name), &source.text, colour)
-            }
-            Self::Whole(text) => sanitised_lines(&format!("sortie: {text}")),
-        }
-    }
 }
 
 /// Gathers what is set.
@@ -427,18 +395,6 @@ fn check(setting: &str, word: &str, themes: &[String]) -> Result<(), Diagnostic>
         },
         _ => Ok(()),
     }
-}
-
-fn faults_of(source: &Source, faults: Vec<Diagnostic>) -> Vec<SettingsFault> {
-    let faults = faults.into_iter();
-    faults
-        .map(|fault| SettingsFault::Inside(source.clone(), fault))
-        .collect()
-}
-
-fn explained(faults: &[SettingsFault]) -> Failure {
-    let texts: Vec<String> = faults.iter().map(SettingsFault::explained).collect();
-    Failure::Shown(texts.join("\n\n"))
 }
 
 /// An environment variable that is set to something.

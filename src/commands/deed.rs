@@ -30,7 +30,7 @@ pub enum Deed {
     Spray { on: bool },
     /// Say beforehand what the score will be.
     Predict {
-        /// 0 to 1000.
+        /// The score that the trainee expects, 0 to 1000.
         points: u16,
     },
     /// Set a goal for the flight.

@@ -8,7 +8,7 @@ pub enum Destination {
     /// A point on the earth; `None` keeps the present height.
     Global {
         at_point: LatLon,
-        /// Height above home.
+        /// Metres above home; `None` keeps the height.
         altitude_m: Option<f64>,
     },
     /// Metres from the EKF origin (`LOCAL_POSITION_NED`); `None` keeps the present height.
@@ -17,7 +17,7 @@ pub enum Destination {
         north_m: f64,
         /// East of the origin.
         east_m: f64,
-        /// Above the origin.
+        /// Metres above the estimator's origin; `None` keeps the height.
         up_m: Option<f64>,
     },
     /// Metres from where the vehicle is when the command is sent.

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use super::modes::mode_named;
-use super::setpoint::Arrival;
+use super::setpoint::TravelEnd;
 use crate::geo::{LatLon, wrap_180, wrap_360};
 use crate::text;
 use crate::text::Text;
@@ -43,7 +43,7 @@ pub(super) enum Watched {
         altitude_m: f64,
         tolerance_m: f64,
     },
-    Place(Arrival),
+    Place(TravelEnd),
     Heading(f64),
     Velocity([f64; 3]),
     Home(LatLon),
@@ -191,7 +191,7 @@ pub(super) fn yaw_effect(
 }
 
 /// At a speed slower than people fly, with time to get going and to settle.
-pub(super) fn travel_time(before: &Vehicle, place: Arrival) -> Duration {
+pub(super) fn travel_time(before: &Vehicle, place: TravelEnd) -> Duration {
     match separation(before, place) {
         Some((horizontal_m, vertical_m)) => patience(horizontal_m / 1.5 + vertical_m / 0.5 + 20.0),
         None => Duration::from_secs(120),
@@ -203,23 +203,23 @@ fn patience(seconds: f64) -> Duration {
     Duration::try_from_secs_f64(seconds.clamp(0.0, 86_400.0)).unwrap_or(SOON)
 }
 
-fn arrived(vehicle: &Vehicle, place: Arrival) -> bool {
+fn arrived(vehicle: &Vehicle, place: TravelEnd) -> bool {
     separation(vehicle, place).is_some_and(|(horizontal_m, vertical_m)| {
         horizontal_m <= ARRIVED_M && vertical_m <= ARRIVED_HEIGHT_M
     })
 }
 
 /// Metres to a place, horizontally and vertically.
-fn separation(vehicle: &Vehicle, place: Arrival) -> Option<(f64, f64)> {
+fn separation(vehicle: &Vehicle, place: TravelEnd) -> Option<(f64, f64)> {
     match place {
-        Arrival::Global { point, altitude_m } => {
+        TravelEnd::Global { point, altitude_m } => {
             let global = vehicle.global?;
             Some((
                 global.at_point.distance_m(point),
                 (global.altitude_m - altitude_m).abs(),
             ))
         }
-        Arrival::Local { ned_m } => {
+        TravelEnd::Local { ned_m } => {
             let here = vehicle.local?.ned_m.map(f64::from);
             let [north, east, down] = difference(here, ned_m);
             Some((north.hypot(east), down.abs()))

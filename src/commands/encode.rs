@@ -21,7 +21,7 @@ const CONFIRMATION_OFFSET: usize = 32;
 
 /// `MAV_FRAME_GLOBAL`: heights above mean sea level.
 pub(super) const FRAME_GLOBAL: u8 = MavFrame::MAV_FRAME_GLOBAL as u8;
-/// Heights above home.
+/// The frame of heights above home.
 #[expect(
     deprecated,
     reason = "older autopilots know only the _INT spelling of the frame, newer ones both"
@@ -237,7 +237,7 @@ pub(super) fn moving_position(
     Ok(message)
 }
 
-/// `PARAM_REQUEST_READ` by name.
+/// Asks for a parameter by its name.
 pub(super) fn read_parameter(vehicle: &Vehicle, name: &str) -> Result<Outgoing, Text> {
     Ok(MavMessage::PARAM_REQUEST_READ(PARAM_REQUEST_READ_DATA {
         param_index: -1,

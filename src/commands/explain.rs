@@ -22,9 +22,9 @@ pub enum AckResult {
     /// At work; another answer follows.
     InProgress,
     Cancelled,
-    /// Only as `COMMAND_LONG`.
+    /// The command is taken only as a `COMMAND_LONG`.
     LongOnly,
-    /// Only as `COMMAND_INT`.
+    /// The command is taken only as a `COMMAND_INT`.
     IntOnly,
     /// Not with this frame.
     UnsupportedFrame,

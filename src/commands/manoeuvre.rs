@@ -104,7 +104,7 @@ pub enum Shape {
     Column,
     /// Two arms that trail behind the first.
     Wedge,
-    /// Rows and columns.
+    /// As square as the number of vehicles allows.
     Grid,
     Circle,
 }

@@ -7,7 +7,7 @@ use crate::ledger::Risk;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
 
-/// Bare MAVLink.
+/// Commands that are sent as they are written, without being understood.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum RawCommand {
     /// Any `MAV_CMD` as `COMMAND_LONG`.
@@ -19,7 +19,7 @@ pub enum RawCommand {
     /// Any `MAV_CMD` as `COMMAND_INT`.
     Int {
         command: u16,
-        /// `MAV_FRAME` number.
+        /// `MAV_FRAME`, known to the dialect or not.
         frame: u8,
         /// Parameters 1 to 4.
         params: [f32; 4],

@@ -37,14 +37,14 @@ pub(super) fn goto(
         return reposition(vehicle, destination);
     }
     match arrival(vehicle, destination)? {
-        Arrival::Global { point, altitude_m } => {
+        TravelEnd::Global { point, altitude_m } => {
             above_ground(vehicle, altitude_m)?;
             place(
                 encode::global_position(vehicle, point, altitude_m, yaw_deg),
                 vehicle,
             )
         }
-        Arrival::Local { ned_m } => {
+        TravelEnd::Local { ned_m } => {
             above_ground(vehicle, height_of(vehicle, ned_m[2]))?;
             place(encode::local_position(vehicle, ned_m, yaw_deg), vehicle)
         }
@@ -83,18 +83,18 @@ fn reposition(vehicle: &Vehicle, destination: Destination) -> Result<Request, Te
 
 /// Where a `goto` ends, in the frame in which it is sent.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Arrival {
+pub(super) enum TravelEnd {
     Global { point: LatLon, altitude_m: f64 },
     Local { ned_m: [f64; 3] },
 }
 
 /// Works out relative and missing parts of a destination from where the vehicle is.
-pub(super) fn arrival(vehicle: &Vehicle, destination: Destination) -> Result<Arrival, Text> {
+pub(super) fn arrival(vehicle: &Vehicle, destination: Destination) -> Result<TravelEnd, Text> {
     match destination {
         Destination::Global {
             at_point,
             altitude_m,
-        } => Ok(Arrival::Global {
+        } => Ok(TravelEnd::Global {
             point: at_point,
             altitude_m: altitude_m.map_or_else(|| height(vehicle), Ok)?,
         }),
@@ -107,7 +107,7 @@ pub(super) fn arrival(vehicle: &Vehicle, destination: Destination) -> Result<Arr
                 Some(up_m) => -up_m,
                 None => local(vehicle)?[2],
             };
-            Ok(Arrival::Local {
+            Ok(TravelEnd::Local {
                 ned_m: [north_m, east_m, down_m],
             })
         }
@@ -116,10 +116,10 @@ pub(super) fn arrival(vehicle: &Vehicle, destination: Destination) -> Result<Arr
             east_m,
             up_m,
         } => match local(vehicle) {
-            Ok([north, east, down]) => Ok(Arrival::Local {
+            Ok([north, east, down]) => Ok(TravelEnd::Local {
                 ned_m: [north + north_m, east + east_m, down - up_m],
             }),
-            Err(_) => Ok(Arrival::Global {
+            Err(_) => Ok(TravelEnd::Global {
                 point: position(vehicle)?.moved(north_m, east_m),
                 altitude_m: height(vehicle)? + up_m,
             }),
@@ -245,7 +245,7 @@ pub(super) fn place(message: Result<Outgoing, Text>, vehicle: &Vehicle) -> Resul
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Setpoint {
     pub at_point: LatLon,
-    /// Height above home.
+    /// Metres above home.
     pub altitude_m: f64,
     /// How that place moves: north, east, down in m/s; `None` where it does not.
     pub velocity_m_s: Option<[f64; 3]>,

@@ -6,9 +6,8 @@ use crate::text::Language;
 /// One of these settings with its value.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum LiveSetting {
-    /// The colours.
+    /// The theme by its name.
     Theme(String),
-    /// The language.
     Lang(Language),
     /// What curves and maps are drawn with.
     Symbols(Symbols),
@@ -21,7 +20,7 @@ pub enum LiveSetting {
 }
 
 impl LiveSetting {
-    /// Takes it over.
+    /// Makes it part of the settings in use.
     pub fn apply(&self, config: &mut Config) {
         match self {
             Self::Theme(name) => config.theme.clone_from(name),

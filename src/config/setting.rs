@@ -29,7 +29,7 @@ pub enum SettingKind {
     Text,
     /// A whole number from one to another.
     Whole(i64, i64),
-    /// `true` or `false`.
+    /// A yes or no: `true` or `false`.
     Flag,
     /// A list of words.
     Words,
@@ -215,7 +215,7 @@ const fn setting(
 impl Setting {
     /// The range of frames per second.
     pub const FPS_LEAST: i64 = 1;
-    /// Its upper end.
+    /// The most frames per second.
     pub const FPS_MOST: i64 = 60;
 
     /// The setting of a name.
@@ -262,7 +262,18 @@ impl SettingKind {
             (Self::Lines, Value::Array(lines)) => {
                 !lines.is_empty() && lines.iter().all(Value::is_str)
             }
-            _ => false,
+            (
+                Self::OneOf(_)
+                | Self::Text
+                | Self::Whole(..)
+                | Self::Flag
+                | Self::Words
+                | Self::Columns
+                | Self::Sort
+                | Self::AlertKinds
+                | Self::Lines,
+                _,
+            ) => false,
         };
         if fits {
             Ok(())

@@ -32,7 +32,7 @@ pub enum Column {
     Armed,
     /// On the ground or in the air.
     State,
-    /// Height above home.
+    /// Metres above home.
     #[strum(serialize = "alt")]
     Altitude,
     Speed,

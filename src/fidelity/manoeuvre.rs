@@ -90,13 +90,12 @@ pub(super) fn cut(sent: &[Timed], real: &Observed) -> Vec<Manoeuvre> {
     all
 }
 
-/// `ArduCopter`'s name of a mode.
-pub(super) fn mode_name(number: u32) -> String {
+/// A mode of `ArduCopter` by its number.
+pub(super) fn copter_mode(number: u32) -> Mode {
     Mode {
         class: VehicleClass::Copter,
         number,
     }
-    .to_string()
 }
 
 fn asked(message: &MavMessage, real: &Observed, at_s: f64) -> Option<(String, Aim)> {
@@ -127,12 +126,14 @@ fn asked(message: &MavMessage, real: &Observed, at_s: f64) -> Option<(String, Ai
 
 fn long(data: &COMMAND_LONG_DATA) -> Option<(String, Aim)> {
     let mode = |number: u8| {
-        let name = mode_name(u32::from(number));
-        let aim = match name.as_str() {
-            "RTL" | "LAND" | "SMART_RTL" | "AUTO" => Aim::Landed,
-            _ => Aim::Velocity,
+        let mode = copter_mode(u32::from(number));
+        let ends_on_ground = mode.comes_down() || number == COPTER_MODE_AUTO as u8;
+        let aim = if ends_on_ground {
+            Aim::Landed
+        } else {
+            Aim::Velocity
         };
-        Some((name, aim))
+        Some((mode.to_string(), aim))
     };
     match data.command {
         MavCmd::MAV_CMD_NAV_TAKEOFF => {

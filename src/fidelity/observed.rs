@@ -165,8 +165,10 @@ impl Observed {
     fn note_heartbeat(&mut self, at_s: f64, mode: u32, armed: bool) {
         if self.mode != Some(mode) {
             self.mode = Some(mode);
-            self.modes
-                .push(Said::new(at_s, super::manoeuvre::mode_name(mode)));
+            self.modes.push(Said::new(
+                at_s,
+                super::manoeuvre::copter_mode(mode).to_string(),
+            ));
         }
         if self.armed.last().is_none_or(|(_, last)| *last != armed) {
             self.armed.push((at_s, armed));

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, VecDeque};
 use std::sync::Arc;
 use std::time::Duration;
 
-use mavlink::dialects::ardupilotmega::MavMessage;
+use mavlink::dialects::ardupilotmega::{MavAutopilot, MavMessage, MavType};
 use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
@@ -29,10 +29,9 @@ const BATCHES_KEPT: usize = 256;
 const TRIED_AGAIN_AFTER: Duration = Duration::from_millis(50);
 /// How often a shared system id is complained about.
 const CONFLICT_EVERY: Duration = Duration::from_secs(30);
-/// `MAV_TYPE_GCS`.
-const TYPE_GROUND_STATION: u8 = 6;
-/// `MAV_AUTOPILOT_INVALID`: a component that does not fly anything.
-const AUTOPILOT_NONE: u8 = 8;
+const TYPE_GROUND_STATION: u8 = MavType::MAV_TYPE_GCS as u8;
+/// A component that does not fly anything.
+const AUTOPILOT_NONE: u8 = MavAutopilot::MAV_AUTOPILOT_INVALID as u8;
 
 /// A sender of frames.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -6,8 +6,10 @@
 
 use std::time::Duration;
 
+use mavlink::MessageData as _;
 use mavlink::dialects::ardupilotmega::{
-    COMMAND_LONG_DATA, MavCmd, MavMessage, MavParamType, PARAM_SET_DATA,
+    COMMAND_LONG_DATA, EKF_STATUS_REPORT_DATA, MavCmd, MavMessage, MavParamType, PARAM_SET_DATA,
+    SYS_STATUS_DATA,
 };
 
 use super::SitlStage;
@@ -28,8 +30,8 @@ const SPEED_TRIES: u32 = 10;
 const SPEED: &str = "SIM_SPEEDUP";
 /// How often the messages are asked for until they come.
 const STREAMS_EVERY: Duration = Duration::from_secs(1);
-/// `SYS_STATUS` and `EKF_STATUS_REPORT`.
-const STREAMS: [f32; 2] = [1.0, 193.0];
+/// The messages that tell whether a vehicle is ready.
+const STREAMS: [u32; 2] = [SYS_STATUS_DATA::ID, EKF_STATUS_REPORT_DATA::ID];
 /// Twice per simulated second.
 const INTERVAL_US: f32 = 500_000.0;
 /// Whatever the vehicle does by itself: nothing, usually.
@@ -150,7 +152,7 @@ impl InstanceProbe {
                 target_system: self.system,
                 target_component: AUTOPILOT_COMPONENT,
                 command: MavCmd::MAV_CMD_SET_MESSAGE_INTERVAL,
-                param1: message,
+                param1: message as f32,
                 param2: interval_us,
                 ..COMMAND_LONG_DATA::default()
             });

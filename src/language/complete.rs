@@ -9,8 +9,8 @@ use nucleo_matcher::{Config, Matcher, Utf32Str};
 use super::argument::{Argument, Kind};
 use super::form::{Expected, Fit, fit};
 use super::lexer::{Word, comment_start, words};
+use super::modes::{mode_names, mode_warning};
 use super::parse::{Head, head};
-use super::read::{mode_names, mode_warning};
 use super::verb::{Form, Scope, VerbRow};
 use super::{Context, Targets, rows};
 use crate::text;
@@ -114,7 +114,7 @@ fn lines_of(row: &VerbRow, form: &'static Form, context: &Context) -> Vec<(Strin
         [] => vec![(row.name().to_owned(), row.summary())],
         [argument] => {
             let mut start = row.name().to_owned();
-            let values = if argument.kind == Kind::Flag {
+            let listed = if argument.kind == Kind::Flag {
                 vec![(argument.keyword.to_owned(), argument.meaning())]
             } else {
                 if !argument.keyword.is_empty() {
@@ -122,7 +122,7 @@ fn lines_of(row: &VerbRow, form: &'static Form, context: &Context) -> Vec<(Strin
                 }
                 names(Expected::Value(argument), context)
             };
-            let values = values.into_iter();
+            let values = listed.into_iter();
             values
                 .map(|(word, meaning)| (format!("{start} {word}"), meaning))
                 .collect()

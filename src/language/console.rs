@@ -24,7 +24,7 @@ pub enum ConsoleLine {
     Show(String),
     /// Start the mission of this id.
     Fly(String),
-    /// Start free flight.
+    /// Fly simulated vehicles without a mission.
     FlyFree,
     /// Connect to these addresses.
     Connect(Vec<String>),
@@ -40,12 +40,12 @@ pub enum ConsoleLine {
     Process {
         /// What to do with it.
         deed: ProcessDeed,
-        /// Whose process.
+        /// The vehicle whose process it is.
         vehicle: VehicleId,
     },
     /// Something about the table of vehicles.
     Table(TableLine),
-    /// Something about alerts.
+    /// Acknowledge, mute or list alerts.
     Alerts(AlertLine),
     /// Let the session stand still.
     Pause,
@@ -53,13 +53,12 @@ pub enum ConsoleLine {
     Continue,
     /// Have so many seconds pass in one.
     Speedup(f64),
-    /// End the mission.
+    /// Give the mission up and show its debrief.
     Abandon,
     /// The same mission again.
     Restart,
     /// Back to the home screen.
     Leave,
-    /// Leave the program.
     Quit,
 }
 
@@ -68,15 +67,15 @@ pub enum ConsoleLine {
 pub enum Report {
     /// What can be said and pressed.
     Help,
-    /// The links.
+    /// Each link with its traffic and findings.
     Links,
-    /// All commands.
+    /// The commands given so far and what became of them.
     Ledger,
-    /// All notices.
+    /// What vehicles and console have said so far.
     Notices,
-    /// The processes.
+    /// The processes of simulated vehicles.
     Hangar,
-    /// The mission's brief.
+    /// The task, its rules and how it is scored.
     Brief,
     /// How vehicles are: these, as they were written, or all.
     Status(Option<String>),
@@ -89,7 +88,7 @@ pub enum Report {
 /// What the console does with parameters.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum ParametersLine {
-    /// Shows them.
+    /// Opens the room of parameters.
     Show,
     /// Asks the vehicle for all of them again.
     Fetch,
@@ -104,7 +103,7 @@ pub enum ParametersLine {
 pub enum ProcessDeed {
     /// It is ended, if it runs, and started again.
     Restart,
-    /// It is ended.
+    /// Ends it for good.
     Stop,
 }
 

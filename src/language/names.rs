@@ -10,20 +10,20 @@ use crate::text::Text;
 pub enum NameList {
     /// The rooms of the console.
     Room,
-    /// The themes.
+    /// Themes, those of the user's folder too.
     Theme,
     /// The missions, by id.
     Mission,
     /// What an instructor may have happen in the mission under way.
     Inject,
-    /// The macros.
+    /// Macros of the settings.
     Macro,
 }
 
 /// A name that may stand in a line.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Named {
-    /// The word.
+    /// What is typed.
     pub name: String,
     /// What it stands for.
     pub meaning: Text,
@@ -34,7 +34,7 @@ pub struct Named {
 pub enum Listed {
     /// Nobody knows yet: every name will do.
     Anything,
-    /// These.
+    /// One of these names.
     Names(Vec<Named>),
     /// Nothing can be named now, for this reason.
     Nothing(Text),

@@ -5,8 +5,8 @@ use std::ops::Range;
 use super::argument::Kind;
 use super::form::{Expected, Fit, Misfit, fit};
 use super::lexer::{Word, words};
+use super::modes::{mode_named, mode_names};
 use super::names::Listed;
-use super::read::{mode_named, mode_names};
 use super::table::{row, rows};
 use super::verb::{Channel, Form, Meaning, Scope, VerbRow};
 use super::{Context, Statement, Targets};
@@ -197,8 +197,8 @@ fn fault(
         let example = example_of(row, &forms);
         let mut expected = closest.iter().flat_map(|fit| fit.expected.iter());
         let needs = || text!("grammar-needs", verb = row.name(), missing = missing);
-        let message = expected.find_map(|item| unavailable(*item, context));
-        let message = message.unwrap_or_else(needs);
+        let why_not = expected.find_map(|item| unavailable(*item, context));
+        let message = why_not.unwrap_or_else(needs);
         return Diagnostic::new(end_of(all), message)
             .with_help(text!("grammar-for-example", line = example));
     };

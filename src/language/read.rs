@@ -5,6 +5,7 @@ use mavlink::dialects::ardupilotmega::MavMessage;
 use super::Context;
 use super::argument::{Kind, Unit, Value};
 use super::lexer::Word;
+use super::modes::{mode_named, mode_names, mode_warning};
 use super::targets::Targets;
 use crate::commands::{command_by_name, command_names};
 use crate::config::{Column, TableSort};
@@ -12,25 +13,10 @@ use crate::geo::{LatLon, Outline};
 use crate::parameters::{ParameterList, shown};
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{Mode, VehicleClass};
+use crate::vehicle::VehicleClass;
 
 /// Message ids have 24 bits.
 const HIGHEST_MESSAGE: u32 = 0x00FF_FFFF;
-
-/// The modes of every day, the most used first.
-const EVERYDAY_MODES: [&str; 8] = [
-    "GUIDED",
-    "LOITER",
-    "RTL",
-    "LAND",
-    "BRAKE",
-    "AUTO",
-    "ALT_HOLD",
-    "STABILIZE",
-];
-/// Modes of a copter in which the throttle stick sets the climb, and those in which it sets the thrust.
-const STICK_CLIMBS: [&str; 5] = ["LOITER", "ALT_HOLD", "POSHOLD", "FLOWHOLD", "SPORT"];
-const STICK_LIFTS: [&str; 3] = ["STABILIZE", "ACRO", "DRIFT"];
 
 /// What the console can select besides named vehicles.
 const SELECTIONS: [&str; 3] = ["none", "filter", "invert"];
@@ -284,51 +270,6 @@ fn mode(text: &str, context: &Context) -> Result<String, Misread> {
             VehicleClass::Other => text!("grammar-no-mode", mode = text),
         })
     })
-}
-
-/// The proper name of a mode.
-pub(super) fn mode_named(text: &str, context: &Context) -> Option<&'static str> {
-    classes(context)
-        .iter()
-        .find_map(|class| class.mode(text).and_then(Mode::name))
-}
-
-/// What a pilot without a stick in the hand should know before entering a mode.
-pub(super) fn mode_warning(name: &str, context: &Context) -> Option<Text> {
-    if !matches!(context.class, VehicleClass::Copter | VehicleClass::Other) {
-        None
-    } else if STICK_CLIMBS.contains(&name) {
-        Some(text!("grammar-stick-sinks"))
-    } else if STICK_LIFTS.contains(&name) {
-        Some(text!("grammar-stick-falls"))
-    } else {
-        None
-    }
-}
-
-/// The names of all modes, each once, those of every day first.
-pub(super) fn mode_names(context: &Context) -> Vec<&'static str> {
-    let mut names: Vec<&'static str> = Vec::new();
-    for (_, name) in classes(context).iter().flat_map(|class| class.modes()) {
-        if !names.contains(name) {
-            names.push(name);
-        }
-    }
-    let everyday = |name: &&str| EVERYDAY_MODES.iter().position(|mode| mode == name);
-    names.sort_by_key(|name| everyday(name).unwrap_or(EVERYDAY_MODES.len()));
-    names
-}
-
-fn classes(context: &Context) -> Vec<VehicleClass> {
-    match context.class {
-        VehicleClass::Other => vec![
-            VehicleClass::Copter,
-            VehicleClass::Plane,
-            VehicleClass::Rover,
-            VehicleClass::Sub,
-        ],
-        class => vec![class],
-    }
 }
 
 /// Vehicles for the console.

@@ -65,7 +65,7 @@ pub enum Channel {
     Screen,
     /// The input of the console without a screen.
     Plain,
-    /// A script.
+    /// The lines of a script.
     Script,
 }
 

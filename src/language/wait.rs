@@ -4,15 +4,13 @@ use std::collections::BTreeMap;
 use std::time::Duration;
 
 use crate::ledger::{Ledger, RowState};
-use crate::vehicle::{Vehicle, VehicleId, Vehicles};
+use crate::vehicle::{Mode, Vehicle, VehicleId, Vehicles};
 use crate::verb::Arrival;
 
 /// How long a wait lasts at most, unless it says otherwise.
 pub(super) const DEFAULT_TIMEOUT: Duration = Duration::from_secs(60);
 /// How near to its target a vehicle has arrived, in metres, where the ledger cannot tell.
 const ARRIVED_M: f64 = 2.0;
-/// Modes that bring a vehicle down, under the names of every class.
-const LANDING_MODES: [&str; 6] = ["LAND", "RTL", "SMART_RTL", "AUTO_RTL", "QLAND", "QRTL"];
 /// Slower than this is standing still.
 const STILL_M_S: f32 = 0.5;
 
@@ -243,8 +241,7 @@ fn arrived(vehicle: &Vehicle, ledger: &Ledger) -> bool {
 
 /// Whether its mode ends on the ground.
 fn comes_down(vehicle: &Vehicle) -> bool {
-    let mode = vehicle.mode();
-    mode.is_some_and(|mode| LANDING_MODES.iter().any(|landing| mode.is(landing)))
+    vehicle.mode().is_some_and(Mode::comes_down)
 }
 
 fn still_at_target(vehicle: &Vehicle) -> bool {

@@ -1,19 +1,17 @@
 //! HEARTBEAT: mode, armed state, type and status.
 
-use mavlink::dialects::ardupilotmega::HEARTBEAT_DATA;
+use mavlink::dialects::ardupilotmega::{HEARTBEAT_DATA, MavAutopilot, MavModeFlag, MavType};
 
 use super::Report;
 use crate::text;
 use crate::vehicle::{Heartbeat, Mode, Severity, SystemStatus, Vehicle, VehicleClass};
 
-/// `MAV_TYPE_GCS`.
-const TYPE_GROUND_STATION: u8 = 6;
-/// `MAV_AUTOPILOT_INVALID`: a component that is no flight controller.
-const AUTOPILOT_NONE: u8 = 8;
-/// `MAV_AUTOPILOT_ARDUPILOTMEGA`: whose mode numbers this program has names for.
-const AUTOPILOT_ARDUPILOT: u8 = 3;
-/// `MAV_MODE_FLAG_SAFETY_ARMED`.
-const FLAG_ARMED: u8 = 0x80;
+const TYPE_GROUND_STATION: u8 = MavType::MAV_TYPE_GCS as u8;
+/// A component that is no flight controller.
+const AUTOPILOT_NONE: u8 = MavAutopilot::MAV_AUTOPILOT_INVALID as u8;
+/// The autopilot whose mode numbers this program has names for.
+const AUTOPILOT_ARDUPILOT: u8 = MavAutopilot::MAV_AUTOPILOT_ARDUPILOTMEGA as u8;
+const FLAG_ARMED: u8 = MavModeFlag::MAV_MODE_FLAG_SAFETY_ARMED.bits();
 
 /// The numbers of a HEARTBEAT, whether the dialect has names for all of them or not.
 #[derive(Debug, Clone, Copy)]

@@ -9,17 +9,11 @@ use mavlink::dialects::ardupilotmega::{
 
 use super::position::point;
 use crate::geo::LatLon;
-use crate::vehicle::{Place, Target, Vehicle};
+use crate::vehicle::{HeightFrame, Place, Target, Vehicle};
 
 /// Targets are asked for once a second; some of them may be lost. It is longer than what makes a link count as
 /// lost: the last target of a vehicle that has fallen silent stays known.
 const SILENT: Duration = Duration::from_millis(3500);
-
-// `MAV_FRAME` numbers; the two that end in INT are deprecated but still sent.
-const FRAME_GLOBAL: u8 = 0;
-const FRAME_RELATIVE: u8 = 3;
-const FRAME_GLOBAL_INT: u8 = 5;
-const FRAME_RELATIVE_INT: u8 = 6;
 
 /// Applies `POSITION_TARGET_GLOBAL_INT`. `ArduPilot` gives the height above mean sea level; it becomes height
 /// above home once home, or a position that tells it, is known.
@@ -29,13 +23,11 @@ pub(super) fn apply_global(
     now: Duration,
 ) {
     let uses = Uses(data.type_mask);
-    let altitude_m = match data.coordinate_frame as u8 {
-        FRAME_GLOBAL | FRAME_GLOBAL_INT => {
-            home_altitude_m(vehicle).map(|home| f64::from(data.alt) - home)
-        }
-        FRAME_RELATIVE | FRAME_RELATIVE_INT => Some(f64::from(data.alt)),
-        // Above the terrain: its height is not known here.
-        _ => None,
+    let altitude_m = match HeightFrame::from_wire(data.coordinate_frame as u8) {
+        HeightFrame::SeaLevel => home_altitude_m(vehicle).map(|home| f64::from(data.alt) - home),
+        HeightFrame::Home => Some(f64::from(data.alt)),
+        // The height of the terrain is not known here.
+        HeightFrame::Terrain | HeightFrame::Other => None,
     };
     vehicle.target = Some(Target {
         at_point: point(data.lat_int, data.lon_int).filter(|_| uses.point()),

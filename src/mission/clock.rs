@@ -65,7 +65,7 @@ impl Clock {
         }
     }
 
-    /// Mission time.
+    /// How much mission time has passed.
     pub fn elapsed(&self) -> Duration {
         self.elapsed
     }

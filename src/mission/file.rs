@@ -32,7 +32,7 @@ use rules::RuleSet;
 const MOST_TABLES: usize = 200;
 /// Each may have ten thousands of cells.
 const MOST_HAZARDS: usize = 20;
-/// As with hazards.
+/// Each may have as many cells as a hazard.
 const MOST_OBJECTIVES: usize = 50;
 
 /// Reads a mission file.

@@ -15,7 +15,7 @@ pub(crate) enum Quantity {
     Vapour,
     /// Carbon monoxide, in ug/m3.
     Monoxide,
-    /// Methane, in ug/m3.
+    /// Methane in the air, in ug/m3.
     Methane,
     /// Fine particles and smoke, in ug/m3.
     Particles,

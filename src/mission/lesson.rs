@@ -12,7 +12,7 @@ use crate::text::Text;
 /// What stands for the key of a step in its text.
 pub const STEP_KEY: &str = "{key}";
 
-/// One step.
+/// One thing to do, and how it is known to be done.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LessonStep {
     /// What it is made for; always, without it.

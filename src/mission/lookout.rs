@@ -268,9 +268,9 @@ impl Glance {
                 self.chance.again();
                 self.found = false;
             }
-            let found = !self.found && exposure >= self.chance.until;
-            self.found |= found;
-            found
+            let is_new = !self.found && exposure >= self.chance.until;
+            self.found |= is_new;
+            is_new
         };
         found.then(|| {
             let random = &mut self.chance.random;

@@ -104,10 +104,10 @@ impl Mission {
         let mut points: Vec<Point> = self.places.iter().map(|(_, at)| *at).collect();
         points.extend(seeded.map(|(_, at)| at).chain(cells));
         let zones = |wanted: fn(&ZoneKind) -> bool| {
-            let mut zones = self.zones.iter().filter(move |zone| wanted(&zone.kind));
+            let mut of_kind = self.zones.iter().filter(move |zone| wanted(&zone.kind));
             let from = &self.pads;
             let mut far_m: f64 = 0.0;
-            for zone in &mut zones {
+            for zone in &mut of_kind {
                 let each = from.iter().map(|&pad| zone.shape.farthest_m(pad));
                 far_m = each.fold(far_m, f64::max);
             }

@@ -143,7 +143,7 @@ pub(crate) trait Tracker: Debug + Send + Sync {
 
 /// What trackers see of a flight in one step.
 pub(crate) struct ObjectiveScene<'a> {
-    /// Mission time.
+    /// How much mission time has passed.
     pub now: Duration,
     /// Whether the flight is over, or its time is up.
     pub over: bool,

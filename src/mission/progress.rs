@@ -15,7 +15,7 @@ use crate::vehicle::VehicleId;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Progress {
     pub title: Text,
-    /// Mission time used.
+    /// How much mission time has passed.
     pub elapsed: Duration,
     pub limit: Duration,
     /// The score if it ended now, 0 to 1000; `None` before the first takeoff.

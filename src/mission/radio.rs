@@ -13,6 +13,7 @@ use super::craft::Craft;
 use super::zone::{Shadow, Shape, Zone, ZoneKind};
 use crate::session::RadioFault;
 use crate::vehicle::VehicleId;
+use crate::workshop::loss::{GROUND_ANTENNA_M, LOWEST_ANTENNA_M, free_space_db, two_ray_db};
 use crate::workshop::{self, Part, PartSlot};
 
 /// A kind of radio: a part of the workshop's catalogue.
@@ -82,10 +83,6 @@ pub(crate) struct RadioNode {
     pub relays: bool,
 }
 
-/// Antennas are never lower than this.
-const LOWEST_ANTENNA_M: f64 = 0.3;
-/// Nearer than this, nothing gets stronger.
-const NEAREST_M: f64 = 1.0;
 /// A path is checked for ridges at this many points.
 const PLACES: u32 = 64;
 /// Light, in metres a microsecond.
@@ -98,16 +95,6 @@ const LATENCY: Duration = Duration::from_millis(20);
 const LONGEST_DELAY: Duration = Duration::from_millis(400);
 /// A link this good is as good as perfect.
 const NO_LOSS: f64 = 0.002;
-
-/// Loss over a distance in free space, in dB: `32.44 + 20 lg(km) + 20 lg(MHz)` (ITU-R P.525).
-pub(crate) fn free_space_db(distance_m: f64, frequency_mhz: f64) -> f64 {
-    32.44 + 20.0 * (distance_m.max(NEAREST_M) * 1e-3).log10() + 20.0 * frequency_mhz.log10()
-}
-
-/// Loss with the wave that the ground reflects, far from the transmitter, in dB: `40 lg(m) - 20 lg(h h')`.
-pub(crate) fn two_ray_db(distance_m: f64, height_m: f64, other_m: f64) -> f64 {
-    40.0 * distance_m.max(NEAREST_M).log10() - 20.0 * (height_m * other_m).log10()
-}
 
 /// Loss by bending over one edge, in dB, for the parameter `v` of ITU-R P.526:
 /// `6.9 + 20 lg(sqrt((v - 0.1)^2 + 1) + v - 0.1)` above -0.78.
@@ -125,7 +112,7 @@ pub(crate) fn loss(margin_db: f64) -> f64 {
 
 impl Radio {
     /// The ground station's antenna in metres above the ground, unless the mission says otherwise.
-    pub const USUAL_ANTENNA_M: f64 = 2.0;
+    pub const USUAL_ANTENNA_M: f64 = GROUND_ANTENNA_M;
 
     /// How well each vehicle is heard, in dB: by the best path, which is as good as its worst leg. Only radios of one
     /// model hear each other. `own` is the radio that the craft of a seat was built with, if it was.
@@ -227,8 +214,7 @@ pub(crate) fn margin_db(a: &RadioNode, b: &RadioNode, zones: &[(&Shape, ZoneKind
     let distance_m = flat_m.hypot(low - high);
     let spread_db =
         free_space_db(distance_m, model.frequency_mhz).max(two_ray_db(distance_m, low, high));
-    let budget_db =
-        model.power_dbm + a.gain_dbi + b.gain_dbi - model.losses_db - model.sensitivity_dbm;
+    let budget_db = model.budget_db(a.gain_dbi, b.gain_dbi);
     let wave_m = LIGHT_M_US / model.frequency_mhz;
     let in_the_way = zones.iter().map(|(shape, kind)| match kind {
         ZoneKind::CommShadow(Shadow::Ridge { height_m }) => {

@@ -113,7 +113,7 @@ fn is_practice(stake: &Stake) -> bool {
 }
 
 /// What a recorded flight was scored.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct End {
     /// The points, 0 to 1000.
     pub score: u16,
@@ -128,10 +128,8 @@ pub struct End {
 impl End {
     /// The end in a line, if it is one.
     pub fn of_line(line: &[u8]) -> Option<Self> {
-        match serde_json::from_slice(line) {
-            Ok(RecordLine::End { end, .. }) => Some(end),
-            _ => None,
-        }
+        let line: RecordLine = serde_json::from_slice(line).ok()?;
+        line.end().copied()
     }
 }
 
@@ -146,22 +144,22 @@ enum RecordLine {
         #[serde(flatten)]
         change: RecordChange,
     },
-    /// [`Flight::act`](super::Flight::act).
+    /// A deed of vehicles: [`Flight::act`](super::Flight::act).
     Act {
         deed: Deed,
         vehicles: Vec<VehicleId>,
     },
-    /// [`Flight::lose`](super::Flight::lose).
+    /// A vehicle that was given up: [`Flight::lose`](super::Flight::lose).
     Lose {
         vehicle: VehicleId,
         #[serde(flatten)]
         change: RecordChange,
     },
-    /// [`Flight::inject`](super::Flight::inject).
+    /// An event of the instructor: [`Flight::inject`](super::Flight::inject).
     Inject { name: String },
-    /// [`Flight::note_pause`](super::Flight::note_pause).
+    /// A pause: [`Flight::note_pause`](super::Flight::note_pause).
     Pause { seconds: u64 },
-    /// [`Flight::abandon`](super::Flight::abandon).
+    /// The trainee gave up: [`Flight::abandon`](super::Flight::abandon).
     Abandon,
     /// What became of commands after the last step, and the score.
     End {
@@ -177,7 +175,24 @@ impl RecordLine {
     fn time(&self) -> Option<u64> {
         match self {
             Self::Tick { t, .. } | Self::End { t, .. } => Some(*t),
-            _ => None,
+            Self::Act { .. }
+            | Self::Lose { .. }
+            | Self::Inject { .. }
+            | Self::Pause { .. }
+            | Self::Abandon => None,
+        }
+    }
+
+    /// What the flight was scored, where the line is its end.
+    fn end(&self) -> Option<&End> {
+        match self {
+            Self::End { end, .. } => Some(end),
+            Self::Tick { .. }
+            | Self::Act { .. }
+            | Self::Lose { .. }
+            | Self::Inject { .. }
+            | Self::Pause { .. }
+            | Self::Abandon => None,
         }
     }
 }

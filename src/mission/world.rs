@@ -42,8 +42,8 @@ impl World {
         let fields: Vec<Box<dyn Field>> = hazards.zip((0..=u64::MAX).rev()).map(release).collect();
         let numbered = fields.iter().enumerate();
         let objects = numbered.flat_map(|(hazard, field)| {
-            let objects = field.objects().iter();
-            objects.map(move |object| (hazard, object))
+            let of_field = field.objects().iter();
+            of_field.map(move |object| (hazard, object))
         });
         Self {
             seed,

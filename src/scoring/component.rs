@@ -116,7 +116,6 @@ impl Weights {
 /// One component of a score.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ComponentScore {
-    /// The component.
     pub component: Component,
     /// Its weight after sharing out what does not apply.
     pub weight: f64,

@@ -36,7 +36,7 @@ pub struct SwarmFigures {
     pub wait_s: f64,
     /// Fan-out without the time spent waiting.
     pub fan_out: Option<f64>,
-    /// Fan-out with it.
+    /// Fan-out with the time spent waiting.
     pub fan_out_waiting: Option<f64>,
     /// How many vehicles were flown.
     pub flown: usize,

@@ -16,7 +16,6 @@ const MOST_IDLE: f64 = 0.3;
 /// How one vehicle was used.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct VehicleUse {
-    /// The vehicle.
     pub vehicle: VehicleId,
     /// Time in the air.
     pub airborne: Duration,

@@ -261,7 +261,7 @@ impl Download {
     }
 }
 
-/// `PARAM_REQUEST_READ` by place.
+/// Asks for a parameter by its place in the list.
 fn read(vehicle: &Vehicle, index: u16) -> Outgoing {
     MavMessage::PARAM_REQUEST_READ(PARAM_REQUEST_READ_DATA {
         param_index: index as i16,

@@ -10,7 +10,9 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use mavlink::dialects::ardupilotmega::{MISSION_CURRENT_DATA, MavMessage, MavProtocolCapability};
+use mavlink::dialects::ardupilotmega::{
+    MISSION_CURRENT_DATA, MavAutopilot, MavMessage, MavProtocolCapability,
+};
 
 use crate::vehicle::{FencePlan, Plan, PlanItem, PlanKind, RallyPlan, Transfer, Vehicle};
 use crate::wire::{Content, Frame};
@@ -312,7 +314,7 @@ fn transfer(vehicle: &mut Vehicle, kind: PlanKind) -> &mut Transfer {
 
 fn store(vehicle: &mut Vehicle, kind: PlanKind, items: Vec<PlanItem>) {
     /// HEARTBEAT's autopilot of `ArduPilot`, whose item 0 is home.
-    const ARDUPILOT: u8 = 3;
+    const ARDUPILOT: u8 = MavAutopilot::MAV_AUTOPILOT_ARDUPILOTMEGA as u8;
     let home_first = vehicle
         .heartbeat
         .is_some_and(|heartbeat| heartbeat.autopilot == ARDUPILOT);

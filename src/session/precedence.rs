@@ -5,18 +5,6 @@ use crate::commands::{Command, FlightCommand};
 use crate::vehicle::Vehicle;
 use crate::verb::Precedence;
 
-/// Modes in which a vehicle stops, lands or comes home, under the names of every class.
-const URGENT_MODES: [&str; 8] = [
-    "LAND",
-    "RTL",
-    "SMART_RTL",
-    "AUTO_RTL",
-    "BRAKE",
-    "QLAND",
-    "QRTL",
-    "HOLD",
-];
-
 /// Whether everything that waits or flies must give way: the operator wants it to stop, land or come home now.
 pub(super) fn is_urgent(order: &VehicleCommand, vehicle: &Vehicle) -> bool {
     match order.verb.precedence {
@@ -28,7 +16,7 @@ pub(super) fn is_urgent(order: &VehicleCommand, vehicle: &Vehicle) -> bool {
             };
             let class = vehicle.heartbeat.map(|heartbeat| heartbeat.class);
             let mode = class.and_then(|class| class.mode(name));
-            mode.is_some_and(|mode| URGENT_MODES.iter().any(|urgent| mode.is(urgent)))
+            mode.is_some_and(|mode| mode.comes_down() || mode.stops())
         }
     }
 }

@@ -7,6 +7,15 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
+use mavlink::MessageData as _;
+use mavlink::dialects::ardupilotmega::{
+    ATTITUDE_DATA, AUTOPILOT_VERSION_DATA, BATTERY_STATUS_DATA, EKF_STATUS_REPORT_DATA,
+    EXTENDED_SYS_STATE_DATA, FENCE_STATUS_DATA, GLOBAL_POSITION_INT_DATA, GPS_RAW_INT_DATA,
+    HOME_POSITION_DATA, LOCAL_POSITION_NED_DATA, MISSION_CURRENT_DATA,
+    POSITION_TARGET_GLOBAL_INT_DATA, RC_CHANNELS_DATA, SERVO_OUTPUT_RAW_DATA, SYS_STATUS_DATA,
+    VFR_HUD_DATA, VIBRATION_DATA, WIND_DATA,
+};
+
 use crate::commands::{Answer, Command, QueryCommand};
 use crate::vehicle::Vehicle;
 use crate::wire::Outgoing;
@@ -25,28 +34,26 @@ const fn stream(message: u32, rate_hz: f64) -> Stream {
 
 /// What the console shows, and how often it needs it.
 pub const WANTED_STREAMS: &[Stream] = &[
-    stream(33, 5.0),  // GLOBAL_POSITION_INT
-    stream(30, 5.0),  // ATTITUDE
-    stream(32, 2.0),  // LOCAL_POSITION_NED
-    stream(74, 2.0),  // VFR_HUD
-    stream(1, 1.0),   // SYS_STATUS
-    stream(147, 1.0), // BATTERY_STATUS
-    stream(24, 1.0),  // GPS_RAW_INT
-    stream(193, 1.0), // EKF_STATUS_REPORT
-    stream(245, 2.0), // EXTENDED_SYS_STATE
-    stream(87, 1.0),  // POSITION_TARGET_GLOBAL_INT
-    stream(42, 1.0),  // MISSION_CURRENT
-    stream(241, 0.5), // VIBRATION
-    stream(36, 1.0),  // SERVO_OUTPUT_RAW
-    stream(65, 1.0),  // RC_CHANNELS
-    stream(168, 0.5), // WIND
-    stream(162, 0.5), // FENCE_STATUS
+    stream(GLOBAL_POSITION_INT_DATA::ID, 5.0),
+    stream(ATTITUDE_DATA::ID, 5.0),
+    stream(LOCAL_POSITION_NED_DATA::ID, 2.0),
+    stream(VFR_HUD_DATA::ID, 2.0),
+    stream(SYS_STATUS_DATA::ID, 1.0),
+    stream(BATTERY_STATUS_DATA::ID, 1.0),
+    stream(GPS_RAW_INT_DATA::ID, 1.0),
+    stream(EKF_STATUS_REPORT_DATA::ID, 1.0),
+    stream(EXTENDED_SYS_STATE_DATA::ID, 2.0),
+    stream(POSITION_TARGET_GLOBAL_INT_DATA::ID, 1.0),
+    stream(MISSION_CURRENT_DATA::ID, 1.0),
+    stream(VIBRATION_DATA::ID, 0.5),
+    stream(SERVO_OUTPUT_RAW_DATA::ID, 1.0),
+    stream(RC_CHANNELS_DATA::ID, 1.0),
+    stream(WIND_DATA::ID, 0.5),
+    stream(FENCE_STATUS_DATA::ID, 0.5),
 ];
 
-/// MAVLink id of `HOME_POSITION`.
-const HOME_POSITION: u32 = 242;
-/// MAVLink id of `AUTOPILOT_VERSION`.
-const AUTOPILOT_VERSION: u32 = 148;
+const HOME_POSITION: u32 = HOME_POSITION_DATA::ID;
+const AUTOPILOT_VERSION: u32 = AUTOPILOT_VERSION_DATA::ID;
 
 /// Rates are judged over this long.
 const WINDOW: Duration = Duration::from_secs(4);

@@ -1,3 +1,4 @@
+use super::source::LARGEST_FILE;
 use super::*;
 
 #[test]

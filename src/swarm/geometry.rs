@@ -52,7 +52,7 @@ impl Segment {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct MovingPoint {
     pub at: DVec3,
-    /// Metres per second.
+    /// North, east and down, in metres per second.
     pub velocity_m_s: DVec3,
 }
 

@@ -45,7 +45,7 @@ enum Found {
 }
 
 impl Parser {
-    /// Takes bytes in.
+    /// Takes in bytes that the terminal has sent.
     pub fn push(&mut self, bytes: &[u8]) {
         self.bytes.extend_from_slice(bytes);
     }

@@ -28,7 +28,7 @@ impl<'a> Panel<'a> {
         Self { area, ..self }
     }
 
-    /// Its first rows.
+    /// The same panel cut to its first rows.
     pub fn upper(self, rows: u16) -> Self {
         self.at(upper(self.area, rows))
     }
@@ -43,7 +43,7 @@ impl<'a> Panel<'a> {
         self.at(columns(self.area, from, width))
     }
 
-    /// Width in columns.
+    /// How many columns it is wide.
     pub fn width(self) -> usize {
         usize::from(self.area.width)
     }

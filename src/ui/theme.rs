@@ -33,7 +33,7 @@ pub enum Role {
     Muted,
     /// Names of panes and columns.
     Title,
-    /// Rules between panes.
+    /// The rules between panes and around them.
     Border,
     /// What deserves a second look without being good or bad.
     Accent,

@@ -55,7 +55,7 @@ pub struct Endurance {
 /// What follows from it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HomeReach {
-    /// There is time.
+    /// More is left than the way home and the reserve take.
     Ample,
     /// After the landing there would be less than the reserve.
     TurnBack,

@@ -7,9 +7,9 @@ use super::{Ekf, EkfFlags, FixType, Gps, GpsAccuracy};
 pub enum Grade {
     /// As it should be.
     Good,
-    /// Near the limit.
+    /// So near the limit that it deserves a look.
     Poor,
-    /// Beyond the limit.
+    /// Beyond the limit, or no number at all.
     Bad,
 }
 

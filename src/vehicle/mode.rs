@@ -24,7 +24,7 @@ pub enum VehicleClass {
 pub struct Mode {
     /// Which table the number belongs to.
     pub class: VehicleClass,
-    /// `custom_mode`.
+    /// The number on the wire (`custom_mode`).
     pub number: u32,
 }
 
@@ -117,6 +117,11 @@ const SUB: &[(u32, &str)] = &[
     (21, "SURFTRAK"),
 ];
 
+/// Modes that bring a vehicle home or down, under the names of every class.
+const COMING_DOWN: [&str; 6] = ["LAND", "RTL", "SMART_RTL", "AUTO_RTL", "QLAND", "QRTL"];
+/// Modes that stop a vehicle where it is, under the names of every class.
+const STOPPING: [&str; 2] = ["BRAKE", "HOLD"];
+
 const COPTER_TYPES: &[MavType] = &[
     MavType::MAV_TYPE_QUADROTOR,
     MavType::MAV_TYPE_COAXIAL,
@@ -193,6 +198,16 @@ impl Mode {
             .iter()
             .find(|(number, _)| *number == self.number)
             .map(|&(_, name)| name)
+    }
+
+    /// Whether the vehicle comes home or lands by itself, so that it ends on the ground.
+    pub fn comes_down(self) -> bool {
+        COMING_DOWN.iter().any(|name| self.is(name))
+    }
+
+    /// Whether the vehicle stops where it is.
+    pub fn stops(self) -> bool {
+        STOPPING.iter().any(|name| self.is(name))
     }
 
     /// Whether this is the mode of that name.

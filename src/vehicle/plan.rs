@@ -28,7 +28,7 @@ const LAST_FLOWN: u16 = 94;
 /// Which of the three lists.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum PlanKind {
-    /// What AUTO flies.
+    /// The plan that the mode AUTO flies.
     Plan,
     /// Where it may be.
     Fence,
@@ -44,7 +44,7 @@ impl PlanKind {
 /// The lists of a vehicle. Cheap to clone: the items are shared.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Plans {
-    /// What AUTO flies.
+    /// The plan that the mode AUTO flies.
     pub plan: Stored<Plan>,
     /// Where it may be.
     pub fence: Stored<FencePlan>,
@@ -97,10 +97,10 @@ impl<T: PartialEq> PartialEq for Stored<T> {
 /// What a height is measured from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HeightFrame {
-    /// Mean sea level.
+    /// Heights above mean sea level.
     SeaLevel,
     Home,
-    /// The ground below.
+    /// Heights above the ground below.
     Terrain,
     /// Something else, or the item has no place at all (`MAV_FRAME_MISSION`, local frames).
     Other,
@@ -167,7 +167,7 @@ impl PlanItem {
     }
 }
 
-/// What AUTO flies.
+/// The plan that the mode AUTO flies.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Plan {
     /// The items in order; item numbers are their places.

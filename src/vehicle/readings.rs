@@ -2,6 +2,8 @@
 
 use std::time::Duration;
 
+use mavlink::dialects::ardupilotmega::MavSysStatusSensor;
+
 use super::{EkfFlags, FixType, Mode, Severity, SystemStatus, VehicleClass};
 use crate::geo::LatLon;
 
@@ -22,7 +24,7 @@ pub struct Heartbeat {
     pub at: Duration,
 }
 
-/// ATTITUDE.
+/// How the vehicle lies in the air (ATTITUDE).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Attitude {
     /// Right wing down positive, in degrees.
@@ -34,7 +36,7 @@ pub struct Attitude {
     pub at: Duration,
 }
 
-/// `GLOBAL_POSITION_INT`.
+/// Where on the earth the vehicle believes to be (`GLOBAL_POSITION_INT`).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GlobalPosition {
     pub at_point: LatLon,
@@ -89,7 +91,7 @@ pub struct Target {
     pub at: Duration,
 }
 
-/// `GPS_RAW_INT`.
+/// What the GPS receiver reports (`GPS_RAW_INT`).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Gps {
     pub fix: FixType,
@@ -109,7 +111,7 @@ pub struct GpsAccuracy {
     pub vertical_m: f32,
 }
 
-/// `VFR_HUD`.
+/// Speeds and throttle as a pilot reads them (`VFR_HUD`).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hud {
     /// Indicated airspeed in m/s.
@@ -142,8 +144,8 @@ pub struct Health {
 }
 
 impl Health {
-    /// `MAV_SYS_STATUS_PREARM_CHECK`.
-    pub const PREARM: u32 = 0x1000_0000;
+    /// The bit of the checks before arming.
+    pub const PREARM: u32 = MavSysStatusSensor::MAV_SYS_STATUS_PREARM_CHECK.bits();
 
     /// Whether the autopilot says that all checks before arming pass. It speaks for the current mode only.
     pub fn prearm_ok(&self) -> bool {
@@ -156,7 +158,7 @@ pub struct Battery {
     /// The pack's id, 0 first.
     pub id: u8,
     pub voltage_v: Option<f32>,
-    /// Current, discharging positive.
+    /// Amperes drawn; negative while it is charged.
     pub current_a: Option<f32>,
     /// Charge used since power-up.
     pub consumed_mah: Option<f32>,
@@ -196,7 +198,7 @@ impl Ekf {
     }
 }
 
-/// VIBRATION.
+/// How much the sensors are shaken (VIBRATION).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Vibration {
     /// Vibration along x, y, z, in m/s2; below 30 is good, above 60 is bad (ArduPilot's documentation). Not a
@@ -217,7 +219,7 @@ pub struct PlanProgress {
     pub reached: Option<u16>,
 }
 
-/// `FENCE_STATUS`.
+/// How the fence stands (`FENCE_STATUS`).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Fence {
     /// Whether the vehicle is outside.
@@ -228,7 +230,7 @@ pub struct Fence {
     pub breach_type: u8,
 }
 
-/// WIND.
+/// The wind as the vehicle estimates it (WIND).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wind {
     /// Where it comes from, degrees clockwise from north.
@@ -237,7 +239,7 @@ pub struct Wind {
     pub speed_m_s: f32,
 }
 
-/// `RC_CHANNELS`.
+/// What the radio receiver passes on (`RC_CHANNELS`).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct RcChannels {
     /// Pulse widths in microseconds, channel 1 first; 0 where unused.
@@ -246,12 +248,12 @@ pub struct RcChannels {
     pub rssi: Option<u8>,
 }
 
-/// `AUTOPILOT_VERSION`.
+/// What the autopilot says of its make (`AUTOPILOT_VERSION`).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct AutopilotVersion {
-    /// Major, minor, patch.
+    /// Major and minor version, and the patch.
     pub firmware: (u8, u8, u8),
-    /// `MAV_PROTOCOL_CAPABILITY` bits.
+    /// Bits of `MAV_PROTOCOL_CAPABILITY`: what it can be asked for.
     pub capabilities: u64,
     /// The board's unique id; tells two vehicles with one system id apart.
     pub uid: u64,

@@ -19,7 +19,7 @@ pub enum SystemStatus {
     Active,
     /// A failsafe is active.
     Critical,
-    /// Mayday.
+    /// Control is lost, over parts of the airframe or all of it.
     Emergency,
     /// Anything else, by number.
     Other(u8),
@@ -109,10 +109,10 @@ impl fmt::Display for FixType {
     }
 }
 
-/// `MAV_LANDED_STATE`.
+/// Whether the vehicle is on the ground, as `MAV_LANDED_STATE` says it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum LandedState {
-    /// Not said.
+    /// The vehicle does not tell.
     #[default]
     Undefined,
     OnGround,
@@ -136,9 +136,9 @@ impl fmt::Display for LandedState {
 /// `MAV_SEVERITY`, most serious first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {
-    /// System is unusable.
+    /// The whole system is unusable.
     Emergency,
-    /// Act at once.
+    /// Something has to be done at once.
     Alert,
     /// A primary system fails.
     Critical,
@@ -146,7 +146,7 @@ pub enum Severity {
     Error,
     /// May become an error.
     Warning,
-    /// Unusual.
+    /// Unusual, but no fault.
     Notice,
     Info,
     Debug,

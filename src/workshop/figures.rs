@@ -5,6 +5,7 @@ use serde::Serialize;
 use super::design::{Design, Drive};
 use super::drive::VOLTAGE_SHARE;
 use super::forward::Forward;
+use super::loss::{GROUND_ANTENNA_M, LOWEST_ANTENNA_M, reach_m};
 use super::pack::Pack;
 use super::part::Radio;
 
@@ -19,8 +20,6 @@ const SPEED_STEP_M_S: f64 = 0.5;
 const SPEED_STEPS: u32 = 70;
 /// A link is planned with this much to spare, in decibels.
 const FADE_MARGIN_DB: f64 = 20.0;
-/// The ground antenna stands this high, in metres.
-const GROUND_ANTENNA_M: f64 = 2.0;
 
 /// The air that a drone flies in.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -283,19 +282,12 @@ impl Figures {
 }
 
 impl Radio {
-    /// The farthest distance whose loss still leaves the fade margin; loss is the larger of free space (ITU-R P.525) and
-    /// the two-ray model. `more_dbi` is what the drone's antenna gains besides.
+    /// The farthest distance whose loss still leaves the fade margin. `more_dbi` is what the drone's antenna gains
+    /// besides.
     fn range_m(&self, height_m: f64, more_dbi: f64) -> f64 {
-        let budget_db = self.power_dbm + self.air_dbi + self.ground_dbi
-            - self.losses_db
-            - self.sensitivity_dbm
-            - FADE_MARGIN_DB
-            + more_dbi;
-        let free_m =
-            10f64.powf((budget_db - 32.44 - 20.0 * self.frequency_mhz.log10()) / 20.0) * 1e3;
-        let heights = (height_m.max(0.3) * GROUND_ANTENNA_M).log10();
-        let two_ray_m = 10f64.powf((budget_db + 20.0 * heights) / 40.0);
-        free_m.min(two_ray_m)
+        let budget_db = self.budget_db(self.air_dbi, self.ground_dbi) - FADE_MARGIN_DB + more_dbi;
+        let height_m = height_m.max(LOWEST_ANTENNA_M);
+        reach_m(budget_db, self.frequency_mhz, height_m, GROUND_ANTENNA_M)
     }
 }
 

@@ -11,17 +11,17 @@ const RADIO_HEIGHT_M: f64 = 50.0;
 /// A figure of a design.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Measure {
-    /// Ready to fly.
+    /// Of the drone that is ready to fly, in kilograms.
     Mass,
-    /// Of all parts.
+    /// The price of all parts.
     Cost,
     /// Of all motors, in newtons.
     Thrust,
-    /// Thrust over weight.
+    /// The thrust as a multiple of the weight.
     Ratio,
-    /// From the battery.
+    /// What the hover takes from the battery.
     HoverPower,
-    /// From the battery.
+    /// What the hover takes from the battery.
     HoverCurrent,
     /// On the usable part of the charge.
     HoverTime,
@@ -33,7 +33,7 @@ pub enum Measure {
     /// Speed of the longest way.
     RangeSpeed,
     Range,
-    /// In level flight.
+    /// The fastest level flight.
     TopSpeed,
     /// With a fade margin of 20 dB, to 50 m of height.
     RadioReach,

@@ -8,11 +8,11 @@ const INCH_M: f64 = 0.0254;
 /// A place of a drone that parts go into. The order is that of building.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum PartSlot {
-    /// Arms, hubs, legs.
+    /// What holds the rest together: arms, hubs, legs.
     Frame,
-    /// One per arm.
+    /// A motor for each arm.
     Motor,
-    /// One per motor.
+    /// A propeller for each motor.
     Propeller,
     /// Speed controllers, one per motor.
     Esc,

@@ -70,13 +70,6 @@ impl GridSize {
     }
 }
 
-impl From<(u16, u16)> for GridSize {
-    /// From a number of columns and a number of rows.
-    fn from((columns, rows): (u16, u16)) -> Self {
-        Self { columns, rows }
-    }
-}
-
 /// A point of a view, in dots to the right and down from its upper left corner; it may lie outside.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Dot {

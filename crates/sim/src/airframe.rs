@@ -2,6 +2,7 @@
 //! drag, thrust and current that follow from it by the same relations, so that one file gives both simulators the
 //! same drone.
 
+mod figures;
 mod file;
 mod layout;
 mod standard;
@@ -12,6 +13,7 @@ use glam::{DVec2, DVec3};
 use mavlink::dialects::ardupilotmega::MavType;
 use serde_json::Value;
 
+pub(super) use figures::Figures;
 pub use file::AirframeError;
 pub(super) use layout::Motor;
 
@@ -26,47 +28,6 @@ const COMPENSATED: f64 = 0.9777;
 const ROTATION_DRAG_DEG_S: f64 = 400.0;
 /// Below this share of its full voltage a battery turns no motor.
 const DEAD_VOLTAGE_SHARE: f64 = 0.1;
-
-/// The figures of the file; names in brackets are its fields.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Figures {
-    /// `mass`, kilograms.
-    mass_kg: f64,
-    /// `diagonal_size`: how far the motors are from the centre, metres.
-    diagonal_m: f64,
-    /// `refSpd`, `refAngle`: a speed through still air and the lean that holds it.
-    reference_speed_m_s: f64,
-    reference_lean_deg: f64,
-    /// `refVoltage`, `refCurrent`: what the hover takes.
-    reference_voltage_v: f64,
-    reference_current_a: f64,
-    /// `refAlt`: where this was measured, metres above sea level.
-    reference_altitude_m: f64,
-    /// `refBatRes`, ohms.
-    battery_resistance_ohm: f64,
-    /// `maxVoltage` of the full battery.
-    full_voltage_v: f64,
-    /// `battCapacityAh`; zero: never runs down.
-    battery_capacity_ah: f64,
-    /// `hoverThrOut`, 0 to 1.
-    hover_throttle: f64,
-    /// `propExpo`: how far thrust follows the square of the command.
-    expo: f64,
-    /// `refRotRate`, degrees per second.
-    rotation_rate_deg_s: f64,
-    /// `pwmMin`, `pwmMax`, microseconds; `spin_min`, `spin_max`, shares of that range.
-    pwm_us: (f64, f64),
-    spin: (f64, f64),
-    /// `slew_max`: most change of a command per second; zero: no limit.
-    slew_per_s: f64,
-    /// `disc_area` of all rotors, square metres.
-    disc_area_m2: f64,
-    /// `mdrag_coef`.
-    momentum_drag: f64,
-    /// `moment_inertia`, kilogram square metres; zero: estimated.
-    inertia_kg_m2: DVec3,
-    motors: Vec<Motor>,
-}
 
 /// One kind of multirotor. Share it among vehicles by its `Arc`.
 #[derive(Debug, Clone, PartialEq)]
@@ -210,7 +171,7 @@ impl Airframe {
         }
     }
 
-    /// `ArduCopter`'s `FRAME_CLASS`.
+    /// The value of `FRAME_CLASS` for so many motors.
     pub(super) fn frame_class(&self) -> f32 {
         match self.motors() {
             6 => 2.0,
@@ -363,44 +324,6 @@ impl Airframe {
     /// Share of the thrust range that carries the weight at the reference.
     pub fn hover_share(&self) -> f64 {
         self.figures.hover_throttle
-    }
-}
-
-impl Figures {
-    fn hover_power_w(&self) -> f64 {
-        self.reference_current_a * self.reference_voltage_v
-    }
-
-    /// Of the air that the hover throws down, by momentum theory.
-    fn outflow_m_s(&self) -> f64 {
-        2.0 * self.hover_power_w() / (self.mass_kg * GRAVITY_M_S2)
-    }
-}
-
-impl Default for Figures {
-    fn default() -> Self {
-        Self {
-            mass_kg: 3.0,
-            diagonal_m: 0.35,
-            reference_speed_m_s: 15.08,
-            reference_lean_deg: 45.0,
-            reference_voltage_v: 12.09,
-            reference_current_a: 29.3,
-            reference_altitude_m: 593.0,
-            battery_resistance_ohm: 0.01,
-            full_voltage_v: 12.6,
-            battery_capacity_ah: 0.0,
-            hover_throttle: 0.39,
-            expo: 0.65,
-            rotation_rate_deg_s: 120.0,
-            pwm_us: (1000.0, 2000.0),
-            spin: (0.15, 0.95),
-            slew_per_s: 150.0,
-            disc_area_m2: 0.385,
-            momentum_drag: 0.2,
-            inertia_kg_m2: DVec3::ZERO,
-            motors: layout::standard(4, 0.35),
-        }
     }
 }
 

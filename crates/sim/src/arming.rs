@@ -52,14 +52,14 @@ impl Default for Safety {
 /// What a landing is found by.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct GroundInputs {
-    /// Since boot.
+    /// Time since boot.
     pub(super) now: Duration,
     pub(super) on_ground: bool,
     /// When a landing touched the ground.
     pub(super) touched: Option<Duration>,
     /// Whether the vehicle is on the ground and its task has nothing to do there.
     pub(super) is_resting: bool,
-    /// Zero: never.
+    /// After how long an idle vehicle is disarmed; zero: never.
     pub(super) disarm_delay: Duration,
 }
 

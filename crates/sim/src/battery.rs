@@ -56,7 +56,6 @@ const FILTER_HZ: f64 = 10.0;
 pub(super) struct Battery {
     pub(super) voltage_v: f64,
     pub(super) current_a: f64,
-    /// Drawn since boot.
     pub(super) consumed_mah: f64,
     /// Energy drawn, in watt hours.
     pub(super) consumed_wh: f64,

@@ -63,7 +63,7 @@ pub(super) struct Body {
     /// North and east of the nose.
     heading: DVec2,
     pub(super) on_ground: bool,
-    /// 0 to 1.
+    /// Of all motors together, 0 to 1.
     pub(super) throttle: f64,
     angles_rad: (f64, f64),
     /// Roll and pitch rates, radians per second.

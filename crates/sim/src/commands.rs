@@ -28,7 +28,7 @@ pub(super) struct Command {
     /// Parameters 5 and 6: whole numbers, or a place in degrees times 1e7.
     pub(super) x: i32,
     pub(super) y: i32,
-    /// Parameter 7.
+    /// Altitude in metres of the frame, or parameter 7.
     pub(super) z: f32,
     /// The frame of a `COMMAND_INT`; a `COMMAND_LONG` has none.
     pub(super) frame: Option<u8>,

@@ -82,7 +82,7 @@ pub(super) struct FlatMotion {
 }
 
 impl FlatMotion {
-    /// Without acceleration.
+    /// A motion that keeps its velocity.
     pub(super) fn steady(place_m: DVec2, velocity_m_s: DVec2) -> Self {
         Self {
             place_m,

@@ -30,7 +30,6 @@ pub(super) struct Counters {
 
 /// What the counters look at.
 pub(super) struct CounterInputs<'a> {
-    /// Since boot.
     pub(super) now: Duration,
     pub(super) armed: bool,
     pub(super) landed: bool,
@@ -43,9 +42,9 @@ pub(super) struct CounterInputs<'a> {
 /// Values that parameters get.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct CounterReport {
-    /// `STAT_FLTTIME` and `STAT_RUNTIME`.
+    /// New values of `STAT_FLTTIME` and `STAT_RUNTIME`.
     pub(super) times: Vec<(&'static str, f32)>,
-    /// `MOT_THST_HOVER`.
+    /// A new value of `MOT_THST_HOVER`.
     pub(super) hover: Option<f32>,
 }
 

@@ -40,7 +40,7 @@ pub(super) struct CrashInputs<'a> {
     pub(super) body: &'a Body,
     /// Armed and not landed.
     pub(super) is_flying: bool,
-    /// `FS_CRASH_CHECK`.
+    /// Whether `FS_CRASH_CHECK` is set.
     pub(super) checks_crash: bool,
     pub(super) mode: u8,
 }

@@ -83,7 +83,6 @@ pub(super) struct Ratios {
 
 /// What surrounds one step of the estimator.
 pub(super) struct Surroundings<'a> {
-    /// Since boot.
     pub(super) now: Duration,
     pub(super) truth: &'a Body,
     pub(super) faults: &'a Faults,
@@ -96,7 +95,7 @@ pub(super) struct Estimator {
     /// Whether anything is or was wrong; else the belief is the truth.
     disturbed: bool,
     belief: Option<Box<Body>>,
-    /// Belief minus truth.
+    /// How far the belief is from the truth.
     error_m: DVec3,
     velocity_error_m_s: DVec3,
     /// The direction in which this vehicle's imperfect sensors err.
@@ -173,7 +172,7 @@ impl Estimator {
         self.glitching
     }
 
-    /// `EKF_STATUS_REPORT.flags`.
+    /// The flags of `EKF_STATUS_REPORT` as they stand now.
     pub(super) fn flags(&self) -> EkfStatusFlags {
         let mut flags = match self.trust {
             Trust::Good => FLAGS_GOOD,

@@ -23,7 +23,7 @@ use super::reaction::Reaction;
 /// The vehicle looks this often.
 pub(super) const EVERY_STEPS: u64 = 10;
 
-/// Bits of `FS_OPTIONS`.
+/// What `FS_OPTIONS` lets go on, a bit each.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Options(u32);
 
@@ -42,16 +42,16 @@ impl Options {
 /// When the failsafes act and what they do, from the `FS_*` and `BATT_*` parameters.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct FailsafeRules {
-    /// `FS_GCS_ENABLE`.
+    /// What follows a lost ground station (`FS_GCS_ENABLE`).
     ground_station: i32,
     ground_station_timeout: Duration,
-    /// `FS_THR_ENABLE`; 0: off.
+    /// What follows a lost radio (`FS_THR_ENABLE`); 0: nothing.
     pub(super) radio: i32,
     radio_timeout: Duration,
-    /// `FS_THR_VALUE`, in microseconds.
+    /// A throttle below it means a lost radio (`FS_THR_VALUE`), in microseconds.
     pub(super) radio_low_us: f64,
     options: Options,
-    /// `FS_EKF_THRESH`; 0: off.
+    /// The variance that the estimator may have (`FS_EKF_THRESH`); 0: any.
     pub(super) ekf_threshold: f64,
     ekf_action: i32,
     pub(super) battery: BatteryRules,
@@ -80,7 +80,6 @@ impl FailsafeRules {
     reason = "each is a fact of its own, and any may hold beside any other"
 )]
 pub(super) struct FailsafeInputs<'a> {
-    /// Since boot.
     pub(super) now: Duration,
     pub(super) rules: &'a FailsafeRules,
     pub(super) armed: bool,

@@ -19,7 +19,7 @@ use super::parameters::Parameters;
 
 /// The vehicle looks this often.
 pub(super) const EVERY_STEPS: u64 = 4;
-/// Bits of `FENCE_TYPE`.
+/// The kinds of fences, a bit of `FENCE_TYPE` each.
 const CEILING: u8 = 1;
 const CIRCLE: u8 = 2;
 const AREAS: u8 = 4;

@@ -5,7 +5,7 @@ use mavlink::dialects::ardupilotmega::CopterMode;
 /// What it takes to enter a mode.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum ModeEntry {
-    /// Always possible.
+    /// Can be entered at any time.
     Free,
     /// Refused in the air without a position.
     Position,
@@ -20,7 +20,7 @@ pub(super) enum ModeEntry {
 pub(super) struct Mode {
     /// `custom_mode` on the wire.
     pub(super) number: u8,
-    /// `ArduCopter`'s name.
+    /// Its name in `ArduCopter`'s texts.
     pub(super) name: &'static str,
     pub(super) entry: ModeEntry,
     /// The autopilot holds or flies to positions: sets the GUIDED bit of `base_mode`.

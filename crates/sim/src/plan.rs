@@ -3,9 +3,9 @@
 /// One item of a list, as it came over the link.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Item {
-    /// `MAV_CMD`.
+    /// The number of a `MAV_CMD`.
     pub(super) command: u16,
-    /// `MAV_FRAME`.
+    /// The number of a `MAV_FRAME`.
     pub(super) frame: u8,
     pub(super) auto_continue: bool,
     /// The first four parameters of the command.

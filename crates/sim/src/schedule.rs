@@ -114,7 +114,7 @@ pub(super) struct Schedule {
 }
 
 impl Schedule {
-    /// Heartbeats only.
+    /// A schedule of heartbeats only.
     pub(super) fn new(now: Duration) -> Self {
         let mut schedule = Self {
             entries: Vec::new(),

@@ -50,7 +50,6 @@ pub(super) struct Cockpit<'a> {
     pub(super) home_m: DVec3,
     /// Whether the horizontal position and velocity of `body` can be trusted.
     pub(super) has_position: bool,
-    /// Since boot.
     pub(super) now: Duration,
     pub(super) fence: &'a mut Geofence,
     pub(super) trail: &'a mut Trail,

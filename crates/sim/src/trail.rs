@@ -19,7 +19,7 @@ const SIMPLIFY_SHARE: f64 = 0.5;
 /// A loop whose ends come nearer than this share of the accuracy is left out.
 const PRUNE_SHARE: f64 = 0.99;
 
-/// `SRTL_*`.
+/// What the `SRTL_*` parameters set.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct TrailRules {
     accuracy_m: f64,

@@ -15,13 +15,13 @@ use super::wind::WindRules;
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Tuning {
     pub(crate) flight: FlightTuning,
-    /// `GUID_OPTIONS`.
+    /// The bits of `GUID_OPTIONS`.
     pub(crate) guided_options: i32,
     /// `ATC_ACCEL_Y_MAX` in degrees per second squared.
     pub(crate) yaw_accel_deg_s2: f64,
     pub(crate) yaw_behaviour: i32,
     pub(crate) slew_yaw_deg_s: f64,
-    /// Zero: never.
+    /// After how long an idle vehicle is disarmed; zero: never.
     pub(crate) disarm_delay: Duration,
     pub(crate) setpoint_timeout: Duration,
     pub(crate) ground_station: u8,

@@ -12,7 +12,7 @@ use super::mixer::{MOTORS_MAX, Mixer};
 /// Rounds of the attitude control in one step of the simulation.
 const ROUNDS: usize = 4;
 const ROUND_S: f64 = STEP_S / ROUNDS as f64;
-/// `ATC_ANG_RLL_P` and `ATC_ACCEL_R_MAX`.
+/// The defaults of `ATC_ANG_RLL_P` and `ATC_ACCEL_R_MAX`.
 const ANGLE_P: f64 = 4.5;
 const TURN_ACCEL_RAD_S2: f64 = 19.2;
 /// `ATC_RAT_RLL_*` and `ATC_RAT_YAW_*` of the default quad; the filters in hertz.
@@ -41,7 +41,7 @@ const CALM_RAD_S: f64 = 0.4;
 /// One motor that does not do what it is told (`SIM_ENGINE_FAIL`, `SIM_ENGINE_MUL`).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct MotorFault {
-    /// Counted from 0.
+    /// The motor that fails, counted from 0.
     pub(super) motor: usize,
     /// What its pulse is multiplied with.
     pub(super) multiplier: f64,

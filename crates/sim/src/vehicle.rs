@@ -94,7 +94,6 @@ impl Vehicle {
         }
     }
 
-    /// Time since boot.
     pub(super) fn uptime(&self) -> Duration {
         // Multiplying keeps this exact; a vehicle would have to fly for a year to overflow.
         STEP * u32::try_from(self.steps).unwrap_or(u32::MAX)

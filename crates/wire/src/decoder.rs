@@ -260,7 +260,7 @@ impl Decoder {
 /// Whether the dialect has the message. `extra_crc` answers 0 for what it does not know, and one known
 /// message really has the seed 0.
 fn is_known(id: u32) -> bool {
-    /// `COMPONENT_INFORMATION`.
+    /// The id of `COMPONENT_INFORMATION`.
     const SEED_IS_ZERO: u32 = 395;
     MavMessage::extra_crc(id) != 0 || id == SEED_IS_ZERO
 }

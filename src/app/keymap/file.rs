@@ -74,8 +74,8 @@ impl Keymap {
             let mut rows = rows.iter();
             rows.any(|row| row.press == binding.press && row.place == binding.place)
         };
-        let kept = self.bindings.drain(..).filter(|binding| !replaced(binding));
-        let kept: Vec<Binding> = kept.collect();
+        let others = self.bindings.drain(..).filter(|binding| !replaced(binding));
+        let kept: Vec<Binding> = others.collect();
         for Row {
             press,
             place,
@@ -237,8 +237,8 @@ fn meaning(value: &Spanned<DeValue<'_>>, themes: &[String]) -> Result<Option<Mea
         }
         // A single word may have been meant as either.
         let actions = Action::all().map(Action::name);
-        let commands = rows().filter(|row| row.scope.includes(Channel::Screen));
-        let commands = commands.map(VerbRow::name);
+        let screen_rows = rows().filter(|row| row.scope.includes(Channel::Screen));
+        let commands = screen_rows.map(VerbRow::name);
         let text = text!("keymap-no-action", name = line);
         Diagnostic::new(span.clone(), text).with_nearest(line, actions.chain(commands))
     })?;

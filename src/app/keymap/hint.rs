@@ -102,8 +102,8 @@ impl Keymap {
         let label = |meaning: &Meaning| self.label(meaning, place);
         match keys {
             HintKeys::Actions(actions) => {
-                let labels = actions.iter().filter_map(|it| label(&Meaning::Do(*it)));
-                let labels: Vec<String> = labels.collect();
+                let labelled = actions.iter().filter_map(|it| label(&Meaning::Do(*it)));
+                let labels: Vec<String> = labelled.collect();
                 // The four directions of a cursor are read as one.
                 let is_cursor = |action: &Action| matches!(action, Action::Move(_));
                 let is_short = labels.iter().all(|label| label.len() == 1);

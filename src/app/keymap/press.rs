@@ -115,9 +115,9 @@ impl Press {
             Self::Plain(KeyCode::BackTab) => "Shift-Tab".to_owned(),
             Self::Plain(code) => printed(code),
             Self::With(modifiers, code) => {
-                let names = MODIFIERS.iter();
-                let names = names.filter(|(_, _, modifier)| modifiers.contains(*modifier));
-                let names: String = names.map(|(_, label, _)| *label).collect();
+                let all = MODIFIERS.iter();
+                let held = all.filter(|(_, _, modifier)| modifiers.contains(*modifier));
+                let names: String = held.map(|(_, label, _)| *label).collect();
                 names + &printed(code)
             }
         }

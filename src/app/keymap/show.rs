@@ -37,8 +37,8 @@ impl Keymap {
             let mut bindings = self.bindings.iter();
             bindings.any(|binding| binding.meaning == Meaning::Do(action))
         };
-        let free = Action::all().filter(|action| !is_bound(*action));
-        let free: Vec<&str> = free.map(Action::name).collect();
+        let unbound = Action::all().filter(|action| !is_bound(*action));
+        let free: Vec<&str> = unbound.map(Action::name).collect();
         if !free.is_empty() {
             let _ = writeln!(text, "# without a key: {}", free.join(", "));
         }

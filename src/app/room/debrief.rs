@@ -226,15 +226,15 @@ fn turn(state: &mut State, to: impl FnOnce(usize, &[usize], usize) -> usize) {
     let height = state.size.1;
     if let Some(debrief) = &mut state.rooms.debrief {
         // The header and the footer take a row each.
-        let rows = height.saturating_sub(2 + debrief.summary_rows(height));
-        let rows = usize::from(rows);
+        let free_rows = height.saturating_sub(2 + debrief.summary_rows(height));
+        let rows = usize::from(free_rows);
         let lines = debrief.shown_lines(state.reward.as_ref(), &state.locale, height);
         let positions = (lines.len() + 1).saturating_sub(rows).max(1);
-        let sections = lines
+        let headings = lines
             .iter()
             .enumerate()
             .filter(|(_, line)| line.tone == DebriefTone::Heading);
-        let sections: Vec<usize> = sections.map(|(at, _)| at.min(positions - 1)).collect();
+        let sections: Vec<usize> = headings.map(|(at, _)| at.min(positions - 1)).collect();
         debrief.scroll = to(debrief.scroll.min(positions - 1), &sections, positions);
     }
 }
@@ -246,8 +246,8 @@ pub(in crate::app) fn heights(state: &State) -> Vec<Option<f64>> {
     let histories = known.filter_map(|&id| session.histories.of(id));
     let mut highest: Vec<Option<f64>> = Vec::new();
     for history in histories {
-        let readings = history.readings(Channel::Altitude, Window::Long);
-        let readings: Vec<Option<f64>> = readings.map(|it| it.map(f64::from)).collect();
+        let kept = history.readings(Channel::Altitude, Window::Long);
+        let readings: Vec<Option<f64>> = kept.map(|it| it.map(f64::from)).collect();
         // All end now.
         let missing = readings.len().saturating_sub(highest.len());
         highest.splice(0..0, std::iter::repeat_n(None, missing));
@@ -268,8 +268,8 @@ fn next_mission(state: &mut State) -> Vec<RoomRequest> {
     if let Some(next) = state.career.as_ref().and_then(Career::next_mission) {
         return vec![RoomRequest::Fly(state.launch(next))];
     }
-    let flown = state.rooms.debrief.as_ref();
-    let flown = flown.map(|debrief| debrief.report.mission.as_str());
+    let debriefed = state.rooms.debrief.as_ref();
+    let flown = debriefed.map(|debrief| debrief.report.mission.as_str());
     let of = |it: &Listing| it.drill_of.clone().unwrap_or_else(|| it.id.clone());
     let mut all = state.missions.iter();
     let flown = all.find(|it| Some(it.id.as_str()) == flown).map(of);

@@ -203,8 +203,8 @@ fn escape(state: &mut State) -> Vec<RoomRequest> {
 
 /// Keeps the cursor on a process when there are fewer.
 pub fn keep_cursor(state: &mut State) {
-    let count = state.session.hangar.as_ref();
-    let count = count.map_or(0, |hangar| hangar.instances.len());
+    let hangar = state.session.hangar.as_ref();
+    let count = hangar.map_or(0, |hangar| hangar.instances.len());
     let room = &mut state.rooms.hangar;
     room.cursor = room.cursor.min(count.saturating_sub(1));
 }

@@ -308,10 +308,10 @@ impl Messages {
             return Ok(());
         }
         let reading = self.reading();
-        let value = reading
+        let read = reading
             .as_ref()
             .and_then(|reading| reading.values.get(field));
-        let value = value.ok_or_else(|| choose.clone())?;
+        let value = read.ok_or_else(|| choose.clone())?;
         if value.text.is_some() {
             return Err(text!("messages-no-number", field = value.name));
         }

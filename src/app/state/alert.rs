@@ -14,8 +14,6 @@ const TEXT_LIFE: Duration = Duration::from_secs(60);
 /// Battery warnings, in percent of the charge left: soon, and now.
 const BATTERY_LOW: u8 = 25;
 const BATTERY_CRITICAL: u8 = 10;
-/// The modes in which a vehicle comes home or lands by itself.
-const COMING_DOWN: [&str; 4] = ["RTL", "SMART_RTL", "AUTO_RTL", "LAND"];
 /// EKF innovation test ratio above which ArduPilot's own failsafe acts (`FS_EKF_THRESH` 0.8).
 const EKF_LIMIT: f32 = 0.8;
 /// Above this vibration spoils the estimates (ArduPilot's documentation of VIBRATION), in m/s2.
@@ -174,14 +172,13 @@ fn battery(vehicle: &Vehicle) -> Option<Alert> {
 /// That the way home takes nearly all that is left. A vehicle that is on this way, or landing, does what it can.
 fn way_home(vehicle: &Vehicle) -> Option<Alert> {
     let endurance = vehicle.endurance()?;
-    let mode = vehicle.mode()?.to_string();
-    let returns = COMING_DOWN.contains(&mode.as_str());
+    let mode = vehicle.mode()?;
     let says = |severity, text| Some(condition(AlertKind::WayHome, severity, text));
     match endurance.reach() {
-        HomeReach::OutOfReach if mode != "LAND" => {
+        HomeReach::OutOfReach if !mode.is("LAND") => {
             says(Severity::Critical, text!("alert-out-of-reach"))
         }
-        HomeReach::TurnBack if !returns => {
+        HomeReach::TurnBack if !mode.comes_down() => {
             let needed = figure(endurance.needed_percent.ceil(), 0);
             let left = figure(endurance.left_percent, 0);
             says(

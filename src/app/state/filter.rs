@@ -88,7 +88,7 @@ impl FilterTerm {
     }
 }
 
-/// `bat<30`, `alt>10`.
+/// A test of a figure against a bound, as in `bat<30` and `alt>10`.
 fn comparison(word: &str) -> Option<Test> {
     let at = word.find(['<', '>'])?;
     let column: Column = word[..at].parse().ok()?;

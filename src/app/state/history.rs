@@ -19,7 +19,7 @@ pub enum Channel {
     Altitude,
     /// Speed over ground, in m/s.
     Speed,
-    /// Climb, in m/s.
+    /// How fast the vehicle climbs, in m/s.
     Climb,
     /// Voltage of the main pack, in volts.
     Voltage,
@@ -27,7 +27,7 @@ pub enum Channel {
     Current,
     /// Charge left in the main pack, in percent.
     Remaining,
-    /// Throttle, in percent.
+    /// How far the throttle is open, in percent.
     Throttle,
 }
 

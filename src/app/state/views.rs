@@ -11,7 +11,7 @@ use super::{
 use crate::campaign::Reward;
 use crate::config::Config;
 use crate::doctor::LinkFinding;
-use crate::geo::LatLon;
+use crate::geo::{GridSize, LatLon};
 use crate::language::Groups;
 use crate::ledger::Ledger;
 use crate::mission::Progress;
@@ -88,6 +88,12 @@ impl<R> State<R> {
     /// Columns and rows of the terminal.
     pub fn size(&self) -> (u16, u16) {
         self.size
+    }
+
+    /// The terminal as a grid of cells.
+    pub fn grid(&self) -> GridSize {
+        let (columns, rows) = self.size;
+        GridSize::new(columns, rows)
     }
 
     /// What the line to the terminal carries in bytes per second, while it cannot keep up.

@@ -170,7 +170,15 @@ pub fn loss(state: &State) -> Option<Text> {
             Some(Activity::Mission {
                 stake: Stake::Exam, ..
             }) => text!("ask-exam-ends"),
-            _ => text!("ask-mission-lost"),
+            Some(
+                Activity::Mission {
+                    stake: Stake::Graded | Stake::Practice | Stake::Daily,
+                    ..
+                }
+                | Activity::Free
+                | Activity::Connected { .. },
+            )
+            | None => text!("ask-mission-lost"),
         }),
         (false, 0) => None,
         (false, armed) => Some(text!("ask-armed", count = armed)),

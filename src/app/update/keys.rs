@@ -59,7 +59,7 @@ fn ends_an_answer(state: &mut State, key: KeyEvent) -> bool {
 /// A cell was clicked. What lies over a room takes no clicks.
 pub fn click(state: &mut State, column: u16, row: u16) {
     if state.overlay.is_none() && state.room == Room::Map && !state.is_too_small() {
-        let size = state.size.into();
+        let size = state.grid();
         state.rooms.map.click(size, column, row);
     }
 }
@@ -117,7 +117,10 @@ pub fn paste(state: &mut State, text: &str) {
             insert(&mut prompt.input, &text);
             state.overlay = Some(Overlay::Prompt(prompt));
         }
-        other => {
+        other @ (None
+        | Some(
+            Overlay::Confirm(_) | Overlay::Profiles { .. } | Overlay::Help(_) | Overlay::Log { .. },
+        )) => {
             state.overlay = other;
             let key = state.keymap.key(Action::CommandLine, Place::Anywhere);
             state.say(Severity::Notice, text!("footer-paste-dropped", key = key));

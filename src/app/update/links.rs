@@ -48,7 +48,24 @@ fn tell(state: &mut State, finding: &LinkFinding) {
         // The link says itself why it is not open, and the fleet that a system id is not unique.
         Cause::NotOpen | Cause::DuplicateSystem(_) => false,
         Cause::OneWay(_) | Cause::OneWayVehicles(_) | Cause::Signed(_) => true,
-        _ => waits && finding.cause.weight() == Weight::Fatal,
+        Cause::Nothing
+        | Cause::Text
+        | Cause::NoFrame
+        | Cause::WrongBaud
+        | Cause::UnknownDialect
+        | Cause::ForeignMessages(_)
+        | Cause::OnlyGroundStations
+        | Cause::OwnEcho
+        | Cause::NoAutopilot
+        | Cause::SignedButAnswers(_)
+        | Cause::Noise(_)
+        | Cause::Version1(_)
+        | Cause::Damaged(_)
+        | Cause::Lossy(_)
+        | Cause::Recording
+        | Cause::Listening
+        | Cause::Unanswered(_)
+        | Cause::Well(_) => waits && finding.cause.weight() == Weight::Fatal,
     };
     if !is_news
         || !state

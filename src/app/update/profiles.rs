@@ -84,8 +84,8 @@ pub fn arrived(state: &mut State, career: Option<Career>) {
     let seen = |career: &Career| (career.name.clone(), career.standing.flights());
     let before = state.career.as_ref().map(seen);
     let now = career.as_ref().map(seen);
-    let next = career.as_ref().and_then(Career::next_mission);
-    let next = next.map(str::to_owned);
+    let next_mission = career.as_ref().and_then(Career::next_mission);
+    let next = next_mission.map(str::to_owned);
     state.career = career;
     if before == now {
         return;
@@ -105,8 +105,5 @@ pub fn arrived(state: &mut State, career: Option<Career>) {
 }
 
 fn is_asking(state: &State) -> bool {
-    match &state.overlay {
-        Some(Overlay::Prompt(prompt)) => prompt.purpose == Purpose::NewProfile,
-        _ => false,
-    }
+    matches!(&state.overlay, Some(Overlay::Prompt(prompt)) if prompt.purpose == Purpose::NewProfile)
 }

@@ -146,7 +146,7 @@ fn limit(about: &str, what: Resource, command: &str, fit: fn(u64) -> u64) -> Hos
     }
 }
 
-/// `MemAvailable` of `/proc/meminfo`.
+/// The memory that programs can still have, in KiB: `MemAvailable` of `/proc/meminfo`.
 fn available_kib(text: &str) -> Option<u64> {
     let line = text
         .lines()

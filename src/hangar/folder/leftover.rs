@@ -97,9 +97,9 @@ impl Record {
 /// A process that a hangar which is gone has left behind.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, ToSchema)]
 pub struct Leftover {
-    /// What was started.
+    /// The program that was started.
     pub program: String,
-    /// The process.
+    /// The id of its process.
     pub pid: u32,
     /// The folder in which it ran.
     pub folder: String,

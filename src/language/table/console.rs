@@ -165,8 +165,8 @@ const SORT: VerbRow = VerbRow {
         &[Form::new(
             &[Argument::value("column", Kind::Sort, "").optional()],
             |given| {
-                let sort = given.word("column").map(TableSort::read).transpose();
-                let sort = sort.map_err(|fault| Problem::new("column", fault.message))?;
+                let wanted = given.word("column").map(TableSort::read).transpose();
+                let sort = wanted.map_err(|fault| Problem::new("column", fault.message))?;
                 table(TableLine::Sort(sort.unwrap_or_default()))
             },
         )],
@@ -181,8 +181,8 @@ const FILTER: VerbRow = VerbRow {
         &[Form::new(
             &[Argument::value("words", Kind::Rest, "").optional()],
             |given| {
-                let words = given.word("words").unwrap_or_default();
-                let words: Vec<&str> = words.split_whitespace().collect();
+                let rest = given.word("words").unwrap_or_default();
+                let words: Vec<&str> = rest.split_whitespace().collect();
                 table(TableLine::Filter(words.join(" ")))
             },
         )],
@@ -198,9 +198,9 @@ const COLUMNS: VerbRow = VerbRow {
             &[Argument::value("column", Kind::Choice(Column::NAMES), "").repeated()],
             |given| {
                 let read = |word| Column::read(word);
-                let columns: Result<Vec<Column>, _> =
+                let wanted: Result<Vec<Column>, _> =
                     given.words("column").into_iter().map(read).collect();
-                let columns = columns.map_err(|fault| Problem::new("column", fault.message))?;
+                let columns = wanted.map_err(|fault| Problem::new("column", fault.message))?;
                 table(TableLine::Columns(columns))
             },
         )],

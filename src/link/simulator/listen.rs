@@ -14,7 +14,7 @@ use crate::sim::Serial;
 const PORT_STRIDE: usize = 10;
 /// How far the TCP ports of serial 0, 1 and 2 lie above the vehicle's first, as with ArduPilot's SITL.
 const SERIAL_OFFSETS: [usize; 3] = [0, 2, 3];
-/// `EMFILE`.
+/// The number of the system's error `EMFILE`.
 const TOO_MANY_OPEN_FILES: i32 = 24;
 
 /// Opens the TCP servers and returns where they listen, vehicle by vehicle.

@@ -57,7 +57,6 @@ impl FaultKind {
 pub(crate) enum Victim {
     /// The vehicle of this place, from 0.
     One(usize),
-    /// All vehicles.
     All,
     /// One of those that fly, by chance.
     Chance,

@@ -21,7 +21,7 @@ const PAUSED_M_S: f64 = 0.7;
 /// What a flight has to show of itself.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Sight<'a> {
-    /// Mission time.
+    /// How much mission time has passed.
     pub now: Duration,
     pub crafts: &'a [Craft],
     pub vehicles: &'a Vehicles,

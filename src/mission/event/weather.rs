@@ -86,7 +86,7 @@ impl Change {
 /// What something changes to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Target {
-    /// To this value.
+    /// A value to be reached.
     Value(f64),
     /// So much more than now.
     More(f64),

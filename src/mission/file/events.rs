@@ -127,7 +127,7 @@ pub(super) fn condition() -> ConditionValue {
     ConditionValue
 }
 
-/// See [`condition`].
+/// What [`condition`] makes.
 pub(super) struct ConditionValue;
 
 impl FileValue for ConditionValue {

@@ -8,7 +8,7 @@ use crate::text::Text;
 
 /// The only version of the format so far.
 const SCHEMA: u32 = 1;
-/// Tags, and authors.
+/// The most tags, and the most authors, that a mission may have.
 const MOST_NAMES: usize = 20;
 
 /// What stands before the first section.

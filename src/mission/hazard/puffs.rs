@@ -34,7 +34,7 @@ struct Puff {
     at: Point,
     mass_g: f64,
     travelled_m: f64,
-    /// Spreads: horizontal, vertical.
+    /// How far it spreads in metres, horizontally and vertically.
     spread_m: (f64, f64),
 }
 
@@ -42,7 +42,7 @@ struct Puff {
 struct PuffsField {
     leak: Leak,
     every_s: f64,
-    /// The oldest first.
+    /// Those under way, the oldest first.
     puffs: VecDeque<Puff>,
     since_last_s: f64,
 }

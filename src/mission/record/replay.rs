@@ -74,10 +74,7 @@ impl Stored {
 
     /// What it was scored, if it was flown to its end.
     pub fn end(&self) -> Option<&End> {
-        match self.lines.last() {
-            Some(RecordLine::End { end, .. }) => Some(end),
-            _ => None,
-        }
+        self.lines.last().and_then(RecordLine::end)
     }
 
     /// Flies it again.

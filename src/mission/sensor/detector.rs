@@ -42,7 +42,7 @@ pub(crate) struct Camera {
     pub band: Band,
     /// Field of view across and along the course.
     pub view_deg: [f64; 2],
-    /// Pixels across.
+    /// How many pixels its picture is wide.
     pub pixels: f64,
     /// How well it finds mines, for those that do at all.
     pub mines: Option<MineSpec>,
@@ -54,7 +54,7 @@ pub(crate) struct Camera {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Band {
     Visible,
-    /// Warmth.
+    /// Sees how warm things are.
     Thermal,
 }
 

@@ -100,15 +100,15 @@ pub enum MissionFile {
 /// The grade of a score, the best first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum ScoreGrade {
-    /// From 950 points.
+    /// 950 points and more.
     S,
-    /// From 850 points.
+    /// 850 points and more.
     A,
-    /// From 700 points.
+    /// 700 points and more.
     B,
-    /// From 550 points.
+    /// 550 points and more.
     C,
-    /// From 400 points.
+    /// 400 points and more.
     D,
     /// Fewer than 400 points.
     F,

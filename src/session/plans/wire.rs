@@ -23,9 +23,9 @@ const MISSION_ITEM_INT: u32 = MISSION_ITEM_INT_DATA::ID;
 /// Something about a list that the vehicle says to us.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Answer {
-    /// `MISSION_COUNT`.
+    /// How many items there are (`MISSION_COUNT`).
     Count(u16),
-    /// `MISSION_ITEM_INT` or `MISSION_ITEM`.
+    /// One item (`MISSION_ITEM_INT` or `MISSION_ITEM`).
     Item(PlanItem),
     /// `MISSION_ACK`: to a reader always a refusal.
     Refused(MavMissionResult),
@@ -197,7 +197,7 @@ fn item_by_hand(payload: &[u8; 255], is_int: bool) -> PlanItem {
 struct WireItem {
     seq: u16,
     command: u16,
-    /// `MAV_FRAME`.
+    /// `MAV_FRAME`, known to the dialect or not.
     frame: u8,
     params: [f32; 4],
     place: LatLon,

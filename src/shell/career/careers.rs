@@ -47,7 +47,7 @@ impl Careers {
         self.current.as_ref().map(|profile| profile.name.as_str())
     }
 
-    /// Everybody, by name.
+    /// The names of all who have a profile, in order.
     pub fn names(&self) -> Result<Vec<String>, ProfileError> {
         let all = self.profiles.list()?;
         Ok(all.into_iter().map(|profile| profile.name).collect())

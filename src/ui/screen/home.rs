@@ -42,8 +42,8 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let list = list::wanted_width(state, body.look).clamp(LIST_LEAST, most);
     list::draw(state, body.columns(1, list), buffer);
     let before = list + 3;
-    let rest = body.columns(before, body.area.width.saturating_sub(before + 1));
-    let rest = draw_site(state, rest, buffer).area;
+    let beside_list = body.columns(before, body.area.width.saturating_sub(before + 1));
+    let rest = draw_site(state, beside_list, buffer).area;
     let facts = rest.width.saturating_sub(TEXT_WIDTH + 3);
     if state.career().is_some() && facts >= FACTS_WIDTH {
         let text = columns(rest, 0, TEXT_WIDTH);

@@ -16,7 +16,7 @@ use crate::ui::widget::{below, columns, put, row_of, upper, urgent};
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let map = state.rooms().map();
     let pane = upper(panel.area, panel.area.height.saturating_sub(1));
-    let (pane, legend) = if map.shows_legend(state.size().into()) {
+    let (pane, legend) = if map.shows_legend(state.grid()) {
         let width = panel.area.width.saturating_sub(LEGEND_WIDTH);
         (
             columns(pane, 0, width),

@@ -89,7 +89,7 @@ fn typed_so_far(question: &Confirm) -> String {
 
 /// What the frame of the help says: what is searched for, and the keys.
 fn help_title(state: &State, page: &HelpPage, look: &Look) -> String {
-    let keys = text!(
+    let help = text!(
         "help-title",
         scroll = state.keymap().keys(Action::UP_AND_DOWN, Place::Reader),
         search = state
@@ -97,7 +97,7 @@ fn help_title(state: &State, page: &HelpPage, look: &Look) -> String {
             .key(Action::View(ViewAction::Filter), Place::Reader),
         key = state.keymap().key(Action::Escape, Place::Reader)
     );
-    let keys = look.text(&keys);
+    let keys = look.text(&help);
     let cursor = if page.is_searching() { "_" } else { "" };
     if page.search().is_empty() && cursor.is_empty() {
         return keys;

@@ -3,7 +3,7 @@
 use sortie::app::event::TerminalEvent;
 use sortie::app::room::map::Aim;
 use sortie::app::state::Room;
-use sortie::geo::LatLon;
+use sortie::geo::{GridSize, LatLon};
 
 use super::{palette_line, selection};
 use crate::fixtures;
@@ -23,7 +23,9 @@ fn on_the_map() -> Console {
 
 fn pointed(console: &Console) -> LatLon {
     let map = console.state().rooms().map();
-    let view = map.view(map.canvas((120, 40).into())).expect("a view");
+    let view = map
+        .view(map.canvas(GridSize::new(120, 40)))
+        .expect("a view");
     map.pointed(&view)
 }
 
@@ -62,7 +64,7 @@ fn a_click_points_at_a_place_of_the_map_and_nowhere_else() {
         console.hear(TerminalEvent::Click { column, row });
         pointed(console)
     };
-    let size = (120, 40).into();
+    let size = GridSize::new(120, 40);
     let map = console.state().rooms().map();
     let view = map.view(map.canvas(size)).expect("a view");
     // Below the header and the title of the map.
@@ -141,7 +143,9 @@ fn a_followed_vehicle_stays_in_view_until_the_cursor_leads_away() {
     }
     let map = console.state().rooms().map();
     assert!(matches!(map.aim(), Aim::Vehicle(..)));
-    let view = map.view(map.canvas((120, 40).into())).expect("a view");
+    let view = map
+        .view(map.canvas(GridSize::new(120, 40)))
+        .expect("a view");
     let place = fixtures::HOME.moved(299.0, 5.0);
     let (column, row) = view.cell(place).expect("in view");
     assert!((28..58).contains(&column) && (12..24).contains(&row));

@@ -20,7 +20,7 @@ const LOSS_OF_SIGNAL_US: f64 = 910.0;
 /// A throttle stick above this would lift a vehicle in a piloted mode, in microseconds.
 const CLIMB_US: u16 = 1600;
 
-/// Bits of `ARMING_CHECK`.
+/// What is checked before arming, each a bit of `ARMING_CHECK`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Check {
     Barometer = 1 << 1,

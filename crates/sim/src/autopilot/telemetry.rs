@@ -191,12 +191,10 @@ fn builder(id: u32) -> Option<Builder> {
     TABLE.get(at).map(|(_, builder)| *builder)
 }
 
-/// Milliseconds since boot.
 fn boot_ms(autopilot: &Autopilot) -> u32 {
     autopilot.vehicle.uptime().as_millis() as u32
 }
 
-/// Microseconds since boot.
 fn boot_us(autopilot: &Autopilot) -> u64 {
     autopilot.vehicle.uptime().as_micros() as u64
 }

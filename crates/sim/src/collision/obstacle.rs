@@ -83,7 +83,7 @@ enum Outline {
 #[derive(Debug, Default)]
 pub(super) struct Obstacles {
     solids: Vec<Solid>,
-    /// Sorted.
+    /// Cells of the grid with the solid in each, sorted.
     cells: Vec<((i32, i32), usize)>,
     /// Those that cover too much ground.
     everywhere: Vec<usize>,

@@ -15,7 +15,7 @@ pub(super) const GOOD: f64 = 0.03;
 
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Compass {
-    /// Counted from 0.
+    /// The compass in use, counted from 0.
     used: usize,
     /// Since when the used one has been silent or contradicted.
     bad_since: Option<Duration>,

@@ -19,7 +19,7 @@ pub(crate) struct GpsFault {
     /// Degrees north, degrees east, metres up.
     pub(crate) glitch: DVec3,
     pub(crate) satellites: u8,
-    /// Metres up.
+    /// How much too high it reads, in metres.
     pub(crate) altitude_offset_m: f64,
     pub(crate) altitude_noise_m: f64,
     /// No position before this time since boot.
@@ -33,7 +33,7 @@ pub(crate) struct GpsFault {
 pub(crate) struct BarometerFault {
     pub(crate) disabled: bool,
     pub(crate) frozen: bool,
-    /// Metres up.
+    /// How much too high it reads, in metres.
     pub(crate) glitch_m: f64,
     pub(crate) drift_m_s: f64,
     /// The most that one reading is off at random.

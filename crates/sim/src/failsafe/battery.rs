@@ -16,7 +16,7 @@ struct Level {
     action: i32,
 }
 
-/// The `BATT_*` parameters.
+/// What the `BATT_*` parameters set.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct BatteryRules {
     low: Level,

@@ -25,7 +25,7 @@ const MEMORY: Duration = Duration::from_millis(200);
 /// Avoidance counts as active this long after it last changed a velocity.
 const ACTIVE: Duration = Duration::from_millis(500);
 
-/// The `AVOID_*` parameters.
+/// What the `AVOID_*` parameters set.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct AvoidanceRules {
     at_fence: bool,
@@ -33,7 +33,7 @@ pub(crate) struct AvoidanceRules {
     stops: bool,
     back_speed_m_s: f64,
     back_climb_m_s: f64,
-    /// Zero: not limited.
+    /// The strongest braking in metres per second squared; zero: any.
     accel_max_m_s2: f64,
 }
 

@@ -18,13 +18,12 @@ const GIVE_UP_M: f64 = 100.0;
 /// Ground stations are told of a breach unasked, but not more often than this.
 const TELL_EVERY: Duration = Duration::from_secs(1);
 
-/// What `FENCE_STATUS` tells.
+/// What `FENCE_STATUS` tells of the fence.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct FenceReport {
     pub(crate) is_broken: bool,
     pub(crate) breaches: u16,
     pub(crate) kind: FenceBreach,
-    /// Since boot.
     pub(crate) broken_since: Duration,
     pub(crate) mitigation: FenceMitigate,
 }

@@ -32,7 +32,6 @@ pub(crate) struct LogSample {
 /// What a sample is taken of.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct LogInputs<'a> {
-    /// Since boot.
     pub(crate) now: Duration,
     /// The motion as the autopilot believes it to be.
     pub(crate) body: &'a Body,

@@ -134,7 +134,7 @@ fn north_east(cockpit: &Cockpit<'_>, v: DVec2) -> DVec2 {
     DVec2::new(v.x * cos - v.y * sin, v.x * sin + v.y * cos)
 }
 
-/// The reverse.
+/// Turns north and east to forward and right.
 fn forward_right(cockpit: &Cockpit<'_>, v: DVec2) -> DVec2 {
     let (sin, cos) = cockpit.body.yaw_deg.to_radians().sin_cos();
     DVec2::new(v.x * cos + v.y * sin, -v.x * sin + v.y * cos)

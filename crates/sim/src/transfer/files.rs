@@ -21,7 +21,6 @@ use super::{Talk, plan_file};
 use crate::payload::Payload;
 use crate::plan::ListKind;
 
-/// `FILE_TRANSFER_PROTOCOL`.
 const MESSAGE: u32 = FILE_TRANSFER_PROTOCOL_DATA::ID;
 /// Requests that wait while a burst is under way; more are lost.
 const MOST_WAITING: usize = 5;

@@ -76,7 +76,7 @@ impl ListKind {
         Self::ALL.get(usize::from(number)).copied()
     }
 
-    /// `MAV_MISSION_TYPE`.
+    /// Its number as a `MAV_MISSION_TYPE`.
     fn number(self) -> u8 {
         self as u8
     }

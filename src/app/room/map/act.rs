@@ -74,7 +74,7 @@ impl RoomModel for Map {
     }
 
     fn step(state: &mut State, step: Step) -> Answer {
-        let size = state.rooms.map.canvas(state.size.into());
+        let size = state.rooms.map.canvas(state.grid());
         go(state, size, step);
         Some(Vec::new())
     }
@@ -83,7 +83,7 @@ impl RoomModel for Map {
         if !state.typed.is_empty() {
             return None;
         }
-        let size = state.rooms.map.canvas(state.size.into());
+        let size = state.rooms.map.canvas(state.grid());
         pick_nearest(state, size);
         Some(Vec::new())
     }
@@ -98,7 +98,7 @@ impl RoomModel for Map {
     }
 
     fn view(state: &mut State, action: ViewAction) -> Answer {
-        let size = state.rooms.map.canvas(state.size.into());
+        let size = state.rooms.map.canvas(state.grid());
         match action {
             ViewAction::NextVehicle => turn_to(state, size, 1),
             ViewAction::PreviousVehicle => turn_to(state, size, -1),
@@ -117,8 +117,9 @@ impl RoomModel for Map {
 }
 
 pub fn act(state: &mut State, action: MapAction) -> Vec<RoomRequest> {
+    let screen = state.grid();
     let map = &mut state.rooms.map;
-    let size = map.canvas(state.size.into());
+    let size = map.canvas(screen);
     match action {
         MapAction::ZoomIn => map.zoom(size, true),
         // The key of the vehicle list `3-9`, while such a list is being typed.
@@ -139,7 +140,7 @@ pub fn act(state: &mut State, action: MapAction) -> Vec<RoomRequest> {
         MapAction::Trails => map.trails_hidden = !map.trails_hidden,
         MapAction::NextSensor => next_sensor(state),
         MapAction::Legend => {
-            let shown = map.shows_legend(state.size.into());
+            let shown = map.shows_legend(screen);
             map.legend = Some(!shown);
         }
     }
@@ -249,8 +250,8 @@ fn pick_nearest(state: &mut State, size: GridSize) {
         let global = state.session.vehicles.get(id)?.global?;
         Some(global.at_point.distance_m(place))
     };
-    let placed = state.session.vehicles.keys().copied();
-    let placed = placed.filter_map(|id| Some((id, away(&id)?)));
+    let ids = state.session.vehicles.keys().copied();
+    let placed = ids.filter_map(|id| Some((id, away(&id)?)));
     let nearest = placed.min_by(|a, b| a.1.total_cmp(&b.1));
     if let Some((id, _)) = nearest {
         state.session.place_cursor(id);

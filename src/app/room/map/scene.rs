@@ -67,8 +67,8 @@ impl Sketch {
 /// Everything that lies on the ground, the most important last: the mission's areas, then what the vehicles that
 /// commands go to have on board. A fence that several of them share is there once.
 pub fn sketches(state: &State) -> Vec<Sketch> {
-    let areas = state.session.areas.iter();
-    let areas = areas.map(|area| {
+    let known = state.session.areas.iter();
+    let areas = known.map(|area| {
         let kind = match area.kind {
             AreaKind::Task => SketchKind::Task,
             AreaKind::Geofence => SketchKind::Fence,
@@ -119,10 +119,10 @@ fn course(state: &State, path: &Path) -> Option<Sketch> {
 /// The places of plans and rally points that are on the map, and of what is flown together.
 pub fn planned(state: &State) -> impl Iterator<Item = LatLon> {
     let flown = [SketchKind::Plan, SketchKind::Rally];
-    let sketches = shown(state).flat_map(on_board);
-    let sketches = sketches.filter(move |sketch| flown.contains(&sketch.kind));
-    let paths = state.session.paths.iter();
-    let paths = paths.flat_map(|path| path.points.iter().copied());
+    let all_sketches = shown(state).flat_map(on_board);
+    let sketches = all_sketches.filter(move |sketch| flown.contains(&sketch.kind));
+    let drawn = state.session.paths.iter();
+    let paths = drawn.flat_map(|path| path.points.iter().copied());
     sketches.flat_map(|sketch| sketch.points).chain(paths)
 }
 
@@ -135,8 +135,8 @@ const MOST_SHOWN: usize = 16;
 fn shown(state: &State) -> impl Iterator<Item = &Vehicle> {
     let session = &state.session;
     let cursor = session.cursor.into_iter();
-    let others = session.selection.iter().copied();
-    let others = others.filter(|id| Some(*id) != session.cursor);
+    let selected = session.selection.iter().copied();
+    let others = selected.filter(|id| Some(*id) != session.cursor);
     let ids = cursor.chain(others).take(MOST_SHOWN);
     ids.filter_map(|id| session.vehicles.get(&id).map(Arc::as_ref))
 }

@@ -107,15 +107,15 @@ fn places(state: &State) -> Vec<LatLon> {
         home.into_iter().chain(here).chain(target)
     });
     let has_task = session.areas.iter().any(|area| area.kind == AreaKind::Task);
-    let areas = session.areas.iter();
-    let areas = areas.filter(|area| area.kind == AreaKind::Task || !has_task);
-    let areas = areas.flat_map(|area| area.outline.corners());
+    let all_areas = session.areas.iter();
+    let framed = all_areas.filter(|area| area.kind == AreaKind::Task || !has_task);
+    let areas = framed.flat_map(|area| area.outline.corners());
     let named = session.places.values().copied();
-    let cells = session.mission.iter().flat_map(|progress| &progress.cells);
-    let cells = cells.flat_map(|cell| Outline::square(cell.centre, cell.side_m).corners());
+    let all_cells = session.mission.iter().flat_map(|progress| &progress.cells);
+    let cells = all_cells.flat_map(|cell| Outline::square(cell.centre, cell.side_m).corners());
     let map = &state.rooms.map;
-    let trails = map.trails.values().filter(|_| !map.trails_hidden);
-    let trails = trails.flat_map(|trail| trail.points().iter().step_by(TRAIL_STEP).copied());
+    let shown_trails = map.trails.values().filter(|_| !map.trails_hidden);
+    let trails = shown_trails.flat_map(|trail| trail.points().iter().step_by(TRAIL_STEP).copied());
     let known = vehicles
         .chain(areas)
         .chain(named)

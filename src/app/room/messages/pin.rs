@@ -19,7 +19,7 @@ pub struct Pin {
     pub key: TallyKey,
     /// The field's place in the message.
     pub field: usize,
-    /// `ATTITUDE.roll`.
+    /// Message and field, as in `ATTITUDE.roll`.
     pub title: String,
     pub unit: &'static str,
     /// Times on the link's clock, and values; oldest first.

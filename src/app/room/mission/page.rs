@@ -138,8 +138,8 @@ impl Page<'_> {
                 back = self.state.key(Action::Escape)
             );
         };
-        let score = progress.score_so_far;
-        let score = score.map_or("-".to_owned(), |score| score.to_string());
+        let so_far = progress.score_so_far;
+        let score = so_far.map_or("-".to_owned(), |so_far| so_far.to_string());
         let elapsed = clock(progress.elapsed);
         if self.state.session.over {
             return text!(
@@ -169,8 +169,8 @@ impl Page<'_> {
         let rest = 4 + 1 + detail + 1 + POINTS + 2 + required.width();
         let room = self.width.saturating_sub(rest);
         for row in rows {
-            let title = wrap(&row.title, room);
-            let mut title = title.iter();
+            let wrapped = wrap(&row.title, room);
+            let mut title = wrapped.iter();
             let line = format!(
                 "{} {} {} {:>POINTS$}  {}",
                 row.mark,
@@ -229,8 +229,8 @@ impl Page<'_> {
         }
         self.title(&text!("mission-hints"));
         for (level, clue) in given {
-            let clue = text!("mission-hint-of", level = *level, hint = clue);
-            let clue = self.locale.text(&clue);
+            let hint = text!("mission-hint-of", level = *level, hint = clue);
+            let clue = self.locale.text(&hint);
             self.paragraph(Tone::Plain, &clue);
         }
         if let Some(next) = next {

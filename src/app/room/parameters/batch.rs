@@ -98,8 +98,8 @@ impl Batch {
         let ended: Vec<_> = self.under_way.extract_if(.., is_over).collect();
         for (id, setting) in ended {
             let rows = ledger.entry(id).map_or(&[][..], |entry| &entry.rows);
-            let done = rows.iter().filter(|row| row.state == RowState::Done);
-            let done = done.count();
+            let done_rows = rows.iter().filter(|row| row.state == RowState::Done);
+            let done = done_rows.count();
             let (unsent, unanswered) = to_give_again(rows, &setting, known);
             self.confirmed += done;
             self.failed += rows.len() - done - unsent.len() - unanswered.len();

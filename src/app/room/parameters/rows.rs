@@ -88,8 +88,8 @@ fn compared<'a>(state: &'a State, vehicle: VehicleId, comparison: &'a Comparison
 /// How many parameters only the vehicle that is shown has.
 pub fn extra(state: &State, comparison: &Comparison) -> usize {
     let vehicle = state.session.cursor;
-    let found = vehicle.map(|vehicle| difference(state, vehicle, &comparison.with));
-    let found = found.unwrap_or_default();
+    let compared = vehicle.map(|vehicle| difference(state, vehicle, &comparison.with));
+    let found = compared.unwrap_or_default();
     let is_extra =
         |(_, finding): &&(&str, ParameterFinding)| matches!(finding, ParameterFinding::Extra(_));
     found.iter().filter(is_extra).count()

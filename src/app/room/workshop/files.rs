@@ -114,8 +114,10 @@ pub fn renamed(state: &mut State, old: &str, name: &str) -> Result<Effects, Text
     let bench = &state.rooms.workshop.bench;
     let is_listed = state.rooms.workshop.page == super::Page::Designs;
     let is_bench = bench.design().name == old;
-    let kept = if is_listed { Some(old) } else { bench.origin() };
-    let kept = kept.and_then(|kept| own(state, kept)).cloned();
+    let stored_as = if is_listed { Some(old) } else { bench.origin() };
+    let kept = stored_as
+        .and_then(|stored_as| own(state, stored_as))
+        .cloned();
     let design = bench.design().named(name)?;
     let name = design.name.clone();
     let is_same = kept.as_ref().is_some_and(|kept| same(&kept.name, &name));

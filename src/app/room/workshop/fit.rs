@@ -35,8 +35,8 @@ pub fn weigh(state: &mut State) {
     let room = &state.rooms.workshop;
     let design = room.bench.design();
     let candidate = room.bench.candidate().filter(|_| room.pane == Pane::Parts);
-    let changed = candidate.map(|candidate| design.with(candidate.part));
-    let changed = changed.filter(|changed| changed != design);
+    let tried = candidate.map(|candidate| design.with(candidate.part));
+    let changed = tried.filter(|tried| tried != design);
     let mission = mission(state);
     let is_known = |fit: &Fit| {
         mission.is_some_and(|mission| mission.id == fit.mission)
@@ -69,8 +69,10 @@ fn stands(before: Vec<FitLine>, after: Option<Vec<FitLine>>) -> Vec<Stand> {
         return before.into_iter().map(alone).collect();
     };
     let known = |line: FitLine| {
-        let was = before.iter().find(|it| it.what == line.what);
-        let was = was.map(|it| it.has.clone()).filter(|has| *has != line.has);
+        let same_line = before.iter().find(|it| it.what == line.what);
+        let was = same_line
+            .map(|it| it.has.clone())
+            .filter(|has| *has != line.has);
         Stand { line, before: was }
     };
     after.into_iter().map(known).collect()

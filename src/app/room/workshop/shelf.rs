@@ -21,8 +21,8 @@ pub struct Stored<'a> {
 
 /// All designs, own ones first.
 pub fn stored(state: &State) -> Vec<Stored<'_>> {
-    let own = state.career.iter().flat_map(|career| &career.designs);
-    let own = own.map(|design| Stored {
+    let own_designs = state.career.iter().flat_map(|career| &career.designs);
+    let own = own_designs.map(|design| Stored {
         design,
         is_own: true,
     });

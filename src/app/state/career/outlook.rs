@@ -60,10 +60,10 @@ impl Career {
         let offer = self.course.offer(mission);
         let skills = offer.iter().flat_map(|offer| &offer.skills);
         // Advice is about the whole mission: it stays as long as one of its skills needs it.
-        let chance = skills
+        let least = skills
             .map(|skill| self.standing.skill(*skill).chance(self.day))
             .fold(1.0, f64::min);
-        let chance = if offer.is_some() { chance } else { 0.0 };
+        let chance = if offer.is_some() { least } else { 0.0 };
         if !self.aids.shows_hint(progress.phase.level(), chance) {
             progress.hint = None;
         }

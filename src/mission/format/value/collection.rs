@@ -10,7 +10,7 @@ use crate::mission::format::description::{FileShape, describe};
 use crate::mission::format::draft::Draft;
 use crate::mission::format::table::{FileTable, Reader};
 
-/// See [`list`].
+/// What [`list`] makes.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::mission) struct ListValue<V> {
     of: V,
@@ -57,7 +57,7 @@ impl<V: FileValue> FileValue for ListValue<V> {
     }
 }
 
-/// See [`map`].
+/// What [`map`] makes.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::mission) struct MapValue<V> {
     names: &'static str,
@@ -96,7 +96,7 @@ impl<V: FileValue> FileValue for MapValue<V> {
     }
 }
 
-/// See [`table`].
+/// What [`table`] makes.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::mission) struct TableValue<T>(Reader<T>);
 
@@ -121,7 +121,7 @@ impl<T> FileValue for TableValue<T> {
     }
 }
 
-/// See [`tables`].
+/// What [`tables`] makes.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::mission) struct TablesValue<T> {
     reader: Reader<T>,

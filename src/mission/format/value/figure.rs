@@ -10,7 +10,7 @@ use crate::mission::format::LONGEST_S;
 use crate::mission::format::description::FileShape;
 use crate::mission::format::draft::Draft;
 
-/// See [`number`].
+/// What [`number`] makes.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::mission) struct NumberValue {
     pub(super) low: f64,
@@ -52,7 +52,7 @@ impl FileValue for NumberValue {
     }
 }
 
-/// See [`seconds`].
+/// What [`seconds`] makes.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::mission) struct SecondsValue(NumberValue);
 
@@ -87,7 +87,7 @@ impl FileValue for SecondsValue {
     }
 }
 
-/// See [`whole`].
+/// What [`whole`] makes.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::mission) struct WholeValue {
     low: u32,
@@ -133,11 +133,11 @@ pub(in crate::mission::format) fn spaced(unit: &str) -> String {
     }
 }
 
-/// See [`flag`].
+/// What [`flag`] makes.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::mission) struct FlagValue;
 
-/// True or false.
+/// A yes or no, written `true` or `false`.
 pub(in crate::mission) const fn flag() -> FlagValue {
     FlagValue
 }

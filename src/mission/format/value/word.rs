@@ -9,7 +9,7 @@ use crate::mission::format::description::FileShape;
 use crate::mission::format::draft::Draft;
 use crate::mission::sensor::Sensor;
 
-/// See [`text`].
+/// What [`text`] makes.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::mission) struct TextValue {
     form: &'static str,
@@ -94,7 +94,7 @@ impl FileValue for TextValue {
     }
 }
 
-/// See [`word`].
+/// What [`word`] makes.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::mission) struct WordValue<T: 'static>(&'static [(&'static str, T)]);
 
@@ -133,7 +133,7 @@ impl<T: Copy + PartialEq> FileValue for WordValue<T> {
     }
 }
 
-/// See [`named`].
+/// What [`named`] makes.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::mission) struct NamedValue<T> {
     what: &'static str,

@@ -5,10 +5,10 @@ use crate::mission::weather::Wind;
 /// What covers the ground.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Fuel {
-    /// Cured grass.
+    /// Grass that has dried where it stands.
     Grass,
     Shrub,
-    /// Litter under trees.
+    /// Leaves and needles on the ground under trees.
     Timber,
     /// Roads, water, bare soil: nothing burns.
     Bare,

@@ -150,7 +150,7 @@ impl FireGrid {
         }
     }
 
-    /// Lets [`STEP_S`] pass.
+    /// Lets the fire burn on for [`STEP_S`].
     pub fn step(&mut self, wind: Wind, random: &mut ChaCha8Rng) {
         let burning: Vec<usize> = self.burning().collect();
         let reached = self.reach(&burning, wind);

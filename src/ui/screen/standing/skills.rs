@@ -99,19 +99,19 @@ fn line(subject: &Subject<'_>, skill: Skill, under_cursor: bool, name: usize) ->
 fn draw_moves(subject: &Subject<'_>, skill: Skill, area: Rect, buffer: &mut Buffer) {
     let look = subject.look;
     let title = text!("standing-why", skill = skill.title());
-    let inner = Panel::new(look, below(area, 1)).titled(&look.text(&title), buffer);
+    let framed = Panel::new(look, below(area, 1)).titled(&look.text(&title), buffer);
     let inner = match lacks(subject, skill) {
         Some(lacks) => {
-            let text = clip(&look.text(&lacks), usize::from(inner.width));
+            let text = clip(&look.text(&lacks), usize::from(framed.width));
             put(
                 buffer,
-                inner,
+                framed,
                 0,
                 &Line::styled(text, look.style(Role::Accent)),
             );
-            below(inner, 1)
+            below(framed, 1)
         }
-        None => inner,
+        None => framed,
     };
     let moves = subject.career.growth.moves(skill);
     if moves.is_empty() {

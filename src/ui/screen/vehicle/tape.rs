@@ -8,7 +8,7 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::put;
 
-/// Degrees per column.
+/// How many degrees a column stands for.
 const STEP_DEG: i32 = 3;
 /// A number every so many degrees, and a stroke every so many.
 const NUMBER_EVERY_DEG: i32 = 30;

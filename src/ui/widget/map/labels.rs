@@ -121,7 +121,8 @@ pub fn blank(panel: Panel<'_>, buffer: &mut Buffer) {
 }
 
 /// Makes a cell of the map blank if what it shows would be read as a part of the word beside it.
-pub fn part(panel: Panel<'_>, (column, row): MapCell, buffer: &mut Buffer) {
+pub fn part(panel: Panel<'_>, at: MapCell, buffer: &mut Buffer) {
+    let (column, row) = at;
     let area = panel.area;
     if column < area.width
         && row < area.height

@@ -41,13 +41,8 @@ pub fn share_of_cell(view: &Viewport, side_m: f64) -> f64 {
 }
 
 /// Fills a cell of the map.
-pub fn fill(
-    (column, row): MapCell,
-    sign: char,
-    style: Style,
-    panel: Panel<'_>,
-    buffer: &mut Buffer,
-) {
+pub fn fill(cell: MapCell, sign: char, style: Style, panel: Panel<'_>, buffer: &mut Buffer) {
+    let (column, row) = cell;
     let at = (panel.area.x + column, panel.area.y + row);
     if let Some(cell) = buffer.cell_mut(at) {
         cell.set_char(sign).set_style(style);

@@ -16,7 +16,7 @@ const LEAST_SPIN_UP_DEG_S2: f64 = 2.0;
 pub(crate) struct Orbit {
     centre_m: DVec3,
     radius_m: f64,
-    /// Clockwise positive.
+    /// How fast it is to go round in radians per second, clockwise positive.
     wanted_rad_s: f64,
     rate_rad_s: f64,
     angle_rad: f64,

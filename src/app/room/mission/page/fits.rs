@@ -29,9 +29,9 @@ impl Page<'_> {
             } else {
                 text!("mission-rule-sensors")
             };
-            let loads = fit.loads.iter();
-            let loads =
-                loads.map(|(name, count)| text!("mission-rule-load", name = name, count = *count));
+            let carried_loads = fit.loads.iter();
+            let loads = carried_loads
+                .map(|(name, count)| text!("mission-rule-load", name = name, count = *count));
             let carried: Vec<Text> = fit.sensors.iter().cloned().chain(loads).collect();
             if carried.is_empty() {
                 return (whose, text!("mission-rule-carries-nothing"));
@@ -49,8 +49,8 @@ impl Page<'_> {
     pub(super) fn zones(&self) -> Option<(Text, Text)> {
         let areas = &self.mission.areas;
         let kind = |(kind, words): &(AreaKind, &'static str)| {
-            let names = areas.iter().filter(|area| area.kind == *kind);
-            let names: Vec<&str> = names.map(|area| area.name.as_str()).collect();
+            let of_kind = areas.iter().filter(|area| area.kind == *kind);
+            let names: Vec<&str> = of_kind.map(|area| area.name.as_str()).collect();
             let meaning = Text::new(*words, Vec::new());
             (!names.is_empty()).then(|| {
                 text!(

@@ -73,10 +73,10 @@ impl Page<'_> {
             ),
             (text!("mission-then"), open(then)),
         ];
-        let rows = named
+        let told = named
             .into_iter()
             .filter_map(|(name, what)| Some((name, what?)));
-        let rows: Vec<(Text, Text)> = rows.collect();
+        let rows: Vec<(Text, Text)> = told.collect();
         if rows.is_empty() {
             return;
         }

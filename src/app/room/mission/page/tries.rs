@@ -31,8 +31,8 @@ impl Page<'_> {
 /// When a try was, and what came of it.
 fn row(one: &TryReport, best: bool) -> (Text, Text) {
     // The day and the time without seconds: `2026-11-20 14:03`.
-    let when: String = one.when.chars().take(16).collect();
-    let when = when.replace('T', " ");
+    let to_the_minute: String = one.when.chars().take(16).collect();
+    let when = to_the_minute.replace('T', " ");
     let Some(score) = one.score else {
         return (when.into(), text!("mission-try-unfinished"));
     };
