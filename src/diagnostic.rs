@@ -124,6 +124,16 @@ impl Diagnostic {
     }
 }
 
+/// More faults of one file than this help nobody to mend it.
+const MOST_SHOWN: usize = 50;
+
+/// The faults of a file that are worth showing, the first ones, and a line that says how many more there are.
+pub fn first_shown(faults: &[Diagnostic]) -> (&[Diagnostic], Option<Text>) {
+    let more = faults.len().saturating_sub(MOST_SHOWN);
+    let rest = (more > 0).then(|| text!("file-more-faults", count = more));
+    (&faults[..faults.len() - more], rest)
+}
+
 /// The name closest to what was written, if one is close enough to be a typing error: by insertions, deletions,
 /// substitutions and swaps of neighbours (optimal string alignment).
 pub fn nearest<'a>(written: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {

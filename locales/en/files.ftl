@@ -1,5 +1,6 @@
 # Files that cannot be had or written.
 
+file-more-faults = and { $count } more faults
 file-unreadable = cannot read { $path }: { $error }
 file-unwritable = cannot write { $path }: { $error }
 file-exists = { $path } exists already

@@ -1,5 +1,10 @@
 # Файли, яких немає змоги прочитати чи записати.
 
+file-more-faults = { $count ->
+    [one] і ще { $count } помилка
+    [few] і ще { $count } помилки
+   *[many] і ще { $count } помилок
+}
 file-unreadable = не вдається прочитати { $path }: { $error }
 file-unwritable = не вдається записати { $path }: { $error }
 file-exists = { $path } вже є

@@ -16,7 +16,7 @@ use super::settings::CliSettings;
 use super::{Failure, parse_speedup, trainee};
 use crate::campaign::{Attempt, AttemptMeans, AttemptTerms, Stake};
 use crate::debrief;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{self, Diagnostic};
 use crate::exercise::Exercise;
 use crate::hangar::VehicleBackend;
 use crate::language::{Context, Script};
@@ -391,9 +391,9 @@ fn explain(source: &Source, faults: &[Diagnostic]) -> Failure {
     let colour = std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
     // The renderer writes out the control characters of the file's text, and not those of its name.
     let name = sanitised(&source.name);
-    let lines: Vec<String> = faults
-        .iter()
-        .map(|fault| fault.render(&name, &source.text, colour))
-        .collect();
+    let (shown, rest) = diagnostic::first_shown(faults);
+    let shown = shown.iter();
+    let lines = shown.map(|fault| fault.render(&name, &source.text, colour));
+    let lines: Vec<String> = lines.chain(rest.map(|text| text.to_string())).collect();
     Failure::Shown(lines.join("\n\n"))
 }

@@ -5,7 +5,7 @@ use std::io::Read as _;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{self, Diagnostic};
 use crate::text;
 use crate::text::Text;
 
@@ -88,9 +88,9 @@ impl From<&StoreError> for Text {
                 known = known
             ),
             StoreError::Faulty { file, faults } => {
-                let faults = faults.iter();
-                let lines = faults.map(|fault| fault.text(&file.name, &file.text));
-                Self::joined("\n", lines.collect())
+                let (shown, rest) = diagnostic::first_shown(faults);
+                let lines = shown.iter().map(|it| it.text(&file.name, &file.text));
+                Self::joined("\n", lines.chain(rest).collect())
             }
         }
     }

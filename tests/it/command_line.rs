@@ -258,6 +258,17 @@ fn faults_say_what_and_what_to_do() {
 }
 
 #[test]
+fn of_thousands_of_faults_the_first_fifty_are_shown() {
+    let faulty: String = (0..3000).map(|at| format!("wrong{at} = 1\n")).collect();
+    let folder = folder_with(&[("many.toml", &faulty)]);
+    let output = sortie_in(folder.path(), &["run", "many.toml", "--pilot", "00"]);
+    assert_eq!(output.status.code(), Some(2));
+    let said = text(&output.stderr);
+    assert_eq!(said.matches("many.toml:").count(), 50, "{said}");
+    assert!(said.contains("more faults"), "{said}");
+}
+
+#[test]
 fn names_with_escape_sequences_reach_no_terminal() {
     let folder = folder_with(&[("a\u{1b}[31mb.toml", "schema = ")]);
     for arguments in [
