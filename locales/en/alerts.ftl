@@ -26,7 +26,7 @@ alert-kind-crash = CRASHED
 alert-kind-gps = GPS unreliable
 alert-kind-ekf = EKF unreliable
 alert-kind-battery = battery low
-alert-kind-way-home = little for the way home
+alert-kind-way-home = turn back
 alert-kind-vibration = vibration
 alert-kind-message = serious message
 
@@ -49,9 +49,9 @@ alert-acknowledged = { $count ->
     [one] { $count } alert acknowledged: it stays in the table until it is over
    *[other] { $count } alerts acknowledged: they stay in the table until they are over
 }
-alert-muted = alerts of the kind { $kind } are silent now
-alert-unmuted = alerts of the kind { $kind } ring again
-alert-muted-list = silent kinds: { $kinds }
-alert-muted-none = no kind of alert is silent
-alert-no-kind = no kind of alert is named `{ $word }`
+alert-muted = alerts muted: { $kind }
+alert-unmuted = alerts no longer muted: { $kind }
+alert-muted-list = muted: { $kinds }
+alert-muted-none = no alerts are muted
+alert-no-kind = unknown kind of alert: `{ $word }`
 alert-kinds-are = kinds: { $kinds }

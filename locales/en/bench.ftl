@@ -1,23 +1,23 @@
 # The room of the workshop: the bench, designs, comparison, the seats of a fleet.
 room-workshop = workshop
-action-workshop = where drones are built
-action-other-pane = to the other list
+action-workshop = build drones
+action-other-pane = go to the other list
 action-take-out = take out the part, the design, the choice
 action-buy-part = buy the right to use the part
-action-undo = take back the last change
-action-redo = do again what was taken back
+action-undo = undo the last change
+action-redo = redo the change
 action-new-design = begin a new design
-action-save-design = keep the design under a name
-action-designs = all designs, or the bench again
+action-save-design = save the design under a name
+action-designs = show all designs, or the bench again
 action-compare-design = compare with another design
-action-copy-design = keep a copy of the design
+action-copy-design = save a copy of the design
 action-rename-design = give the design another name
 action-export-design = write the design to a file
 action-import-design = read a design from a file
-action-next-view = figures, power, payload, the mission
-action-mission-before = build for the mission before
-action-mission-after = build for the mission after
-action-seats = the seats of the fleet, or the bench again
+action-next-view = show figures, power, payload, the mission in turn
+action-mission-before = build for the previous mission
+action-mission-after = build for the next mission
+action-seats = show the seats of the fleet, or the bench again
 action-all-seats = choose the design for all seats
 action-fly-fleet = fly the mission with these drones
 
@@ -75,7 +75,7 @@ bench-seats = { $count ->
    *[other] { $count } drones
 }
 bench-budget = the fleet costs { $cost } of { $budget } cr
-bench-no-budget = the fleet costs { $cost } cr; there is no limit
+bench-no-budget = the fleet costs { $cost } cr, without a limit
 bench-fleet = the fleet for "{ $mission }"
 bench-fleet-about = on the bench: { $name }
 bench-lent = lent by the mission
@@ -96,14 +96,14 @@ bench-compared = design
 bench-differs = differs
 bench-choose-compared = choose a design and press { $key } to compare
 
-bench-no-more = nothing to add: it is there already, or the slot is full
+bench-no-more = cannot be added: it is on board already, or the slot is full
 bench-not-on-board = it is not on board
-bench-nothing-to-undo = nothing to take back
-bench-nothing-to-redo = nothing to do again
+bench-nothing-to-undo = nothing to undo
+bench-nothing-to-redo = nothing to redo
 bench-nobody-buys = without a profile every part is free to try
-bench-nobody-saves = designs are kept in a profile, and there is none: { $key } writes the design to a file
-bench-saved = kept: { $name }
-bench-name-taken = there is a design { $name } already
+bench-nobody-saves = designs are saved in a profile, and none is chosen: { $key } writes the design to a file
+bench-saved = saved: { $name }
+bench-name-taken = a design { $name } exists already
 bench-ask-buy = buy the right to use { $part } for { $price } cr
 bench-ask-buy-reason = you have { $credits } cr, { $left } cr are left then
 bench-ask-replace = replace { $name } on the bench
@@ -114,8 +114,8 @@ bench-ask-delete = delete your design { $name }
 bench-ask-delete-reason = what lies on the bench stays there
 bench-ask-quit-reason = { $name } on the bench is not saved
 
-prompt-save-design = keep the design as
-prompt-copy-design = keep a copy of { $name } as
+prompt-save-design = save the design as
+prompt-copy-design = save a copy of { $name } as
 prompt-rename-design = another name for { $name }
 prompt-export-design = write the design to the file
 prompt-import-design = read a design from the file

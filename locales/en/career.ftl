@@ -2,7 +2,7 @@
 mastery-unknown = not tried
 mastery-learning = on the way
 mastery-mastered = mastered
-mastery-due = to be refreshed
+mastery-due = due for review
 lack-chance = { $percent } %
 lack-flights = { $count ->
     [one] another flight
@@ -25,12 +25,12 @@ part-for-sale = { $part }: { $price } credits, `sortie profile buy { $id }`
 part-locked = { $part }: on sale after { $mission }
 parts-missing = { $design } has parts that { $profile } may not use yet
 
-profile-created = { $name } trains here now; fly with `--profile { $name }`
-profile-none = nobody trains here yet; `sortie profile create NAME` makes a profile
-profile-choose = whose? There are: { $known }. Say --profile NAME, or set `profile` in the configuration
-profile-delete = { $name } has { $flights } flights. Say --yes to delete them all, after `sortie profile export { $name }` if they may be wanted again
-profile-deleted = { $name } is gone
-profile-imported = { $name } is here, with { $flights } flights
+profile-created = profile { $name } made; fly with `--profile { $name }`
+profile-none = no profiles yet; `sortie profile create NAME` makes one
+profile-choose = no profile chosen; profiles: { $known }. Use --profile NAME, or set `profile` in the configuration
+profile-delete = { $name } has { $flights } flights. --yes deletes them all; `sortie profile export { $name }` keeps a copy
+profile-deleted = profile { $name } deleted
+profile-imported = profile { $name } imported with { $flights } flights
 profile-bought = { $part } is licensed for { $price } credits; { $left } left
 profile-not-stored = the flight is not stored: { $fault }
 profile-record = with a profile, runs are recorded in the folder of its data, and tries are counted: leave out --record and --try

@@ -4,7 +4,7 @@ config-unknown = unknown setting `{ $name }`
 config-wrong = `{ $name }` must be { $expected }
 config-wrong-word = { $name } must be { $expected }, not `{ $word }`
 config-section = `{ $name }` is a section: write [{ $name }] on a line of its own and its settings below
-config-log-level = the levels of the log are not understood: { $error }
+config-log-level = unknown log levels: { $error }
 config-expected-word = one of { $choices }
 config-expected-text = a text in quotes
 config-expected-number = a whole number from { $least } to { $most }
@@ -14,22 +14,22 @@ config-expected-lines = a line of the command language in quotes, or a list of t
 
 config-faulty = left out: { $fault }
 
-keymap-no-key = there is no key `{ $key }`
+keymap-no-key = unknown key `{ $key }`
 keymap-same-key = a terminal sends the same for `{ $key }` and for { $other }
-keymap-no-context = there is no context `{ $name }`
+keymap-no-context = unknown context `{ $name }`
 keymap-context = `{ $name }` is a context: write [{ $name }] on a line of its own and its keys below
-keymap-twice = `{ $key }` has a meaning in this context already, in line { $line }
-keymap-shadows = `{ $key }` has another meaning anywhere, in line { $line }
+keymap-twice = `{ $key }` is used in this context already, in line { $line }
+keymap-shadows = `{ $key }` is used under [anywhere], in line { $line }
 keymap-shadows-advice = give one of them another key
 keymap-meaning = expected the name of an action or a line of the command language in quotes, or false
-keymap-no-action = neither an action nor a command is called `{ $name }`
+keymap-no-action = unknown action or command `{ $name }`
 keymap-only-actions = only actions can be given to the keys of `{ $name }`
 keymap-is-text = `{ $key }` is a letter of the line there
 
 history-unreadable = the history of the command line cannot be read from { $path }: { $error }
 mission-twice = two missions have the id `{ $id }`: { $flown } is flown, { $other } is left out
 
-theme-unknown = no theme is named `{ $name }`
+theme-unknown = unknown theme `{ $name }`
 theme-inherits-itself = the theme `{ $name }` inherits itself
 theme-circle = themes inherit each other in a circle: { $circle }
 theme-faulty-parent = the theme `{ $name }` is faulty itself
@@ -39,5 +39,5 @@ theme-role-table = `{ $name }` must be a table with its colours
 theme-role-table-advice = write { $example }
 theme-no-style = the role `{ $name }` has no style
 theme-no-style-advice = give it one under [roles], or inherit it: inherits = "dark"
-theme-no-colour = `{ $word }` is no colour
+theme-no-colour = `{ $word }` is not a colour
 theme-no-colour-advice = write "#rrggbb", a name such as "light-red", or 0 to 255 as text

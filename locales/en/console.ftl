@@ -17,8 +17,8 @@ ask-type = type { $answer }
 ask-how-many = { $answer } (how many vehicles)
 ask-cancelled = cancelled, nothing was done: { $question }
 
-select-missing = there is no vehicle { $vehicles }
-select-missing-all = there is no vehicle { $vehicles }: the selection stays as it was
+select-missing = no vehicle { $vehicles }
+select-missing-all = no vehicle { $vehicles }: the selection stays as it was
 
 palette-title = command
 palette-grammar = [targets] verb [arguments]: { $complete } completes, { $older } brings back older lines
@@ -41,7 +41,7 @@ ask-taken-back = cancelled, nothing was done   { $submit } or { $escape }: back
 ask-else = anything else: no
 
 help-title = help   { $scroll } scroll   { $search } search   { $key } closes
-help-none = nothing of that in the help
+help-none = nothing found in the help
 help-targets = targets: 3  1-4,7  @group  all; none means the selection
 
 small-needs = sortie needs { $columns }x{ $rows }, this terminal is { $now_columns }x{ $now_rows }
@@ -61,23 +61,23 @@ class-rover = rover
 class-sub = sub
 class-vehicle = vehicle
 
-ids-wrong = `{ $word }` is no vehicle: write 3, 3-9 or 1,4-6
-group-empty = there is no vehicle to put into the group
+ids-wrong = `{ $word }` is not a vehicle: write 3, 3-9 or 1,4-6
+group-empty = no vehicle to put into the group
 group-is = @{ $name } is now { $members }
-group-unknown = no group is named `{ $name }`
-group-name = `{ $name }` is no name: use letters, digits, - and _
+group-unknown = no group `{ $name }`
+group-name = `{ $name }` is not a name: use letters, digits, - and _
 order-question = { $count ->
     [1] { $verb } vehicle { $vehicles }
    *[other] { $verb } vehicles { $vehicles }
 }
-order-no-vehicle = there is no vehicle { $vehicle }
+order-no-vehicle = no vehicle { $vehicle }
 order-none = `{ $verb }` sends no command
 order-wait = `wait` is for pilot scripts
 order-wait-help = the console never waits: give the next command when you see fit
 macro-line = line { $number } of the macro `{ $name }`, `{ $line }`: { $fault }
 macro-endless = the macro was stopped after { $count } lines: does it call itself?
 
-palette-given-before = given before
+palette-given-before = earlier line
 palette-selects = select for the next commands
 
 console-no-injects = this mission allows no injects

@@ -30,7 +30,7 @@ debrief-drone = drone { $vehicle }: { $what }
 debrief-vehicle = vehicle { $vehicle }: { $what }
 
 debrief-improve = WHAT TO IMPROVE   (biggest gain first)
-debrief-nothing = Nothing that would bring another point.
+debrief-nothing = Nothing left to gain.
 # At most 5 columns.
 debrief-good = good
 
@@ -83,7 +83,7 @@ debrief-next = NEXT
 debrief-next-drill = Fly the drill { $drill }, then this mission again with one thing in mind: { $what }
 debrief-next-again = Next try: { $what }
 debrief-next-on = Go on to the next mission.
-debrief-last-mission = there is no mission after this one
+debrief-last-mission = this was the last mission
 
 # The map of the debrief.
 truth-title = what was there

@@ -21,7 +21,7 @@ doctor-noise = { $percent } % of the bytes that arrive are not MAVLink
 doctor-version-1 = vehicle { $system } speaks MAVLink 1 only
 doctor-damaged = { $percent } % of the frames arrive damaged (wrong checksum)
 doctor-lossy = { $percent } % of the frames do not arrive
-doctor-recording = a recording is played: nobody answers
+doctor-recording = a recording is played: commands have no effect
 doctor-listening = listening ...
 doctor-unanswered = { $count ->
     [one] { $count } vehicle is heard; waiting for its first answer
@@ -32,7 +32,7 @@ doctor-well = { $count ->
    *[other] all is well: { $count } vehicles are heard and answer
 }
 
-doctor-try-not-open = Mend what the link says; it is tried again by itself.
+doctor-try-not-open = Correct the fault that the link reports; it is tried again automatically.
 doctor-try-not-open-tcp = Is the vehicle or SITL running, and is the port right? SITL listens on 5760, 5762 and 5763, ten more for each further instance. It is tried again by itself.
 doctor-try-not-open-serial = Is the device plugged in and the name right, such as /dev/ttyUSB0, /dev/ttyACM0 or COM3? May you open it (on Linux the group dialout)? It is tried again by itself.
 doctor-try-text = Is it a console, a boot loader or a GPS receiver? On the autopilot set the port's SERIALn_PROTOCOL to 2 (MAVLink 2), or take another port.
@@ -44,16 +44,16 @@ doctor-try-echo = The line or the radio returns what is sent: is TX joined to RX
 doctor-try-autopilot = A camera, gimbal or companion computer speaks. Does it forward the autopilot, and is the autopilot running?
 doctor-try-duplicate = Give one vehicle another SYSID_THISMAV and reboot it. If it is one vehicle by two ways, close one of the links.
 doctor-try-signed = This program does not sign. Switch signing off on the vehicle, or use a port without it (USB takes unsigned frames).
-doctor-try-one-way = Do replies find the way back? Look at firewall, NAT and router: the vehicle must accept UDP or TCP from this machine, and may heed another ground station only (SYSID_MYGCS, SYSID_ENFORCE).
-doctor-try-one-way-serial = Is the TX wire joined, and is the radio's uplink up? The vehicle may heed another ground station only (SYSID_MYGCS, SYSID_ENFORCE).
-doctor-try-one-way-vehicles = Do replies find the way back (firewall, NAT, router)? So many silent system ids may also be forged by another sender on this port.
+doctor-try-one-way = Are replies reaching the vehicle? Check firewall, NAT and router: the vehicle must accept UDP or TCP from this machine. It may obey another ground station only (SYSID_MYGCS, SYSID_ENFORCE).
+doctor-try-one-way-serial = Is the TX wire connected, and is the radio's uplink up? The vehicle may obey another ground station only (SYSID_MYGCS, SYSID_ENFORCE).
+doctor-try-one-way-vehicles = Are replies reaching the vehicles? Check firewall, NAT and router. So many silent system ids may also be forged by another sender on this port.
 doctor-try-noise = Another program sends to this port, or two share the serial line: find it and stop it. The vehicles' frames are still read.
 doctor-try-version-1 = It works, but signing and newer messages do not. Set the port's SERIALn_PROTOCOL to 2.
 doctor-try-damaged = Look for an overloaded or weak radio on the way, or for two programs that share one serial port.
 doctor-try-damaged-serial = Look at cable, ground and flow control, try a lower baud rate, and see that no other program reads the port.
 doctor-try-silence = Is the vehicle on?
 doctor-try-silence-tcp = The connection is open, but the other end is silent. Another client may have the vehicle; SITL waits on 5760, 5762 or 5763 for one client each.
-doctor-try-silence-tcpin = No client has sent anything. Is the vehicle told to connect to this port of this machine? 127.0.0.1 is reached from this machine only.
-doctor-try-silence-udp = Nobody answers there. Is host and port right, and the vehicle on? Some wait for nobody and send to a port of ours: then listen with udpin:0.0.0.0:14550.
-doctor-try-silence-udpin = Nobody sends to this port. Is the vehicle told to send here? 127.0.0.1 is reached from this machine only: listen on 0.0.0.0 for others. Firewall?
+doctor-try-silence-tcpin = No client has sent anything. Is the vehicle set to connect to this port of this machine? 127.0.0.1 is reached from this machine only.
+doctor-try-silence-udp = Nothing comes back. Are host and port right, and is the vehicle on? Some vehicles send to a port here without being called: then listen with udpin:0.0.0.0:14550.
+doctor-try-silence-udpin = No packets come to this port. Is the vehicle set to send here? 127.0.0.1 is reached from this machine only: listen on 0.0.0.0 for others. Firewall?
 doctor-try-silence-serial = Is the device the right one and powered, are TX and RX crossed, and is the port's SERIALn_PROTOCOL 2 (MAVLink 2)?

@@ -30,7 +30,7 @@ detect-advice-wrong = wrong reports: { $wrong }. Confirm with another sensor, or
 coverage-result = { $swept } % swept (random search: { $random } %)
 coverage-outlook = { $swept } % swept
 coverage-target = { $target } % swept
-coverage-advice = Lines as far apart as the sensor's strip leave no gap: { $left } % was not swept, though the way would do for { $coverage } times the zone.
+coverage-advice = Set the distance between lines to the width of the sensor's strip: { $left } % was not swept, although the way flown would cover { $coverage } times the zone.
 
 # Keeping a distance.
 standoff-result = { $share } % kept, { $near } s near, { $close } s too close

@@ -1,10 +1,10 @@
 # The hangar: ArduPilot SITL processes.
 
-hangar-unknown = there is no instance { $id }
-hangar-taken = instance { $id } is there already: stop it first, or choose another number
-hangar-full = { $limit } instances run, and no more may: stop some, or raise the limit
+hangar-unknown = no instance { $id }
+hangar-taken = instance { $id } runs already: stop it first, or choose another number
+hangar-full = { $limit } instances run, which is the limit: stop some, or raise it
 hangar-no-program = no { $program } was found: name one with --arducopter or SORTIE_ARDUCOPTER, or put it on the PATH
-hangar-attached = somebody is attached to instance { $id } already
+hangar-attached = another program is attached to instance { $id }
 hangar-host = cannot start instance { $id }: { $what }: { $error }
 hangar-closing = the hangar is closing
 hangar-cannot-open = cannot open the hangar in { $folder }: { $error }
@@ -47,8 +47,8 @@ hangar-restarted = its process is started again ({ $count })
 hangar-crash = its process has crashed: { $reason }
 hangar-crash-said = its process has crashed: { $reason }: { $line }
 hangar-crash-again = { $key }, then { $again } starts it again (`hangar restart { $vehicle }`)
-hangar-no-process = there is no process of vehicle { $vehicle }
-hangar-ask-armed = it is armed: in flight it falls
+hangar-no-process = no process of vehicle { $vehicle }
+hangar-ask-armed = it is armed; if it is flying, it will crash
 hangar-ask-restart = Start vehicle { $vehicle } again?
 hangar-ask-stop = End the process of vehicle { $vehicle }?
 hangar-restarting = vehicle { $vehicle } is started again
@@ -66,5 +66,5 @@ hangar-here = here
 hangar-far = hangar { $hangar }: { $error }
 hangar-far-unreachable = { $address } cannot be reached ({ $error }): is `sortie hangar` running there? From another host: `ssh -L PORT:127.0.0.1:PORT HOST`
 hangar-far-late = { $address } has not answered within { $seconds } s
-hangar-far-other = { $address } answers, but it is no sortie hangar ({ $error })
-hangar-far-token = { $address } wants its token ({ $error }): copy its token file here and name it with --hangar-token FILE
+hangar-far-other = { $address } answers, but it is not a sortie hangar ({ $error })
+hangar-far-token = { $address } needs its token ({ $error }): copy its token file here and name it with --hangar-token FILE

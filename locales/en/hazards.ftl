@@ -10,7 +10,7 @@ load-spray = spray
 load-kit = kits
 load-node = nodes
 load-dropped = { $what }; { $left } left
-load-nothing = it fell on nothing of account
+load-nothing = it hit nothing that counts
 load-empty = no { $load } left: land on a pad for 20 s
 load-served = loads on board again
 load-shut = its sprayer is shut
@@ -51,7 +51,7 @@ contain-hits = { $good } of { $all } where they helped
 contain-share = { $percent } % of what would have burnt
 contain-target = { $percent } %
 contain-quality = drop and spray over flames and dry fuel only, slowly and low
-contain-advice = Begin with the side that runs with the wind; each minute it grows by as much as in all before.
+contain-advice = Begin with the side that runs with the wind: the fire doubles every minute.
 
 # Radiation that vehicles gather.
 dose-most = { $dose } uSv at most

@@ -1,6 +1,6 @@
 # The room "links".
 
-links-none = there is no link: connect to vehicles, or start a flight
+links-none = no link: connect to vehicles, or start a flight
 links-ailing = link doctor: { $finding } ({ $key } says what to try)
 links-address = address
 links-in = in B/s
@@ -19,10 +19,10 @@ links-received = received
 links-sent = sent
 links-rates = { $bytes } B/s, { $messages } msg/s
 links-round-trip = round trip
-links-dropped = passed over
+links-dropped = dropped
 links-dropped-figures = bad CRC { $crc }, noise { $skipped } B, unknown ids { $unknown }, undecoded { $undecoded }
 links-missing = never arrived
-links-others = besides
+links-others = others
 links-other-figures = peers { $peers }, reconnected { $reconnects }, not sent { $unsent }
 links-history = { $way }, last { $seconds } s, peak { $most }
 

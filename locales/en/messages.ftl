@@ -27,7 +27,7 @@ messages-unknown-id = This id is in no dialect that is known here; its checksum 
 messages-other-layout = The checksum is wrong for this message as it is known here: another layout, or a damaged frame.
 messages-extent = now { $now }  { $seconds } s: { $low } to { $high }
 messages-not-drawn = { $count } not drawn
-messages-uncounted = frames of further kinds, for which there was no room (noise looks so): { $count }
+messages-uncounted = frames of more kinds than fit here (often noise): { $count }
 messages-choose-field = choose a field first: { $key } goes to the fields
 messages-no-number = { $field } is text and has no graph
 

@@ -114,15 +114,15 @@ mission-vehicle-gone = its simulator has ended: the vehicle is lost
 
 # What a mission answers to deeds.
 deed-over = the mission is over
-deed-launched = this is said before takeoff
+deed-launched = only possible before takeoff
 deed-no-position = its position is not known
-deed-no-contacts = there is no such contact that has not been reported
-deed-no-mark = nothing is reported within 15 m of there
-deed-marked-before = that was reported before
+deed-no-contacts = no such contact that has not been reported
+deed-no-mark = no report within 15 m of there
+deed-marked-before = reported already
 deed-marked = { $count } reported
-deed-no-load = it carries nothing for that
+deed-no-load = no load for that on board
 deed-no-hint = this mission has no further hint
-deed-no-mission = no mission is flown
+deed-no-mission = no mission is under way
 
 mission-hint-given = { $percent ->
     [0] hint of level { $level } (free): { $hint }
@@ -147,9 +147,9 @@ mission-goal-score-result = { $points } points
 # A pause.
 mission-paused = paused { $seconds } s
 pause-begins = PAUSED: `continue` or { $key } goes on
-pause-ends = goes on
-pause-is-one = it is paused already
-pause-is-none = nothing is paused
+pause-ends = time goes on
+pause-is-one = already paused
+pause-is-none = not paused
 pause-not-begun = nothing to pause: the clock starts when you leave the brief
 pause-not-processes = no pause with ArduPilot: each of its processes has a time of its own, and none of them can be stopped
 pause-not-real = no pause: real drones cannot be stopped in the air
@@ -167,7 +167,7 @@ speedup-too-little = too slow: { $least }x at least
 
 # Before launch, in the room of the mission. Names at most 14 columns.
 mission-launch = before launch
-mission-pledge = your word
+mission-pledge = your plan
 mission-prediction = your score
 mission-prediction-none = { $key } predicts it, such as `predict 800`: the debrief compares
 mission-prediction-is = { $points } predicted
@@ -181,14 +181,14 @@ mission-then = to begin
 mission-then-is = { $drones } shows the drones, `{ $command }` takes commands, { $help } explains both
 mission-contacts-count = contacts { $count }, confirmed { $confirmed }, reported { $reported }
 mission-marks-count = reports { $count }
-mission-pledge-line = you said: { $words }
+mission-pledge-line = your plan: { $words }
 mission-said-score = { $points } points
 
 # What is urgent, over the whole width of the screen; short in the header.
 mission-alert = ! { $seconds } s: { $text }
 mission-alert-short = ! { $seconds } s
-mission-urgent-more = and { $count } more that cannot wait
-mission-radio-weak = ! { $vehicle } is hardly heard: { $margin } dB
+mission-urgent-more = and { $count } more urgent
+mission-radio-weak = ! weak radio link to { $vehicle }: { $margin } dB
 inject-done = injected: { $what }
 
 # Tries, hints and what is carried, in the room of the mission.

@@ -23,16 +23,16 @@ outcome-verb-accepted = { $verb } accepted
 outcome-verb-in-progress = { $verb } in progress
 outcome-verb-cancelled = { $verb } cancelled: { $reason }
 outcome-verb-refused = { $verb } refused: { $reason }
-outcome-superseded = { $by } took its place
+outcome-superseded = replaced by { $by }
 outcome-the-reboot = the reboot
 outcome-answer-lost = seen in telemetry, the answer was lost
-outcome-fell-silent = it said that it is working on it, and then nothing more
+outcome-fell-silent = it reported progress, then nothing more
 outcome-no-answer = { $tries ->
     [one] no answer to { $tries } try in { $seconds } s
    *[other] no answer to { $tries } tries in { $seconds } s
 }
 outcome-no-parameter = perhaps it has no parameter { $name }
-outcome-value-became = { $name } = { $value } ({ $wanted } was asked for)
+outcome-value-became = { $name } = { $value } (requested: { $wanted })
 outcome-other-name = { $outcome } (this vehicle's name for { $name })
 outcome-opposite-name = { $outcome } (this vehicle's name for { $name }, with the opposite meaning)
 outcome-not-seen = { $effect } was not seen
@@ -41,10 +41,10 @@ outcome-overtaken = by { $mode }
 outcome-disarmed = by disarming
 outcome-armed = by arming
 outcome-not-sent = not sent: { $reason }
-outcome-too-late = not sent: its { $seconds } s were over before the line was free
+outcome-too-late = not sent: expired after { $seconds } s in the queue
 outcome-queue-full = not sent: { $count } commands wait for this vehicle already
 outcome-not-heard = not sent: no such vehicle is heard
-outcome-task-busy = not sent: the vehicle's task does not keep up
+outcome-task-busy = not sent: the vehicle's task is overloaded
 
 # What was awaited in the telemetry; goes into outcome-not-seen and its like.
 effect-nothing = nothing to see

@@ -11,13 +11,13 @@ parameters-not-finite = not sent: { $name } takes finite numbers only
 parameters-not-whole = not sent: { $name } takes whole numbers only ({ $kind })
 parameters-out-of-range = not sent: { $name } takes { $least } to { $greatest } only ({ $kind })
 parameters-inexact = not sent: MAVLink would carry { $nearest } instead, so { $name } cannot be set to that exactly
-parameters-no-number = `{ $value }` is no number
+parameters-no-number = `{ $value }` is not a number
 
 parameters-file-twice = { $name } is { $value } on line { $line } already
 parameters-file-no-value = { $name } has no value
 parameters-file-more = nothing more is expected after the value
-parameters-file-name = `{ $name }` is no parameter: names have 1 to 16 letters, digits and `_`
-parameters-file-too-large = { $value } is no number that a vehicle could take
+parameters-file-name = `{ $name }` is not a parameter: names have 1 to 16 letters, digits and `_`
+parameters-file-too-large = { $value } is too large for a vehicle
 parameters-file-help = write NAME,VALUE on a line, and comments after a #
 parameters-file-faulty = { $path }:{ $line }:{ $column }: { $fault } { $count ->
     [one] (nothing was loaded)
@@ -44,7 +44,7 @@ parameters-only-changed = only changed
 parameters-setting = setting: { $count } left
 parameters-sets-on = sets on { $vehicles }
 parameters-none-yet = nothing has come yet
-parameters-none-fit = no name has these letters: { $key } shows all
+parameters-none-fit = no parameter matches: { $key } shows all
 parameters-none-differ-yet = nothing differs in what has come so far
 parameters-none-differ = nothing differs: { $key } shows all
 parameters-none-changed = nothing has changed: { $key } shows all
@@ -74,7 +74,7 @@ parameters-set-done = { $failed ->
     [0] parameters set: { $confirmed } confirmed
    *[other] parameters set: { $confirmed } confirmed, { $failed } not: the list says why
 }
-parameters-stopped = stopped: { $count } not given any more
+parameters-stopped = stopped: { $count } not set
 parameters-nothing-compared = nothing to set: load a file (l) or compare (d) first
 parameters-nothing-marked = nothing is marked that could be set
 parameters-ask-apply = SET { $count ->
@@ -86,16 +86,16 @@ parameters-nothing-to-save = no parameters have come yet
 parameters-not-complete = vehicle { $vehicle } has sent { $received } of { $count } parameters: wait until all are there
 parameters-no-path = write the name of a file
 parameters-same-vehicle = vehicle { $vehicle } is the one that is shown: name another
-parameters-no-such-vehicle = there is no vehicle { $vehicle }
+parameters-no-such-vehicle = no vehicle { $vehicle }
 parameters-saved = saved to { $path }
 parameters-ask-replace = REPLACE { $path }
-parameters-ask-replace-reason = there is a file of that name already
+parameters-ask-replace-reason = a file of this name exists already
 
 prompt-filter-advice = several words must all occur; { $submit } or { $escape } goes back to the list
 prompt-parameter = { $name } on { $vehicles }
 prompt-parameter-advice = { $submit } sets it, { $escape } leaves it as it is
 prompt-save-parameters = save parameters to
-prompt-save-advice = a path; ~/ is your home folder. A file that is there is not replaced unasked
+prompt-save-advice = a path; ~/ is your home folder. sortie asks before it replaces a file
 prompt-load-parameters = load parameters from
 prompt-load-advice = you see what differs before anything is set
 prompt-compare-parameters = compare with

@@ -1,9 +1,9 @@
 # The console without a screen.
 
 plain-greeting = plain console: one command per line, `help` lists them, `quit` leaves
-plain-asks = { $question }: { $reason }; type { $answer } and Enter to do it, anything else takes it back
-plain-wait-in-vain = waited in vain: { $line }
-plain-no-room = that is for the console with a screen
+plain-asks = { $question }: { $reason }; type { $answer } and Enter to do it, anything else cancels
+plain-wait-in-vain = timed out: { $line }
+plain-no-room = this needs the console with a screen
 plain-critical = CRITICAL
 plain-error = ERROR
 plain-warning = warning

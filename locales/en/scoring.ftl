@@ -24,7 +24,7 @@ scoring-watt-hours = Wh
 scoring-inside-par = { $by } { $unit } inside par
 scoring-over-par = { $by } { $unit } over par
 scoring-no-rule-broken = no rule broken
-scoring-rules-broken = { $worst }; { $more } more
+scoring-rules-broken = { $worst }; other rules broken: { $more }
 scoring-no-commands = no commands
 scoring-commands-clean = { $count ->
     [one] { $count } command, not rejected
@@ -41,7 +41,7 @@ scoring-improve-quality-how = Bring the quality from { $from } to { $to } ({ $no
 scoring-be-faster = Save { $seconds } s to reach par.
 scoring-use-less = Save { $energy } Wh to reach par.
 scoring-advice-commands = Avoid refused commands: read why before you give one again.
-scoring-advice-mandatory = Reach everything that must be reached, without that it counts for little: { $objectives }.
+scoring-advice-mandatory = Reach every mandatory objective, the score is capped without it: { $objectives }.
 scoring-advice-geofence = Stay inside the fence: check a goto's numbers against the map before you send it.
 scoring-advice-height = Stay below the mission's highest height; it is in the brief.
 scoring-advice-crash = Bring the vehicle down with rtl or land and wait for the disarm.
@@ -61,7 +61,7 @@ scoring-alerts-answered = { $count ->
 scoring-alerts-late = { $worst }; { $more } more late
 scoring-alert-unanswered = { $alert }: not answered
 scoring-alert-took = { $alert }: { $seconds } s (limit { $limit } s)
-scoring-advice-alerts = Answer alerts in time: hold first, then read. "{ $alert }" wanted it within { $limit } s.
+scoring-advice-alerts = Answer alerts in time: hold first, then read. "{ $alert }" was due within { $limit } s.
 
 # Utilisation.
 scoring-none-flown = no drone was flown

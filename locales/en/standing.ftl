@@ -1,14 +1,14 @@
 # Who trains here, how far they have come, and what comes next.
 
 room-standing = standing
-action-standing = own progress: skills, scores, credits
+action-standing = show your progress: skills, scores, credits
 action-daily = fly the mission with the seed of the day
 action-exam = fly the mission's exam
 action-practise = fly the mission for practice, with a seed
 action-profiles = choose a profile
-action-aids = more or less advice that comes by itself
+action-aids = change how much advice comes by itself
 keys-list = lists to choose from
-hint-trainee = who trains
+hint-trainee = profile
 hint-mission = mission
 hint-aids = advice
 
@@ -71,10 +71,10 @@ profiles-now = (now)
 profiles-new = new profile ...
 profiles-guest = Guest (flights are not kept)
 profiles-keys = { $scroll } move   { $submit } takes   { $escape } back
-profiles-in-flight = a mission is under way: end it first, its result is yours
-profiles-nameless = write a name
+profiles-in-flight = a mission is under way: end it first, its result belongs to the present profile
+profiles-nameless = type a name
 prompt-profile = your name
-prompt-profile-advice = flights, credits and designs are kept under it on this machine only
+prompt-profile-advice = flights, credits and designs are stored under it on this machine only
 prompt-seed = seed for practice
 prompt-seed-advice = a number; the same seed is the same flight. { $submit } alone takes that of --seed, or 1. Practice earns nothing
 
@@ -94,7 +94,7 @@ standing-skills = skills: how likely each is mastered
 standing-next = next
 standing-review = review { $when }
 standing-why = why: { $skill }
-standing-lacks = mastered needs: { $lacks }
+standing-lacks = for mastery: { $lacks }
 standing-why-nothing = nothing seen of it yet: fly a mission that trains it
 standing-moved = { $mission }: { $what } { $percent } %, { $when }
 standing-scores = scores by mission

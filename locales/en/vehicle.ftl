@@ -85,7 +85,7 @@ vehicle-fence-breached = BREACHED
 
 vehicle-outputs = outputs
 vehicle-rc-rssi = RC signal { $rssi }
-vehicle-texts = what it says
+vehicle-texts = status texts
 
 vehicle-sensors = sensors and functions
 sensor-good = ok

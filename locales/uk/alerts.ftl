@@ -26,7 +26,7 @@ alert-kind-crash = РОЗБИЛИСЯ
 alert-kind-gps = GPS ненадійний
 alert-kind-ekf = EKF ненадійний
 alert-kind-battery = заряд низький
-alert-kind-way-home = мало заряду додому
+alert-kind-way-home = час повертатися
 alert-kind-vibration = вібрація
 alert-kind-message = серйозне повідомлення
 
@@ -52,9 +52,9 @@ alert-acknowledged = { $count ->
     [few] { $count } тривоги взято до відома: вони лишаються в таблиці, доки не минуть
    *[many] { $count } тривог взято до відома: вони лишаються в таблиці, доки не минуть
 }
-alert-muted = тривоги виду { $kind } тепер беззвучні
+alert-muted = тривоги без звуку: { $kind }
 alert-unmuted = тривоги виду { $kind } знову подають сигнал
-alert-muted-list = беззвучні види: { $kinds }
-alert-muted-none = беззвучних видів немає
+alert-muted-list = без звуку: { $kinds }
+alert-muted-none = усі тривоги подають сигнал
 alert-no-kind = немає виду тривог `{ $word }`
 alert-kinds-are = види: { $kinds }

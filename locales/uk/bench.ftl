@@ -1,23 +1,23 @@
 # Кімната майстерні: верстак, проєкти, порівняння, місця флоту.
 room-workshop = майстерня
-action-workshop = де складають дрони
-action-other-pane = до іншого списку
+action-workshop = майстерня, де складають дрони
+action-other-pane = перейти до іншого списку
 action-take-out = вийняти деталь, проєкт, вибір
 action-buy-part = купити право на деталь
 action-undo = скасувати останню зміну
 action-redo = повторити скасоване
 action-new-design = почати новий проєкт
 action-save-design = зберегти проєкт під назвою
-action-designs = усі проєкти або знову верстак
+action-designs = показати всі проєкти або знову верстак
 action-compare-design = порівняти з іншим проєктом
 action-copy-design = зберегти копію проєкту
 action-rename-design = дати проєкту іншу назву
 action-export-design = записати проєкт у файл
 action-import-design = прочитати проєкт із файлу
-action-next-view = показники, потужність, вантаж, завдання
+action-next-view = показати по черзі показники, потужність, вантаж, завдання
 action-mission-before = складати для попереднього завдання
 action-mission-after = складати для наступного завдання
-action-seats = місця флоту або знову верстак
+action-seats = показати місця флоту або знову верстак
 action-all-seats = обрати проєкт для всіх місць
 action-fly-fleet = летіти завдання цими дронами
 
@@ -76,7 +76,7 @@ bench-seats = { $count ->
    *[many] { $count } дронів
 }
 bench-budget = флот коштує { $cost } з { $budget } cr
-bench-no-budget = флот коштує { $cost } cr; обмеження немає
+bench-no-budget = флот коштує { $cost } cr, без обмеження
 bench-fleet = флот для «{ $mission }»
 bench-fleet-about = на верстаку: { $name }
 bench-lent = позичає завдання
@@ -97,7 +97,7 @@ bench-compared = проєкт
 bench-differs = інакше
 bench-choose-compared = оберіть проєкт і натисніть { $key }, щоб порівняти
 
-bench-no-more = нема чого додати: вже на борту, або місце повне
+bench-no-more = додати не можна: вже на борту, або місце повне
 bench-not-on-board = цього немає на борту
 bench-nothing-to-undo = нема чого скасувати
 bench-nothing-to-redo = нема чого повторити

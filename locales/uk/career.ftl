@@ -2,7 +2,7 @@
 mastery-unknown = не пробували
 mastery-learning = у дорозі
 mastery-mastered = опановано
-mastery-due = час поновити
+mastery-due = час повторити
 lack-chance = { $percent } %
 lack-flights = { $count ->
     [one] ще { $count } політ
@@ -28,10 +28,10 @@ parts-missing = { $design } має деталі, якими { $profile } ще н
 
 profile-created = профіль { $name } створено; літайте з `--profile { $name }`
 profile-none = профілів ще немає; `sortie profile create NAME` створить
-profile-choose = чий? Є: { $known }. Додайте --profile NAME або задайте `profile` у налаштуваннях
-profile-delete = у профілі { $name } польотів: { $flights }. Щоб стерти все, додайте --yes; якщо вони ще можуть знадобитися, спершу `sortie profile export { $name }`
+profile-choose = профіль не вибрано; є: { $known }. Додайте --profile NAME або задайте `profile` у налаштуваннях
+profile-delete = у профілі { $name } польотів: { $flights }. Щоб стерти все, додайте --yes; копію зробить `sortie profile export { $name }`
 profile-deleted = профіль { $name } стерто
-profile-imported = профіль { $name } тут, польотів: { $flights }
+profile-imported = профіль { $name } завантажено, польотів: { $flights }
 profile-bought = { $part }: ліцензія за { $price } кредитів; лишилося { $left }
 profile-not-stored = політ не збережено: { $fault }
 profile-record = із профілем польоти записуються в теку його даних, а спроби рахуються: приберіть --record і --try

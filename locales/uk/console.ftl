@@ -42,7 +42,7 @@ ask-taken-back = скасовано, нічого не зроблено   { $sub
 ask-else = будь-що інше: ні
 
 help-title = довідка   { $scroll } гортають   { $search } шукає   { $key } закриває
-help-none = у довідці такого немає
+help-none = у довідці нічого не знайдено
 help-targets = цілі: 3  1-4,7  @group  all; без цілей - вибрані апарати
 
 small-needs = sortie потребує { $columns }x{ $rows }, а термінал має { $now_columns }x{ $now_rows }
@@ -78,7 +78,7 @@ order-wait-help = консоль ніколи не чекає: дайте нас
 macro-line = рядок { $number } макросу `{ $name }`, `{ $line }`: { $fault }
 macro-endless = макрос зупинено після { $count } рядків: чи не викликає він сам себе?
 
-palette-given-before = віддано раніше
+palette-given-before = попередній рядок
 palette-selects = вибрати для наступних команд
 
 console-no-injects = у цьому завданні вводити події не дозволено

@@ -30,7 +30,7 @@ debrief-drone = дрон { $vehicle }: { $what }
 debrief-vehicle = апарат { $vehicle }: { $what }
 
 debrief-improve = ЩО ПОКРАЩИТИ   (спершу те, що дає найбільше)
-debrief-nothing = Немає нічого, що дало б ще бал.
+debrief-nothing = Більше балів здобути не можна.
 # Щонайбільше 5 колонок.
 debrief-good = добре
 
@@ -72,7 +72,7 @@ debrief-sign-found = знайдено
 debrief-sign-missed = пропущено
 debrief-sign-shades = { $shades } від слабкого до сильного
 debrief-scale = колонка - { $metres } m
-debrief-height = { $metres } м
+debrief-height = { $metres } m
 debrief-found = знайдено { $found } з { $all }, хибних повідомлень { $wrong }
 debrief-gaps = не обстежено: { $area } m², найбільше біля n { $north } e { $east }
 debrief-missed = пропущено: { $kind }, n { $north } e { $east }
@@ -83,7 +83,7 @@ debrief-next = ДАЛІ
 debrief-next-drill = Виконайте вправу { $drill }, а тоді це завдання ще раз, зваживши на одне: { $what }
 debrief-next-again = Наступна спроба: { $what }
 debrief-next-on = Переходьте до наступного завдання.
-debrief-last-mission = після цього завдань немає
+debrief-last-mission = це було останнє завдання
 
 # Карта розбору.
 truth-title = що було насправді

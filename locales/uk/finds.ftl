@@ -30,7 +30,7 @@ detect-advice-wrong = помилкових повідомлень { $wrong }: с
 coverage-result = обстежено { $swept } % (випадковий пошук: { $random } %)
 coverage-outlook = обстежено { $swept } %
 coverage-target = обстежити { $target } %
-coverage-advice = Смуги з кроком у ширину захвату датчика не лишають прогалин: не обстежено { $left } %, хоча пройденого вистачило б на { $coverage } зони.
+coverage-advice = Ведіть смуги з кроком у ширину захвату датчика: не обстежено { $left } %, хоча пройденого шляху вистачило б на { $coverage } зони.
 
 # Дотримання відстані.
 standoff-result = дотримано { $share } %, поруч { $near } s, заблизько { $close } s

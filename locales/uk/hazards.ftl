@@ -10,7 +10,7 @@ load-spray = розчин
 load-kit = набори
 load-node = вузли
 load-dropped = { $what }; лишилося { $left }
-load-nothing = впало там, де це нічого не дає
+load-nothing = вантаж упав там, де це нічого не дає
 load-empty = { $load }: нічого не лишилося, сядьте на майданчик на 20 s
 load-served = вантаж поповнено
 load-shut = його розпилювач закрито
@@ -51,7 +51,7 @@ contain-hits = з користю: { $good } з { $all }
 contain-share = { $percent } % того, що згоріло б
 contain-target = { $percent } %
 contain-quality = скидайте й розпилюйте лише над полум'ям і сухим паливом, повільно й низько
-contain-advice = Почніть із боку, що біжить за вітром: щохвилини він виростає на стільки, як за весь час до того.
+contain-advice = Почніть із боку, куди дме вітер: пожежа подвоюється щохвилини.
 
 # Radiation that vehicles gather.
 dose-most = щонайбільше { $dose } мкЗв

@@ -22,7 +22,7 @@ links-round-trip = туди й назад
 links-dropped = пропущено
 links-dropped-figures = хибна CRC { $crc }, шум { $skipped } B, невідомі номери { $unknown }, не розібрано { $undecoded }
 links-missing = не дійшло
-links-others = крім того
+links-others = інше
 links-other-figures = співрозмовників { $peers }, перез'єднань { $reconnects }, не надіслано { $unsent }
 links-history = { $way }, { $seconds } s, макс. { $most }
 

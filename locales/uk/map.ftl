@@ -13,7 +13,7 @@ map-from-home = від дому
 map-from-vehicle = від
 map-ruler = лінійка
 map-no-vehicle = під курсором немає апарата з відомою позицією
-map-no-samples = жоден датчик ще нічого не показав
+map-no-samples = від датчиків ще немає проб
 map-shows-sensor = виміри датчика { $sensor }
 
 map-legend = позначки
@@ -35,8 +35,8 @@ map-legend-rally = запасна точка (R1)
 map-legend-course = маневр, місце p3
 map-legend-ruler = лінійка
 
-action-left = ліворуч
-action-right = праворуч
+action-left = перейти ліворуч
+action-right = перейти праворуч
 action-zoom-in = наблизити
 action-zoom-out = віддалити
 action-fit = показати все
@@ -46,7 +46,7 @@ action-ruler = міряти звідси або припинити
 action-goto-here = написати `goto` з точкою під курсором
 action-trails = показати або сховати пройдені шляхи
 action-legend = показати або сховати пояснення позначок
-action-next-sensor = виміри наступного датчика
+action-next-sensor = показати виміри наступного датчика
 # Пояснення позначок: щонайбільше 24 колонки.
 map-legend-seen = контакт, один датчик
 map-legend-confirmed = контакт, два датчики

@@ -27,7 +27,7 @@ messages-unknown-id = Такого номера немає в жодному в�
 messages-other-layout = Контрольна сума не збігається з відомою тут будовою повідомлення: будова інша, або кадр пошкоджено.
 messages-extent = зараз { $now }  { $seconds } s: { $low } – { $high }
 messages-not-drawn = не намальовано: { $count }
-messages-uncounted = кадри інших видів, на які забракло місця (такий вигляд має шум): { $count }
+messages-uncounted = кадри інших видів, для яких забракло місця (часто це шум): { $count }
 messages-choose-field = спершу виберіть поле: { $key } переходить до полів
 messages-no-number = { $field } є текстом, графіка не буде
 

@@ -121,15 +121,15 @@ mission-vehicle-gone = його симулятор завершився: апа�
 
 # Що завдання відповідає на дії.
 deed-over = завдання завершено
-deed-launched = це кажуть до зльоту
+deed-launched = можна лише до зльоту
 deed-no-position = його місце невідоме
 deed-no-contacts = немає такого контакту, про який ще не доповіли
-deed-no-mark = у межах 15 m звідти нічого не відмічено
+deed-no-mark = у межах 15 m звідти немає доповіді
 deed-marked-before = про це вже доповіли
 deed-marked = доповідей: { $count }
-deed-no-load = у нього нічого для цього немає
+deed-no-load = на борту немає нічого для цього
 deed-no-hint = у цьому завданні більше немає підказок
-deed-no-mission = завдання немає
+deed-no-mission = завдання не виконується
 
 mission-hint-given = { $percent ->
     [0] підказка рівня { $level } (безкоштовно): { $hint }
@@ -155,7 +155,7 @@ mission-goal-score-result = { $points } балів
 # Пауза.
 mission-paused = пауза { $seconds } s
 pause-begins = ПАУЗА: `continue` або { $key } - далі
-pause-ends = далі
+pause-ends = час іде далі
 pause-is-one = пауза вже триває
 pause-is-none = паузи немає
 pause-not-begun = пауза не потрібна: час піде, коли ви закриєте опис
@@ -175,7 +175,7 @@ speedup-too-little = надто повільно: щонайменше { $least 
 
 # Перед зльотом, на екрані завдання. Назви щонайбільше 14 колонок.
 mission-launch = перед зльотом
-mission-pledge = ваше слово
+mission-pledge = ваш план
 mission-prediction = ваші бали
 mission-prediction-none = { $key } - передбачити їх, як-от `predict 800`: розбір порівняє
 mission-prediction-is = передбачено { $points }
@@ -189,14 +189,14 @@ mission-then = початок
 mission-then-is = { $drones } показує дрони, `{ $command }` приймає команди, { $help } пояснює і те, і те
 mission-contacts-count = контакти { $count }, підтв. { $confirmed }, пов. { $reported }
 mission-marks-count = повідомлено { $count }
-mission-pledge-line = ви сказали: { $words }
+mission-pledge-line = ваш план: { $words }
 mission-said-score = бали { $points }
 
 # Що невідкладне, на всю ширину екрана; коротко в заголовку.
 mission-alert = ! { $seconds } s: { $text }
 mission-alert-short = ! { $seconds } s
-mission-urgent-more = і ще невідкладного: { $count }
-mission-radio-weak = ! { $vehicle } ледь чути: { $margin } dB
+mission-urgent-more = і ще термінового: { $count }
+mission-radio-weak = ! слабкий зв'язок з { $vehicle }: { $margin } dB
 inject-done = введено: { $what }
 
 # Спроби, підказки та спорядження в кімнаті завдання.

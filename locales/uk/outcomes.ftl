@@ -23,7 +23,7 @@ outcome-verb-accepted = { $verb } прийнято
 outcome-verb-in-progress = { $verb } у роботі
 outcome-verb-cancelled = { $verb } скасовано: { $reason }
 outcome-verb-refused = { $verb } відхилено: { $reason }
-outcome-superseded = замість цього { $by }
+outcome-superseded = замінено на { $by }
 outcome-the-reboot = перезапуск
 outcome-answer-lost = видно в телеметрії, відповідь загубилася
 outcome-fell-silent = почато виконання, а далі тиша
@@ -33,7 +33,7 @@ outcome-no-answer = { $tries ->
    *[many] немає відповіді на { $tries } спроб за { $seconds } s
 }
 outcome-no-parameter = можливо, параметра { $name } немає
-outcome-value-became = { $name } = { $value } (просили { $wanted })
+outcome-value-became = { $name } = { $value } (потрібно було { $wanted })
 outcome-other-name = { $outcome } (так у цього апарата зветься { $name })
 outcome-opposite-name = { $outcome } (так у цього апарата зветься { $name }, з протилежним змістом)
 outcome-not-seen = не помічено: { $effect }
@@ -42,14 +42,14 @@ outcome-overtaken = режим { $mode }
 outcome-disarmed = двигуни вимкнено
 outcome-armed = двигуни увімкнено
 outcome-not-sent = не надіслано: { $reason }
-outcome-too-late = не надіслано: { $seconds } s минули, перш ніж звільнилася лінія
+outcome-too-late = не надіслано: { $seconds } s у черзі, строк минув
 outcome-queue-full = не надіслано: у черзі до апарата вже { $count ->
     [one] { $count } команда
     [few] { $count } команди
    *[many] { $count } команд
 }
 outcome-not-heard = не надіслано: такого апарата не чути
-outcome-task-busy = не надіслано: обробка цього апарата не встигає
+outcome-task-busy = не надіслано: обробку цього апарата перевантажено
 
 # Чого чекали в телеметрії; стоїть в outcome-not-seen і подібних.
 effect-nothing = нічого

@@ -17,7 +17,7 @@ parameters-file-twice = { $name } уже має значення { $value } у �
 parameters-file-no-value = { $name } не має значення
 parameters-file-more = після значення більше нічого не має бути
 parameters-file-name = `{ $name }` — не параметр: назва має від 1 до 16 літер, цифр і `_`
-parameters-file-too-large = { $value } — не те число, яке міг би прийняти апарат
+parameters-file-too-large = { $value } — завелике число для апарата
 parameters-file-help = пишіть НАЗВА,ЗНАЧЕННЯ в рядку, а коментарі — після #
 parameters-file-faulty = { $path }:{ $line }:{ $column }: { $fault } { $count ->
     [one] (нічого не завантажено)
@@ -46,7 +46,7 @@ parameters-only-changed = лише змінені
 parameters-setting = встановлюємо: лишилося { $count }
 parameters-sets-on = встановлює на { $vehicles }
 parameters-none-yet = ще нічого не надійшло
-parameters-none-fit = немає назв із такими літерами: { $key } показує всі
+parameters-none-fit = жоден параметр не відповідає: { $key } показує всі
 parameters-none-differ-yet = у тому, що вже надійшло, відмінностей немає
 parameters-none-differ = відмінностей немає: { $key } показує всі
 parameters-none-changed = нічого не змінено: { $key } показує всі
@@ -76,7 +76,7 @@ parameters-set-done = { $failed ->
     [0] параметри встановлено: підтверджено { $confirmed }
    *[other] параметри: підтверджено { $confirmed }, не встановлено { $failed }; причини — у списку
 }
-parameters-stopped = зупинено: ще не надіслано { $count }
+parameters-stopped = зупинено: не записано { $count }
 parameters-nothing-compared = нема чого встановлювати: спершу завантажте файл (l) або порівняйте (d)
 parameters-nothing-marked = не позначено нічого, що можна встановити
 parameters-ask-apply = ВСТАНОВИТИ { $count ->
@@ -98,7 +98,7 @@ prompt-filter-advice = якщо слів кілька, мають траплят
 prompt-parameter = { $name } на { $vehicles }
 prompt-parameter-advice = { $submit } встановлює, { $escape } лишає як є
 prompt-save-parameters = зберегти параметри у файл
-prompt-save-advice = шлях; ~/ — домашня тека. Наявний файл без запитання не замінюється
+prompt-save-advice = шлях; ~/ — домашня тека. Перед заміною файла sortie запитає
 prompt-load-parameters = завантажити параметри з файлу
 prompt-load-advice = спершу побачите відмінності, лише потім щось встановлюється
 prompt-compare-parameters = порівняти з

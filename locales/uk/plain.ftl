@@ -2,8 +2,8 @@
 
 plain-greeting = консоль без екрана: одна команда на рядок, `help` перелічує їх, `quit` — вихід
 plain-asks = { $question }: { $reason }; щоб виконати, наберіть { $answer } та Enter, будь-що інше скасує
-plain-wait-in-vain = не дочекалися: { $line }
-plain-no-room = це є лише в консолі з екраном
+plain-wait-in-vain = час очікування минув: { $line }
+plain-no-room = для цього потрібна консоль з екраном
 plain-critical = КРИТИЧНО
 plain-error = ПОМИЛКА
 plain-warning = увага

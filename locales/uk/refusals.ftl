@@ -1,6 +1,6 @@
 # Чому команда зараз не має сенсу для апарата або чому він її відхилив. Сам апарат названо поруч.
 
-refused-not-heard = ще не виходив на зв'язок
+refused-not-heard = апарат ще не виходив на зв'язок
 refused-not-guided = { $verb } потребує GUIDED, а зараз { $mode }; спершу дайте `{ $vehicle } guided`
 refused-not-armed = { $verb } потребує активних двигунів: спершу дайте `{ $vehicle } arm`
 refused-taking-off = через { $verb } перервався б зліт, який ще триває: зачекайте
@@ -35,8 +35,8 @@ reason-not-now = зараз неможливо, спробуйте ще
 reason-denied = апарат не приймає цих значень
 reason-unsupported = цей автопілот не знає такої команди
 reason-failed = апарат не назвав причини
-reason-cancelled = її замінила інша команда
-reason-long-only = апарат хоче її як COMMAND_LONG
-reason-int-only = апарат хоче її як COMMAND_INT
+reason-cancelled = замінено іншою командою
+reason-long-only = апарат приймає її лише як COMMAND_LONG
+reason-int-only = апарат приймає її лише як COMMAND_INT
 reason-frame = апарат не знає такої системи координат
 reason-other = результат { $number }

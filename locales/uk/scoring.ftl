@@ -27,7 +27,7 @@ scoring-watt-hours = Wh
 scoring-inside-par = краще за норму на { $by } { $unit }
 scoring-over-par = гірше за норму на { $by } { $unit }
 scoring-no-rule-broken = правил не порушено
-scoring-rules-broken = { $worst }; та ще { $more }
+scoring-rules-broken = { $worst }; порушено ще правил: { $more }
 scoring-no-commands = команд не було
 scoring-commands-clean = { $count ->
     [one] { $count } команда, без відмов
@@ -48,7 +48,7 @@ scoring-improve-quality-how = Підвищте якість з { $from } до { 
 scoring-be-faster = До норми часу бракує { $seconds } s.
 scoring-use-less = До норми енергії зекономте { $energy } Wh.
 scoring-advice-commands = Давайте лише команди, які можна виконати, і по одному разу: спершу прочитайте причину відмови.
-scoring-advice-mandatory = Досягніть усього обов'язкового, без цього решта важить мало: { $objectives }.
+scoring-advice-mandatory = Досягніть усього обов'язкового, без цього бал обмежено: { $objectives }.
 scoring-advice-geofence = Не вилітайте за геозону: перш ніж надіслати, звірте числа в goto з картою.
 scoring-advice-height = Не піднімайтеся вище за найбільшу висоту завдання; її вказано в інструктажі.
 scoring-advice-crash = Садіть апарат командою rtl або land і чекайте, доки двигуни деактивуються.
@@ -68,7 +68,7 @@ scoring-alerts-answered = { $count ->
 scoring-alerts-late = { $worst }; запізно ще { $more }
 scoring-alert-unanswered = { $alert }: без відповіді
 scoring-alert-took = { $alert }: { $seconds } s (межа { $limit } s)
-scoring-advice-alerts = Відповідайте на тривоги вчасно: спершу зупиніть, потім читайте. На «{ $alert }» було { $limit } s.
+scoring-advice-alerts = Відповідайте на тривоги вчасно: спершу зупиніть, потім читайте. На «{ $alert }» відводилося { $limit } s.
 
 # Завантаження.
 scoring-none-flown = жоден дрон не літав

@@ -85,7 +85,7 @@ vehicle-fence-breached = ПОРУШЕНО
 
 vehicle-outputs = виходи
 vehicle-rc-rssi = RC сигнал { $rssi }
-vehicle-texts = що каже апарат
+vehicle-texts = тексти стану
 
 vehicle-sensors = датчики та функції
 sensor-good = норма

@@ -120,9 +120,9 @@ measure-spare = запас підйому
 
 workshop-parts = деталі
 workshop-figures = показники
-workshop-findings = що проти нього
-workshop-none = нічого: він літає
+workshop-findings = вади
+workshop-none = немає: літатиме
 workshop-polar = потужність за швидкістю
-workshop-slot = немає місця `{ $slot }`; місця: { $known }
+workshop-slot = невідоме місце `{ $slot }`; місця: { $known }
 workshop-incomplete = у { $name } бракує деталей приводу: нема чого вивантажити
 workshop-exported = записано: { $files }

@@ -158,15 +158,15 @@ fn faults_are_told_at_their_place_and_leave_the_rest_alone() {
         ),
         (
             "table.columns = [\"id\", \"mod\"]",
-            "c.toml:1:25: there is no column `mod` (did you mean `mode`?)",
+            "c.toml:1:25: unknown column `mod` (did you mean `mode`?)",
         ),
         (
             "table.sort = \"-btt\"",
-            "c.toml:1:15: there is no column `btt` (did you mean `bat`?)",
+            "c.toml:1:15: unknown column `btt` (did you mean `bat`?)",
         ),
         (
             "alerts.mute = [\"crash\", \"batery\"]",
-            "c.toml:1:26: no kind of alert is named `batery` (did you mean `battery`?)",
+            "c.toml:1:26: unknown kind of alert: `batery` (did you mean `battery`?)",
         ),
         ("macros.x = \"\\u0061 wrong\"", "c.toml:1:12: no verb"),
         (

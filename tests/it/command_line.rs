@@ -193,7 +193,7 @@ fn missions_and_pilots_of_the_user_are_found_by_name_number_and_id() {
             let output = sortie_in(folder.path(), &["run", name, "--pilot", pilot]);
             let said = text(&output.stderr);
             assert!(
-                said.contains("no command `nonsense`"),
+                said.contains("unknown command `nonsense`"),
                 "{name} {pilot}: {said}"
             );
         }

@@ -179,7 +179,7 @@ fn what_is_named_has_to_be_there_and_right() {
             &["--lang", "de"],
             "--lang must be one of en, uk, not `de`",
         ),
-        (&[], &["--log-level", "sortie=loud"], "levels of the log"),
+        (&[], &["--log-level", "sortie=loud"], "unknown log levels"),
     ];
     for (variables, flags, expected) in cases {
         let arguments = [flags, &["run", "01", "--pilot", "01-air-sample"][..]].concat();

@@ -154,7 +154,7 @@ fn refusals_are_explained_by_the_texts_else_by_the_state() {
             &air,
             &Command::Arming(ArmingCommand::Disarm),
             4,
-            "disarm refused: it is in the air; land it, or say kill to stop the motors",
+            "disarm refused: it is in the air; land it, or use kill to stop the motors",
         ),
         (
             "orbit",
@@ -188,12 +188,12 @@ fn a_parameter_that_kept_its_value_is_noticed() {
     assert_eq!(set(500.0).outcome(500.0), Ok("X = 500".into()));
     assert_eq!(set(0.1).outcome(0.1), Ok("X = 0.1".into()));
     for (wanted, kept, told) in [
-        (1500.7, 1500.0, "X = 1500 (1500.7 was asked for)"),
-        (99_999_999.0, 1e8, "X = 100000000 (99999999 was asked for)"),
+        (1500.7, 1500.0, "X = 1500 (requested: 1500.7)"),
+        (99_999_999.0, 1e8, "X = 100000000 (requested: 99999999)"),
         (
             0.123_456_789,
             0.123_456_79,
-            "X = 0.12345679 (0.123456789 was asked for)",
+            "X = 0.12345679 (requested: 0.123456789)",
         ),
     ] {
         let outcome = set(wanted).outcome(kept);

@@ -233,7 +233,7 @@ fn every_fault_is_reported_where_it_is_in_the_source() {
         [("takeof", (2, 5)), ("arm", (4, 3)), ("@red", (7, 1))]
     );
     let help = faults[1].help.as_ref().map(ToString::to_string);
-    assert_eq!(help.as_deref(), Some("say who, as `all arm`"));
+    assert_eq!(help.as_deref(), Some("name the vehicles, as in `all arm`"));
 }
 
 #[test]

@@ -8,10 +8,10 @@ fn the_exact_word_that_is_wrong_is_named() {
         (
             "all takeof 20",
             "takeof",
-            "no command `takeof`",
+            "unknown command `takeof`",
             "did you mean `takeoff`?",
         ),
-        ("all guied", "guied", "no command", "did you mean `GUIDED`?"),
+        ("all guied", "guied", "unknown command", "did you mean `GUIDED`?"),
         (
             "takeoff",
             "",
@@ -21,18 +21,18 @@ fn the_exact_word_that_is_wrong_is_named() {
         (
             "takeoff high",
             "high",
-            "`high` is no number",
+            "`high` is not a number",
             "expected ALTITUDE",
         ),
         ("takeoff 2000", "2000", "out of range: 0.5 to 1000 m", ""),
         (
             "takeoff 20ft",
             "20ft",
-            "`ft` is no unit for this: use m, km",
+            "`ft` is not a unit for this: use m, km",
             "",
         ),
-        ("takeoff nan", "nan", "no number", ""),
-        ("takeoff inf", "inf", "no number", ""),
+        ("takeoff nan", "nan", "not a number", ""),
+        ("takeoff inf", "inf", "not a number", ""),
         ("takeoff 1e999", "1e999", "too large", ""),
         ("takeoff 20 30", "30", "unexpected", "takeoff ALTITUDE"),
         ("5-2 arm", "5-2", "reversed: use `2-5`", ""),
@@ -80,14 +80,14 @@ fn the_argument_that_is_wrong_or_missing_is_named() {
         (
             "mode qloiter",
             "qloiter",
-            "there is no mode `qloiter` in a copter",
+            "a copter has no mode `qloiter`",
             "did you mean `LOITER`?",
         ),
-        ("yaw -90", "-90", "say `by`", ""),
+        ("yaw -90", "-90", "use `by`", ""),
         (
             "servo 1.5 1500",
             "1.5",
-            "OUTPUT: `1.5` is no whole number",
+            "OUTPUT: `1.5` is not a whole number",
             "",
         ),
         (
@@ -99,10 +99,10 @@ fn the_argument_that_is_wrong_or_missing_is_named() {
         (
             "int DO_REPOSITION 6 -1 1 0 0 50.45 30 40",
             "50.45",
-            "X: `50.45` is no whole number",
+            "X: `50.45` is not a whole number",
             "",
         ),
-        ("long 400 on", "on", "P1: `on` is no number", "expected P1"),
+        ("long 400 on", "on", "P1: `on` is not a number", "expected P1"),
         ("mode 256", "256", "no mode `256`", ""),
         (
             "param set X",
@@ -122,11 +122,11 @@ fn the_argument_that_is_wrong_or_missing_is_named() {
         (
             "relay 1 onn",
             "onn",
-            "none of on, off",
+            "not one of on, off",
             "did you mean `on`?",
         ),
-        ("request ATTITUD", "ATTITUD", "no message", "ATTITUDE"),
-        ("long NAV_TAKEOF", "NAV_TAKEOF", "no MAV_CMD", "NAV_TAKEOFF"),
+        ("request ATTITUD", "ATTITUD", "unknown message", "ATTITUDE"),
+        ("long NAV_TAKEOF", "NAV_TAKEOF", "unknown MAV_CMD", "NAV_TAKEOFF"),
         ("long 70000", "70000", "65535", ""),
         (
             "param set THIS_NAME_IS_TOO_LONG 1",
@@ -135,7 +135,7 @@ fn the_argument_that_is_wrong_or_missing_is_named() {
             "",
         ),
         ("wait all altitude", "", "wait needs", ""),
-        ("wait all altitude 19", "19", "none of", ""),
+        ("wait all altitude 19", "19", "not one of", ""),
         ("wait all speed > 5deg", "5deg", "use m/s", ""),
         ("velocity for 5", "5", "which way?", ""),
     ]);

@@ -205,6 +205,6 @@ fn a_vehicle_that_nobody_asked_is_not_said_to_lack_a_name() {
     );
     vehicle.set("SIM_GPS_DISABLE", 1.0);
     assert_eq!(vehicle.scene.states(2).last(), Some(&RowState::TimedOut));
-    let says = "not sent: its 3.5 s were over before the line was free";
+    let says = "not sent: expired after 3.5 s in the queue";
     assert_eq!(vehicle.outcome(), (RowState::TimedOut, says.to_owned()));
 }

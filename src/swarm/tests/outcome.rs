@@ -83,7 +83,7 @@ fn somebody_in_the_way_is_waited_for() {
         stage
             .notices
             .iter()
-            .any(|said| said.contains("2 is in its way")),
+            .any(|said| said.contains("for 2 to clear the way")),
         "{:?}",
         stage.notices
     );

@@ -94,7 +94,7 @@ fn faults_are_told_at_their_place() {
         (
             "inherits = \"drak\"\n",
             "1:12",
-            "no theme is named `drak`",
+            "unknown theme `drak`",
             "did you mean `dark`?",
         ),
         (
@@ -106,7 +106,7 @@ fn faults_are_told_at_their_place() {
         (
             "inherits = \"dark\"\n[roles]\nok = { fg = \"grin\" }",
             "3:13",
-            "`grin` is no colour",
+            "`grin` is not a colour",
             "#rrggbb",
         ),
         (
@@ -235,7 +235,7 @@ fn what_cannot_be_inherited_is_pointed_at() {
         ),
         (
             "slip",
-            "slip.toml:1:12: no theme is named `chld` (did you mean `child`?)",
+            "slip.toml:1:12: unknown theme `chld` (did you mean `child`?)",
         ),
         ("chil", "there is no theme `chil`: choose one of dark,"),
     ];

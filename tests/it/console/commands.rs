@@ -72,7 +72,7 @@ fn commands_are_filtered_by_vehicle_verb_and_outcome() {
             .press("enter");
         assert_eq!(shown(&console), expected, "{filter}");
     }
-    assert!(console.screen(80, 24).contains("no command fits"));
+    assert!(console.screen(80, 24).contains("no command matches"));
     console.press("esc");
     assert_eq!(shown(console.press("o")), [0], "failed");
     assert_eq!(shown(console.press("o")), [1], "under way");
@@ -146,5 +146,5 @@ fn thousands_of_commands_with_a_filter_stay_quick() {
             explanation: None,
         }));
     }
-    assert!(console.screen(200, 50).contains("11 of 2000 fit"));
+    assert!(console.screen(200, 50).contains("11 of 2000 match"));
 }

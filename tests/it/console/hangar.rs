@@ -369,7 +369,7 @@ fn lines_about_processes_that_are_not_there_are_explained() {
         .expect("an answer")
         .text
         .to_string();
-    assert_eq!(said, "there is no process of vehicle 9");
+    assert_eq!(said, "no process of vehicle 9");
     console.give("hangar");
     assert_eq!(console.state().room(), Room::Hangar);
 }

@@ -51,6 +51,6 @@ fn the_help_shows_what_the_keys_mean_now() {
         let mut lines = screen.lines();
         lines.find(|line| line.contains(words)).unwrap_or_default()
     };
-    assert!(line_of("this help").contains("F2"), "{screen}");
-    assert!(!line_of("this help").contains('?'), "{screen}");
+    assert!(line_of("show this help").contains("F2"), "{screen}");
+    assert!(!line_of("show this help").contains('?'), "{screen}");
 }

@@ -131,7 +131,7 @@ fn a_macro_that_calls_itself_ends_and_one_that_is_wrong_shows_where() {
 fn a_macro_with_a_wrong_line_sends_none_of_its_lines() {
     for (line, reason) in [
         ("wait all armed", "`wait` is for pilot scripts"),
-        ("all takeof 20", "there is no command `takeof`"),
+        ("all takeof 20", "unknown command `takeof`"),
         ("7 takeoff 20", "7"),
         ("show nowhere", "`nowhere`"),
         ("macro inner", "line 1 of the macro `inner`"),

@@ -185,7 +185,7 @@ fn what_the_type_cannot_hold_stays_in_the_prompt() {
             "not sent: ANGLE_MAX takes whole numbers only (int16)",
         ),
         ("nan", "not sent: ANGLE_MAX takes finite numbers only"),
-        ("fast", "`fast` is no number"),
+        ("fast", "`fast` is not a number"),
     ] {
         console.press("ctrl-u").write(value).press("enter");
         assert!(console.effects.is_empty(), "{value}");
@@ -401,7 +401,7 @@ fn vehicles_are_compared_with_each_other() {
     };
     assert_eq!(
         prompt.fault().expect("a fault").to_string(),
-        "there is no vehicle 9"
+        "no vehicle 9"
     );
 }
 

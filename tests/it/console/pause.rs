@@ -69,7 +69,7 @@ fn a_key_and_lines_pause_and_go_on_and_the_screen_says_so() {
     );
     console.hear(SessionEvent::Paused(false));
     assert!(console.give("continue").effects.is_empty());
-    assert!(said(&console).contains("nothing is paused"));
+    assert!(said(&console).contains("not paused"));
 }
 
 #[test]
@@ -169,13 +169,13 @@ fn keys_of_the_brief_ask_for_the_word_and_what_was_said_is_shown() {
     progress.pledge.prediction = Some(800);
     console.hear(SessionEvent::Mission(Box::new(progress)));
     let screen = console.screen(80, 24);
-    assert!(screen.contains("your word"), "{screen}");
+    assert!(screen.contains("your plan"), "{screen}");
     assert!(!screen.contains("goal time 200s"), "{screen}");
     assert!(
         console
             .press("F")
             .screen(80, 24)
-            .contains("you said: 800 points")
+            .contains("your plan: 800 points")
     );
 }
 

@@ -49,7 +49,7 @@ fn the_table_is_ordered_by_any_column_in_either_direction() {
     assert!(
         console
             .screen(120, 40)
-            .contains("there is no column `colour`")
+            .contains("unknown column `colour`")
     );
 }
 
@@ -90,7 +90,7 @@ fn typing_filters_and_what_fits_nothing_is_counted() {
     }
     console.press("/").write("arm");
     assert_eq!(rows(&console), [7, 8, 9, 10, 11, 12], "at every key");
-    assert!(console.screen(80, 24).contains("6 of 12 fit \"arm\""));
+    assert!(console.screen(80, 24).contains("6 of 12 match \"arm\""));
     assert_eq!(
         console.state().session().cursor(),
         Some(7),
@@ -103,7 +103,7 @@ fn typing_filters_and_what_fits_nothing_is_counted() {
     assert!(
         console
             .screen(80, 24)
-            .contains("no vehicle fits \"nonsense\"")
+            .contains("no vehicle matches \"nonsense\"")
     );
     assert!(console.screen(120, 40).contains("(5 hidden)"));
     console.press("esc");
@@ -149,7 +149,7 @@ fn groups_are_named_shown_selected_and_dissolved() {
     assert_eq!(selection(&console), [1, 2, 5, 6]);
     console.give("ungroup blue");
     console.give("select @blue");
-    assert!(console.screen(120, 40).contains("no group is named `blue`"));
+    assert!(console.screen(120, 40).contains("no group `blue`"));
 }
 
 #[test]

@@ -50,7 +50,7 @@ fn a_drone_is_built_from_nothing_for_a_mission_and_saved() {
         let keys = way(&mut bench, part);
         terminal.press("\r").press(&keys).see(name).press("\r");
     }
-    terminal.see("nothing: it flies").see("17.2 min");
+    terminal.see("none: it will fly").see("17.2 min");
 
     // The mission wants a sensor, which costs time in the air.
     terminal.press("vvv").see("── First flight").press("]");
@@ -60,9 +60,9 @@ fn a_drone_is_built_from_nothing_for_a_mission_and_saved() {
     terminal.press("\u{1b}[F\t").see("payload: hover time");
     terminal.press(&keys).see("vapour detector:").press("\r");
     terminal.press("\t").see("✓ vapour detector").press("v");
-    terminal.see("15.9 min").see("what speaks against it");
+    terminal.see("15.9 min").see("problems");
 
-    terminal.press("s").see("keep the design as");
+    terminal.press("s").see("save the design as");
     terminal.press("\u{15}First\r").see("kept: First");
     terminal.press("o").see("yours").press("\u{1b}");
     terminal

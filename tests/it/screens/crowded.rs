@@ -145,9 +145,9 @@ fn of_many_things_that_cannot_wait_the_rest_is_counted() {
     progress.margins_db = (1..=9).map(|id| (id, 1.0)).collect();
     console.hear(SessionEvent::Mission(Box::new(progress)));
     let text = console.screen(80, 24);
-    assert!(text.contains("! 1 is hardly heard: 1 dB"), "{text}");
-    assert!(text.contains("and 8 more that cannot wait"), "{text}");
-    assert!(!text.contains("! 2 is hardly heard"), "{text}");
+    assert!(text.contains("! weak radio link to 1: 1 dB"), "{text}");
+    assert!(text.contains("and 8 more urgent"), "{text}");
+    assert!(!text.contains("! weak radio link to 2"), "{text}");
 }
 
 #[test]

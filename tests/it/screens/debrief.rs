@@ -246,7 +246,7 @@ fn its_keys_fly_again_alike_the_next_and_lead_home() {
     let mut console = debriefed((80, 24));
     console.press("n");
     assert!(console.effects.is_empty());
-    assert!(console.screen(80, 24).contains("no mission after this one"));
+    assert!(console.screen(80, 24).contains("this was the last mission"));
     console.press("h");
     assert_eq!(console.effects, [Effect::Session(SessionEffect::Leave)]);
 }

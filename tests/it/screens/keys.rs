@@ -119,7 +119,7 @@ fn messages_name_the_key_that_is_in_force() {
     let mut console = flying(Room::Fly, file);
     console.press("s");
     let screen = console.screen(120, 40);
-    assert!(screen.contains("F4 turns it round"), "{screen}");
+    assert!(screen.contains("F4 reverses the order"), "{screen}");
     give(&mut console, "show commands");
     let screen = console.screen(120, 40);
     assert!(screen.contains("press F5 and write one"), "{screen}");

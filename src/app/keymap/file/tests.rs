@@ -68,12 +68,12 @@ fn faults_are_told_at_their_place_and_leave_the_rest_alone() {
     let cases = [
         (
             "[fyl]\n",
-            "1:2: there is no context `fyl` (did you mean `fly`?)",
+            "1:2: unknown context `fyl` (did you mean `fly`?)",
         ),
         ("fly = 3\n", "1:7: `fly` is a context: write [fly]"),
         (
             "[fly]\n\"f55\" = \"invert\"\n",
-            "2:1: there is no key `f55`",
+            "2:1: unknown key `f55`",
         ),
         (
             "[fly]\n\"ctrl-m\" = \"invert\"\n",
@@ -81,7 +81,7 @@ fn faults_are_told_at_their_place_and_leave_the_rest_alone() {
         ),
         (
             "[fly]\nx = \"inver\"\n",
-            "2:5: neither an action nor a command is called `inver` (did you mean `invert`?)",
+            "2:5: unknown action or command `inver` (did you mean `invert`?)",
         ),
         ("[fly]\nx = \"all takeof 20\"\n", "2:10: "),
         ("[fly]\nx = \"all takeof ...\"\n", "2:10: "),
@@ -100,11 +100,11 @@ fn faults_are_told_at_their_place_and_leave_the_rest_alone() {
         ),
         (
             "[fly]\nctrl-a = \"invert\"\nCtrl-A = \"select-all\"\n",
-            "3:1: `Ctrl-A` has a meaning in this context already, in line 2",
+            "3:1: `Ctrl-A` is used in this context already, in line 2",
         ),
         (
             "[map]\nx = \"invert\"\n[anywhere]\nx = \"help\"\n",
-            "2:1: `x` has another meaning anywhere, in line 4 (give one of them another key)",
+            "2:1: `x` is used under [anywhere], in line 4 (give one of them another key)",
         ),
         (
             "[fly]\nx = \"invert\"\nx = \"help\"\n",
@@ -141,7 +141,7 @@ fn what_is_shown_reads_back_as_the_same() {
     assert_eq!(keymap(&shown), own, "{shown}");
     assert!(shown.contains("\"F5\" = \"all rtl\" # "), "{shown}");
     assert!(
-        shown.contains("# \"?\" = \"help\" # this help\n"),
+        shown.contains("# \"?\" = \"help\" # show this help\n"),
         "{shown}"
     );
     // Without the comments nothing of the default is left.

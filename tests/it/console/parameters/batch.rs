@@ -98,7 +98,7 @@ fn escape_stops_what_has_not_been_given_yet() {
         text,
     });
     console.press("a").press("y").press("esc");
-    assert_eq!(said(&console), "stopped: 2 not given any more");
+    assert_eq!(said(&console), "stopped: 2 not set");
     row(&mut console, 0, 1, RowState::Done);
     assert!(console.effects.is_empty());
     assert_eq!(said(&console), "parameters set: 1 confirmed");
