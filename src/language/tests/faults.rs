@@ -11,7 +11,12 @@ fn the_exact_word_that_is_wrong_is_named() {
             "unknown command `takeof`",
             "did you mean `takeoff`?",
         ),
-        ("all guied", "guied", "unknown command", "did you mean `GUIDED`?"),
+        (
+            "all guied",
+            "guied",
+            "unknown command",
+            "did you mean `GUIDED`?",
+        ),
         (
             "takeoff",
             "",
@@ -102,7 +107,12 @@ fn the_argument_that_is_wrong_or_missing_is_named() {
             "X: `50.45` is not a whole number",
             "",
         ),
-        ("long 400 on", "on", "P1: `on` is not a number", "expected P1"),
+        (
+            "long 400 on",
+            "on",
+            "P1: `on` is not a number",
+            "expected P1",
+        ),
         ("mode 256", "256", "no mode `256`", ""),
         (
             "param set X",
@@ -126,7 +136,12 @@ fn the_argument_that_is_wrong_or_missing_is_named() {
             "did you mean `on`?",
         ),
         ("request ATTITUD", "ATTITUD", "unknown message", "ATTITUDE"),
-        ("long NAV_TAKEOF", "NAV_TAKEOF", "unknown MAV_CMD", "NAV_TAKEOFF"),
+        (
+            "long NAV_TAKEOF",
+            "NAV_TAKEOF",
+            "unknown MAV_CMD",
+            "NAV_TAKEOFF",
+        ),
         ("long 70000", "70000", "65535", ""),
         (
             "param set THIS_NAME_IS_TOO_LONG 1",

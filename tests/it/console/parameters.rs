@@ -399,10 +399,7 @@ fn vehicles_are_compared_with_each_other() {
     let Some(Overlay::Prompt(prompt)) = console.state().overlay() else {
         panic!("the prompt stays");
     };
-    assert_eq!(
-        prompt.fault().expect("a fault").to_string(),
-        "no vehicle 9"
-    );
+    assert_eq!(prompt.fault().expect("a fault").to_string(), "no vehicle 9");
 }
 
 #[test]

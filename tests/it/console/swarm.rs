@@ -46,11 +46,7 @@ fn the_table_is_ordered_by_any_column_in_either_direction() {
         console.state().overlay(),
         Some(Overlay::Palette(_))
     ));
-    assert!(
-        console
-            .screen(120, 40)
-            .contains("unknown column `colour`")
-    );
+    assert!(console.screen(120, 40).contains("unknown column `colour`"));
 }
 
 #[test]
