@@ -3,29 +3,13 @@
 use mavlink::dialects::ardupilotmega::{RC_CHANNELS_DATA, SERVO_OUTPUT_RAW_DATA};
 
 use crate::vehicle::{RcChannels, Vehicle};
+use crate::wire::first_channels;
 
 /// Applies `RC_CHANNELS`; 65535 and what lies beyond the channel count is unused.
 pub(super) fn apply_rc(vehicle: &mut Vehicle, data: &RC_CHANNELS_DATA) {
-    let mut channels_us = [
-        data.chan1_raw,
-        data.chan2_raw,
-        data.chan3_raw,
-        data.chan4_raw,
-        data.chan5_raw,
-        data.chan6_raw,
-        data.chan7_raw,
-        data.chan8_raw,
-        data.chan9_raw,
-        data.chan10_raw,
-        data.chan11_raw,
-        data.chan12_raw,
-        data.chan13_raw,
-        data.chan14_raw,
-        data.chan15_raw,
-        data.chan16_raw,
-        data.chan17_raw,
-        data.chan18_raw,
-    ];
+    let mut channels_us = [0; 18];
+    channels_us[..16].copy_from_slice(&first_channels!(data));
+    channels_us[16..].copy_from_slice(&[data.chan17_raw, data.chan18_raw]);
     let count = usize::from(data.chancount);
     for (index, channel_us) in channels_us.iter_mut().enumerate() {
         if index >= count || *channel_us == u16::MAX {

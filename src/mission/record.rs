@@ -13,21 +13,20 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-use serde::de::Error as _;
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde::{Deserialize, Serialize};
 
 use super::{Mission, Stake, TICK};
 use crate::commands::Deed;
-use crate::language;
-use crate::ledger::{EntryId, Ledger, LedgerEntry, LedgerRow, Risk, RowState};
+use crate::ledger::{EntryId, Ledger, LedgerEntry, LedgerRow, RowState};
 use crate::scoring::{FlightBackend, FlownBy, Medal, Report};
 use crate::vehicle::{VehicleId, Vehicles};
-use crate::verb::Verb;
 use crate::workshop::Design;
 
+mod line;
 mod observed;
 mod replay;
 
+use line::{EntryLine, RecordChange, RecordLine, RowLine};
 use observed::{ObservedVehicle, WatchedVehicle};
 pub use replay::{Rescored, Stored};
 
@@ -131,111 +130,6 @@ impl End {
         let line: RecordLine = serde_json::from_slice(line).ok()?;
         line.end().copied()
     }
-}
-
-/// One line after the head.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-enum RecordLine {
-    /// A step, and what had changed since the one before. Steps in which nothing did have no line.
-    Tick {
-        /// Mission time in ms.
-        t: u64,
-        #[serde(flatten)]
-        change: RecordChange,
-    },
-    /// A deed of vehicles: [`Flight::act`](super::Flight::act).
-    Act {
-        deed: Deed,
-        vehicles: Vec<VehicleId>,
-    },
-    /// A vehicle that was given up: [`Flight::lose`](super::Flight::lose).
-    Lose {
-        vehicle: VehicleId,
-        #[serde(flatten)]
-        change: RecordChange,
-    },
-    /// An event of the instructor: [`Flight::inject`](super::Flight::inject).
-    Inject { name: String },
-    /// A pause: [`Flight::note_pause`](super::Flight::note_pause).
-    Pause { seconds: u64 },
-    /// The trainee gave up: [`Flight::abandon`](super::Flight::abandon).
-    Abandon,
-    /// What became of commands after the last step, and the score.
-    End {
-        t: u64,
-        #[serde(flatten)]
-        change: RecordChange,
-        end: End,
-    },
-}
-
-impl RecordLine {
-    /// Its mission time in ms, where it has one.
-    fn time(&self) -> Option<u64> {
-        match self {
-            Self::Tick { t, .. } | Self::End { t, .. } => Some(*t),
-            Self::Act { .. }
-            | Self::Lose { .. }
-            | Self::Inject { .. }
-            | Self::Pause { .. }
-            | Self::Abandon => None,
-        }
-    }
-
-    /// What the flight was scored, where the line is its end.
-    fn end(&self) -> Option<&End> {
-        match self {
-            Self::End { end, .. } => Some(end),
-            Self::Tick { .. }
-            | Self::Act { .. }
-            | Self::Lose { .. }
-            | Self::Inject { .. }
-            | Self::Pause { .. }
-            | Self::Abandon => None,
-        }
-    }
-}
-
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-struct RecordChange {
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    v: Vec<ObservedVehicle>,
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    e: Vec<EntryLine>,
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    r: Vec<RowLine>,
-}
-
-/// A command that was given.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-struct EntryLine {
-    id: u32,
-    line: String,
-    #[serde(serialize_with = "verb_name", deserialize_with = "known_verb")]
-    verb: &'static Verb,
-    #[serde(default, skip_serializing_if = "is_none")]
-    risk: Risk,
-    vehicles: Vec<VehicleId>,
-}
-
-/// What became of it with one vehicle.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-struct RowLine {
-    id: u32,
-    vehicle: VehicleId,
-    state: RowState,
-    tries: u8,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    why: Option<String>,
-}
-
-#[expect(
-    clippy::trivially_copy_pass_by_ref,
-    reason = "the serialiser passes references"
-)]
-fn is_none(risk: &Risk) -> bool {
-    *risk == Risk::None
 }
 
 /// Writes the record of a flight while it is flown.
@@ -386,31 +280,6 @@ impl Recorder {
             !entry.is_final()
         });
         change
-    }
-}
-
-#[expect(
-    clippy::trivially_copy_pass_by_ref,
-    reason = "serde passes fields by reference"
-)]
-fn verb_name<S: Serializer>(verb: &&'static Verb, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.serialize_str(verb.name)
-}
-
-fn known_verb<'de, D: Deserializer<'de>>(deserializer: D) -> Result<&'static Verb, D::Error> {
-    let name = String::deserialize(deserializer)?;
-    language::verb(&name).ok_or_else(|| D::Error::custom("no verb"))
-}
-
-impl RowLine {
-    fn of(id: EntryId, row: &LedgerRow) -> Self {
-        Self {
-            id: id.0,
-            vehicle: row.vehicle,
-            state: row.state,
-            tries: row.tries,
-            why: row.explanation.as_ref().map(ToString::to_string),
-        }
     }
 }
 

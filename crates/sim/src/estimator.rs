@@ -10,6 +10,7 @@ mod compass;
 mod faults;
 mod gps;
 mod lanes;
+mod trust;
 
 use std::time::Duration;
 
@@ -21,6 +22,8 @@ use self::compass::Compass;
 pub(super) use self::faults::{Faults, RadioFault};
 pub(super) use self::gps::Fix;
 use self::gps::Receiver;
+use self::trust::Trust;
+pub(super) use self::trust::{FLAGS_GIVEN_UP, FLAGS_GOOD, Ratios};
 use super::body::Body;
 use super::kinematics::STEP_S;
 use super::texts;
@@ -49,37 +52,6 @@ const BLIND_ACCEL_M_S2: f64 = 0.014;
 const LEVEL_ERROR_M_S2: f64 = 0.05;
 /// Errors below this are none.
 const NEGLIGIBLE_M: f64 = 1e-3;
-
-/// Flags of `EKF_STATUS_REPORT`: all good with GPS, without a trusted position, with a constant position.
-pub(super) const FLAGS_GOOD: EkfStatusFlags = FLAGS_DISTRUSTED
-    .union(EkfStatusFlags::EKF_VELOCITY_HORIZ)
-    .union(EkfStatusFlags::EKF_POS_HORIZ_REL)
-    .union(EkfStatusFlags::EKF_POS_HORIZ_ABS)
-    .union(EkfStatusFlags::EKF_PRED_POS_HORIZ_REL)
-    .union(EkfStatusFlags::EKF_PRED_POS_HORIZ_ABS);
-const FLAGS_DISTRUSTED: EkfStatusFlags = EkfStatusFlags::EKF_ATTITUDE
-    .union(EkfStatusFlags::EKF_VELOCITY_VERT)
-    .union(EkfStatusFlags::EKF_POS_VERT_ABS);
-pub(super) const FLAGS_GIVEN_UP: EkfStatusFlags = FLAGS_DISTRUSTED
-    .union(EkfStatusFlags::EKF_VELOCITY_HORIZ)
-    .union(EkfStatusFlags::EKF_CONST_POS_MODE);
-
-/// How far the horizontal position is trusted.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Trust {
-    Good,
-    Distrusted,
-    GivenUp,
-}
-
-/// Test ratios (`EKF_STATUS_REPORT` calls them variances); from 1 on a measurement is rejected.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Ratios {
-    pub(super) velocity: f64,
-    pub(super) position: f64,
-    pub(super) height: f64,
-    pub(super) compass: f64,
-}
 
 /// What surrounds one step of the estimator.
 pub(super) struct Surroundings<'a> {
@@ -174,11 +146,7 @@ impl Estimator {
 
     /// The flags of `EKF_STATUS_REPORT` as they stand now.
     pub(super) fn flags(&self) -> EkfStatusFlags {
-        let mut flags = match self.trust {
-            Trust::Good => FLAGS_GOOD,
-            Trust::Distrusted => FLAGS_DISTRUSTED,
-            Trust::GivenUp => FLAGS_GIVEN_UP,
-        };
+        let mut flags = self.trust.flags();
         if self.barometer.lost {
             flags.remove(EkfStatusFlags::EKF_POS_VERT_ABS);
         }
@@ -407,14 +375,4 @@ impl Estimator {
         self.ratios.compass = self.compass.ratio(around.faults);
         self.ratios.height = self.barometer.ratio;
     }
-}
-
-impl Ratios {
-    /// In flight with everything in order.
-    pub(super) const GOOD: Self = Self {
-        velocity: 0.007,
-        position: 0.01,
-        height: 0.0,
-        compass: compass::GOOD,
-    };
 }

@@ -5,8 +5,8 @@ mod fields;
 use mavlink::MessageData as _;
 use mavlink::dialects::ardupilotmega::{
     AUTOPILOT_VERSION_DATA, COMMAND_ACK_DATA, MISSION_CURRENT_DATA, MavMessage, MavModeFlag,
-    MavResult, MavSeverity, PARAM_REQUEST_READ_DATA, PARAM_VALUE_DATA, RC_CHANNELS_OVERRIDE_DATA,
-    SETUP_SIGNING_DATA, TIMESYNC_DATA,
+    MavResult, MavSeverity, PARAM_REQUEST_READ_DATA, PARAM_VALUE_DATA, SETUP_SIGNING_DATA,
+    TIMESYNC_DATA,
 };
 
 use self::fields::{Addressed, StationRequest};
@@ -16,11 +16,10 @@ use super::commands::{self, Command};
 use super::link::Link;
 use super::parameters::BY_NAME;
 use super::place::Place;
-use super::radio::CHANNELS;
 use super::transfer::{self, Transfers};
 use super::{guided, texts};
 use sortie_geo::LatLon;
-use sortie_wire::{Content, Frame, Outgoing};
+use sortie_wire::{Content, Frame, Outgoing, first_channels};
 
 /// The bit of `SET_MODE` without which its custom mode does not count.
 const CUSTOM_MODE: u8 = MavModeFlag::MAV_MODE_FLAG_CUSTOM_MODE_ENABLED.bits();
@@ -162,7 +161,7 @@ fn hear_pilot(autopilot: &mut Autopilot, message: &MavMessage) {
             autopilot
                 .vehicle
                 .radio
-                .override_channels(channels(data), rules, now);
+                .override_channels(first_channels!(data), rules, now);
         }
         MavMessage::MANUAL_CONTROL(data) if data.target == autopilot.vehicle.system => {
             let now = autopilot.vehicle.uptime();
@@ -207,28 +206,6 @@ fn time(autopilot: &Autopilot, frame: &Frame, ts1: i64) -> MavMessage {
         target_system: frame.system,
         target_component: frame.component,
     })
-}
-
-/// The channels of an override, in order.
-fn channels(data: &RC_CHANNELS_OVERRIDE_DATA) -> [u16; CHANNELS] {
-    [
-        data.chan1_raw,
-        data.chan2_raw,
-        data.chan3_raw,
-        data.chan4_raw,
-        data.chan5_raw,
-        data.chan6_raw,
-        data.chan7_raw,
-        data.chan8_raw,
-        data.chan9_raw,
-        data.chan10_raw,
-        data.chan11_raw,
-        data.chan12_raw,
-        data.chan13_raw,
-        data.chan14_raw,
-        data.chan15_raw,
-        data.chan16_raw,
-    ]
 }
 
 fn read_parameter(autopilot: &Autopilot, link: &mut Link, data: &PARAM_REQUEST_READ_DATA) {

@@ -25,6 +25,29 @@ pub(super) enum ListKind {
     Rally,
 }
 
+impl ListKind {
+    pub(super) const ALL: [Self; 3] = [Self::Mission, Self::Fence, Self::Rally];
+
+    /// The list of a `MAV_MISSION_TYPE`, if it is one of a vehicle's.
+    pub(super) fn numbered(number: u8) -> Option<Self> {
+        Self::ALL.get(usize::from(number)).copied()
+    }
+
+    /// Its number as a `MAV_MISSION_TYPE`.
+    pub(super) fn number(self) -> u8 {
+        self as u8
+    }
+
+    /// How many items there can be.
+    pub(super) fn most(self) -> usize {
+        match self {
+            Self::Mission => 650,
+            Self::Fence => 70,
+            Self::Rally => 46,
+        }
+    }
+}
+
 /// The three lists of a vehicle. They survive a reboot.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Plans {

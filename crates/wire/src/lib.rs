@@ -12,6 +12,8 @@ use mavlink::dialects::ardupilotmega::{
 use mavlink::{MavlinkVersion, Message as _};
 
 mod anatomy;
+#[macro_use]
+mod channels;
 mod decoder;
 mod encoder;
 mod loss;

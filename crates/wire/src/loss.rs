@@ -99,8 +99,8 @@ impl LossMeter {
         if !frame.is_verified() && !self.senders.contains_key(&sender) {
             return SequenceStep::default();
         }
-        let numbering = self.senders.entry(sender);
-        let numbering = numbering.or_insert_with(|| Numbering::beginning_at(frame.sequence));
+        let known = self.senders.entry(sender);
+        let numbering = known.or_insert_with(|| Numbering::beginning_at(frame.sequence));
         let step = numbering.step_to(frame.sequence);
         self.lost = self.lost.saturating_add_signed(step.missing.into());
         step

@@ -68,34 +68,40 @@ pub fn move_cursor(state: &mut State, step: Step) {
     }
 }
 
+const LIST: KeyHint = KeyHint {
+    keys: HintKeys::VehicleList,
+    about: "hint-list",
+};
+
+const LOOK_BACK: KeyHint = hint(
+    &[Action::Show(Room::Ledger), Action::Notices],
+    "hint-look-back",
+);
+
+const ROOMS: KeyHint = hint(
+    &[
+        Action::Show(Room::Map),
+        Action::Show(Room::Vehicle),
+        Action::Show(Room::Parameters),
+        Action::Show(Room::Messages),
+        Action::Show(Room::Links),
+    ],
+    "hint-rooms",
+);
+
 const HINTS: &[KeyHint] = &[
     footer_keys::COMMAND,
     footer_keys::HELP,
     hint(&[Action::Select(SelectAction::Toggle)], "hint-select"),
-    KeyHint {
-        keys: HintKeys::VehicleList,
-        about: "hint-list",
-    },
+    LIST,
     hint(&[Action::Select(SelectAction::SelectAll)], "hint-all"),
     hint(&[Action::View(ViewAction::Filter)], "hint-filter"),
     hint(&[Action::View(ViewAction::Sort)], "hint-sort"),
     hint(&[Action::Acknowledge], "hint-acknowledge"),
     hint(&[Action::Escape], "hint-none"),
     footer_keys::MOVE,
-    hint(
-        &[Action::Show(Room::Ledger), Action::Notices],
-        "hint-look-back",
-    ),
-    hint(
-        &[
-            Action::Show(Room::Map),
-            Action::Show(Room::Vehicle),
-            Action::Show(Room::Parameters),
-            Action::Show(Room::Messages),
-            Action::Show(Room::Links),
-        ],
-        "hint-rooms",
-    ),
+    LOOK_BACK,
+    ROOMS,
 ];
 
 const MISSION_HINTS: &[KeyHint] = &[
@@ -105,27 +111,12 @@ const MISSION_HINTS: &[KeyHint] = &[
     footer_keys::MISSION_HINT,
     hint(&[Action::Show(Room::Mission)], "room-mission"),
     hint(&[Action::Select(SelectAction::Toggle)], "hint-select"),
-    KeyHint {
-        keys: HintKeys::VehicleList,
-        about: "hint-list",
-    },
+    LIST,
     hint(&[Action::Select(SelectAction::SelectAll)], "hint-all"),
     hint(&[Action::Acknowledge], "hint-acknowledge"),
     footer_keys::MOVE,
-    hint(
-        &[Action::Show(Room::Ledger), Action::Notices],
-        "hint-look-back",
-    ),
-    hint(
-        &[
-            Action::Show(Room::Map),
-            Action::Show(Room::Vehicle),
-            Action::Show(Room::Parameters),
-            Action::Show(Room::Messages),
-            Action::Show(Room::Links),
-        ],
-        "hint-rooms",
-    ),
+    LOOK_BACK,
+    ROOMS,
 ];
 
 impl RoomModel for Fly {

@@ -1,6 +1,7 @@
 use super::*;
 use crate::commands::Goal;
 use crate::geo::LatLon;
+use crate::language;
 use crate::mission::fake::Pilot;
 use crate::mission::fake::{do_nothing, fly_the_cells};
 use crate::scoring::{FlightBackend, FlownBy};

@@ -139,30 +139,26 @@ fn kind(mission_type: u8) -> Option<PlanKind> {
     kinds.find(|kind| self::mission_type(*kind) as u8 == mission_type)
 }
 
+/// What both messages that carry an item say in the same fields, with its place.
+macro_rules! wire_item {
+    ($data:expr, $place:expr) => {
+        WireItem {
+            seq: $data.seq,
+            command: $data.command as u16,
+            frame: $data.frame as u8,
+            params: [$data.param1, $data.param2, $data.param3, $data.param4],
+            place: $place,
+            z: $data.z,
+        }
+    };
+}
+
 fn item_int(data: &MISSION_ITEM_INT_DATA) -> PlanItem {
-    let place = LatLon::from_e7(data.x, data.y);
-    WireItem {
-        seq: data.seq,
-        command: data.command as u16,
-        frame: data.frame as u8,
-        params: [data.param1, data.param2, data.param3, data.param4],
-        place,
-        z: data.z,
-    }
-    .read()
+    wire_item!(data, LatLon::from_e7(data.x, data.y)).read()
 }
 
 fn item_float(data: &MISSION_ITEM_DATA) -> PlanItem {
-    let place = LatLon::new(f64::from(data.x), f64::from(data.y));
-    WireItem {
-        seq: data.seq,
-        command: data.command as u16,
-        frame: data.frame as u8,
-        params: [data.param1, data.param2, data.param3, data.param4],
-        place,
-        z: data.z,
-    }
-    .read()
+    wire_item!(data, LatLon::new(f64::from(data.x), f64::from(data.y))).read()
 }
 
 /// An item whose command or frame is newer than the dialect, by its layout on the wire: four parameters, x, y,

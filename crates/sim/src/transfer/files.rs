@@ -1,5 +1,6 @@
 //! `MAVLink` FTP: one session at a time, whichever link it came by.
 
+mod open;
 mod wire;
 
 use std::collections::VecDeque;
@@ -9,6 +10,7 @@ use mavlink::MessageData as _;
 use mavlink::dialects::ardupilotmega::FILE_TRANSFER_PROTOCOL_DATA;
 use mavlink::dialects::ardupilotmega::MavSeverity::MAV_SEVERITY_DEBUG;
 
+use self::open::Open;
 use self::wire::{
     ACCEPTED, BURST_READ, CRC32, CREATE, DATA, FtpRequest, LIST, MAKE_FOLDER, OPEN_RO, OPEN_WO,
     READ, REFUSED, REMOVE_FILE, REMOVE_FOLDER, RENAME, RESET, Refusal, Reply, TERMINATE, WRITE,
@@ -16,10 +18,9 @@ use self::wire::{
 };
 use super::content::{self, FileContent, FilePlace};
 use super::packed;
-use super::tree::{self, Disk, NO_SPACE, NO_SUCH_FILE};
+use super::tree::{Disk, NO_SUCH_FILE};
 use super::{Talk, plan_file};
 use crate::payload::Payload;
-use crate::plan::ListKind;
 
 const MESSAGE: u32 = FILE_TRANSFER_PROTOCOL_DATA::ID;
 /// Requests that wait while a burst is under way; more are lost.
@@ -29,17 +30,6 @@ const SESSION_TIMEOUT: Duration = Duration::from_secs(3);
 /// Messages of one burst at most, and how many of them leave in one step of 10 ms.
 const BURST: usize = 500;
 const BURST_PER_STEP: usize = 2;
-/// Bytes of a file of parameters or of a plan that is being written.
-const MOST_WRITTEN: usize = 64 * 1024;
-
-#[derive(Debug, Clone)]
-enum Open {
-    Reading(FileContent),
-    /// A file on the disk, by its path.
-    Writing(String),
-    WritingParameters(Vec<u8>),
-    WritingPlan(ListKind, Vec<u8>),
-}
 
 /// A burst of messages that is being sent.
 #[derive(Debug, Clone)]
@@ -303,35 +293,16 @@ impl Talk<'_> {
 
     fn read(&mut self, offset: usize, len: usize) -> Result<Vec<u8>, Refusal> {
         let parameters = &self.autopilot.vehicle.parameters;
-        match &mut self.transfers.files.open {
-            None => Err(Refusal::NothingOpen),
-            Some((_, Open::Reading(content))) => {
-                let bytes = content.read(parameters, offset, len)?;
-                if bytes.is_empty() {
-                    return Err(Refusal::EndOfFile);
-                }
-                Ok(bytes.to_vec())
-            }
-            Some(_) => Err(Refusal::Fail),
-        }
+        let open = self.transfers.files.open.as_mut();
+        let (_, open) = open.ok_or(Refusal::NothingOpen)?;
+        open.read(parameters, offset, len)
     }
 
     fn write(&mut self, request: &FtpRequest) -> Result<(), Refusal> {
-        let offset = request.offset as usize;
         let bytes = &request.data[..usize::from(request.size).min(request.data.len())];
         let files = self.files();
-        match &mut files.open {
-            None => return Err(Refusal::NothingOpen),
-            Some((_, Open::Reading(_))) => return Err(Refusal::Fail),
-            Some((_, Open::Writing(path))) => files.disk.write(path, offset, bytes)?,
-            Some((_, Open::WritingParameters(file) | Open::WritingPlan(_, file))) => {
-                if offset.saturating_add(bytes.len()) > MOST_WRITTEN {
-                    return Err(Refusal::System(NO_SPACE));
-                }
-                tree::write_into(file, offset, bytes);
-            }
-        }
-        Ok(())
+        let (_, open) = files.open.as_mut().ok_or(Refusal::NothingOpen)?;
+        open.write(&mut files.disk, request.offset as usize, bytes)
     }
 
     fn crc32(&mut self, request: &FtpRequest) -> Result<u32, Refusal> {

@@ -69,28 +69,6 @@ struct Upload {
     staged: Vec<Item>,
 }
 
-impl ListKind {
-    const ALL: [Self; 3] = [Self::Mission, Self::Fence, Self::Rally];
-
-    fn numbered(number: u8) -> Option<Self> {
-        Self::ALL.get(usize::from(number)).copied()
-    }
-
-    /// Its number as a `MAV_MISSION_TYPE`.
-    fn number(self) -> u8 {
-        self as u8
-    }
-
-    /// How many items there can be.
-    fn most(self) -> usize {
-        match self {
-            Self::Mission => 650,
-            Self::Fence => 70,
-            Self::Rally => 46,
-        }
-    }
-}
-
 impl Lists {
     /// Whether nothing is being uploaded.
     pub(super) fn is_idle(&self) -> bool {

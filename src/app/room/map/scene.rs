@@ -44,6 +44,20 @@ pub enum SketchKind {
     Course,
 }
 
+impl SketchKind {
+    /// What the border of a mission's area means.
+    pub fn of_area(kind: AreaKind) -> Self {
+        match kind {
+            AreaKind::Task => Self::Task,
+            AreaKind::Geofence => Self::Fence,
+            AreaKind::NoFly => Self::NoFly,
+            AreaKind::Jamming => Self::Jamming,
+            AreaKind::People => Self::People,
+            AreaKind::Radio => Self::Radio,
+        }
+    }
+}
+
 impl Sketch {
     fn area(kind: SketchKind, label: &str, outline: &Outline) -> Self {
         Self {
@@ -69,14 +83,7 @@ impl Sketch {
 pub fn sketches(state: &State) -> Vec<Sketch> {
     let known = state.session.areas.iter();
     let areas = known.map(|area| {
-        let kind = match area.kind {
-            AreaKind::Task => SketchKind::Task,
-            AreaKind::Geofence => SketchKind::Fence,
-            AreaKind::NoFly => SketchKind::NoFly,
-            AreaKind::Jamming => SketchKind::Jamming,
-            AreaKind::People => SketchKind::People,
-            AreaKind::Radio => SketchKind::Radio,
-        };
+        let kind = SketchKind::of_area(area.kind);
         Sketch::area(kind, &area.name, &area.outline)
     });
     let mut sketches: Vec<Sketch> = areas.collect();

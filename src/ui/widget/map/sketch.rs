@@ -10,7 +10,7 @@ use super::ground::{outline, sign, stroke};
 use super::legend::draw_scale;
 use crate::app::room::map::SketchKind;
 use crate::geo::{Extent, GridSize, LatLon, Viewport};
-use crate::mission::{Area, AreaKind, Listing};
+use crate::mission::{AreaKind, Listing};
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 
@@ -41,7 +41,12 @@ pub fn draw(mission: &Listing, panel: Panel<'_>, buffer: &mut Buffer) -> bool {
     let mut canvas = Canvas::new(size, panel.look.symbols);
     for zone in &mission.areas {
         let corners = zone.outline.corners();
-        outline(&corners, &view, &mut canvas, stroke(kind(zone)));
+        outline(
+            &corners,
+            &view,
+            &mut canvas,
+            stroke(SketchKind::of_area(zone.kind)),
+        );
     }
     canvas.draw(panel, buffer);
     draw_words(&words(mission, &view), panel, buffer);
@@ -60,17 +65,6 @@ fn extent(mission: &Listing) -> Option<Extent> {
     let has_size = |it: &Extent| it.size_m().iter().any(|&side_m| side_m > 1.0);
     let all = mission.areas.iter().flat_map(|zone| zone.outline.corners());
     within.filter(has_size).or_else(|| Extent::around(all))
-}
-
-fn kind(zone: &Area) -> SketchKind {
-    match zone.kind {
-        AreaKind::Task => SketchKind::Task,
-        AreaKind::Geofence => SketchKind::Fence,
-        AreaKind::NoFly => SketchKind::NoFly,
-        AreaKind::Jamming => SketchKind::Jamming,
-        AreaKind::People => SketchKind::People,
-        AreaKind::Radio => SketchKind::Radio,
-    }
 }
 
 /// The pads first, then places, then areas: of words that would cover each other the first one stays.
@@ -95,7 +89,7 @@ fn words(mission: &Listing, view: &Viewport) -> Vec<Word> {
         .take(few)
         .filter_map(|(name, &at)| word(at, format!("+{name}"), Role::Info));
     let areas = mission.areas.iter().filter_map(|zone| {
-        let kind = kind(zone);
+        let kind = SketchKind::of_area(zone.kind);
         let corners = zone.outline.corners().into_iter();
         let cells = corners.filter_map(|corner| view.cell(corner));
         let (column, row) = cells.min_by_key(|&(column, row)| (row, column))?;

@@ -1,0 +1,59 @@
+//! The file of a session.
+
+use super::wire::Refusal;
+use crate::parameters::Parameters;
+use crate::plan::ListKind;
+use crate::transfer::content::FileContent;
+use crate::transfer::tree::{self, Disk, NO_SPACE};
+
+/// Bytes of a file of parameters or of a plan that is being written.
+const MOST_WRITTEN: usize = 64 * 1024;
+
+/// A file that is being read or written.
+#[derive(Debug, Clone)]
+pub(super) enum Open {
+    Reading(FileContent),
+    /// A file on the disk, by its path.
+    Writing(String),
+    WritingParameters(Vec<u8>),
+    WritingPlan(ListKind, Vec<u8>),
+}
+
+impl Open {
+    /// The bytes at an offset, at most so many.
+    pub(super) fn read(
+        &mut self,
+        parameters: &Parameters,
+        offset: usize,
+        len: usize,
+    ) -> Result<Vec<u8>, Refusal> {
+        let Self::Reading(content) = self else {
+            return Err(Refusal::Fail);
+        };
+        let bytes = content.read(parameters, offset, len)?;
+        if bytes.is_empty() {
+            return Err(Refusal::EndOfFile);
+        }
+        Ok(bytes.to_vec())
+    }
+
+    /// Puts bytes at an offset.
+    pub(super) fn write(
+        &mut self,
+        disk: &mut Disk,
+        offset: usize,
+        bytes: &[u8],
+    ) -> Result<(), Refusal> {
+        match self {
+            Self::Reading(_) => return Err(Refusal::Fail),
+            Self::Writing(path) => disk.write(path, offset, bytes)?,
+            Self::WritingParameters(file) | Self::WritingPlan(_, file) => {
+                if offset.saturating_add(bytes.len()) > MOST_WRITTEN {
+                    return Err(Refusal::System(NO_SPACE));
+                }
+                tree::write_into(file, offset, bytes);
+            }
+        }
+        Ok(())
+    }
+}

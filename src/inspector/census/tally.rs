@@ -1,0 +1,111 @@
+//! What is counted of one kind of message, and how much of it comes per second.
+
+use std::time::Duration;
+
+/// Rates are taken over so many whole seconds.
+const WINDOW_S: u64 = 5;
+/// The seconds of the window, the one that runs, and one that makes the division cheap.
+const SLOTS: usize = 8;
+
+/// What is known of one kind of message.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MessageTally {
+    pub count: u64,
+    /// Their bytes on the wire.
+    pub bytes: u64,
+    /// When the first one came.
+    pub first_at: Duration,
+    /// When the last one came.
+    pub last_at: Duration,
+    /// Whether the checksum of the last one was verified by the dialect.
+    pub is_verified: bool,
+    /// The last one, byte by byte.
+    pub last: Vec<u8>,
+    /// Whether the checksum of the first one was verified.
+    pub(super) was_admitted_verified: bool,
+    slots: [TallySlot; SLOTS],
+}
+
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+struct TallySlot {
+    second: u64,
+    count: u32,
+    bytes: u32,
+}
+
+/// How much comes per second.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Rate {
+    pub hz: f64,
+    pub bytes_s: f64,
+}
+
+impl std::ops::AddAssign for Rate {
+    fn add_assign(&mut self, more: Self) {
+        self.hz += more.hz;
+        self.bytes_s += more.bytes_s;
+    }
+}
+
+impl MessageTally {
+    pub(super) fn new(is_verified: bool, now: Duration) -> Self {
+        Self {
+            count: 0,
+            bytes: 0,
+            first_at: now,
+            last_at: now,
+            is_verified,
+            was_admitted_verified: is_verified,
+            last: Vec::new(),
+            slots: [TallySlot::default(); SLOTS],
+        }
+    }
+
+    pub(super) fn note(&mut self, frame: &[u8], is_verified: bool, now: Duration) {
+        self.count += 1;
+        self.bytes += frame.len() as u64;
+        self.last_at = now;
+        self.is_verified = is_verified;
+        self.last.clear();
+        self.last.extend_from_slice(frame);
+        let second = now.as_secs();
+        let slot = &mut self.slots[(second % SLOTS as u64) as usize];
+        if slot.second != second {
+            *slot = TallySlot {
+                second,
+                ..TallySlot::default()
+            };
+        }
+        slot.count = slot.count.saturating_add(1);
+        slot.bytes = slot.bytes.saturating_add(frame.len() as u32);
+    }
+
+    /// How much came per second over the last five whole seconds; less while it is young.
+    pub fn rate(&self, now: Duration) -> Rate {
+        let running = now.as_secs();
+        let window = running.saturating_sub(WINDOW_S)..running;
+        let (mut count, mut bytes) = (0.0, 0.0);
+        // The second that runs counts only while there is no whole one.
+        let is_young = self.first_at.as_secs() >= running;
+        for slot in self.slots.iter().filter(|slot| slot.count > 0) {
+            if window.contains(&slot.second) || is_young && slot.second == running {
+                count += f64::from(slot.count);
+                bytes += f64::from(slot.bytes);
+            }
+        }
+        let whole = running.saturating_sub(self.first_at.as_secs());
+        // The first second was not whole: it began with the first message.
+        let seconds = match whole {
+            0 => 1.0,
+            1..=WINDOW_S => Duration::from_secs(running)
+                .saturating_sub(self.first_at)
+                .as_secs_f64()
+                .max(1.0),
+            _ => WINDOW_S as f64,
+        };
+        Rate {
+            hz: count / seconds,
+            bytes_s: bytes / seconds,
+        }
+    }
+}
