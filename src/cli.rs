@@ -83,9 +83,9 @@ pub struct CliArguments {
 
 #[derive(Debug, Subcommand)]
 enum CliCommand {
-    /// Straight into a mission, or into free flight without one.
+    /// Begins a mission, or free flight without one.
     Fly(fly::FlyArguments),
-    /// The console on vehicles that are already there.
+    /// Connects the console to vehicles that are already there.
     #[command(after_help = "Examples:\n  \
                             sortie connect tcp:127.0.0.1:5760 tcp:127.0.0.1:5770\n  \
                             sortie connect udpin:0.0.0.0:14550\n  \
@@ -99,15 +99,15 @@ enum CliCommand {
         #[arg(long)]
         plain: bool,
     },
-    /// A pilot script flies a mission without a console; prints the debrief.
+    /// Flies a mission by a pilot script, without a console; prints the debrief.
     Run(run::RunArguments),
     /// Scores a recorded run again and prints its debrief.
     Debrief(debrief::DebriefArguments),
-    /// The embedded simulator as a server for any ground station.
+    /// Serves the embedded simulator to any ground station.
     Sim(sim::SimArguments),
-    /// What works on this machine, what is missing, and how to mend it: terminal, folders, SITL, ports.
+    /// Checks this machine: what works, what is missing, how to mend it; terminal, folders, SITL, ports.
     Doctor(doctor::DoctorArguments),
-    /// SITL processes on this host: a service that starts, watches and ends them, and how to start one by hand.
+    /// Serves SITL processes on this host: starts, watches and ends them; prints how to start one by hand.
     Hangar(Box<hangar::HangarArguments>),
     /// Checks missions, pilot scripts, themes, keymaps and configurations; faults are printed with their line and
     /// column.
@@ -116,18 +116,18 @@ enum CliCommand {
                             sortie check ~/.config/sortie/*.toml\n  \
                             sortie check --fly 01 --seeds 20")]
     Check(check::CheckArguments),
-    /// Who trains here: makes, lists, shows, exports, imports and deletes profiles, and buys parts.
+    /// Makes, lists, shows, exports, imports and deletes profiles, and buys parts.
     Profile(profile::ProfileArguments),
-    /// Own progress over time, as Markdown, CSV or JSON.
+    /// Prints the progress of a profile over time, as Markdown, CSV or JSON.
     Report(report::ReportArguments),
-    /// Parts and designs of drones: what a design can do before it flies.
+    /// Shows parts and designs of drones, and what a design can do before it flies.
     Workshop(workshop::WorkshopArguments),
-    /// Prints what is set and who has set it: flag, environment, file or nobody.
+    /// Prints every setting and its source: flag, environment, file or default.
     Config(config::ConfigArguments),
-    /// Measurements.
+    /// Measures what the program costs.
     #[command(subcommand)]
     Bench(bench::BenchCommand),
-    /// Prints what completes this command line in a shell.
+    /// Prints the completions of this command line for a shell.
     #[command(after_help = "Examples:\n  \
                             sortie completions bash > ~/.local/share/bash-completion/completions/sortie\n  \
                             sortie completions zsh > ~/.zfunc/_sortie\n  \

@@ -22,7 +22,7 @@ mod script;
 /// Options of `sortie check`.
 #[derive(Debug, Args)]
 pub(super) struct CheckArguments {
-    /// Files ending in .toml, whose content tells what they are, or .pilot; or folders with such files.
+    /// Files ending in .pilot or .toml, whose content shows what they are; or folders with such files.
     #[arg(required_unless_present_any = ["fly", "schema", "reference"], value_name = "FILE")]
     files: Vec<PathBuf>,
     /// Flies missions with their reference pilot, a naive one and none at all: the first has to earn silver, the second

@@ -40,7 +40,7 @@ pub(super) struct FlyArguments {
     /// Fly vehicles that are already there instead of simulated ones.
     #[arg(long, value_name = "ADDR", num_args = 1.., conflicts_with_all = ["mission", "vehicles"])]
     connect: Vec<Address>,
-    /// What varies the mission's world; without it every new try is another one.
+    /// Seed of the mission's world; without it every new try has another one.
     #[arg(long)]
     seed: Option<u64>,
     /// Simulated seconds per second.
@@ -58,7 +58,7 @@ pub(super) struct FlyArguments {
 /// Options of `sortie` without a command.
 #[derive(Debug, Args)]
 pub(super) struct HomeArguments {
-    /// What varies the worlds of missions; without it every new try is another one.
+    /// Seed of the missions' worlds; without it every new try has another one.
     #[arg(long)]
     seed: Option<u64>,
     /// Simulated seconds per second.

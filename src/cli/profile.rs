@@ -32,7 +32,7 @@ enum ProfileCommand {
         /// The trainee's name: one line of at most 40 letters.
         name: String,
     },
-    /// Who trains here.
+    /// Lists the profiles.
     #[command(
         after_help = "Examples:\n  sortie profile list\n  sortie profile list --json --data /srv/course"
     )]
@@ -44,7 +44,7 @@ enum ProfileCommand {
     /// Credits, level, licence, missions, skills, and what to train next.
     #[command(after_help = "Examples:\n  sortie profile show anna\n  sortie profile show --json")]
     Show {
-        /// Whose; that of the settings or the only one where none is named.
+        /// The profile; by default the one of the settings, or the only one.
         name: Option<String>,
         /// One JSON document instead of tables.
         #[arg(long)]
@@ -55,7 +55,7 @@ enum ProfileCommand {
                             sortie profile export anna > anna.json\n  \
                             sortie profile export anna --output anna.json")]
     Export {
-        /// Whose; that of the settings or the only one where none is named.
+        /// The profile; by default the one of the settings, or the only one.
         name: Option<String>,
         /// Write to this file; `-` is standard output.
         #[arg(long, value_name = "FILE")]
@@ -77,7 +77,7 @@ enum ProfileCommand {
                             sortie profile export anna --output anna.json\n  \
                             sortie profile delete anna --yes")]
     Delete {
-        /// Whose.
+        /// The profile.
         name: String,
         /// Do not ask.
         #[arg(long)]

@@ -22,7 +22,7 @@ use crate::text::Locale;
     sortie report --format json --output anna.json\n  \
     sortie report --format csv --table missions > missions.csv")]
 pub(super) struct ReportArguments {
-    /// What it is written as.
+    /// Write it in this format.
     #[arg(long, value_enum, default_value = "md")]
     format: Format,
     /// Which table goes into a CSV file.

@@ -58,11 +58,11 @@ pub(super) struct RunArguments {
     /// One JSON document instead of the debrief.
     #[arg(long)]
     json: bool,
-    /// What varies the mission's world; without it 1, and with --profile another one for each try. With --profile, a seed
+    /// Seed of the mission's world; without it 1, and with --profile another one for each try. With --profile, a seed
     /// that is named makes the flight practice.
     #[arg(long)]
     seed: Option<u64>,
-    /// Fly the seed of the day (UTC), which everybody has in common.
+    /// Fly the seed of the day (UTC), the same for all trainees.
     #[arg(long, conflicts_with = "seed")]
     daily: bool,
     /// Refused: exams are flown by hand.

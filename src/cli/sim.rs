@@ -36,7 +36,7 @@ pub(super) struct SimArguments {
     /// Simulated seconds per second.
     #[arg(long, default_value_t = 1.0, value_parser = parse_speedup)]
     speedup: f64,
-    /// What varies the simulation's noise.
+    /// Seed of the simulation's noise.
     #[arg(long, default_value_t = 1)]
     seed: u64,
     /// Boot as slowly as the real autopilot does: the first heartbeat after 1 s, ready for GUIDED after 42 s.

@@ -8,7 +8,7 @@ use crate::store::{Profile, ProfileError, Profiles, open_profiles};
 use crate::text;
 use crate::text::{Locale, Text};
 
-/// The profiles of the data folder; what was damaged or made up for is told.
+/// The profiles of the data folder; with warnings about repaired files and recovered flights.
 ///
 /// # Errors
 /// They cannot be had.
@@ -26,7 +26,7 @@ pub(super) fn open(settings: &CliSettings, locale: &Locale) -> Result<Profiles, 
 /// The profile of a name; without one, that of the settings, or the only one there is.
 ///
 /// # Errors
-/// There is none of this name, or nobody says which.
+/// There is none of this name, or none is chosen.
 pub(super) fn choose(
     profiles: &Profiles,
     name: Option<&str>,

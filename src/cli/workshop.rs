@@ -25,13 +25,13 @@ pub(super) struct WorkshopArguments {
 
 #[derive(Debug, Subcommand)]
 enum WorkshopCommand {
-    /// The parts that there are, of all slots or of one.
+    /// Lists the parts of all slots, or of one.
     #[command(after_help = "Examples:\n  sortie workshop parts\n  sortie workshop parts motor")]
     Parts {
         /// frame, motor, propeller, esc, battery, autopilot, navigation, power, radio or payload.
         slot: Option<String>,
     },
-    /// What a design consists of, what it can do, and what speaks against it.
+    /// Shows the parts of a design, what it can do, and its problems.
     #[command(after_help = "Examples:\n  \
                             sortie workshop show starter\n  \
                             sortie workshop show my-drone.toml --altitude 1500 --battery-temperature -5")]
@@ -44,7 +44,7 @@ enum WorkshopCommand {
         #[arg(long)]
         json: bool,
     },
-    /// Two designs side by side: before, after, and what changes.
+    /// Compares two designs side by side: before, after, and what changes.
     #[command(after_help = "Examples:\n  \
                             sortie workshop compare starter scout\n  \
                             sortie workshop compare mine.toml theirs.toml --temperature 35")]
@@ -56,7 +56,7 @@ enum WorkshopCommand {
         #[command(flatten)]
         air: AirArguments,
     },
-    /// What a mission needs of its drones, and how a design stands to it.
+    /// Compares a design with what a mission needs of its drones.
     #[command(after_help = "Examples:\n  \
                             sortie workshop fit starter 01\n  \
                             sortie workshop fit my-drone.toml 05-night-search")]

@@ -56,7 +56,7 @@ pub const SETTINGS: &[Setting] = &[
         "profile",
         SettingKind::Text,
         Some("SORTIE_PROFILE"),
-        "Whose career it is, by the name of a profile (`sortie profile list`).",
+        "The profile to use (`sortie profile list`).",
     ),
     setting(
         "theme",

@@ -25,7 +25,7 @@ pub(in crate::cli) struct MissionsArguments {
     /// Flies each mission with so many vehicles as well, where it is made for fewer.
     #[arg(long, default_value_t = 8, value_parser = clap::value_parser!(u8).range(1..=100))]
     vehicles: u8,
-    /// What varies the missions' worlds.
+    /// Seed of the missions' worlds.
     #[arg(long, default_value_t = 1)]
     seed: u64,
     /// One JSON document instead of the table.

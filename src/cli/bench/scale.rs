@@ -63,7 +63,7 @@ pub(in crate::cli) struct ScaleArguments {
     /// The least time between two kinds of commands, in seconds; what one asks for is waited for too.
     #[arg(long, default_value_t = 4.0, value_parser = parse_seconds)]
     spacing: f64,
-    /// Who simulates; embedded unless a program is named.
+    /// What simulates the vehicles; embedded unless a program is named.
     #[arg(long, value_enum)]
     backend: Option<SimulatorChoice>,
     #[command(flatten)]

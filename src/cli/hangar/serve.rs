@@ -65,7 +65,7 @@ pub(super) struct ServeArguments {
 /// When an instance that has ended by itself is started again.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum RestartWhen {
-    /// It stays down until somebody asks.
+    /// It stays down until it is started again by hand.
     Never,
     /// At once, and then later and later, until it has failed five times in a row.
     Always,

@@ -13,7 +13,7 @@ pub(in crate::cli) struct Common {
     /// Keep profiles and recorded runs in this folder instead of the one of the user.
     #[arg(long, global = true, value_name = "DIR", help_heading = "Settings")]
     pub data: Option<PathBuf>,
-    /// Whose career it is, by the name of a profile.
+    /// Use this profile: its career, designs and language.
     #[arg(long, global = true, value_name = "NAME", help_heading = "Settings")]
     profile: Option<String>,
     /// The language: en, uk.
