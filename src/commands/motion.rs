@@ -116,42 +116,12 @@ impl MotionCommand {
                 centre,
                 altitude_m,
             } => {
-                let centre = centre.map_or_else(|| position(vehicle), Ok)?;
-                let altitude_m = altitude_m.map_or_else(|| height(vehicle), Ok)?;
                 // Parameter 3: face the centre; 4: circle until told otherwise.
                 let ring = [radius_m as f32, speed_m_s as f32, 0.0, 0.0];
-                let command = MavCmd::MAV_CMD_DO_ORBIT;
-                let fields = IntFields::at(command, FRAME_RELATIVE, ring, centre, altitude_m)?;
-                Request::int(vehicle, &fields)
+                orbit(vehicle, ring, centre, altitude_m)
             }
-            Self::RegionOfInterest { target } => Request::int(
-                vehicle,
-                &match target {
-                    Some((point, height_m)) => {
-                        let command = MavCmd::MAV_CMD_DO_SET_ROI_LOCATION;
-                        IntFields::at(command, FRAME_RELATIVE, [0.0; 4], point, height_m)?
-                    }
-                    None => IntFields {
-                        command: MavCmd::MAV_CMD_DO_SET_ROI_NONE as u16,
-                        frame: FRAME_GLOBAL,
-                        params: [0.0; 4],
-                        x: 0,
-                        y: 0,
-                        z: 0.0,
-                    },
-                },
-            ),
-            Self::SetHome {
-                place: Some((point, height_m)),
-            } => {
-                let command = MavCmd::MAV_CMD_DO_SET_HOME;
-                let fields = IntFields::at(command, FRAME_GLOBAL, [0.0; 4], point, height_m)?;
-                Request::int(vehicle, &fields)
-            }
-            Self::SetHome { place: None } => {
-                let here = LongFields::new(MavCmd::MAV_CMD_DO_SET_HOME, &[1.0]);
-                Request::long(vehicle, &here, confirmation)
-            }
+            Self::RegionOfInterest { target } => look_at(vehicle, target),
+            Self::SetHome { place } => set_home(vehicle, place, confirmation),
         }
     }
 
@@ -197,6 +167,54 @@ impl MotionCommand {
             }
         }
     }
+}
+
+/// Circles around a centre at a height above home; without them, around where the vehicle is and as high.
+fn orbit(
+    vehicle: &Vehicle,
+    ring: [f32; 4],
+    centre: Option<LatLon>,
+    altitude_m: Option<f64>,
+) -> Result<Request, Text> {
+    let centre = centre.map_or_else(|| position(vehicle), Ok)?;
+    let altitude_m = altitude_m.map_or_else(|| height(vehicle), Ok)?;
+    let command = MavCmd::MAV_CMD_DO_ORBIT;
+    let fields = IntFields::at(command, FRAME_RELATIVE, ring, centre, altitude_m)?;
+    Request::int(vehicle, &fields)
+}
+
+/// Points the nose or the camera at a place with its height above home, or at nothing any more.
+fn look_at(vehicle: &Vehicle, target: Option<(LatLon, f64)>) -> Result<Request, Text> {
+    let fields = match target {
+        Some((point, height_m)) => {
+            let command = MavCmd::MAV_CMD_DO_SET_ROI_LOCATION;
+            IntFields::at(command, FRAME_RELATIVE, [0.0; 4], point, height_m)?
+        }
+        None => IntFields {
+            command: MavCmd::MAV_CMD_DO_SET_ROI_NONE as u16,
+            frame: FRAME_GLOBAL,
+            params: [0.0; 4],
+            x: 0,
+            y: 0,
+            z: 0.0,
+        },
+    };
+    Request::int(vehicle, &fields)
+}
+
+/// Makes a place with its height above sea level home, or where the vehicle is.
+fn set_home(
+    vehicle: &Vehicle,
+    place: Option<(LatLon, f64)>,
+    confirmation: u8,
+) -> Result<Request, Text> {
+    let command = MavCmd::MAV_CMD_DO_SET_HOME;
+    let Some((point, height_m)) = place else {
+        let here = LongFields::new(command, &[1.0]);
+        return Request::long(vehicle, &here, confirmation);
+    };
+    let fields = IntFields::at(command, FRAME_GLOBAL, [0.0; 4], point, height_m)?;
+    Request::int(vehicle, &fields)
 }
 
 /// `CONDITION_YAW` with an absolute heading and a direction: 1 clockwise, -1 counter-clockwise, 0 the shortest. A

@@ -88,18 +88,11 @@ impl Kind {
                 }
                 Value::Number(value)
             }
-            Self::Choice(choices) => choices
-                .iter()
-                .find(|choice| first.is(choice))
-                .map(|choice| Value::Word((*choice).to_owned()))
-                .ok_or_else(|| {
-                    Misread::kind(if self.fits_a_usage() {
-                        let choices = choices.join(", ");
-                        text!("grammar-none-of", word = text, choices = choices)
-                    } else {
-                        text!("grammar-no-name", word = text)
-                    })
-                })?,
+            Self::Choice(choices) => {
+                let chosen = choices.iter().find(|choice| first.is(choice));
+                let word = *chosen.ok_or_else(|| self.none_of(choices, text))?;
+                Value::Word(word.to_owned())
+            }
             Self::Mode => Value::Word(mode(text, context)?),
             Self::Point => return point(words, context),
             Self::Area => Value::Area(area(text, context)?),
@@ -116,6 +109,16 @@ impl Kind {
             Self::Rest => return Ok((Value::Word(first.tail.to_owned()), words.len())),
         };
         Ok((value, 1))
+    }
+
+    /// That a word is none of the choices, which are named where there are few.
+    fn none_of(self, choices: &[&str], word: &str) -> Misread {
+        Misread::kind(if self.fits_a_usage() {
+            let choices = choices.join(", ");
+            text!("grammar-none-of", word = word, choices = choices)
+        } else {
+            text!("grammar-no-name", word = word)
+        })
     }
 
     /// The words that this kind of value can be, with what each means.
