@@ -76,6 +76,7 @@ pub use hint::{Clue, Hint, Phase};
 pub use lesson::{LessonStep, STEP_KEY};
 pub use listing::{FitListing, Listing, ObjectiveListing};
 pub use needs::{FitLine, Need};
+pub use objective::NEXT_PLACE;
 pub(crate) use objective::Trying;
 pub use progress::{
     Cell, ClueProgress, Ground, LoadLeft, MovingThing, ObjectiveProgress, ObjectiveState, Progress,
@@ -134,6 +135,8 @@ pub struct Mission {
     pub outlay: Outlay,
     /// Whether it may stand still while somebody thinks.
     pub pausable: bool,
+    /// Whether hints can be asked for; an exam gives none.
+    pub gives_hints: bool,
     /// How many times as fast time may pass in flight.
     pub most_speedup: f64,
     /// How many vehicles fly it.

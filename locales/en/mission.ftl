@@ -73,6 +73,7 @@ mission-translation-empty = `{ $key }` is empty: leave it out, and the English t
 # The mission pane.
 mission-pane = mission  { $elapsed } of { $limit }  score { $score }
 mission-hint = hint: { $hint }
+mission-grounded = a failsafe has landed { $vehicle } ({ $reason }): take off again if the battery lasts, or end with `abandon`: what you have reached counts
 mission-lesson = now: { $step }
 mission-more-cells = more cells on a larger screen
 # At most 6 columns.
@@ -121,6 +122,7 @@ deed-no-mark = no report within 15 m of there
 deed-marked-before = reported already
 deed-marked = { $count } reported
 deed-no-load = no load for that on board
+deed-exam-hint = exams give no hints
 deed-no-hint = this mission has no further hint
 deed-no-mission = no mission is under way
 
@@ -157,7 +159,15 @@ pause-not-allowed = the rules of this mission allow no pause
 pause-refuses = the mission is paused: continue first, then give the command
 pause-refuses-help = `continue` or { $key } goes on; then give the command
 speedup-is = { $rate }x: time passes faster until something happens; { $key } ends it
+speedup-idle = { $rate }x: time passes faster, but no command is under way; { $key } ends it
 speedup-usual = { $rate }x: time passes as usual
+speedup-back = back to real time: { $reason }
+speedup-back-to = back to { $rate }x: { $reason }
+speedup-done = { $verb } of { $vehicle } done
+speedup-row = { $verb } of { $vehicle }: { $state }
+speedup-alert = alert { $alert }, vehicle { $vehicle }
+speedup-same = time passes { $rate }x already
+speedup-limit = { $most }x already: faster is not allowed here
 speedup-nothing = nothing is flown whose time could pass faster
 speedup-not-processes = ArduPilot keeps its own time: choose its pace at the start with --speedup
 speedup-not-real = the time of real drones cannot be changed

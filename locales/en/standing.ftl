@@ -30,8 +30,8 @@ home-daily = seed of the day
 home-exam = exam
 home-practise = practice
 home-seed-none = a seed is a whole number from 0 up
-ask-exam = EXAM
-ask-exam-reason = everybody's seed, no hints, no pause; the result counts
+ask-exam = START the exam
+ask-exam-reason = one seed for all trainees, no hints, no pause; the result counts
 
 # What a mission means to the career: names and what they say.
 mission-career = for your career

@@ -80,6 +80,7 @@ mission-translation-empty = `{ $key }` порожній: приберіть йо
 # Панель завдання.
 mission-pane = завдання  { $elapsed } з { $limit }  бали { $score }
 mission-hint = порада: { $hint }
+mission-grounded = FAILSAFE ({ $reason }) посадив { $vehicle }: злітайте знову, якщо вистачить батареї, або завершіть через `abandon` - досягнуте зараховується
 mission-lesson = зараз: { $step }
 mission-more-cells = решта клітинок на більшому екрані
 # Щонайбільше 6 колонок.
@@ -128,6 +129,7 @@ deed-no-mark = у межах 15 m звідти немає доповіді
 deed-marked-before = про це вже доповіли
 deed-marked = доповідей: { $count }
 deed-no-load = на борту немає нічого для цього
+deed-exam-hint = на іспиті підказок немає
 deed-no-hint = у цьому завданні більше немає підказок
 deed-no-mission = завдання не виконується
 
@@ -165,7 +167,15 @@ pause-not-allowed = правила цього завдання не дозвол
 pause-refuses = на паузі команд не віддають
 pause-refuses-help = `continue` або { $key } - далі; тоді віддайте команду
 speedup-is = { $rate }x: час іде швидше, доки щось не станеться; { $key } повертає звичайний
+speedup-idle = { $rate }x: час іде швидше, але жодна команда не виконується; { $key } повертає звичайний
 speedup-usual = { $rate }x: час іде як звичайно
+speedup-back = знову реальний час: { $reason }
+speedup-back-to = знову { $rate }x: { $reason }
+speedup-done = { $verb } { $vehicle }: готово
+speedup-row = { $verb } { $vehicle }: { $state }
+speedup-alert = тривога { $alert }, апарат { $vehicle }
+speedup-same = час уже йде { $rate }x
+speedup-limit = уже { $most }x: швидше тут не можна
 speedup-nothing = немає польоту, час якого можна прискорити
 speedup-not-processes = ArduPilot має власний час: темп задають під час запуску через --speedup
 speedup-not-real = час справжніх дронів не змінити

@@ -169,8 +169,8 @@ pub enum SessionEffect {
     Pause,
     /// Let simulated time go on.
     Continue,
-    /// So many seconds of simulated time pass in one from now on.
-    Speedup(f64),
+    /// Another pace of simulated time from now on.
+    Speedup(PaceChange),
     /// End the mission now; its report follows as an event.
     Abandon,
     /// Start the same mission again.
@@ -192,4 +192,23 @@ pub enum TerminalEffect {
     Bell,
     /// Show a desktop notification.
     Notify(Text),
+}
+
+/// Another pace of simulated time.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PaceChange {
+    /// How many times as fast as the clock on the wall simulated time passes from now on.
+    pub speedup: f64,
+    /// What ended a faster pace; `None` where the trainee asked for the change.
+    pub because: Option<Text>,
+}
+
+impl PaceChange {
+    /// A pace that the trainee asks for.
+    pub fn wanted(speedup: f64) -> Self {
+        Self {
+            speedup,
+            because: None,
+        }
+    }
 }

@@ -7,7 +7,7 @@ use std::time::Duration;
 use crossterm::event::KeyEvent;
 
 use super::action::Action;
-use super::effect::FileKind;
+use super::effect::{FileKind, PaceChange};
 use super::room::messages::LinkTraffic;
 use super::state::{Activity, Career, Instance, LinkSummary};
 use crate::campaign::Reward;
@@ -132,8 +132,8 @@ pub enum SessionEvent {
     Started(Box<Started>),
     /// Simulated time stopped, or goes on.
     Paused(bool),
-    /// Simulated time passes so many times as fast as the clock on the wall.
-    Speedup(f64),
+    /// Simulated time passes at another pace.
+    Speedup(PaceChange),
     /// How the mission is going.
     Mission(Box<Progress>),
     /// The mission is over.

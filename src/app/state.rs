@@ -238,14 +238,7 @@ impl<R> State<R> {
 
     /// Asks a question that `y` answers with yes.
     pub fn ask(&mut self, question: Text, reason: Text, then: Consequence) {
-        self.overlay = Some(Overlay::Confirm(Confirm {
-            question,
-            reason,
-            answer: "y".to_owned(),
-            typed: String::new(),
-            cancelled: false,
-            then,
-        }));
+        self.overlay = Some(Overlay::Confirm(Confirm::new(question, reason, then)));
     }
 
     /// Asks for a line; what is entered already may be changed.

@@ -32,8 +32,7 @@ mod telemetry;
 pub fn update(state: &mut State, event: Event) -> Effects {
     let (room, had_overlay) = (state.room, state.overlay.is_some());
     let said = state.message().cloned();
-    let alerts = pace::alerts(state);
-    let is_news = alerts.is_some() && pace::is_news(state, &event);
+    let watch = pace::watch(state, &event);
     let mut effects = react(state, event);
     // A message goes with what it was about, unless it has only just been said.
     let is_elsewhere = state.room != room || (state.overlay.is_some() && !had_overlay);
@@ -41,8 +40,8 @@ pub fn update(state: &mut State, event: Event) -> Effects {
         state.hush();
     }
     effects.extend(telemetry::signals(state));
-    if is_news || pace::alerts(state) > alerts && alerts.is_some() {
-        effects.extend(pace::fall_back(state));
+    if let Some(reason) = watch.and_then(|before| pace::news(state, before)) {
+        effects.extend(pace::fall_back(state, reason));
     }
     workshop::weigh(state);
     stay_with_vehicles(state);
@@ -155,7 +154,7 @@ fn session(state: &mut State, event: SessionEvent) {
     match event {
         SessionEvent::Started(started) => telemetry::started(state, *started),
         SessionEvent::Paused(paused) => mission::paused(state, paused),
-        SessionEvent::Speedup(speedup) => pace::changed(state, speedup),
+        SessionEvent::Speedup(change) => pace::changed(state, change),
         SessionEvent::Mission(progress) => telemetry::progress(state, *progress),
         SessionEvent::MissionEnded(report) => telemetry::ended(state, report),
     }

@@ -136,6 +136,7 @@ fn mission(file: &mut FileTable<'_>) -> Option<Mission> {
         requires: requires.unwrap_or_default(),
         rewards: rewards.unwrap_or_default(),
         pausable: rules.pausable,
+        gives_hints: true,
         most_speedup: rules.most_speedup,
         open_parameters: rules.open_parameters,
         vehicles: fleet.pads.len(),

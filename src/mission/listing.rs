@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-use super::objective::ObjectiveScene;
+use super::objective::{GateRoute, ObjectiveScene};
 use super::world::World;
 use super::{Area, Hint, Mission, Need, Outlay, Requires, Rewards};
 use crate::geo::LatLon;
@@ -134,7 +134,7 @@ impl Mission {
             needs: self.needs(),
             fits: self.listed_fits(),
             areas: self.areas(),
-            places: self.places(),
+            places: self.sites(),
             objectives: self.listed_objectives(),
             hints: self.hints.clone(),
             weights: Component::ALL.into_iter().filter_map(weight).collect(),
@@ -151,6 +151,21 @@ impl Mission {
                 .map(crate::scoring::Gate::text)
                 .collect(),
         }
+    }
+
+    /// Its places, and its gates before the seed moves them.
+    fn sites(&self) -> BTreeMap<String, LatLon> {
+        let demands = self.objectives.iter().map(|it| it.kind.demands());
+        let gates = demands.filter_map(|it| it.route).flat_map(|route| {
+            let numbered = route.gates().iter().enumerate();
+            numbered.map(|(index, &[east_m, north_m, _])| {
+                let at = self.origin.place([east_m, north_m]);
+                (GateRoute::name(index), at)
+            })
+        });
+        let mut sites: BTreeMap<String, LatLon> = gates.collect();
+        sites.extend(self.places());
+        sites
     }
 
     /// Vehicles are numbered by their pads, from 1.

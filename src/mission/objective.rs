@@ -203,7 +203,7 @@ pub(crate) struct ObjectiveStanding {
 }
 
 /// What the place to go to next is called.
-pub(crate) const NEXT_PLACE: &str = "next";
+pub const NEXT_PLACE: &str = "next";
 
 /// How long vehicles must stand still on the ground before the flight counts as over.
 pub(crate) const DOWN_FOR: Duration = Duration::from_secs(2);

@@ -86,6 +86,8 @@ pub struct MovingThing {
 pub struct ClueProgress {
     /// Those that were given: level and text, oldest first.
     pub given: Vec<(u8, Text)>,
+    /// Whether the newest is newer than the advice that comes by itself.
+    pub is_news: bool,
     /// The level of the next one that fits now, and the share of the score that it would take.
     pub next: Option<(u8, f64)>,
     /// What is left of the score by those that were given, 0.7 to 1.

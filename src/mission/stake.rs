@@ -27,6 +27,7 @@ impl Mission {
         match stake {
             Stake::Exam => Self {
                 pausable: false,
+                gives_hints: false,
                 hints: Vec::new(),
                 clues: Vec::new(),
                 lesson: Vec::new(),

@@ -323,6 +323,24 @@ fn hints_follow_the_flight() {
     assert!(hint(&pilot).contains("Come home"));
 }
 
+#[test]
+fn after_a_failsafe_the_hint_says_what_happened_and_what_is_possible() {
+    let mut pilot = Pilot::new(1);
+    let hint = |pilot: &Pilot| pilot.flight.progress().hint.unwrap_or_default();
+    pilot.take_off(20.0);
+    pilot.hear("Battery 1 is low 10.50V used 2900 mAh");
+    pilot.tick();
+    assert!(hint(&pilot).contains("slow enough"), "it still flies");
+    pilot.land();
+    assert_eq!(pilot.flight.outcome(), None);
+    let said = hint(&pilot).to_string();
+    let expected = "a failsafe has landed 1 (battery low): take off again";
+    assert!(said.starts_with(expected), "{said}");
+    pilot.set_armed(true);
+    pilot.tick();
+    assert!(!hint(&pilot).contains("failsafe"));
+}
+
 proptest! {
     /// Telemetry may be anything; the mission neither panics nor leaves its bounds.
     #[test]

@@ -52,6 +52,14 @@ pub enum SafetyKind {
 }
 
 impl SafetyKind {
+    /// Whether the autopilot itself has taken over, to land or to come home.
+    pub fn is_failsafe(self) -> bool {
+        matches!(
+            self,
+            Self::BatteryLow | Self::BatteryCritical | Self::OtherFailsafe
+        )
+    }
+
     /// The share of the safety component that is lost at once, and per second that it lasts, and at most.
     fn price(self) -> (f64, f64, f64) {
         match self {

@@ -79,8 +79,8 @@ impl Console {
                 self.go_on();
                 Ok(())
             }
-            SessionEffect::Speedup(speedup) => {
-                self.set_speedup(speedup);
+            SessionEffect::Speedup(change) => {
+                self.set_speedup(change);
                 Ok(())
             }
             SessionEffect::Abandon => {

@@ -1,6 +1,7 @@
 //! Pauses and resumes a session.
 
 use super::{Console, RunningSession};
+use crate::app::effect::PaceChange;
 use crate::app::event::{Event, SessionEvent};
 use crate::notice::Notice;
 use crate::text;
@@ -39,11 +40,11 @@ impl Console {
     }
 
     /// Has simulated time pass faster or slower.
-    pub(super) fn set_speedup(&mut self, speedup: f64) {
+    pub(super) fn set_speedup(&mut self, change: PaceChange) {
         let now = self.clock.now();
         if let Some(running) = &mut self.running {
-            running.set_speedup(speedup, now);
-            self.post(SessionEvent::Speedup(speedup));
+            running.set_speedup(change.speedup, now);
+            self.post(SessionEvent::Speedup(change));
         }
     }
 
@@ -110,6 +111,7 @@ mod tests {
     use crate::mission::Mission;
     use crate::shell::pace::TICK;
     use crate::shell::{ConsoleOptions, Opening, key};
+    use crate::text::Text;
 
     const FIRST: &str = include_str!("../../missions/00-first-flight.toml");
 
@@ -162,8 +164,7 @@ mod tests {
         run(&mut console, 5).await;
         console.feed(key(KeyCode::Char('p'))).await;
         assert!(!console.app.state().session().is_paused());
-        let said = console.app.state().message().map(|it| it.text.clone());
-        assert_eq!(said, Some(text!("pause-not-begun")));
+        assert_eq!(said(&console), Some(text!("pause-not-begun")));
         console
             .feed(TerminalEvent::Line("1 predict 800".to_owned()))
             .await;
@@ -177,6 +178,10 @@ mod tests {
 
     async fn say(console: &mut Console, line: &str) {
         console.feed(TerminalEvent::Line(line.to_owned())).await;
+    }
+
+    fn said(console: &Console) -> Option<Text> {
+        console.app.state().message().map(|it| it.text.clone())
     }
 
     fn pace(console: &Console) -> String {
@@ -202,6 +207,11 @@ mod tests {
         // The takeoff takes 12 s.
         run(&mut console, 3).await;
         assert_eq!(pace(&console), "1");
+        let said = said(&console).map(|it| it.to_string());
+        assert_eq!(
+            said.as_deref(),
+            Some("back to real time: takeoff of 1 done")
+        );
         let before = elapsed(&console);
         run(&mut console, 4).await;
         let passed = elapsed(&console).saturating_sub(before);
@@ -217,12 +227,12 @@ mod tests {
             console.feed(key(KeyCode::Char('>'))).await;
             assert_eq!(pace(&console), expected);
         }
+        assert_eq!(said(&console), Some(text!("speedup-limit", most = "8")));
         console.feed(key(KeyCode::Char('<'))).await;
         assert_eq!(pace(&console), "1");
         say(&mut console, "speedup 20").await;
         assert_eq!(pace(&console), "1");
-        let said = console.app.state().message().map(|it| it.text.clone());
-        assert_eq!(said, Some(text!("speedup-too-much", most = "8")));
+        assert_eq!(said(&console), Some(text!("speedup-too-much", most = "8")));
         say(&mut console, "speedup 0.5").await;
         assert_eq!(pace(&console), "1");
     }

@@ -189,6 +189,7 @@ pub fn progress() -> Progress {
         phase: Phase::Air,
         feedback: None,
         clues: ClueProgress {
+            is_news: false,
             given: Vec::new(),
             next: None,
             factor: 1.0,

@@ -290,3 +290,16 @@ fn what_a_mission_asks_of_a_career_and_gives_to_it_is_read() {
     ];
     assert_eq!(listing.rewards.unlock, unlock);
 }
+
+#[test]
+fn what_a_mission_lists_has_its_gates() {
+    for (id, count) in [("00-first-flight", 3), ("02-formation", 3)] {
+        let path = format!("missions/{id}.toml");
+        let source = std::fs::read_to_string(path).expect("it ships");
+        let listing = Mission::parse(&source).expect("it is good").listing();
+        let gates = (1..=count).map(|number| format!("gate{number}"));
+        for gate in gates {
+            assert!(listing.places.contains_key(&gate), "{id}: {gate}");
+        }
+    }
+}

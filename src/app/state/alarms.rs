@@ -146,7 +146,8 @@ impl Alarms {
         count
     }
 
-    fn open(&self) -> impl Iterator<Item = (VehicleId, &Standing)> {
+    /// What is serious, and nobody has taken note of.
+    pub fn open(&self) -> impl Iterator<Item = (VehicleId, &Standing)> {
         let vehicles = self.standing.keys();
         let standing = vehicles.flat_map(|&id| self.of(id).map(move |one| (id, one)));
         standing.filter(|(_, one)| {

@@ -119,6 +119,18 @@ pub struct Confirm {
 }
 
 impl Confirm {
+    /// A question that `y` answers with yes.
+    pub fn new(question: Text, reason: Text, then: Consequence) -> Self {
+        Self {
+            question,
+            reason,
+            answer: "y".to_owned(),
+            typed: String::new(),
+            cancelled: false,
+            then,
+        }
+    }
+
     /// What would happen, and to whom: `KILL vehicles 1 3 5`.
     pub fn question(&self) -> &Text {
         &self.question

@@ -1,15 +1,19 @@
 //! How fast simulated time passes: faster while nothing happens, as usual again once something does.
 
+use std::collections::BTreeSet;
+
+use crate::alert::AlertKind;
 use crate::app::State;
 use crate::app::action::Action;
-use crate::app::effect::{Effect, Effects, SessionEffect};
+use crate::app::effect::{Effect, Effects, PaceChange, SessionEffect};
 use crate::app::event::{Event, SessionEvent, VehicleEvent};
 use crate::app::state::{Activity, rate};
-use crate::ledger::RowUpdate;
+use crate::ledger::{RowState, RowUpdate};
 use crate::mission::Progress;
+use crate::notice::Notice;
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::Severity;
+use crate::vehicle::{Severity, VehicleId};
 
 /// How fast free flight may pass.
 const FREE_FLIGHT_MOST: f64 = 100.0;
@@ -18,9 +22,12 @@ const KEY_FACTOR: f64 = 2.0;
 
 /// Twice as fast as now, as far as it may go.
 pub fn faster(state: &mut State) -> Effects {
-    let wanted = state.session.pace.now * KEY_FACTOR;
-    let most = most(state).max(state.session.pace.usual);
-    set(state, wanted.min(most))
+    let pace = state.session.pace;
+    let most = most(state).max(pace.usual);
+    if pace.now >= most && obstacle(state, most).is_none() {
+        return refuse(state, text!("speedup-limit", most = rate(most)));
+    }
+    set(state, (pace.now * KEY_FACTOR).min(most))
 }
 
 /// As fast as the session began.
@@ -30,46 +37,113 @@ pub fn usual(state: &mut State) -> Effects {
 
 /// Has time pass so many times as fast as the clock on the wall, where that is possible; says why where it is not.
 pub fn set(state: &mut State, speedup: f64) -> Effects {
-    match obstacle(state, speedup) {
-        Some(reason) => {
-            state.say(Severity::Notice, reason);
-            Effects::none()
-        }
-        None => Effects::from(Effect::Session(SessionEffect::Speedup(speedup))),
+    let now = state.session.pace.now;
+    let is_same = (speedup - now).abs() < f64::EPSILON;
+    let same = || is_same.then(|| text!("speedup-same", rate = rate(now)));
+    match obstacle(state, speedup).or_else(same) {
+        Some(reason) => refuse(state, reason),
+        None => change(PaceChange::wanted(speedup)),
     }
 }
 
-/// Time passes so fast from now on.
-pub fn changed(state: &mut State, speedup: f64) {
-    state.session.pace.now = speedup;
-    let text = if state.session.pace.is_fast() {
-        text!(
-            "speedup-is",
-            rate = rate(speedup),
-            key = state.key(Action::UsualPace)
-        )
+fn refuse(state: &mut State, reason: Text) -> Effects {
+    state.say(Severity::Warning, reason);
+    Effects::none()
+}
+
+fn change(change: PaceChange) -> Effects {
+    Effects::from(Effect::Session(SessionEffect::Speedup(change)))
+}
+
+/// Time passes at another pace from now on.
+pub fn changed(state: &mut State, change: PaceChange) {
+    state.session.pace.now = change.speedup;
+    let rate = rate(change.speedup);
+    if let Some(reason) = change.because {
+        let is_real_time = (change.speedup - 1.0).abs() < f64::EPSILON;
+        let text = if is_real_time {
+            text!("speedup-back", reason = reason)
+        } else {
+            text!("speedup-back-to", rate = rate, reason = reason)
+        };
+        state.notices.push(Notice {
+            at: state.now,
+            vehicle: None,
+            severity: Severity::Notice,
+            kind: None,
+            text: text.clone(),
+        });
+        state.say(Severity::Notice, text);
+    } else if state.session.pace.is_fast() {
+        let key = state.key(Action::UsualPace);
+        if is_anything_under_way(state) {
+            let text = text!("speedup-is", rate = rate, key = key);
+            state.say(Severity::Notice, text);
+        } else {
+            let text = text!("speedup-idle", rate = rate, key = key);
+            state.say(Severity::Warning, text);
+        }
     } else {
-        text!("speedup-usual", rate = rate(speedup))
-    };
-    state.say(Severity::Notice, text);
+        state.say(Severity::Notice, text!("speedup-usual", rate = rate));
+    }
 }
 
-/// How many alerts want to be noticed, if that matters now.
-pub fn alerts(state: &State) -> Option<usize> {
-    let pressing = || state.session.alarms.pressing();
-    state
-        .session
-        .pace
-        .is_fast()
-        .then(|| pressing().map_or(0, |it| it.vehicles.len() + it.others))
+/// Whether a command has not come to its end yet.
+fn is_anything_under_way(state: &State) -> bool {
+    let mut entries = state.session.ledger.entries();
+    entries.any(|entry| !entry.is_final())
 }
 
-/// Whether an event is a reason to look at what happens.
-pub fn is_news(state: &State, event: &Event) -> bool {
+/// What has to be known before an event is taken in, to see whether it is a reason to look at what happens.
+pub struct Watch {
+    /// What the event itself says.
+    reason: Option<Text>,
+    alerts: BTreeSet<(VehicleId, AlertKind)>,
+}
+
+/// Watches an event, while time passes faster than usual.
+pub fn watch(state: &State, event: &Event) -> Option<Watch> {
+    state.session.pace.is_fast().then(|| Watch {
+        reason: reason(state, event),
+        alerts: open_alerts(state),
+    })
+}
+
+/// Why time is to pass as usual again: what an event that has been taken in says, or an alert that it has brought.
+pub fn news(state: &State, before: Watch) -> Option<Text> {
+    before.reason.or_else(|| new_alert(state, &before.alerts))
+}
+
+/// Lets time pass as usual again.
+pub fn fall_back(state: &State, reason: Text) -> Effects {
+    change(PaceChange {
+        speedup: state.session.pace.usual,
+        because: Some(reason),
+    })
+}
+
+fn open_alerts(state: &State) -> BTreeSet<(VehicleId, AlertKind)> {
+    let open = state.session.alarms.open();
+    open.map(|(id, one)| (id, one.alert.kind)).collect()
+}
+
+fn new_alert(state: &State, known: &BTreeSet<(VehicleId, AlertKind)>) -> Option<Text> {
+    let open = state.session.alarms.open();
+    let (vehicle, one) = open
+        .filter(|(id, one)| !known.contains(&(*id, one.alert.kind)))
+        .min_by_key(|(_, one)| one.alert.severity)?;
+    let alert = one.alert.text.clone();
+    Some(text!("speedup-alert", vehicle = vehicle, alert = alert))
+}
+
+/// Why an event is a reason to look at what happens, if it is one.
+fn reason(state: &State, event: &Event) -> Option<Text> {
     match event {
-        Event::Vehicle(VehicleEvent::Row(row)) => ends_a_movement(state, row),
-        Event::Session(SessionEvent::Mission(progress)) => has_something_to_say(state, progress),
-        Event::Notice(notice) => notice.severity <= Severity::Warning,
+        Event::Vehicle(VehicleEvent::Row(row)) => end_of_movement(state, row),
+        Event::Session(SessionEvent::Mission(progress)) => said_by_mission(state, progress),
+        Event::Notice(notice) => {
+            (notice.severity <= Severity::Warning).then(|| notice.text.clone())
+        }
         Event::Tick { .. }
         | Event::Terminal(_)
         | Event::Vehicle(_)
@@ -80,28 +154,33 @@ pub fn is_news(state: &State, event: &Event) -> bool {
         | Event::File(_)
         | Event::NoticesDropped(_)
         | Event::Answer(_)
-        | Event::Failed(_) => false,
+        | Event::Failed(_) => None,
     }
 }
 
-/// Lets time pass as usual again, because something has happened.
-pub fn fall_back(state: &State) -> Effects {
-    let usual = state.session.pace.usual;
-    Effects::from(Effect::Session(SessionEffect::Speedup(usual)))
-}
-
-fn ends_a_movement(state: &State, row: &RowUpdate) -> bool {
-    let entry = state.session.ledger.entry(row.entry);
-    let moves = entry.is_some_and(|entry| entry.verb.movement.moves());
-    row.state.is_failure() || (moves && row.state.is_final())
-}
-
-fn has_something_to_say(state: &State, progress: &Progress) -> bool {
-    let known = state.session.mission.as_ref();
-    known.is_some_and(|known| {
-        let more_alerts = progress.alerts.len() > known.alerts.len();
-        more_alerts || (progress.feedback.is_some() && progress.feedback != known.feedback)
+fn end_of_movement(state: &State, row: &RowUpdate) -> Option<Text> {
+    let verb = state.session.ledger.entry(row.entry)?.verb;
+    let is_end = row.state.is_failure() || (verb.movement.moves() && row.state.is_final());
+    let (verb, vehicle) = (verb.name, row.vehicle);
+    is_end.then(|| {
+        if row.state == RowState::Done {
+            return text!("speedup-done", verb = verb, vehicle = vehicle);
+        }
+        let state = row.state.text();
+        text!("speedup-row", verb = verb, vehicle = vehicle, state = state)
     })
+}
+
+fn said_by_mission(state: &State, progress: &Progress) -> Option<Text> {
+    let known = state.session.mission.as_ref()?;
+    let alerts = &progress.alerts;
+    let is_known = |text: &Text| known.alerts.iter().any(|old| old.text == *text);
+    if alerts.len() > known.alerts.len() {
+        let new = alerts.iter().find(|it| !is_known(&it.text));
+        return new.or(alerts.first()).map(|it| it.text.clone());
+    }
+    let feedback = progress.feedback.clone();
+    feedback.filter(|_| progress.feedback != known.feedback)
 }
 
 /// How fast time may pass.

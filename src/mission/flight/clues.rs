@@ -25,7 +25,12 @@ struct GivenClue {
     at: Duration,
     /// Its place among the mission's clues.
     index: usize,
+    /// What was shown by itself then.
+    beside: Running,
 }
+
+/// What is shown by itself, by its place: advice for the phase, or a step of the lesson.
+type Running = (Phase, Option<usize>);
 
 impl Default for CluesGiven {
     fn default() -> Self {
@@ -74,6 +79,9 @@ impl CluesGiven {
 impl Flight {
     /// Gives the next clue that fits.
     pub(super) fn give_clue(&mut self) -> Result<Text, Text> {
+        if !self.mission.gives_hints {
+            return Err(text!("deed-exam-hint"));
+        }
         let index = self.next_clue().ok_or_else(|| text!("deed-no-hint"))?;
         let clue = &self.mission.clues[index];
         let price = self.clues.used(&self.mission).price(clue.level);
@@ -83,8 +91,12 @@ impl Flight {
             percent = (price * 100.0).round() as u32,
             hint = self.filled(&clue.text)
         );
-        let at = self.elapsed;
-        self.clues.given.push(GivenClue { at, index });
+        let given = GivenClue {
+            at: self.elapsed,
+            index,
+            beside: self.running_advice(),
+        };
+        self.clues.given.push(given);
         let kind = EventKind::Hint;
         self.journal
             .record(JournalEntry::new(kind, Severity::Info, text.clone()));
@@ -101,9 +113,14 @@ impl Flight {
             given: given
                 .map(|(_, clue)| (clue.level, self.filled(&clue.text)))
                 .collect(),
+            is_news: self.clues.given.last().map(|it| it.beside) == Some(self.running_advice()),
             next: next.map(|level| (level, used.price(level))),
             factor: used.factor(),
         }
+    }
+
+    fn running_advice(&self) -> Running {
+        (self.phase(&self.standings()), self.lesson_step)
     }
 
     fn next_clue(&self) -> Option<usize> {

@@ -23,7 +23,7 @@ impl Flight {
 }
 
 /// The second mission with two hints of ours to be asked for instead of its own.
-fn with_clues() -> Arc<Mission> {
+fn with_clues() -> Mission {
     let clues = "[[hints]]\nlevel = 2\nobjective = \"cells\"\ntext = \"Fly {next_cell} next.\"\n\
                  [[hints]]\nlevel = 1\nphase = \"ground\"\ntext = \"Look at the wind.\"\n";
     let source = include_str!("../../../missions/01-air-sample.toml");
@@ -32,7 +32,7 @@ fn with_clues() -> Arc<Mission> {
         .expect("it has hints to be asked for");
     let (_, scoring) = own.split_once("[scoring]").expect("it is scored");
     let source = format!("{before}{clues}[scoring]{scoring}");
-    Arc::new(Mission::parse(&source).expect("it is good"))
+    Mission::parse(&source).expect("it is good")
 }
 
 fn ask(flight: &mut Flight) -> (RowState, String) {
@@ -44,7 +44,7 @@ fn ask(flight: &mut Flight) -> (RowState, String) {
 #[test]
 fn hints_come_one_by_one_and_cost_from_the_second_try_on() {
     for (attempt, factor) in [(1, 1.0), (2, 0.93)] {
-        let mut flight = Flight::new(with_clues(), 1);
+        let mut flight = Flight::new(Arc::new(with_clues()), 1);
         flight.set_attempt(attempt);
         assert!(ask(&mut flight).1.contains("Look at the wind."));
         assert!(ask(&mut flight).1.contains("Fly A1 next."));
@@ -59,6 +59,14 @@ fn hints_come_one_by_one_and_cost_from_the_second_try_on() {
         assert!((report.hint_factor - factor).abs() < 1e-9);
         assert_eq!(flight.progress().clues.given.len(), 2);
     }
+}
+
+#[test]
+fn an_exam_says_that_it_gives_no_hints() {
+    let mission = with_clues().flown_for(Stake::Exam);
+    let mut flight = Flight::new(Arc::new(mission), 1);
+    let refused = (RowState::Refused, "exams give no hints".to_owned());
+    assert_eq!(ask(&mut flight), refused);
 }
 
 #[test]

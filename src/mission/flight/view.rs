@@ -11,7 +11,8 @@ use crate::mission::{
     Area, Cell, Ground, LessonStep, MovingThing, NEXT_CELL, ObjectiveProgress, ObjectiveState,
     Phase, Progress, Reading,
 };
-use crate::scoring::score;
+use crate::scoring::{SafetyEvent, score};
+use crate::text;
 use crate::text::Text;
 
 impl Flight {
@@ -99,14 +100,40 @@ impl Flight {
 
     /// The step of the lesson that is to be shown.
     fn lesson(&self) -> Option<LessonStep> {
+        if self.grounding().is_some() {
+            return None;
+        }
         let step = self.mission.lesson.get(self.lesson_step?)?;
         self.ended.is_none().then(|| step.clone())
     }
 
     fn hint(&self, standings: &[ObjectiveStanding]) -> Option<Text> {
         let phase = self.phase(standings);
+        let grounding = self.grounding().filter(|_| phase == Phase::Ground);
+        if let Some(event) = grounding.filter(|_| self.ended.is_none()) {
+            let vehicle = event.vehicle;
+            return Some(text!(
+                "mission-grounded",
+                vehicle = vehicle,
+                reason = event.text.clone()
+            ));
+        }
         let found = self.mission.hints.iter().find(|hint| hint.phase == phase)?;
         self.ended.is_none().then(|| self.filled(&found.text))
+    }
+
+    /// The failsafe that ended the last flight, once no vehicle is in the air or about to be.
+    fn grounding(&self) -> Option<&SafetyEvent> {
+        let is_active = |craft: &Craft| !craft.lost && (craft.armed || craft.airborne);
+        if self.crafts.iter().any(is_active) {
+            return None;
+        }
+        let mut events = self.journal.broken_rules().iter().rev();
+        events.find(|event| {
+            let mut crafts = self.crafts.iter();
+            let is_down = crafts.any(|craft| craft.id == event.vehicle && craft.is_down());
+            is_down && event.kind.is_failsafe()
+        })
     }
 
     /// The phase of the flight, for hints.

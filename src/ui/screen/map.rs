@@ -10,8 +10,15 @@ use crate::text::figure;
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::map::{draw as draw_map, draw_legend, length};
-use crate::ui::widget::{below, columns, put, row_of, upper, urgent};
+use crate::ui::widget::map::{draw as draw_map, draw_legend, length, next_place, stamp};
+use crate::ui::widget::{below, columns, mission, put, row_of, upper, urgent, wrap};
+
+/// Rows of a lesson at most.
+const LESSON_ROWS: usize = 3;
+/// Columns of the north mark, and one to be apart from it.
+const NORTH_MARK: u16 = 4;
+/// Rows of the scales below.
+const SCALE_ROWS: u16 = 2;
 
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let map = state.rooms().map();
@@ -37,6 +44,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         buffer,
     );
     if let Some(view) = map.view(GridSize::new(canvas.width, canvas.height)) {
+        draw_lesson(state, &view, panel.at(canvas), buffer);
         let cursor = map.pointed(&view);
         draw_cursor(&view, cursor, panel.at(canvas), buffer);
         let whole = place_line(state, panel.look, cursor, true);
@@ -51,6 +59,29 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
             0,
             &line,
         );
+    }
+}
+
+/// The step of a lesson: whoever was sent to the map must not have to go back to read on. It is where it does not
+/// cover what it sends to.
+fn draw_lesson(state: &State, view: &Viewport, panel: Panel<'_>, buffer: &mut Buffer) {
+    let Some(step) = state.session().mission().and_then(mission::lesson) else {
+        return;
+    };
+    let room = panel.columns(0, panel.area.width.saturating_sub(NORTH_MARK));
+    let mut lines = wrap(&panel.text(&step), room.width());
+    lines.truncate(LESSON_ROWS);
+    let (rows, top) = (lines.len() as u16, urgent::height(state));
+    let next = next_place(state).and_then(|at| view.cell(at));
+    let is_over_next = next.is_some_and(|(_, row)| row <= top + rows);
+    let first = if is_over_next {
+        panel.area.height.saturating_sub(rows + SCALE_ROWS)
+    } else {
+        top
+    };
+    for (row, line) in (first..).zip(&lines) {
+        let here = room.at(row_of(room.area, row));
+        stamp(line, panel.style(Role::Accent), here, buffer);
     }
 }
 

@@ -25,7 +25,10 @@ mod sketch;
 mod squares;
 mod swept;
 mod truth;
+mod ways;
 
+pub use ground::next_place;
+pub use labels::stamp;
 pub use legend::{draw as draw_legend, length};
 pub use sketch::draw as draw_site;
 pub use truth::draw as draw_truth;

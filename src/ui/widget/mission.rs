@@ -74,20 +74,27 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// What advises the trainee now, in lines of a width.
+/// What advises the trainee now, in lines of a width: what was asked for, until other advice comes by itself.
 pub fn hint_lines(progress: &Progress, width: usize, look: &Look) -> Vec<String> {
     let asked_for = progress.clues.given.last();
     let given =
         asked_for.map(|(level, hint)| text!("mission-hint-of", level = *level, hint = hint));
-    let lesson = progress.lesson.as_ref();
-    let step = lesson.map(|step| text!("mission-lesson", step = &step.text));
     let own = progress.hint.as_ref();
     let hint = own.map(|hint| text!("mission-hint", hint = hint));
-    given
-        .into_iter()
-        .chain(step.or(hint))
-        .flat_map(|text| wrap(&look.text(&text), width))
-        .collect()
+    let running = lesson(progress).or(hint);
+    let shown = if progress.clues.is_news {
+        given.or(running)
+    } else {
+        running.or(given)
+    };
+    let lines = shown.map(|text| wrap(&look.text(&text), width));
+    lines.unwrap_or_default()
+}
+
+/// The step of the lesson, where there is one.
+pub fn lesson(progress: &Progress) -> Option<Text> {
+    let step = progress.lesson.as_ref()?;
+    Some(text!("mission-lesson", step = &step.text))
 }
 
 /// What has been found and reported, and what the trainee has said: a line for each where there is anything.

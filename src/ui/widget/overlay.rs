@@ -13,10 +13,14 @@ use crate::text;
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{centred, clip, put, wrap};
+use crate::ui::widget::{centred, put, wrap};
 
 /// Columns that one column of help takes.
 const HELP_COLUMN: u16 = 74;
+
+/// Columns of a question, with its frame, and those of the frame.
+const CONFIRM_WIDTH: u16 = 64;
+const CONFIRM_FRAME: u16 = 4;
 
 /// Draws an overlay; those with a text cursor have files of their own.
 pub fn draw(state: &State, overlay: &Overlay, panel: Panel<'_>, buffer: &mut Buffer) {
@@ -33,12 +37,9 @@ pub fn draw(state: &State, overlay: &Overlay, panel: Panel<'_>, buffer: &mut Buf
     }
 }
 
+/// Draws a question as high as it is, with its reason, so that no word of it is cut.
 fn draw_confirm(state: &State, question: &Confirm, panel: Panel<'_>, buffer: &mut Buffer) {
-    let place = centred(64, 8, panel.area);
-    let inner = panel
-        .at(place)
-        .boxed(&panel.say("ask-sure"), Role::Danger, buffer);
-    let width = usize::from(inner.width);
+    let width = usize::from(CONFIRM_WIDTH - CONFIRM_FRAME);
     let answer = question.wanted();
     let request = if question.wants_one_key() {
         text!("ask-press", answer = answer)
@@ -50,32 +51,36 @@ fn draw_confirm(state: &State, question: &Confirm, panel: Panel<'_>, buffer: &mu
         panel.text(question.question()),
         panel.text(&request)
     );
-    let mut row = 0;
-    for line in wrap(&text, width).into_iter().take(3) {
-        put(
-            buffer,
-            inner,
-            row,
-            &Line::styled(line, panel.style(Role::Danger)),
-        );
-        row += 1;
+    let danger = panel.style(Role::Danger);
+    let asked = wrap(&text, width).into_iter();
+    let reason = wrap(&panel.text(question.reason()), width);
+    let mut lines: Vec<Line<'_>> = asked.map(|line| Line::styled(line, danger)).collect();
+    lines.extend(reason.into_iter().map(Line::raw));
+    lines.push(Line::default());
+    lines.push(typed_line(state, question, panel));
+    let place = centred(CONFIRM_WIDTH, lines.len() as u16 + 2, panel.area);
+    let inner = panel
+        .at(place)
+        .boxed(&panel.say("ask-sure"), Role::Danger, buffer);
+    for (row, line) in (0..).zip(&lines) {
+        put(buffer, inner, row, line);
     }
-    let reason = clip(&panel.text(question.reason()), width);
-    put(buffer, inner, row, &Line::raw(reason));
-    let typed = if question.is_cancelled() {
+}
+
+/// What has been typed of the answer, and what anything else means.
+fn typed_line(state: &State, question: &Confirm, panel: Panel<'_>) -> Line<'static> {
+    if question.is_cancelled() {
         let text = panel.text(&text!(
             "ask-taken-back",
             submit = state.keymap().key(Action::Submit, Place::Prompt),
             escape = state.keymap().key(Action::Escape, Place::Prompt)
         ));
-        Line::styled(text, panel.style(Role::Warning))
-    } else {
-        Line::from(vec![
-            Span::styled(typed_so_far(question), panel.style(Role::Key)),
-            Span::styled(panel.say("ask-else"), panel.style(Role::Muted)),
-        ])
-    };
-    put(buffer, inner, row + 2, &typed);
+        return Line::styled(text, panel.style(Role::Warning));
+    }
+    Line::from(vec![
+        Span::styled(typed_so_far(question), panel.style(Role::Key)),
+        Span::styled(panel.say("ask-else"), panel.style(Role::Muted)),
+    ])
 }
 
 /// A single key shows no place to type: what is pressed counts at once.
@@ -158,5 +163,61 @@ fn help_line(line: HelpLine, look: &Look) -> Line<'static> {
             Span::styled(format!("  {what:SHORT_USAGE$} "), look.style(Role::Key)),
             Span::raw(meaning),
         ]),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use crate::app::effect::Effect;
+    use crate::app::state::Consequence;
+    use crate::app::{App, Setup};
+    use crate::text::{Language, Locale, Text, messages};
+
+    use super::*;
+
+    /// What stands in the box, in one line.
+    fn shown(question: &Text, reason: &Text, language: Language) -> String {
+        let look = Look {
+            locale: Arc::new(Locale::new(language)),
+            ..Look::default()
+        };
+        let app = App::new(Setup::default());
+        let confirm = Confirm::new(
+            question.clone(),
+            reason.clone(),
+            Consequence::Effect(Effect::Quit),
+        );
+        let area = Rect::new(0, 0, 80, 24);
+        let mut buffer = Buffer::empty(area);
+        draw_confirm(app.state(), &confirm, Panel::new(&look, area), &mut buffer);
+        let symbols: String = buffer.content.iter().map(|it| it.symbol()).collect();
+        let words = symbols.replace(['│', '─', '┌', '┐', '└', '┘'], " ");
+        words.split_whitespace().collect::<Vec<_>>().join(" ")
+    }
+
+    /// Whatever is asked, and for whatever reason: any message can be either.
+    #[test]
+    fn no_question_is_cut_on_a_small_screen() {
+        for language in Language::ALL {
+            let locale = Locale::new(language);
+            let plain = |text: &Text| -> String {
+                let words = locale.text(text);
+                words.split_whitespace().collect::<Vec<_>>().join(" ")
+            };
+            let lost = text!("ask-exam-ends");
+            let lines = messages(language).iter().flat_map(|(_, it)| it.lines());
+            let ids = lines.filter_map(|line| line.split_once(" = "));
+            let ids = ids.filter(|(id, _)| id.starts_with(|c: char| c.is_ascii_lowercase()));
+            for (id, _) in ids {
+                let reason = Text::joined("; ", vec![lost.clone(), Text::new(id, Vec::new())]);
+                let question = Text::new(id, Vec::new());
+                let shown = shown(&question, &reason, language);
+                assert!(shown.contains(&plain(&question)), "{id}: {shown}");
+                assert!(shown.contains(&plain(&reason)), "{id}: {shown}");
+                assert!(shown.ends_with(&plain(&text!("ask-else"))), "{id}: {shown}");
+            }
+        }
     }
 }

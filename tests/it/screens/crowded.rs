@@ -85,6 +85,7 @@ fn progress() -> Progress {
         ],
         margins_db: [(1, 20.0), (2, 3.4)].into(),
         clues: ClueProgress {
+            is_news: true,
             given: vec![(1, "look upwind".into())],
             next: Some((2, 0.05)),
             factor: 0.98,

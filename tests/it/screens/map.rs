@@ -287,3 +287,70 @@ fn sensors_on_the_ground_leave_no_samples() {
     let map = console.state().rooms().map();
     assert_eq!(map.field().map(|(name, _)| name), Some("co"));
 }
+
+/// The first gate has been passed, and the lesson of the first mission leads to the second.
+fn at_the_first_gate() -> Console {
+    let mut console = Console::flying(0);
+    console.vehicle(fixtures::airborne(1, 10.0, 20.0));
+    let source = include_str!("../../../missions/00-first-flight.toml");
+    let lesson = Mission::parse(source).expect("a mission").lesson;
+    let mut progress = fixtures::progress();
+    progress.lesson = lesson.into_iter().next();
+    let gates = [("gate1", 40.0), ("gate2", 80.0), ("next", 80.0)];
+    for (name, north_m) in gates {
+        let place = fixtures::HOME.moved(north_m, 0.0);
+        progress.places.insert(name.to_owned(), place);
+    }
+    console.hear(SessionEvent::Mission(Box::new(progress)));
+    console.press("M").press("z");
+    console
+}
+
+#[test]
+fn the_next_gate_has_its_name_and_a_mark() {
+    let size = (80, 24);
+    let console = resized(at_the_first_gate(), size);
+    for (symbols, next) in [(Symbols::Braille, "»gate2"), (Symbols::Ascii, ">>gate2")] {
+        let text = drawn(&console, symbols, Language::English, size);
+        assert!(text.contains(next) && text.contains("+gate1"), "{text}");
+        assert!(!text.contains("+next"), "{text}");
+    }
+}
+
+#[test]
+fn a_step_of_a_lesson_shows_on_the_map_too() {
+    for size in [(80, 24), (120, 40)] {
+        let console = resized(at_the_first_gate(), size);
+        let text = drawn(&console, Symbols::Braille, Language::English, size);
+        let step = console.state().session().mission();
+        let step = step.and_then(|it| it.lesson.as_ref()).expect("a step");
+        let words = step.text.to_string();
+        let last = words.rsplit(' ').next().expect("a word");
+        assert!(text.contains("now: Commands go to"), "{text}");
+        assert!(text.contains(last), "{words}\n{text}");
+    }
+}
+
+#[test]
+fn without_colours_trails_have_the_numbers_of_their_vehicles() {
+    let mut console = Console::flying(0);
+    for metre in 0..60 {
+        for id in [1, 2] {
+            let mut vehicle = fixtures::airborne(id, 0.0, 20.0);
+            let away_m = 100.0 * f64::from(id);
+            let global = vehicle.global.as_mut().expect("it has a position");
+            global.at_point = fixtures::HOME.moved(f64::from(metre), away_m);
+            console.vehicle(vehicle);
+        }
+    }
+    console.press("M").press("z");
+    let size = (80, 24);
+    let console = resized(console, size);
+    let count = |text: &str, number: char| text.chars().filter(|&c| c == number).count();
+    let coloured = drawn(&console, Symbols::Braille, Language::English, size);
+    let plain = drawn(&console, Symbols::Ascii, Language::English, size);
+    for number in ['1', '2'] {
+        let more = count(&plain, number) - count(&coloured, number);
+        assert!(more > 0, "{coloured}\n{plain}");
+    }
+}

@@ -6,32 +6,19 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::canvas::{Canvas, Stroke};
-use super::finds;
 use super::labels::{self, Label, MapCell};
+use super::{finds, ways};
 use crate::app::State;
-use crate::app::room::map::{Sketch, SketchKind, leg, sketches};
+use crate::app::room::map::{Sketch, SketchKind, sketches};
+use crate::config::Symbols;
 use crate::geo::{DOTS_ACROSS, GridSize, LatLon, Outline, Viewport};
-use crate::mission::MoverKind;
-use crate::ui::look::{Badge, Look};
+use crate::mission::{MoverKind, NEXT_PLACE};
+use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::vehicle::VehicleId;
-
-/// Larger swarms show the trails and targets only of the vehicles that commands go to.
-const MANY: usize = 64;
 
 /// The cells of a survey.
 const CELL: Stroke = Stroke::dotted(Role::Muted);
-/// Where a vehicle has been.
-pub fn trail(vehicle: VehicleId) -> Stroke {
-    Stroke::solid(Badge::of_vehicle(vehicle).role)
-}
-
-/// Where it is going.
-pub fn target(vehicle: VehicleId) -> Stroke {
-    Stroke::dashed(Badge::of_vehicle(vehicle).role)
-}
-
 /// From the mark to the cursor.
 pub const RULER: Stroke = Stroke::dotted(Role::Key);
 
@@ -70,8 +57,9 @@ pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mu
     for sketch in sketches(state) {
         draw_sketch(&sketch, view, &mut canvas, &mut labels);
     }
-    draw_ways(state, view, &mut canvas, &mut labels);
-    draw_homes(state, view, &mut labels);
+    ways::draw_trails(state, look, view, &mut canvas, &mut labels);
+    ways::draw_targets(state, view, &mut canvas, &mut labels);
+    draw_homes(state, look, view, &mut labels);
     draw_movers(state, view, &mut canvas, &mut labels);
     labels.extend(finds::labels(state, look, view));
     let map = state.rooms().map();
@@ -151,45 +139,8 @@ pub fn outline(corners: &[LatLon], view: &Viewport, canvas: &mut Canvas, stroke:
     }
 }
 
-/// Trails and the lines to targets.
-fn draw_ways(state: &State, view: &Viewport, canvas: &mut Canvas, labels: &mut Vec<Label>) {
-    let session = state.session();
-    let map = state.rooms().map();
-    let many = session.vehicles().len() > MANY;
-    let chosen = |id: VehicleId| session.cursor() == Some(id) || session.selection().contains(&id);
-    let shown = session
-        .vehicles()
-        .values()
-        .filter(|it| !many || chosen(it.id));
-    for vehicle in shown.take(MANY) {
-        let trail = map
-            .trails()
-            .get(&vehicle.id)
-            .filter(|_| !map.hides_trails());
-        if let Some(trail) = trail {
-            let stroke = self::trail(vehicle.id);
-            for pair in trail.points().windows(2) {
-                canvas.line(view.dot(pair[0]), view.dot(pair[1]), stroke);
-            }
-        }
-        if let Some((from, to)) = leg(vehicle) {
-            // From the target, so that the dashes rest; to the cell of the vehicle, not to its last metre.
-            let here = view.cell(from).map_or(from, |(column, row)| {
-                view.middle_of(i32::from(column), i32::from(row))
-            });
-            let stroke = target(vehicle.id);
-            canvas.line(view.dot(to), view.dot(here), stroke);
-            labels.extend(view.cell(to).map(|cell| Label {
-                cell,
-                text: "x".to_owned(),
-                role: stroke.role,
-            }));
-        }
-    }
-}
-
 /// Homes and named places; of several in one cell only the first.
-fn draw_homes(state: &State, view: &Viewport, labels: &mut Vec<Label>) {
+fn draw_homes(state: &State, look: &Look, view: &Viewport, labels: &mut Vec<Label>) {
     let session = state.session();
     let mut homes: Vec<(u16, u16)> = session
         .vehicles()
@@ -206,13 +157,22 @@ fn draw_homes(state: &State, view: &Viewport, labels: &mut Vec<Label>) {
     let drawn: BTreeSet<&str> = cells
         .chain(contacts.map(|contact| contact.name.as_str()))
         .collect();
+    let next = next_place(state);
     let places = session.places().iter();
-    for (name, &place) in places.filter(|(name, _)| !drawn.contains(name.as_str())) {
+    let named = places.filter(|(name, _)| !drawn.contains(name.as_str()) && *name != NEXT_PLACE);
+    // The later ones are worth more where there is no room for all.
+    let (coming, others): (Vec<_>, Vec<_>) = named.partition(|(_, place)| Some(**place) == next);
+    for (name, &place) in others.into_iter().chain(coming) {
         let cell = view.cell(place).filter(|cell| !homes.contains(cell));
+        let (sign, role) = if Some(place) == next {
+            (next_sign(look.symbols), Role::Key)
+        } else {
+            ("+", Role::Info)
+        };
         labels.extend(cell.map(|cell| Label {
             cell,
-            text: format!("+{name}"),
-            role: Role::Info,
+            text: format!("{sign}{name}"),
+            role,
         }));
     }
     labels.extend(homes.into_iter().map(|cell| Label {
@@ -220,6 +180,20 @@ fn draw_homes(state: &State, view: &Viewport, labels: &mut Vec<Label>) {
         text: "H".to_owned(),
         role: Role::Title,
     }));
+}
+
+/// The place to go to next, where a mission has one.
+pub fn next_place(state: &State) -> Option<LatLon> {
+    let mission = state.session().mission()?;
+    mission.places.get(NEXT_PLACE).copied()
+}
+
+/// What stands before the name of the place to go to next.
+pub const fn next_sign(symbols: Symbols) -> &'static str {
+    match symbols {
+        Symbols::Braille | Symbols::Block => "»",
+        Symbols::Ascii => ">>",
+    }
 }
 
 /// People, aircraft and drones of others, with what has to be kept clear around them.

@@ -5,9 +5,10 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use super::canvas::Stroke;
-use super::ground::{RULER, stroke, target, trail};
+use super::ground::{RULER, stroke};
 use super::labels::blank;
 use super::markers::arrow;
+use super::ways::{target, trail};
 use super::{finds, fire, swept};
 use crate::app::State;
 use crate::app::room::map::SketchKind::{

@@ -5,10 +5,11 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use super::canvas::{Canvas, Stroke};
-use super::ground::{outline, trail};
+use super::ground::outline;
 use super::heat;
 use super::labels::stamp;
 use super::legend::draw_scale;
+use super::ways::trail;
 use crate::geo::{Dot, Extent, GridSize, LatLon, Outline, Viewport};
 use crate::scoring::{ObjectReport, SquareReport, TruthReport};
 use crate::ui::look::Look;

@@ -1,0 +1,139 @@
+//! Where vehicles have been, and where they are going.
+
+use super::canvas::{Canvas, Stroke};
+use super::labels::Label;
+use crate::app::State;
+use crate::app::room::map::leg;
+use crate::config::Symbols;
+use crate::geo::{Dot, Viewport};
+use crate::ui::look::{Badge, Look};
+use crate::vehicle::{Vehicle, VehicleId};
+
+/// Larger swarms show the trails and targets only of the vehicles that commands go to.
+const MANY: usize = 64;
+/// Dots from one number of a trail to the next, where trails do not differ in colour.
+const NUMBER_EVERY: f64 = 24.0;
+/// A trail leads out of a narrow view for more dots than could be looked through.
+const FAR: f64 = 10_000.0;
+
+/// Where a vehicle has been.
+pub fn trail(vehicle: VehicleId) -> Stroke {
+    Stroke::solid(Badge::of_vehicle(vehicle).role)
+}
+
+/// Where it is going.
+pub fn target(vehicle: VehicleId) -> Stroke {
+    Stroke::dashed(Badge::of_vehicle(vehicle).role)
+}
+
+/// Trails; where they do not differ in colour, they have the vehicle's number at intervals.
+pub fn draw_trails(
+    state: &State,
+    look: &Look,
+    view: &Viewport,
+    canvas: &mut Canvas,
+    labels: &mut Vec<Label>,
+) {
+    let map = state.rooms().map();
+    if map.hides_trails() {
+        return;
+    }
+    let is_numbered = state.session().vehicles().len() > 1 && !tells_by_colour(look);
+    let mut numbers = Vec::new();
+    for vehicle in shown(state) {
+        let Some(trail) = map.trails().get(&vehicle.id) else {
+            continue;
+        };
+        let stroke = self::trail(vehicle.id);
+        let dots: Vec<Dot> = trail.points().iter().map(|&it| view.dot(it)).collect();
+        for pair in dots.windows(2) {
+            canvas.line(pair[0], pair[1], stroke);
+        }
+        if is_numbered {
+            let places = along(&dots).into_iter().map(|dot| view.place(dot));
+            numbers.extend(places.filter_map(|at| view.cell(at)).map(|cell| Label {
+                cell,
+                text: vehicle.id.to_string(),
+                role: stroke.role,
+            }));
+        }
+    }
+    // The first ones are worth least where there is no room for all.
+    labels.splice(0..0, numbers);
+}
+
+/// The lines to targets.
+pub fn draw_targets(state: &State, view: &Viewport, canvas: &mut Canvas, labels: &mut Vec<Label>) {
+    for vehicle in shown(state) {
+        let Some((from, to)) = leg(vehicle) else {
+            continue;
+        };
+        // From the target, so that the dashes rest; to the cell of the vehicle, not to its last metre.
+        let here = view.cell(from).map_or(from, |(column, row)| {
+            view.middle_of(i32::from(column), i32::from(row))
+        });
+        let stroke = target(vehicle.id);
+        canvas.line(view.dot(to), view.dot(here), stroke);
+        labels.extend(view.cell(to).map(|cell| Label {
+            cell,
+            text: "x".to_owned(),
+            role: stroke.role,
+        }));
+    }
+}
+
+/// The vehicles whose ways are drawn.
+fn shown(state: &State) -> impl Iterator<Item = &Vehicle> {
+    let session = state.session();
+    let many = session.vehicles().len() > MANY;
+    let is_chosen =
+        move |id: VehicleId| session.cursor() == Some(id) || session.selection().contains(&id);
+    let vehicles = session.vehicles().values().map(AsRef::as_ref);
+    vehicles
+        .filter(move |it: &&Vehicle| !many || is_chosen(it.id))
+        .take(MANY)
+}
+
+/// Points of a trail, from its beginning on, as far from each other as its numbers stand.
+fn along(dots: &[Dot]) -> Vec<Dot> {
+    let mut found = Vec::new();
+    let mut left = NUMBER_EVERY / 2.0;
+    for pair in dots.windows(2) {
+        let length = (pair[1].x - pair[0].x).hypot(pair[1].y - pair[0].y);
+        if !length.is_finite() || length > FAR {
+            continue;
+        }
+        while left < length {
+            found.push(pair[0].towards(pair[1], left / length));
+            left += NUMBER_EVERY;
+        }
+        left -= length;
+    }
+    found
+}
+
+/// Whether the trails of two vehicles differ in colour.
+fn tells_by_colour(look: &Look) -> bool {
+    let [first, second] = [1, 2].map(|id| look.style(Badge::of_vehicle(id).role));
+    look.symbols != Symbols::Ascii && first != second
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_stand_at_intervals_along_a_trail() {
+        let way = |points: &[f64]| -> Vec<Dot> {
+            let dots = points.iter().map(|&x| Dot::new(x, 0.0));
+            dots.collect()
+        };
+        let at =
+            |points: &[f64]| -> Vec<f64> { along(&way(points)).iter().map(|dot| dot.x).collect() };
+        assert_eq!(at(&[0.0, 70.0]), [12.0, 36.0, 60.0]);
+        assert_eq!(at(&[0.0, 10.0, 20.0, 40.0]), [12.0, 36.0]);
+        assert_eq!(at(&[0.0, 5.0, 0.0, 5.0]), [2.0]);
+        assert!(at(&[0.0, 1e12, f64::NAN]).is_empty());
+        assert!(at(&[]).is_empty());
+    }
+}
