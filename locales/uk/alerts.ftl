@@ -1,7 +1,7 @@
 # Що негаразд з апаратами і що робити з тривогами.
 
 alert-motors-stopped = ДВИГУНИ СТАЛИ в повітрі
-alert-crashed = РОЗБИВСЯ, двигуни вимкнено
+alert-crashed = РОЗБИВСЯ, двигуни деактивовано
 alert-crashed-at = РОЗБИВСЯ { $speed } m/s
 alert-link-lost = БЕЗ ЗВ'ЯЗКУ
 alert-process = SITL НЕ ПРАЦЮЄ

@@ -1,6 +1,6 @@
 # Профілі та поступ у командному рядку.
 mastery-unknown = не пробували
-mastery-learning = у дорозі
+mastery-learning = опановується
 mastery-mastered = опановано
 mastery-due = час повторити
 lack-chance = { $percent } %

@@ -23,6 +23,7 @@ mod column;
 mod filter;
 mod flight_view;
 mod hangar;
+mod heights;
 mod help;
 mod history;
 mod links;
@@ -46,6 +47,7 @@ pub use column::SortKey;
 pub use filter::VehicleFilter;
 pub use flight_view::{Activity, FlightView, TimeFlow};
 pub use hangar::{Hangar, Instance, SitlStage};
+pub use heights::Heights;
 pub use help::{HelpLine, HelpPage, SHORT_USAGE, command_help, help_lines};
 pub use history::{Channel, Histories, History, Window};
 pub use links::LinkSummary;
@@ -53,7 +55,7 @@ pub use notices::{NoticeLine, NoticeLog};
 pub use overlay::{Confirm, Consequence, Log, Overlay, Palette, ParameterSetting, Prompt, Purpose};
 pub use pace::{SessionPace, rate};
 pub use profiles::Trainee;
-pub use time::MissionTime;
+pub use time::SessionTime;
 
 /// The smallest terminal that the console fits into: columns and rows.
 pub const SMALLEST: (u16, u16) = (80, 24);

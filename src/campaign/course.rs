@@ -1,8 +1,8 @@
 //! The missions of a campaign, and which of them somebody may fly.
 
-use super::{CareerStanding, Mastery, Skill};
+use super::{CareerFlight, CareerStanding, Mastery, Skill};
 use crate::mission::{Mission, Requires, Unlock};
-use crate::scoring::Medal;
+use crate::scoring::{Component, Medal};
 use crate::text;
 use crate::text::Text;
 
@@ -27,6 +27,8 @@ pub struct Offer {
     pub parts: Vec<String>,
     /// The skills that it trains.
     pub skills: Vec<Skill>,
+    /// What its objectives are called.
+    pub objectives: Vec<Text>,
 }
 
 /// All missions of a campaign, in their order.
@@ -116,6 +118,11 @@ impl Offer {
             credits: mission.rewards.credits,
             parts: parts.collect(),
             skills,
+            objectives: mission
+                .objectives
+                .iter()
+                .map(|it| it.title.clone())
+                .collect(),
         }
     }
 }
@@ -131,6 +138,21 @@ impl MissionCourse {
     /// The missions, in their order.
     pub fn offers(&self) -> &[Offer] {
         &self.offers
+    }
+
+    /// A flight with what it has shown in all languages: profiles keep the English names of objectives and components.
+    #[must_use]
+    pub fn translated(&self, mut flight: CareerFlight) -> CareerFlight {
+        let objectives = self.offer(&flight.mission).map(|it| it.objectives.clone());
+        let components = Component::ALL.map(Component::title);
+        let mut names = objectives.unwrap_or_default();
+        names.extend(components);
+        for evidence in &mut flight.evidence {
+            let kept = evidence.what.to_string();
+            let name = names.iter().find(|name| name.to_string() == kept);
+            evidence.what = name.cloned().unwrap_or_else(|| evidence.what.clone());
+        }
+        flight
     }
 
     /// The mission of an id.

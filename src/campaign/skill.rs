@@ -80,6 +80,7 @@ impl Evidence {
             return Vec::new();
         }
         let skills: BTreeMap<&str, Option<Skill>> = mission.objective_skills().collect();
+        let has_flown = report.usage.iter().any(|used| used.airborne_s > 0.0);
         let objectives = report.objectives.iter().filter_map(|objective| {
             let skill = skills.get(objective.id.as_str()).copied().flatten()?;
             let share = objective.points / objective.points_max.max(f64::EPSILON);
@@ -89,10 +90,10 @@ impl Evidence {
                     Some(Trying::Report) => !report.truth.marks.is_empty(),
                     Some(Trying::Progress) | None => false,
                 };
-            is_tried.then_some(())?;
+            // Whoever only arms has shown nothing yet.
+            (is_tried && (has_flown || share <= 0.0)).then_some(())?;
             Some(Self::new(skill, share, objective.title.clone()))
         });
-        let has_flown = report.usage.iter().any(|used| used.airborne_s > 0.0);
         let components = report.components.iter().filter_map(|shown| {
             let component = Component::ALL
                 .into_iter()

@@ -11,9 +11,9 @@ use super::{
     LockReason, Mastery, MissionCourse, MissionStage, Offer, PartState, PurchaseRefusal,
     STARTER_PARTS, Skill, Stake, daily_seed, exam_seed, licence_price,
 };
-use crate::mission::Requires;
+use crate::mission::{Mission, Requires};
 use crate::scoring::Medal;
-use crate::text::Text;
+use crate::text::{Language, Locale, Text};
 use crate::workshop::{Design, part, parts};
 
 fn offer(id: &str, vehicles: u8, after: &[&str], parts: &[&str]) -> Offer {
@@ -31,6 +31,7 @@ fn offer(id: &str, vehicles: u8, after: &[&str], parts: &[&str]) -> Offer {
         credits: 400,
         parts: owned(parts),
         skills: vec![Skill::K3],
+        objectives: Vec::new(),
     }
 }
 
@@ -430,4 +431,25 @@ fn the_best_of_a_mission_is_kept_apart_by_pass_and_medal() {
         (3, 900, Some(900), Some(Medal::Gold))
     );
     assert_eq!(standing(&[]).best("one"), None::<&Best>);
+}
+
+#[test]
+fn what_a_kept_flight_has_shown_is_named_in_all_languages() {
+    let source = include_str!("../../missions/00-first-flight.toml");
+    let mission = Mission::parse(source).expect("it is good");
+    let course = MissionCourse::new([Offer::of(&mission)]);
+    let seen = |what: &str| Evidence {
+        skill: Skill::K1,
+        outcome: 1.0,
+        what: what.into(),
+    };
+    let kept = CareerFlight {
+        evidence: vec![seen("armed within a minute"), seen("something older")],
+        ..flight(&course, &mission.id, 700, 1)
+    };
+    let ukrainian = Locale::new(Language::Ukrainian);
+    let named = course.translated(kept).evidence;
+    let words = |at: usize| ukrainian.text(&named[at].what);
+    assert_eq!(words(0), "активувати за хвилину");
+    assert_eq!(words(1), "something older");
 }

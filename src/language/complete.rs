@@ -303,7 +303,9 @@ fn ranked(candidates: Vec<(String, Text)>, written: &str) -> Vec<(String, Text)>
             Some((Match::of(&candidate.0, written), score, candidate))
         })
         .collect();
-    if scored.iter().any(|(how, ..)| *how == Match::Beginning) {
+    // A single letter is scattered over nearly everything.
+    let is_letter = written.chars().nth(1).is_none();
+    if is_letter || scored.iter().any(|(how, ..)| *how == Match::Beginning) {
         scored.retain(|(how, ..)| *how != Match::Scattered);
     }
     // Of equally good ones the shorter is nearer to what was written.

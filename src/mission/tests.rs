@@ -1,3 +1,5 @@
+use std::sync::Arc;
+
 use proptest::prelude::*;
 
 use super::fake::{Pilot, do_nothing, fly_the_cells};
@@ -321,6 +323,20 @@ fn hints_follow_the_flight() {
     assert!(hint(&pilot).contains("B1"), "{}", hint(&pilot));
     pilot.survey();
     assert!(hint(&pilot).contains("Come home"));
+}
+
+#[test]
+fn before_its_vehicles_are_there_a_mission_counts_none_of_them() {
+    for source in [
+        include_str!("../../missions/01-air-sample.toml"),
+        include_str!("../../missions/02-formation.toml"),
+    ] {
+        let mission = Mission::parse(source).expect("it is good");
+        let progress = Flight::new(Arc::new(mission), 1).progress();
+        let details = progress.objectives.iter().map(|it| it.detail.to_string());
+        let odd: Vec<String> = details.filter(|it| it.contains("0/0")).collect();
+        assert!(odd.is_empty(), "{odd:?}");
+    }
 }
 
 #[test]

@@ -129,9 +129,12 @@ pub struct ComponentScore {
 
 /// All components that apply and have a weight.
 pub(super) fn all(rules: &ScoreRules, facts: &Facts) -> Vec<ComponentScore> {
-    let objective = objective_value(facts);
+    let reached = if_flown(facts, |facts| {
+        (objective_value(facts), objective_words(facts))
+    });
+    let objective = reached.0;
     let values: [Option<(f64, Text)>; 8] = [
-        Some((objective, objective_words(facts))),
+        Some(reached),
         quality(facts),
         Some(time(rules, facts.elapsed, objective)),
         facts.energy_wh.map(|used| energy(rules, used, objective)),
@@ -295,7 +298,7 @@ fn against_par(used: f64, par: f64, unit: Text) -> Text {
     }
 }
 
-/// What conduct is worth: nothing is earned by leaving the vehicles on the ground.
+/// What results and conduct are worth: nothing is earned by leaving the vehicles on the ground.
 fn if_flown(facts: &Facts, conduct: impl FnOnce(&Facts) -> (f64, Text)) -> (f64, Text) {
     let flown = facts.usage.iter().any(|one| !one.airborne.is_zero());
     if flown {

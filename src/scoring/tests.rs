@@ -101,6 +101,11 @@ fn who_never_takes_off_earns_nothing_by_breaking_no_rule() {
         ..perfect()
     };
     assert_eq!(score(&rules(), &idle).points, 0);
+    let armed = Facts {
+        objectives: vec![objective(1.0, false), objective(0.0, true)],
+        ..idle
+    };
+    assert_eq!(score(&rules(), &armed).points, 0);
 }
 
 #[test]

@@ -9,7 +9,7 @@ use crate::app::action::{Action, DebriefAction, StartAction, Step};
 use crate::app::keymap::{ESCAPE, KeyHint, KeyRow, Press, does, hint, key};
 use crate::app::room::home::fly_drill;
 use crate::app::room::{Answer, Room, RoomModel, RoomRequest, footer_keys};
-use crate::app::state::{Career, Channel, Window};
+use crate::app::state::{Career, Heights};
 use crate::campaign::Reward;
 use crate::debrief::{self, DebriefLine, DebriefTone};
 use crate::mission::Listing;
@@ -42,7 +42,7 @@ pub struct Debrief {
     /// When it opened: keys that were meant for the flight must not close it.
     pub(in crate::app) since: Duration,
     /// How high the highest vehicle was, in metres, at equal times of the flight.
-    pub(in crate::app) heights: Vec<Option<f64>>,
+    pub(in crate::app) heights: Heights,
 }
 
 impl Debrief {
@@ -62,7 +62,7 @@ impl Debrief {
 
     /// How high the highest vehicle was, in metres, at equal times of the flight.
     pub fn heights(&self) -> &[Option<f64>] {
-        &self.heights
+        self.heights.all()
     }
 
     /// Rows of the summary above the text on a screen of so many rows; none where the text needs them all.
@@ -237,29 +237,6 @@ fn turn(state: &mut State, to: impl FnOnce(usize, &[usize], usize) -> usize) {
         let sections: Vec<usize> = headings.map(|(at, _)| at.min(positions - 1)).collect();
         debrief.scroll = to(debrief.scroll.min(positions - 1), &sections, positions);
     }
-}
-
-/// The heights of the highest vehicle, one after another at equal times, as far back as they were kept.
-pub(in crate::app) fn heights(state: &State) -> Vec<Option<f64>> {
-    let session = &state.session;
-    let known = session.vehicles.keys();
-    let histories = known.filter_map(|&id| session.histories.of(id));
-    let mut highest: Vec<Option<f64>> = Vec::new();
-    for history in histories {
-        let kept = history.readings(Channel::Altitude, Window::Long);
-        let readings: Vec<Option<f64>> = kept.map(|it| it.map(f64::from)).collect();
-        // All end now.
-        let missing = readings.len().saturating_sub(highest.len());
-        highest.splice(0..0, std::iter::repeat_n(None, missing));
-        let first = highest.len() - readings.len();
-        for (most, reading) in highest[first..].iter_mut().zip(readings) {
-            *most = match (*most, reading) {
-                (Some(a), Some(b)) => Some(a.max(b)),
-                (a, b) => a.or(b),
-            };
-        }
-    }
-    highest
 }
 
 /// Flies what the trainee does best to fly next; where nobody's flights are kept, the mission after the one that was

@@ -34,6 +34,11 @@ pub struct Career {
 impl Career {
     /// A career by its history.
     pub fn new(name: impl Into<String>, history: Vec<CareerEntry>, course: MissionCourse) -> Self {
+        let translated = |entry| match entry {
+            CareerEntry::Flight(flight) => CareerEntry::Flight(course.translated(flight)),
+            CareerEntry::Purchase(purchase) => CareerEntry::Purchase(purchase),
+        };
+        let history: Vec<CareerEntry> = history.into_iter().map(translated).collect();
         Self {
             name: name.into(),
             standing: CareerStanding::of(&history),

@@ -5,7 +5,9 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::alert::alert;
-use super::{Alarms, Alert, Hangar, Histories, LinkSummary, MissionTime, Selection, SessionPace};
+use super::{
+    Alarms, Alert, Hangar, Heights, Histories, LinkSummary, Selection, SessionPace, SessionTime,
+};
 use crate::app::room_list::Room;
 use crate::doctor::{Cause, LinkFinding, Weight};
 use crate::geo::LatLon;
@@ -51,7 +53,9 @@ pub struct FlightView {
     /// The mission's progress, if one is flown.
     pub(in crate::app) mission: Option<Progress>,
     /// How late it was in the mission.
-    pub(in crate::app) mission_time: MissionTime,
+    pub(in crate::app) clock: SessionTime,
+    /// How high the highest vehicle was, by mission time.
+    pub(in crate::app) heights: Heights,
     /// Whether the mission is over: its debrief is there.
     pub(in crate::app) over: bool,
     /// Whether its time passes.
@@ -120,10 +124,19 @@ impl FlightView {
         }
     }
 
+    /// Its clock begins at zero; in a mission the mission's does.
+    pub(in crate::app) fn begin(&mut self, now: Duration) {
+        self.began_at = now;
+        if self.activity == Some(Activity::Free) {
+            self.clock = SessionTime::default();
+            self.clock.go(now, self.pace.now);
+        }
+    }
+
     /// A time of the program's clock on the session's, which begins at zero: in a mission it is the mission's.
     pub fn time(&self, at: Duration) -> Duration {
-        let mission_time = self.mission_time.at(at);
-        mission_time.unwrap_or_else(|| at.saturating_sub(self.began_at))
+        let clock = self.clock.at(at);
+        clock.unwrap_or_else(|| at.saturating_sub(self.began_at))
     }
 
     /// Opens a ledger entry.

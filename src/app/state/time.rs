@@ -1,19 +1,21 @@
-//! How late it was in a mission, by the program's clock.
+//! How late it was in a session, by the program's clock.
 
 use std::time::Duration;
 
 /// A second of a mission hardly changes its pace.
 const MARK_EVERY: Duration = Duration::from_secs(1);
 
-/// Mission time at every time of the program's clock so far: it may run faster or slower than that, and where the
-/// vehicles keep it, at an uneven pace.
+/// Time of the session at every time of the program's clock so far: it may run faster or slower than that, and where
+/// the vehicles keep it, at an uneven pace.
 #[derive(Debug, Clone, Default)]
-pub struct MissionTime {
-    /// Times of the program's clock and of the mission, from its last moment at zero on. Between two, time goes evenly.
+pub struct SessionTime {
+    /// Times of the program's clock and of the session, from its last moment at zero on. Between two, time goes evenly.
     marks: Vec<(Duration, Duration)>,
+    /// How many times as fast as the program's clock it goes on after the last mark; zero until the next one.
+    pace: f64,
 }
 
-impl MissionTime {
+impl SessionTime {
     /// Takes down how late it is now.
     pub fn note(&mut self, now: Duration, elapsed: Duration) {
         if elapsed.is_zero() {
@@ -28,7 +30,14 @@ impl MissionTime {
         }
     }
 
-    /// How late it was then: zero before the beginning, and nothing later than what is known. `None` without a mission.
+    /// From now on it goes evenly at a pace; it begins at zero.
+    pub fn go(&mut self, now: Duration, pace: f64) {
+        let elapsed = self.at(now).unwrap_or_default();
+        self.marks.push((now, elapsed));
+        self.pace = pace;
+    }
+
+    /// How late it was then: zero before the beginning. `None` where nothing is known of it.
     pub fn at(&self, then: Duration) -> Option<Duration> {
         let next = self.marks.partition_point(|(now, _)| *now < then);
         let before = next.checked_sub(1).and_then(|last| self.marks.get(last));
@@ -39,7 +48,9 @@ impl MissionTime {
                     .div_duration_f64(to.saturating_sub(from));
                 Some(begun + until.saturating_sub(begun).mul_f64(share))
             }
-            (Some(&(_, elapsed)), None) => Some(elapsed),
+            (Some(&(last, elapsed)), None) => {
+                Some(elapsed + then.saturating_sub(last).mul_f64(self.pace))
+            }
             (None, Some(&(first, elapsed))) => {
                 Some(elapsed.saturating_sub(first.saturating_sub(then)))
             }
@@ -58,7 +69,7 @@ mod tests {
 
     #[test]
     fn mission_time_is_known_for_every_time_of_the_program_however_the_pace_changes() {
-        let mut time = MissionTime::default();
+        let mut time = SessionTime::default();
         assert_eq!(time.at(ms(500)), None);
         // It waits for its vehicles up to 8 s, then goes at ten times the pace, then stands still.
         for tick in 50..=80 {
@@ -84,5 +95,22 @@ mod tests {
             assert_eq!(time.at(ms(then)), Some(ms(elapsed)), "{then}");
         }
         assert!(time.marks.len() < 30, "{}", time.marks.len());
+    }
+    #[test]
+    fn free_flight_goes_at_the_pace_that_is_in_force() {
+        let mut time = SessionTime::default();
+        time.go(ms(2_000), 20.0);
+        time.go(ms(3_000), 1.0);
+        time.go(ms(4_000), 4.0);
+        let known = [
+            (1_000, 0),
+            (2_500, 10_000),
+            (3_000, 20_000),
+            (3_500, 20_500),
+            (5_000, 25_000),
+        ];
+        for (then, elapsed) in known {
+            assert_eq!(time.at(ms(then)), Some(ms(elapsed)), "{then}");
+        }
     }
 }

@@ -74,7 +74,7 @@ fn begin(state: &mut State, count: usize) {
         text: text!("hangar-all-ready", count = count),
     };
     telemetry::notice(state, &ready);
-    state.session.began_at = state.now;
+    state.session.begin(state.now);
     if state.room == Room::Hangar {
         state.room = state.session.first_room;
         state.hush();

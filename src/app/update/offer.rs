@@ -12,32 +12,79 @@ use crate::text::Text;
 
 /// Lines offered at most.
 const SHOWN: usize = 100;
+/// With fewer letters than these, only the words of lines count, not what they mean.
+const FEW: usize = 3;
 /// Vehicles offered at most.
 const VEHICLES_SHOWN: usize = 20;
 
-/// The lines in which everything that is written occurs, in the line itself or in what it means, best first.
+/// How near a line is to what is written, nearest first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Nearness {
+    /// The line begins as written.
+    Line,
+    /// Every word that is written begins one of the line's.
+    Words,
+    /// Every word that is written begins one of the line's or of what it means.
+    Meaning,
+    /// The letters occur, scattered.
+    Scattered,
+}
+
+impl Nearness {
+    fn of(line: &str, meaning: &str, written: &str) -> Self {
+        let [line, meaning, written] = [line, meaning, written].map(str::to_lowercase);
+        let words = || written.split_whitespace();
+        let begins_one = |text: &str, word: &str| {
+            let mut parts = text.split(|c: char| c.is_whitespace() || "-_(:,;`".contains(c));
+            parts.any(|part| part.starts_with(word))
+        };
+        if line.starts_with(&written) {
+            Self::Line
+        } else if words().all(|word| begins_one(&line, word)) {
+            Self::Words
+        } else if words().all(|word| begins_one(&line, word) || begins_one(&meaning, word)) {
+            Self::Meaning
+        } else {
+            Self::Scattered
+        }
+    }
+}
+
+/// The lines in which everything that is written occurs, in the line itself or in what it means, best first. A few
+/// letters occur nearly everywhere: they find lines by the beginnings of their words, and more of them by what the
+/// line means; scattered letters count where nothing else is found.
 pub fn lines(state: &State, written: &str) -> Vec<Completion> {
     let mut all = state.with_context(language::lines);
     all.extend(vehicles(state, written));
     let given_before = state.history.iter().rev();
     all.extend(given_before.map(|line| (line.clone(), text!("palette-given-before"))));
-    let pattern = Pattern::parse(written.trim(), CaseMatching::Ignore, Normalization::Smart);
+    let wanted = written.trim();
+    let farthest = match wanted.chars().count() {
+        0..FEW => Nearness::Words,
+        _ => Nearness::Scattered,
+    };
+    let pattern = Pattern::parse(wanted, CaseMatching::Ignore, Normalization::Smart);
     let mut matcher = Matcher::new(Config::DEFAULT);
     let mut buffer = Vec::new();
-    let mut scored: Vec<(u32, (String, Text))> = all
+    let mut scored: Vec<(Nearness, u32, (String, Text))> = all
         .into_iter()
         .filter_map(|(line, hint)| {
             let synonyms = synonyms(&line).map(|words| state.locale.text(&words));
             let hint_words = state.locale.text(&hint);
-            let searched = format!("{line} {hint_words} {}", synonyms.unwrap_or_default());
+            let meaning = format!("{hint_words} {}", synonyms.unwrap_or_default());
+            let searched = format!("{line} {meaning}");
             let score = pattern.score(Utf32Str::new(&searched, &mut buffer), &mut matcher)?;
-            Some((score, (line, hint)))
+            let near = Nearness::of(&line, &meaning, wanted);
+            (near <= farthest).then_some((near, score, (line, hint)))
         })
         .collect();
-    scored.sort_by_key(|(score, _)| Reverse(*score));
+    if scored.iter().any(|(near, ..)| *near != Nearness::Scattered) {
+        scored.retain(|(near, ..)| *near != Nearness::Scattered);
+    }
+    scored.sort_by_key(|(near, score, _)| (*near, Reverse(*score)));
     let shown = scored.into_iter().take(SHOWN);
     shown
-        .map(|(_, (text, hint))| Completion {
+        .map(|(.., (text, hint))| Completion {
             text,
             hint,
             replaces: 0..written.len(),

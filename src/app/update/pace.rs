@@ -57,7 +57,11 @@ fn change(change: PaceChange) -> Effects {
 
 /// Time passes at another pace from now on.
 pub fn changed(state: &mut State, change: PaceChange) {
-    state.session.pace.now = change.speedup;
+    let session = &mut state.session;
+    session.pace.now = change.speedup;
+    if session.activity == Some(Activity::Free) {
+        session.clock.go(state.now, change.speedup);
+    }
     let rate = rate(change.speedup);
     if let Some(reason) = change.because {
         let is_real_time = (change.speedup - 1.0).abs() < f64::EPSILON;

@@ -57,11 +57,13 @@ pub fn edited(state: &mut State, mut palette: Palette) {
     palette.chosen = None;
     judge(state, &mut palette);
     let mut found = state.with_context(|context| language::complete(&line, cursor, context));
-    // Words that begin as typed come before words that only contain the letters, and commands before modes.
+    // What is typed itself comes first, then words that begin so, then words that only contain the letters; commands
+    // come before modes.
     found.sort_by_key(|completion| {
         let typed = line.get(completion.replaces.clone()).unwrap_or_default();
         let command = language::row(&completion.text).is_some();
-        (!completion.text.starts_with(typed), !command)
+        let is_typed = completion.text.eq_ignore_ascii_case(typed);
+        (!is_typed, !completion.text.starts_with(typed), !command)
     });
     // Whoever is in the middle of a command does not look for another one.
     let has_verb = line.trim_start().contains(char::is_whitespace) && palette.hint.is_some();

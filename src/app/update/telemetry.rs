@@ -9,7 +9,7 @@ use crate::app::effect::{Effect, Effects, TerminalEffect};
 use crate::app::event::Started;
 use crate::app::lesson;
 use crate::app::room::Room;
-use crate::app::room::debrief::{self, Debrief};
+use crate::app::room::debrief::Debrief;
 use crate::app::room::map;
 use crate::app::room::{fly, ledger};
 use crate::app::state::{BellCall, FlightView, Hangar, NoticeLog, Overlay, SessionPace, TimeFlow};
@@ -80,9 +80,9 @@ pub fn signals(state: &mut State) -> Effects {
 pub fn started(state: &mut State, started: Started) {
     let mut session = FlightView::new(started.activity, started.places);
     session.listing = started.mission;
-    session.began_at = state.now;
     session.areas = started.areas;
     session.pace = SessionPace::new(started.speedup);
+    session.begin(state.now);
     let starting = |expected| Hangar {
         expected,
         ..Hangar::default()
@@ -148,8 +148,9 @@ pub fn progress(state: &mut State, mut progress: Progress) {
         if !progress.elapsed.is_zero() {
             state.session.leave_brief();
         }
-        let mission_time = &mut state.session.mission_time;
-        mission_time.note(state.now, progress.elapsed);
+        let clock = &mut state.session.clock;
+        clock.note(state.now, progress.elapsed);
+        note_height(&mut state.session, progress.elapsed);
         state.rooms.mission.hear(&progress);
         map::measured(state, &progress);
         // What has come up goes by its name from now on.
@@ -160,6 +161,14 @@ pub fn progress(state: &mut State, mut progress: Progress) {
     }
 }
 
+/// Takes down how high the highest vehicle is that is heard.
+fn note_height(session: &mut FlightView, elapsed: Duration) {
+    let heard = session.vehicles.values().filter(|it| !it.link.lost);
+    let heights_m = heard.filter_map(|it| it.altitude_m());
+    let highest_m = heights_m.filter(|it| it.is_finite()).reduce(f64::max);
+    session.heights.note(elapsed, highest_m);
+}
+
 /// Shows the debrief. The command line stays open over it, or the rest of a line that is being typed
 /// would be taken as keys of the debrief.
 pub fn ended(state: &mut State, report: Box<Report>) {
@@ -168,7 +177,7 @@ pub fn ended(state: &mut State, report: Box<Report>) {
         state.tries.insert(report.mission.clone(), tries);
     }
     state.rooms.debrief = Some(Debrief {
-        heights: debrief::heights(state),
+        heights: state.session.heights.clone(),
         report,
         scroll: 0,
         map: false,

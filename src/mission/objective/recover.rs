@@ -166,7 +166,7 @@ impl Recover {
 fn result(vehicles: &[Craft], home: usize) -> Text {
     match vehicles {
         [craft] if craft.lost => text!("mission-recover-lost"),
-        [craft] if !craft.flown => text!("mission-recover-not-flown"),
+        _ if vehicles.iter().all(|craft| !craft.flown) => text!("mission-recover-not-flown"),
         [craft] if !craft.is_down() => text!("mission-recover-in-air"),
         [craft] => {
             let unknown = || Text::from("?");

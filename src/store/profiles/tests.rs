@@ -81,6 +81,7 @@ fn course() -> MissionCourse {
         credits: 400,
         parts: vec!["s_gpr".to_owned()],
         skills: Vec::new(),
+        objectives: Vec::new(),
     }])
 }
 

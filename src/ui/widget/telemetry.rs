@@ -13,6 +13,7 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, below, put, severity_role, wrap};
 use crate::vehicle::Vehicle;
 
+mod ekf;
 mod values;
 
 pub use values::Detail;

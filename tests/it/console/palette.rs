@@ -60,6 +60,33 @@ fn what_a_line_means_is_searched_in_the_language_of_the_screens() {
 }
 
 #[test]
+fn exact_words_and_beginnings_come_before_scattered_letters() {
+    let mut console = Console::flying(3);
+    let mut first = |written: &str| {
+        console.press(":").write(written);
+        let found = offered(&console);
+        console.press("esc");
+        found
+    };
+    for written in ["w", "q", "a", "s", "ta"] {
+        let found = first(written);
+        let begins = |line: &String| {
+            line.split([' ', '-', '_'])
+                .any(|it| it.starts_with(written))
+        };
+        let noise: Vec<&String> = found.iter().filter(|line| !begins(line)).collect();
+        assert!(
+            noise.is_empty() && !found.is_empty(),
+            "{written}: {noise:?}"
+        );
+    }
+    for verb in ["arm", "land", "set", "speed", "hold"] {
+        assert_eq!(first(verb)[0], verb);
+    }
+    assert_eq!(first("tko")[0], "takeoff");
+}
+
+#[test]
 fn arguments_of_the_consoles_own_verbs_complete() {
     let mut console = Console::flying(1);
     console

@@ -158,7 +158,7 @@ fn what_a_vehicle_does_not_know_is_no_figure() {
     console.vehicle(vehicle);
     let screen = console.screen(200, 50);
     assert!(
-        screen.contains("- 3 - m/s²") && screen.contains("vel - pos"),
+        screen.contains("- 3 - m/s²") && screen.contains("BAD  vel -"),
         "{screen}"
     );
     assert!(

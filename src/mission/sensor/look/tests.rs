@@ -34,6 +34,26 @@ fn chance(id: &str, class: ObjectClass, height_m: f64, speed_m_s: f64, light: Li
     look.map_or(0.0, |look| look.chance)
 }
 
+/// How surely a look by the thermal camera of the night search tells a deer from a person, if it shows it.
+fn told(height_m: f64, aside_m: f64) -> Option<f64> {
+    let object = Object::new(ObjectClass::Animal, [0.0; 2]);
+    let view = View {
+        offset_m: [aside_m, 0.0],
+        ..above(&object, height_m, 0.0, Light::Night)
+    };
+    spec("s_th160").look(&view).map(|look| look.told_apart)
+}
+
+#[test]
+fn only_a_look_from_near_and_above_tells_a_deer_from_a_person() {
+    for height_m in [12.0, 30.0, 50.0] {
+        assert_eq!(told(height_m, 30.0), None, "out of the picture");
+    }
+    assert!(told(12.0, 0.0).is_some_and(|chance| chance > 0.6));
+    assert!(told(30.0, 0.0).is_some_and(|chance| chance < 0.25));
+    assert!(told(60.0, 30.0).is_some_and(|chance| chance < 0.05));
+}
+
 #[test]
 fn pictures_detect_persons_as_the_table_of_the_design_says() {
     // Height, then P_inf and swath of s_th160, s_th320 and s_thdual.

@@ -2,12 +2,13 @@
 
 use std::time::Duration;
 
+use super::ekf;
 use crate::app::State;
 use crate::text;
 use crate::text::{Text, figure};
 use crate::ui::theme::Role;
 use crate::ui::widget::gauge::{Gauge, battery_role, link_role, reach_role};
-use crate::vehicle::{EkfFlags, Grade, LandedState, Vehicle};
+use crate::vehicle::{LandedState, Vehicle};
 
 /// How much of a vehicle is told.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -65,7 +66,7 @@ pub fn readings(vehicle: &Vehicle, state: &State, detail: Detail) -> Vec<Reading
         Reading::new("telemetry-target", target(vehicle)),
         Reading::new("telemetry-wind", wind(vehicle)),
         Reading::new("telemetry-gps", gps(vehicle)),
-        Reading::new("telemetry-ekf", ekf(vehicle)),
+        Reading::new("telemetry-ekf", ekf::text(vehicle)),
         Reading::new("telemetry-ground", ground(vehicle)),
         Reading::new("telemetry-plan", plan(vehicle)),
         Reading::new("telemetry-reboots", reboots(vehicle).into()),
@@ -241,29 +242,6 @@ fn gps(vehicle: &Vehicle) -> Text {
         .map(|hdop| Text::from(format!("HDOP {}", figure(hdop, 1))));
     let parts = [Some(fix), satellites, hdop].into_iter().flatten();
     Text::joined("  ", parts.collect())
-}
-
-fn ekf(vehicle: &Vehicle) -> Text {
-    let Some(ekf) = vehicle.ekf else {
-        return Text::default();
-    };
-    let position = EkfFlags::POSITION_HORIZONTAL_ABSOLUTE;
-    // Beside a longer word there is room for the tenths that the limits are given in.
-    let (state, decimals) = match Grade::of_ekf(&ekf) {
-        _ if vehicle.link.lost => (text!("vehicle-grade-old"), 1),
-        _ if !ekf.flags.has(position) => (text!("telemetry-ekf-lost"), 1),
-        Grade::Good => (text!("telemetry-ekf-ok"), 2),
-        Grade::Poor => (text!("vehicle-grade-poor"), 1),
-        Grade::Bad => (text!("vehicle-grade-bad"), 1),
-    };
-    let ratios = [
-        ekf.velocity_variance,
-        ekf.position_horizontal_variance,
-        ekf.compass_variance,
-    ];
-    let [velocity, position, compass] = ratios.map(|ratio| figure(ratio, decimals));
-    let figures = format!("vel {velocity} pos {position} mag {compass}");
-    Text::joined("  ", vec![state, figures.into()])
 }
 
 fn attitude(vehicle: &Vehicle) -> Text {
