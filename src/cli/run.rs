@@ -392,8 +392,9 @@ fn explain(source: &Source, faults: &[Diagnostic]) -> Failure {
     // The renderer writes out the control characters of the file's text, and not those of its name.
     let name = sanitised(&source.name);
     let (shown, rest) = diagnostic::first_shown(faults);
-    let shown = shown.iter();
-    let lines = shown.map(|fault| fault.render(&name, &source.text, colour));
-    let lines: Vec<String> = lines.chain(rest.map(|text| text.to_string())).collect();
+    let rendered = shown
+        .iter()
+        .map(|fault| fault.render(&name, &source.text, colour));
+    let lines: Vec<String> = rendered.chain(rest.map(|text| text.to_string())).collect();
     Failure::Shown(lines.join("\n\n"))
 }
