@@ -9,6 +9,7 @@ use std::sync::Mutex;
 use clap::{Parser, Subcommand};
 
 use crate::link::Address;
+use crate::store::StoreError;
 use settings::{CliSettings, Common};
 
 /// Prints a line on standard output; unlike `println!` it reports a full disk or a closed pipe as an error.
@@ -196,9 +197,11 @@ pub fn main(arguments: CliArguments) -> ExitCode {
 }
 
 fn is_closed_pipe(error: &anyhow::Error) -> bool {
-    error
-        .downcast_ref::<io::Error>()
-        .is_some_and(|error| error.kind() == io::ErrorKind::BrokenPipe)
+    let error = match error.downcast_ref() {
+        Some(StoreError::Unwritable { error, .. }) => Some(error),
+        _ => error.downcast_ref::<io::Error>(),
+    };
+    error.is_some_and(|error| error.kind() == io::ErrorKind::BrokenPipe)
 }
 
 fn dispatch(

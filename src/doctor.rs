@@ -72,7 +72,7 @@ pub struct Sender {
     /// Who it is, and by which peer it comes.
     pub source: FrameSource,
     pub role: HeartbeatRole,
-    /// How long it has been known.
+    /// How long it has been heard without a pause: before that it may have been paused, and could not answer.
     pub known_for: Duration,
     pub heartbeat_hz: f64,
     /// Whether its last heartbeat was signed.
@@ -116,7 +116,6 @@ fn sender(census: &Census, source: FrameSource, now: Duration) -> Option<Sender>
     if now.saturating_sub(last_at) > GONE_AFTER {
         return None;
     }
-    let first_at = tallies().map(|tally| tally.first_at).min()?;
     let newest = tallies().max_by_key(|tally| tally.last_at)?;
     let (version, signed) = dress(newest)?;
     let heartbeat = census
@@ -126,7 +125,7 @@ fn sender(census: &Census, source: FrameSource, now: Duration) -> Option<Sender>
     Some(Sender {
         source,
         role: heartbeat.map_or(HeartbeatRole::Silent, role),
-        known_for: now.saturating_sub(first_at),
+        known_for: now.saturating_sub(census.steady_since(source)?),
         heartbeat_hz: heartbeat.map_or(0.0, |tally| tally.rate(now).hz),
         signed,
         version1: version == MavlinkVersion::V1,

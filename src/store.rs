@@ -29,7 +29,8 @@ pub use history::History;
 pub use journal::{Landing, Recovery, day_of, open_profiles, recover};
 pub use output::{write, write_output};
 pub use profiles::{
-    PastRun, Profile, ProfileError, ProfileFile, ProfileSettings, Profiles, Rescue, RunEntry,
+    MendedRows, PastRun, Profile, ProfileError, ProfileFile, ProfileSettings, Profiles, Rescue,
+    RunEntry,
 };
 pub use runs::{RunFile, Runs, read_run, utc};
 pub use source::{Source, StoreError, read, user_path};

@@ -50,6 +50,10 @@ profiles-unknown-first = no profile `{ $name }`; `sortie profile create { $name 
 profiles-exists = the profile `{ $name }` exists already
 profiles-name = a profile's name is one line of 1 to { $most } letters
 profiles-no-profile = not a profile: { $fault }
+profiles-mended = { $count ->
+    [one] 1 damaged row of the profiles was read from the backup
+   *[other] { $count } damaged rows of the profiles were read from the backup
+}
 profiles-rescued = the profiles were damaged ({ $fault }) and were restored from { $copy }; the damaged file is { $damaged }
 profiles-lost = the profiles were damaged ({ $fault }) and there is no copy, so they are empty now; the damaged file is { $damaged }
 

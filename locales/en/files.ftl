@@ -1,6 +1,9 @@
 # Files that cannot be had or written.
 
-file-more-faults = and { $count } more faults
+file-more-faults = { $count ->
+    [one] and 1 more fault
+   *[other] and { $count } more faults
+}
 file-unreadable = cannot read { $path }: { $error }
 file-unwritable = cannot write { $path }: { $error }
 file-exists = { $path } exists already

@@ -30,7 +30,10 @@ fire-none-there = nothing burns there
 locate-reports = reported: { $count }
 locate-off = { $distance } m off
 locate-missed = not found
-locate-astray = { $count } astray
+locate-wrong = { $count ->
+    [one] 1 wrong report
+   *[other] { $count } wrong reports
+}
 locate-quality = report what you are sure of only, and fly over it slowly before you do
 locate-target = { $count } within { $within } m
 locate-advice = Cross it from two sides, fly slowly where the sensor shows the most, and report the place: mark peak.

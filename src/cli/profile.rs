@@ -58,8 +58,8 @@ enum ProfileCommand {
         /// The profile; by default the one of the settings, or the only one.
         name: Option<String>,
         /// Write to this file; `-` is standard output.
-        #[arg(long, value_name = "FILE")]
-        output: Option<PathBuf>,
+        #[arg(long, value_name = "FILE", default_value = "-")]
+        output: PathBuf,
     },
     /// Takes in an exported profile.
     #[command(after_help = "Examples:\n  \
@@ -108,9 +108,7 @@ pub(super) fn profile(
         ProfileCommand::Create { name } => commands.create(name),
         ProfileCommand::List { json } => commands.list(*json),
         ProfileCommand::Show { name, json } => commands.show(name.as_deref(), *json),
-        ProfileCommand::Export { name, output } => {
-            commands.export(name.as_deref(), output.as_deref())
-        }
+        ProfileCommand::Export { name, output } => commands.export(name.as_deref(), output),
         ProfileCommand::Import { file, name } => commands.import(file, name.as_deref()),
         ProfileCommand::Delete { name, yes } => commands.delete(name, *yes),
         ProfileCommand::Buy { part } => commands.buy(part),
@@ -257,14 +255,11 @@ impl ProfileCommands<'_> {
         Ok(ExitCode::SUCCESS)
     }
 
-    fn export(&self, name: Option<&str>, output: Option<&Path>) -> Result<ExitCode, Failure> {
+    fn export(&self, name: Option<&str>, output: &Path) -> Result<ExitCode, Failure> {
         let profile = self.of(name)?;
         let file = self.profiles.export(&profile);
         let text = file.map_err(|error| self.refused(&error))?.write();
-        match output {
-            Some(path) => store::write_output(path, &text)?,
-            None => say!("{}", text.trim_end())?,
-        }
+        store::write_output(output, &format!("{}\n", text.trim_end()))?;
         Ok(ExitCode::SUCCESS)
     }
 

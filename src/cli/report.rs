@@ -29,8 +29,8 @@ pub(super) struct ReportArguments {
     #[arg(long, value_enum, default_value = "runs")]
     table: Which,
     /// Write it to this file; `-` is standard output.
-    #[arg(long, value_name = "FILE")]
-    output: Option<PathBuf>,
+    #[arg(long, value_name = "FILE", default_value = "-")]
+    output: PathBuf,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -95,10 +95,8 @@ pub(super) fn report(
             serde_json::to_string_pretty(&document)? + "\n"
         }
     };
-    match &options.output {
-        Some(path) => store::write_output(path, &text)?,
-        None => say!("{}", text.trim_end_matches('\n'))?,
-    }
+    let text = text.trim_end_matches('\n');
+    store::write_output(&options.output, &format!("{text}\n"))?;
     Ok(ExitCode::SUCCESS)
 }
 

@@ -85,7 +85,7 @@ pub enum Cause {
     SignedButAnswers(SystemId),
     /// The vehicle is heard but does not answer.
     OneWay(SystemId),
-    /// So many vehicles are heard and never answer.
+    /// So many vehicles are heard and do not answer.
     OneWayVehicles(usize),
     /// This share of the bytes belongs to no frame, in percent.
     Noise(u8),

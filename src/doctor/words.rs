@@ -82,7 +82,9 @@ impl LinkFinding {
             Cause::NoAutopilot => text!("doctor-try-autopilot"),
             Cause::DuplicateSystem(_) => text!("doctor-try-duplicate"),
             Cause::Signed(_) => text!("doctor-try-signed"),
-            Cause::OneWay(_) if self.way == Way::Serial => text!("doctor-try-one-way-serial"),
+            Cause::OneWay(_) | Cause::OneWayVehicles(_) if self.way == Way::Serial => {
+                text!("doctor-try-one-way-serial")
+            }
             Cause::OneWay(_) => text!("doctor-try-one-way"),
             Cause::OneWayVehicles(_) => text!("doctor-try-one-way-vehicles"),
             Cause::Noise(_) => text!("doctor-try-noise"),

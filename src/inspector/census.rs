@@ -23,6 +23,8 @@ const STALE: Duration = Duration::from_secs(60);
 const SWEEP_EVERY: Duration = Duration::from_secs(1);
 /// Frames of one kind that are kept for a graph between two looks.
 const MOST_WATCHED: usize = 512;
+/// A source that has been silent for so long has paused, or was stopped.
+const PAUSE: Duration = Duration::from_secs(5);
 
 /// Whether frames came in or went out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -98,9 +100,12 @@ pub struct Census {
 }
 
 /// What only every frame can tell of a source.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Witness {
     answered_at: Option<Duration>,
+    heard_at: Duration,
+    /// Since when it has been heard without a pause.
+    steady_since: Duration,
 }
 
 impl Census {
@@ -129,7 +134,15 @@ impl Census {
             .or_insert_with(|| MessageTally::new(is_verified, now));
         tally.note(bytes, is_verified, now);
         if is_verified {
-            let witness = self.sources.entry(source).or_default();
+            let witness = self.sources.entry(source).or_insert(Witness {
+                answered_at: None,
+                heard_at: now,
+                steady_since: now,
+            });
+            if now.saturating_sub(witness.heard_at) > PAUSE {
+                witness.steady_since = now;
+            }
+            witness.heard_at = now;
             if way.direction == Direction::In && answers(&frame) {
                 witness.answered_at = Some(now);
             }
@@ -212,6 +225,11 @@ impl Census {
     /// When a source last sent something that only somebody sends who hears us.
     pub fn answered_at(&self, source: FrameSource) -> Option<Duration> {
         self.sources.get(&source)?.answered_at
+    }
+
+    /// Since when a source has been heard without a pause.
+    pub fn steady_since(&self, source: FrameSource) -> Option<Duration> {
+        Some(self.sources.get(&source)?.steady_since)
     }
 
     /// Frames of kinds for which there was no room.

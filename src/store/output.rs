@@ -10,26 +10,26 @@ use super::StoreError;
 
 /// The path that stands for standard output.
 const STANDARD_OUTPUT: &str = "-";
-
-/// Folders in which a path names something that is open or a device, also where it looks like a file.
-const OF_THE_SYSTEM: &[&str] = &["/dev", "/proc"];
+/// As many links may lead from one to the next as Linux follows.
+const MOST_LINKS: usize = 40;
 
 /// How a file gets a second name; file systems without hard links refuse it.
 type LinkFile = fn(&Path, &Path) -> io::Result<()>;
 
-/// Writes a text file whole or not at all: whoever reads it meanwhile finds the old one or the new one.
+/// Writes a text file whole or not at all: a reader finds the old one or the new one.
 ///
 /// A link stays a link, and its target is written. A file that is replaced keeps its mode, and its owner where the
-/// system lets us. What is no file (a device, a FIFO) is written into.
+/// system lets us. Anything that is not a regular file (a device, a FIFO) is written into; a FIFO needs a reader.
 ///
 /// # Errors
 /// It cannot be written, or it exists already and is not to be replaced.
 pub fn write(path: &Path, text: &str, replace: bool) -> Result<(), StoreError> {
     let written = match present(path) {
-        Ok(Some(found)) if is_written_into(path, &found) => append(path, text),
         Ok(Some(found)) if found.is_dir() => Err(io::ErrorKind::IsADirectory.into()),
+        Ok(Some(found)) if !found.is_file() || is_open_file(path) => append(path, text),
         Ok(Some(_)) if !replace => Err(io::ErrorKind::AlreadyExists.into()),
         Ok(Some(found)) => replace_file(path, text, &found),
+        Ok(None) if replace => put_file(path, text),
         Ok(None) => create_file(path, text, |from, to| fs::hard_link(from, to)),
         Err(error) => Err(error),
     };
@@ -44,7 +44,7 @@ pub fn write(path: &Path, text: &str, replace: bool) -> Result<(), StoreError> {
     })
 }
 
-/// Writes where a command was told to put its result: `-` is standard output, a file is replaced.
+/// Writes the result of a command: `-` is standard output, a file is replaced.
 ///
 /// # Errors
 /// It cannot be written.
@@ -71,11 +71,33 @@ fn present(path: &Path) -> io::Result<Option<Metadata>> {
     }
 }
 
-fn is_written_into(path: &Path, found: &Metadata) -> bool {
-    let is_of_the_system = || OF_THE_SYSTEM.iter().any(|folder| path.starts_with(folder));
-    !found.is_dir() && (!found.is_file() || is_of_the_system())
+/// Whether a path names a file that is open already, such as `/dev/stdout`: a new file in its place would not be read.
+fn is_open_file(path: &Path) -> bool {
+    let is_descriptor = path.parent().is_some_and(|folder| folder.ends_with("fd"));
+    let is_standard = path == Path::new("/dev/stdout") || path == Path::new("/dev/stderr");
+    is_standard || (is_descriptor && (path.starts_with("/dev") || path.starts_with("/proc")))
 }
 
+#[cfg(unix)]
+fn append(path: &Path, text: &str) -> io::Result<()> {
+    use std::os::unix::fs::OpenOptionsExt as _;
+
+    // A FIFO without a reader is an error here; it would hold up the console until one comes.
+    let flags = nix::fcntl::OFlag::O_NONBLOCK.bits();
+    let target = OpenOptions::new()
+        .append(true)
+        .custom_flags(flags)
+        .open(path)?;
+    let mut flags = nix::fcntl::OFlag::from_bits_truncate(nix::fcntl::fcntl(
+        &target,
+        nix::fcntl::FcntlArg::F_GETFL,
+    )?);
+    flags.remove(nix::fcntl::OFlag::O_NONBLOCK);
+    nix::fcntl::fcntl(&target, nix::fcntl::FcntlArg::F_SETFL(flags))?;
+    (&target).write_all(text.as_bytes())
+}
+
+#[cfg(not(unix))]
 fn append(path: &Path, text: &str) -> io::Result<()> {
     let mut target = OpenOptions::new().append(true).open(path)?;
     target.write_all(text.as_bytes())
@@ -83,24 +105,38 @@ fn append(path: &Path, text: &str) -> io::Result<()> {
 
 fn replace_file(path: &Path, text: &str, found: &Metadata) -> io::Result<()> {
     let target = fs::canonicalize(path)?;
-    let part = Part::write(&target, text)?;
-    fs::set_permissions(&part.path, found.permissions())?;
-    keep_owner(&part.path, found);
+    let part = Part::write(&target, text, Some(found))?;
     fs::rename(&part.path, &target)
 }
 
-/// A link in the place of a new file leads to where the file is to be.
+/// A new file; one that has appeared meanwhile is replaced.
+fn put_file(path: &Path, text: &str) -> io::Result<()> {
+    let target = end_of_links(path)?;
+    let part = Part::write(&target, text, None)?;
+    fs::rename(&part.path, &target)
+}
+
+/// A new file; one that has appeared meanwhile stays.
 fn create_file(path: &Path, text: &str, link: LinkFile) -> io::Result<()> {
-    let target = match fs::read_link(path) {
-        Ok(leads_to) => path.parent().unwrap_or(Path::new("")).join(leads_to),
-        Err(_) => path.to_owned(),
-    };
-    let part = Part::write(&target, text)?;
+    let target = end_of_links(path)?;
+    let part = Part::write(&target, text, None)?;
     // Linking fails if the name is taken meanwhile, where renaming would replace what is there.
     match link(&part.path, &target) {
         Err(error) if error.kind() != io::ErrorKind::AlreadyExists => write_new(&target, text),
         linked => linked,
     }
+}
+
+/// Where a link leads whose target is not there yet; any other path itself.
+fn end_of_links(path: &Path) -> io::Result<PathBuf> {
+    let mut end = path.to_owned();
+    for _ in 0..MOST_LINKS {
+        match fs::read_link(&end) {
+            Ok(leads_to) => end = end.parent().unwrap_or(Path::new("")).join(leads_to),
+            Err(_) => return Ok(end),
+        }
+    }
+    Err(io::Error::other("too many links lead from one to the next"))
 }
 
 /// Without hard links: the name is taken first, so that nothing is replaced, and given up if the text does not fit.
@@ -118,33 +154,25 @@ fn write_new(target: &Path, text: &str) -> io::Result<()> {
     written
 }
 
-#[cfg(unix)]
-fn keep_owner(path: &Path, found: &Metadata) {
-    use std::os::unix::fs::{MetadataExt as _, chown};
-    // Only the superuser may give a file away; for everybody else the new file is their own.
-    drop(chown(path, Some(found.uid()), Some(found.gid())));
-}
-
-#[cfg(not(unix))]
-fn keep_owner(_: &Path, _: &Metadata) {}
-
 /// A file beside the one that is to be, which is gone when it is no longer needed.
 struct Part {
     path: PathBuf,
 }
 
 impl Part {
-    fn write(target: &Path, text: &str) -> io::Result<Self> {
+    /// Writes the text, with mode and owner of the file whose place it is to take.
+    fn write(target: &Path, text: &str, replaced: Option<&Metadata>) -> io::Result<Self> {
         let Some(name) = target.file_name() else {
             return Err(io::ErrorKind::IsADirectory.into());
         };
         let mut beside = OsStr::new(".").to_owned();
         beside.push(name);
         beside.push(format!(".{}.part", std::process::id()));
-        let part = Self {
-            path: target.with_file_name(beside),
-        };
-        let mut file = File::create(&part.path)?;
+        let path = target.with_file_name(beside);
+        // What a program that was killed has left; nothing is written through a link that lies there.
+        drop(fs::remove_file(&path));
+        let mut file = new_file(&path, replaced)?;
+        let part = Self { path };
         file.write_all(text.as_bytes())?;
         file.sync_all()?;
         Ok(part)
@@ -156,6 +184,28 @@ impl Drop for Part {
     fn drop(&mut self) {
         drop(fs::remove_file(&self.path));
     }
+}
+
+/// A new file that never is more open than the one whose place it is to take.
+#[cfg(unix)]
+fn new_file(path: &Path, replaced: Option<&Metadata>) -> io::Result<File> {
+    use std::os::unix::fs::{MetadataExt as _, OpenOptionsExt as _, fchown};
+
+    let mut options = OpenOptions::new();
+    options.write(true).create_new(true);
+    let Some(replaced) = replaced else {
+        return options.open(path);
+    };
+    let file = options.mode(0o600).open(path)?;
+    // Only the superuser may give a file away; for everyone else the new file is their own.
+    drop(fchown(&file, Some(replaced.uid()), Some(replaced.gid())));
+    file.set_permissions(replaced.permissions())?;
+    Ok(file)
+}
+
+#[cfg(not(unix))]
+fn new_file(path: &Path, _: Option<&Metadata>) -> io::Result<File> {
+    OpenOptions::new().write(true).create_new(true).open(path)
 }
 
 #[cfg(test)]
@@ -228,11 +278,50 @@ mod tests {
             symlink("/dev/null", &link).expect("made");
             write(&link, "text", true).expect("it takes everything");
             assert!(link.is_symlink());
+            assert_eq!(names(folder.path()), ["null"]);
+        }
+
+        #[test]
+        #[cfg(target_os = "linux")]
+        fn a_device_that_is_full_is_an_error() {
+            let folder = folder();
             let full = folder.path().join("full");
             symlink("/dev/full", &full).expect("made");
             let error = write(&full, "text", true).expect_err("it takes nothing");
             assert!(matches!(error, StoreError::Unwritable { .. }));
-            assert_eq!(names(folder.path()), ["full", "null"]);
+            assert_eq!(names(folder.path()), ["full"]);
+        }
+
+        #[test]
+        #[cfg(target_os = "linux")]
+        fn a_file_in_memory_is_a_file() {
+            let Ok(folder) = tempfile::tempdir_in("/dev/shm") else {
+                return;
+            };
+            let path = folder.path().join("report");
+            write(&path, "first", true).expect("written");
+            write(&path, "again", true).expect("written");
+            assert_eq!(fs::read_to_string(&path).expect("readable"), "again");
+            write(&path, "not", false).expect_err("it is there");
+        }
+
+        #[test]
+        fn a_link_to_a_link_leads_to_the_new_file() {
+            let folder = folder();
+            let (one, two) = (folder.path().join("one"), folder.path().join("two"));
+            symlink("two", &one).expect("made");
+            symlink("three", &two).expect("made");
+            write(&one, "text", false).expect("written");
+            assert_eq!(names(folder.path()), ["one", "three", "two"]);
+        }
+
+        #[test]
+        fn a_fifo_without_a_reader_holds_up_nothing() {
+            let folder = folder();
+            let fifo = folder.path().join("fifo");
+            let made = Command::new("mkfifo").arg(&fifo).status().expect("it runs");
+            assert!(made.success());
+            write(&fifo, "text", true).expect_err("nothing reads it");
         }
 
         #[test]
@@ -245,7 +334,10 @@ mod tests {
                 let fifo = fifo.clone();
                 thread::spawn(move || fs::read_to_string(fifo).expect("readable"))
             };
-            write(&fifo, "text", true).expect("it is read");
+            // Until the reader is there, writing fails.
+            while write(&fifo, "text", true).is_err() {
+                thread::yield_now();
+            }
             assert_eq!(reader.join().expect("it ends"), "text");
         }
     }

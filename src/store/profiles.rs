@@ -6,6 +6,7 @@
 
 mod error;
 mod flights;
+mod mend;
 mod possessions;
 mod rescue;
 mod schema;
@@ -27,6 +28,7 @@ use crate::notice::sanitised;
 
 pub use error::ProfileError;
 pub use flights::{PastRun, RunEntry};
+pub use mend::MendedRows;
 pub use rescue::Rescue;
 pub use transfer::ProfileFile;
 
@@ -85,6 +87,14 @@ impl Profiles {
         let rescue = rescue::rescue(&path).map_err(unusable)?;
         let connection = Self::connect(&path)?;
         Ok((Self { connection, path }, rescue))
+    }
+
+    /// Reads rows that are damaged from the copies, as far as these have them. `None`: none was.
+    ///
+    /// # Errors
+    /// The database cannot be read or written.
+    pub fn mend(&mut self) -> Result<Option<MendedRows>, ProfileError> {
+        mend::mend_rows(&mut self.connection, &self.path).map_err(|error| self.fault(error))
     }
 
     fn connect(path: &Path) -> Result<Connection, ProfileError> {

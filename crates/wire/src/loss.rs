@@ -6,8 +6,11 @@ use super::{ComponentId, Frame, SystemId};
 
 /// A step in the numbering that is longer than this leads back: the frame is late, or the sender has restarted.
 const LONGEST_GAP: u8 = 127;
-/// So many numbers in a row that have been heard before are no doubled frames but a sender that counts anew.
+/// So many numbers that have been heard before, each one above the last, are no doubled frames but a sender that counts
+/// anew.
 const RESTART_AFTER: u8 = 8;
+/// The largest step from one number to the next of a sender that counts anew.
+const LARGEST_GAP_ANEW: u8 = 8;
 
 /// What a frame's number says.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -33,7 +36,10 @@ struct Numbering {
     last: u8,
     /// Which of the numbers behind the last one have not been heard.
     missing: [bool; 256],
-    /// Since the last step forward: how many numbers were heard a second time, and how many were found again.
+    /// The newest number behind the last one, if the last frame was late.
+    behind: Option<u8>,
+    /// Of such numbers in a row, each the next after the one before: how many were heard a second time, and how many
+    /// were found again.
     repeated: u8,
     found: u8,
 }
@@ -43,6 +49,7 @@ impl Numbering {
         Self {
             last: sequence,
             missing: [false; 256],
+            behind: None,
             repeated: 0,
             found: 0,
         }
@@ -70,6 +77,11 @@ impl Numbering {
 
     /// How many more frames are missing than before.
     fn step_back_to(&mut self, sequence: u8) -> i16 {
+        // A sender that counts anew goes up, with a gap at most.
+        let follows = |before: u8| (1..=LARGEST_GAP_ANEW).contains(&sequence.wrapping_sub(before));
+        if !self.behind.replace(sequence).is_some_and(follows) {
+            (self.repeated, self.found) = (0, 0);
+        }
         if std::mem::take(&mut self.missing[usize::from(sequence)]) {
             self.found = self.found.saturating_add(1);
             return -1;
@@ -88,12 +100,13 @@ impl Numbering {
     fn move_to(&mut self, sequence: u8) {
         self.last = sequence;
         self.missing[usize::from(sequence)] = false;
+        self.behind = None;
         (self.repeated, self.found) = (0, 0);
     }
 }
 
 impl LossMeter {
-    /// Takes note of a frame's number. A frame of an unknown message may be noise and makes no sender known.
+    /// Counts a frame by its number. A frame of an unknown message may be noise and makes no sender known.
     pub fn note(&mut self, frame: &Frame) -> SequenceStep {
         let sender = (frame.system, frame.component);
         if !frame.is_verified() && !self.senders.contains_key(&sender) {

@@ -41,13 +41,13 @@ struct LocateTracker {
 struct LocateReports {
     /// From each thing to the nearest report of it.
     distances_m: Vec<Option<f64>>,
-    /// Reports that are about none of them.
-    astray: usize,
+    /// All other reports.
+    wrong: usize,
 }
 
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "locate",
-    about: "met when each source or leak was reported near enough to its position; the result is shown when the flight is over. It makes a product",
+    about: "met when each source or leak was reported near enough to its position, with at most one wrong report for each; the result is shown when the flight is over. It makes a product",
     read,
 };
 
@@ -127,15 +127,17 @@ impl LocateTracker {
             let nearest = distances.min_by(f64::total_cmp);
             nearest.filter(|&nearest| nearest <= self.plan.partial_to_m)
         };
-        let astray = |mark: &&Mark| {
-            let far =
-                |wanted: &LocateTarget| distance_m(mark.at, wanted.at) > self.plan.partial_to_m;
-            self.wanted.iter().all(far)
-        };
+        let distances_m: Vec<Option<f64>> = self.wanted.iter().map(nearest).collect();
+        let right = distances_m.iter().flatten().count();
         LocateReports {
-            distances_m: self.wanted.iter().map(nearest).collect(),
-            astray: self.reports(marks).filter(astray).count(),
+            wrong: self.reports(marks).count().saturating_sub(right),
+            distances_m,
         }
+    }
+
+    /// Wrong reports beyond one for each thing that is wanted: more are guesses.
+    fn guesses(&self, found: &LocateReports) -> usize {
+        found.wrong.saturating_sub(self.wanted.len())
     }
 
     fn is_settled(&self, scene: &ObjectiveScene<'_>) -> bool {
@@ -148,7 +150,9 @@ impl LocateTracker {
             distance.map_or(0.0, |distance| partial_credit(distance, far, near))
         };
         let sum: f64 = found.distances_m.iter().map(credit).sum();
-        sum / self.wanted.len().max(1) as f64
+        // A guess costs as much as half a miss, so that a grid of reports earns nothing.
+        let cost = 0.5 * self.guesses(found) as f64;
+        (sum - cost).max(0.0) / self.wanted.len().max(1) as f64
     }
 
     fn words(found: &LocateReports) -> Text {
@@ -157,8 +161,8 @@ impl LocateTracker {
             None => text!("locate-missed"),
         };
         let mut words: Vec<Text> = found.distances_m.iter().map(one).collect();
-        if found.astray > 0 {
-            words.push(text!("locate-astray", count = found.astray));
+        if found.wrong > 0 {
+            words.push(text!("locate-wrong", count = found.wrong));
         }
         Text::joined(", ", words)
     }
@@ -174,8 +178,8 @@ impl Tracker for LocateTracker {
         let located = found.distances_m.iter().filter(near).count();
         let fraction = self.fraction(&found);
         let wanted = self.wanted.len();
-        // A report that is about nothing costs as much as half a miss.
-        let wrong = 0.5 * found.astray as f64 / wanted.max(1) as f64;
+        // A wrong report costs as much as half a miss.
+        let wrong = 0.5 * found.wrong as f64 / wanted.max(1) as f64;
         let reports = self.reports(scene.marks).count();
         let result = if closed {
             Self::words(&found)
@@ -185,7 +189,7 @@ impl Tracker for LocateTracker {
         ObjectiveStanding {
             fraction,
             measure: located as f64,
-            met: located == wanted && wanted > 0,
+            met: located == wanted && wanted > 0 && self.guesses(&found) == 0,
             settled: self.is_settled(scene),
             landing: false,
             product: Some(Product {

@@ -53,7 +53,7 @@ fn how_near_a_report_is_comes_out_after_landing_only() {
 }
 
 #[test]
-fn reports_lose_worth_with_distance_and_by_those_that_are_astray() {
+fn reports_lose_worth_with_distance_and_by_those_that_are_wrong() {
     let score = |offsets_m: &[f64]| {
         let mut pilot = Pilot::flying(mission(PLUME), 4);
         let [east, north] = truth(PLUME, 4);
@@ -67,9 +67,14 @@ fn reports_lose_worth_with_distance_and_by_those_that_are_astray() {
     };
     let (near, middle, far) = (score(&[10.0]), score(&[40.0]), score(&[80.0]));
     assert!((near.0 - 75.0).abs() < 0.1 && (middle.0 - 37.5).abs() < 0.1 && far.0.abs() < 0.1);
-    let scattered = score(&[10.0, 80.0, -90.0]);
-    assert!((scattered.0 - near.0).abs() < 0.1);
-    assert!(scattered.1 < near.1, "{scattered:?} {near:?}");
+    let corrected = score(&[80.0, 10.0]);
+    assert!((corrected.0 - near.0).abs() < 0.1);
+    assert!(corrected.1 < near.1, "{corrected:?} {near:?}");
+    // More than one wrong report for each source are guesses.
+    let guessed = score(&[10.0, 80.0, -90.0]);
+    assert!((guessed.0 - near.0 / 2.0).abs() < 0.1, "{guessed:?}");
+    let grid = score(&[10.0, 30.0, 50.0, 70.0, -30.0, -50.0]);
+    assert!(grid.0.abs() < 0.1, "{grid:?}");
 }
 
 #[test]

@@ -7,7 +7,6 @@ use std::time::SystemTime;
 
 use rusqlite::{Connection, ErrorCode, OpenFlags};
 
-use super::schema::{self, Notation};
 use crate::store::utc;
 use crate::text;
 use crate::text::Text;
@@ -86,9 +85,8 @@ fn lock_file(path: &Path) -> io::Result<File> {
     super::private(&beside(path, "lock"))
 }
 
-/// What is wrong with a database, if it is to be replaced. An empty file, or none, is a new one where there is no copy.
-/// Rows that cannot be read are damage only where there is a copy to read them from: without one, the others are kept.
-/// Being busy, or of a file system that refuses, is no damage.
+/// What is wrong with a database. An empty file, or none, is a new one where there is no copy. Being busy, or of a file
+/// system that refuses, is no damage.
 fn damage(path: &Path) -> Option<String> {
     if is_empty(path) {
         return good_copy(path).map(|_| "it is empty".to_owned());
@@ -100,73 +98,31 @@ fn damage(path: &Path) -> Option<String> {
         )
     };
     match check(path) {
-        Ok(None) => None,
-        Ok(Some(Fault::Structure(fault))) => Some(fault),
-        Ok(Some(Fault::Row(fault))) => good_copy(path).map(|_| fault),
+        Ok(word) if word == SOUND => None,
+        Ok(fault) => Some(fault),
         Err(error) if is_damage(&error) => Some(error.to_string()),
         Err(_) => None,
     }
 }
 
-/// What can be wrong inside a database.
-enum Fault {
-    /// What `SQLite` says of its pages and tables.
-    Structure(String),
-    /// The first text that the program cannot have written.
-    Row(String),
-}
-
-/// What is wrong inside a database; `None`: it is sound.
-fn check(path: &Path) -> rusqlite::Result<Option<Fault>> {
+/// What `SQLite` says of a database: [`SOUND`], or what is wrong.
+fn check(path: &Path) -> rusqlite::Result<String> {
     let flags = OpenFlags::SQLITE_OPEN_READ_WRITE | OpenFlags::SQLITE_OPEN_NO_MUTEX;
     let connection = Connection::open_with_flags(path, flags)?;
     connection.busy_timeout(super::PATIENCE)?;
-    let word: String = connection.query_row("PRAGMA quick_check(1)", [], |row| row.get(0))?;
-    if word != SOUND {
-        return Ok(Some(Fault::Structure(word)));
-    }
-    Ok(rotten_row(&connection)?.map(Fault::Row))
+    connection.query_row("PRAGMA quick_check(1)", [], |row| row.get(0))
 }
 
-/// The first row whose document cannot be read: `SQLite` does not look into texts.
-fn rotten_row(connection: &Connection) -> rusqlite::Result<Option<String>> {
-    for (table, column, notation) in schema::DOCUMENTS {
-        if !connection.table_exists(None, table)? {
-            continue;
-        }
-        let mut query = connection.prepare(&format!("SELECT {column} FROM {table}"))?;
-        let mut rows = query.query([])?;
-        let mut number = 0;
-        while let Some(row) = rows.next()? {
-            number += 1;
-            let bytes = row.get_ref(0)?.as_bytes().unwrap_or_default();
-            let fault = readable(bytes, &notation);
-            if let Err(fault) = fault {
-                return Ok(Some(format!("row {number} of {table}: {fault}")));
-            }
-        }
-    }
-    Ok(None)
-}
-
-fn readable(document: &[u8], notation: &Notation) -> Result<(), String> {
-    let text = std::str::from_utf8(document).map_err(|error| error.to_string())?;
-    match notation {
-        Notation::Json => serde_json::from_str::<serde::de::IgnoredAny>(text)
-            .map(drop)
-            .map_err(|error| error.to_string()),
-        Notation::Toml => toml::from_str::<toml::Table>(text)
-            .map(drop)
-            .map_err(|error| error.message().to_owned()),
-    }
+/// The copies of a database, the newest first, whether they are there or not.
+pub(super) fn copies(path: &Path) -> [PathBuf; 2] {
+    COPIES.map(|name| beside(path, name))
 }
 
 /// The newest copy of a database that is whole.
 fn good_copy(path: &Path) -> Option<PathBuf> {
-    COPIES
-        .iter()
-        .map(|name| beside(path, name))
-        .find(|copy| !is_empty(copy) && matches!(check(copy), Ok(None)))
+    copies(path)
+        .into_iter()
+        .find(|copy| !is_empty(copy) && check(copy).is_ok_and(|word| word == SOUND))
 }
 
 fn is_empty(path: &Path) -> bool {
@@ -215,7 +171,8 @@ pub(super) fn back_up(connection: &Connection, path: &Path) -> rusqlite::Result<
     let file = super::private(&fresh).map_err(io)?;
     file.set_len(0).map_err(io)?;
     connection.backup("main", &fresh, None)?;
-    if let Some(Fault::Structure(found) | Fault::Row(found)) = check(&fresh)? {
+    let found = check(&fresh)?;
+    if found != SOUND {
         let corrupt = rusqlite::ffi::Error::new(rusqlite::ffi::SQLITE_CORRUPT);
         return Err(rusqlite::Error::SqliteFailure(corrupt, Some(found)));
     }

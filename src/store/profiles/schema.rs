@@ -41,16 +41,42 @@ const STEPS: [&str; 1] = ["
 "];
 
 /// How a document of this program is written in a column.
+#[derive(Clone, Copy)]
 pub(super) enum Notation {
     Json,
     Toml,
 }
 
-/// The tables and columns that hold a document in each row.
-pub(super) const DOCUMENTS: [(&str, &str, Notation); 3] = [
-    ("entries", "entry", Notation::Json),
-    ("runs", "report", Notation::Json),
-    ("designs", "design", Notation::Toml),
+/// A column that holds a document in each row.
+#[derive(Clone, Copy)]
+pub(super) struct DocumentColumn {
+    pub table: &'static str,
+    pub column: &'static str,
+    /// The column that tells the rows of one profile apart.
+    pub key: &'static str,
+    pub notation: Notation,
+}
+
+/// All of them.
+pub(super) const DOCUMENTS: [DocumentColumn; 3] = [
+    DocumentColumn {
+        table: "entries",
+        column: "entry",
+        key: "id",
+        notation: Notation::Json,
+    },
+    DocumentColumn {
+        table: "runs",
+        column: "report",
+        key: "id",
+        notation: Notation::Json,
+    },
+    DocumentColumn {
+        table: "designs",
+        column: "design",
+        key: "name",
+        notation: Notation::Toml,
+    },
 ];
 
 /// The version of the tables that this program writes.

@@ -263,6 +263,27 @@ async fn a_vehicle_that_has_answered_may_lose_some_answers() {
 }
 
 #[tokio::test(start_paused = true)]
+async fn after_a_pause_a_vehicle_has_time_to_answer() {
+    let (mut patient, remote) = Patient::listening().await;
+    let mut voice = Voice::new(7, 1);
+    for at in 0..100 {
+        patient.ask();
+        // For a minute the simulator stands still.
+        if !(20..80).contains(&at) {
+            let mut bytes = voice.second();
+            if at % 5 == 0 && at != 80 {
+                bytes.extend(voice.answer());
+            }
+            remote.send(&bytes).await.expect("sent");
+            patient.given += bytes.len() as u64;
+        }
+        patient.second().await;
+        let causes = patient.causes();
+        assert!(!causes.contains(&Cause::OneWay(7)), "after {at} s");
+    }
+}
+
+#[tokio::test(start_paused = true)]
 async fn many_that_never_answer_are_one_finding_and_hide_no_other() {
     let (mut patient, remote) = Patient::listening().await;
     let mut voice = Voice::new(1, 1);

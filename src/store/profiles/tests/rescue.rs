@@ -100,14 +100,23 @@ fn rot(file: &Path) {
 }
 
 #[test]
-fn a_rotten_byte_in_a_flight_is_healed_from_the_copy() {
+fn a_rotten_byte_in_a_flight_is_healed_from_the_copy_and_nothing_newer_is_lost() {
     let (data, file) = folder_with_copy(3);
+    let mut profiles = open(data.path());
+    let anna = profiles.find("Anna").expect("she is there");
+    let newer = run("newer", "two", 700);
+    profiles.store(&anna, &newer).expect("stored");
+    drop(profiles);
     rot(&file);
-    let (profiles, rescue) = Profiles::open(data.path()).expect("restored");
-    let rescue = rescue.expect("it was damaged");
-    assert!(rescue.fault.contains("utf-8"), "{}", rescue.fault);
-    assert!(rescue.copy.is_some());
-    assert_eq!(flights(&profiles), 3);
+    let (mut profiles, rescue) = Profiles::open(data.path()).expect("it opens");
+    assert_eq!(rescue, None, "the file stays");
+    let mended = profiles
+        .mend()
+        .expect("writable")
+        .expect("a row was rotten");
+    assert!(mended.text().to_string().contains("1 damaged"));
+    assert_eq!(flights(&profiles), 4);
+    assert_eq!(profiles.mend().expect("readable"), None);
 }
 
 #[test]
@@ -119,8 +128,9 @@ fn flights_and_designs_that_are_sound_are_left_alone() {
     profiles.keep_design(&anna, &design).expect("kept");
     profiles.back_up().expect("copied");
     drop(profiles);
-    let (profiles, rescue) = Profiles::open(data.path()).expect("it opens");
+    let (mut profiles, rescue) = Profiles::open(data.path()).expect("it opens");
     assert_eq!(rescue, None);
+    assert_eq!(profiles.mend().expect("readable"), None);
     assert_eq!(profiles.designs(&anna).expect("readable"), [design]);
 }
 
@@ -129,8 +139,9 @@ fn without_a_copy_a_rotten_byte_costs_no_profile() {
     let (data, file) = folder_with_copy(3);
     fs::remove_file(data.path().join("profiles.sqlite.backup")).expect("there");
     rot(&file);
-    let (profiles, rescue) = Profiles::open(data.path()).expect("it opens");
+    let (mut profiles, rescue) = Profiles::open(data.path()).expect("it opens");
     assert_eq!(rescue, None);
+    assert_eq!(profiles.mend().expect("readable"), None);
     let anna = profiles.find("Anna").expect("she is still there");
     let error = profiles.history(&anna).expect_err("a flight is damaged");
     let said = error.text().to_string();

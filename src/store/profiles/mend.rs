@@ -1,0 +1,111 @@
+//! Rows that cannot be read, and their mending from a copy of the database.
+//!
+//! `SQLite` looks after its pages; what a disk does to a byte inside a text it does not see.
+
+use std::path::Path;
+
+use rusqlite::{Connection, TransactionBehavior, params};
+
+use super::rescue::copies;
+use super::schema::{DOCUMENTS, DocumentColumn, Notation};
+use crate::text;
+use crate::text::Text;
+
+/// Rows of the profiles that were damaged and have been read from a copy.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct MendedRows(usize);
+
+impl MendedRows {
+    pub fn text(self) -> Text {
+        text!("profiles-mended", count = self.0)
+    }
+}
+
+/// A row whose document cannot be read.
+struct RottenRow {
+    profile: i64,
+    key: String,
+}
+
+/// Reads the rows that cannot be read from the newest copy that has them; what no copy has stays as it is. `None`: there
+/// was nothing to mend.
+pub(super) fn mend_rows(
+    connection: &mut Connection,
+    path: &Path,
+) -> rusqlite::Result<Option<MendedRows>> {
+    let mut mended = 0;
+    for column in DOCUMENTS {
+        let rotten = rotten_rows(connection, &column)?;
+        for row in rotten {
+            let found = copies(path)
+                .iter()
+                .find_map(|copy| kept(copy, &column, &row));
+            let Some(document) = found else {
+                continue;
+            };
+            let transaction =
+                connection.transaction_with_behavior(TransactionBehavior::Immediate)?;
+            let DocumentColumn {
+                table, column, key, ..
+            } = column;
+            let update =
+                format!("UPDATE {table} SET {column} = ?1 WHERE profile = ?2 AND {key} = ?3");
+            mended += transaction.execute(&update, params![document, row.profile, row.key])?;
+            transaction.commit()?;
+        }
+    }
+    Ok((mended > 0).then_some(MendedRows(mended)))
+}
+
+fn rotten_rows(
+    connection: &Connection,
+    column: &DocumentColumn,
+) -> rusqlite::Result<Vec<RottenRow>> {
+    let DocumentColumn {
+        table,
+        column: document,
+        key,
+        notation,
+    } = column;
+    let mut query =
+        connection.prepare(&format!("SELECT profile, {key}, {document} FROM {table}"))?;
+    let mut rows = query.query([])?;
+    let mut rotten = Vec::new();
+    while let Some(row) = rows.next()? {
+        let bytes = row.get_ref(2)?.as_bytes().unwrap_or_default();
+        if readable(bytes, *notation).is_none() {
+            // A row whose key is damaged as well is found in no copy.
+            if let (Ok(profile), Ok(key)) = (row.get(0), row.get(1)) {
+                rotten.push(RottenRow { profile, key });
+            }
+        }
+    }
+    Ok(rotten)
+}
+
+/// The document of a row in a copy.
+fn kept(copy: &Path, column: &DocumentColumn, row: &RottenRow) -> Option<String> {
+    let flags = rusqlite::OpenFlags::SQLITE_OPEN_READ_ONLY;
+    let connection = Connection::open_with_flags(copy, flags).ok()?;
+    let DocumentColumn {
+        table,
+        column: document,
+        key,
+        notation,
+    } = column;
+    let select = format!("SELECT {document} FROM {table} WHERE profile = ?1 AND {key} = ?2");
+    let text: String = connection
+        .query_row(&select, params![row.profile, row.key], |row| row.get(0))
+        .ok()?;
+    readable(text.as_bytes(), *notation).map(str::to_owned)
+}
+
+/// A document that the program can have written.
+fn readable(document: &[u8], notation: Notation) -> Option<&str> {
+    let text = std::str::from_utf8(document).ok()?;
+    let is_sound = match notation {
+        Notation::Json => serde_json::from_str::<serde::de::IgnoredAny>(text).is_ok(),
+        Notation::Toml => toml::from_str::<toml::Table>(text).is_ok(),
+    };
+    is_sound.then_some(text)
+}
