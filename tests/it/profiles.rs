@@ -128,7 +128,7 @@ fn what_may_not_be_flown_is_refused_with_the_reason() {
     let exam = of_anna("00-first-flight", &["--exam"]);
     assert!(exam.contains("by hand"), "{exam}");
     let unknown = refused(data, &with(&SHORT, &["--profile", "Borys"]), 2);
-    assert!(unknown.contains("there are: Anna"), "{unknown}");
+    assert!(unknown.contains("profiles: Anna"), "{unknown}");
     let part = refused(data, &["profile", "buy", "s_gpr"], 1);
     assert!(part.contains("pass"), "{part}");
     assert_eq!(flights(data), 0);

@@ -167,7 +167,7 @@ async fn a_reboot_closes_the_tcp_connection_and_the_link_comes_back() {
         .until(|s| matches!(s.state, LinkState::Waiting { .. }))
         .await;
     let reason = lost.last_error.expect("a reason");
-    assert!(reason.contains("closed from the other side"), "{reason}");
+    assert!(reason.contains("closed by the other end"), "{reason}");
     rig.until(|s| s.reconnects == 1 && s.state == LinkState::Up)
         .await;
     assert_eq!(rig.next().await.frames[0].system, 2);

@@ -63,7 +63,7 @@ fn a_drone_is_built_from_nothing_for_a_mission_and_saved() {
     terminal.see("15.9 min").see("problems");
 
     terminal.press("s").see("save the design as");
-    terminal.press("\u{15}First\r").see("kept: First");
+    terminal.press("\u{15}First\r").see("saved: First");
     terminal.press("o").see("yours").press("\u{1b}");
     terminal
         .see("━━ First ━━")
