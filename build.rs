@@ -16,7 +16,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let version = env::var("CARGO_PKG_VERSION").unwrap_or_default();
     // A package inside somebody else's checkout is not of its commits: there the way up is not empty.
     let is_checkout = git(&["rev-parse", "--show-cdup"]).as_deref() == Some("");
-    let commit = git(&["show", "--no-patch", "--format=%h %cs", "HEAD"]).filter(|_| is_checkout);
+    // The length that git would choose depends on the clone.
+    let format = ["show", "--no-patch", "--abbrev=12", "--format=%h %cs", "HEAD"];
+    let commit = git(&format).filter(|_| is_checkout);
     let commit = commit.map_or(String::new(), |commit| format!(" ({commit})"));
     println!("cargo::rustc-env=SORTIE_VERSION={version}{commit}");
     if is_checkout {

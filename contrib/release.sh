@@ -26,7 +26,7 @@ CARGO_ENCODED_RUSTFLAGS+="$separator-Ctarget-feature=+crt-static"
 export CARGO_ENCODED_RUSTFLAGS
 cargo build --release --locked --target "$target" --bin sortie
 unset CARGO_ENCODED_RUSTFLAGS CFLAGS
-program=target/$target/release/sortie
+program=${CARGO_TARGET_DIR:-target}/$target/release/sortie
 
 rm -rf "$stage"
 mkdir -p "$stage/completions" "$stage/docs/images" "$stage/systemd"
@@ -41,10 +41,12 @@ done
 cargo run --quiet --locked --example third_party -- "$target" >"$stage/THIRD-PARTY.md"
 
 # What a static program must not need.
-if ldd "$program" 2>/dev/null | grep -q '=>'; then
+case $(ldd "$program" 2>&1 || true) in
+*'=>'*)
     echo "$program is not static" >&2
     exit 1
-fi
+    ;;
+esac
 tar --create --sort=name --mtime="@$SOURCE_DATE_EPOCH" --owner=0 --group=0 --numeric-owner \
     --mode=go=rX,u+rw --directory "$dist" "$name" | gzip --no-name --best >"$dist/$name.tar.gz"
 (cd "$dist" && sha256sum "$name.tar.gz" >"$name.tar.gz.sha256")

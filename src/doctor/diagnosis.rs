@@ -161,8 +161,8 @@ pub fn diagnose(charts: &[Chart]) -> Vec<LinkFinding> {
 fn fine(chart: &Chart) -> Vec<Cause> {
     let (answering, silent): (Vec<&Sender>, Vec<&Sender>) =
         autopilots(chart).partition(|sender| sender.answered_ago.is_some());
-    let unanswered = (!silent.is_empty()).then(|| Cause::Unanswered(silent.len()));
-    let well = (!answering.is_empty()).then(|| Cause::Well(answering.len()));
+    let unanswered = (!silent.is_empty()).then_some(Cause::Unanswered(silent.len()));
+    let well = (!answering.is_empty()).then_some(Cause::Well(answering.len()));
     unanswered.into_iter().chain(well).collect()
 }
 

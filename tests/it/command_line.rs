@@ -259,8 +259,8 @@ fn faults_say_what_and_what_to_do() {
 
 #[test]
 fn of_thousands_of_faults_the_first_fifty_are_shown() {
-    let faulty: String = (0..3000).map(|at| format!("wrong{at} = 1\n")).collect();
-    let folder = folder_with(&[("many.toml", &faulty)]);
+    let faulty: Vec<String> = (0..3000).map(|at| format!("wrong{at} = 1")).collect();
+    let folder = folder_with(&[("many.toml", &faulty.join("\n"))]);
     let output = sortie_in(folder.path(), &["run", "many.toml", "--pilot", "00"]);
     assert_eq!(output.status.code(), Some(2));
     let said = text(&output.stderr);

@@ -191,7 +191,7 @@ mod tests {
 
     #[test]
     fn of_frames_that_overtake_each_other_the_lost_ones_are_counted() {
-        let kept = |number: &u32| !(1000..1100).contains(number) || number % 4 != 0;
+        let kept = |number: &u32| !(1000..1100).contains(number) || !number.is_multiple_of(4);
         assert_eq!(lost(shuffled(5000).into_iter().filter(kept)), 25);
     }
 

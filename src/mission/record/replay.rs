@@ -104,7 +104,7 @@ impl Stored {
         report.backend = self.head.backend;
         Ok(Rescored {
             report,
-            before: self.end().cloned(),
+            before: self.end().copied(),
         })
     }
 }

@@ -192,7 +192,11 @@ mod tests {
         let area = Rect::new(0, 0, 80, 24);
         let mut buffer = Buffer::empty(area);
         draw_confirm(app.state(), &confirm, Panel::new(&look, area), &mut buffer);
-        let symbols: String = buffer.content.iter().map(|it| it.symbol()).collect();
+        let symbols: String = buffer
+            .content
+            .iter()
+            .map(ratatui::buffer::Cell::symbol)
+            .collect();
         let words = symbols.replace(['│', '─', '┌', '┐', '└', '┘'], " ");
         words.split_whitespace().collect::<Vec<_>>().join(" ")
     }

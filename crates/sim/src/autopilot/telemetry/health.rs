@@ -225,7 +225,7 @@ pub(super) fn ekf_status_report(autopilot: &Autopilot) -> MavMessage {
         pos_horiz_variance: ratios.position as f32,
         pos_vert_variance: ratios.height as f32,
         compass_variance: ratios.compass as f32,
-        flags: flags,
+        flags,
         ..Default::default()
     })
 }
