@@ -17,7 +17,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     // A package inside somebody else's checkout is not of its commits: there the way up is not empty.
     let is_checkout = git(&["rev-parse", "--show-cdup"]).as_deref() == Some("");
     // The length that git would choose depends on the clone.
-    let format = ["show", "--no-patch", "--abbrev=12", "--format=%h %cs", "HEAD"];
+    let format = [
+        "show",
+        "--no-patch",
+        "--abbrev=12",
+        "--format=%h %cs",
+        "HEAD",
+    ];
     let commit = git(&format).filter(|_| is_checkout);
     let commit = commit.map_or(String::new(), |commit| format!(" ({commit})"));
     println!("cargo::rustc-env=SORTIE_VERSION={version}{commit}");
