@@ -45,6 +45,6 @@ deliver-nodes-target = { $target } nodes
 deliver-kits-advice = Find people sooner and drop the kit within 8 m of them: { $lost } could not wait.
 deliver-nodes-advice = Drop the nodes within 6 m of their places.
 people-kit-reached = a person { $distance } m away has it
-people-kit-lost = nobody within { $distance } m
+people-kit-lost = no one within { $distance } m
 people-node-placed = the node is in its place
 people-node-lost = no place for a node within { $distance } m

@@ -149,7 +149,7 @@ mission-goal-score-result = { $points } points
 # A pause.
 mission-paused = paused { $seconds } s
 pause-begins = PAUSED: `continue` or { $key } goes on
-pause-ends = time goes on
+pause-ends = resumed
 pause-is-one = already paused
 pause-is-none = not paused
 pause-not-begun = nothing to pause: the clock starts when you leave the brief

@@ -23,7 +23,7 @@ pub struct Standing {
     ended: Option<Duration>,
 }
 
-/// The worst kind of alert that nobody has taken note of, with all its vehicles.
+/// The worst kind of alert that is not acknowledged, with all its vehicles.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Pressing<'a> {
     /// The worst of them; the oldest of those.
@@ -102,7 +102,7 @@ impl Alarms {
         all.filter(|one| one.ended.is_none())
     }
 
-    /// What a vehicle's row says: what nobody has taken note of before what somebody has, the worst first.
+    /// What a vehicle's row says: what is not acknowledged before what is, the worst first.
     pub fn worst(&self, vehicle: VehicleId) -> Option<&Standing> {
         self.of(vehicle)
             .min_by_key(|one| (self.is_calm(one), one.alert.severity))
@@ -118,7 +118,7 @@ impl Alarms {
         self.muted.contains(&kind)
     }
 
-    /// The worst that nobody has taken note of. That a vehicle on the ground is not ready presses nobody.
+    /// The worst that is not acknowledged. A vehicle on the ground that is not ready is not urgent.
     pub fn pressing(&self) -> Option<Pressing<'_>> {
         let open = || self.open();
         let (_, first) = open().min_by_key(|(_, one)| (one.alert.severity, one.since))?;
@@ -146,7 +146,7 @@ impl Alarms {
         count
     }
 
-    /// What is serious, and nobody has taken note of.
+    /// The serious alerts that are not acknowledged.
     pub fn open(&self) -> impl Iterator<Item = (VehicleId, &Standing)> {
         let vehicles = self.standing.keys();
         let standing = vehicles.flat_map(|&id| self.of(id).map(move |one| (id, one)));

@@ -283,7 +283,7 @@ mod tests {
         assert_eq!(told(["= 500", "= 700"]).as_deref(), Some("1: 500   2: 700"));
         let sentences = [
             "a person 2 m away has it; 1 left",
-            "nobody within 8 m; 1 left",
+            "no one within 8 m; 1 left",
         ];
         assert_eq!(told(sentences), None);
     }

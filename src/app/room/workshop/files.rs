@@ -14,7 +14,7 @@ use crate::workshop::Design;
 pub(super) fn ask_save(state: &mut State) {
     if state.career.is_none() {
         let key = state.key(Action::Workshop(WorkshopAction::ExportDesign));
-        return state.say(Severity::Warning, text!("bench-nobody-saves", key = key));
+        return state.say(Severity::Warning, text!("bench-no-profile", key = key));
     }
     let name = state.rooms.workshop.bench.design().name.clone();
     state.prompt(Purpose::SaveDesign, name);
@@ -24,7 +24,7 @@ pub(super) fn ask_save(state: &mut State) {
 pub(super) fn ask_copy(state: &mut State, design: Option<Design>) {
     if state.career.is_none() {
         let key = state.key(Action::Workshop(WorkshopAction::ExportDesign));
-        return state.say(Severity::Warning, text!("bench-nobody-saves", key = key));
+        return state.say(Severity::Warning, text!("bench-no-profile", key = key));
     }
     let bench = &state.rooms.workshop.bench;
     let name = design.unwrap_or_else(|| bench.design().clone()).name;
