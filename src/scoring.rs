@@ -32,7 +32,7 @@ pub use report::{
 use safety::SafetyAdvice;
 pub use safety::{SafetyEvent, SafetyKind, SafetyLog, safety_value};
 pub use swarm::{SwarmFigures, SwarmTimes};
-pub use truth::{MarkReport, ObjectReport, SquareReport, TrackReport, TruthReport};
+pub use truth::{MarkReport, ObjectKind, ObjectReport, SquareReport, TrackReport, TruthReport};
 pub use utilisation::{VehicleUse, utilisation_value};
 
 use crate::text;

@@ -13,6 +13,7 @@ contact-fire = fire
 contact-defect = defect
 contact-leak = leak
 contact-source = source
+contact-peak = peak
 contact-found = { $contact }: { $kind }?  n { $north } e { $east }  { $sensor }
 contact-confirmed = { $contact }: { $kind }, the { $sensor } sees it too
 contact-harmless = { $contact }: harmless

@@ -13,6 +13,7 @@ contact-fire = вогонь
 contact-defect = дефект
 contact-leak = витік
 contact-source = джерело
+contact-peak = пік
 contact-found = { $contact }: { $kind }?  n { $north } e { $east }  { $sensor }
 contact-confirmed = { $contact }: { $kind }, видно й на іншому датчику: { $sensor }
 contact-harmless = { $contact }: небезпеки немає

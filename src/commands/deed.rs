@@ -3,9 +3,9 @@
 use std::fmt;
 use std::time::Duration;
 
-use serde::de::Error as _;
-use serde::{Deserialize, Deserializer, Serialize};
+use serde::{Deserialize, Serialize};
 
+use super::FindKind;
 use crate::geo::LatLon;
 use crate::text;
 use crate::text::Text;
@@ -16,9 +16,8 @@ use crate::text::Text;
 pub enum Deed {
     Mark {
         subject: Subject,
-        /// What it is said to be, in a word of [`Deed::KINDS`]; `None` where the mission asks for one kind only.
-        #[serde(deserialize_with = "known_kind")]
-        kind: Option<KindName>,
+        /// What it is said to be; `None` where the mission asks for one kind only.
+        kind: Option<FindKind>,
     },
     /// Take back the report that is nearest to a place.
     Unmark { spot: Spot },
@@ -40,10 +39,6 @@ pub enum Deed {
 }
 
 impl Deed {
-    /// What a find can be said to be.
-    pub const KINDS: &'static [&'static str] =
-        &["mine", "person", "source", "leak", "fire", "defect", "peak"];
-
     /// Whether it concerns the mission as a whole: done with one vehicle, it is done with all.
     pub fn is_of_all(&self) -> bool {
         match self {
@@ -62,19 +57,6 @@ impl Deed {
             | Self::Predict { .. }
             | Self::Goal(_)
             | Self::Hint => false,
-        }
-    }
-
-    /// What a kind of find is called by people; a word that names none stays as it is.
-    pub fn kind_title(kind: &str) -> Text {
-        match kind {
-            "mine" => text!("contact-mine"),
-            "person" => text!("contact-person"),
-            "fire" => text!("contact-fire"),
-            "defect" => text!("contact-defect"),
-            "leak" => text!("contact-leak"),
-            "source" => text!("contact-source"),
-            other => other.into(),
         }
     }
 }
@@ -120,20 +102,6 @@ pub enum Goal {
     Attention,
     /// Reach at least this score.
     Score(u16),
-}
-
-/// One of the words of [`Deed::KINDS`].
-pub type KindName = &'static str;
-
-fn known_kind<'de, D: Deserializer<'de>>(
-    deserializer: D,
-) -> Result<Option<&'static str>, D::Error> {
-    let Some(word) = Option::<String>::deserialize(deserializer)? else {
-        return Ok(None);
-    };
-    let known = Deed::KINDS.iter().find(|kind| **kind == word);
-    let unknown = || D::Error::custom("no kind of find");
-    known.copied().map(Some).ok_or_else(unknown)
 }
 
 impl Goal {

@@ -1,8 +1,7 @@
 //! The truth on a map of letters: what was there, what was found of it, and what was never looked at.
 
 use super::DebriefPage;
-use crate::commands::Deed;
-use crate::scoring::{ObjectReport, SquareReport, TruthReport};
+use crate::scoring::{ObjectKind, ObjectReport, SquareReport, TruthReport};
 use crate::text;
 use crate::text::Text;
 
@@ -68,8 +67,11 @@ impl DebriefPage<'_> {
             self.wrapped("  ", &text);
         }
         for object in missed.iter().take(NAMED) {
+            let ObjectKind::Find(kind) = object.kind else {
+                continue;
+            };
             let [east, north] = object.at.map(|axis| format!("{axis:.0}"));
-            let kind = Deed::kind_title(&object.kind);
+            let kind = kind.title();
             let text = text!("debrief-missed", kind = kind, north = north, east = east);
             self.wrapped("    ", &text);
         }
@@ -78,7 +80,7 @@ impl DebriefPage<'_> {
 
 /// Whether it counts as missed unless it is reported.
 fn is_asked(object: &ObjectReport) -> bool {
-    object.sought && object.kind != "decoy"
+    object.sought && object.kind != ObjectKind::Decoy
 }
 
 struct TextMap {
@@ -145,9 +147,9 @@ impl TextMap {
             self.put(mark.at, if mark.right { 'v' } else { 'F' });
         }
         for object in &truth.objects {
-            let sign = match (object.kind.as_str(), object.found) {
-                ("decoy", _) => 'd',
-                (_, true) => 'O',
+            let sign = match (object.kind, object.found) {
+                (ObjectKind::Decoy, _) => 'd',
+                (ObjectKind::Find(_), true) => 'O',
                 _ if is_asked(object) => 'X',
                 _ => 'o',
             };
@@ -217,17 +219,20 @@ impl TextMap {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::commands::FindKind;
     use crate::debrief::text as debrief;
     use crate::scoring::{MarkReport, TrackReport};
     use crate::text::{Language, Locale};
 
-    fn object(at: [f64; 2], kind: &str, found: bool) -> ObjectReport {
+    const MINE: ObjectKind = ObjectKind::Find(FindKind::Mine);
+
+    fn object(at: [f64; 2], kind: ObjectKind, found: bool) -> ObjectReport {
         ObjectReport {
             at,
-            kind: kind.to_owned(),
+            kind,
             present: true,
             found,
-            sought: kind != "decoy",
+            sought: kind != ObjectKind::Decoy,
         }
     }
 
@@ -239,15 +244,15 @@ mod tests {
         };
         let mark = |at, right| MarkReport {
             at,
-            kind: Some("mine".to_owned()),
+            kind: Some(FindKind::Mine),
             right,
         };
         TruthReport {
             squares: vec![square([10.0, 90.0], 1.0), square([30.0, 90.0], 0.4)],
             objects: vec![
-                object([50.0, 40.0], "mine", true),
-                object([70.0, 20.0], "mine", false),
-                object([20.0, 20.0], "decoy", false),
+                object([50.0, 40.0], MINE, true),
+                object([70.0, 20.0], MINE, false),
+                object([20.0, 20.0], ObjectKind::Decoy, false),
             ],
             marks: vec![mark([50.4, 40.0], true), mark([90.0, 60.0], false)],
             gaps: vec![square([90.0, 90.0], 0.0)],

@@ -6,7 +6,7 @@ use std::time::Duration;
 use super::Point;
 use super::report::{SAME_WITHIN_M, distance_m};
 use super::world::ObjectId;
-use crate::commands::Deed;
+use crate::commands::FindKind;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
@@ -17,8 +17,8 @@ pub(crate) struct Contact {
     pub name: String,
     /// Where the detectors place it: the mean of their looks.
     pub at: Point,
-    /// What it is taken for, in a word of [`Deed::KINDS`](crate::commands::Deed::KINDS).
-    pub kind: &'static str,
+    /// What it is taken for.
+    pub kind: FindKind,
     /// The sensors that have seen it, by id.
     pub sensors: BTreeSet<&'static str>,
     /// Who saw it first.
@@ -40,7 +40,7 @@ pub(crate) struct Contact {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Sighting {
     pub at: Point,
-    pub kind: &'static str,
+    pub kind: FindKind,
     pub sensor: &'static str,
     pub by: VehicleId,
     pub object: Option<ObjectId>,
@@ -62,8 +62,14 @@ pub(crate) enum Seen {
     Again,
 }
 
-/// What burns is counted by itself: a fire has dozens of contacts, and what has to be reported must not drown in them.
+/// What the names of contacts begin with; a number follows.
+pub(crate) const STEMS: [&str; 2] = ["c", FIRE];
 const FIRE: &str = "fire";
+
+/// What burns is counted by itself: a fire has dozens of contacts, and what has to be reported must not drown in them.
+fn stem(kind: FindKind) -> &'static str {
+    if kind == FindKind::Fire { FIRE } else { "c" }
+}
 
 /// All contacts of a flight, in the order of their first sighting.
 #[derive(Debug, Clone, Default)]
@@ -91,15 +97,8 @@ impl Contacts {
 
     /// The names that contacts can have, up to so many of each sort.
     pub fn names(each: usize) -> impl Iterator<Item = String> {
-        let name = |number| [Self::name("", number), Self::name(FIRE, number)];
+        let name = |number| STEMS.map(|stem| format!("{stem}{number}"));
         (1..=each).flat_map(name)
-    }
-
-    fn name(kind: &str, number: usize) -> String {
-        match kind {
-            FIRE => format!("{FIRE}{number}"),
-            _ => format!("c{number}"),
-        }
     }
 
     /// The contact that a sighting belongs to: the nearest one of its kind, if that is near enough.
@@ -121,11 +120,11 @@ impl Contacts {
         if sighting.harmless {
             return Seen::Again;
         }
-        let is_fire = |kind: &str| kind == FIRE;
-        let sort = is_fire(sighting.kind);
-        let before = self.0.iter().filter(|known| is_fire(known.kind) == sort);
+        let stem = stem(sighting.kind);
+        let known = self.0.iter();
+        let number = known.filter(|known| self::stem(known.kind) == stem).count() + 1;
         self.0.push(Contact {
-            name: Self::name(sighting.kind, before.count() + 1),
+            name: format!("{stem}{number}"),
             at: sighting.at,
             kind: sighting.kind,
             sensors: BTreeSet::from([sighting.sensor]),
@@ -174,7 +173,7 @@ impl Contact {
 
     /// What it is taken for, in words.
     pub fn kind_text(&self) -> Text {
-        Deed::kind_title(self.kind)
+        self.kind.title()
     }
 }
 
@@ -185,7 +184,7 @@ mod tests {
     fn sighting(at: Point, sensor: &'static str) -> Sighting {
         Sighting {
             at,
-            kind: "mine",
+            kind: FindKind::Mine,
             sensor,
             by: 1,
             object: None,
@@ -229,10 +228,10 @@ mod tests {
     fn fires_are_counted_by_themselves() {
         let mut contacts = Contacts::default();
         for (east, kind) in [
-            (0.0, "person"),
-            (50.0, "fire"),
-            (90.0, "fire"),
-            (99.0, "person"),
+            (0.0, FindKind::Person),
+            (50.0, FindKind::Fire),
+            (90.0, FindKind::Fire),
+            (99.0, FindKind::Person),
         ] {
             let found = Sighting {
                 kind,

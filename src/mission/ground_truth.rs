@@ -4,6 +4,7 @@
 use std::time::Duration;
 
 use super::Point;
+use crate::commands::FindKind;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
@@ -78,14 +79,14 @@ pub(crate) enum ObjectClass {
 
 impl ObjectClass {
     /// What it is reported as; `None` for what should not be reported at all.
-    pub fn kind(self) -> Option<&'static str> {
+    pub fn kind(self) -> Option<FindKind> {
         Some(match self {
-            Self::MetalMine | Self::MinimumMetalMine | Self::SurfaceMine => "mine",
-            Self::Person => "person",
-            Self::Fire => "fire",
-            Self::Defect => "defect",
-            Self::Leak => "leak",
-            Self::Source => "source",
+            Self::MetalMine | Self::MinimumMetalMine | Self::SurfaceMine => FindKind::Mine,
+            Self::Person => FindKind::Person,
+            Self::Fire => FindKind::Fire,
+            Self::Defect => FindKind::Defect,
+            Self::Leak => FindKind::Leak,
+            Self::Source => FindKind::Source,
             Self::Clutter | Self::Animal => return None,
         })
     }

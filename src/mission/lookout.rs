@@ -17,6 +17,7 @@ use super::craft::Craft;
 use super::sensor::{DetectorSpec, Look, Sensor, View};
 use super::world::{ObjectId, World};
 use super::{Point, TICK};
+use crate::commands::FindKind;
 use crate::hash::fnv1a;
 use crate::vehicle::VehicleId;
 
@@ -27,7 +28,7 @@ const NEVER_SEEN: f64 = 0.03;
 /// Nothing is as sure as to be found at once.
 const SUREST: f64 = 0.999;
 /// What false alarms can be taken for.
-const ALARMS: [&str; 2] = ["mine", "person"];
+const ALARMS: [FindKind; 2] = [FindKind::Mine, FindKind::Person];
 
 /// All detectors of a fleet.
 #[derive(Debug)]
@@ -40,7 +41,7 @@ pub(crate) struct Lookout {
 #[derive(Debug, Default)]
 struct Eye {
     glances: BTreeMap<ObjectId, Glance>,
-    alarms: BTreeMap<&'static str, Chance>,
+    alarms: BTreeMap<FindKind, Chance>,
     /// Until a contact where nothing is turns out to be nothing, by its name.
     phantoms: BTreeMap<String, Chance>,
 }
@@ -153,7 +154,7 @@ impl DetectorWatch<'_> {
     }
 
     /// False alarms, by the way that the detector has gone over the ground.
-    fn alarms(&mut self, alarms: &mut BTreeMap<&'static str, Chance>, seen: &mut Vec<Sighting>) {
+    fn alarms(&mut self, alarms: &mut BTreeMap<FindKind, Chance>, seen: &mut Vec<Sighting>) {
         let way_m = self.craft.speed_m_s * TICK.as_secs_f64();
         for taken_for in ALARMS {
             let (height_m, light) = (self.craft.height_m, self.world.weather.light);
@@ -163,7 +164,7 @@ impl DetectorWatch<'_> {
             }
             let alarm = alarms
                 .entry(taken_for)
-                .or_insert_with(|| Chance::new(self.random(&[taken_for.as_bytes()])));
+                .or_insert_with(|| Chance::new(self.random(&[taken_for.name().as_bytes()])));
             if alarm.expose(rate * way_m) {
                 let aside = self.spec.swath_m(height_m) * (alarm.random.random::<f64>() - 0.5);
                 let [east, north] = self.craft.course.aside(aside);
@@ -173,7 +174,11 @@ impl DetectorWatch<'_> {
                     every_s: None,
                     taken_for,
                     error_m: 0.0,
-                    merge_within_m: if taken_for == "mine" { 1.5 } else { 10.0 },
+                    merge_within_m: if taken_for == FindKind::Mine {
+                        1.5
+                    } else {
+                        10.0
+                    },
                 };
                 seen.push(self.sighting([self.at[0] + east, self.at[1] + north], &look, None));
             }
@@ -220,7 +225,7 @@ impl DetectorWatch<'_> {
         Glance {
             chance: Chance::new(self.random(&[&object.concat()])),
             last: self.now,
-            blind: look.taken_for == "mine" && kind.random::<f64>() < NEVER_SEEN,
+            blind: look.taken_for == FindKind::Mine && kind.random::<f64>() < NEVER_SEEN,
             found: false,
         }
     }

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::time::Duration;
 
 use super::{Area, Inject, LessonStep, MoverKind, OpenAlert, Phase, Pledge};
+use crate::commands::FindKind;
 use crate::geo::LatLon;
 use crate::language::Findings;
 use crate::scoring::SwarmFigures;
@@ -134,8 +135,8 @@ pub enum ObjectiveState {
 pub struct ShownContact {
     /// What it is called: `c1`.
     pub name: String,
-    /// What it is taken for, in the grammar's word.
-    pub kind: &'static str,
+    /// What it is taken for.
+    pub kind: FindKind,
     /// Where it is believed to be.
     pub at: LatLon,
     /// How far anybody trusts it.
@@ -156,8 +157,8 @@ pub enum Trust {
 /// What the trainee has reported.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShownMark {
-    /// What it is said to be, in the grammar's word.
-    pub kind: Option<&'static str>,
+    /// What it is said to be.
+    pub kind: Option<FindKind>,
     /// Where it was reported.
     pub at: LatLon,
 }

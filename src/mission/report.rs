@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use super::Point;
+use crate::commands::FindKind;
 use crate::vehicle::VehicleId;
 
 /// A find, as it was reported.
@@ -10,7 +11,7 @@ use crate::vehicle::VehicleId;
 pub(crate) struct Mark {
     pub at: Point,
     /// What it is said to be; `None` where the reporter did not say.
-    pub kind: Option<&'static str>,
+    pub kind: Option<FindKind>,
     pub by: VehicleId,
     pub when: Duration,
 }

@@ -11,6 +11,7 @@ use super::ground_truth::{Load, LoadEffect, Object, Quantity, TruthPiece};
 use super::hazard::{Field, Hazard};
 use super::weather::Weather;
 use super::{Mission, Point};
+use crate::commands::FindKind;
 use crate::hash::fnv1a;
 
 /// A beam is added up in so many slices.
@@ -24,8 +25,8 @@ pub(crate) struct World {
     /// As it is now; events change it.
     pub weather: Weather,
     fields: Vec<Box<dyn Field>>,
-    /// What there is to report, in words of [`Deed::KINDS`](crate::commands::Deed::KINDS).
-    sought: BTreeSet<(&'static str, usize)>,
+    /// What there is to report, and of which hazard.
+    sought: BTreeSet<(FindKind, usize)>,
     seed: u64,
 }
 
@@ -122,7 +123,7 @@ impl World {
     }
 
     /// Whether anything of a kind is looked for at a point: something was there to be reported from the start.
-    pub fn seeks(&self, kind: &str, at: Point) -> bool {
+    pub fn seeks(&self, kind: FindKind, at: Point) -> bool {
         let here = |hazard: usize| self.field(hazard).is_some_and(|it| it.may_lie_at(at));
         let mut sought = self.sought.iter();
         sought.any(|&(known, hazard)| known == kind && here(hazard))

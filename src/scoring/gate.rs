@@ -4,13 +4,62 @@ use super::{Component, ComponentScore, Facts};
 use crate::text;
 use crate::text::Text;
 
-/// One condition: a name, a comparison and a number.
+/// One condition: what is compared, how, and with which number.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Gate {
-    name: String,
+    measure: GateMeasure,
     comparison: GateComparison,
     number: f64,
 }
+
+#[derive(Debug, Clone, PartialEq, Eq)]
+enum GateMeasure {
+    Component(Component),
+    /// How many vehicles were lost.
+    Crashes,
+    /// The measure of an objective, by its id.
+    Objective(String),
+}
+
+impl GateMeasure {
+    fn of(name: &str) -> Self {
+        if name == CRASHES {
+            return Self::Crashes;
+        }
+        let component = Component::ALL.into_iter().find(|it| it.name() == name);
+        component.map_or_else(|| Self::Objective(name.to_owned()), Self::Component)
+    }
+
+    fn title(&self) -> Text {
+        match self {
+            Self::Component(component) => component.title(),
+            Self::Crashes => text!("scoring-crashes"),
+            Self::Objective(id) => id.as_str().into(),
+        }
+    }
+
+    /// `None` where the flight has no such measure.
+    fn value(&self, facts: &Facts, components: &[ComponentScore]) -> Option<f64> {
+        match self {
+            Self::Component(component) => components
+                .iter()
+                .find(|it| it.component == *component)
+                .map(|it| it.value),
+            Self::Crashes => {
+                let lost = facts.safety.iter().filter(|event| event.kind.is_loss());
+                Some(lost.count() as f64)
+            }
+            Self::Objective(id) => facts
+                .objectives
+                .iter()
+                .find(|it| it.id == *id)
+                .map(|it| it.measure),
+        }
+    }
+}
+
+/// What lost vehicles are called in a gate.
+const CRASHES: &str = "crashes";
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum GateComparison {
@@ -26,6 +75,12 @@ const COMPARISONS: [(&str, GateComparison); 3] = [
 ];
 
 impl Gate {
+    /// The names that every mission knows; the ids of its objectives come to them.
+    pub fn names() -> impl Iterator<Item = &'static str> {
+        let components = Component::ALL.into_iter().map(Component::name);
+        components.chain([CRASHES])
+    }
+
     /// Reads `NAME >= NUMBER` (or `<=`, `==`).
     ///
     /// # Errors
@@ -45,20 +100,23 @@ impl Gate {
             return Err("the number of a gate must be finite".to_owned());
         }
         Ok(Self {
-            name: name.trim().to_owned(),
+            measure: GateMeasure::of(name.trim()),
             comparison,
             number,
         })
     }
 
-    /// The name it compares: a component, `crashes`, or the id of an objective.
-    pub fn name(&self) -> &str {
-        &self.name
+    /// The objective whose measure it compares, by its id, if it compares one.
+    pub fn objective(&self) -> Option<&str> {
+        match &self.measure {
+            GateMeasure::Objective(id) => Some(id),
+            GateMeasure::Component(_) | GateMeasure::Crashes => None,
+        }
     }
 
     /// Whether it holds for a flight. A component that does not apply stands in nobody's way.
     pub fn holds(&self, facts: &Facts, components: &[ComponentScore]) -> bool {
-        let Some(value) = self.value(facts, components) else {
+        let Some(value) = self.measure.value(facts, components) else {
             return true;
         };
         match self.comparison {
@@ -70,11 +128,10 @@ impl Gate {
 
     /// Whether any flight could make it hold: components lie between 0 and 1, crashes are counted.
     pub fn can_hold(&self) -> bool {
-        let is_component = Component::ALL.into_iter().any(|c| c.name() == self.name);
-        let (low, high) = match self.name.as_str() {
-            "crashes" => (0.0, f64::INFINITY),
-            _ if is_component => (0.0, 1.0),
-            _ => return true,
+        let (low, high) = match self.measure {
+            GateMeasure::Crashes => (0.0, f64::INFINITY),
+            GateMeasure::Component(_) => (0.0, 1.0),
+            GateMeasure::Objective(_) => return true,
         };
         match self.comparison {
             GateComparison::AtLeast => self.number <= high,
@@ -82,42 +139,20 @@ impl Gate {
             GateComparison::Equal => (low..=high).contains(&self.number),
         }
     }
-
-    fn value(&self, facts: &Facts, components: &[ComponentScore]) -> Option<f64> {
-        if self.name == "crashes" {
-            return Some(
-                facts
-                    .safety
-                    .iter()
-                    .filter(|event| event.kind.is_loss())
-                    .count() as f64,
-            );
-        }
-        if let Some(objective) = facts.objectives.iter().find(|o| o.id == self.name) {
-            return Some(objective.measure);
-        }
-        let component = Component::ALL.into_iter().find(|c| c.name() == self.name)?;
-        components
-            .iter()
-            .find(|c| c.component == component)
-            .map(|c| c.value)
-    }
 }
 
 impl Gate {
     /// The condition as it is written, with the name that people know.
     pub fn text(&self) -> Text {
-        let component = Component::ALL.into_iter().find(|c| c.name() == self.name);
-        let name = match component {
-            Some(component) => component.title(),
-            None if self.name == "crashes" => text!("scoring-crashes"),
-            None => self.name.as_str().into(),
-        };
         let sign = COMPARISONS
             .iter()
             .find(|(_, comparison)| *comparison == self.comparison)
             .map_or("", |(sign, _)| sign);
-        let parts = vec![name, sign.into(), self.number.to_string().into()];
+        let parts = vec![
+            self.measure.title(),
+            sign.into(),
+            self.number.to_string().into(),
+        ];
         Text::joined(" ", parts)
     }
 }

@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::commands::FindKind;
+
 /// Metres east and north of the mission's origin.
 type Place = [f64; 2];
 
@@ -41,8 +43,8 @@ pub struct SquareReport {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ObjectReport {
     pub at: Place,
-    /// What it is: `mine`, `person`, `fire`, `defect`, `leak`, `source`; `decoy` for what should not be reported.
-    pub kind: String,
+    /// What it is.
+    pub kind: ObjectKind,
     /// Whether it was still there at the end.
     pub present: bool,
     /// Whether it was reported.
@@ -51,13 +53,23 @@ pub struct ObjectReport {
     pub sought: bool,
 }
 
+/// What a thing is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ObjectKind {
+    /// What should not be reported.
+    Decoy,
+    #[serde(untagged)]
+    Find(FindKind),
+}
+
 /// A report of the trainee's.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct MarkReport {
     /// Where it was reported.
     pub at: Place,
     /// What it was said to be, if anything.
-    pub kind: Option<String>,
+    pub kind: Option<FindKind>,
     /// Whether there was something of the kind.
     pub right: bool,
 }

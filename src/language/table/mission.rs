@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use super::{Built, ONCE, deed};
-use crate::commands::{Deed, Goal, Spot, Subject};
+use crate::commands::{Deed, FindKind, Goal, Spot, Subject};
 use crate::language::argument::{Argument, Arguments, Kind, Unit};
 use crate::language::verb::{Form, Scope, VerbRow};
 use crate::verb::{CountsAs, Danger, Movement, Precedence, Verb};
@@ -13,21 +13,15 @@ pub(super) static ROWS: &[VerbRow] = &[MARK, UNMARK, SAMPLE, DROP, SPRAY, PREDIC
 const WAY: Kind = Kind::Number(Unit::Metres, -20_000.0, 20_000.0);
 const POINTS: Kind = Kind::Whole(Unit::None, 0.0, 1000.0);
 const AS: Argument =
-    Argument::keyed("as", "kind", Kind::Choice(Deed::KINDS), "argument-kind").optional();
+    Argument::keyed("as", "kind", Kind::Choice(FindKind::NAMES), "argument-kind").optional();
 const NORTH: Argument = Argument::keyed("n", "north", WAY, "argument-north-of-origin");
 const EAST: Argument = Argument::keyed("e", "east", WAY, "argument-east-of-origin");
 const PLACE: Argument = Argument::value("point", Kind::Point, "argument-place");
 
-/// The kind that was written, as the table spells it.
-fn kind(given: &Arguments) -> Option<&'static str> {
-    let word = given.word("kind")?;
-    Deed::KINDS.iter().copied().find(|known| *known == word)
-}
-
 fn mark(given: &Arguments, subject: Subject) -> Built {
     deed(Deed::Mark {
         subject,
-        kind: kind(given),
+        kind: given.word("kind").and_then(|word| word.parse().ok()),
     })
 }
 

@@ -88,19 +88,17 @@ fn gate(table: &mut FileTable<'_>, written: &Spanned<String>) -> Option<Gate> {
             return None;
         }
     };
-    let components = Component::ALL.map(Component::name).into_iter();
     let objectives = table.draft().ids("objectives").to_vec();
-    let names: Vec<&str> = components
-        .chain(["crashes"])
-        .chain(objectives.iter().map(String::as_str))
-        .collect();
-    if !names.contains(&gate.name()) {
-        let message = format!("unknown name `{}` in a gate", gate.name());
+    if let Some(id) = gate
+        .objective()
+        .filter(|id| !objectives.iter().any(|it| it == id))
+    {
+        let message = format!("unknown name `{id}` in a gate");
+        let mut names: Vec<&str> = Gate::names().collect();
+        names.extend(objectives.iter().map(String::as_str));
         let fault = Diagnostic::new(written.span(), message);
-        table
-            .draft()
-            .faults
-            .push(fault.with_nearest(gate.name(), names));
+        let fault = fault.with_nearest(id, names);
+        table.draft().faults.push(fault);
     }
     Some(gate)
 }

@@ -1,7 +1,7 @@
 //! What a mission does when it is asked: reports, and the trainee's word before launch.
 
 use super::{Flight, Loads, LoadsScene};
-use crate::commands::{Deed, Goal, Spot, Subject};
+use crate::commands::{Deed, FindKind, Goal, Spot, Subject};
 use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::mission::Point;
 use crate::mission::report::Mark;
@@ -142,7 +142,7 @@ impl Flight {
         (&mut self.loads, scene)
     }
 
-    fn mark(&mut self, by: VehicleId, spot: Spot, kind: Option<&'static str>) -> Done {
+    fn mark(&mut self, by: VehicleId, spot: Spot, kind: Option<FindKind>) -> Done {
         let at = self.point(by, spot)?;
         self.search.mark(Mark {
             at,
@@ -152,12 +152,7 @@ impl Flight {
         })
     }
 
-    fn mark_contacts(
-        &mut self,
-        by: VehicleId,
-        confirmed: bool,
-        kind: Option<&'static str>,
-    ) -> Done {
+    fn mark_contacts(&mut self, by: VehicleId, confirmed: bool, kind: Option<FindKind>) -> Done {
         self.search.mark_contacts(by, &self.journal, |contact| {
             let is_kind = kind.is_none_or(|kind| kind == contact.kind);
             is_kind && (!confirmed || contact.is_confirmed())
@@ -205,7 +200,7 @@ mod tests {
             };
             let deed = Deed::Mark {
                 subject: Subject::Spot(spot),
-                kind: Some("mine"),
+                kind: Some(FindKind::Mine),
             };
             let rows = flight.act(EntryId(0), &deed, &[1, 2]);
             let words = rows
@@ -229,7 +224,7 @@ mod tests {
                 north_m: 5.0,
                 east_m: 0.0,
             }),
-            kind: Some("mine"),
+            kind: Some(FindKind::Mine),
         };
         assert_eq!(states(&contacts(true)), [Refused, Done, Done]);
         assert_eq!(states(&contacts(false)), [Refused, Done, Done]);

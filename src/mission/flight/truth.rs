@@ -7,7 +7,9 @@ use crate::mission::objective::{NEXT_PLACE, Sought, Tracker};
 use crate::mission::report::{Mark, distance_m};
 use crate::mission::survey::Survey;
 use crate::mission::zone::ZoneKind;
-use crate::scoring::{MarkReport, ObjectReport, SquareReport, TrackReport, TruthReport};
+use crate::scoring::{
+    MarkReport, ObjectKind, ObjectReport, SquareReport, TrackReport, TruthReport,
+};
 use crate::text::rounded;
 
 /// A report of what nobody asked for is right this near to it.
@@ -44,7 +46,7 @@ impl Flight {
                     }
                     truth.objects.push(ObjectReport {
                         at: tenths(piece.at),
-                        kind: class.kind().unwrap_or("decoy").to_owned(),
+                        kind: class.kind().map_or(ObjectKind::Decoy, ObjectKind::Find),
                         present,
                         found: !hits.is_empty(),
                         sought: sought.is_some(),
@@ -131,7 +133,7 @@ fn is_meant(mark: &Mark, class: ObjectClass, at: Point, sought: Option<Sought>) 
 fn mark_report(mark: &Mark, right: bool) -> MarkReport {
     MarkReport {
         at: tenths(mark.at),
-        kind: mark.kind.map(str::to_owned),
+        kind: mark.kind,
         right,
     }
 }

@@ -113,6 +113,7 @@ mod tests {
     use rand::SeedableRng;
 
     use super::*;
+    use crate::commands::FindKind;
     use crate::mission::report::distance_m;
 
     fn laid(seed: u64) -> Box<dyn Field> {
@@ -137,7 +138,7 @@ mod tests {
             assert_eq!(objects.len(), 22);
             let mines = objects
                 .iter()
-                .filter(|object| object.class.kind() == Some("mine"));
+                .filter(|object| object.class.kind() == Some(FindKind::Mine));
             assert_eq!(mines.count(), 13);
             for (index, object) in objects.iter().enumerate() {
                 let [east, north] = object.at;

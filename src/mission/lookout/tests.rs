@@ -176,7 +176,7 @@ fn told_apart(height_m: f64) -> f64 {
     let contact = Contact {
         name: "c1".to_owned(),
         at: [0.0, -9.0],
-        kind: "person",
+        kind: FindKind::Person,
         sensors: ["s_th160"].into(),
         by: 2,
         first: Duration::ZERO,

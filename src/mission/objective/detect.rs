@@ -213,7 +213,7 @@ impl Detect {
             .iter()
             .filter_map(|object| object.class.kind())
             .collect();
-        let about = |mark: &&Mark| mark.kind.is_none_or(|kind| kinds.contains(kind));
+        let about = |mark: &&Mark| mark.kind.is_none_or(|kind| kinds.contains(&kind));
         let budget = (self.budget * sought.len() as f64).floor() as usize;
         for (order, mark) in marks.iter().filter(about).enumerate() {
             let near = sought.iter().enumerate().filter_map(|(index, object)| {
@@ -285,6 +285,7 @@ impl DetectTally {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::commands::FindKind;
     use crate::mission::Point;
     use crate::mission::ground_truth::ObjectClass;
 
@@ -308,7 +309,7 @@ mod tests {
         objects
     }
 
-    fn mark(at: Point, kind: Option<&'static str>) -> Mark {
+    fn mark(at: Point, kind: Option<FindKind>) -> Mark {
         Mark {
             at,
             kind,
@@ -317,20 +318,20 @@ mod tests {
         }
     }
 
-    fn tally(marks: &[(Point, Option<&'static str>)]) -> DetectTally {
+    fn tally(marks: &[(Point, Option<FindKind>)]) -> DetectTally {
         let marks: Vec<Mark> = marks.iter().map(|&(at, kind)| mark(at, kind)).collect();
         DETECT.tally(&mines(), &marks)
     }
 
     #[test]
     fn reports_are_hits_false_alarms_or_repetitions() {
-        let mine = Some("mine");
+        let mine = Some(FindKind::Mine);
         let counted = tally(&[
             ([0.0, 0.9], mine),
             ([0.0, 0.1], None),
             ([10.0, 1.1], mine),
             ([5.0, 5.0], mine),
-            ([20.0, 0.0], Some("person")),
+            ([20.0, 0.0], Some(FindKind::Person)),
             ([30.0, 0.0], None),
         ]);
         let expected = DetectTally {
@@ -382,7 +383,7 @@ mod tests {
 
     #[test]
     fn reporting_everything_is_worth_little() {
-        let everywhere: Vec<(Point, Option<&'static str>)> = (0..40)
+        let everywhere: Vec<(Point, Option<FindKind>)> = (0..40)
             .rev()
             .map(|step| ([f64::from(step), 0.0], None))
             .collect();

@@ -6,6 +6,7 @@ use super::{
     DemandedEquipment, Demands, Equipment, ObjectiveKind, ObjectiveScene, ObjectiveStanding,
     Sought, Tracker, Trying, partial_credit,
 };
+use crate::commands::FindKind;
 use crate::mission::Point;
 use crate::mission::format::{FileTable, KindOf, number};
 use crate::mission::ground_truth::Object;
@@ -28,7 +29,7 @@ struct Locate {
 #[derive(Debug, Clone, Copy)]
 struct LocateTarget {
     at: Point,
-    kind: &'static str,
+    kind: FindKind,
 }
 
 #[derive(Debug)]

@@ -1,6 +1,6 @@
 //! Objectives about continuous hazards, flown by the vehicle that flies in straight lines.
 
-use crate::commands::{Deed, Spot, Subject};
+use crate::commands::{Deed, FindKind, Spot, Subject};
 use crate::mission::fake::{Pilot, given};
 use crate::mission::ground_truth::Quantity;
 use crate::mission::world::World;
@@ -23,10 +23,10 @@ fn truth(file: &str, seed: u64) -> Point {
 }
 
 fn mark(pilot: &mut Pilot, at: Point) {
-    mark_as(pilot, at, "leak");
+    mark_as(pilot, at, FindKind::Leak);
 }
 
-fn mark_as(pilot: &mut Pilot, [east_m, north_m]: Point, kind: &'static str) {
+fn mark_as(pilot: &mut Pilot, [east_m, north_m]: Point, kind: FindKind) {
     let now = pilot.now;
     let entry = pilot.ledger.open(now, given("1 arm"), &[1]);
     let deed = Deed::Mark {
@@ -83,7 +83,7 @@ fn in_flight_a_report_is_counted_but_not_judged() {
         let mut pilot = Pilot::flying(mission(SEARCH), 4);
         let [east, north] = truth(SEARCH, 4);
         pilot.take_off(30.0);
-        mark_as(&mut pilot, [east, north + offset_m], "person");
+        mark_as(&mut pilot, [east, north + offset_m], FindKind::Person);
         pilot.wait(1.0);
         let progress = pilot.flight.progress();
         let objective = progress.objectives[0].clone();
@@ -114,7 +114,7 @@ fn a_flight_ends_when_the_last_report_is_20_s_old_right_or_wrong() {
         pilot.land();
         assert_eq!(pilot.flight.outcome(), None, "nothing has been reported");
         let landed = pilot.now;
-        mark_as(&mut pilot, [east + wrong_m, north], "person");
+        mark_as(&mut pilot, [east + wrong_m, north], FindKind::Person);
         while pilot.flight.outcome().is_none() {
             pilot.tick();
         }

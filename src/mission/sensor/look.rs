@@ -9,6 +9,7 @@
 //! thinned by contrast, by what hides the object, by smoke and by whoever watches the pictures.
 
 use super::detector::{Band, Camera, DetectorSpec, Ground, MineSpec};
+use crate::commands::FindKind;
 use crate::mission::ground_truth::{Object, ObjectClass};
 use crate::mission::weather::Light;
 
@@ -55,7 +56,7 @@ pub(crate) struct Look {
     /// Length of one independent look; `None` where a whole pass is one look.
     pub every_s: Option<f64>,
     /// What it is taken for.
-    pub taken_for: &'static str,
+    pub taken_for: FindKind,
     /// Standard deviation of where it is placed, on each axis.
     pub error_m: f64,
     /// Sightings within this are of one thing.
@@ -73,17 +74,19 @@ impl DetectorSpec {
     }
 
     /// False alarms of mines or persons per metre that a vehicle goes at a height.
-    pub fn false_alarms_per_m(&self, taken_for: &str, height_m: f64, light: Light) -> f64 {
+    pub fn false_alarms_per_m(&self, taken_for: FindKind, height_m: f64, light: Light) -> f64 {
         let mines = match self {
             Self::Ground(ground) => Some(&ground.mines),
             Self::Camera(camera) => camera.mines.as_ref(),
         };
         let per_m2 = match (taken_for, mines, self) {
-            ("mine", Some(mines), Self::Ground(_)) => mines.false_alarms_per_m2,
-            ("mine", Some(mines), Self::Camera(camera)) => {
+            (FindKind::Mine, Some(mines), Self::Ground(_)) => mines.false_alarms_per_m2,
+            (FindKind::Mine, Some(mines), Self::Camera(camera)) => {
                 mines.false_alarms_per_m2 * camera.mine_light(light)
             }
-            ("person", _, Self::Camera(_)) => return FALSE_PERSONS_PER_M2 * self.swath_m(height_m),
+            (FindKind::Person, _, Self::Camera(_)) => {
+                return FALSE_PERSONS_PER_M2 * self.swath_m(height_m);
+            }
             _ => return 0.0,
         };
         per_m2 * mines.map_or(0.0, |mines| mines.nearness(height_m)) * self.swath_m(height_m)
@@ -95,7 +98,7 @@ impl DetectorSpec {
     /// is not there is recognised as a person would be.
     pub fn look_at_nothing(
         &self,
-        taken_for: &'static str,
+        taken_for: FindKind,
         offset_m: [f64; 2],
         height_m: f64,
         light: Light,
@@ -103,7 +106,7 @@ impl DetectorSpec {
         let Self::Camera(camera) = self else {
             return None;
         };
-        if taken_for != "person" || !camera.shows(offset_m, height_m) {
+        if taken_for != FindKind::Person || !camera.shows(offset_m, height_m) {
             return None;
         }
         let cycles = PERSON_M / (2.0 * camera.pixel_m(height_m));
@@ -150,7 +153,7 @@ impl MineSpec {
             chance: self.best[class] * self.left(view.height_m, view.speed_m_s),
             told_apart: 0.0,
             every_s: None,
-            taken_for: "mine",
+            taken_for: FindKind::Mine,
             error_m: 0.25,
             merge_within_m: 1.5,
         })
@@ -179,9 +182,9 @@ impl Camera {
         }
         let clear = self.transmission(view) * (1.0 - view.object.cover) * NOTICED;
         let (size_m, taken_for) = match view.object.class {
-            ObjectClass::Person => (PERSON_M, "person"),
-            ObjectClass::Animal => (0.6, "person"),
-            ObjectClass::Fire => (1.0, "fire"),
+            ObjectClass::Person => (PERSON_M, FindKind::Person),
+            ObjectClass::Animal => (0.6, FindKind::Person),
+            ObjectClass::Fire => (1.0, FindKind::Fire),
             _ => return self.look_for_mines(view),
         };
         let cycles = size_m / (2.0 * self.pixel_m(view.height_m));
@@ -235,7 +238,7 @@ impl Camera {
             // From half as far, stains and old repairs are told from defects as often.
             told_apart: task_performance(NINE_IN_TEN * reach_m / (2.0 * distance_m.max(1.0))),
             every_s: Some(INSPECTION_S),
-            taken_for: "defect",
+            taken_for: FindKind::Defect,
             error_m: 0.5,
             merge_within_m: 4.0,
         })

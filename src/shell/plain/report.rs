@@ -248,7 +248,7 @@ fn contact_text(contact: &ShownContact) -> Text {
     text!(
         "plain-contact",
         name = &contact.name,
-        kind = contact.kind,
+        kind = contact.kind.name(),
         place = format!("{latitude:.6} {longitude:.6}"),
         trust = trust
     )

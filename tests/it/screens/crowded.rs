@@ -6,6 +6,7 @@ use sortie::app::effect::{Effect, SessionEffect};
 use sortie::app::event::SessionEvent;
 use sortie::app::state::Activity;
 use sortie::campaign::Stake;
+use sortie::commands::FindKind;
 use sortie::config::Symbols;
 use sortie::geo::Outline;
 use sortie::mission::{
@@ -37,7 +38,7 @@ fn progress() -> Progress {
     };
     let contact = |name: &str, trust, north_m| ShownContact {
         name: name.to_owned(),
-        kind: "mine",
+        kind: FindKind::Mine,
         at: fixtures::HOME.moved(north_m, 30.0),
         trust,
     };
@@ -72,7 +73,7 @@ fn progress() -> Progress {
             contact("c3", Trust::Reported, 60.0),
         ],
         marks: vec![ShownMark {
-            kind: Some("mine"),
+            kind: Some(FindKind::Mine),
             at: fixtures::HOME.moved(80.0, 30.0),
         }],
         alerts: vec![
@@ -200,7 +201,7 @@ fn names_on_the_map_are_whole_or_only_a_sign_but_never_run_into_each_other() {
     let mut console = resized(crowded(), size);
     let contact = |number: u32| ShownContact {
         name: format!("c{number}"),
-        kind: "mine",
+        kind: FindKind::Mine,
         at: fixtures::HOME.moved(100.0, f64::from(number) * 4.0),
         trust: Trust::Confirmed,
     };
@@ -233,7 +234,7 @@ fn what_one_sensor_has_seen_is_a_sign_and_only_the_nearest_has_its_name() {
     let mut console = resized(crowded(), size);
     let contact = |number: u32| ShownContact {
         name: format!("c{number}"),
-        kind: "mine",
+        kind: FindKind::Mine,
         at: fixtures::HOME.moved(
             100.0 + f64::from(number % 7) * 12.0,
             f64::from(number) * 5.0,
@@ -271,7 +272,7 @@ fn fire_is_a_field_and_what_was_searched_a_light_shade() {
     let mut console = resized(crowded(), size);
     let fire = |number: u32| ShownContact {
         name: format!("c{number}"),
-        kind: "fire",
+        kind: FindKind::Fire,
         at: fixtures::HOME.moved(100.0, f64::from(number) * 12.0 - 200.0),
         trust: if number > 8 {
             Trust::Confirmed

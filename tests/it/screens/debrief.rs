@@ -4,9 +4,11 @@ use sortie::app::effect::{Effect, Launch, SessionEffect};
 use sortie::app::event::SessionEvent;
 use sortie::app::state::{Activity, Room};
 use sortie::campaign::Stake;
+use sortie::commands::FindKind;
 use sortie::config::Symbols;
 use sortie::scoring::{
-    MarkReport, Medal, ObjectReport, Report, SquareReport, TrackReport, TruthReport, TryReport,
+    MarkReport, Medal, ObjectKind, ObjectReport, Report, SquareReport, TrackReport, TruthReport,
+    TryReport,
 };
 use sortie::text::Language;
 
@@ -14,13 +16,15 @@ use super::map::{drawn, resized};
 use crate::fixtures;
 use crate::harness::Console;
 
+const MINE: ObjectKind = ObjectKind::Find(FindKind::Mine);
+
 fn truth() -> TruthReport {
-    let object = |at, kind: &str, found| ObjectReport {
+    let object = |at, kind: ObjectKind, found| ObjectReport {
         at,
-        kind: kind.to_owned(),
+        kind,
         present: true,
         found,
-        sought: kind != "decoy",
+        sought: kind != ObjectKind::Decoy,
     };
     let square = |at, strength| SquareReport {
         at,
@@ -30,13 +34,13 @@ fn truth() -> TruthReport {
     TruthReport {
         squares: vec![square([10.0, 90.0], 1.0), square([30.0, 90.0], 0.4)],
         objects: vec![
-            object([50.0, 40.0], "mine", true),
-            object([70.0, 20.0], "mine", false),
-            object([20.0, 20.0], "decoy", false),
+            object([50.0, 40.0], MINE, true),
+            object([70.0, 20.0], MINE, false),
+            object([20.0, 20.0], ObjectKind::Decoy, false),
         ],
         marks: vec![MarkReport {
             at: [90.0, 60.0],
-            kind: Some("mine".to_owned()),
+            kind: Some(FindKind::Mine),
             right: false,
         }],
         gaps: vec![square([90.0, 90.0], 0.0)],

@@ -4,7 +4,6 @@
 use super::fire;
 use super::labels::Label;
 use crate::app::State;
-use crate::commands::Deed;
 use crate::geo::{LatLon, Viewport};
 use crate::mission::{Progress, ShownContact, Trust};
 use crate::ui::look::Look;
@@ -24,7 +23,7 @@ pub fn labels(state: &State, look: &Look, view: &Viewport) -> Vec<Label> {
     };
     let mut labels = Vec::new();
     for mark in &progress.marks {
-        let kind = mark.kind.map(|kind| look.text(&Deed::kind_title(kind)));
+        let kind = mark.kind.map(|kind| look.text(&kind.title()));
         let text = format!("#{}", kind.unwrap_or_default());
         let cell = view.cell(mark.at);
         labels.extend(cell.map(|cell| Label {

@@ -10,6 +10,7 @@ use ratatui::text::{Line, Span};
 use super::labels::{self, MapCell};
 use super::squares;
 use crate::app::State;
+use crate::commands::FindKind;
 use crate::config::Symbols;
 use crate::geo::Viewport;
 use crate::mission::{Progress, ShownContact, Trust};
@@ -17,8 +18,6 @@ use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 
-/// What a contact with a fire is called in the grammar.
-const KIND: &str = "fire";
 /// Around a contact the ground is taken to burn so far, in metres from side to side: about what a thermal camera takes
 /// for one fire.
 const FLAMES_M: f64 = 20.0;
@@ -89,7 +88,7 @@ pub fn role(look: &Look) -> Role {
 
 /// Whether a contact is a fire, which the field shows.
 pub fn is_fire(contact: &ShownContact) -> bool {
-    contact.kind == KIND
+    contact.kind == FindKind::Fire
 }
 
 /// Whether anything burns or has burnt, as far as is known.

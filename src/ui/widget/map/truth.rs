@@ -11,7 +11,7 @@ use super::labels::stamp;
 use super::legend::draw_scale;
 use super::ways::trail;
 use crate::geo::{Dot, Extent, GridSize, LatLon, Outline, Viewport};
-use crate::scoring::{ObjectReport, SquareReport, TruthReport};
+use crate::scoring::{ObjectKind, ObjectReport, SquareReport, TruthReport};
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
@@ -110,9 +110,9 @@ fn places(truth: &TruthReport) -> impl Iterator<Item = LatLon> {
 fn labels(truth: &TruthReport) -> Vec<(Sign, [f64; 2])> {
     let pads = truth.pads.iter().map(|&at| (PAD, at));
     let gates = truth.gates.iter().map(|&at| (GATE, at));
-    let sign = |object: &ObjectReport| match (object.kind.as_str(), object.found) {
-        ("decoy", _) => DECOY,
-        (_, true) => FOUND,
+    let sign = |object: &ObjectReport| match (object.kind, object.found) {
+        (ObjectKind::Decoy, _) => DECOY,
+        (ObjectKind::Find(_), true) => FOUND,
         _ if !object.present => OVER,
         _ if !object.sought => UNASKED,
         _ => MISSED,

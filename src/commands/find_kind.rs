@@ -1,0 +1,75 @@
+//! What a find can be reported as.
+
+use serde::{Deserialize, Serialize};
+use strum::{EnumString, IntoStaticStr, VariantNames};
+
+use crate::text;
+use crate::text::Text;
+
+/// A kind of find. Its word is the same in commands, records and reports.
+#[derive(
+    Debug,
+    Clone,
+    Copy,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    Serialize,
+    Deserialize,
+    EnumString,
+    IntoStaticStr,
+    VariantNames,
+)]
+#[serde(rename_all = "snake_case")]
+#[strum(serialize_all = "snake_case")]
+pub enum FindKind {
+    Mine,
+    Person,
+    /// Where radiation comes from.
+    Source,
+    /// Where gas comes out.
+    Leak,
+    Fire,
+    /// A fault of a line or a structure.
+    Defect,
+    /// Where a sensor shows the most.
+    Peak,
+}
+
+impl FindKind {
+    /// The words of all kinds.
+    pub const NAMES: &'static [&'static str] = <Self as VariantNames>::VARIANTS;
+
+    /// Its word.
+    pub fn name(self) -> &'static str {
+        self.into()
+    }
+
+    /// What people call it.
+    pub fn title(self) -> Text {
+        match self {
+            Self::Mine => text!("contact-mine"),
+            Self::Person => text!("contact-person"),
+            Self::Source => text!("contact-source"),
+            Self::Leak => text!("contact-leak"),
+            Self::Fire => text!("contact-fire"),
+            Self::Defect => text!("contact-defect"),
+            Self::Peak => text!("contact-peak"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_kind_has_one_word_in_commands_and_files() {
+        for name in FindKind::NAMES {
+            let kind: FindKind = name.parse().expect("a kind's own word");
+            assert_eq!(serde_json::to_value(kind).expect("a word"), **name);
+            assert!(!kind.title().to_string().starts_with("contact-"));
+        }
+    }
+}
