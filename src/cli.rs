@@ -37,6 +37,7 @@ mod config;
 mod debrief;
 mod designs;
 mod doctor;
+mod fault;
 mod fly;
 mod hangar;
 mod home;

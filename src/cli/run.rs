@@ -12,17 +12,17 @@ use serde::Serialize;
 
 use super::backend::BackendArguments;
 use super::designs::DesignArguments;
+use super::fault::FileFault;
 use super::settings::CliSettings;
 use super::{Failure, parse_speedup, trainee};
 use crate::campaign::{Attempt, AttemptMeans, AttemptTerms, Stake};
 use crate::debrief;
-use crate::diagnostic::{self, Diagnostic};
+use crate::diagnostic::Diagnostic;
 use crate::exercise::Exercise;
 use crate::hangar::VehicleBackend;
 use crate::language::{Context, Script};
 use crate::mission::record::Occasion;
 use crate::mission::{Mission, Report};
-use crate::notice::sanitised;
 use crate::scoring::FlownBy;
 use crate::store::{self, Runs, Source, StoreError, day_of, utc};
 use crate::text;
@@ -336,7 +336,7 @@ fn fly_embedded(
 /// A mission by path, name or number, with its faults explained.
 pub(super) fn load_mission(path_or_name: &str) -> Result<Mission, Failure> {
     let mission = store::mission(path_or_name).map_err(|error| match error {
-        StoreError::Faulty { file, faults } => explain(&file, &faults),
+        StoreError::Faulty { file, faults } => FileFault::Inside(file, faults).failure(),
         error => invalid(&error),
     })?;
     let is_path = Path::new(path_or_name).is_file();
@@ -360,7 +360,8 @@ pub(in crate::cli) fn load_script(
 }
 
 fn script_of(pilot: &Source, mission: &Mission) -> Result<Script, Failure> {
-    read_script(&pilot.text, mission).map_err(|faults| explain(pilot, &faults))
+    read_script(&pilot.text, mission)
+        .map_err(|faults| FileFault::Inside(pilot.clone(), faults).failure())
 }
 
 /// A pilot script for a mission: only its vehicles and its places are known.
@@ -384,17 +385,4 @@ pub(in crate::cli) fn read_script(
 
 fn invalid(error: &StoreError) -> Failure {
     Failure::Invalid(format!("sortie: {error}"))
-}
-
-fn explain(source: &Source, faults: &[Diagnostic]) -> Failure {
-    use std::io::IsTerminal as _;
-    let colour = std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
-    // The renderer writes out the control characters of the file's text, and not those of its name.
-    let name = sanitised(&source.name);
-    let (shown, rest) = diagnostic::first_shown(faults);
-    let rendered = shown
-        .iter()
-        .map(|fault| fault.render(&name, &source.text, colour));
-    let lines: Vec<String> = rendered.chain(rest.map(|text| text.to_string())).collect();
-    Failure::Shown(lines.join("\n\n"))
 }

@@ -10,6 +10,7 @@ use std::path::{Path, PathBuf};
 use tracing_subscriber::EnvFilter;
 
 use super::Failure;
+use super::fault::FileFault;
 use crate::app::keymap::Keymap;
 use crate::app::lines;
 use crate::config::{Config, Layers, Origin};
@@ -19,12 +20,9 @@ use crate::text;
 use crate::text::{Language, Text};
 use crate::ui::{Theme, ThemeError, ThemeFile, Themes};
 
-mod fault;
 mod flags;
 mod shown;
 
-pub(super) use fault::SettingsFault;
-use fault::{explained, faults_of};
 pub(super) use flags::Common;
 
 /// The variable that names the configuration file.
@@ -50,7 +48,7 @@ pub(super) struct CliSettings {
     /// The configuration file, whether it is there or not.
     pub file: Option<PathBuf>,
     /// What is wrong with the files.
-    pub faults: Vec<SettingsFault>,
+    pub faults: Vec<FileFault>,
     /// The configuration files, as far as they could be read.
     sources: Vec<Source>,
     /// Whether the configuration file was named, so that a fault in it is one of usage.
@@ -135,12 +133,11 @@ impl CliSettings {
             match store::read(&path, "file-configuration") {
                 Ok(source) => {
                     let faults = self.lay_on(&source);
-                    self.faults.extend(faults_of(&source, faults));
+                    if !faults.is_empty() {
+                        self.faults.push(FileFault::Inside(source, faults));
+                    }
                 }
-                Err(error) => {
-                    let text = Text::verbatim(error.to_string());
-                    self.faults.push(SettingsFault::Whole(text));
-                }
+                Err(error) => self.faults.push(FileFault::from(&error)),
             }
         }
     }
@@ -163,12 +160,13 @@ impl CliSettings {
         }
         let source = match store::read(&path, "file-configuration") {
             Ok(source) => source,
-            Err(error) => {
-                return self.told(SettingsFault::Whole(Text::verbatim(error.to_string())));
-            }
+            Err(error) => return self.told(FileFault::from(&error), self.is_named),
         };
         let faults = self.lay_on(&source);
-        self.all_told(&source, faults)
+        if faults.is_empty() {
+            return Ok(());
+        }
+        self.told(FileFault::Inside(source, faults), self.is_named)
     }
 
     fn read_words(&mut self, common: &Common) -> Result<(), Failure> {
@@ -201,11 +199,10 @@ impl CliSettings {
                     name: file.path,
                     text: file.text,
                 };
-                if self.is_of_file("theme") {
-                    self.all_told(&source, faults)?;
-                } else {
-                    return Err(explained(&faults_of(&source, faults)));
-                }
+                self.told(
+                    FileFault::Inside(source, faults),
+                    self.has_to_be_right("theme"),
+                )?;
             }
             Err(error) => return Err(Failure::Invalid(format!("sortie: {error}"))),
         }
@@ -265,20 +262,16 @@ impl CliSettings {
         let source = match store::read(&path, "file-keymap") {
             Ok(source) => source,
             Err(error) if is_named => return self.wrong("keymap", &error.to_string()),
-            Err(error) => {
-                self.faults
-                    .push(SettingsFault::Whole(Text::verbatim(error.to_string())));
-                return Ok(());
-            }
+            Err(error) => return self.told(FileFault::from(&error), false),
         };
         let themes = theme_names(&self.themes);
-        let wrong = self.keymap.overlay(&source.text, &themes).err();
-        let faults = faults_of(&source, wrong.unwrap_or_default());
-        if faults.is_empty() || !is_named || self.is_of_file("keymap") {
-            self.faults.extend(faults);
-            return Ok(());
+        match self.keymap.overlay(&source.text, &themes) {
+            Ok(()) => Ok(()),
+            Err(faults) => {
+                let is_usage = is_named && self.has_to_be_right("keymap");
+                self.told(FileFault::Inside(source, faults), is_usage)
+            }
         }
-        Err(explained(&faults))
     }
 
     /// The keymap file, whether it is there or not. One that the configuration names lies beside it.
@@ -303,6 +296,19 @@ impl CliSettings {
     /// Whether a flag of the command line sets it.
     pub fn is_flag(&self, setting: &str) -> bool {
         matches!(self.layers.origin(setting), Origin::Flag(_))
+    }
+
+    /// Whether a fault in what a setting names is one of usage: it was set by a flag, by the environment or by a file
+    /// that was named, and not by a file that is read unasked.
+    fn has_to_be_right(&self, setting: &str) -> bool {
+        match self.layers.origin(setting) {
+            Origin::Flag(_) | Origin::Environment(_) => true,
+            Origin::File { name, .. } => {
+                let named = self.file.as_ref().filter(|_| self.is_named);
+                named.is_some_and(|file| file.display().to_string() == *name)
+            }
+            Origin::Default => false,
+        }
     }
 
     fn is_of_file(&self, setting: &str) -> bool {
@@ -332,24 +338,17 @@ impl CliSettings {
         };
         match place {
             Some((source, span)) => {
-                self.told(SettingsFault::Inside(source, Diagnostic::new(span, text)))
+                let fault = FileFault::Inside(source, vec![Diagnostic::new(span, text)]);
+                self.told(fault, self.has_to_be_right(setting))
             }
             None => Err(Failure::Invalid(format!("sortie: {text}"))),
         }
     }
 
-    fn all_told(&mut self, source: &Source, faults: Vec<Diagnostic>) -> Result<(), Failure> {
-        let faults = faults_of(source, faults);
-        if self.is_named && !faults.is_empty() {
-            return Err(explained(&faults));
-        }
-        self.faults.extend(faults);
-        Ok(())
-    }
-
-    fn told(&mut self, fault: SettingsFault) -> Result<(), Failure> {
-        if self.is_named {
-            return Err(Failure::Shown(fault.explained()));
+    /// A fault of usage ends the command; any other is kept, to be told.
+    fn told(&mut self, fault: FileFault, is_usage: bool) -> Result<(), Failure> {
+        if is_usage {
+            return Err(fault.failure());
         }
         self.faults.push(fault);
         Ok(())
@@ -364,9 +363,9 @@ impl CliSettings {
 
     /// What is wrong with the files, for the console to say.
     pub fn warnings(&self) -> Vec<Text> {
-        let faults = self.faults.iter();
+        let faults = self.faults.iter().flat_map(FileFault::texts);
         faults
-            .map(|fault| text!("config-faulty", fault = fault.text()))
+            .map(|fault| text!("config-faulty", fault = fault))
             .collect()
     }
 }
