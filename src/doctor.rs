@@ -4,14 +4,14 @@
 //! together, because one system id on two links is a fault of neither. It names causes, worst first; what a
 //! person reads of them is made from [`LinkFinding`] by whoever speaks to people.
 
-use std::collections::VecDeque;
+use std::collections::{BTreeMap, VecDeque};
 use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::{HEARTBEAT_DATA, MavAutopilot, MavType};
 use mavlink::{MavlinkVersion, MessageData as _};
 
 use crate::inspector::{Census, Direction, FrameSource, MessageTally};
-use crate::wire::{Anatomy, Counters};
+use crate::wire::{Anatomy, ComponentId, Counters, SequenceStep, SystemId};
 
 mod diagnosis;
 mod words;
@@ -85,6 +85,37 @@ pub struct Sender {
     pub asked: u64,
 }
 
+/// What a link's senders' numbering shows, by their ids.
+pub type NumberedSenders = BTreeMap<(SystemId, ComponentId), NumberedFrames>;
+
+/// Frames of one sender, by their numbers.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct NumberedFrames {
+    /// Those that have come.
+    pub came: u64,
+    /// Those that are missing.
+    pub lost: u64,
+    /// Those whose number lies before one that had been heard.
+    pub late: u64,
+}
+
+impl NumberedFrames {
+    /// Notes what the number of one more frame says.
+    pub fn note(&mut self, step: SequenceStep) {
+        self.came += 1;
+        self.lost = self.lost.saturating_add_signed(step.missing.into());
+        self.late += u64::from(step.is_late);
+    }
+
+    fn since(self, before: Self) -> Self {
+        Self {
+            came: self.came.saturating_sub(before.came),
+            lost: self.lost.saturating_sub(before.lost),
+            late: self.late.saturating_sub(before.late),
+        }
+    }
+}
+
 /// What a link looked like at one time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Observation {
@@ -92,13 +123,17 @@ pub struct Observation {
     pub up: bool,
     /// What its decoders have counted.
     pub counters: Counters,
-    /// Frames missing by their numbering.
-    pub lost: u64,
-    /// Frames whose number lies before one that had been heard.
-    pub late: u64,
+    pub numbered: NumberedSenders,
     pub senders: Vec<Sender>,
     /// The last bytes in which no frame was found.
     pub noise: Vec<u8>,
+}
+
+impl Sender {
+    /// Its system id and its component id.
+    fn ids(&self) -> (SystemId, ComponentId) {
+        (self.source.system, self.source.component)
+    }
 }
 
 /// Looks at who is heard by a link; `now` is on the census's clock.
@@ -168,8 +203,6 @@ struct ChartChange {
     crc_errors: u64,
     skipped: u64,
     unknown: u64,
-    lost: u64,
-    late: u64,
 }
 
 impl Chart {
@@ -224,9 +257,17 @@ impl Chart {
             crc_errors: to.crc_errors.saturating_sub(from.crc_errors),
             skipped: to.skipped_bytes.saturating_sub(from.skipped_bytes),
             unknown: to.unknown_messages.saturating_sub(from.unknown_messages),
-            lost: last.lost.saturating_sub(first.lost),
-            late: last.late.saturating_sub(first.late),
         }
+    }
+
+    /// What changed in a sender's numbering within the window.
+    fn numbered(&self, sender: &Sender) -> NumberedFrames {
+        let ids = sender.ids();
+        let of = |seen: Option<&(Duration, Observation)>| {
+            let numbered = seen.and_then(|(_, observation)| observation.numbered.get(&ids));
+            numbered.copied().unwrap_or_default()
+        };
+        of(self.seen.back()).since(of(self.seen.front()))
     }
 
     fn senders(&self) -> &[Sender] {

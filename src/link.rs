@@ -15,6 +15,7 @@ use tokio::sync::{mpsc, watch};
 use tokio::time::Instant;
 use tokio_util::sync::CancellationToken;
 
+use crate::doctor::NumberedSenders;
 use crate::text;
 use crate::text::Text;
 use crate::wire::{
@@ -184,12 +185,8 @@ pub struct LinkStatus {
     /// Messages that were not sent: the queue was full, the link down, the peer gone or not reading.
     pub dropped_out: u64,
     pub rates: Rates,
-    /// Frames that never came, by the gaps in their senders' numbering.
-    pub lost: Vec<((SystemId, ComponentId), u64)>,
-    /// The sum of `lost`.
-    pub lost_total: u64,
-    /// Frames whose number lies before one that had been heard.
-    pub late_total: u64,
+    /// What each sender's numbering shows.
+    pub numbered: NumberedSenders,
     /// How often the link has come up again.
     pub reconnects: u32,
     /// What went wrong last; cleared when the link comes up.
@@ -209,12 +206,15 @@ impl LinkStatus {
             sent_messages: 0,
             dropped_out: 0,
             rates: Rates::default(),
-            lost: Vec::new(),
-            lost_total: 0,
-            late_total: 0,
+            numbered: NumberedSenders::new(),
             reconnects: 0,
             last_error: None,
         }
+    }
+
+    /// Frames that never came, by the gaps in their senders' numbering.
+    pub fn lost(&self) -> u64 {
+        self.numbered.values().map(|frames| frames.lost).sum()
     }
 }
 

@@ -1,11 +1,10 @@
 //! What the charts say.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
 
 use super::{Chart, ChartChange, HeartbeatRole, Sender, Way};
-use crate::inspector::FrameSource;
-use crate::wire::{GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM, SystemId};
+use crate::wire::{ComponentId, GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM, SystemId};
 
 /// Before this a link is only being listened to: heartbeats come once a second.
 const PATIENCE: Duration = Duration::from_secs(4);
@@ -91,6 +90,8 @@ pub enum Cause {
     Noise(u8),
     /// The vehicle speaks MAVLink 1 only.
     Version1(SystemId),
+    /// Another ground station, with these ids, is heard beside a vehicle.
+    OtherStation(SystemId, ComponentId),
     /// This share of the frames arrives damaged, in percent.
     Damaged(u8),
     /// This share of the frames does not arrive, in percent.
@@ -128,6 +129,7 @@ impl Cause {
             Self::ForeignMessages(_)
             | Self::SignedButAnswers(_)
             | Self::Version1(_)
+            | Self::OtherStation(..)
             | Self::Recording => Weight::Remark,
             Self::Listening | Self::Unanswered(_) | Self::Well(_) => Weight::Fine,
         }
@@ -188,7 +190,9 @@ fn examine(chart: &Chart) -> Vec<Cause> {
         causes.push(Cause::OneWayVehicles(one_way));
     }
     let is_cut = |cause: &Cause| chart.way() == Way::File && matches!(cause, Cause::Lossy(_));
-    causes.extend(quality(&change).into_iter().filter(|cause| !is_cut(cause)));
+    let quality = quality(&change, lost_share(chart));
+    causes.extend(quality.into_iter().filter(|cause| !is_cut(cause)));
+    causes.extend(other_stations(chart));
     causes.extend(
         autopilots(chart)
             .filter(|sender| sender.version1)
@@ -233,9 +237,7 @@ fn nobody(chart: &Chart) -> Cause {
 /// Somebody is heard who is no vehicle.
 fn strangers(chart: &Chart) -> Cause {
     let senders = chart.senders();
-    let is_us = |source: FrameSource| {
-        (source.system, source.component) == (GROUND_STATION_SYSTEM, GROUND_STATION_COMPONENT)
-    };
+    let is_us = |sender: &Sender| sender.ids() == (GROUND_STATION_SYSTEM, GROUND_STATION_COMPONENT);
     let others = senders
         .iter()
         .filter(|sender| sender.role == HeartbeatRole::Other);
@@ -247,7 +249,7 @@ fn strangers(chart: &Chart) -> Cause {
         .filter(|sender| sender.role == HeartbeatRole::GroundStation);
     match ground_stations.clone().count() {
         0 => Cause::NoAutopilot,
-        1 if ground_stations.clone().all(|sender| is_us(sender.source))
+        1 if ground_stations.clone().all(is_us)
             && matches!(chart.way(), Way::Serial | Way::Udp) =>
         {
             Cause::OwnEcho
@@ -275,12 +277,42 @@ fn answering(way: Way, sender: &Sender) -> Option<Cause> {
     })
 }
 
+/// The share of the vehicles' frames that are missing. Of other ground stations, vehicles forward some frames only.
+fn lost_share(chart: &Chart) -> f64 {
+    let vehicles: BTreeSet<SystemId> = autopilots(chart)
+        .map(|sender| sender.source.system)
+        .collect();
+    let senders: BTreeMap<_, _> = chart
+        .senders()
+        .iter()
+        .filter(|sender| vehicles.contains(&sender.source.system))
+        .filter(|sender| sender.role != HeartbeatRole::GroundStation)
+        .map(|sender| (sender.ids(), chart.numbered(sender)))
+        .collect();
+    let came: u64 = senders.values().map(|frames| frames.came).sum();
+    let lost: u64 = senders.values().map(|frames| frames.lost).sum();
+    share(lost, came + lost)
+}
+
+/// Ground stations that are heard beside a vehicle: they can command it, too. A recording has whoever was there.
+fn other_stations(chart: &Chart) -> impl Iterator<Item = Cause> {
+    let senders = chart.senders().iter();
+    let stations = senders
+        .filter(|_| chart.way() != Way::File)
+        .filter(|sender| sender.role == HeartbeatRole::GroundStation);
+    let ids: BTreeSet<_> = stations.map(Sender::ids).collect();
+    ids.into_iter()
+        .map(|(system, component)| Cause::OtherStation(system, component))
+}
+
+fn share(part: u64, of: u64) -> f64 {
+    part as f64 / of.max(1) as f64
+}
+
 /// How much of what was sent arrives whole, and is understood.
-fn quality(change: &ChartChange) -> Vec<Cause> {
-    let share = |part: u64, of: u64| part as f64 / of.max(1) as f64;
+fn quality(change: &ChartChange, lost: f64) -> Vec<Cause> {
     let percent = |share: f64| (share * 100.0).round().clamp(0.0, 100.0) as u8;
     let damaged = share(change.crc_errors, change.frames + change.crc_errors);
-    let lost = share(change.lost, change.frames + change.lost);
     let foreign = share(change.unknown, change.frames + change.unknown);
     let mut causes = Vec::new();
     if damaged > MOST_DAMAGED {
@@ -307,7 +339,6 @@ fn duplicates(charts: &[Chart]) -> BTreeMap<SystemId, Vec<usize>> {
         if chart.way() == Way::File {
             continue;
         }
-        let change = chart.change();
         for sender in autopilots(chart) {
             let place = (link, sender.source.peer);
             let known = places.entry(sender.source.system).or_default();
@@ -317,7 +348,8 @@ fn duplicates(charts: &[Chart]) -> BTreeMap<SystemId, Vec<usize>> {
             // Over UDP two vehicles are two peers; one with an odd numbering has restarted or counts wrongly.
             let may_share = !matches!(chart.way(), Way::Udp | Way::UdpIn);
             // Two numberings in turn: nothing else steps back so often on a way that keeps the order.
-            let jumps = may_share && change.late > change.frames / 4;
+            let numbered = chart.numbered(sender);
+            let jumps = may_share && numbered.late > numbered.came / 4;
             if jumps && sender.heartbeat_hz >= TWO_HEARTBEATS_HZ {
                 doubled.entry(sender.source.system).or_default().push(link);
             }

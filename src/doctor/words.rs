@@ -25,6 +25,7 @@ impl Cause {
             Self::OneWayVehicles(_) => "one-way-vehicles",
             Self::Noise(_) => "noise",
             Self::Version1(_) => "version-1",
+            Self::OtherStation(..) => "other-station",
             Self::Damaged(_) => "damaged",
             Self::Lossy(_) => "lossy",
             Self::Recording => "recording",
@@ -53,6 +54,13 @@ impl Cause {
             Self::OneWayVehicles(count) => text!("doctor-one-way-vehicles", count = count),
             Self::Noise(percent) => text!("doctor-noise", percent = percent),
             Self::Version1(system) => text!("doctor-version-1", system = system),
+            Self::OtherStation(system, component) => {
+                text!(
+                    "doctor-other-station",
+                    system = system,
+                    component = component
+                )
+            }
             Self::Damaged(percent) => text!("doctor-damaged", percent = percent),
             Self::Lossy(percent) => text!("doctor-lossy", percent = percent),
             Self::Recording => text!("doctor-recording"),
@@ -89,6 +97,7 @@ impl LinkFinding {
             Cause::OneWayVehicles(_) => text!("doctor-try-one-way-vehicles"),
             Cause::Noise(_) => text!("doctor-try-noise"),
             Cause::Version1(_) => text!("doctor-try-version-1"),
+            Cause::OtherStation(..) => text!("doctor-try-other-station"),
             Cause::Damaged(_) | Cause::Lossy(_) if self.way == Way::Serial => {
                 text!("doctor-try-damaged-serial")
             }

@@ -1,6 +1,6 @@
 //! What a link has carried and lost, and its publication.
 
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::VecDeque;
 use std::net::SocketAddr;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -11,7 +11,7 @@ use tokio::time::Instant;
 
 use super::{LinkState, LinkStatus, Rates, Tap};
 use crate::text::Text;
-use crate::wire::{ComponentId, Counters, Frame, SequenceStep, SystemId};
+use crate::wire::{Counters, Frame, SequenceStep};
 
 /// Over how long the rates are taken.
 const RATE_WINDOW: Duration = Duration::from_secs(2);
@@ -25,7 +25,6 @@ pub(super) struct LinkMeter {
     /// Counted by the handles, which drop without asking the task.
     refused: Arc<AtomicU64>,
     dropped: u64,
-    lost: BTreeMap<(SystemId, ComponentId), u64>,
     window: VecDeque<TrafficSample>,
     has_been_up: bool,
     frames_heard: u64,
@@ -53,7 +52,6 @@ impl LinkMeter {
             published,
             refused,
             dropped: 0,
-            lost: BTreeMap::new(),
             window: VecDeque::new(),
             has_been_up: false,
             frames_heard: 0,
@@ -64,15 +62,6 @@ impl LinkMeter {
     pub(super) fn publish(&mut self) {
         self.sample();
         self.status.dropped_out = self.dropped + self.refused.load(Ordering::Relaxed);
-        let total: u64 = self.lost.values().sum();
-        if total != self.status.lost_total {
-            self.status.lost_total = total;
-            self.status.lost = self
-                .lost
-                .iter()
-                .map(|(&who, &count)| (who, count))
-                .collect();
-        }
         self.published.send_if_modified(|seen| {
             let changed = *seen != self.status;
             if changed {
@@ -147,15 +136,11 @@ impl LinkMeter {
         self.status.decoder.skipped_bytes += bytes;
     }
 
-    /// Notes what the number of a frame says.
+    /// Notes what the number of a frame says. A frame of an unknown message may be noise and makes no sender known.
     pub(super) fn numbered(&mut self, frame: &Frame, step: SequenceStep) {
-        self.status.late_total += u64::from(step.is_late);
-        if step.missing != 0 {
-            let lost = self
-                .lost
-                .entry((frame.system, frame.component))
-                .or_default();
-            *lost = lost.saturating_add_signed(step.missing.into());
+        let sender = (frame.system, frame.component);
+        if frame.is_verified() || self.status.numbered.contains_key(&sender) {
+            self.status.numbered.entry(sender).or_default().note(step);
         }
     }
 

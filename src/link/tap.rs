@@ -40,8 +40,7 @@ impl Tap {
         Observation {
             up: status.state == LinkState::Up,
             counters: status.decoder,
-            lost: status.lost_total,
-            late: status.late_total,
+            numbered: status.numbered.clone(),
             senders,
             noise,
         }

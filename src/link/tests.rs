@@ -181,8 +181,8 @@ async fn unknown_messages_and_lost_ones_are_counted_by_sender() {
     far.write_all(&bytes).await.expect("the link reads");
     let status = rig.until(|s| s.decoder.frames == 2).await;
     assert_eq!(status.decoder.unknown_messages, 2);
-    assert_eq!(status.lost, [((4, 1), 2)]);
-    assert_eq!(status.lost_total, 2);
+    assert_eq!(status.numbered[&(4, 1)].lost, 2);
+    assert_eq!(status.lost(), 2);
 }
 
 #[tokio::test(start_paused = true)]

@@ -60,6 +60,7 @@ fn tell(state: &mut State, finding: &LinkFinding) {
         | Cause::SignedButAnswers(_)
         | Cause::Noise(_)
         | Cause::Version1(_)
+        | Cause::OtherStation(..)
         | Cause::Damaged(_)
         | Cause::Lossy(_)
         | Cause::Recording

@@ -71,7 +71,7 @@ async fn a_recording_without_pauses_loses_no_frame() {
         "a recording takes nothing"
     );
     let status = rig.until(|s| s.state == LinkState::Ended).await;
-    assert_eq!((status.decoder.frames, status.lost_total), (5000, 0));
+    assert_eq!((status.decoder.frames, status.lost()), (5000, 0));
 }
 
 #[tokio::test(start_paused = true)]

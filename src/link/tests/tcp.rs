@@ -39,7 +39,7 @@ async fn a_link_resumes_after_the_server_has_closed_it() {
     let status = rig.until(|s| s.decoder.frames == 2).await;
     assert_eq!(status.reconnects, 1);
     assert_eq!(status.last_error, None);
-    assert_eq!(status.lost_total, 0, "a new connection numbers anew");
+    assert_eq!(status.lost(), 0, "a new connection numbers anew");
 }
 
 #[tokio::test]

@@ -12,6 +12,7 @@ use crate::notice::Notice;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle};
+use crate::wire::{ComponentId, SystemId};
 
 /// The links of a session.
 #[derive(Default)]
@@ -122,6 +123,15 @@ fn round_trip(vehicles: &[watch::Receiver<Arc<Vehicle>>], link: LinkId) -> Optio
         .min()
 }
 
+/// The senders whose frames are missing, and how many.
+fn lost(status: &LinkStatus) -> Vec<((SystemId, ComponentId), u64)> {
+    let senders = status.numbered.iter();
+    senders
+        .filter(|(_, frames)| frames.lost > 0)
+        .map(|(&sender, frames)| (sender, frames.lost))
+        .collect()
+}
+
 fn summary(status: &LinkStatus, round_trip: Option<Duration>) -> LinkSummary {
     let up = status.state == LinkState::Up;
     LinkSummary {
@@ -138,7 +148,7 @@ fn summary(status: &LinkStatus, round_trip: Option<Duration>) -> LinkSummary {
         skipped_bytes: status.decoder.skipped_bytes,
         unknown: status.decoder.unknown_messages,
         undecoded: status.decoder.undecoded,
-        lost: status.lost.clone(),
+        lost: lost(status),
         unsent: status.dropped_out,
         reconnects: status.reconnects,
         round_trip,

@@ -166,6 +166,41 @@ async fn one_system_id_from_two_places_and_twice_behind_one_radio() {
     assert_eq!(patient.causes()[0], Cause::DuplicateSystem(4));
 }
 
+/// Of a link with many vehicles, only the frames of the one whose id is shared jump to and fro.
+#[tokio::test(start_paused = true)]
+async fn a_duplicate_among_many_vehicles_behind_one_radio_is_found() {
+    let (mut patient, mut far) = Patient::piped(Way::Serial);
+    let (mut one, mut other) = (Voice::new(4, 1), Voice::new(4, 1));
+    let mut others: Vec<Voice> = (10..30).map(|system| Voice::new(system, 1)).collect();
+    for _ in 0..90 {
+        other.answer();
+    }
+    for _ in 0..9 {
+        let mut bytes = [one.second(), other.second(), one.answer()].concat();
+        for voice in &mut others {
+            bytes.extend([voice.second(), voice.answer()].concat());
+        }
+        patient.feed(&mut far, &bytes, 1).await;
+    }
+    assert_eq!(patient.causes()[0], Cause::DuplicateSystem(4));
+}
+
+/// A vehicle with a second ground station: it forwards only some of that one's frames.
+#[tokio::test(start_paused = true)]
+async fn another_ground_station_is_named_and_its_gaps_are_no_loss() {
+    let (mut patient, mut far) = Patient::piped(Way::Tcp);
+    let (mut vehicle, mut station) = (Voice::new(4, 1), Voice::new(252, 230));
+    for _ in 0..9 {
+        for _ in 0..20 {
+            station.say(ground_station_heartbeat());
+        }
+        let forwarded = station.say(ground_station_heartbeat());
+        let bytes = [vehicle.second(), vehicle.answer(), forwarded].concat();
+        patient.feed(&mut far, &bytes, 1).await;
+    }
+    assert_eq!(patient.causes(), [Cause::OtherStation(252, 230)]);
+}
+
 #[tokio::test(start_paused = true)]
 async fn one_udp_peer_with_an_odd_numbering_is_no_duplicate() {
     let (mut patient, remote) = Patient::listening().await;

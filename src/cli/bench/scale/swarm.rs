@@ -191,7 +191,7 @@ impl<'a> ScaleSwarm<'a> {
             relay,
             messages: self.each(|vehicle| vehicle.link.received).iter().sum(),
             missing: self.each(|vehicle| vehicle.link.missing).iter().sum(),
-            missing_before: links.map(|status| status.borrow().lost_total).sum(),
+            missing_before: links.map(|status| status.borrow().lost()).sum(),
             clocks: self.each(|vehicle| {
                 let at = [vehicle.attitude?.at, vehicle.global?.at];
                 Some((vehicle.boot_ms?, at.into_iter().max()?))
