@@ -27,7 +27,7 @@ const FRUITLESS: u16 = 24;
 /// What one missing place costs, with ten asked for at a time and some of the questions lost. Where the list as a
 /// whole would come sooner, it is asked for again.
 const PLACE_COST: Duration = Duration::from_millis(30);
-/// A list of which much was lost is asked for so often; then its places are.
+/// After so many lists of which much was lost, places are asked for.
 const LISTS: u8 = 4;
 /// A vehicle whose number of parameters changes is read anew, but not for ever.
 const RESTARTS: u8 = 3;
@@ -61,6 +61,7 @@ pub(super) struct Download {
     /// Where to look for the next missing place: one that is never answered must not hold up the others.
     next: u16,
     fruitless: u16,
+    /// How many lists have brought anything.
     lists: u8,
     /// When the list was asked for last, and how long it went on coming then.
     listed_at: Duration,
@@ -197,6 +198,8 @@ impl Download {
     fn note_silence(&mut self, now: Duration) {
         if self.phase == Phase::Listing {
             self.list_took = self.quiet_since.saturating_sub(self.listed_at);
+            // A request for the list that was lost does not count.
+            self.lists += u8::from(self.quiet_since > self.listed_at);
         }
         self.fruitless += 1;
         self.quiet_since = now;
@@ -213,21 +216,30 @@ impl Download {
         parameters.received() == 0 || (self.lists < LISTS && PLACE_COST * missing > again)
     }
 
-    /// How long to wait for an answer; longer the longer there was none, and where the way is long.
+    /// How long to wait for anything new; longer the longer there was none, and where the way is long.
     fn wait(&self, vehicle: &Vehicle) -> Duration {
-        let way = vehicle.link.round_trip.unwrap_or_default() * 3;
-        let times = (1 << (self.fruitless / 2).min(8)).min(LONGEST_WAIT);
         let silence = match self.phase {
             Phase::Filling => PLACE_SILENCE,
-            _ => LIST_SILENCE,
+            Phase::Idle | Phase::Asking | Phase::Listing | Phase::Complete | Phase::Stalled => {
+                LIST_SILENCE
+            }
         };
-        silence.max(way) * times
+        silence.max(round_trip(vehicle) * 3 / 2) * self.patience()
+    }
+
+    /// When a place is asked for again. On a long way that is before the answer can have come: a second question costs
+    /// less than the wait for one that was lost.
+    fn asked_again_after(&self, vehicle: &Vehicle) -> Duration {
+        PLACE_SILENCE.max(round_trip(vehicle) / 2) * self.patience()
+    }
+
+    fn patience(&self) -> u32 {
+        (1 << (self.fruitless / 2).min(8)).min(LONGEST_WAIT)
     }
 
     fn list(&mut self, vehicle: &Vehicle, now: Duration) -> Vec<Outgoing> {
         self.phase = Phase::Listing;
         self.listed_at = now;
-        self.lists = self.lists.saturating_add(1);
         let request = MavMessage::PARAM_REQUEST_LIST(PARAM_REQUEST_LIST_DATA {
             target_system: vehicle.system,
             target_component: vehicle.component,
@@ -241,7 +253,7 @@ impl Download {
         vehicle: &Vehicle,
         now: Duration,
     ) -> Vec<Outgoing> {
-        let wait = self.wait(vehicle);
+        let wait = self.asked_again_after(vehicle);
         let missing: Vec<u16> = parameters.missing().collect();
         // What was answered is not missing any more; what was lost is asked for again.
         self.asked
@@ -259,6 +271,10 @@ impl Download {
         }
         due.into_iter().map(|index| read(vehicle, index)).collect()
     }
+}
+
+fn round_trip(vehicle: &Vehicle) -> Duration {
+    vehicle.link.round_trip.unwrap_or_default()
 }
 
 /// Asks for a parameter by its place in the list.

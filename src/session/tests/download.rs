@@ -1,6 +1,6 @@
 //! The download of parameters over links that lose, double and delay.
 
-use mavlink::dialects::ardupilotmega::{MavParamType, PARAM_VALUE_DATA};
+use mavlink::dialects::ardupilotmega::{MavParamType, PARAM_VALUE_DATA, TIMESYNC_DATA};
 use proptest::prelude::*;
 use rand::SeedableRng as _;
 use rand_chacha::ChaCha8Rng;
@@ -16,7 +16,7 @@ struct Far {
     scene: Scene,
     count: u16,
     /// What comes down, with the time of its arrival.
-    coming: Vec<(Duration, u16)>,
+    coming: Vec<(Duration, MavMessage)>,
     random: ChaCha8Rng,
     loss: f64,
     /// Messages read from the scene so far.
@@ -27,6 +27,8 @@ struct Far {
     is_answering: bool,
     /// Between two values of a list; 0 is 2300 a second.
     pace_ms: u64,
+    /// How long a message takes each way.
+    way: Duration,
 }
 
 impl Far {
@@ -45,6 +47,7 @@ impl Far {
             most_at_once: 0,
             is_answering: true,
             pace_ms: 0,
+            way: Duration::ZERO,
         }
     }
 
@@ -67,7 +70,7 @@ impl Far {
         self.scene.collect();
         let sent: Vec<Outgoing> = self.scene.sent[self.read..].to_vec();
         self.read = self.scene.sent.len();
-        let (now, mut at_once) = (self.scene.now, 0);
+        let (now, mut at_once) = (self.scene.now + 2 * self.way, 0);
         for message in sent {
             match message {
                 Outgoing::Message(MavMessage::PARAM_REQUEST_LIST(_)) => {
@@ -84,16 +87,23 @@ impl Far {
                                     places * pace
                                 })
                         };
-                        self.coming
-                            .extend(values.map(|index| (paced(index), index)));
+                        let list: Vec<_> = values
+                            .map(|index| (paced(index), self.value(index)))
+                            .collect();
+                        self.coming.extend(list);
                     }
                 }
                 Outgoing::Message(MavMessage::PARAM_REQUEST_READ(data)) => {
                     self.reads += 1;
                     at_once += 1;
                     if self.is_answering && !self.is_lost() {
-                        self.coming.push((now + ms(100), data.param_index as u16));
+                        let value = self.value(data.param_index as u16);
+                        self.coming.push((now + ms(100), value));
                     }
+                }
+                Outgoing::Message(MavMessage::TIMESYNC(data)) if !self.is_lost() => {
+                    let answer = TIMESYNC_DATA { tc1: 1, ..data };
+                    self.coming.push((now, MavMessage::TIMESYNC(answer)));
                 }
                 _ => {}
             }
@@ -105,13 +115,12 @@ impl Far {
         self.answer();
         self.scene.pass(STEP);
         let now = self.scene.now;
-        let due: Vec<u16> = self
+        let due: Vec<MavMessage> = self
             .coming
             .extract_if(.., |(at, _)| *at <= now)
-            .map(|(_, index)| index)
+            .map(|(_, message)| message)
             .collect();
-        for index in due {
-            let message = self.value(index);
+        for message in due {
             let times = if self.is_lost() {
                 0
             } else {
@@ -170,6 +179,20 @@ fn what_was_lost_is_asked_for_by_its_place_and_never_many_at_once() {
     assert!(far.lists <= 3, "{} lists", far.lists);
     assert!((5..200).contains(&far.reads), "{} reads", far.reads);
     assert!(far.most_at_once <= 10, "{} at once", far.most_at_once);
+}
+
+/// 1382 parameters at 30 % loss and 500 ms each way.
+#[test]
+fn a_long_and_lossy_way_does_not_make_the_last_ones_slow() {
+    for seed in 1..=5 {
+        let mut far = Far::new(1382, 0.3, seed);
+        far.way = ms(500);
+        far.run(ms(60_000));
+        assert!(far.is_whole());
+        let took = far.scene.now;
+        assert!(took < ms(25_000), "seed {seed}: {took:?}");
+        assert!(far.most_at_once <= 10, "{} at once", far.most_at_once);
+    }
 }
 
 #[test]
