@@ -132,7 +132,7 @@ impl Text {
                     |(language, words): &(Language, String)| (*language, words.replace(mark, word));
                 TextContent::Written(all.iter().map(fill).collect())
             }
-            other => other.clone(),
+            other @ (TextContent::Message { .. } | TextContent::Joined { .. }) => other.clone(),
         };
         Self(content)
     }
@@ -191,7 +191,7 @@ impl TextArgument {
         match self {
             Self::Text(text) => Self::Text(text.regarding(vehicles)),
             _ if name == "vehicle" => Self::Word(vehicles.to_owned()),
-            other => other.clone(),
+            other @ (Self::Number(_) | Self::Word(_)) => other.clone(),
         }
     }
 }

@@ -124,7 +124,7 @@ impl Keymap {
         };
         at(place).or_else(|| match place {
             Place::In(_) if !self.is_silent(key, place) => at(Place::Anywhere),
-            _ => None,
+            Place::Anywhere | Place::In(_) | Place::Prompt | Place::Reader | Place::List => None,
         })
     }
 

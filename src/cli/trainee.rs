@@ -56,7 +56,11 @@ pub(super) fn refused(error: &ProfileError, locale: &Locale) -> Failure {
         | ProfileError::Exists { .. }
         | ProfileError::Name
         | ProfileError::NoProfile { .. } => Failure::Invalid(format!("sortie: {words}")),
-        _ => Failure::Failed(anyhow::anyhow!(words)),
+        ProfileError::Unusable { .. }
+        | ProfileError::Newer { .. }
+        | ProfileError::Database { .. }
+        | ProfileError::Damaged { .. }
+        | ProfileError::Refused(_) => Failure::Failed(anyhow::anyhow!(words)),
     }
 }
 

@@ -79,7 +79,14 @@ pub fn explain(
         AckResult::Accepted => text!("outcome-verb-accepted", verb = verb),
         AckResult::InProgress => text!("outcome-verb-in-progress", verb = verb),
         AckResult::Cancelled => text!("outcome-verb-cancelled", verb = verb, reason = reason()),
-        _ => text!("outcome-verb-refused", verb = verb, reason = reason()),
+        AckResult::TemporarilyRejected
+        | AckResult::Denied
+        | AckResult::Unsupported
+        | AckResult::Failed
+        | AckResult::LongOnly
+        | AckResult::IntOnly
+        | AckResult::UnsupportedFrame
+        | AckResult::Other(_) => text!("outcome-verb-refused", verb = verb, reason = reason()),
     }
 }
 

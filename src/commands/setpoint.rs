@@ -170,7 +170,7 @@ fn flies_freely(verb: &'static str, vehicle: &Vehicle) -> Result<(), Text> {
     let taking_off = match vehicle.landed {
         LandedState::Takeoff => low || climb_m_s > TAKEOFF_CLIMB_M_S,
         LandedState::OnGround => climb_m_s > LIFTING_M_S,
-        _ => false,
+        LandedState::Undefined | LandedState::InAir | LandedState::Landing => false,
     };
     if taking_off {
         return Err(text!("refused-taking-off", verb = verb));

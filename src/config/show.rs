@@ -23,7 +23,14 @@ impl Layers {
             let _ = writeln!(text, "# {}", setting.about);
             match setting.kind {
                 SettingKind::Lines => self.show_lines(setting, &mut text),
-                _ => self.show_value(setting, &mut text),
+                SettingKind::OneOf(_)
+                | SettingKind::Text
+                | SettingKind::Whole(..)
+                | SettingKind::Flag
+                | SettingKind::Words
+                | SettingKind::Columns
+                | SettingKind::Sort
+                | SettingKind::AlertKinds => self.show_value(setting, &mut text),
             }
         }
         text

@@ -78,7 +78,9 @@ impl LinkFinding {
             Cause::NotOpen => match self.way {
                 Way::Tcp => text!("doctor-try-not-open-tcp"),
                 Way::Serial => text!("doctor-try-not-open-serial"),
-                _ => text!("doctor-try-not-open"),
+                Way::TcpIn | Way::Udp | Way::UdpIn | Way::File | Way::Pipe => {
+                    text!("doctor-try-not-open")
+                }
             },
             Cause::Nothing => silence(self.way),
             Cause::Text => text!("doctor-try-text"),

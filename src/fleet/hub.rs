@@ -356,7 +356,7 @@ fn autopilot_component(frame: &Frame) -> Option<u8> {
         Content::Message(MavMessage::HEARTBEAT(beat)) => (beat.mavtype as u8, beat.autopilot as u8),
         // The dialect lacks the type or the autopilot; the numbers lie at their places all the same.
         Content::Undecoded { id: 0, payload } => (payload[4], payload[5]),
-        _ => return None,
+        Content::Message(_) | Content::Undecoded { .. } | Content::Unknown { .. } => return None,
     };
     (mav_type != TYPE_GROUND_STATION && autopilot != AUTOPILOT_NONE && frame.system != 0)
         .then_some(frame.component)

@@ -201,7 +201,9 @@ impl InstanceProbe {
             Fetching::Complete if can_arm && speed_fits => SitlStage::Ready,
             Fetching::Complete if has_position => SitlStage::Position,
             Fetching::Complete => SitlStage::Parameters,
-            _ => SitlStage::Heartbeat,
+            Fetching::NotAsked | Fetching::UnderWay { .. } | Fetching::Stalled => {
+                SitlStage::Heartbeat
+            }
         };
     }
 }

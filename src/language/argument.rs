@@ -300,14 +300,14 @@ impl Arguments {
     pub fn number(&self, name: &str) -> Option<f64> {
         match self.get(name)? {
             Value::Number(number) => Some(*number),
-            _ => None,
+            Value::Flag | Value::Word(_) | Value::Point(_) | Value::Area(_) => None,
         }
     }
 
     pub fn word(&self, name: &str) -> Option<&str> {
         match self.get(name)? {
             Value::Word(word) => Some(word),
-            _ => None,
+            Value::Flag | Value::Number(_) | Value::Point(_) | Value::Area(_) => None,
         }
     }
 
@@ -324,7 +324,7 @@ impl Arguments {
     pub fn point(&self, name: &str) -> Option<LatLon> {
         match self.get(name)? {
             Value::Point(point) => Some(*point),
-            _ => None,
+            Value::Flag | Value::Number(_) | Value::Word(_) | Value::Area(_) => None,
         }
     }
 

@@ -311,7 +311,7 @@ fn ranked(candidates: Vec<(String, Text)>, written: &str) -> Vec<(String, Text)>
     // Of equally good ones the shorter is nearer to what was written.
     scored.sort_by_key(|(how, score, (text, _))| match how {
         Match::Beginning => (*how, Reverse(0), 0),
-        _ => (*how, Reverse(*score), text.len()),
+        Match::Part | Match::Scattered => (*how, Reverse(*score), text.len()),
     });
     scored
         .into_iter()

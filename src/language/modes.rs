@@ -61,6 +61,9 @@ fn classes(context: &Context) -> Vec<VehicleClass> {
             VehicleClass::Rover,
             VehicleClass::Sub,
         ],
-        class => vec![class],
+        class @ (VehicleClass::Copter
+        | VehicleClass::Plane
+        | VehicleClass::Rover
+        | VehicleClass::Sub) => vec![class],
     }
 }

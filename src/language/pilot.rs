@@ -69,7 +69,7 @@ fn step(line: &str, number: usize, context: &Context) -> Result<Step, Diagnostic
                 .with_help(text!("grammar-say-who", line = with_all(&statement))));
         }
         Targets::Selection | Targets::All => None,
-        targets => Some(
+        targets @ (Targets::Ids(_) | Targets::Group(_)) => Some(
             targets
                 .resolve(&[], context)
                 .map_err(|reason| Diagnostic::new(span, reason))?,

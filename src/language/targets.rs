@@ -76,7 +76,7 @@ impl Targets {
         if ids.is_empty() {
             return Err(match self {
                 Self::Group(name) => text!("grammar-group-empty", group = name),
-                _ => text!("grammar-no-vehicles-yet"),
+                Self::Selection | Self::All | Self::Ids(_) => text!("grammar-no-vehicles-yet"),
             });
         }
         Ok(ids)

@@ -124,7 +124,7 @@ fn loads(design: &Design) -> BTreeMap<Load, u32> {
         match load {
             Load::Spray => count as u32 * TANK_S,
             _ if design.has(DROPPER) => count as u32,
-            _ => 0,
+            Load::Ball | Load::Kit | Load::Node => 0,
         }
     };
     let counted = Load::ALL.map(|load| (load, pieces(load)));

@@ -132,7 +132,13 @@ impl Mission {
         let actions = self.events.iter().flat_map(|event| &event.actions);
         let later = actions.filter_map(|action| match action {
             Action::Weather(change) => change.wind_m_s(mean_m_s),
-            _ => None,
+            Action::Say(_)
+            | Action::Alert { .. }
+            | Action::Zone(..)
+            | Action::Spawn(_)
+            | Action::Fault(_)
+            | Action::Fail(_)
+            | Action::Event(_) => None,
         });
         later.fold(mean_m_s, f64::max) + self.weather.gust_m_s
     }
@@ -146,7 +152,7 @@ pub(super) fn parts(loads: impl Iterator<Item = (Load, u32)>) -> Vec<(&'static s
         drops |= load != Load::Spray;
         let pieces = match load {
             Load::Spray => count.div_ceil(TANK_S),
-            _ => count,
+            Load::Ball | Load::Kit | Load::Node => count,
         };
         parts.push((load.part(), pieces));
     }

@@ -233,7 +233,12 @@ pub(crate) fn margin_db(a: &RadioNode, b: &RadioNode, zones: &[(&Shape, ZoneKind
             let at = |node: &RadioNode| noise_db * nearness(shape.distance_m(node.at), *edge_m);
             at(a).max(at(b))
         }
-        _ => 0.0,
+        ZoneKind::Task
+        | ZoneKind::Geofence { .. }
+        | ZoneKind::NoFly { .. }
+        | ZoneKind::GnssJam { .. }
+        | ZoneKind::GnssGlitch { .. }
+        | ZoneKind::People { .. } => 0.0,
     });
     budget_db - spread_db - in_the_way.sum::<f64>()
 }

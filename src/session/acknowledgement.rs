@@ -40,7 +40,9 @@ impl Acknowledgement {
                 },
                 payload[8],
             ),
-            _ => return None,
+            Content::Message(_) | Content::Undecoded { .. } | Content::Unknown { .. } => {
+                return None;
+            }
         };
         (target == 0 || target == GROUND_STATION_SYSTEM).then_some(ack)
     }

@@ -212,7 +212,9 @@ impl Transaction {
             Phase::AwaitingEffect { since, .. } if self.is_settled(since, now) => {
                 Progress::Watching
             }
-            _ => Progress::Waiting,
+            Phase::AwaitingAnswer { .. }
+            | Phase::AwaitingReason { .. }
+            | Phase::AwaitingEffect { .. } => Progress::Waiting,
         }
     }
 

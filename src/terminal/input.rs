@@ -121,7 +121,7 @@ fn find(bytes: &[u8]) -> Found {
                 Found::Whole(Some(key(pressed.code, modifiers)), length + 1)
             }
             Found::Whole(other, length) => Found::Whole(other, length + 1),
-            other => other,
+            other @ (Found::Paste(_) | Found::Partial) => other,
         },
         _ => character(bytes),
     }

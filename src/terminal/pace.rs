@@ -212,7 +212,7 @@ impl Pace {
             }
             Hearing::Unknown if overdue >= PATIENCE => TRIAL_INTERVAL.max(self.interval),
             _ if self.has_key => self.interval.min(KEY_INTERVAL),
-            _ => self.interval,
+            Hearing::Unknown | Hearing::Answers | Hearing::Deaf => self.interval,
         }
     }
 

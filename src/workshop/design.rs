@@ -94,7 +94,14 @@ impl Design {
         let replaces = match slot {
             PartSlot::Battery => there.iter().any(|other| other.id != part.id),
             PartSlot::Payload => false,
-            _ => true,
+            PartSlot::Frame
+            | PartSlot::Motor
+            | PartSlot::Propeller
+            | PartSlot::Esc
+            | PartSlot::Autopilot
+            | PartSlot::Navigation
+            | PartSlot::Power
+            | PartSlot::Radio => true,
         };
         if replaces {
             there.clear();

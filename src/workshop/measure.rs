@@ -112,7 +112,14 @@ impl Measure {
         match self {
             Self::Cost | Self::HoverPower | Self::Energy | Self::Thrust => 0,
             Self::Mass | Self::Ratio | Self::Spare => 2,
-            _ => 1,
+            Self::HoverCurrent
+            | Self::HoverTime
+            | Self::EnduranceSpeed
+            | Self::Longest
+            | Self::RangeSpeed
+            | Self::Range
+            | Self::TopSpeed
+            | Self::RadioReach => 1,
         }
     }
 
@@ -121,7 +128,15 @@ impl Measure {
         match self {
             Self::Mass | Self::Cost | Self::HoverPower | Self::HoverCurrent => Better::Less,
             Self::EnduranceSpeed | Self::RangeSpeed => Better::Neither,
-            _ => Better::More,
+            Self::Thrust
+            | Self::Ratio
+            | Self::HoverTime
+            | Self::Energy
+            | Self::Longest
+            | Self::Range
+            | Self::TopSpeed
+            | Self::RadioReach
+            | Self::Spare => Better::More,
         }
     }
 

@@ -80,7 +80,14 @@ impl PartSlot {
         match self {
             Self::Battery => 4,
             Self::Payload => 16,
-            _ => 1,
+            Self::Frame
+            | Self::Motor
+            | Self::Propeller
+            | Self::Esc
+            | Self::Autopilot
+            | Self::Navigation
+            | Self::Power
+            | Self::Radio => 1,
         }
     }
 
@@ -245,7 +252,14 @@ impl Part {
             }
             Spec::Propeller(_) => self.propeller_name(),
             Spec::Battery(battery) => battery.name(),
-            _ => Text::new(self.id, Vec::new()),
+            Spec::Frame(_)
+            | Spec::Esc(_)
+            | Spec::Autopilot
+            | Spec::Navigation
+            | Spec::PowerModule(_)
+            | Spec::Radio(_)
+            | Spec::Payload
+            | Spec::Load => Text::new(self.id, Vec::new()),
         }
     }
 

@@ -143,7 +143,17 @@ impl Task {
             Self::Goto { .. } => 2,
             Self::Velocity { .. } => 3,
             Self::Accelerate { .. } => 4,
-            _ => 0,
+            Self::Wait
+            | Self::Takeoff(_)
+            | Self::Attitude(_)
+            | Self::Brake
+            | Self::Return(_)
+            | Self::Land(_)
+            | Self::Circle(_)
+            | Self::Route(_)
+            | Self::Orbit(_)
+            | Self::Piloted
+            | Self::Manual => 0,
         }
     }
 
@@ -152,7 +162,18 @@ impl Task {
         match self {
             Self::Land(landing) => landing.touched,
             Self::Return(returning) => returning.landing().and_then(|landing| landing.touched),
-            _ => None,
+            Self::Wait
+            | Self::Takeoff(_)
+            | Self::Goto { .. }
+            | Self::Velocity { .. }
+            | Self::Accelerate { .. }
+            | Self::Attitude(_)
+            | Self::Brake
+            | Self::Circle(_)
+            | Self::Route(_)
+            | Self::Orbit(_)
+            | Self::Piloted
+            | Self::Manual => None,
         }
     }
 
@@ -161,7 +182,16 @@ impl Task {
         match self {
             Self::Wait | Self::Route(_) => true,
             Self::Manual | Self::Piloted => throttle_is_low,
-            _ => false,
+            Self::Takeoff(_)
+            | Self::Goto { .. }
+            | Self::Velocity { .. }
+            | Self::Accelerate { .. }
+            | Self::Attitude(_)
+            | Self::Brake
+            | Self::Return(_)
+            | Self::Land(_)
+            | Self::Circle(_)
+            | Self::Orbit(_) => false,
         }
     }
 

@@ -168,7 +168,11 @@ impl YawControl {
     pub(super) fn has_turned(&self, yaw_deg: f64) -> bool {
         let left = match self.demand {
             YawDemand::Turn { left_deg, .. } => left_deg,
-            _ => 0.0,
+            YawDemand::Hold
+            | YawDemand::Course
+            | YawDemand::Rate(_)
+            | YawDemand::Stick(_)
+            | YawDemand::Towards(_) => 0.0,
         };
         left == 0.0 && wrap_180(self.setpoint_deg - yaw_deg).abs() <= 2.0
     }

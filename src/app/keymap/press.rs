@@ -102,7 +102,7 @@ impl Press {
             Self::Plain(KeyCode::Up) => "↑",
             Self::Plain(KeyCode::Down) => "↓",
             Self::Number => "3-9",
-            _ => return self.label(),
+            Self::Plain(_) | Self::Control(_) | Self::With(..) => return self.label(),
         };
         arrow.to_owned()
     }

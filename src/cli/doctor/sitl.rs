@@ -54,7 +54,14 @@ async fn program(kind: SitlKind, file: &std::path::Path, by: &str) -> Vec<HostFi
                     "SITL needs /proc, a free port and a folder for temporary files (TMPDIR)"
                         .to_owned()
                 }
-                _ => format!("named by {by}: name an {about} built for SITL"),
+                Unknown::NoProgram { .. }
+                | Unknown::Start(_)
+                | Unknown::Ended { .. }
+                | Unknown::Flood { .. }
+                | Unknown::Silent { .. }
+                | Unknown::OtherVehicle { .. } => {
+                    format!("named by {by}: name an {about} built for SITL")
+                }
             };
             return vec![HostFinding::fault(about, unknown.to_string(), mend)];
         }

@@ -290,6 +290,11 @@ fn words(before: Option<&Instance>, now: &Instance) -> Option<String> {
                 .map(|line| format!("; its last words: {line}"));
             Some(format!("crashed: {fault}{}", last.unwrap_or_default()))
         }
-        _ => None,
+        SitlStage::Queued
+        | SitlStage::Process
+        | SitlStage::Heartbeat
+        | SitlStage::Parameters
+        | SitlStage::Position
+        | SitlStage::Stopping => None,
     }
 }

@@ -74,7 +74,10 @@ impl From<HangarRefusal> for ServiceProblem {
                 Some("DELETE /vehicles/{id} ends one; GET /status tells the limits")
             }
             HangarRefusal::NoProgram(_) => Some("GET /status tells which programs there are"),
-            _ => None,
+            HangarRefusal::Invalid(_)
+            | HangarRefusal::Host { .. }
+            | HangarRefusal::Closing
+            | HangarRefusal::Far { .. } => None,
         };
         Self {
             hint: hint.map(str::to_owned),

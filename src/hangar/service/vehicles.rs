@@ -174,7 +174,12 @@ pub(super) fn readiness(
             Err(gone(why.unwrap_or_default())
                 .hint(format!("GET /vehicles/{id}/output tells what it printed")))
         }
-        _ => Ok((StatusCode::ACCEPTED, Json(instance))),
+        SitlStage::Queued
+        | SitlStage::Process
+        | SitlStage::Heartbeat
+        | SitlStage::Parameters
+        | SitlStage::Position
+        | SitlStage::Stopping => Ok((StatusCode::ACCEPTED, Json(instance))),
     }
 }
 

@@ -112,7 +112,12 @@ fn in_zones([east_m, north_m, up_m]: Place, scope: &Scope<'_>) -> Vec<Breach> {
             );
             (SafetyKind::People, text)
         }),
-        _ => None,
+        ZoneKind::Task
+        | ZoneKind::Geofence { .. }
+        | ZoneKind::GnssJam { .. }
+        | ZoneKind::GnssGlitch { .. }
+        | ZoneKind::RadioJam { .. }
+        | ZoneKind::CommShadow(_) => None,
     };
     inside.filter_map(breach).collect()
 }
@@ -143,7 +148,7 @@ fn near(mover: &Mover, place: Place) -> Option<Breach> {
             let text = text!("threat-intruder-near", distance = distance);
             Some((SafetyKind::Separation, text))
         }
-        _ => None,
+        MoverKind::Person | MoverKind::Aircraft | MoverKind::Intruder => None,
     }
 }
 

@@ -83,7 +83,13 @@ impl Broken {
                 let passed_s = now.saturating_sub(self.since).as_secs_f64();
                 (shown + self.to * passed_s).max(0.0)
             }
-            _ => shown,
+            FaultKind::Motor
+            | FaultKind::Battery
+            | FaultKind::Gps
+            | FaultKind::GpsGlitch
+            | FaultKind::Compass
+            | FaultKind::Barometer
+            | FaultKind::Link => shown,
         }
     }
 }

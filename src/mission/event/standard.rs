@@ -92,7 +92,13 @@ impl Standard {
         }
         let level = match self {
             Self::Person | Self::Aircraft => AlertLevel::Critical,
-            _ => AlertLevel::Warning,
+            Self::Gust
+            | Self::WindShift
+            | Self::GnssJam
+            | Self::LinkLoss
+            | Self::MotorFail
+            | Self::BatteryCold
+            | Self::BatteryCell => AlertLevel::Warning,
         };
         let told = Action::Alert {
             level,

@@ -55,7 +55,7 @@ impl Element {
     fn between(self, from: f64, to: f64, share: f64) -> f64 {
         let difference = match self {
             Self::WindDirection => (to - from + 180.0).rem_euclid(360.0) - 180.0,
-            _ => to - from,
+            Self::WindSpeed | Self::Gust | Self::Temperature => to - from,
         };
         from + difference * share
     }

@@ -275,7 +275,9 @@ impl Field for Fire {
                 cell.state = CellState::Wet;
                 (true, text!("fire-wetted"))
             }
-            _ => (false, text!("fire-none-there")),
+            CellState::Unburnt(_) | CellState::Burnt | CellState::Wet => {
+                (false, text!("fire-none-there"))
+            }
         };
         self.look();
         Some(LoadEffect {

@@ -127,7 +127,7 @@ impl Field for People {
         match load {
             Load::Kit if !self.fates.is_empty() => Some(self.take_kit(at)),
             Load::Node if !self.nodes.is_empty() => Some(self.place_node(at)),
-            _ => None,
+            Load::Ball | Load::Spray | Load::Kit | Load::Node => None,
         }
     }
 

@@ -147,7 +147,13 @@ impl MineSpec {
             ObjectClass::MinimumMetalMine => 1,
             ObjectClass::SurfaceMine => 2,
             ObjectClass::Clutter if view.object.axis_deg.is_none() => 3,
-            _ => return None,
+            ObjectClass::Clutter
+            | ObjectClass::Person
+            | ObjectClass::Animal
+            | ObjectClass::Fire
+            | ObjectClass::Defect
+            | ObjectClass::Leak
+            | ObjectClass::Source => return None,
         };
         Some(Look {
             chance: self.best[class] * self.left(view.height_m, view.speed_m_s),
@@ -185,12 +191,26 @@ impl Camera {
             ObjectClass::Person => (PERSON_M, FindKind::Person),
             ObjectClass::Animal => (0.6, FindKind::Person),
             ObjectClass::Fire => (1.0, FindKind::Fire),
-            _ => return self.look_for_mines(view),
+            ObjectClass::MetalMine
+            | ObjectClass::MinimumMetalMine
+            | ObjectClass::SurfaceMine
+            | ObjectClass::Clutter
+            | ObjectClass::Defect
+            | ObjectClass::Leak
+            | ObjectClass::Source => return self.look_for_mines(view),
         };
         let cycles = size_m / (2.0 * self.pixel_m(view.height_m));
         let contrast = match view.object.class {
             ObjectClass::Fire => 1.0,
-            _ => self.contrast(view.light),
+            ObjectClass::MetalMine
+            | ObjectClass::MinimumMetalMine
+            | ObjectClass::SurfaceMine
+            | ObjectClass::Clutter
+            | ObjectClass::Person
+            | ObjectClass::Animal
+            | ObjectClass::Defect
+            | ObjectClass::Leak
+            | ObjectClass::Source => self.contrast(view.light),
         };
         Some(Look {
             chance: task_performance(cycles / DETECT_CYCLES) * contrast * clear,

@@ -61,7 +61,7 @@ pub(super) fn answer(frame: &Frame) -> Option<(PlanKind, Answer)> {
             let item = item_by_hand(payload, *id == MISSION_ITEM_INT);
             (payload[32], kind(payload[37])?, Answer::Item(item))
         }
-        _ => return None,
+        Content::Message(_) | Content::Undecoded { .. } | Content::Unknown { .. } => return None,
     };
     (target == 0 || target == GROUND_STATION_SYSTEM).then_some((kind, answer))
 }
@@ -74,7 +74,7 @@ pub(super) fn others_upload(frame: &Frame) -> Option<PlanKind> {
         {
             kind(data.mission_type as u8)
         }
-        _ => None,
+        Content::Message(_) | Content::Undecoded { .. } | Content::Unknown { .. } => None,
     }
 }
 

@@ -93,7 +93,7 @@ impl Transaction {
                 let guess = text!("outcome-no-parameter", name = name);
                 Text::joined("; ", vec![silence, guess])
             }
-            _ => silence,
+            Answer::Ack(_) | Answer::None => silence,
         }
     }
 

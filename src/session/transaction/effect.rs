@@ -97,7 +97,10 @@ impl Transaction {
         let is_proof = match self.phase {
             // Without an answer, only a change proves that the command arrived.
             Phase::AwaitingAnswer { .. } => !self.effect_was_there,
-            _ => is_news,
+            Phase::AwaitingReason { .. }
+            | Phase::AwaitingEffect { .. }
+            | Phase::Done
+            | Phase::Over => is_news,
         };
         Some(seen && is_proof)
     }

@@ -53,7 +53,7 @@ impl PlainOutput {
         let translated = sanitised(&look.locale.text(text));
         let words = match look.symbols {
             Symbols::Ascii => ascii::line(&translated),
-            _ => translated,
+            Symbols::Braille | Symbols::Block => translated,
         };
         let gap = if std::mem::take(&mut self.prompted) {
             "\n"

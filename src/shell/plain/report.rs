@@ -180,7 +180,7 @@ fn notice_text(line: &NoticeLine, session: &FlightView) -> Text {
         Severity::Emergency | Severity::Alert | Severity::Critical => Some(text!("plain-critical")),
         Severity::Error => Some(text!("plain-error")),
         Severity::Warning => Some(text!("plain-warning")),
-        _ => None,
+        Severity::Notice | Severity::Info | Severity::Debug => None,
     };
     let mut parts = vec![Text::from(head)];
     parts.extend(serious);

@@ -172,7 +172,9 @@ impl RunningSession {
         let simulation = &backend.simulation;
         let source = match &self.plan {
             SessionPlan::Free(Some(source)) => Some(source),
-            _ => simulation.ardupilot.as_ref(),
+            SessionPlan::Mission(_) | SessionPlan::Free(_) | SessionPlan::Connect(_) => {
+                simulation.ardupilot.as_ref()
+            }
         };
         if let Some(source) = source {
             let launches = simulation.launches(world, backend.speedup);

@@ -74,7 +74,14 @@ impl ProfileFile {
             ProfileError::NoProfile { fault } => ProfileError::NoProfile {
                 fault: format!("{shown}: {fault}"),
             },
-            other => other,
+            other @ (ProfileError::Unusable { .. }
+            | ProfileError::Newer { .. }
+            | ProfileError::Database { .. }
+            | ProfileError::Damaged { .. }
+            | ProfileError::Unknown { .. }
+            | ProfileError::Exists { .. }
+            | ProfileError::Name
+            | ProfileError::Refused(_)) => other,
         })
     }
 

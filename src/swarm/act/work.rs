@@ -110,7 +110,7 @@ impl ActiveManoeuvre {
                 Work::Courses { .. } => {
                     self.phase == Phase::Work && member.next >= member.course.len()
                 }
-                _ => all_in_place,
+                Work::Formation(_) | Work::Follow(_) | Work::Chain(_) => all_in_place,
             };
             // What a course is for begins with its first line: the way there is no part of it.
             let counts = self.phase == Phase::Work || !matches!(self.work, Work::Courses { .. });

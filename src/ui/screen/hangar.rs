@@ -201,7 +201,9 @@ fn role(stage: SitlStage, has_crashed: bool) -> Role {
         _ if has_crashed => Role::Danger,
         SitlStage::Ready => Role::Ok,
         SitlStage::Queued | SitlStage::Stopping | SitlStage::Ended => Role::Muted,
-        _ => Role::Accent,
+        SitlStage::Process | SitlStage::Heartbeat | SitlStage::Parameters | SitlStage::Position => {
+            Role::Accent
+        }
     }
 }
 

@@ -188,7 +188,14 @@ pub fn entry_role(entry: &LedgerEntry) -> Role {
             RowState::Done => 0,
             RowState::Superseded => 1,
             other if other.is_failure() => 3 + order(other),
-            _ => 2,
+            RowState::Queued
+            | RowState::Sent
+            | RowState::InProgress(_)
+            | RowState::Accepted
+            | RowState::NoEffect
+            | RowState::Refused
+            | RowState::TimedOut
+            | RowState::Overtaken => 2,
         });
     worst.map_or(Role::Muted, row_role)
 }

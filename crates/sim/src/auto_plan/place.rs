@@ -74,8 +74,11 @@ pub(super) fn item_down_m(vehicle: &Vehicle, item: &Item) -> f64 {
 
 /// What a navigation command takes its missing coordinates from: the goal that was reached, or the vehicle's place.
 pub(super) fn reference_point(vehicle: &Vehicle) -> DVec3 {
-    match &vehicle.flight.task {
-        Task::Route(route) if route.reached => route.goal_m(),
-        _ => vehicle.believed().position_m,
+    if let Task::Route(route) = &vehicle.flight.task
+        && route.reached
+    {
+        route.goal_m()
+    } else {
+        vehicle.believed().position_m
     }
 }

@@ -161,7 +161,16 @@ fn distance_to_goal_m(vehicle: &Vehicle) -> f64 {
         Task::Takeoff(takeoff) => takeoff.goal_m,
         Task::Goto { goal_m, .. } => *goal_m,
         Task::Return(_) => vehicle.datum.home_point(),
-        _ => here_m,
+        Task::Wait
+        | Task::Velocity { .. }
+        | Task::Accelerate { .. }
+        | Task::Attitude(_)
+        | Task::Brake
+        | Task::Land(_)
+        | Task::Circle(_)
+        | Task::Orbit(_)
+        | Task::Piloted
+        | Task::Manual => here_m,
     };
     (goal_m - here_m).truncate().length()
 }

@@ -122,7 +122,7 @@ impl Failsafe {
             _ if inputs.rules.radio == 0 => None,
             RadioFault::Silent if !inputs.radio.is_overridden => Some(inputs.rules.radio_timeout),
             _ if low => Some(LOW_FOR),
-            _ => None,
+            RadioFault::Fine | RadioFault::Silent | RadioFault::Low => None,
         };
         let Some(delay) = delay else {
             self.links.radio_bad_since = None;

@@ -63,7 +63,13 @@ impl FenceError {
     pub(crate) fn severity(self) -> MavSeverity {
         match self {
             Self::ItemCount => MavSeverity::MAV_SEVERITY_INFO,
-            _ => MavSeverity::MAV_SEVERITY_WARNING,
+            Self::VertexCount(_)
+            | Self::OtherCount { .. }
+            | Self::OtherVertex { .. }
+            | Self::OtherType { .. }
+            | Self::Radius
+            | Self::ReturnPoints
+            | Self::Place => MavSeverity::MAV_SEVERITY_WARNING,
         }
     }
 }

@@ -108,7 +108,9 @@ impl Pilot {
                 let lean_deg = roll.off_centre(sticks[0]) * rules.lean_max_rad.to_degrees();
                 lean_deg * (1.0 - speed / 50.0) * rules.acro_turn_deg_s / 45.0
             }
-            _ => yaw.off_centre(sticks[3]) * rules.turn_deg_s,
+            Style::Stabilize | Style::HoldHeight | Style::HoldPlace | Style::Loiter => {
+                yaw.off_centre(sticks[3]) * rules.turn_deg_s
+            }
         }
     }
 }
@@ -187,7 +189,9 @@ pub(super) fn step(cockpit: &mut Cockpit<'_>) -> Act {
             leant(cockpit, lean, climb, &limits)
         }
         Style::HoldPlace => hold_place(cockpit, climb, &limits),
-        _ => loiter(cockpit, climb, &limits),
+        Style::Stabilize | Style::Acro | Style::Drift | Style::Loiter => {
+            loiter(cockpit, climb, &limits)
+        }
     }
 }
 
@@ -299,7 +303,9 @@ pub(super) fn manual(cockpit: &mut Cockpit<'_>) -> Act {
             weights = drift_throttle(cockpit, weights);
             drift(cockpit)
         }
-        _ => leaning(cockpit, rules.lean_max_rad),
+        Style::Stabilize | Style::HoldHeight | Style::HoldPlace | Style::Loiter => {
+            leaning(cockpit, rules.lean_max_rad)
+        }
     };
     let sinking = cockpit.body.velocity_m_s.z;
     let down = GRAVITY_M_S2 * (1.0 - weights) - INFLOW_PER_S * sinking;

@@ -98,7 +98,11 @@ impl Returning {
     pub(crate) fn landing(&self) -> Option<&Landing> {
         match &self.stage {
             Stage::Land(landing) => Some(landing),
-            _ => None,
+            Stage::Climb { .. }
+            | Stage::Fly(_)
+            | Stage::Wait { .. }
+            | Stage::Hold { .. }
+            | Stage::Retrace(_) => None,
         }
     }
 

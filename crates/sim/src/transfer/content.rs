@@ -135,7 +135,11 @@ pub(super) fn list(vehicle: &Vehicle, disk: &Disk, path: &str) -> Result<Vec<Fol
             }
             Ok(entries)
         }
-        _ => Err(NO_SUCH_FILE),
+        FilePlace::System(_)
+        | FilePlace::Parameters(_)
+        | FilePlace::Plans(_)
+        | FilePlace::Firmware(_)
+        | FilePlace::Logs(_) => Err(NO_SUCH_FILE),
     }
 }
 
@@ -143,7 +147,11 @@ pub(super) fn list(vehicle: &Vehicle, disk: &Disk, path: &str) -> Result<Vec<Fol
 pub(super) fn writable(path: &str) -> Result<String, u8> {
     match FilePlace::of(path) {
         FilePlace::Disk(path) => Ok(path),
-        _ => Err(READ_ONLY),
+        FilePlace::System(_)
+        | FilePlace::Parameters(_)
+        | FilePlace::Plans(_)
+        | FilePlace::Firmware(_)
+        | FilePlace::Logs(_) => Err(READ_ONLY),
     }
 }
 

@@ -278,7 +278,11 @@ impl Talk<'_> {
                 let kind = plan_file::kind_of(&name).ok_or(NO_SUCH_FILE)?;
                 Open::WritingPlan(kind, Vec::new())
             }
-            _ => {
+            FilePlace::System(_)
+            | FilePlace::Parameters(_)
+            | FilePlace::Firmware(_)
+            | FilePlace::Logs(_)
+            | FilePlace::Disk(_) => {
                 let path = content::writable(&path)?;
                 if request.opcode == CREATE {
                     self.files().disk.create(&path)?;

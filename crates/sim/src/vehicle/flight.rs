@@ -122,7 +122,17 @@ impl FlightState {
         let until = match &self.task {
             Task::Velocity { until, .. } | Task::Accelerate { until, .. } => *until,
             Task::Attitude(attitude) => attitude.until,
-            _ => return,
+            Task::Wait
+            | Task::Takeoff(_)
+            | Task::Goto { .. }
+            | Task::Brake
+            | Task::Return(_)
+            | Task::Land(_)
+            | Task::Circle(_)
+            | Task::Route(_)
+            | Task::Orbit(_)
+            | Task::Piloted
+            | Task::Manual => return,
         };
         if now >= until && matches!(self.yaw.demand, YawDemand::Rate(_)) {
             self.yaw.demand = YawDemand::Hold;

@@ -68,7 +68,9 @@ pub(super) fn buy(state: &mut State) {
                 PurchaseRefusal::Locked(mission) => {
                     text!("bench-locked-by", mission = title(state, &mission))
                 }
-                other => other.text(),
+                other @ (PurchaseRefusal::Unknown
+                | PurchaseRefusal::Owned
+                | PurchaseRefusal::TooDear(..)) => other.text(),
             };
             state.say(Severity::Warning, text);
         }

@@ -125,7 +125,8 @@ impl<'a> ScaleSwarm<'a> {
                             .unwrap_or_default();
                         self.refusal = Some(format!("vehicle {}: {}{why}", row.vehicle, row.state));
                     }
-                    _ => {}
+                    FleetEvent::Parameters(..) | FleetEvent::Report(_) | FleetEvent::Dropped(_) => {
+                    }
                 }
             }
         }

@@ -73,7 +73,12 @@ impl Engine {
                         wishes.mislead(offset_m, mission.origin.at);
                     }
                 }
-                _ => {}
+                ZoneKind::Task
+                | ZoneKind::Geofence { .. }
+                | ZoneKind::NoFly { .. }
+                | ZoneKind::People { .. }
+                | ZoneKind::RadioJam { .. }
+                | ZoneKind::CommShadow(_) => {}
             }
         }
     }

@@ -80,7 +80,8 @@ pub(in crate::mission) const FUNCTIONS: &[Function] = &[
     function!("agl_min", [], Number, |_| Some(Question::LowestHeight)),
     function!("speed", [Sensor], Number, |g| match g.first()? {
         Given::Name(name) => Some(Question::Speed(name.clone())),
-        _ => None,
+        Given::Number(_) | Given::Index(_) | Given::Modes(_) | Given::Level(_) | Given::Spot(_) =>
+            None,
     }),
     function!("vehicle", [Vehicle], Number, |g| Some(Question::Vehicle(
         index(g)?,
@@ -118,7 +119,8 @@ pub(in crate::mission) const FUNCTIONS: &[Function] = &[
     }),
     function!("alert_open", [Level], Bool, |g| match g.first()? {
         Given::Level(level) => Some(Question::AlertOpen(*level)),
-        _ => None,
+        Given::Number(_) | Given::Index(_) | Given::Name(_) | Given::Modes(_) | Given::Spot(_) =>
+            None,
     }),
     function!("fired", [Event], Bool, |g| Some(Question::Fired(index(g)?))),
     function!("wind", [], Number, |_| Some(Question::Wind)),
@@ -130,21 +132,27 @@ pub(in crate::mission) const FUNCTIONS: &[Function] = &[
 fn index(given: &[Given]) -> Option<usize> {
     match given.first()? {
         Given::Index(index) => Some(*index),
-        _ => None,
+        Given::Number(_) | Given::Name(_) | Given::Modes(_) | Given::Level(_) | Given::Spot(_) => {
+            None
+        }
     }
 }
 
 fn number(given: &[Given]) -> Option<f64> {
     match given.first()? {
         Given::Number(number) => Some(*number),
-        _ => None,
+        Given::Index(_) | Given::Name(_) | Given::Modes(_) | Given::Level(_) | Given::Spot(_) => {
+            None
+        }
     }
 }
 
 fn modes(given: &[Given]) -> Option<Vec<String>> {
     match given.first()? {
         Given::Modes(modes) => Some(modes.clone()),
-        _ => None,
+        Given::Number(_) | Given::Index(_) | Given::Name(_) | Given::Level(_) | Given::Spot(_) => {
+            None
+        }
     }
 }
 

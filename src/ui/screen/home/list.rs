@@ -188,7 +188,7 @@ fn lines(state: &State, look: &Look) -> Vec<(Option<usize>, String)> {
     let items = items(state);
     let tier = |item: &HomeItem| match item {
         HomeItem::Mission(at) => Some(state.missions()[*at].tier),
-        _ => None,
+        HomeItem::Free | HomeItem::ArduPilot | HomeItem::Connect | HomeItem::Quit => None,
     };
     let (least, most) = (
         items.first().and_then(tier),

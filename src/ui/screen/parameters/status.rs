@@ -96,7 +96,7 @@ fn progress(
             text!("parameters-coming", received = received, count = count),
             Role::Accent,
         ),
-        _ => (text!("parameters-asking"), Role::Muted),
+        Fetching::NotAsked | Fetching::UnderWay { .. } => (text!("parameters-asking"), Role::Muted),
     };
     let mut spans = vec![Span::raw(" ")];
     if fetching.is_under_way() && count > 0 {

@@ -200,7 +200,9 @@ fn telling(slot: PartSlot, has_figures: bool) -> &'static [Measure] {
         PartSlot::Frame | PartSlot::Motor | PartSlot::Propeller | PartSlot::Esc => {
             &[HoverTime, Ratio, TopSpeed, Range, Mass, Cost]
         }
-        _ => &[HoverTime, Ratio, Range, Spare, Mass, Cost],
+        PartSlot::Autopilot | PartSlot::Navigation | PartSlot::Power | PartSlot::Payload => {
+            &[HoverTime, Ratio, Range, Spare, Mass, Cost]
+        }
     }
 }
 

@@ -45,7 +45,12 @@ pub const fn sign(kind: SketchKind) -> &'static str {
         SketchKind::Jamming => "~ ",
         SketchKind::People => "& ",
         SketchKind::Radio => "% ",
-        _ => "",
+        SketchKind::Task
+        | SketchKind::Fence
+        | SketchKind::KeepOut
+        | SketchKind::Plan
+        | SketchKind::Rally
+        | SketchKind::Course => "",
     }
 }
 

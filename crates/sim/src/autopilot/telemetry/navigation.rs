@@ -45,7 +45,18 @@ fn target(autopilot: &Autopilot) -> Option<(DVec3, DVec3, u16)> {
             goal_m, drift_m_s, ..
         } => Some((*goal_m, *drift_m_s, POSITION_ONLY)),
         Task::Velocity { wanted_m_s, .. } => Some((DVec3::ZERO, *wanted_m_s, VELOCITY_ONLY)),
-        _ => None,
+        Task::Wait
+        | Task::Takeoff(_)
+        | Task::Accelerate { .. }
+        | Task::Attitude(_)
+        | Task::Brake
+        | Task::Return(_)
+        | Task::Land(_)
+        | Task::Circle(_)
+        | Task::Route(_)
+        | Task::Orbit(_)
+        | Task::Piloted
+        | Task::Manual => None,
     }
 }
 
@@ -91,7 +102,17 @@ pub(super) fn goal(autopilot: &Autopilot) -> Option<DVec3> {
         Task::Goto { goal_m, .. } => Some(*goal_m),
         Task::Return(_) => Some(autopilot.vehicle.datum.home_point()),
         Task::Route(route) => Some(route.goal_m()),
-        _ => None,
+        Task::Wait
+        | Task::Takeoff(_)
+        | Task::Velocity { .. }
+        | Task::Accelerate { .. }
+        | Task::Attitude(_)
+        | Task::Brake
+        | Task::Land(_)
+        | Task::Circle(_)
+        | Task::Orbit(_)
+        | Task::Piloted
+        | Task::Manual => None,
     }
 }
 
