@@ -18,6 +18,7 @@ use crate::vehicle::{VehicleClass, VehicleId};
 use crate::verb::Verb;
 
 mod argument;
+mod choice;
 mod complete;
 mod console;
 mod form;
@@ -38,6 +39,7 @@ mod wait;
 mod tests;
 
 pub use argument::{Argument, Kind, Unit};
+pub use choice::VehicleChoice;
 pub use complete::{Completion, begun, complete, hint, lines};
 pub use console::{AlertLine, ConsoleLine, ParametersLine, ProcessDeed, Report, TableLine};
 pub use ids::{parse_ranges, ranges};

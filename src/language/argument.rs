@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::VehicleChoice;
 use super::names::NameList;
 use crate::geo::{LatLon, Outline};
 use crate::text;
@@ -246,6 +247,7 @@ pub(super) enum Value {
     Flag,
     Number(f64),
     Word(String),
+    Vehicles(VehicleChoice),
     Point(LatLon),
     Area(Outline),
 }
@@ -300,14 +302,22 @@ impl Arguments {
     pub fn number(&self, name: &str) -> Option<f64> {
         match self.get(name)? {
             Value::Number(number) => Some(*number),
-            Value::Flag | Value::Word(_) | Value::Point(_) | Value::Area(_) => None,
+            Value::Flag
+            | Value::Word(_)
+            | Value::Vehicles(_)
+            | Value::Point(_)
+            | Value::Area(_) => None,
         }
     }
 
     pub fn word(&self, name: &str) -> Option<&str> {
         match self.get(name)? {
             Value::Word(word) => Some(word),
-            Value::Flag | Value::Number(_) | Value::Point(_) | Value::Area(_) => None,
+            Value::Flag
+            | Value::Number(_)
+            | Value::Vehicles(_)
+            | Value::Point(_)
+            | Value::Area(_) => None,
         }
     }
 
@@ -316,7 +326,11 @@ impl Arguments {
         let named = self.values.iter().filter(|(known, _, _)| *known == name);
         let words = named.filter_map(|(_, value, _)| match value {
             Value::Word(word) => Some(word.as_str()),
-            Value::Flag | Value::Number(_) | Value::Point(_) | Value::Area(_) => None,
+            Value::Flag
+            | Value::Number(_)
+            | Value::Vehicles(_)
+            | Value::Point(_)
+            | Value::Area(_) => None,
         });
         words.collect()
     }
@@ -324,7 +338,25 @@ impl Arguments {
     pub fn point(&self, name: &str) -> Option<LatLon> {
         match self.get(name)? {
             Value::Point(point) => Some(*point),
-            Value::Flag | Value::Number(_) | Value::Word(_) | Value::Area(_) => None,
+            Value::Flag
+            | Value::Number(_)
+            | Value::Word(_)
+            | Value::Vehicles(_)
+            | Value::Area(_) => None,
+        }
+    }
+
+    /// Vehicles that the form requires.
+    pub fn required_vehicles(&self, name: &'static str) -> Result<VehicleChoice, Problem> {
+        self.vehicles(name).ok_or_else(|| Problem::missing(name))
+    }
+
+    pub fn vehicles(&self, name: &str) -> Option<VehicleChoice> {
+        match self.get(name)? {
+            Value::Vehicles(choice) => Some(choice.clone()),
+            Value::Flag | Value::Number(_) | Value::Word(_) | Value::Point(_) | Value::Area(_) => {
+                None
+            }
         }
     }
 

@@ -222,7 +222,12 @@ fn names(expected: Expected, context: &Context) -> Vec<(String, Text)> {
 fn verb_names(fits: impl Fn(&VerbRow) -> bool) -> Vec<(String, Text)> {
     let explained = |row: &VerbRow| {
         let usage = row.usage().join(" | ");
-        let hint = described(usage.into(), row.summary());
+        // A verb without arguments has its name for a usage: once is enough.
+        let hint = if usage == row.name() {
+            row.summary()
+        } else {
+            described(usage.into(), row.summary())
+        };
         (row.name().to_owned(), hint)
     };
     rows().filter(|row| fits(row)).map(explained).collect()

@@ -1,5 +1,6 @@
 //! What the lines say that the console carries out itself.
 
+use super::VehicleChoice;
 use crate::alert::AlertKind;
 use crate::config::{Column, LiveSetting, TableSort};
 use crate::vehicle::VehicleId;
@@ -9,14 +10,13 @@ use crate::vehicle::VehicleId;
 pub enum ConsoleLine {
     /// Show something: on a screen its room, without one as text.
     Report(Report),
-    /// Select these vehicles, as they were written.
-    Select(String),
+    Select(VehicleChoice),
     /// Give vehicles a group's name.
     Group {
         /// The name, without `@`.
         name: String,
-        /// The vehicles as they were written; the selection where none are.
-        vehicles: Option<String>,
+        /// `None` means the selection.
+        vehicles: Option<VehicleChoice>,
     },
     /// Forget the name of a group, given without `@`.
     Ungroup(String),
@@ -77,8 +77,8 @@ pub enum Report {
     Hangar,
     /// The task, its rules and how it is scored.
     Brief,
-    /// How vehicles are: these, as they were written, or all.
-    Status(Option<String>),
+    /// How vehicles are: these, else the selected ones, else all.
+    Status(Option<VehicleChoice>),
     /// How the mission stands.
     Objectives,
     /// What detectors have found.
@@ -125,10 +125,10 @@ pub enum AlertLine {
     Mute(Option<AlertKind>),
     /// Let a kind ring again; none means all.
     Unmute(Option<AlertKind>),
-    /// Take note of the worst alerts.
+    /// Acknowledge the worst alerts.
     AcknowledgeWorst,
-    /// Take note of all alerts of a kind.
+    /// Acknowledge all alerts of a kind.
     AcknowledgeKind(AlertKind),
-    /// Take note of all alerts of vehicles, as they were written.
-    AcknowledgeOf(String),
+    /// Acknowledge all alerts of these vehicles.
+    AcknowledgeOf(VehicleChoice),
 }

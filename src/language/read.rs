@@ -2,11 +2,11 @@
 
 use mavlink::dialects::ardupilotmega::MavMessage;
 
-use super::Context;
 use super::argument::{Kind, Unit, Value};
 use super::lexer::Word;
 use super::modes::{mode_named, mode_names, mode_warning};
 use super::targets::Targets;
+use super::{Context, VehicleChoice};
 use crate::commands::{command_by_name, command_names};
 use crate::config::{Column, TableSort};
 use crate::geo::{LatLon, Outline};
@@ -17,9 +17,6 @@ use crate::vehicle::VehicleClass;
 
 /// Message ids have 24 bits.
 const HIGHEST_MESSAGE: u32 = 0x00FF_FFFF;
-
-/// What the console can select besides named vehicles.
-const SELECTIONS: [&str; 3] = ["none", "filter", "invert"];
 
 /// Why words are not the value that was expected.
 pub(super) enum Misread {
@@ -104,7 +101,7 @@ impl Kind {
                 Value::Word(listed.meant(list, text).map_err(Misread::kind)?)
             }
             Self::Group => Value::Word(text.trim_start_matches('@').to_owned()),
-            Self::Vehicles => Value::Word(vehicles(first)?),
+            Self::Vehicles => Value::Vehicles(VehicleChoice::read(first).map_err(Misread::kind)?),
             Self::Sort => Value::Word(sort(text)?),
             Self::Rest => return Ok((Value::Word(first.tail.to_owned()), words.len())),
         };
@@ -273,16 +270,6 @@ fn mode(text: &str, context: &Context) -> Result<String, Misread> {
             VehicleClass::Other => text!("grammar-no-mode", mode = text),
         })
     })
-}
-
-/// Vehicles for the console.
-fn vehicles(word: &Word) -> Result<String, Misread> {
-    if word.is_targets() || SELECTIONS.contains(&word.text) {
-        Ok(word.text.to_owned())
-    } else {
-        let message = text!("grammar-no-vehicles", word = word.text);
-        Err(Misread::kind(message))
-    }
 }
 
 fn sort(text: &str) -> Result<String, Misread> {

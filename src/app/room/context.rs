@@ -1,7 +1,9 @@
 //! What depends on the state and on what some room remembers.
 
 use super::State;
-use crate::language::{Channel, Context};
+use crate::language::{Channel, Context, VehicleChoice};
+use crate::text;
+use crate::text::Text;
 use crate::vehicle::VehicleId;
 
 impl State {
@@ -27,6 +29,28 @@ impl State {
             } else {
                 Channel::Plain
             },
+        })
+    }
+
+    /// The vehicles that a line to the console means.
+    ///
+    /// # Errors
+    /// There is no such group.
+    pub fn chosen(&self, choice: &VehicleChoice) -> Result<Vec<VehicleId>, Text> {
+        Ok(match choice {
+            VehicleChoice::All => self.session.vehicles.keys().copied().collect(),
+            VehicleChoice::None => Vec::new(),
+            VehicleChoice::Filter => self.rooms.fly.rows().to_vec(),
+            VehicleChoice::Invert => {
+                let shown = self.rooms.fly.rows().iter().copied();
+                let others = shown.filter(|id| !self.session.selection.contains(id));
+                others.collect()
+            }
+            VehicleChoice::Ids(ids) => ids.clone(),
+            VehicleChoice::Group(name) => {
+                let members = self.session.groups.get(name).cloned();
+                members.ok_or_else(|| text!("group-unknown", name = name))?
+            }
         })
     }
 }

@@ -1,13 +1,12 @@
 //! The lines about alerts, carried out.
 
-use super::console_line::targeted;
 use crate::alert::AlertKind;
 use crate::app::State;
 use crate::app::room::fly;
 use crate::language::AlertLine;
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{Severity, VehicleId};
+use crate::vehicle::Severity;
 
 /// Does what a line says.
 ///
@@ -19,8 +18,8 @@ pub fn carry_out(state: &mut State, line: AlertLine) -> Result<(), Text> {
         AlertLine::Unmute(kind) => unmute(state, kind),
         AlertLine::AcknowledgeWorst => fly::acknowledge_pressing(state),
         AlertLine::AcknowledgeKind(kind) => fly::acknowledge(state, |_, known| known == kind),
-        AlertLine::AcknowledgeOf(word) => {
-            let ids: Vec<VehicleId> = targeted(state, &word)?;
+        AlertLine::AcknowledgeOf(vehicles) => {
+            let ids = state.chosen(&vehicles)?;
             fly::acknowledge(state, |id, _| ids.contains(&id));
         }
     }

@@ -9,9 +9,7 @@ use crate::app::room::{Room, fly, hangar, parameters};
 use crate::app::state::{HelpPage, Log, Overlay};
 use crate::config::{LiveSetting, Symbols};
 use crate::diagnostic::Diagnostic;
-use crate::language::{
-    ConsoleLine, ParametersLine, Report, TableLine, parse_ranges, ranges, words,
-};
+use crate::language::{ConsoleLine, ParametersLine, Report, TableLine, ranges, words};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
@@ -38,11 +36,14 @@ fn obey(state: &mut State, own: ConsoleLine) -> Result<Effects, Text> {
     match own {
         ConsoleLine::Report(report) => show(state, &report),
         ConsoleLine::Select(vehicles) => {
-            let ids = targeted(state, &vehicles)?;
+            let ids = state.chosen(&vehicles)?;
             act::select(state, &ids);
         }
         ConsoleLine::Group { name, vehicles } => {
-            let ids = targeted(state, &vehicles.unwrap_or_default())?;
+            let ids = match vehicles {
+                Some(vehicles) => state.chosen(&vehicles)?,
+                None => state.addressed(),
+            };
             group(state, name, ids)?;
         }
         ConsoleLine::Ungroup(name) => ungroup(state, &name)?,
@@ -99,28 +100,6 @@ fn arrange(state: &mut State, line: TableLine) {
         TableLine::Sort(sort) => fly::set_sort(state, sort),
         TableLine::Filter(text) => fly::filter(state, &text),
         TableLine::Columns(columns) => state.config.table.columns = columns,
-    }
-}
-
-/// The vehicles that a word names; nothing means those that a command would go to.
-pub fn targeted(state: &State, word: &str) -> Result<Vec<VehicleId>, Text> {
-    match word {
-        "" => Ok(state.addressed()),
-        "none" => Ok(Vec::new()),
-        "filter" => Ok(state.rooms.fly.rows().to_vec()),
-        "invert" => {
-            let shown = state.rooms.fly.rows().iter().copied();
-            let others = shown.filter(|id| !state.session.selection.contains(id));
-            Ok(others.collect())
-        }
-        "all" => Ok(state.session.vehicles.keys().copied().collect()),
-        _ => match word.strip_prefix('@') {
-            Some(name) => {
-                let members = state.session.groups.get(name).cloned();
-                members.ok_or_else(|| text!("group-unknown", name = name))
-            }
-            None => parse_ranges(word),
-        },
     }
 }
 

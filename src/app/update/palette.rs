@@ -3,7 +3,7 @@
 use crossterm::event::KeyEvent;
 use tui_input::Input;
 
-use super::console_line::{self, targeted};
+use super::console_line;
 use super::order::Given;
 use super::{keys, offer, order};
 use crate::app::State;
@@ -12,7 +12,7 @@ use crate::app::effect::Effects;
 use crate::app::keymap::Place;
 use crate::app::state::{Overlay, Palette};
 use crate::diagnostic::Diagnostic;
-use crate::language::{self, Completion, ranges, words};
+use crate::language::{self, Completion, VehicleChoice, ranges, words};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
@@ -246,7 +246,9 @@ fn recipients(state: &State, line: &str) -> Text {
         return Text::default();
     }
     if let Some(targets) = words(line).first().filter(|word| word.is_targets()) {
-        let ids = targeted(state, targets.text).unwrap_or_default();
+        let choice = VehicleChoice::read(targets);
+        let ids = choice.and_then(|choice| state.chosen(&choice));
+        let ids = ids.unwrap_or_default();
         return if ids.is_empty() {
             Text::default()
         } else {

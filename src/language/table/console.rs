@@ -115,8 +115,7 @@ const SELECT: VerbRow = VerbRow {
         "select",
         Scope::Console,
         &[Form::new(&[VEHICLES], |given| {
-            let vehicles = given.required_word("targets")?;
-            console(ConsoleLine::Select(vehicles.to_owned()))
+            console(ConsoleLine::Select(given.required_vehicles("targets")?))
         })],
     )
 };
@@ -134,7 +133,7 @@ const GROUP: VerbRow = VerbRow {
             |given| {
                 console(ConsoleLine::Group {
                     name: given.required_word("name")?.to_owned(),
-                    vehicles: given.word("targets").map(str::to_owned),
+                    vehicles: given.vehicles("targets"),
                 })
             },
         )],
@@ -219,8 +218,8 @@ const ACK: VerbRow = VerbRow {
                 alerts(AlertLine::AcknowledgeKind(kind))
             }),
             Form::new(&[VEHICLES], |given| {
-                let vehicles = given.required_word("targets")?;
-                alerts(AlertLine::AcknowledgeOf(vehicles.to_owned()))
+                let vehicles = given.required_vehicles("targets")?;
+                alerts(AlertLine::AcknowledgeOf(vehicles))
             }),
         ],
     )
@@ -365,8 +364,7 @@ const STATUS: VerbRow = VerbRow {
         "status",
         Scope::Plain,
         &[Form::new(&[VEHICLES.optional()], |given| {
-            let vehicles = given.word("targets").map(str::to_owned);
-            report(Report::Status(vehicles))
+            report(Report::Status(given.vehicles("targets")))
         })],
     )
 };

@@ -4,7 +4,7 @@ use crate::config::{LiveSetting, TableSort};
 use crate::diagnostic::Diagnostic;
 use crate::language::{
     AlertLine, Channel, ConsoleLine, Context, Listed, Meaning, NameList, Named, Names,
-    ParametersLine, ProcessDeed, Report, TableLine, complete, lines, parse, rows,
+    ParametersLine, ProcessDeed, Report, TableLine, VehicleChoice, complete, lines, parse, rows,
 };
 use crate::text;
 use crate::text::{Language, Text};
@@ -78,7 +78,7 @@ fn lines_to_the_console_become_what_they_say() {
             "group @red 1-3",
             ConsoleLine::Group {
                 name: "red".to_owned(),
-                vehicles: Some("1-3".to_owned()),
+                vehicles: Some(VehicleChoice::Ids(vec![1, 2, 3])),
             },
         ),
         (
@@ -102,7 +102,7 @@ fn lines_to_the_console_become_what_they_say() {
         ),
         (
             "ack 3",
-            ConsoleLine::Alerts(AlertLine::AcknowledgeOf("3".to_owned())),
+            ConsoleLine::Alerts(AlertLine::AcknowledgeOf(VehicleChoice::Ids(vec![3]))),
         ),
         (
             "ack gps",

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::brief;
 use crate::app::State;
 use crate::app::state::{FlightView, Hangar, HelpLine, NoticeLine, command_help};
-use crate::language::{Channel, Report, parse_ranges, ranges};
+use crate::language::{Channel, Report, VehicleChoice, ranges};
 use crate::ledger::{EntryId, LedgerEntry};
 use crate::mission::{ObjectiveProgress, ObjectiveState, ShownContact, Trust};
 use crate::notice::Notice;
@@ -265,25 +265,16 @@ fn contacts(state: &State) -> Vec<Text> {
 }
 
 /// How vehicles are: those that are named, else those that a command would go to, else all.
-fn status(state: &State, targets: &str) -> Vec<Text> {
+fn status(state: &State, choice: Option<&VehicleChoice>) -> Vec<Text> {
     let vehicles = state.session().vehicles();
-    let all = || vehicles.keys().copied().collect::<Vec<VehicleId>>();
-    let ids = match targets {
-        "all" => all(),
-        "" if state.session().selection().is_empty() => all(),
-        "" => state.addressed(),
-        _ => match targets.strip_prefix('@') {
-            Some(group) => state
-                .session()
-                .groups()
-                .get(group)
-                .cloned()
-                .unwrap_or_default(),
-            None => match parse_ranges(targets) {
-                Ok(ids) => ids,
-                Err(fault) => return vec![fault],
-            },
-        },
+    let ids = match choice {
+        Some(choice) => state.chosen(choice),
+        None if state.session().selection().is_empty() => state.chosen(&VehicleChoice::All),
+        None => Ok(state.addressed()),
+    };
+    let ids = match ids {
+        Ok(ids) => ids,
+        Err(fault) => return vec![fault],
     };
     let known: Vec<Text> = ids
         .iter()
@@ -291,7 +282,7 @@ fn status(state: &State, targets: &str) -> Vec<Text> {
         .map(|vehicle| vehicle_text(vehicle, state))
         .collect();
     if known.is_empty() {
-        return vec![text!("select-missing", vehicles = targets)];
+        return vec![text!("select-missing", vehicles = ranges(ids))];
     }
     known
 }
@@ -368,7 +359,7 @@ fn notices(state: &State) -> Vec<Text> {
 /// What a report says.
 pub fn texts(report: &Report, state: &State) -> Vec<Text> {
     match report {
-        Report::Status(vehicles) => status(state, vehicles.as_deref().unwrap_or_default()),
+        Report::Status(vehicles) => status(state, vehicles.as_ref()),
         Report::Objectives => objectives(state),
         Report::Contacts => contacts(state),
         Report::Help => help(state),

@@ -285,13 +285,10 @@ fn choice_lines<'a>(
 ) -> Vec<Line<'a>> {
     let mut mark = if is_chosen { "> " } else { "  " };
     let mut name = clip(&choice.text, name_width);
-    // A verb without arguments has its name for a usage: once is enough.
-    let said = format!("{}: ", choice.text);
-    let explained = look.text(&choice.hint);
-    let hint = explained.strip_prefix(&said).unwrap_or(&explained);
+    let hint = look.text(&choice.hint);
     let room = width.saturating_sub(name_width + 4);
     let mut lines = Vec::new();
-    for text in wrap(hint, room) {
+    for text in wrap(&hint, room) {
         let name = std::mem::take(&mut name);
         lines.push(Line::from(vec![
             Span::raw(std::mem::replace(&mut mark, "  ")),
