@@ -25,7 +25,8 @@ pub use crate::mission::Skill;
 pub use crate::mission::Stake;
 pub use aids::Aids;
 pub use attempt::{
-    Attempt, AttemptMeans, AttemptTerms, AttemptTrainee, PracticeReason, day_and_stake, next_try,
+    Attempt, AttemptMeans, AttemptTerms, AttemptTrainee, PracticeReason, day_and_stake,
+    is_practice, next_try,
 };
 pub use course::{LockReason, MissionCourse, MissionStage, Offer};
 pub use daily::daily_seed;
@@ -36,7 +37,7 @@ pub use knowledge::{Knowledge, Lack, Mastery};
 pub use progress::{CareerProgress, MissionProgress, MissionState, SkillProgress, TrainingAdvice};
 pub use reward::{OpenedItem, Reward, SkillChange};
 pub use skill::Evidence;
-pub use standing::{Best, CareerStanding, PartState, PurchaseRefusal};
+pub use standing::{Best, CareerStanding, ExamResult, PartState, PurchaseRefusal};
 pub use wear::{FlownDesign, wear};
 
 use serde::{Deserialize, Serialize};

@@ -70,7 +70,7 @@ const EXIT_CODES: &str = "\
     after_help = "Examples:\n  \
                   sortie                                     the home screen\n  \
                   sortie --speedup 4                         the same; missions pass four times as fast\n  \
-                  sortie fly 01                              the first mission\n  \
+                  sortie fly 00                              the first mission\n  \
                   sortie connect tcp:127.0.0.1:5760          vehicles that are there\n  \
                   sortie run 01 --pilot 01-air-sample --json without a console"
 )]

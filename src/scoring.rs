@@ -54,6 +54,8 @@ pub struct ScoreRules {
     pub medals: Medals,
     /// What gold needs besides points.
     pub gold_requires: Vec<Gate>,
+    /// Refusals that cost nothing, because the lesson asks for them.
+    pub free_refusals: u32,
 }
 
 /// Points needed for each medal.

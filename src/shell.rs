@@ -78,7 +78,10 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
         tokio::select! {
             biased;
             happened = signals.next() => match happened {
-                Happened::End => break,
+                Happened::End => {
+                    console.is_cut_off = true;
+                    break;
+                }
                 Happened::Resized => console.measure().await,
                 Happened::Stopped => {
                     hear_last_answer(&mut screen, &mut keyboard).await;
@@ -92,18 +95,19 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
                 }
             },
             () = pace.tick() => console.tick().await,
-            input = keyboard.next() => match input {
-                Some(input) => {
+            input = keyboard.next() => {
+                let Some(input) = input else {
+                    console.is_cut_off = true;
+                    break;
+                };
+                console.hear(input, &mut screen).await;
+                // What was typed meanwhile is one frame with it.
+                for _ in 0..KEYS_PER_FRAME {
+                    let Some(input) = keyboard.ready() else {
+                        break;
+                    };
                     console.hear(input, &mut screen).await;
-                    // What was typed meanwhile is one frame with it.
-                    for _ in 0..KEYS_PER_FRAME {
-                        let Some(input) = keyboard.ready() else {
-                            break;
-                        };
-                        console.hear(input, &mut screen).await;
-                    }
                 }
-                None => break,
             },
             () = tokio::time::sleep(frame.unwrap_or_default()), if frame.is_some() => {}
         }
@@ -176,6 +180,8 @@ struct Console {
     /// The last line of the history that its file has.
     kept: Option<String>,
     over: bool,
+    /// Whether the terminal has gone away, or the program is told to end: nobody has left the flight.
+    is_cut_off: bool,
 }
 
 impl Console {
@@ -221,6 +227,7 @@ impl Console {
             ending: SessionEnding::default(),
             inbox: VecDeque::new(),
             over: false,
+            is_cut_off: false,
         };
         console.open_careers(course);
         console
@@ -303,7 +310,8 @@ impl Console {
             self.next_look = now + LOOK_EVERY;
             self.look_for_changes();
         }
-        self.feed(Event::Tick { now }).await;
+        let wall = self.clock.wall();
+        self.feed(Event::Tick { now, wall }).await;
         let Some(running) = &mut self.running else {
             return;
         };

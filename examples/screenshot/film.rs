@@ -135,12 +135,12 @@ impl Film {
     /// Lets the time pass for which the end of a mission takes no keys.
     fn calm_down(&mut self) {
         let now = self.exercise.now() + CALM;
-        self.tell(Event::Tick { now });
+        self.tell(Event::Tick { now, wall: now });
     }
 
     fn tell_all(&mut self) {
         let now = self.exercise.now();
-        self.tell(Event::Tick { now });
+        self.tell(Event::Tick { now, wall: now });
         for vehicle in self.exercise.vehicles().clone().into_values() {
             self.tell(VehicleEvent::Telemetry(vehicle));
         }

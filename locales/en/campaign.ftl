@@ -24,6 +24,8 @@ buy-locked = pass { $mission } first
 buy-too-dear = costs { $price } credits; you have { $credits }
 
 reward-heading = Career
+reward-exam-passed = EXAM PASSED
+reward-exam-failed = EXAM NOT PASSED
 reward-credits = credits +{ $pay }, { $now } now
 reward-credits-wear = credits +{ $pay }, -{ $wear } for wear of your drones, { $now } now
 reward-unpaid = no credits: { $why }; { $now } now
@@ -69,6 +71,7 @@ practice-locked = the mission is locked ({ $why })
 practice-parts = { $design } has parts that you do not own ({ $parts })
 practice-airframes = the airframes are files of your own
 practice-slow = time runs slower than real time
+exam-real-time = An exam runs in real time. Start sortie without --speedup
 exam-by-hand = An exam is flown by hand, not by a script. Start it from the home screen
 flight-practice = { $mission }, practice
 flight-daily = { $mission }, seed of the day

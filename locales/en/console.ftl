@@ -7,6 +7,7 @@ ask-restart = RESTART the mission
 ask-abandon = ABANDON the mission
 ask-abandon-reason = the debrief counts what has been reached so far
 ask-mission-lost = the mission is not over; it would not count
+ask-given-up = the mission is not over; it ends here as given up, and what you have flown counts as a try
 ask-exam-ends = the exam is not over; it ends here, and what you have flown counts
 ask-armed = { $count ->
     [one] 1 vehicle is armed
@@ -40,7 +41,7 @@ ask-sure = are you sure
 ask-taken-back = cancelled, nothing was done   { $submit } or { $escape }: back
 ask-else = anything else: no
 
-help-title = help   { $scroll } scroll   { $search } search   { $key } closes
+help-title = help   { $scroll } scroll   { $section } section   { $search } search   { $key } close
 help-none = nothing found in the help
 help-targets = targets: 3  1-4,7  @group  all; none means the selection
 

@@ -78,6 +78,7 @@ debrief-gaps = not covered: { $area } m², most of it around n { $north } e { $e
 debrief-missed = missed: { $kind } at n { $north } e { $east }
 
 debrief-tries = YOUR TRIES
+debrief-practice = practice
 
 debrief-next = NEXT
 debrief-next-drill = Fly the drill { $drill }, then this mission again with one thing in mind: { $what }

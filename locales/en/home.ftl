@@ -29,10 +29,7 @@ home-tier-2 = several skills
 home-tier-3 = everything together
 home-drill = { $title }, { $seconds } s
 home-no-drill = there is no drill for it
-home-best = Best of { $count ->
-    [one] { $count } try
-   *[other] { $count } tries
-}: { $score } points, { $medal }.
+home-best = Best so far: { $score } points, { $medal }.
 home-site = area and par
 home-par = par
 home-limit = limit

@@ -31,13 +31,20 @@ home-exam = exam
 home-practise = practice
 home-seed-none = a seed is a whole number from 0 up
 ask-exam = START the exam
-ask-exam-reason = one seed for all trainees, no hints, no pause; the result counts
+ask-exam-reason = one seed for all trainees, real time, no hints, no pause; the result counts
 
 # What a mission means to the career: names and what they say.
 mission-career = for your career
 fact-stage = state
 fact-locked = locked: { $why }
 fact-new = open, not flown yet
+fact-practised = open, { $count ->
+    [one] { $count } flight
+   *[other] { $count } flights
+} for practice
+fact-exam = exam
+fact-exam-passed = passed, { $score } points
+fact-exam-failed = not passed, { $score } points
 fact-open = open, best { $score } points in { $count ->
     [one] { $count } flight
    *[other] { $count } flights

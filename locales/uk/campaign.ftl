@@ -24,6 +24,8 @@ buy-locked = спершу пройдіть { $mission }
 buy-too-dear = коштує { $price } кредитів, у вас { $credits }
 
 reward-heading = Кар'єра
+reward-exam-passed = ІСПИТ СКЛАДЕНО
+reward-exam-failed = ІСПИТ НЕ СКЛАДЕНО
 reward-credits = кредити +{ $pay }, тепер { $now }
 reward-credits-wear = кредити +{ $pay }, -{ $wear } за знос ваших дронів, тепер { $now }
 reward-unpaid = без кредитів: { $why }; тепер { $now }
@@ -70,6 +72,7 @@ practice-locked = завдання закрите ({ $why })
 practice-parts = у { $design } є деталі, яких ви не маєте ({ $parts })
 practice-airframes = рами взято з ваших файлів
 practice-slow = час іде повільніше за справжній
+exam-real-time = Іспит відбувається в реальному часі. Запустіть sortie без --speedup
 exam-by-hand = Іспит складають власноруч, а не скриптом. Почніть його з головного екрана
 flight-practice = { $mission }, тренування
 flight-daily = { $mission }, варіант дня

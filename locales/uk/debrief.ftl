@@ -78,6 +78,7 @@ debrief-gaps = не обстежено: { $area } m², найбільше біл
 debrief-missed = пропущено: { $kind }, n { $north } e { $east }
 
 debrief-tries = ВАШІ СПРОБИ
+debrief-practice = тренування
 
 debrief-next = ДАЛІ
 debrief-next-drill = Виконайте вправу { $drill }, а тоді це завдання ще раз, зваживши на одне: { $what }

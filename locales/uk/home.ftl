@@ -29,10 +29,7 @@ home-tier-2 = кілька вмінь
 home-tier-3 = усе разом
 home-drill = { $title }, { $seconds } s
 home-no-drill = вправи до нього немає
-home-best = Найкраще з { $count ->
-    [one] { $count } спроби
-   *[other] { $count } спроб
-}: { $score } балів, { $medal }.
+home-best = Найкраще: { $score } балів, { $medal }.
 home-site = місце і норма
 home-par = норма
 home-limit = межа

@@ -31,13 +31,17 @@ home-exam = іспит
 home-practise = тренування
 home-seed-none = варіант - ціле число від 0
 ask-exam = РОЗПОЧАТИ іспит
-ask-exam-reason = спільний варіант, без підказок і пауз; результат враховується
+ask-exam-reason = спільний варіант, реальний час, без підказок і пауз; результат враховується
 
 # Що завдання означає для кар'єри: назви й відомості.
 mission-career = для вашої кар'єри
 fact-stage = стан
 fact-locked = закрито: { $why }
 fact-new = відкрито, ще не виконувалося
+fact-practised = відкрито, тренувальних польотів { $count }
+fact-exam = іспит
+fact-exam-passed = складено, { $score } балів
+fact-exam-failed = не складено, { $score } балів
 fact-open = відкрито, найкраще { $score } балів, польотів { $count }
 fact-passed = пройдено, { $score } балів, { $medal }, польотів { $count }
 fact-next = далі

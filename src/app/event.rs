@@ -29,8 +29,10 @@ pub enum Event {
     Terminal(TerminalEvent),
     /// Time passed; nothing else moves the console's clock.
     Tick {
-        /// Since the start of the program.
+        /// Since the start of the program, without the time for which the session stood still.
         now: Duration,
+        /// The same with it.
+        wall: Duration,
     },
     /// A vehicle reported something.
     Vehicle(VehicleEvent),

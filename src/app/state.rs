@@ -79,7 +79,9 @@ pub struct State<R> {
     pub(in crate::app) session: FlightView,
     /// The vehicle list that is being typed, `3-9`; empty if none.
     pub(in crate::app) typed: String,
-    /// When the key before this one answered a question and so changed what is flown.
+    /// Time since the program began, by the clock on the wall: it goes on while a session stands still.
+    pub(in crate::app) wall: Duration,
+    /// When the key before this one answered a question and so changed what is flown, by the clock on the wall.
     pub(in crate::app) answered_at: Option<Duration>,
     /// What the user has set.
     pub(in crate::app) config: Config,
@@ -151,6 +153,7 @@ impl<R: Default> State<R> {
             room: Room::Home,
             rooms: R::default(),
             typed: String::new(),
+            wall: Duration::ZERO,
             answered_at: None,
             config: setup.config,
             locale: setup.locale,
@@ -306,10 +309,10 @@ impl<R> State<R> {
         !self.session.over && progress.is_none_or(|progress| progress.can_pledge)
     }
 
-    /// The trainee's best try at a mission; of equal ones the first.
+    /// The trainee's best try at a mission that counts; of equal ones the first.
     pub fn best_try(&self, mission: &str) -> Option<&TryReport> {
         let tries = self.tries.get(mission)?.iter();
-        let ended = tries.filter(|one| one.score.is_some());
+        let ended = tries.filter(|one| one.score.is_some() && !one.is_practice);
         ended.rev().max_by_key(|one| one.score)
     }
 

@@ -59,7 +59,8 @@ fn stay_with_vehicles(state: &mut State) {
 
 fn react(state: &mut State, event: Event) -> Effects {
     match event {
-        Event::Tick { now } => {
+        Event::Tick { now, wall } => {
+            state.wall = wall;
             telemetry::tick(state, now);
             return parameters::wanted(state);
         }

@@ -93,9 +93,22 @@ pub enum PracticeReason {
     SlowMotion,
 }
 
-/// The number of the try that follows these, from 1. A flight that was never finished does not count.
-pub fn next_try(earlier: &[TryReport]) -> u32 {
-    let finished = earlier.iter().filter(|one| one.score.is_some());
+/// Whether a flight is practice as far as tries are counted: what a script has flown is nobody's try. Records that are older
+/// than the second were flown by hand.
+pub fn is_practice(stake: Stake, flown_by: Option<FlownBy>) -> bool {
+    let by_hand = match flown_by {
+        None | Some(FlownBy::Hand) => true,
+        Some(FlownBy::Script | FlownBy::BundledPilot) => false,
+    };
+    stake == Stake::Practice || !by_hand
+}
+
+/// The number of the try that follows these, from 1. A flight that was never finished does not count, and neither does
+/// practice: it takes no free hints away.
+pub fn next_try<'a>(earlier: impl IntoIterator<Item = &'a TryReport>) -> u32 {
+    let finished = earlier
+        .into_iter()
+        .filter(|one| one.score.is_some() && !one.is_practice);
     u32::try_from(finished.count() + 1).unwrap_or(u32::MAX)
 }
 

@@ -13,7 +13,7 @@ const EXPERIENCE: f64 = 150.0;
 const NEW_BEST: f64 = 1.25;
 /// The first flight of a day that refreshes a skill that is due.
 const DUE_SKILL: f64 = 1.2;
-/// A flight that is worse than the best one still teaches something.
+/// A pass that is worse than the best one still teaches something.
 const REPEAT: f64 = 0.25;
 /// Level n needs `LEVEL * n^1.5`.
 const LEVEL: f64 = 250.0;
@@ -51,8 +51,12 @@ pub(super) fn pay(flight: &CareerFlight, best: Option<u16>) -> u32 {
     (reward * share).round() as u32
 }
 
-/// Experience for a flight that counts, with the best score before it; the first flight of a mission is its best.
+/// Experience for a flight that counts, with the best score before it; the first flight of a mission is its best. One that did not
+/// pass brings none, as it brings no credits: a few reports from above the pad would do for it.
 pub(super) fn experience(flight: &CareerFlight, best: Option<u16>, refreshes: bool) -> u32 {
+    if !flight.passed {
+        return 0;
+    }
     let tier = f64::from(flight.tier).max(0.5);
     let is_best = best.is_none_or(|best| flight.score > best);
     let worth = if is_best { NEW_BEST } else { REPEAT };

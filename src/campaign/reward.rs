@@ -14,6 +14,9 @@ use crate::workshop::parts;
 pub struct Reward {
     /// What the flight was flown for.
     pub stake: Stake,
+    /// Whether the exam was passed, if it was one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub exam_passed: Option<bool>,
     /// Credits that were earned.
     pub pay_credits: u32,
     /// Credits that wear and loss of own drones took.
@@ -83,6 +86,7 @@ impl Reward {
         let (experience_before, level_before, _) = before.experience();
         Self {
             stake: flight.stake,
+            exam_passed: (flight.stake == Stake::Exam).then_some(flight.passed),
             pay_credits,
             wear_credits,
             credits: after.credits(),
@@ -101,7 +105,15 @@ impl Reward {
 
     /// In words, the most important first.
     pub fn lines(&self) -> Vec<Text> {
-        let mut lines = vec![self.credits_line(), self.experience_line()];
+        let mut lines = Vec::new();
+        lines.extend(self.exam_passed.map(|passed| {
+            if passed {
+                text!("reward-exam-passed")
+            } else {
+                text!("reward-exam-failed")
+            }
+        }));
+        lines.extend([self.credits_line(), self.experience_line()]);
         if self.licence > self.licence_before {
             lines.push(text!(
                 "reward-licence",

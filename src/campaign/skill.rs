@@ -37,6 +37,10 @@ pub struct Evidence {
 const BLIND_POINTS: f64 = 250.0;
 /// Outcomes are kept to this fraction, so that a career comes back from a file as it was.
 const STEPS: f64 = 1000.0;
+/// A flight that failed and reached less than this share of its objectives shows nothing that went well.
+const REAL_FLIGHT: f64 = 0.5;
+/// What went worse than this counts against a skill in any flight.
+const FAULT: f64 = 0.1;
 
 /// All that a flight tells of one skill. It counts once: what is shown three times in one flight is no surer for it.
 #[derive(Debug, Clone, PartialEq)]
@@ -74,7 +78,8 @@ impl Evidence {
     }
 
     /// What a flight of a mission tells: every objective that was tried of the skill that its kind needs, the components of the score that
-    /// stand for one, and the prediction. Nothing for a flight that was given up before anything was commanded.
+    /// stand for one, and the prediction. Nothing for a flight that was given up before anything was commanded; of one that came to
+    /// little, only what went wrong: a hover with a few blind reports keeps all rules.
     pub fn of(report: &Report, mission: &Mission) -> Vec<Self> {
         if report.ledger.is_empty() {
             return Vec::new();
@@ -108,6 +113,41 @@ impl Evidence {
             let off = f64::from(prediction.error.unsigned_abs()) / BLIND_POINTS;
             Self::new(Skill::K12, 1.0 - off, text!("skill-prediction"))
         });
-        objectives.chain(components).chain(prediction).collect()
+        let is_real = is_real_flight(report);
+        let all = objectives.chain(components).chain(prediction);
+        all.filter(|shown| is_real || shown.outcome < FAULT)
+            .collect()
+    }
+}
+
+/// Whether a flight did enough of what its mission asks for to show what went well.
+fn is_real_flight(report: &Report) -> bool {
+    let reached: f64 = report.objectives.iter().map(|it| it.points).sum();
+    let most: f64 = report.objectives.iter().map(|it| it.points_max).sum();
+    report.passed || reached >= most * REAL_FLIGHT
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mission::fake::Pilot;
+
+    fn shown(report: &Report, mission: &Mission) -> Vec<(Skill, f64)> {
+        let evidence = Evidence::of(report, mission).into_iter();
+        evidence.map(|it| (it.skill, it.outcome)).collect()
+    }
+
+    #[test]
+    fn a_hop_that_reaches_little_shows_nothing_that_went_well() {
+        let mut pilot = Pilot::new(1);
+        pilot.take_off(20.0);
+        pilot.land();
+        pilot.flight.abandon();
+        let (mission, mut report) = (pilot.flight.mission(), pilot.report());
+        let well = |shown: &[(Skill, f64)]| shown.iter().any(|(_, outcome)| *outcome >= FAULT);
+        assert!(!report.passed);
+        assert!(!well(&shown(&report, mission)));
+        report.passed = true;
+        assert!(well(&shown(&report, mission)));
     }
 }

@@ -35,10 +35,21 @@ pub struct Best {
     pub passed: Option<u16>,
     /// The best medal of all graded flights.
     pub medal: Option<Medal>,
+    /// The best of its exams, if one was taken.
+    pub exam: Option<ExamResult>,
     /// The most drones with which a silver medal or a better one was won.
     silver_with: u8,
     /// The same for gold.
     gold_with: u8,
+}
+
+/// How an exam went; of two the better one is greater.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct ExamResult {
+    /// Whether it was passed.
+    pub passed: bool,
+    /// The points, 0 to 1000.
+    pub score: u16,
 }
 
 /// Whether a part may be used.
@@ -292,6 +303,12 @@ impl Best {
             self.passed = self.passed.max(Some(flight.score));
         }
         self.medal = self.medal.max(flight.medal);
+        if flight.stake == Stake::Exam {
+            self.exam = self.exam.max(Some(ExamResult {
+                passed: flight.passed,
+                score: flight.score,
+            }));
+        }
         if flight.medal >= Some(Medal::Silver) {
             self.silver_with = self.silver_with.max(flight.vehicles);
         }

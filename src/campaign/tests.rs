@@ -7,9 +7,9 @@ use proptest::prelude::*;
 use proptest::sample::select;
 
 use super::{
-    Best, CareerEntry, CareerFlight, CareerProgress, CareerStanding, Evidence, Knowledge, Lack,
-    LockReason, Mastery, MissionCourse, MissionStage, Offer, PartState, PurchaseRefusal,
-    STARTER_PARTS, Skill, Stake, daily_seed, exam_seed, licence_price,
+    Best, CareerEntry, CareerFlight, CareerProgress, CareerStanding, Evidence, ExamResult,
+    Knowledge, Lack, LockReason, Mastery, MissionCourse, MissionStage, Offer, PartState,
+    PurchaseRefusal, STARTER_PARTS, Skill, Stake, daily_seed, exam_seed, licence_price,
 };
 use crate::mission::{Mission, Requires};
 use crate::scoring::Medal;
@@ -116,6 +116,35 @@ fn practice_earns_nothing_and_moves_no_skill() {
     assert_eq!(standing.experience().0, 0);
     assert!(!standing.has_passed("one"));
     assert_eq!(standing.skill(Skill::K3).opportunities(), 0);
+}
+
+#[test]
+fn a_flight_that_fails_brings_no_experience() {
+    let course = course();
+    let fly = |score| CareerEntry::Flight(flight(&course, "one", score, 1));
+    assert_eq!(standing(&[fly(540)]).experience().0, 0);
+    let passed = standing(&[fly(600)]).experience();
+    assert!(passed.0 > 0);
+    assert_eq!(standing(&[fly(540), fly(600)]).experience(), passed);
+}
+
+#[test]
+fn the_best_exam_of_a_mission_is_kept_whether_passed_or_not() {
+    let course = course();
+    let fly = |stake, score| {
+        CareerEntry::Flight(CareerFlight {
+            stake,
+            ..flight(&course, "one", score, 1)
+        })
+    };
+    let exam = |entries: &[CareerEntry]| standing(entries).best("one").and_then(|it| it.exam);
+    let (graded, failed) = (fly(Stake::Graded, 900), fly(Stake::Exam, 300));
+    let passed = fly(Stake::Exam, 600);
+    assert_eq!(exam(std::slice::from_ref(&graded)), None);
+    let result = |passed, score| Some(ExamResult { passed, score });
+    assert_eq!(exam(&[graded, failed.clone()]), result(false, 300));
+    assert_eq!(exam(&[failed.clone(), passed.clone()]), result(true, 600));
+    assert_eq!(exam(&[passed, failed]), result(true, 600));
 }
 
 #[test]

@@ -26,7 +26,7 @@ const VEHICLES: u8 = 4;
 /// Options of `sortie fly`.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  \
-    sortie fly 01\n  \
+    sortie fly 00\n  \
     sortie fly 05 --design searcher\n  \
     sortie fly --vehicles 8 --speedup 4\n  \
     sortie fly missions/my-mission.toml --seed 7\n  \

@@ -20,13 +20,16 @@ impl DebriefPage<'_> {
         }
         self.heading("debrief-tries");
         for (one, score) in shown(&scored) {
-            let number = right(&one.attempt.to_string(), 4);
             let bar = "#".repeat(usize::from(score / PER_COLUMN));
-            let words = format!(
-                "{number}  {score:>4} {}  {bar}",
-                ScoreGrade::of(score).letter()
-            );
-            self.line(&words);
+            let letter = ScoreGrade::of(score).letter();
+            let (number, kind) = if one.is_practice {
+                (String::new(), self.locale.say("debrief-practice"))
+            } else {
+                (one.attempt.to_string(), String::new())
+            };
+            let number = right(&number, 4);
+            let words = format!("{number}  {score:>4} {letter}  {bar} {kind}");
+            self.line(words.trim_end());
         }
         self.gap();
     }
@@ -35,7 +38,8 @@ impl DebriefPage<'_> {
 fn shown<'a>(tries: &[(&'a TryReport, u16)]) -> Vec<(&'a TryReport, u16)> {
     let from = tries.len().saturating_sub(SHOWN);
     // Of equal ones the first was the best for longest.
-    let best = tries.iter().rev().max_by_key(|(_, score)| *score);
+    let counted = tries.iter().filter(|(one, _)| !one.is_practice);
+    let best = counted.rev().max_by_key(|(_, score)| *score);
     let earlier = best.filter(|best| !tries[from..].contains(best));
     earlier.into_iter().chain(&tries[from..]).copied().collect()
 }

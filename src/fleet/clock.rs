@@ -41,6 +41,11 @@ impl FleetClock {
             .saturating_sub(stand.before)
     }
 
+    /// The time since the start on the wall, where no clock stands still.
+    pub fn wall(&self) -> Duration {
+        self.start.elapsed()
+    }
+
     /// Lets it stand still. One that does so already goes on doing so.
     pub fn stop(&self) {
         self.stand.send_modify(|stand| {

@@ -174,7 +174,7 @@ impl Pilot {
         }
     }
 
-    fn set_landed(&mut self, landed: LandedState) {
+    pub fn set_landed(&mut self, landed: LandedState) {
         self.vehicle().landed = landed;
     }
 

@@ -14,20 +14,21 @@ pub enum Stake {
     /// careers.
     #[default]
     Practice,
-    /// With the seed of the exam, without hints and pauses.
+    /// With the seed of the exam, in real time, without hints and pauses.
     Exam,
     /// With the seed that everybody has in common on a day. It counts once a day: who has seen the layout only practises.
     Daily,
 }
 
 impl Mission {
-    /// The mission under the rules of what it is flown for: an exam has neither advice nor pauses.
+    /// The mission under the rules of what it is flown for: an exam has neither advice nor pauses, and runs in real time.
     #[must_use]
     pub fn flown_for(self, stake: Stake) -> Self {
         match stake {
             Stake::Exam => Self {
                 pausable: false,
                 gives_hints: false,
+                most_speedup: 1.0,
                 hints: Vec::new(),
                 clues: Vec::new(),
                 lesson: Vec::new(),

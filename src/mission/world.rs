@@ -122,6 +122,12 @@ impl World {
         })
     }
 
+    /// What there is of a hazard to report, in words of [`Deed::KINDS`](crate::commands::Deed::KINDS).
+    pub fn kinds(&self, hazard: usize) -> impl Iterator<Item = FindKind> {
+        let of_it = self.sought.iter().filter(move |(_, of)| *of == hazard);
+        of_it.map(|(kind, _)| *kind)
+    }
+
     /// Whether anything of a kind is looked for at a point: something was there to be reported from the start.
     pub fn seeks(&self, kind: FindKind, at: Point) -> bool {
         let here = |hazard: usize| self.field(hazard).is_some_and(|it| it.may_lie_at(at));

@@ -40,6 +40,15 @@ impl CommandTally {
         (1.0 - faults / (0.25 * f64::from(self.accepted) + 2.0)).max(0.0)
     }
 
+    /// The same without so many refusals.
+    #[must_use]
+    pub fn forgiving(self, refusals: u32) -> Self {
+        Self {
+            rejected: self.rejected.saturating_sub(refusals),
+            ..self
+        }
+    }
+
     pub(super) fn value_and_words(&self) -> (f64, Text) {
         let counted = self.accepted + self.empty + self.rejected + self.duplicates;
         let mut faults = Vec::new();

@@ -199,6 +199,9 @@ pub struct TryReport {
     pub seed: u64,
     /// Revision of the mission.
     pub revision: u32,
+    /// Whether it counts for nothing: flown for practice or by a script. It is no best and takes no free hints.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub is_practice: bool,
 }
 
 /// A hint that was asked for.

@@ -19,6 +19,7 @@ fn rules() -> ScoreRules {
             bronze: 550,
         },
         gold_requires: vec![Gate::parse("safety >= 0.85").expect("well formed")],
+        free_refusals: 0,
     }
 }
 

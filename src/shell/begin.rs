@@ -44,6 +44,9 @@ impl Console {
         if wanted == Stake::Exam && self.options.flown_by != FlownBy::Hand {
             return Err(text!("exam-by-hand"));
         }
+        if wanted == Stake::Exam && self.options.speedup > 1.0 {
+            return Err(text!("exam-real-time"));
+        }
         let chosen = seed.or(self.options.seed);
         let terms = self.terms(&mission, wanted, chosen);
         let reasons = terms.practice_reasons();
@@ -118,7 +121,7 @@ impl Console {
     /// Ends the session. Its processes may take a while: `ending` is waited for before the next session or the end.
     pub(super) fn end_session(&mut self) {
         self.go_on();
-        self.end_exam();
+        self.end_flight();
         if let Some(running) = self.running.take() {
             self.ending = running.ending();
             // Another console may have stored flights meanwhile.
@@ -126,13 +129,14 @@ impl Console {
         }
     }
 
-    /// An exam that is left ends there: what was flown of it counts.
-    fn end_exam(&mut self) {
+    /// A flight that counts and is left after its clock has started is given up there: what was flown of it counts. One
+    /// that is cut off by the end of the terminal does not, but for an exam, which the next start makes up for and says so.
+    fn end_flight(&mut self) {
         let Some(running) = &mut self.running else {
             return;
         };
-        if !running.is_exam() {
-            return;
+        if self.is_cut_off || !running.counts_when_left() {
+            return running.forget_unbegun();
         }
         running.abandon();
         // What happens at the end belongs to a session that is no longer shown.
@@ -186,3 +190,6 @@ pub(super) fn parse(addresses: &[String]) -> Result<Vec<Address>, Text> {
         .collect::<Result<_, AddressError>>()
         .map_err(|error| Text::from(&error))
 }
+
+#[cfg(test)]
+mod tests;

@@ -176,6 +176,10 @@ impl<'a> LeftRun<'a> {
             stored.end()?;
         }
         let mut report = stored.rescore().ok()?.report;
+        // Who only read the brief of an exam has not begun it.
+        if is_left_exam && report.sim_time_s <= 0.0 {
+            return None;
+        }
         let mission = stored.head.flown().ok()?;
         super::complete(&mut report, &mission);
         let landing = Landing {

@@ -15,6 +15,7 @@ use std::time::{SystemTime, UNIX_EPOCH};
 use chrono::{DateTime, NaiveDateTime};
 
 use super::StoreError;
+use crate::campaign::is_practice;
 use crate::mission::record::{End, Head};
 use crate::scoring::TryReport;
 
@@ -212,6 +213,11 @@ impl RunFile {
         &self.path
     }
 
+    /// Removes the file. Where it cannot be, it stays a flight without an end, which counts for nothing.
+    pub fn discard(self) {
+        drop(fs::remove_file(&self.path));
+    }
+
     /// What no other run is called: the file's name without its ending.
     pub fn id(&self) -> &str {
         run_id(&self.path)
@@ -293,6 +299,7 @@ fn as_try(head: &Head, end: Option<&End>) -> TryReport {
         passed: end.is_some_and(|end| end.passed),
         seed: head.seed,
         revision: head.revision,
+        is_practice: is_practice(head.stake, head.flown_by),
     }
 }
 

@@ -201,6 +201,7 @@ fn keys_meant_for_the_flight_do_not_close_the_debrief() {
     let before = console.state().revision();
     console.hear(Event::Tick {
         now: std::time::Duration::from_millis(101_050),
+        wall: std::time::Duration::from_millis(101_050),
     });
     assert!(console.state().revision() > before);
     assert!(!console.screen(80, 24).contains(footer));
@@ -226,6 +227,7 @@ fn only_visible_changes_move_the_revision() {
     let before = console.state().revision();
     console.hear(Event::Tick {
         now: std::time::Duration::from_millis(5400),
+        wall: std::time::Duration::from_millis(5400),
     });
     let same = Arc::clone(&console.state().session().vehicles()[&1]);
     console.hear(Event::Vehicle(VehicleEvent::Telemetry(same)));

@@ -94,7 +94,7 @@ impl Console {
     /// Sets the clock.
     pub fn at(&mut self, seconds: u64) -> &mut Self {
         let now = Duration::from_secs(seconds);
-        self.hear(Event::Tick { now })
+        self.hear(Event::Tick { now, wall: now })
     }
 
     pub fn vehicle(&mut self, vehicle: Vehicle) -> &mut Self {

@@ -99,7 +99,8 @@ fn a_run_of_a_script_is_stored_as_practice() {
     assert_eq!(practice["career"]["stored"], true);
     assert_eq!(
         (practice["seed"].as_u64(), practice["attempt"].as_u64()),
-        (Some(1), Some(2))
+        (Some(1), Some(1)),
+        "what a script has flown is no try"
     );
     let shown = json(&said(data, &["profile", "show", "--json"]));
     let missions = shown["missions"].as_array().expect("a table");

@@ -124,11 +124,7 @@ fn poor_terminals_are_sent_nothing_that_they_do_not_know() {
 #[test]
 fn a_locale_without_utf8_is_sent_ascii_alone() {
     let mut terminal = Terminal::start_with(&["fly", "01"], 120, 40, &[("LC_ALL", "C")]);
-    terminal
-        .see("1 vehicle,")
-        .press("\u{3}")
-        .see("press y")
-        .press("y");
+    terminal.see("1 vehicle,").press("\u{3}");
     assert_eq!(terminal.end(), 0);
     assert!(terminal.raw().is_ascii());
 }

@@ -131,7 +131,7 @@ const HINTS: &[KeyHint] = &[
         "hint-section",
     ),
     hint(&[Action::Debrief(DebriefAction::TruthMap)], "hint-truth"),
-    hint(&[Action::Again], "hint-again"),
+    hint(&[Action::Again], "hint-new-try"),
     hint(&[Action::AgainAlike], "hint-alike"),
     hint(&[Action::Debrief(DebriefAction::NextMission)], "hint-next"),
     hint(&[Action::Leave], "hint-home"),

@@ -206,14 +206,8 @@ fn enter(state: &mut State, item: HomeItem) -> Vec<RoomRequest> {
         effect: Effect::Session(effect),
     };
     vec![match item {
-        HomeItem::Mission(at) => {
-            state.say(Severity::Info, text!("home-starting-mission"));
-            RoomRequest::Fly(state.launch(&state.missions[at].id))
-        }
-        HomeItem::Free => {
-            state.say(Severity::Info, text!("home-starting-simulator"));
-            start(SessionEffect::StartFree)
-        }
+        HomeItem::Mission(at) => RoomRequest::Fly(state.launch(&state.missions[at].id)),
+        HomeItem::Free => start(SessionEffect::StartFree),
         HomeItem::ArduPilot => start(SessionEffect::StartArduPilot),
         HomeItem::Connect => {
             state.prompt(Purpose::Connect, "");

@@ -3,7 +3,7 @@
 use crossterm::event::KeyCode;
 
 use super::{Room, keys};
-use crate::app::action::{Action, LineAction, SelectAction, Step, ViewAction};
+use crate::app::action::{Action, DebriefAction, LineAction, SelectAction, Step, ViewAction};
 use crate::app::keymap::{
     Binding, ENTER, ESCAPE, KeyRow, Keymap, Meaning, Place, Press, does, key, writes,
 };
@@ -75,6 +75,14 @@ const READER: &[KeyRow] = &[
     does(key('?'), Action::Escape),
     does(ENTER, Action::Escape),
     does(key('/'), Action::View(ViewAction::Filter)),
+    does(
+        Press::Plain(KeyCode::Tab),
+        Action::Debrief(DebriefAction::NextSection),
+    ),
+    does(
+        Press::Plain(KeyCode::BackTab),
+        Action::Debrief(DebriefAction::PreviousSection),
+    ),
     does(Press::Control('c'), Action::Escape),
 ];
 

@@ -60,6 +60,18 @@ const BRIEF_HINTS: &[KeyHint] = &[
     footer_keys::BACK,
 ];
 
+/// While the mission's clock stands still.
+const READING_HINTS: &[KeyHint] = &[
+    hint(&[Action::Submit], "hint-start"),
+    footer_keys::BACK,
+    footer_keys::SCROLL,
+    footer_keys::COMMAND,
+    footer_keys::HELP,
+    footer_keys::PREDICT,
+    footer_keys::GOAL,
+    footer_keys::MISSION_HINT,
+];
+
 const FLIGHT_HINTS: &[KeyHint] = &[
     footer_keys::COMMAND,
     footer_keys::HELP,
@@ -88,6 +100,7 @@ impl RoomModel for Mission {
 
     fn hints(state: &State) -> &'static [KeyHint] {
         match state.session.activity {
+            Some(_) if state.session.is_reading() => READING_HINTS,
             Some(_) => FLIGHT_HINTS,
             None => BRIEF_HINTS,
         }
@@ -105,16 +118,44 @@ impl RoomModel for Mission {
 
     fn submit(state: &mut State) -> Answer {
         if state.session.activity.is_some() {
-            return Self::escape(state);
+            return Some(vec![RoomRequest::Show(Room::Fly)]);
         }
         shown(state)?;
         home::Home::submit(state)
     }
 
     fn escape(state: &mut State) -> Answer {
+        // Whose clock stands still is only being looked at.
+        if state.session.is_reading() {
+            return Some(vec![RoomRequest::Leave]);
+        }
         let flying = state.session.activity.is_some();
         let room = if flying { Room::Fly } else { Room::Home };
         Some(vec![RoomRequest::Show(room)])
+    }
+}
+
+/// Scrolls to the hint that was asked for last, unless it is to be seen.
+pub fn show_asked_hint(state: &mut State) {
+    let (width, height) = state.size;
+    let rows = height.saturating_sub(2);
+    let pages = columns(state, &state.locale, width);
+    let lines = pages.iter().map(Vec::len).max().unwrap_or(0);
+    let is_asked = |line: &PageLine| line.tone == Tone::AskedHint;
+    let bounds = pages.iter().find_map(|page| {
+        let first = page.iter().position(is_asked)?;
+        Some((first, page.iter().rposition(is_asked)?))
+    });
+    let Some((first, last)) = bounds else {
+        return;
+    };
+    let shown = visible(lines, rows);
+    let scroll = &mut state.rooms.mission.scroll;
+    if !(*scroll..*scroll + shown).contains(&last) || first < *scroll {
+        let to = (last + 1)
+            .saturating_sub(shown)
+            .max(first.saturating_sub(shown / 2));
+        *scroll = to.min(first).min(positions(lines, rows) - 1);
     }
 }
 

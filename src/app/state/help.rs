@@ -62,6 +62,13 @@ impl HelpPage {
         }
         found(&lines, &self.search)
     }
+
+    /// The places of the titles among them.
+    pub fn titles(&self, keymap: &Keymap, here: Room, locale: &Locale) -> Vec<usize> {
+        let lines = self.lines(keymap, here, locale).into_iter().enumerate();
+        let titles = lines.filter(|(_, line)| matches!(line, HelpLine::Title(_)));
+        titles.map(|(at, _)| at).collect()
+    }
 }
 
 /// The sections that contain a text, each with its title and what of it does: an entry goes with the notes below it,
@@ -97,21 +104,24 @@ fn found(lines: &[HelpLine], text: &str) -> Vec<HelpLine> {
     found
 }
 
-/// The whole help, in a language: the keys of the room that one is in come first.
+/// The whole help, in a language: what works in the room that one is in comes first, its keys and then the commands.
 pub fn help_lines(keymap: &Keymap, here: Room, locale: &Locale) -> Vec<HelpLine> {
-    let mut lines = Vec::new();
-    let title = |text: Text| HelpLine::Title(locale.text(&text));
-    let elsewhere = Place::all().filter(|place| *place != Place::In(here));
-    for place in std::iter::once(Place::In(here)).chain(elsewhere) {
+    let nearby = [Place::In(here), Place::Anywhere];
+    let elsewhere = Place::all().filter(|place| !nearby.contains(place));
+    let section = |place: Place| -> Vec<HelpLine> {
         let keys = keys(keymap, place, locale);
         if keys.is_empty() {
-            continue;
+            return Vec::new();
         }
-        lines.push(title(place.title()));
+        let mut lines = vec![HelpLine::Title(locale.text(&place.title()))];
         lines.extend(keys);
         lines.push(HelpLine::Blank);
-    }
+        lines
+    };
+    let mut lines: Vec<HelpLine> = nearby.into_iter().flat_map(section).collect();
     lines.extend(command_help(Channel::Screen, locale));
+    lines.push(HelpLine::Blank);
+    lines.extend(elsewhere.flat_map(section));
     lines
 }
 
@@ -217,6 +227,21 @@ mod tests {
         assert_eq!(places("take"), [0, 2, 4, 5, 6]);
         assert_eq!(places("commands"), [4, 5, 6, 7]);
         assert_eq!(places("hover"), [0; 0]);
+    }
+
+    #[test]
+    fn commands_come_before_the_keys_of_other_rooms() {
+        let locale = Locale::new(Language::English);
+        let page = HelpPage::default();
+        let lines = page.lines(&Keymap::default(), Room::Fly, &locale);
+        let titles = page.titles(&Keymap::default(), Room::Fly, &locale);
+        let commands = HelpLine::Title(locale.say("help-commands"));
+        let at = titles.iter().position(|&line| lines[line] == commands);
+        assert_eq!(
+            at,
+            Some(2),
+            "after the keys of the room and those of all rooms"
+        );
     }
 
     #[test]

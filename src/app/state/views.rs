@@ -206,6 +206,12 @@ impl FlightView {
         self.flow == TimeFlow::AwaitsReader
     }
 
+    /// Whether its mission's clock has started.
+    pub fn has_flight_begun(&self) -> bool {
+        let mission = self.mission.as_ref();
+        mission.is_some_and(|progress| !progress.elapsed.is_zero())
+    }
+
     /// The mission may begin; does nothing unless it awaits that.
     pub(in crate::app) fn leave_brief(&mut self) {
         if self.is_reading() {

@@ -161,7 +161,9 @@ pub fn select(state: &mut State, ids: &[VehicleId]) {
 pub fn loss(state: &State) -> Option<Text> {
     let session = &state.session;
     // What has not begun is only cancelled.
-    let has_not_begun = session.is_starting() && session.armed() == 0;
+    let is_mission = matches!(session.activity, Some(Activity::Mission { .. }));
+    let is_waiting = session.is_starting() || (is_mission && !session.has_flight_begun());
+    let has_not_begun = is_waiting && session.armed() == 0;
     if session.over || session.activity.is_none() || has_not_begun {
         return None;
     }
@@ -170,9 +172,13 @@ pub fn loss(state: &State) -> Option<Text> {
             Some(Activity::Mission {
                 stake: Stake::Exam, ..
             }) => text!("ask-exam-ends"),
+            Some(Activity::Mission {
+                stake: Stake::Graded | Stake::Daily,
+                ..
+            }) => text!("ask-given-up"),
             Some(
                 Activity::Mission {
-                    stake: Stake::Graded | Stake::Practice | Stake::Daily,
+                    stake: Stake::Practice,
                     ..
                 }
                 | Activity::Free

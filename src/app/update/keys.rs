@@ -52,7 +52,7 @@ pub fn press(state: &mut State, key: KeyEvent) -> Effects {
 /// the screen that follows.
 fn ends_an_answer(state: &mut State, key: KeyEvent) -> bool {
     let answered_at = state.answered_at.take();
-    let is_fresh = answered_at.is_some_and(|at| state.now.saturating_sub(at) < ANSWER_ENDS_WITHIN);
+    let is_fresh = answered_at.is_some_and(|at| state.wall.saturating_sub(at) < ANSWER_ENDS_WITHIN);
     is_fresh && key.code == KeyCode::Enter
 }
 
@@ -231,7 +231,7 @@ fn confirm(state: &mut State, mut question: Confirm, key: KeyEvent) -> Effects {
             if question.typed == question.answer {
                 // Only a change of what is flown brings another screen.
                 if matches!(question.then, Consequence::Effect(Effect::Session(_))) {
-                    state.answered_at = Some(state.now);
+                    state.answered_at = Some(state.wall);
                 }
                 let mut effects = order::carry_out(state, question.then);
                 effects.extend(palette::go_on(state));

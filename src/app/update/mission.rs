@@ -1,6 +1,6 @@
 //! The course of a session: pause, end, once more.
 
-use super::act::{ask, guarded, loss};
+use super::act::{ask, guarded, leave, loss};
 use crate::app::State;
 use crate::app::action::Action;
 use crate::app::effect::{Effect, Effects, Launch, SessionEffect};
@@ -130,9 +130,13 @@ pub fn restart(state: &mut State, alike: bool) -> Effects {
 
 /// Ends the mission, after a question.
 pub fn abandon(state: &mut State) -> Effects {
-    if state.session.mission.is_none() || state.session.over {
+    if state.flown_mission().is_none() || state.session.over {
         state.say(Severity::Notice, text!("mission-none"));
         return Effects::none();
+    }
+    // Nothing was tried yet, so that there is nothing to judge.
+    if !state.session.has_flight_begun() {
+        return leave(state);
     }
     let reason = text!("ask-abandon-reason");
     ask(

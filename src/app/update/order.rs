@@ -14,7 +14,7 @@ use crate::ledger::{EntryId, LedgerEntry, RowUpdate};
 use crate::operator::{first_word, order_of};
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::VehicleId;
+use crate::vehicle::{Severity, VehicleId};
 use crate::verb::Danger;
 
 /// Up to so many targets are named one by one.
@@ -153,8 +153,8 @@ pub fn carry_out(state: &mut State, consequence: Consequence) -> Effects {
     match consequence {
         Consequence::Order(order) => Effects::from(send(state, order).effect),
         Consequence::Effect(effect) => {
-            if effect == Effect::Session(SessionEffect::Leave) {
-                act::go_home(state);
+            if let Effect::Session(session) = &effect {
+                announce(state, session);
             }
             Effects::from(effect)
         }
@@ -163,6 +163,26 @@ pub fn carry_out(state: &mut State, consequence: Consequence) -> Effects {
             workshop::lay(state, design);
             Effects::none()
         }
+    }
+}
+
+/// What changes at once with the session, before the shell has done its part.
+fn announce(state: &mut State, effect: &SessionEffect) {
+    match effect {
+        SessionEffect::Leave => act::go_home(state),
+        SessionEffect::StartMission(_) => {
+            state.say(Severity::Info, text!("home-starting-mission"));
+        }
+        SessionEffect::StartFree => state.say(Severity::Info, text!("home-starting-simulator")),
+        SessionEffect::StartArduPilot
+        | SessionEffect::Connect(_)
+        | SessionEffect::Restart { .. }
+        | SessionEffect::Process(..)
+        | SessionEffect::Inject(_)
+        | SessionEffect::Pause
+        | SessionEffect::Continue
+        | SessionEffect::Speedup(_)
+        | SessionEffect::Abandon => {}
     }
 }
 

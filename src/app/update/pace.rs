@@ -9,7 +9,7 @@ use crate::app::effect::{Effect, Effects, PaceChange, SessionEffect};
 use crate::app::event::{Event, SessionEvent, VehicleEvent};
 use crate::app::state::{Activity, rate};
 use crate::ledger::{RowState, RowUpdate};
-use crate::mission::Progress;
+use crate::mission::{Progress, Stake};
 use crate::notice::Notice;
 use crate::text;
 use crate::text::Text;
@@ -203,10 +203,12 @@ fn obstacle(state: &State, speedup: f64) -> Option<Text> {
         Some(Activity::Connected { .. }) => Some(text!("speedup-not-real")),
         Some(Activity::Free) => (speedup > FREE_FLIGHT_MOST)
             .then(|| text!("speedup-too-much", most = rate(FREE_FLIGHT_MOST))),
-        Some(Activity::Mission { .. }) => {
+        Some(Activity::Mission { stake, .. }) => {
             let (usual, most) = (session.pace.usual, most(state));
             if speedup < usual {
                 Some(text!("speedup-too-little", least = rate(usual)))
+            } else if speedup > most && *stake == Stake::Exam {
+                Some(text!("speedup-not-in-exams"))
             } else if speedup > most && most <= 1.0 {
                 Some(text!("speedup-not-allowed"))
             } else {

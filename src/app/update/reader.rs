@@ -3,7 +3,7 @@
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use crate::app::State;
-use crate::app::action::{Action, ViewAction};
+use crate::app::action::{Action, DebriefAction, ViewAction};
 use crate::app::keymap::Place;
 use crate::app::state::{HelpPage, Log, Overlay};
 
@@ -26,6 +26,16 @@ pub fn help(state: &mut State, mut page: HelpPage, key: KeyEvent) {
         Some(Action::Move(step)) => {
             let count = page.lines(&state.keymap, state.room, &state.locale).len();
             page.scroll = step.apply(page.scroll, count);
+        }
+        Some(Action::Debrief(DebriefAction::NextSection)) => {
+            let titles = page.titles(&state.keymap, state.room, &state.locale);
+            let next = titles.iter().find(|&&line| line > page.scroll);
+            page.scroll = next.copied().unwrap_or(0);
+        }
+        Some(Action::Debrief(DebriefAction::PreviousSection)) => {
+            let titles = page.titles(&state.keymap, state.room, &state.locale);
+            let before = titles.iter().rfind(|&&line| line < page.scroll);
+            page.scroll = before.or(titles.last()).copied().unwrap_or(0);
         }
         _ => {}
     }

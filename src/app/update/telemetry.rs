@@ -11,6 +11,7 @@ use crate::app::lesson;
 use crate::app::room::Room;
 use crate::app::room::debrief::Debrief;
 use crate::app::room::map;
+use crate::app::room::mission;
 use crate::app::room::{fly, ledger};
 use crate::app::state::{BellCall, FlightView, Hangar, NoticeLog, Overlay, SessionPace, TimeFlow};
 use crate::mission::Progress;
@@ -157,7 +158,12 @@ pub fn progress(state: &mut State, mut progress: Progress) {
         state.session.places.extend(progress.places.clone());
         // Events bring areas and take others away.
         state.session.areas.clone_from(&progress.areas);
+        let given = |progress: &Progress| progress.clues.given.len();
+        let is_asked = state.session.mission.as_ref().map_or(0, given) < given(&progress);
         state.session.mission = Some(progress);
+        if is_asked && state.room == Room::Mission {
+            mission::show_asked_hint(state);
+        }
     }
 }
 

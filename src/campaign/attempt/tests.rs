@@ -214,3 +214,29 @@ proptest! {
         prop_assert_ne!(again.stake, Stake::Graded);
     }
 }
+
+#[test]
+fn only_finished_tries_by_hand_that_count_take_free_hints() {
+    let one = |score, is_practice| TryReport {
+        attempt: 1,
+        when: String::new(),
+        score,
+        medal: None,
+        passed: false,
+        seed: 1,
+        revision: 1,
+        is_practice,
+    };
+    let (practice, left) = (one(Some(900), true), one(None, false));
+    assert_eq!(next_try([&practice, &left]), 1);
+    assert_eq!(next_try([&practice, &one(Some(10), false)]), 2);
+    for (stake, flown_by, expected) in [
+        (Stake::Graded, None, false),
+        (Stake::Exam, Some(FlownBy::Hand), false),
+        (Stake::Graded, Some(FlownBy::Script), true),
+        (Stake::Daily, Some(FlownBy::BundledPilot), true),
+        (Stake::Practice, Some(FlownBy::Hand), true),
+    ] {
+        assert_eq!(is_practice(stake, flown_by), expected, "{stake:?}");
+    }
+}

@@ -154,7 +154,7 @@ fn swarm(vehicles: VehicleId) -> App {
 /// The next tenth of the swarm has moved on.
 fn advance(app: &mut App, vehicles: VehicleId, frame: u32) {
     let now = Duration::from_millis(u64::from(frame) * 100);
-    feed(app, Event::Tick { now });
+    feed(app, Event::Tick { now, wall: now });
     let is_due = |id: &VehicleId| vehicles == 1 || u32::from(*id) % ONE_IN == frame % ONE_IN;
     for id in (1..=vehicles).filter(is_due) {
         feed(app, VehicleEvent::Telemetry(Arc::new(flying(id, frame))));

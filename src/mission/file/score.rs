@@ -55,6 +55,12 @@ pub(super) fn rules(table: &mut FileTable<'_>) -> Option<ScoreRules> {
         .iter()
         .filter_map(|written| gate(table, written))
         .collect();
+    let free_refusals = table.or(
+        "free_refusals",
+        whole(0, 10, "refusals"),
+        0,
+        "how many refused commands cost nothing, because the lesson asks for them",
+    );
     let par = par?;
     Some(ScoreRules {
         weights: weights.unwrap_or_default(),
@@ -63,6 +69,7 @@ pub(super) fn rules(table: &mut FileTable<'_>) -> Option<ScoreRules> {
         time_limit: table.draft().time_limit?,
         medals: medals.unwrap_or(USUAL_MEDALS),
         gold_requires,
+        free_refusals,
     })
 }
 

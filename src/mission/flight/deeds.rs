@@ -1,5 +1,7 @@
 //! What a mission does when it is asked: reports, and the trainee's word before launch.
 
+use std::collections::BTreeSet;
+
 use super::{Flight, Loads, LoadsScene};
 use crate::commands::{Deed, FindKind, Goal, Spot, Subject};
 use crate::ledger::{EntryId, RowState, RowUpdate};
@@ -143,6 +145,7 @@ impl Flight {
     }
 
     fn mark(&mut self, by: VehicleId, spot: Spot, kind: Option<FindKind>) -> Done {
+        self.check_kind(kind)?;
         let at = self.point(by, spot)?;
         self.search.mark(Mark {
             at,
@@ -153,10 +156,32 @@ impl Flight {
     }
 
     fn mark_contacts(&mut self, by: VehicleId, confirmed: bool, kind: Option<FindKind>) -> Done {
+        self.check_kind(kind)?;
         self.search.mark_contacts(by, &self.journal, |contact| {
             let is_kind = kind.is_none_or(|kind| kind == contact.kind);
             is_kind && (!confirmed || contact.is_confirmed())
         })
+    }
+
+    /// A report of what no objective asks for would count for nothing, and nothing would say so. Where none asks for
+    /// reports, any will do.
+    fn check_kind(&self, kind: Option<FindKind>) -> Result<(), Text> {
+        let objectives = self.mission.objectives.iter();
+        let sought = objectives.filter_map(|objective| objective.kind.sought());
+        let kinds = sought.flat_map(|it| self.world.kinds(it.hazard));
+        let known: BTreeSet<FindKind> = kinds.collect();
+        match kind {
+            Some(kind) if !known.is_empty() && !known.contains(&kind) => {
+                let words: Vec<String> =
+                    known.iter().map(|it| format!("`{}`", it.name())).collect();
+                Err(text!(
+                    "deed-other-kind",
+                    kind = kind.name(),
+                    kinds = words.join(", ")
+                ))
+            }
+            Some(_) | None => Ok(()),
+        }
     }
 
     /// Where a spot is in the mission's frame.
@@ -210,6 +235,27 @@ mod tests {
         };
         assert_eq!(answers(5.0), [Some("1 reported".to_owned()), None]);
         assert_eq!(answers(50.0), [Some("1 reported".to_owned()), None]);
+    }
+
+    #[test]
+    fn a_report_of_a_kind_that_the_mission_does_not_know_is_refused_with_those_that_it_does() {
+        const PLUME: &str = include_str!("../../../missions/03-plume-source.toml");
+        let mission = Mission::parse(PLUME).expect("the shipped mission is good");
+        let mut flight = Flight::new(Arc::new(mission), 1);
+        let mut report = |kind| {
+            let subject = Subject::Spot(Spot::Offset {
+                north_m: 90.0,
+                east_m: 0.0,
+            });
+            let rows = flight.act(EntryId(0), &Deed::Mark { subject, kind }, &[1]);
+            let reason = rows[0].explanation.as_ref().map(ToString::to_string);
+            (rows[0].state, reason.unwrap_or_default())
+        };
+        let (state, reason) = report(Some(FindKind::Source));
+        assert_eq!(state, RowState::Refused);
+        assert!(reason.contains("`leak`"), "{reason}");
+        assert_eq!(report(Some(FindKind::Leak)).0, RowState::Done);
+        assert_eq!(report(None).0, RowState::Done);
     }
 
     #[test]

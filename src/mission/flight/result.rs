@@ -4,8 +4,9 @@ use super::{Flight, ObjectiveStanding};
 use crate::ledger::{Ledger, LedgerEntry};
 use crate::mission::Clue;
 use crate::scoring::{
-    AlertReport, ComponentReport, Facts, FlightBackend, HintReport, LedgerReport, ObjectiveFact,
-    ObjectiveReport, Report, RowReport, Score, ScoreGrade, UseReport, improvements, score,
+    AlertReport, CommandTally, ComponentReport, Facts, FlightBackend, HintReport, LedgerReport,
+    ObjectiveFact, ObjectiveReport, Report, RowReport, Score, ScoreGrade, UseReport, improvements,
+    score,
 };
 use crate::text;
 use crate::text::rounded;
@@ -37,7 +38,7 @@ pub(super) fn facts(flight: &Flight, standings: &[ObjectiveStanding]) -> Facts {
         elapsed: flight.elapsed,
         energy_wh: (!used.is_empty()).then(|| used.iter().sum()),
         safety: flight.journal.broken_rules().to_vec(),
-        commands: flight.orders.tally(),
+        commands: judged(flight, flight.orders.tally()),
         alerts: flight.threats.engine().alert_facts().to_vec(),
         vehicles: flight.mission.vehicles,
         usage: flight.vehicle_uses(),
@@ -45,10 +46,15 @@ pub(super) fn facts(flight: &Flight, standings: &[ObjectiveStanding]) -> Facts {
     }
 }
 
+/// Commands without the refusals that the mission's lesson asks for.
+fn judged(flight: &Flight, tally: CommandTally) -> CommandTally {
+    tally.forgiving(flight.mission.scoring.free_refusals)
+}
+
 pub(super) fn report(flight: &Flight, ledger: &Ledger) -> Report {
     let mut facts = facts(flight, &flight.final_standings());
     // Rows may have ended after the last step.
-    facts.commands = flight.orders.tally_of(ledger);
+    facts.commands = judged(flight, flight.orders.tally_of(ledger));
     let mission = &flight.mission;
     let score = score(&mission.scoring, &facts);
     let commands: Vec<_> = flight.orders.entries(ledger).collect();

@@ -4,13 +4,13 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::*;
-use crate::commands::{Deed, Goal};
+use crate::commands::{Deed, Goal, Spot, Subject};
 use crate::language;
 use crate::ledger::{EntryId, Given, Risk, RowState};
 use crate::mission::fake::{Pilot, fly_the_cells};
 use crate::scoring::{AlertFact, SafetyEvent, SafetyKind};
 use crate::text::Text;
-use crate::vehicle::{Unheard, Vehicle};
+use crate::vehicle::{LandedState, Unheard, Vehicle};
 
 impl Flight {
     pub(in crate::mission) fn alert_facts(&self) -> &[AlertFact] {
@@ -227,4 +227,27 @@ fn a_vehicle_in_the_air_when_the_time_is_up_breaks_a_rule() {
     }
     let rules = pilot.flight.broken_rules();
     assert!(rules.iter().any(|rule| rule.kind == SafetyKind::NotLanded));
+}
+
+#[test]
+fn whoever_has_landed_is_not_told_to_come_home() {
+    let source = include_str!("../../../missions/03-plume-source.toml");
+    let mut pilot = Pilot::flying(Mission::parse(source).expect("it is good"), 1);
+    pilot.take_off(20.0);
+    // A report of no kind is one of what the mission asks for.
+    let subject = Subject::Spot(Spot::Here);
+    let deed = Deed::Mark {
+        subject,
+        kind: None,
+    };
+    drop(pilot.flight.act(EntryId(0), &deed, &[1]));
+    pilot.wait(1.0);
+    let hint = |pilot: &Pilot| pilot.flight.progress().hint.map(|it| it.to_string());
+    let home = hint(&pilot).expect("a hint");
+    assert!(home.contains("rtl"), "{home}");
+    pilot.set_landed(LandedState::OnGround);
+    pilot.set_armed(false);
+    pilot.wait(1.0);
+    let down = hint(&pilot).expect("a hint");
+    assert!(down.starts_with("Landed."), "{down}");
 }

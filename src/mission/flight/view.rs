@@ -118,8 +118,17 @@ impl Flight {
                 reason = event.text.clone()
             ));
         }
+        if phase == Phase::Done && self.is_down_again() && self.ended.is_none() {
+            return Some(text!("mission-landed"));
+        }
         let found = self.mission.hints.iter().find(|hint| hint.phase == phase)?;
         self.ended.is_none().then(|| self.filled(&found.text))
+    }
+
+    /// Whether something has flown and nothing flies any more.
+    fn is_down_again(&self) -> bool {
+        let is_down = |craft: &Craft| craft.lost || craft.is_down();
+        self.crafts.iter().any(|craft| craft.flown) && self.crafts.iter().all(is_down)
     }
 
     /// The failsafe that ended the last flight, once no vehicle is in the air or about to be.
@@ -142,12 +151,8 @@ impl Flight {
             .iter()
             .any(|standing| !standing.landing && !standing.settled);
         // Down again with reports, there is nothing left but to wait until they are final.
-        let waits = !self.search.marks().is_empty() && self.crafts.iter().any(|craft| craft.flown);
-        let down = self
-            .crafts
-            .iter()
-            .all(|craft| craft.lost || craft.is_down());
-        if !open || (waits && down) {
+        let waits = !self.search.marks().is_empty() && self.is_down_again();
+        if !open || waits {
             Phase::Done
         } else if self.crafts.iter().any(|craft| craft.airborne) {
             Phase::Air

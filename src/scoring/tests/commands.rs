@@ -57,6 +57,20 @@ fn commands_are_counted_per_vehicle_and_repetitions_once() {
 }
 
 #[test]
+fn refusals_that_a_lesson_asks_for_cost_nothing_and_further_ones_do() {
+    let refused = |rejected| CommandTally {
+        given: 9,
+        accepted: 4,
+        rejected,
+        ..CommandTally::default()
+    };
+    let value = |tally: CommandTally| tally.forgiving(1).value();
+    assert!((value(refused(1)) - 1.0).abs() < 1e-9);
+    assert!(value(refused(2)) < 1.0);
+    assert_eq!(refused(1).forgiving(0), refused(1));
+}
+
+#[test]
 fn risk_is_in_what_a_command_does_and_not_in_how_it_reads() {
     for (line, dangerous, forced) in [
         ("1 goto n 21196 e 0 up 20", false, false),

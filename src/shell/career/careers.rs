@@ -6,7 +6,7 @@ use std::time::SystemTime;
 
 use super::today;
 use crate::app::state::Career;
-use crate::campaign::{CareerEntry, CareerStanding, MissionCourse, Reward};
+use crate::campaign::{CareerEntry, CareerStanding, MissionCourse, Reward, next_try};
 use crate::scoring::TryReport;
 use crate::shell::missions::Tries;
 use crate::store::{self, Profile, ProfileError, ProfileSettings, Profiles, RunEntry, utc};
@@ -158,7 +158,7 @@ impl Careers {
         for run in self.profiles.runs(profile)? {
             let of_mission = tries.entry(run.flight.mission.clone()).or_default();
             let alike = of_mission.iter().filter(|one| one.revision == run.revision);
-            let attempt = u32::try_from(alike.count() + 1).unwrap_or(u32::MAX);
+            let attempt = next_try(alike);
             of_mission.push(run.as_try(attempt));
         }
         Ok(Some(tries))

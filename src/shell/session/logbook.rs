@@ -2,7 +2,7 @@
 
 use std::time::{Duration, SystemTime};
 
-use crate::campaign::next_try;
+use crate::campaign::{is_practice, next_try};
 use crate::mission::Flight;
 use crate::mission::record::Occasion;
 use crate::scoring::{Report, TryReport};
@@ -73,6 +73,13 @@ impl Logbook {
         Some(unwritable(&fault))
     }
 
+    /// Removes the record.
+    pub fn discard(self) {
+        if let Ok(file) = self.file {
+            file.discard();
+        }
+    }
+
     /// What the run is called, which no other is.
     pub fn run_id(&self) -> &str {
         &self.run_id
@@ -99,6 +106,7 @@ impl Logbook {
             passed: report.passed,
             seed: report.seed,
             revision: report.revision,
+            is_practice: is_practice(self.occasion.stake, Some(self.occasion.flown_by)),
         });
         tries
     }

@@ -265,13 +265,24 @@ impl RunningSession {
         Some(Notice { at: now, ..notice })
     }
 
-    /// Whether an exam is flown.
-    pub fn is_exam(&self) -> bool {
-        let logbook = self
-            .mission_run
-            .as_ref()
-            .and_then(|run| run.logbook.as_ref());
-        logbook.is_some_and(|logbook| logbook.occasion().stake == Stake::Exam)
+    /// Whether leaving now means giving up a flight that counts: its clock has started, and it is not over.
+    pub fn counts_when_left(&self) -> bool {
+        self.mission_run.as_ref().is_some_and(|run| {
+            let occasion = run.logbook.as_ref().map(Logbook::occasion);
+            let counts = occasion.is_some_and(|it| it.stake != Stake::Practice);
+            counts && run.driver.has_begun() && !run.ended
+        })
+    }
+
+    /// Leaves no record of a mission whose clock has not started.
+    pub fn forget_unbegun(&mut self) {
+        let run = self.mission_run.as_mut();
+        if let Some(run) = run.filter(|run| !run.driver.has_begun()) {
+            run.driver.flight_mut().stop_record();
+            if let Some(logbook) = run.logbook.take() {
+                logbook.discard();
+            }
+        }
     }
 
     /// Ends the mission; its report comes with the next tick.

@@ -165,6 +165,11 @@ fn own_drones_wear_and_lent_ones_do_not() {
 
 /// Begins the record of an exam of drill d00 with a seed, and returns it with a few seconds of flight in it.
 fn exam(runs: &Runs, seed: u64) -> RunFile {
+    exam_of(runs, seed, Duration::from_secs(12))
+}
+
+/// The same with so much of a flight.
+fn exam_of(runs: &Runs, seed: u64, length: Duration) -> RunFile {
     let source = include_str!("../../../missions/drills/d00-arm-and-hover.toml");
     let mission = Arc::new(
         Mission::parse(source)
@@ -181,12 +186,28 @@ fn exam(runs: &Runs, seed: u64) -> RunFile {
         profile: Some("Anna".to_owned()),
         stake: Stake::Exam,
     });
-    while exercise.now() < Duration::from_secs(12) {
+    while exercise.now() < length {
         exercise.step();
     }
     let record = exercise.flight_mut().take_record();
     file.append(&record).expect("writable");
     file
+}
+
+fn the_exam_seed() -> u64 {
+    let source = include_str!("../../../missions/drills/d00-arm-and-hover.toml");
+    let mission = Mission::parse(source).expect("no faults");
+    exam_seed(&mission.id, mission.rev)
+}
+
+#[test]
+fn an_exam_of_which_only_the_brief_was_read_is_none() {
+    let data = tempfile::tempdir().expect("a folder");
+    let runs = Runs::within(data.path());
+    let mut profiles = profiles(data.path());
+    profiles.create("Anna", BEGUN).expect("new");
+    drop(exam_of(&runs, the_exam_seed(), Duration::ZERO));
+    assert_eq!(recover(&mut profiles, &runs).expect("writable"), []);
 }
 
 #[test]
@@ -195,7 +216,7 @@ fn an_exam_that_was_left_counts_as_ended_there_once_nobody_flies_it() {
     let runs = Runs::within(data.path());
     let mut profiles = profiles(data.path());
     let anna = profiles.create("Anna", BEGUN).expect("new");
-    let flown = exam(&runs, exam_seed("d00-arm-and-hover", 2));
+    let flown = exam(&runs, the_exam_seed());
     assert_eq!(recover(&mut profiles, &runs).expect("writable"), []);
     drop(flown);
     let recovered = recover(&mut profiles, &runs).expect("writable");

@@ -6,7 +6,7 @@ use rusqlite::{Connection, params};
 use serde::Serialize;
 
 use super::{Profile, ProfileError, Profiles, json};
-use crate::campaign::{CareerEntry, CareerFlight};
+use crate::campaign::{CareerEntry, CareerFlight, is_practice, next_try};
 use crate::scoring::{FlightBackend, Report, TryReport};
 
 /// A finished run, to be stored.
@@ -55,6 +55,7 @@ impl PastRun {
             passed: self.flight.passed,
             seed: self.seed,
             revision: self.revision,
+            is_practice: is_practice(self.flight.stake, self.flight.flown_by),
         }
     }
 }
@@ -147,8 +148,11 @@ impl Profiles {
     ) -> Result<Vec<TryReport>, ProfileError> {
         let mut runs = self.runs(profile)?;
         runs.retain(|run| run.flight.mission == mission && run.revision == revision);
-        let tries = runs.iter().zip(1..);
-        Ok(tries.map(|(run, attempt)| run.as_try(attempt)).collect())
+        let mut tries = Vec::new();
+        for run in &runs {
+            tries.push(run.as_try(next_try(&tries)));
+        }
+        Ok(tries)
     }
 
     /// The ids of all runs of all profiles.

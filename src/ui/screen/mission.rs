@@ -76,6 +76,6 @@ pub fn tone_role(tone: Tone) -> Role {
         Tone::Met => Role::Ok,
         Tone::Missed => Role::Danger,
         Tone::Warning => Role::Warning,
-        Tone::Hint => Role::Accent,
+        Tone::Hint | Tone::AskedHint => Role::Accent,
     }
 }

@@ -15,7 +15,7 @@ use crate::text::Text;
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{below, clip, clock, columns, put, wrap};
+use crate::ui::widget::{below, clip, clock, columns, put, upper, wrap};
 use crate::vehicle::Vehicle;
 
 /// Columns between two readings.
@@ -59,18 +59,29 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         put(buffer, rest, 0, &line);
         rest = below(rest, 1);
     }
+    let hint = hint_lines(progress, width, panel.look);
     if let Some(grid) = Grid::of(&progress.cells) {
-        grid.draw(state, panel.at(rest), buffer);
-        rest = below(rest, grid.rows() as u16);
+        // The map has the cells too, the hint stands here only.
+        let rows = grid.rows() as u16;
+        let free = upper(rest, rest.height.saturating_sub(hint.len() as u16));
+        grid.draw(state, panel.at(upper(free, rows)), buffer);
+        rest = below(rest, rows.min(free.height));
     }
-    for line in hint_lines(progress, width, panel.look) {
-        put(
-            buffer,
-            rest,
-            0,
-            &Line::styled(line, panel.style(Role::Accent)),
-        );
-        rest = below(rest, 1);
+    draw_hint(&hint, panel.at(rest), buffer);
+}
+
+/// Draws the hint; a mark says where it is cut.
+fn draw_hint(lines: &[String], panel: Panel<'_>, buffer: &mut Buffer) {
+    let rows = usize::from(panel.area.height);
+    for (row, line) in lines.iter().take(rows).enumerate() {
+        let is_cut = row + 1 == rows && lines.len() > rows;
+        let text = if is_cut {
+            clip(&format!("{line} …"), usize::from(panel.area.width))
+        } else {
+            line.clone()
+        };
+        let line = Line::styled(text, panel.style(Role::Accent));
+        put(buffer, panel.area, row as u16, &line);
     }
 }
 
@@ -277,5 +288,25 @@ impl<'a> Grid<'a> {
             Some(vehicle) => (format!("{}>{text}", vehicle.id), style),
             None => (text, style),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ratatui::layout::Rect;
+
+    #[test]
+    fn a_hint_that_is_cut_says_so() {
+        let (look, area) = (Look::default(), Rect::new(0, 0, 12, 2));
+        let drawn = |lines: &[&str]| {
+            let mut buffer = Buffer::empty(area);
+            let lines: Vec<String> = lines.iter().map(ToString::to_string).collect();
+            draw_hint(&lines, Panel::new(&look, area), &mut buffer);
+            let row = |y| (0..12).map(|x| buffer[(x, y)].symbol()).collect::<String>();
+            [row(0).trim_end().to_owned(), row(1).trim_end().to_owned()]
+        };
+        assert_eq!(drawn(&["one", "two"]), ["one", "two"]);
+        assert_eq!(drawn(&["one", "two", "three"]), ["one", "two …"]);
     }
 }

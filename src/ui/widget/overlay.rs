@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use crate::app::State;
-use crate::app::action::{Action, ViewAction};
+use crate::app::action::{Action, DebriefAction, ViewAction};
 use crate::app::keymap::Place;
 use crate::app::state::{Confirm, HelpLine, HelpPage, Overlay, SHORT_USAGE};
 use crate::notice::sanitised;
@@ -97,6 +97,9 @@ fn help_title(state: &State, page: &HelpPage, look: &Look) -> String {
     let help = text!(
         "help-title",
         scroll = state.keymap().keys(Action::UP_AND_DOWN, Place::Reader),
+        section = state
+            .keymap()
+            .key(Action::Debrief(DebriefAction::NextSection), Place::Reader),
         search = state
             .keymap()
             .key(Action::View(ViewAction::Filter), Place::Reader),

@@ -1,11 +1,14 @@
 //! Who trains here, and what they may fly.
 
+use std::time::Duration;
+
 use sortie::app::effect::{CareerEffect, Effect, Launch, SessionEffect};
 use sortie::app::event::{CareerEvent, Event, SessionEvent};
 use sortie::app::room::home;
 use sortie::app::state::{Activity, Career, Overlay, Purpose, Room, Trainee};
-use sortie::campaign::{Aids, CareerEntry, Stake};
+use sortie::campaign::{Aids, CareerEntry, CareerFlight, Stake};
 use sortie::mission::Phase;
+use sortie::scoring::TryReport;
 use sortie::text::Language;
 use sortie::workshop::Design;
 
@@ -188,6 +191,101 @@ fn a_trainee_is_met_in_their_language_until_they_choose_another() {
 }
 
 #[test]
+fn an_enter_after_the_answer_belongs_to_it_for_a_second_on_the_wall() {
+    let answered = |wall_ms| {
+        let mut console = trained_by(newcomer());
+        console.press("e").press("y");
+        in_flight(&mut console);
+        console.hear(SessionEvent::Mission(Box::new(fixtures::progress())));
+        // The clock of the session stands still while the brief is read.
+        console.hear(Event::Tick {
+            now: Duration::ZERO,
+            wall: Duration::from_millis(wall_ms),
+        });
+        console.press("enter");
+        console.state().room()
+    };
+    assert_eq!(answered(500), Room::Mission);
+    assert_eq!(answered(1500), Room::Fly);
+}
+
+#[test]
+fn nothing_is_said_to_start_while_it_is_asked_whether_it_may() {
+    let mut console = Console::new();
+    in_flight(&mut console);
+    console.hear(SessionEvent::Mission(Box::new(fixtures::progress())));
+    console.press("H").press("enter");
+    assert!(matches!(
+        console.state().overlay(),
+        Some(Overlay::Confirm(_))
+    ));
+    assert_eq!(said(&console), "");
+    console.press("y");
+    assert_eq!(said(&console), "starting the mission ...");
+}
+
+#[test]
+fn leaving_a_flight_that_counts_says_that_it_counts_as_a_try() {
+    let reason = |stake| {
+        let mut console = Console::new();
+        console.start(Activity::Mission {
+            id: "m01".to_owned(),
+            title: "Air sample at the yard".into(),
+            stake,
+        });
+        console.hear(SessionEvent::Mission(Box::new(fixtures::progress())));
+        console.give("leave");
+        let Some(Overlay::Confirm(question)) = console.state().overlay() else {
+            panic!("{stake:?}");
+        };
+        question.reason().to_string()
+    };
+    assert!(reason(Stake::Graded).contains("counts as a try"));
+    assert!(reason(Stake::Daily).contains("counts as a try"));
+    assert!(reason(Stake::Practice).contains("would not count"));
+}
+
+#[test]
+fn practice_and_scripts_are_no_best_of_a_mission() {
+    let one = |score, is_practice| TryReport {
+        attempt: 1,
+        when: "2026-11-20T14:03:22Z".to_owned(),
+        score: Some(score),
+        medal: None,
+        passed: false,
+        seed: 1,
+        revision: 1,
+        is_practice,
+    };
+    let mut console = Console::new();
+    let best = |console: &Console| console.state().best_try("m01").and_then(|it| it.score);
+    let tries = |tries: Vec<TryReport>| CareerEvent::Tries([("m01".to_owned(), tries)].into());
+    console.hear(tries(vec![one(900, true)]));
+    assert_eq!(best(&console), None);
+    console.hear(tries(vec![one(900, true), one(300, false)]));
+    assert_eq!(best(&console), Some(300));
+}
+
+#[test]
+fn home_says_how_the_exam_went() {
+    let exam = |score| {
+        let CareerEntry::Flight(flown) = flight("00-first-flight", 0, score, &[]) else {
+            panic!("no flight");
+        };
+        let history = vec![CareerEntry::Flight(CareerFlight {
+            stake: Stake::Exam,
+            ..flown
+        })];
+        let mut console = trained_by(Career::new("oksana", history, campaign().1));
+        go_to(&mut console, "00-first-flight");
+        console.screen(120, 40)
+    };
+    let (passed, failed) = (exam(800), exam(300));
+    assert!(passed.contains("passed, 800 points"), "{passed}");
+    assert!(failed.contains("not passed, 300 points"), "{failed}");
+}
+
+#[test]
 fn an_exam_that_would_end_a_flight_says_so() {
     let mut console = Console::new();
     in_flight(&mut console);
@@ -200,7 +298,7 @@ fn an_exam_that_would_end_a_flight_says_so() {
     };
     let reason = question.reason().to_string();
     assert!(
-        reason.contains("no hints, no pause") && reason.contains(';'),
+        reason.contains("no hints, no pause") && reason.contains("; "),
         "{reason}"
     );
 }

@@ -1,6 +1,6 @@
 //! What the keys of the map do.
 
-use sortie::app::event::TerminalEvent;
+use sortie::app::event::{SessionEvent, TerminalEvent};
 use sortie::app::room::map::Aim;
 use sortie::app::state::Room;
 use sortie::geo::{GridSize, LatLon};
@@ -94,6 +94,25 @@ fn goto_is_written_with_the_place_under_the_cursor_and_sent_only_by_enter() {
     assert_eq!(palette_line(&console), "goto 50.4501000 30.5235408 ");
     console.press("enter");
     assert_eq!(console.sent_to(), [2, 3]);
+}
+
+#[test]
+fn goto_names_the_place_that_is_under_the_cursor() {
+    let mut console = on_the_map();
+    for id in 1..=4 {
+        console.vehicle(fixtures::airborne(id, 0.0, 20.0));
+    }
+    let mut progress = fixtures::progress();
+    let home = console
+        .state()
+        .session()
+        .under_cursor()
+        .and_then(|it| it.home);
+    let at = home.expect("a home").at_point;
+    progress.places = [("gate1".to_owned(), at)].into();
+    console.hear(SessionEvent::Mission(Box::new(progress)));
+    console.press("home").press("g");
+    assert_eq!(palette_line(&console), "goto gate1 ");
 }
 
 #[test]

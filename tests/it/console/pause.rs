@@ -1,5 +1,7 @@
 //! Pauses, and what begins and ends a try at a mission.
 
+use std::time::Duration;
+
 use sortie::app::effect::{Effect, Launch, SessionEffect};
 use sortie::app::event::{SessionEvent, Started};
 use sortie::app::room::debrief::Debrief;
@@ -314,4 +316,57 @@ fn times_in_a_mission_are_those_of_the_mission() {
     console.start(Activity::Free);
     console.at(150);
     assert!(header(&console).is_some_and(|line| line.contains("00:05")));
+}
+
+#[test]
+fn esc_leaves_a_brief_whose_clock_stands_still_and_enter_starts_the_mission() {
+    let mut console = Console::new();
+    console.start(mission());
+    console.vehicle(fixtures::parked(1));
+    let screen = console.screen(80, 24);
+    assert!(
+        screen.contains("Enter start") && screen.contains("Esc back"),
+        "{screen}"
+    );
+    let mut left = console.clone();
+    left.press("esc");
+    assert_eq!(left.effects, [Effect::Session(SessionEffect::Leave)]);
+    assert_eq!(left.state().room(), Room::Home);
+    console.press("enter");
+    assert_eq!(console.state().room(), Room::Fly);
+    assert!(!console.state().session().is_reading());
+    // Once it has begun, Esc leads back to the drones.
+    console.hear(SessionEvent::Mission(Box::new(fixtures::progress())));
+    console.press("B").press("esc");
+    assert_eq!(console.state().room(), Room::Fly);
+}
+
+#[test]
+fn abandoning_before_the_clock_has_started_only_leaves() {
+    let mut console = Console::new();
+    console.start(mission());
+    console.give("abandon");
+    assert_eq!(console.effects, [Effect::Session(SessionEffect::Leave)]);
+}
+
+#[test]
+fn a_hint_is_scrolled_to_when_it_is_asked_for() {
+    let mut console = Console::new();
+    console.start(mission());
+    console.vehicle(fixtures::parked(1));
+    for scrolled in ["home", "end"] {
+        let mut console = console.clone();
+        console.press(scrolled);
+        let mut progress = fixtures::progress();
+        progress.elapsed = Duration::ZERO;
+        progress.score_so_far = None;
+        console.hear(SessionEvent::Mission(Box::new(progress.clone())));
+        progress.clues.given.push((1, "Think of the wind.".into()));
+        console.hear(SessionEvent::Mission(Box::new(progress)));
+        let screen = console.screen(80, 24);
+        assert!(
+            screen.contains("hint 1: Think of the wind."),
+            "{scrolled}: {screen}"
+        );
+    }
 }

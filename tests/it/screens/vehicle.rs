@@ -148,7 +148,7 @@ fn room() -> Console {
         let climbed = (half_seconds as f64 * 0.5).min(20.0);
         console.vehicle(talkative(climbed));
         let now = Duration::from_millis(500 * half_seconds);
-        console.hear(sortie::app::event::Event::Tick { now });
+        console.hear(sortie::app::event::Event::Tick { now, wall: now });
     }
     console.press("V");
     assert_eq!(console.state().room(), Room::Vehicle);

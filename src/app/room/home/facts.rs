@@ -32,6 +32,7 @@ pub fn facts(state: &State, mission: &Listing) -> Vec<Fact> {
         tone: Tone::Plain,
     };
     let mut facts = vec![stage(career, offer)];
+    facts.extend(exam(career, offer));
     facts.extend(advice(career, &mission.id));
     facts.extend(review(career, offer));
     facts.push(plain(text!("fact-pays"), pay(career, offer)));
@@ -74,6 +75,7 @@ pub fn unlocked(state: &State, unlock: &Unlock) -> Text {
 /// Where the trainee stands with the mission, and why it is locked.
 fn stage(career: &Career, offer: &Offer) -> Fact {
     let best = career.standing.best(&offer.id);
+    let count = career.growth.tries(&offer.id).len();
     let (what, tone) = match career.course.stage(offer, &career.standing, career.day) {
         MissionStage::Locked(reasons) => {
             let reasons = reasons.iter().map(LockReason::text).collect();
@@ -82,15 +84,15 @@ fn stage(career: &Career, offer: &Offer) -> Fact {
         }
         MissionStage::Open => match best {
             Some(best) => (
-                text!("fact-open", score = best.score, count = best.tries),
+                text!("fact-open", score = best.score, count = count),
                 Tone::Plain,
             ),
+            None if count > 0 => (text!("fact-practised", count = count), Tone::Plain),
             None => (text!("fact-new"), Tone::Plain),
         },
         MissionStage::Passed(medal) => {
             let medal = medal.map_or(text!("debrief-no-medal"), Medal::title);
             let score = best.and_then(|best| best.passed).unwrap_or_default();
-            let count = best.map_or(0, |best| best.tries);
             let what = text!("fact-passed", score = score, medal = medal, count = count);
             (what, Tone::Met)
         }
@@ -100,6 +102,24 @@ fn stage(career: &Career, offer: &Offer) -> Fact {
         what,
         tone,
     }
+}
+
+/// How the mission's exam went, once it was taken.
+fn exam(career: &Career, offer: &Offer) -> Option<Fact> {
+    let result = career.standing.best(&offer.id)?.exam?;
+    let (what, tone) = if result.passed {
+        (text!("fact-exam-passed", score = result.score), Tone::Met)
+    } else {
+        (
+            text!("fact-exam-failed", score = result.score),
+            Tone::Missed,
+        )
+    };
+    Some(Fact {
+        name: text!("fact-exam"),
+        what,
+        tone,
+    })
 }
 
 /// Why this is the mission to fly next, if it is.

@@ -7,7 +7,7 @@ use crate::app::State;
 use crate::app::action::{Action, MapAction, Step, ViewAction};
 use crate::app::keymap::{KeyHint, KeyRow, Press, does, hint, key};
 use crate::app::room::{Answer, RoomModel, RoomRequest, footer_keys};
-use crate::geo::{GridSize, LatLon};
+use crate::geo::{GridSize, LatLon, Viewport};
 use crate::text;
 use crate::vehicle::{Severity, VehicleId};
 
@@ -220,8 +220,20 @@ fn goto_here(state: &State, size: GridSize) -> Vec<RoomRequest> {
         return Vec::new();
     };
     let place = map.pointed(&view);
-    let line = format!("goto {:.7} {:.7} ", place.lat_deg, place.lon_deg);
+    let line = match name_of(state, &view, place) {
+        Some(name) => format!("goto {name} "),
+        None => format!("goto {:.7} {:.7} ", place.lat_deg, place.lon_deg),
+    };
     vec![RoomRequest::Write(line)]
+}
+
+/// What the place is called that has the cell of a point, if one has; the nearest of several.
+fn name_of<'a>(state: &'a State, view: &Viewport, point: LatLon) -> Option<&'a str> {
+    let cell = view.cell(point)?;
+    let places = state.session.places.iter();
+    let here = places.filter(|(_, at)| view.cell(**at) == Some(cell));
+    let nearest = here.min_by(|a, b| a.1.distance_m(point).total_cmp(&b.1.distance_m(point)));
+    nearest.map(|(name, _)| name.as_str())
 }
 
 /// Makes the next vehicle by number that of the cursor, and points at it.

@@ -42,6 +42,8 @@ pub enum Tone {
     Warning,
     /// What to do next.
     Hint,
+    /// The hint that was asked for last.
+    AskedHint,
 }
 
 /// One line of the room.
@@ -204,7 +206,8 @@ impl Page<'_> {
             title: self.locale.text(&objective.title),
             detail: self.locale.text(detail.unwrap_or(&objective.target)),
             points: match now {
-                Some(now) => format!("{:.0}/{value:.0}", value * now.fraction),
+                // Nothing is not less than nothing.
+                Some(now) => format!("{:.0}/{value:.0}", value * now.fraction + 0.0),
                 None => format!("{value:.0}"),
             },
             required: objective.mandatory,
@@ -224,14 +227,25 @@ impl Page<'_> {
         let next = clues
             .and_then(|clues| clues.price(self.words_key("hint")))
             .filter(|_| !self.state.session.over);
-        if self.awaits_launch() || hints.is_empty() && given.is_empty() && next.is_none() {
+        // Before launch, what comes next stands with the questions.
+        let more = !hints.is_empty() || next.is_some();
+        if given.is_empty() && (self.awaits_launch() || !more) {
             return;
         }
         self.title(&text!("mission-hints"));
-        for (level, clue) in given {
+        for (at, (level, clue)) in given.iter().enumerate() {
             let hint = text!("mission-hint-of", level = *level, hint = clue);
             let clue = self.locale.text(&hint);
-            self.paragraph(Tone::Plain, &clue);
+            let is_newest = at + 1 == given.len();
+            let tone = if is_newest {
+                Tone::AskedHint
+            } else {
+                Tone::Plain
+            };
+            self.paragraph(tone, &clue);
+        }
+        if self.awaits_launch() {
+            return;
         }
         if let Some(next) = next {
             let next = self.locale.text(&next);

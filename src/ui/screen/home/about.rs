@@ -183,13 +183,7 @@ fn best_words(state: &State, item: HomeItem) -> Option<Text> {
     let id = &state.missions()[at].id;
     let best = state.best_try(id)?;
     let medal = best.medal.map_or(text!("debrief-no-medal"), Medal::title);
-    let count = state.tries(id).len();
-    Some(text!(
-        "home-best",
-        score = best.score?,
-        medal = medal,
-        count = count
-    ))
+    Some(text!("home-best", score = best.score?, medal = medal))
 }
 
 fn about(state: &State, item: HomeItem, look: &Look) -> String {

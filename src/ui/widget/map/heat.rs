@@ -14,6 +14,8 @@ use crate::ui::theme::Role;
 const SHADES: [char; 4] = ['░', '▒', '▓', '█'];
 /// The same in ASCII, where digits can be read best.
 const DIGITS: [char; 9] = ['1', '2', '3', '4', '5', '6', '7', '8', '9'];
+/// Finer differences are no differences.
+const MOST_DECIMALS: usize = 4;
 
 pub fn draw(field: &SampleField, view: &Viewport, panel: Panel<'_>, buffer: &mut Buffer) {
     let shades = shades(panel.look.symbols);
@@ -37,15 +39,17 @@ pub fn draw_scale(field: &SampleField, panel: Panel<'_>, buffer: &mut Buffer) {
     let top = field.top();
     let name = format!(" {}, {} ", panel.text(&field.name), field.unit);
     let mut spans = vec![Span::styled(name, panel.style(Role::Muted))];
-    for (at, shade) in shades.iter().enumerate() {
-        // Nine digits need no nine numbers.
-        if shades.len() > SHADES.len() && at % 4 != 0 {
-            continue;
-        }
-        let value = top * (at + 1) as f64 / shades.len() as f64;
+    // Nine digits need no nine numbers.
+    let step = if shades.len() > SHADES.len() { 4 } else { 1 };
+    let shown: Vec<(char, f64)> = (1..=shades.len())
+        .step_by(step)
+        .map(|at| (shades[at - 1], top * at as f64 / shades.len() as f64))
+        .collect();
+    let values: Vec<f64> = shown.iter().map(|(_, value)| *value).collect();
+    for ((shade, _), figure) in shown.iter().zip(figures(&values)) {
         spans.push(Span::styled(shade.to_string(), panel.style(Role::Hazard)));
         spans.push(Span::styled(
-            format!(" {}  ", figure(value)),
+            format!(" {figure}  "),
             panel.style(Role::Muted),
         ));
     }
@@ -78,14 +82,21 @@ fn shades(symbols: Symbols) -> &'static [char] {
     }
 }
 
-/// At most so long that the scale stays short.
-fn figure(value: f64) -> String {
-    let text = match value {
-        value if value >= 100.0 => format!("{value:.0}"),
-        value if value >= 1.0 => format!("{value:.1}"),
-        _ => format!("{value:.2}"),
+/// Rising values with as few decimals as tell them apart.
+fn figures(values: &[f64]) -> Vec<String> {
+    let least = match values.last() {
+        Some(most) if *most >= 100.0 => 0,
+        Some(most) if *most >= 1.0 => 1,
+        _ => 2,
     };
-    text.strip_suffix(".0").map_or(text.clone(), str::to_owned)
+    let with = |decimals: usize| -> Vec<String> {
+        let text = |value: &f64| format!("{value:.decimals$}");
+        values.iter().map(text).collect()
+    };
+    let differ = |texts: &[String]| texts.windows(2).all(|pair| pair[0] != pair[1]);
+    let all = (least..MOST_DECIMALS).map(with);
+    let mut fitting = all.filter(|texts| differ(texts));
+    fitting.next().unwrap_or_else(|| with(MOST_DECIMALS))
 }
 
 /// The mean of what was shown in each cell of the view, row by row: of the square that the middle of the cell
@@ -121,6 +132,26 @@ mod tests {
             samples.add("gas", "ppm", HOME.moved(north_m, east_m), value);
         }
         samples
+    }
+
+    #[test]
+    fn no_two_figures_of_a_scale_are_equal() {
+        assert_eq!(
+            figures(&[0.01, 0.02, 0.03, 0.04]),
+            ["0.01", "0.02", "0.03", "0.04"]
+        );
+        assert_eq!(
+            figures(&[0.005, 0.01, 0.015, 0.02]),
+            ["0.005", "0.010", "0.015", "0.020"]
+        );
+        assert_eq!(
+            figures(&[2.5, 5.0, 7.5, 10.0]),
+            ["2.5", "5.0", "7.5", "10.0"]
+        );
+        assert_eq!(
+            figures(&[50.0, 100.0, 150.0, 200.0]),
+            ["50", "100", "150", "200"]
+        );
     }
 
     proptest! {

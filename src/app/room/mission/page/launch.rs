@@ -47,7 +47,7 @@ impl Page<'_> {
         let then = text!(
             "mission-then-is",
             drones = state.key(Action::Submit),
-            command = state.key(Action::CommandLine),
+            back = state.key(Action::Escape),
             help = state.key(Action::Help)
         );
         let named = [

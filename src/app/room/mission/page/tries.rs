@@ -23,7 +23,7 @@ impl Page<'_> {
             .chain(&tries[from..])
             .map(|one| row(one, best == Some(one)))
             .collect();
-        self.title(&text!("mission-tries", count = tries.len()));
+        self.title(&text!("mission-tries"));
         self.rows(&rows);
     }
 }
@@ -36,6 +36,9 @@ fn row(one: &TryReport, best: bool) -> (Text, Text) {
     let Some(score) = one.score else {
         return (when.into(), text!("mission-try-unfinished"));
     };
+    if one.is_practice {
+        return (when.into(), text!("mission-try-practice", score = score));
+    }
     let medal = one.medal.map_or(text!("debrief-no-medal"), Medal::title);
     let result = if best {
         text!("mission-try-best", score = score, medal = medal)

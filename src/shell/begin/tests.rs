@@ -1,0 +1,108 @@
+use std::sync::Arc;
+
+use crossterm::event::KeyCode;
+
+use super::*;
+use crate::app::event::TerminalEvent;
+use crate::scoring::TryReport;
+use crate::shell::pace::TICK;
+use crate::shell::{ConsoleOptions, Opening, key};
+use crate::store::Runs;
+
+const FIRST: &str = include_str!("../../../missions/00-first-flight.toml");
+
+fn first() -> Arc<Mission> {
+    Arc::new(Mission::parse(FIRST).expect("it is good"))
+}
+
+/// A console in which the brief of a mission is shown, whose tries are kept in a folder.
+async fn reading(runs: &Runs) -> Console {
+    let mut options = ConsoleOptions::for_test(Opening::Mission(first()));
+    options.seed = None;
+    options.preferences.runs = Some(runs.clone());
+    let mut console = Console::new(options, true);
+    let (columns, rows) = (120, 40);
+    console.feed(TerminalEvent::Resize { columns, rows }).await;
+    console.begin().await;
+    console
+}
+
+async fn run(console: &mut Console, seconds: u32) {
+    for _ in 0..seconds * 10 {
+        tokio::time::sleep(TICK).await;
+        console.tick().await;
+    }
+}
+
+fn tries(runs: &Runs) -> Vec<TryReport> {
+    let mission = first();
+    runs.tries_at(None, &mission.id, mission.rev)
+}
+
+async fn say(console: &mut Console, line: &str) {
+    console.feed(TerminalEvent::Line(line.to_owned())).await;
+}
+
+#[tokio::test(start_paused = true)]
+async fn a_flight_that_is_left_after_its_clock_has_started_is_a_try() {
+    for leave in ["leave", "restart", "quit"] {
+        let folder = tempfile::tempdir().expect("a folder");
+        let runs = Runs::at(folder.path());
+        let mut console = Box::pin(reading(&runs)).await;
+        run(&mut console, 3).await;
+        console.feed(key(KeyCode::Enter)).await;
+        run(&mut console, 5).await;
+        say(&mut console, leave).await;
+        console.feed(key(KeyCode::Char('y'))).await;
+        Box::pin(console.close()).await;
+        let scores: Vec<Option<u16>> = tries(&runs).iter().map(|one| one.score).collect();
+        assert_eq!(scores, [Some(0)], "{leave}");
+    }
+}
+
+#[tokio::test(start_paused = true)]
+async fn a_brief_that_was_only_read_leaves_no_try() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let runs = Runs::at(folder.path());
+    let mut console = Box::pin(reading(&runs)).await;
+    run(&mut console, 3).await;
+    say(&mut console, "abandon").await;
+    assert!(console.running.is_none());
+    assert_eq!(tries(&runs), []);
+}
+
+#[tokio::test(start_paused = true)]
+async fn a_flight_that_is_cut_off_is_not_given_up() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let runs = Runs::at(folder.path());
+    let mut console = Box::pin(reading(&runs)).await;
+    run(&mut console, 3).await;
+    console.feed(key(KeyCode::Enter)).await;
+    run(&mut console, 5).await;
+    console.is_cut_off = true;
+    Box::pin(console.close()).await;
+    drop(console);
+    assert!(tries(&runs).iter().all(|one| one.score.is_none()));
+}
+
+#[tokio::test(start_paused = true)]
+async fn an_exam_runs_in_real_time() {
+    let mut options = ConsoleOptions::for_test(Opening::Home);
+    options.speedup = 4.0;
+    let mut console = Console::new(options, true);
+    let refused = Box::pin(console.launch(first(), Stake::Exam, None)).await;
+    assert_eq!(refused, Err(text!("exam-real-time")));
+    console.options.speedup = 1.0;
+    let mission = Mission::parse(FIRST)
+        .expect("it is good")
+        .flown_for(Stake::Exam);
+    let begun = Box::pin(console.launch(Arc::new(mission), Stake::Exam, None)).await;
+    assert_eq!(begun, Ok(()));
+    console.take_in().await;
+    run(&mut console, 3).await;
+    console.feed(key(KeyCode::Enter)).await;
+    run(&mut console, 1).await;
+    say(&mut console, "speedup 2").await;
+    let said = console.app.state().message().map(|it| it.text.clone());
+    assert_eq!(said, Some(text!("speedup-not-in-exams")));
+}
