@@ -8,6 +8,7 @@ use std::sync::Mutex;
 
 use clap::{Parser, Subcommand};
 
+use crate::language::parse_ranges;
 use crate::link::Address;
 use crate::store::StoreError;
 use settings::{CliSettings, Common};
@@ -90,13 +91,16 @@ enum CliCommand {
     /// Connects the console to vehicles that are already there.
     #[command(after_help = "Examples:\n  \
                             sortie connect tcp:127.0.0.1:5760 tcp:127.0.0.1:5770\n  \
-                            sortie connect udpin:0.0.0.0:14550\n  \
+                            sortie connect udpin:0.0.0.0:14550 --expect 1-4\n  \
                             sortie connect serial:/dev/ttyACM0:115200\n  \
                             sortie connect flight.tlog")]
     Connect {
         /// Where they are: tcp:HOST:PORT, tcpin:HOST:PORT, udp:HOST:PORT, udpin:HOST:PORT, serial:DEVICE:BAUD, or a recording FILE.tlog.
         #[arg(required = true, value_name = "ADDR")]
         addresses: Vec<Address>,
+        /// The vehicles that belong to the swarm, such as 1-4,7: `all` leaves any other that is heard out.
+        #[arg(long, value_name = "IDS", value_parser = vehicle_ids)]
+        expect: Option<String>,
         /// Lines of text instead of a screen: for screen readers and pipes.
         #[arg(long)]
         plain: bool,
@@ -216,7 +220,17 @@ fn dispatch(
             "sortie: --seed and --speedup go after the command".to_owned(),
         )),
         Some(CliCommand::Fly(options)) => fly::fly(&options, settings),
-        Some(CliCommand::Connect { addresses, plain }) => fly::connect(addresses, plain, settings),
+        Some(CliCommand::Connect {
+            addresses,
+            expect,
+            plain,
+        }) => {
+            let mut settings = settings;
+            if expect.is_some() {
+                settings.config.connect.expect = expect;
+            }
+            fly::connect(addresses, plain, settings)
+        }
         Some(CliCommand::Run(options)) => {
             settings.complain();
             run::run(&options, &settings)
@@ -280,6 +294,14 @@ fn start_log(settings: &CliSettings) -> Result<(), Failure> {
         .with_env_filter(tracing_subscriber::EnvFilter::new(&log.level))
         .init();
     Ok(())
+}
+
+/// Vehicles as a line names them.
+fn vehicle_ids(text: &str) -> Result<String, String> {
+    match parse_ranges(text) {
+        Ok(_) => Ok(text.to_owned()),
+        Err(reason) => Err(reason.to_string()),
+    }
 }
 
 /// A factor that a simulation can keep up with.

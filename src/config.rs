@@ -50,6 +50,15 @@ pub struct Config {
     /// What the program writes down about itself.
     pub log: LogConfig,
     pub hangar: HangarConfig,
+    pub connect: ConnectConfig,
+}
+
+/// Sessions with vehicles that are already there.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct ConnectConfig {
+    /// The vehicles that belong to the swarm, such as `1-4,7`; without it, all that are heard.
+    pub expect: Option<String>,
 }
 
 /// What a terminal can show besides letters.
@@ -180,6 +189,7 @@ impl Default for Config {
             keymap: None,
             log: LogConfig::default(),
             hangar: HangarConfig::default(),
+            connect: ConnectConfig::default(),
         }
     }
 }

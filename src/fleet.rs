@@ -52,6 +52,7 @@ enum FleetRequest {
     FetchParameters(VehicleId),
     Restarted(VehicleId),
     Want(VehicleId, Want),
+    Forget(VehicleId),
 }
 
 /// The console's end of the fleet. Dropping it, or cancelling its token, ends every task.
@@ -134,6 +135,14 @@ impl Fleet {
     /// The hub has ended or cannot keep up; nothing was done.
     pub fn carry_out(&self, vehicle: VehicleId, want: Want) -> Result<(), Unreachable> {
         self.ask(FleetRequest::Want(vehicle, want))
+    }
+
+    /// Ends a vehicle's task. When it is heard again it appears as a new one.
+    ///
+    /// # Errors
+    /// The hub has ended or cannot keep up.
+    pub fn forget(&self, vehicle: VehicleId) -> Result<(), Unreachable> {
+        self.ask(FleetRequest::Forget(vehicle))
     }
 
     fn ask(&self, request: FleetRequest) -> Result<(), Unreachable> {

@@ -7,7 +7,7 @@
 //! before the verb, or right after `wait`. Upper and lower case mean the same in verbs, keywords and modes. A
 //! number may carry its unit (`20m`, `5m/s`, `30s`, `3min`, `90deg`). `#` begins a comment.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::commands::Order;
 use crate::geo::{LatLon, Outline};
@@ -68,6 +68,8 @@ pub struct Context<'a> {
     pub areas: Option<&'a BTreeMap<String, Outline>>,
     /// The vehicles there are; empty when nobody knows yet, and then every number will do.
     pub vehicles: &'a [VehicleId],
+    /// Those of them that `all` means; none named means every one.
+    pub expected: &'a BTreeSet<VehicleId>,
     /// Whose mode names count. [`VehicleClass::Other`] takes those of every class.
     pub class: VehicleClass,
     /// The parameters of the vehicle that a line would go to first, as far as they are known.
@@ -79,6 +81,7 @@ pub struct Context<'a> {
 }
 
 static NO_GROUPS: Groups = BTreeMap::new();
+static NONE_EXPECTED: BTreeSet<VehicleId> = BTreeSet::new();
 static NO_PLACES: BTreeMap<String, LatLon> = BTreeMap::new();
 static NO_AREAS: BTreeMap<String, Outline> = BTreeMap::new();
 
@@ -90,6 +93,7 @@ impl Default for Context<'_> {
             places: Some(&NO_PLACES),
             areas: Some(&NO_AREAS),
             vehicles: &[],
+            expected: &NONE_EXPECTED,
             class: VehicleClass::Copter,
             parameters: None,
             names: &UnknownNames,

@@ -43,6 +43,7 @@ outcome-armed = by arming
 outcome-not-sent = not sent: { $reason }
 outcome-too-late = not sent: expired after { $seconds } s in the queue
 outcome-queue-full = not sent: { $count } commands wait for this vehicle already
+outcome-forgotten = the vehicle was forgotten
 outcome-not-heard = not sent: no such vehicle is heard
 outcome-task-busy = not sent: the vehicle's task is overloaded
 

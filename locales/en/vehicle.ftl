@@ -142,3 +142,4 @@ vehicle-severity-warning = warning
 vehicle-severity-notice = notice
 vehicle-severity-info = info
 vehicle-severity-debug = debug
+vehicle-unexpected = not expected here: `all` leaves it out (`connect.expect`)

@@ -122,6 +122,7 @@ verb-show = go to a room
 verb-select = select vehicles: 1-4,7  @red  all  none  filter  invert
 verb-group = name a group of vehicles @NAME
 verb-ungroup = remove a group
+verb-forget = drop vehicles whose link is lost
 verb-sort = order the table; - puts the largest first
 verb-filter = show only: 1-4  @red  armed  air  alert  bat<30  !land
 verb-columns = choose the table's columns; none: as many as fit

@@ -48,6 +48,7 @@ outcome-queue-full = не надіслано: у черзі до апарата 
     [few] { $count } команди
    *[many] { $count } команд
 }
+outcome-forgotten = апарат забуто
 outcome-not-heard = не надіслано: такого апарата не чути
 outcome-task-busy = не надіслано: обробку цього апарата перевантажено
 

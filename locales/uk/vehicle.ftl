@@ -144,3 +144,4 @@ vehicle-severity-warning = попередження
 vehicle-severity-notice = примітка
 vehicle-severity-info = інформація
 vehicle-severity-debug = діагностика
+vehicle-unexpected = тут не очікується: `all` його не стосується (`connect.expect`)

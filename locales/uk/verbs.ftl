@@ -122,6 +122,7 @@ verb-show = перейти на екран
 verb-select = вибрати апарати: 1-4,7  @red  all  none  filter  invert
 verb-group = назвати групу апаратів @NAME
 verb-ungroup = вилучити групу
+verb-forget = забути апарати, зв'язок з якими втрачено
 verb-sort = упорядкувати таблицю; - ставить найбільші першими
 verb-filter = показати лише: 1-4  @red  armed  air  alert  bat<30  !land
 verb-columns = вибрати стовпці таблиці; без назв - скільки вміститься

@@ -161,6 +161,8 @@ pub enum SessionEffect {
     StartArduPilot,
     /// Connect to vehicles at these addresses.
     Connect(Vec<String>),
+    /// Close what these vehicles are heard by; one that is heard again is new.
+    Forget(Vec<VehicleId>),
     /// Restart or stop the process that simulates a vehicle.
     Process(ProcessDeed, VehicleId),
     /// Trigger an inject of the mission, by name.

@@ -14,6 +14,7 @@ mod alert_line;
 mod batch;
 mod console_line;
 mod files;
+mod forget;
 mod hangar;
 mod keys;
 mod links;

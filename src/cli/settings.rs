@@ -15,6 +15,7 @@ use crate::app::keymap::Keymap;
 use crate::app::lines;
 use crate::config::{Config, Layers, Origin};
 use crate::diagnostic::Diagnostic;
+use crate::language::parse_ranges;
 use crate::store::{self, Folders, Source};
 use crate::text;
 use crate::text::{Language, Text};
@@ -383,6 +384,7 @@ fn check(setting: &str, word: &str, themes: &[String]) -> Result<(), Diagnostic>
     let fault = |text| Err(Diagnostic::new(0..word.len(), text));
     match setting {
         "macros" => lines::check(word, themes),
+        "connect.expect" => parse_ranges(word).map(drop).or_else(fault),
         "theme" if !themes.iter().any(|name| name == word) => {
             let text = text!("theme-unknown", name = word);
             let known = themes.iter().map(String::as_str);

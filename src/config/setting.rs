@@ -191,6 +191,12 @@ pub const SETTINGS: &[Setting] = &[
         "The file with the token of the services; unless it is set, hangar-token in the folder of the state.",
     ),
     setting(
+        "connect.expect",
+        SettingKind::Text,
+        None,
+        "The vehicles that belong to the swarm: \"1-4,7\"; `all` leaves any other that is heard out.",
+    ),
+    setting(
         "macros",
         SettingKind::Lines,
         None,

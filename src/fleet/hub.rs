@@ -133,6 +133,7 @@ pub(super) async fn run(surroundings: HubSurroundings, mut requests: mpsc::Recei
                 }
                 Some(FleetRequest::Restarted(vehicle)) => hub.pass_on(vehicle, ToVehicle::Restarted),
                 Some(FleetRequest::Want(vehicle, want)) => hub.want(vehicle, want),
+                Some(FleetRequest::Forget(vehicle)) => hub.forget(vehicle),
                 None => return,
             },
             Some(batch) = inbound_out.recv() => hub.distribute(batch).await,
@@ -180,6 +181,13 @@ impl Hub {
         let system = SystemId::try_from(vehicle).ok();
         if let Some(route) = system.and_then(|system| self.routes.get_mut(&system)) {
             route.wants.push_back(want);
+        }
+    }
+
+    /// Lets go of a vehicle's task, which ends with that.
+    fn forget(&mut self, vehicle: VehicleId) {
+        if let Ok(system) = SystemId::try_from(vehicle) {
+            self.routes.remove(&system);
         }
     }
 

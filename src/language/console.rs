@@ -20,6 +20,8 @@ pub enum ConsoleLine {
     },
     /// Forget the name of a group, given without `@`.
     Ungroup(String),
+    /// Forget vehicles whose link is lost: these, or all of them.
+    Forget(Option<VehicleChoice>),
     /// Go to the room of this name.
     Show(String),
     /// Start the mission of this id.

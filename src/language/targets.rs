@@ -60,7 +60,11 @@ impl Targets {
                 return Err(text!("grammar-none-selected"));
             }
             Self::Selection => selection.to_vec(),
-            Self::All => context.vehicles.to_vec(),
+            Self::All if context.expected.is_empty() => context.vehicles.to_vec(),
+            Self::All => {
+                let expected = |id: &&VehicleId| context.expected.contains(id);
+                context.vehicles.iter().filter(expected).copied().collect()
+            }
             Self::Ids(ids) => {
                 if let Some(&missing) = ids.iter().find(|&&id| !exists(id, context)) {
                     return Err(no_vehicle(missing, context));

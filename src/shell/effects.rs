@@ -61,6 +61,12 @@ impl Console {
                 Err(error) => Err(error),
             },
             SessionEffect::Restart { alike } => self.start_again(alike).await,
+            SessionEffect::Forget(vehicles) => {
+                if let Some(running) = &mut self.running {
+                    running.forget(&vehicles);
+                }
+                Ok(())
+            }
             SessionEffect::Process(deed, vehicle) => {
                 if let Some(running) = &self.running {
                     running.process(deed, vehicle);

@@ -14,6 +14,7 @@ mod alerts;
 mod career;
 mod command_line;
 mod commands;
+mod forget;
 pub mod hangar;
 mod keymap;
 mod map;

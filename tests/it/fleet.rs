@@ -1,6 +1,7 @@
 //! The fleet against the embedded simulator, over pipes and real sockets.
 
 use std::collections::BTreeMap;
+use std::net::SocketAddr;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -332,8 +333,20 @@ async fn two_vehicles_with_one_system_id_are_named() {
     cancel_second.cancel();
 }
 
-#[tokio::test]
-async fn a_vehicle_that_another_sender_takes_over_is_named_with_both_addresses() {
+/// The heartbeat of vehicle 5.
+fn heartbeat() -> Vec<u8> {
+    let beat = MavMessage::HEARTBEAT(HEARTBEAT_DATA {
+        mavtype: MavType::MAV_TYPE_QUADROTOR,
+        autopilot: MavAutopilot::MAV_AUTOPILOT_ARDUPILOTMEGA,
+        ..HEARTBEAT_DATA::default()
+    });
+    let mut bytes = Vec::new();
+    Encoder::new(5, 1).encode(&beat.into(), &mut bytes);
+    bytes
+}
+
+/// A console that listens for UDP and has heard vehicle 5, the vehicle's socket, and where it sends to.
+async fn hearing_by_udp() -> (Console, UdpSocket, SocketAddr) {
     let mut console = Console::start();
     console.connect("udpin:127.0.0.1:0");
     console
@@ -343,18 +356,17 @@ async fn a_vehicle_that_another_sender_takes_over_is_named_with_both_addresses()
         })
         .await;
     let port = console.links[0].borrow().local.expect("bound");
-    let mut heartbeat = Vec::new();
-    let beat = MavMessage::HEARTBEAT(HEARTBEAT_DATA {
-        mavtype: MavType::MAV_TYPE_QUADROTOR,
-        autopilot: MavAutopilot::MAV_AUTOPILOT_ARDUPILOTMEGA,
-        ..HEARTBEAT_DATA::default()
-    });
-    Encoder::new(5, 1).encode(&beat.into(), &mut heartbeat);
-    let first = UdpSocket::bind("127.0.0.1:0").await.expect("a port");
-    first.send_to(&heartbeat, port).await.expect("sent");
+    let vehicle = UdpSocket::bind("127.0.0.1:0").await.expect("a port");
+    vehicle.send_to(&heartbeat(), port).await.expect("sent");
     console
         .until("it is heard", |console| console.vehicle(5).is_some())
         .await;
+    (console, vehicle, port)
+}
+
+#[tokio::test(start_paused = true)]
+async fn a_vehicle_that_another_sender_takes_over_is_named_with_both_addresses() {
+    let (mut console, first, port) = hearing_by_udp().await;
     let second = UdpSocket::bind("127.0.0.1:0").await.expect("a port");
     let [before, now] = [&first, &second].map(|socket| socket.local_addr().expect("bound"));
     let names = format!("(from {now}) now, no longer by ");
@@ -364,7 +376,7 @@ async fn a_vehicle_that_another_sender_takes_over_is_named_with_both_addresses()
     };
     let forging = async {
         loop {
-            second.send_to(&heartbeat, port).await.expect("sent");
+            second.send_to(&heartbeat(), port).await.expect("sent");
             tokio::time::sleep(Duration::from_millis(200)).await;
         }
     };
@@ -372,6 +384,26 @@ async fn a_vehicle_that_another_sender_takes_over_is_named_with_both_addresses()
         () = console.until("the takeover is told", is_told) => {}
         () = forging => {}
     }
+}
+
+#[tokio::test(start_paused = true)]
+async fn a_vehicle_that_was_forgotten_appears_anew_wherever_it_is_heard() {
+    let (mut console, _, port) = hearing_by_udp().await;
+    console.fleet.forget(5).expect("the fleet runs");
+    console.vehicles.clear();
+    let other = UdpSocket::bind("127.0.0.1:0").await.expect("a port");
+    other.send_to(&heartbeat(), port).await.expect("sent");
+    console
+        .until("it is heard again", |console| console.vehicle(5).is_some())
+        .await;
+    assert!(
+        console
+            .notices
+            .iter()
+            .all(|text| !text.contains("no longer by")),
+        "{:?}",
+        console.notices
+    );
 }
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]

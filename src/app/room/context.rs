@@ -21,6 +21,7 @@ impl State {
             places: Some(&self.session.places),
             areas: Some(&areas),
             vehicles: &vehicles,
+            expected: &self.session.expected,
             class: self.class(),
             parameters: parameters.map(|known| known.list.as_ref()),
             names: self,
@@ -38,7 +39,7 @@ impl State {
     /// There is no such group.
     pub fn chosen(&self, choice: &VehicleChoice) -> Result<Vec<VehicleId>, Text> {
         Ok(match choice {
-            VehicleChoice::All => self.session.vehicles.keys().copied().collect(),
+            VehicleChoice::All => self.session.all().collect(),
             VehicleChoice::None => Vec::new(),
             VehicleChoice::Filter => self.rooms.fly.rows().to_vec(),
             VehicleChoice::Invert => {

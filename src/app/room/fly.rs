@@ -234,6 +234,11 @@ pub fn heard(state: &mut State, id: VehicleId) {
     }
 }
 
+/// Takes out the rows of vehicles that were forgotten.
+pub fn forget(state: &mut State, ids: &[VehicleId]) {
+    state.rooms.fly.rows.retain(|id| !ids.contains(id));
+}
+
 /// Brings the rows up to date now and then; whether they have changed.
 pub fn tick(state: &mut State) -> bool {
     let sort = sorted_by(state);

@@ -89,6 +89,14 @@ impl Parameters {
         self.batch.as_ref()
     }
 
+    /// Forgets what is known of a vehicle and was asked of it.
+    pub(in crate::app) fn forget(&mut self, vehicle: VehicleId) {
+        self.lists.remove(&vehicle);
+        self.edits.remove(&vehicle);
+        self.anew.remove(&vehicle);
+        self.asked.remove(&vehicle);
+    }
+
     /// A parameter of a vehicle, if it is known.
     pub fn get(&self, vehicle: VehicleId, name: &str) -> Option<&ListedParameter> {
         self.lists.get(&vehicle)?.list.get(name)

@@ -82,6 +82,12 @@ impl Alarms {
         changed
     }
 
+    /// Forgets what is wrong with a vehicle.
+    pub fn forget(&mut self, vehicle: VehicleId) {
+        self.standing.remove(&vehicle);
+        self.down.remove(&vehicle);
+    }
+
     /// A serious text rings too, unless the alert that it is about has done so.
     pub fn hear(&mut self, now: Duration, call: BellCall) {
         let stands = |id| self.of(id).any(|one| one.alert.kind == call.kind);

@@ -12,7 +12,7 @@ use crate::app::room_list::Room;
 use crate::doctor::{Cause, LinkFinding, Weight};
 use crate::geo::LatLon;
 use crate::language::Groups;
-use crate::ledger::{EntryId, Given, Ledger, LedgerEntry, LedgerRow};
+use crate::ledger::{EntryId, Given, Ledger, LedgerEntry, LedgerRow, RowState, RowUpdate};
 use crate::mission::{Area, Listing, Progress, Stake};
 use crate::swarm::Path;
 use crate::text;
@@ -28,6 +28,8 @@ pub struct FlightView {
     pub(in crate::app) first_room: Room,
     /// When it began, on the program's clock.
     pub(in crate::app) began_at: Duration,
+    /// The vehicles that belong here; none named means all that are heard.
+    pub(in crate::app) expected: BTreeSet<VehicleId>,
     /// The vehicles, as their telemetry said last.
     pub(in crate::app) vehicles: Vehicles,
     /// What their readings were.
@@ -232,6 +234,44 @@ impl FlightView {
             .is_none_or(|cursor| id < cursor && !self.cursor_placed)
         {
             self.cursor = Some(id);
+        }
+    }
+
+    /// The vehicles that `all` means.
+    pub fn all(&self) -> impl Iterator<Item = VehicleId> + '_ {
+        let ids = self.vehicles.keys().copied();
+        ids.filter(|id| self.expects(*id))
+    }
+
+    /// Whether a vehicle belongs here.
+    pub fn expects(&self, vehicle: VehicleId) -> bool {
+        self.expected.is_empty() || self.expected.contains(&vehicle)
+    }
+
+    /// Forgets a vehicle, and that anything is still expected of it.
+    pub fn forget(&mut self, vehicle: VehicleId, now: Duration) {
+        for entry in self.recent.remove(&vehicle).unwrap_or_default() {
+            let known = row(&self.ledger, entry, vehicle).map(|(_, row)| row.tries);
+            self.ledger.apply(&RowUpdate {
+                entry,
+                vehicle,
+                state: RowState::TimedOut,
+                tries: known.unwrap_or_default(),
+                at: now,
+                explanation: Some(text!("outcome-forgotten")),
+            });
+        }
+        self.vehicles.remove(&vehicle);
+        self.histories.forget(vehicle);
+        self.selection.remove(&vehicle);
+        self.alarms.forget(vehicle);
+        for members in self.groups.values_mut() {
+            members.retain(|member| *member != vehicle);
+        }
+        if self.cursor == Some(vehicle) {
+            let next = self.vehicles.range(vehicle..).next();
+            let next = next.or_else(|| self.vehicles.range(..vehicle).next_back());
+            self.cursor = next.map(|(&id, _)| id);
         }
     }
 

@@ -202,6 +202,11 @@ impl Histories {
         self.by_vehicle.get(&vehicle)
     }
 
+    /// Forgets a vehicle.
+    pub fn forget(&mut self, vehicle: VehicleId) {
+        self.by_vehicle.remove(&vehicle);
+    }
+
     /// Takes the samples that are due at `now`; returns whether there were any. A vehicle that is not heard reads
     /// nothing, and so does the time in which nobody called.
     pub fn sample(&mut self, vehicles: &Vehicles, now: Duration) -> bool {

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{act, alert_line, macros, mission, pace};
+use super::{act, alert_line, forget, macros, mission, pace};
 use crate::app::State;
 use crate::app::effect::{CareerEffect, Effect, Effects, SessionEffect, TerminalEffect};
 use crate::app::room::{Room, fly, hangar, parameters};
@@ -47,6 +47,7 @@ fn obey(state: &mut State, own: ConsoleLine) -> Result<Effects, Text> {
             group(state, name, ids)?;
         }
         ConsoleLine::Ungroup(name) => ungroup(state, &name)?,
+        ConsoleLine::Forget(vehicles) => return forget::forget(state, vehicles.as_ref()),
         // The grammar lets only names of rooms through.
         ConsoleLine::Show(name) => act::show(state, Room::named(&name).unwrap_or_default()),
         ConsoleLine::Fly(id) => return Ok(mission::start(state, state.launch(&id))),

@@ -13,12 +13,16 @@ use crate::app::room::debrief::Debrief;
 use crate::app::room::map;
 use crate::app::room::mission;
 use crate::app::room::{fly, ledger};
-use crate::app::state::{BellCall, FlightView, Hangar, NoticeLog, Overlay, SessionPace, TimeFlow};
+use crate::app::state::{
+    Activity, BellCall, FlightView, Hangar, NoticeLog, Overlay, SessionPace, TimeFlow,
+};
+use crate::language::parse_ranges;
 use crate::mission::Progress;
 use crate::notice::Notice;
 use crate::scoring::Report;
+use crate::text;
 use crate::text::Text;
-use crate::vehicle::{Severity, Vehicle};
+use crate::vehicle::{Severity, Vehicle, VehicleId};
 
 pub fn tick(state: &mut State, now: Duration) {
     // The clock shows seconds, messages live for whole seconds, and the debrief says when it hears keys: nothing
@@ -54,8 +58,22 @@ pub fn vehicle(state: &mut State, vehicle: Arc<Vehicle>) {
     map::heard(state, id);
     if is_new {
         fly::heard(state, id);
+        if !state.session.expects(id) {
+            state.notices.push(stranger(id, state.now));
+        }
     }
     state.touch();
+}
+
+/// Says that a vehicle is heard that does not belong here.
+fn stranger(vehicle: VehicleId, now: Duration) -> Notice {
+    Notice {
+        at: now,
+        vehicle: Some(vehicle),
+        severity: Severity::Warning,
+        kind: None,
+        text: text!("vehicle-unexpected"),
+    }
 }
 
 /// Looks at all vehicles again: some alerts end by themselves.
@@ -84,6 +102,12 @@ pub fn started(state: &mut State, started: Started) {
     session.areas = started.areas;
     session.pace = SessionPace::new(started.speedup);
     session.begin(state.now);
+    if let Some(Activity::Connected { .. }) = session.activity {
+        let expected = state.config.connect.expect.as_deref();
+        // What the configuration says has been checked.
+        let expected = expected.and_then(|ids| parse_ranges(ids).ok());
+        session.expected = expected.into_iter().flatten().collect();
+    }
     let starting = |expected| Hangar {
         expected,
         ..Hangar::default()
@@ -228,7 +252,6 @@ pub fn failed(state: &mut State, text: Text) {
 mod tests {
     use super::*;
     use crate::app::Setup;
-    use crate::vehicle::VehicleId;
 
     fn said_in(room: Room, vehicle: Option<VehicleId>, severity: Severity) -> Option<String> {
         let mut state = State::new(Setup::default());

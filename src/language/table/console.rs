@@ -12,8 +12,8 @@ use crate::text::Language;
 use crate::verb::Verb;
 
 pub(super) static ROWS: &[VerbRow] = &[
-    SHOW, SELECT, GROUP, UNGROUP, SORT, FILTER, COLUMNS, ACK, MUTE, UNMUTE, PARAMS, SET, THEME,
-    HELP, LINKS, LEDGER, NOTICES, BRIEF, STATUS, OBJECTIVES, CONTACTS,
+    SHOW, SELECT, GROUP, UNGROUP, FORGET, SORT, FILTER, COLUMNS, ACK, MUTE, UNMUTE, PARAMS, SET,
+    THEME, HELP, LINKS, LEDGER, NOTICES, BRIEF, STATUS, OBJECTIVES, CONTACTS,
 ];
 
 const VEHICLES: Argument = Argument::value("targets", Kind::Vehicles, "");
@@ -153,6 +153,17 @@ const UNGROUP: VerbRow = VerbRow {
                 ))
             },
         )],
+    )
+};
+
+const FORGET: VerbRow = VerbRow {
+    examples: &["forget", "forget 7-250"],
+    ..said(
+        "forget",
+        Scope::Console,
+        &[Form::new(&[VEHICLES.optional()], |given| {
+            console(ConsoleLine::Forget(given.vehicles("targets")))
+        })],
     )
 };
 

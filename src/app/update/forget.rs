@@ -1,0 +1,58 @@
+//! Vehicles that are gone, forgotten.
+
+use crate::app::State;
+use crate::app::effect::{Effect, Effects, SessionEffect};
+use crate::app::room::fly;
+use crate::app::state::Activity;
+use crate::language::{VehicleChoice, ranges};
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::{Severity, Vehicle, VehicleId};
+
+/// Forgets vehicles whose link is lost: these, as they were written, or all of them.
+///
+/// # Errors
+/// One of them is heard, none of them is known, or they are simulated: then they will be heard again.
+pub fn forget(state: &mut State, choice: Option<&VehicleChoice>) -> Result<Effects, Text> {
+    if !matches!(state.session.activity, Some(Activity::Connected { .. })) {
+        return Err(text!("forget-not-here"));
+    }
+    let named = match choice {
+        Some(choice) => state.chosen(choice)?,
+        None => of(state, |vehicle| vehicle.link.lost),
+    };
+    let (ids, missing): (Vec<VehicleId>, Vec<VehicleId>) = named
+        .into_iter()
+        .partition(|id| state.session.vehicles.contains_key(id));
+    if ids.is_empty() {
+        return Err(if missing.is_empty() {
+            text!("forget-none-lost")
+        } else {
+            text!("select-missing", vehicles = ranges(missing))
+        });
+    }
+    let heard = of(state, |vehicle| {
+        ids.contains(&vehicle.id) && !vehicle.link.lost
+    });
+    if !heard.is_empty() {
+        return Err(text!("forget-heard", vehicles = ranges(heard)));
+    }
+    for &id in &ids {
+        state.session.forget(id, state.now);
+        state.rooms.parameters.forget(id);
+        state.rooms.map.trails.remove(&id);
+    }
+    fly::forget(state, &ids);
+    let vehicles = ranges(ids.iter().copied());
+    state.say(Severity::Notice, text!("forget-done", vehicles = vehicles));
+    Ok(Effects::from(Effect::Session(SessionEffect::Forget(ids))))
+}
+
+/// The vehicles of which something is true.
+fn of(state: &State, is_so: impl Fn(&Vehicle) -> bool) -> Vec<VehicleId> {
+    let vehicles = state.session.vehicles.iter();
+    vehicles
+        .filter(|(_, vehicle)| is_so(vehicle))
+        .map(|(&id, _)| id)
+        .collect()
+}

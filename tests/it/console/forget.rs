@@ -1,0 +1,100 @@
+//! Vehicles that are forgotten, and those that are not expected.
+
+use sortie::app::effect::{Effect, SessionEffect};
+use sortie::app::state::{Activity, Overlay};
+use sortie::ledger::LedgerEntry;
+
+use super::selection;
+use crate::fixtures;
+use crate::harness::Console;
+
+fn message(console: &Console) -> String {
+    let message = console.state().message();
+    message.map_or(String::new(), |message| message.text.to_string())
+}
+
+/// What is said of a line that is refused.
+fn fault(console: &Console) -> String {
+    match console.state().overlay() {
+        Some(Overlay::Palette(palette)) => {
+            palette.fault().expect("it is refused").message.to_string()
+        }
+        other => panic!("the command line is not open: {other:?}"),
+    }
+}
+
+/// Connected to vehicles 1 to 4, of which 3 and 4 have fallen silent.
+fn connected(expected: Option<&str>) -> Console {
+    let expected = expected.map(str::to_owned);
+    let mut console = Console::set_up(|setup| setup.config.connect.expect = expected);
+    console.start(Activity::Connected {
+        addresses: vec!["udpin:127.0.0.1:14550".to_owned()],
+    });
+    for id in 1..=4 {
+        let mut vehicle = fixtures::parked(id);
+        vehicle.link.lost = id > 2;
+        console.vehicle(vehicle);
+    }
+    console
+}
+
+fn known(console: &Console) -> Vec<u16> {
+    let vehicles = console.state().session().vehicles();
+    vehicles.keys().copied().collect()
+}
+
+#[test]
+fn vehicles_whose_link_is_lost_can_be_forgotten() {
+    let mut console = connected(None);
+    console.give("3-4 arm").give("select 2-3");
+    console.give("forget 2-9");
+    assert!(fault(&console).contains("2: heard now"));
+    assert_eq!(known(&console), [1, 2, 3, 4]);
+    console.press("esc").give("forget 4-250");
+    assert_eq!(
+        console.effects,
+        [Effect::Session(SessionEffect::Forget(vec![4]))]
+    );
+    assert!(message(&console).contains("forgotten: 4"));
+    console.give("forget");
+    assert_eq!(known(&console), [1, 2]);
+    assert_eq!(selection(&console), [2]);
+    let session = console.state().session();
+    assert!(session.ledger().entries().all(LedgerEntry::is_final));
+    assert!(session.alarms().pressing().is_none());
+    for (line, reason) in [
+        ("forget", "no vehicle has lost its link"),
+        ("forget 7", "no vehicle 7"),
+    ] {
+        console.give(line);
+        assert!(fault(&console).contains(reason), "{line}");
+        console.press("esc");
+    }
+    console.give("all arm");
+    assert_eq!(console.sent_to(), [1, 2]);
+}
+
+#[test]
+fn simulated_vehicles_are_not_forgotten() {
+    let mut console = Console::flying(2);
+    console.give("forget 1");
+    assert!(fault(&console).contains("simulated vehicles"));
+    assert_eq!(known(&console), [1, 2]);
+}
+
+#[test]
+fn of_expected_vehicles_all_means_no_other() {
+    let mut console = connected(Some("1-2,7"));
+    console.give("all arm");
+    assert_eq!(console.sent_to(), [1, 2]);
+    console.give("select all");
+    assert_eq!(selection(&console), [1, 2]);
+    console.give("3 arm");
+    assert_eq!(console.sent_to(), [3], "by its number it can be reached");
+    let notices = console.state().notices();
+    let told = notices
+        .lines()
+        .find(|line| line.notice.text.to_string().contains("not expected"));
+    let strangers = told.expect("it is told").vehicles.iter();
+    assert_eq!(strangers.copied().collect::<Vec<_>>(), [3, 4]);
+}
