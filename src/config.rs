@@ -51,6 +51,26 @@ pub struct Config {
     pub log: LogConfig,
     pub hangar: HangarConfig,
     pub connect: ConnectConfig,
+    pub results: ResultsConfig,
+}
+
+/// What is kept of trainees.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct ResultsConfig {
+    pub readers: Readers,
+}
+
+/// Who may read profiles, recorded runs and reports.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, VariantNames)]
+#[serde(rename_all = "lowercase")]
+#[strum(serialize_all = "lowercase")]
+pub enum Readers {
+    /// The trainee alone.
+    #[default]
+    Owner,
+    /// The group of their folder, too.
+    Group,
 }
 
 /// Sessions with vehicles that are already there.
@@ -190,6 +210,7 @@ impl Default for Config {
             log: LogConfig::default(),
             hangar: HangarConfig::default(),
             connect: ConnectConfig::default(),
+            results: ResultsConfig::default(),
         }
     }
 }

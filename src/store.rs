@@ -1,8 +1,9 @@
 //! Files of the user and of the program: missions, pilots, designs, themes, settings, profiles, runs. The hangar keeps
 //! the folders of its processes, and a link plays recordings, themselves.
 //!
-//! Missions and themes are embedded in the program. A file of the same name in the user's configuration
-//! folder takes the place of the embedded one, and a path on the command line is read as it is.
+//! Missions, designs and themes are embedded in the program. A file of the same name in a folder of the administrator takes
+//! the place of the embedded one, one in the user's configuration folder that of both, and a path on the command line is
+//! read as it is.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -20,6 +21,7 @@ mod journal;
 mod output;
 mod profiles;
 mod runs;
+mod sharing;
 mod source;
 #[cfg(test)]
 mod tests;
@@ -33,6 +35,7 @@ pub use profiles::{
     RunEntry,
 };
 pub use runs::{RunFile, Runs, read_run, utc};
+pub use sharing::share_with_group;
 pub use source::{Source, StoreError, read, user_path};
 
 mod shipped {
@@ -108,17 +111,17 @@ pub fn design(path_or_name: &str) -> Result<Design, StoreError> {
     })
 }
 
-/// All designs of files: the embedded ones, with those of the user's folder added or in their place, by name.
+/// All designs of files: the embedded ones, with those of the folders added or in their place, by name.
 pub fn designs() -> Vec<Source> {
     merged("file-design", DESIGNS, "designs", "toml")
 }
 
-/// All missions: the embedded ones, with those of the user's folder added or in their place, by name.
+/// All missions: the embedded ones, with those of the folders added or in their place, by name.
 pub fn missions() -> Vec<Source> {
     merged("file-mission", MISSIONS, "missions", "toml")
 }
 
-/// The missions of the course, by name: the embedded ones, and those that the user's folder adds. A file with the id of
+/// The missions of the course, by name: the embedded ones, and those that the folders add. A file with the id of
 /// an embedded mission adds nothing; it is flown for practice. Files that cannot be read are left out.
 fn course_missions() -> Vec<Mission> {
     let is_embedded = |id: &str| MISSIONS.iter().any(|(name, _)| *name == id);
@@ -196,7 +199,7 @@ pub fn files(folder: &Path, kind: &'static str, ending: &str) -> Vec<Source> {
     for path in paths {
         match read(&path, kind) {
             Ok(source) => sources.push(source),
-            Err(error) => tracing::warn!(%error, "a file of the user's folder is left out"),
+            Err(error) => tracing::warn!(%error, "a file that cannot be read is left out"),
         }
     }
     sources

@@ -46,6 +46,7 @@ reward-seen = { $what } { $percent } %
 
 profiles-unusable = the profiles cannot be kept in { $path }: { $error }
 profiles-newer = { $path } was made by a newer version of sortie (tables of version { $found }, this one knows { $known }); nothing was changed. Use that version, or another folder with --data
+profiles-older = { $path } was made by an older version of sortie and may only be read here; its owner has to start this version once
 profiles-database = { $path }: { $error }
 profiles-unknown = no profile `{ $name }`; profiles: { $known }
 profiles-unknown-first = no profile `{ $name }`; `sortie profile create { $name }` makes it
@@ -57,6 +58,8 @@ profiles-mended = { $count ->
    *[other] { $count } damaged rows of the profiles were read from the backup
 }
 profiles-rescued = the profiles were damaged ({ $fault }) and were restored from { $copy }; the damaged file is { $damaged }
+profiles-fault-empty = the file is empty
+profiles-fault-database = SQLite: { $words }
 profiles-lost = the profiles were damaged ({ $fault }) and there is no copy, so they are empty now; the damaged file is { $damaged }
 
 mission-locked = { $mission } is locked: { $why }

@@ -46,6 +46,7 @@ reward-seen = { $what } { $percent } %
 
 profiles-unusable = профілі не можна зберігати в { $path }: { $error }
 profiles-newer = { $path } зробила новіша версія sortie (таблиці версії { $found }, ця знає { $known }); нічого не змінено. Візьміть ту версію або іншу теку з --data
+profiles-older = { $path } зробила старіша версія sortie, а тут його можна лише читати; власник має один раз запустити цю версію
 profiles-database = { $path }: { $error }
 profiles-unknown = профілю `{ $name }` немає; є: { $known }
 profiles-unknown-first = профілю `{ $name }` немає; його створить `sortie profile create { $name }`
@@ -58,6 +59,8 @@ profiles-mended = { $count ->
    *[many] { $count } пошкоджених записів профілів узято з резервної копії
 }
 profiles-rescued = профілі були пошкоджені ({ $fault }), їх відновлено з { $copy }; пошкоджений файл — { $damaged }
+profiles-fault-empty = файл порожній
+profiles-fault-database = SQLite: { $words }
 profiles-lost = профілі були пошкоджені ({ $fault }), копії немає, тож тепер вони порожні; пошкоджений файл — { $damaged }
 
 mission-locked = «{ $mission }» ще закрито: { $why }

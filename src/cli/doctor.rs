@@ -10,6 +10,7 @@ use super::settings::CliSettings;
 use super::{Failure, runtime};
 
 mod host;
+mod mount;
 mod sitl;
 mod terminal;
 
@@ -96,6 +97,7 @@ pub(super) fn doctor(
 ) -> Result<ExitCode, Failure> {
     let mut findings = terminal::findings();
     findings.extend(host::folders(settings));
+    findings.extend(host::database(settings));
     findings.extend(host::machine());
     let programs = options.programs.find(settings);
     findings.extend(runtime()?.block_on(sitl::programs(&programs)));

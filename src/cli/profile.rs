@@ -258,8 +258,9 @@ impl ProfileCommands<'_> {
     fn export(&self, name: Option<&str>, output: &Path) -> Result<ExitCode, Failure> {
         let profile = self.of(name)?;
         let file = self.profiles.export(&profile);
+        let readers = self.settings.config.results.readers;
         let text = file.map_err(|error| self.refused(&error))?.write();
-        store::write_output(output, &format!("{}\n", text.trim_end()))?;
+        store::write_output(output, &format!("{}\n", text.trim_end()), readers)?;
         Ok(ExitCode::SUCCESS)
     }
 

@@ -96,7 +96,11 @@ pub(super) fn report(
         }
     };
     let text = text.trim_end_matches('\n');
-    store::write_output(&options.output, &format!("{text}\n"))?;
+    store::write_output(
+        &options.output,
+        &format!("{text}\n"),
+        settings.config.results.readers,
+    )?;
     Ok(ExitCode::SUCCESS)
 }
 

@@ -13,7 +13,7 @@ use super::Failure;
 use super::fault::FileFault;
 use crate::app::keymap::Keymap;
 use crate::app::lines;
-use crate::config::{Config, Layers, Origin};
+use crate::config::{Config, Layers, Origin, Readers};
 use crate::diagnostic::Diagnostic;
 use crate::language::parse_ranges;
 use crate::store::{self, Folders, Source};
@@ -28,6 +28,9 @@ pub(super) use flags::Common;
 
 /// The variable that names the configuration file.
 const CONFIG_VARIABLE: &str = "SORTIE_CONFIG";
+
+/// The variable that names the folder of the data.
+const DATA_VARIABLE: &str = "SORTIE_DATA";
 
 /// Everything that is set.
 #[derive(Debug)]
@@ -62,9 +65,11 @@ pub(super) struct CliSettings {
 /// Something that was named on the command line or in the environment is wrong or not there.
 pub(super) fn gather(common: &Common) -> Result<CliSettings, Failure> {
     let mut folders = Folders::find();
+    let named = variable(DATA_VARIABLE).map(PathBuf::from);
     let data = common
         .data
         .clone()
+        .or(named)
         .or_else(|| folders.as_ref().map(|folders| folders.data.clone()));
     if let (Some(folders), Some(data)) = (&mut folders, &data) {
         folders.data.clone_from(data);
@@ -96,6 +101,7 @@ pub(super) fn gather(common: &Common) -> Result<CliSettings, Failure> {
     settings.check_log()?;
     settings.place_hangar_files();
     settings.read_keymap()?;
+    settings.share_results();
     Ok(settings)
 }
 
@@ -249,6 +255,13 @@ impl CliSettings {
         .zip(folders);
         for (path, folder) in paths.filter_map(|(path, folder)| path.as_mut().zip(folder)) {
             *path = folder.join(store::user_path(path)).display().to_string();
+        }
+    }
+
+    /// Lets the group read results, where that is set. The folder of another user is not ours to change.
+    fn share_results(&self) {
+        if let (Readers::Group, Some(data)) = (self.config.results.readers, &self.data) {
+            drop(store::share_with_group(data));
         }
     }
 

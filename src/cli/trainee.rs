@@ -58,6 +58,7 @@ pub(super) fn refused(error: &ProfileError, locale: &Locale) -> Failure {
         | ProfileError::NoProfile { .. } => Failure::Invalid(format!("sortie: {words}")),
         ProfileError::Unusable { .. }
         | ProfileError::Newer { .. }
+        | ProfileError::Older { .. }
         | ProfileError::Database { .. }
         | ProfileError::Damaged { .. }
         | ProfileError::Refused(_) => Failure::Failed(anyhow::anyhow!(words)),

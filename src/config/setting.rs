@@ -1,8 +1,9 @@
 //! Every setting: its name, what it may be, and which environment variable sets it.
 
+use strum::VariantNames as _;
 use toml::Value;
 
-use super::{Column, Symbols, TableSort};
+use super::{Column, Readers, Symbols, TableSort};
 use crate::alert::AlertKind;
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::text;
@@ -189,6 +190,12 @@ pub const SETTINGS: &[Setting] = &[
         SettingKind::Text,
         Some("SORTIE_HANGAR_TOKEN_FILE"),
         "The file with the token of the services; unless it is set, hangar-token in the folder of the state.",
+    ),
+    setting(
+        "results.readers",
+        SettingKind::OneOf(Readers::VARIANTS),
+        Some("SORTIE_READERS"),
+        "Who may read profiles, recorded runs and reports: owner, or group (that of the data folder).",
     ),
     setting(
         "connect.expect",

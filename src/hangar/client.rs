@@ -49,7 +49,7 @@ pub enum ClientError {
         seconds: u64,
     },
     /// Somebody answers who is no hangar.
-    #[error("{address} answers, but it is no sortie hangar ({why})")]
+    #[error("{address} answers, but it is not a sortie hangar ({why})")]
     NotAHangar {
         address: HangarAddress,
         /// How that is known.

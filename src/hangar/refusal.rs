@@ -11,13 +11,13 @@ use crate::text::Text;
 #[derive(Debug, thiserror::Error)]
 pub enum HangarRefusal {
     /// No instance has that number.
-    #[error("there is no instance {0}: the list has those that there are")]
+    #[error("unknown instance {0}: the list names those that run")]
     Unknown(InstanceId),
     /// The number is taken.
-    #[error("instance {0} is there already: stop it first, or choose another number")]
+    #[error("instance {0} exists already: stop it first, or choose another number")]
     Taken(InstanceId),
     /// There are as many as there may be.
-    #[error("{0} instances run, and no more may: stop some, or raise the limit")]
+    #[error("{0} instances run already, the limit: stop some, or raise it")]
     Full(u16),
     /// No program for this kind of vehicle is known.
     #[error(
@@ -28,7 +28,7 @@ pub enum HangarRefusal {
     #[error("{0}")]
     Invalid(String),
     /// Somebody is attached to the instance already.
-    #[error("somebody is attached to instance {0} already")]
+    #[error("another client is attached to instance {0} already")]
     Attached(InstanceId),
     /// The host does not allow it.
     #[error("cannot start instance {id}: {what}: {source}")]

@@ -207,7 +207,7 @@ mod tests {
             assert_eq!((taken.id, taken.system), expected);
         }
         let taken = take(&roster, Some(300), None).expect_err("it is taken");
-        assert!(taken.contains("instance 300 is there already"), "{taken}");
+        assert!(taken.contains("instance 300 exists already"), "{taken}");
         let twin = take(&roster, None, Some(3)).expect("two consoles may number alike");
         assert_eq!((twin.id, twin.system), (5, 3));
     }

@@ -39,7 +39,7 @@ pub enum TokenError {
     )]
     Readable { path: PathBuf, mode: u32 },
     /// The file belongs to somebody else.
-    #[error("the token file {path} belongs to somebody else: name another with --token-file")]
+    #[error("the token file {path} belongs to another user: name another with --token-file")]
     Foreign { path: PathBuf },
     /// There is something else in the file.
     #[error(

@@ -10,7 +10,7 @@ use crate::text::Text;
 pub enum NameList {
     /// The rooms of the console.
     Room,
-    /// Themes, those of the user's folder too.
+    /// Themes, those of files too.
     Theme,
     /// The missions, by id.
     Mission,

@@ -195,7 +195,7 @@ fn what_sitl_would_misunderstand_is_refused_with_what_to_do() {
         (Recipe { speedup: f64::NAN, ..recipe() }, "use 0.01 to 1000"),
         (Recipe { start: at(0.0, 0.0), ..recipe() }, "mean none to SITL"),
         (Recipe { start: at(91.0, 0.0), ..recipe() }, "latitude and longitude on earth"),
-        (Recipe { model: model("quat"), ..recipe() }, "no model of a copter is called `quat`: use quad, +, copter, x"),
+        (Recipe { model: model("quat"), ..recipe() }, "a copter has no model `quat`: use quad, +, copter, x"),
         (Recipe { model: model("x"), airframe: Some(frame(6)), ..recipe() },
          "the model x has 4 motors and the frame file 6: use the model hexa or hexax or hexa-dji or"),
         (Recipe { model: model("x"), parameters: with(&[("FRAME_TYPE", 0.0)]), ..recipe() },
@@ -206,7 +206,7 @@ fn what_sitl_would_misunderstand_is_refused_with_what_to_do() {
         (Recipe { airframe: model("{\"mass\": NaN}"), ..recipe() }, "the frame file, line 1"),
         (Recipe { kind: SitlKind::Rover, airframe: Some(frame(4)), ..recipe() }, "only multirotors take a frame file"),
         (Recipe { kind: SitlKind::Rover, model: model("quad"), ..recipe() }, "use rover, rover-skid, motorboat"),
-        (Recipe { parameters: with(&[("RTL ALT", 1.0)]), ..recipe() }, "`RTL ALT` is no name"),
+        (Recipe { parameters: with(&[("RTL ALT", 1.0)]), ..recipe() }, "`RTL ALT` is not the name of a parameter"),
         (Recipe { parameters: with(&[("RTL_ALT", f64::NAN)]), ..recipe() }, "RTL_ALT cannot be NaN"),
         (Recipe { parameters: with(&[("RTL_ALT", 1e39)]), ..recipe() }, "fits a float"),
     ];

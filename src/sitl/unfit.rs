@@ -18,7 +18,9 @@ pub enum SitlUnfit {
     #[error("instance {0} would need a port above 65535: use 0 to 5977")]
     Instance(u16),
     /// The name of a parameter.
-    #[error("`{0}` is no name of a parameter: at most 16 capital letters, digits and underscores")]
+    #[error(
+        "`{0}` is not the name of a parameter: at most 16 capital letters, digits and underscores"
+    )]
     ParameterName(String),
     /// The value of a parameter: with one that is no number, SITL spins for ever.
     #[error("{0} cannot be {1}: a value is a finite number that fits a float")]
@@ -29,7 +31,7 @@ pub enum SitlUnfit {
     #[error("the frame file, {0}")]
     Airframe(#[from] AirframeError),
     /// There is no such model.
-    #[error("no model of a {} is called `{name}`: use {}", .kind.name(), .known.join(", "))]
+    #[error("a {} has no model `{name}`: use {}", .kind.name(), .known.join(", "))]
     UnknownModel {
         /// What was asked for.
         name: String,

@@ -111,6 +111,9 @@ impl Recovery {
 pub fn open_profiles(data: &Path) -> Result<(Profiles, Vec<Text>), ProfileError> {
     let (mut profiles, rescue) = Profiles::open(data)?;
     let mut told: Vec<Text> = rescue.iter().map(super::Rescue::text).collect();
+    if profiles.is_read_only() {
+        return Ok((profiles, told));
+    }
     told.extend(profiles.mend()?.map(super::MendedRows::text));
     let recovered = recover(&mut profiles, &Runs::within(data))?;
     told.extend(recovered.iter().map(Recovery::text));

@@ -7,9 +7,12 @@ use std::path::{Path, PathBuf};
 use std::{fs, io};
 
 use super::StoreError;
+use crate::config::Readers;
 
 /// The path that stands for standard output.
 const STANDARD_OUTPUT: &str = "-";
+/// The mode of what is no trainee's result.
+const PUBLIC: u32 = 0o666;
 /// As many links may lead from one to the next as Linux follows.
 const MOST_LINKS: usize = 40;
 
@@ -24,13 +27,17 @@ type LinkFile = fn(&Path, &Path) -> io::Result<()>;
 /// # Errors
 /// It cannot be written, or it exists already and is not to be replaced.
 pub fn write(path: &Path, text: &str, replace: bool) -> Result<(), StoreError> {
+    write_with_mode(path, text, replace, PUBLIC)
+}
+
+fn write_with_mode(path: &Path, text: &str, replace: bool, mode: u32) -> Result<(), StoreError> {
     let written = match present(path) {
         Ok(Some(found)) if found.is_dir() => Err(io::ErrorKind::IsADirectory.into()),
         Ok(Some(found)) if !found.is_file() || is_open_file(path) => append(path, text),
         Ok(Some(_)) if !replace => Err(io::ErrorKind::AlreadyExists.into()),
         Ok(Some(found)) => replace_file(path, text, &found),
-        Ok(None) if replace => put_file(path, text),
-        Ok(None) => create_file(path, text, |from, to| fs::hard_link(from, to)),
+        Ok(None) if replace => put_file(path, text, mode),
+        Ok(None) => create_file(path, text, mode, |from, to| fs::hard_link(from, to)),
         Err(error) => Err(error),
     };
     written.map_err(|error| match error.kind() {
@@ -44,13 +51,17 @@ pub fn write(path: &Path, text: &str, replace: bool) -> Result<(), StoreError> {
     })
 }
 
-/// Writes the result of a command: `-` is standard output, a file is replaced.
+/// Writes results of a trainee: `-` is standard output, a file is replaced. A new one is for these readers.
 ///
 /// # Errors
 /// It cannot be written.
-pub fn write_output(path: &Path, text: &str) -> Result<(), StoreError> {
+pub fn write_output(path: &Path, text: &str, readers: Readers) -> Result<(), StoreError> {
     if path != Path::new(STANDARD_OUTPUT) {
-        return write(path, text, true);
+        let mode = match readers {
+            Readers::Owner => 0o600,
+            Readers::Group => 0o640,
+        };
+        return write_with_mode(path, text, true, mode);
     }
     let mut output = io::stdout().lock();
     let written = output.write_all(text.as_bytes());
@@ -105,21 +116,21 @@ fn append(path: &Path, text: &str) -> io::Result<()> {
 
 fn replace_file(path: &Path, text: &str, found: &Metadata) -> io::Result<()> {
     let target = fs::canonicalize(path)?;
-    let part = Part::write(&target, text, Some(found))?;
+    let part = Part::write(&target, text, PartMode::Of(found))?;
     fs::rename(&part.path, &target)
 }
 
 /// A new file; one that has appeared meanwhile is replaced.
-fn put_file(path: &Path, text: &str) -> io::Result<()> {
+fn put_file(path: &Path, text: &str, mode: u32) -> io::Result<()> {
     let target = end_of_links(path)?;
-    let part = Part::write(&target, text, None)?;
+    let part = Part::write(&target, text, PartMode::New(mode))?;
     fs::rename(&part.path, &target)
 }
 
 /// A new file; one that has appeared meanwhile stays.
-fn create_file(path: &Path, text: &str, link: LinkFile) -> io::Result<()> {
+fn create_file(path: &Path, text: &str, mode: u32, link: LinkFile) -> io::Result<()> {
     let target = end_of_links(path)?;
-    let part = Part::write(&target, text, None)?;
+    let part = Part::write(&target, text, PartMode::New(mode))?;
     // Linking fails if the name is taken meanwhile, where renaming would replace what is there.
     match link(&part.path, &target) {
         Err(error) if error.kind() != io::ErrorKind::AlreadyExists => write_new(&target, text),
@@ -154,14 +165,23 @@ fn write_new(target: &Path, text: &str) -> io::Result<()> {
     written
 }
 
+/// Who may do what with a file that is written.
+#[derive(Clone, Copy)]
+enum PartMode<'a> {
+    /// Mode and owner of the file whose place it is to take.
+    Of(&'a Metadata),
+    /// These bits, without those that the process withholds (its umask).
+    New(u32),
+}
+
 /// A file beside the one that is to be, which is gone when it is no longer needed.
 struct Part {
     path: PathBuf,
 }
 
 impl Part {
-    /// Writes the text, with mode and owner of the file whose place it is to take.
-    fn write(target: &Path, text: &str, replaced: Option<&Metadata>) -> io::Result<Self> {
+    /// Writes the text.
+    fn write(target: &Path, text: &str, mode: PartMode<'_>) -> io::Result<Self> {
         let Some(name) = target.file_name() else {
             return Err(io::ErrorKind::IsADirectory.into());
         };
@@ -171,7 +191,7 @@ impl Part {
         let path = target.with_file_name(beside);
         // What a program that was killed has left; nothing is written through a link that lies there.
         drop(fs::remove_file(&path));
-        let mut file = new_file(&path, replaced)?;
+        let mut file = new_file(&path, mode)?;
         let part = Self { path };
         file.write_all(text.as_bytes())?;
         file.sync_all()?;
@@ -188,13 +208,14 @@ impl Drop for Part {
 
 /// A new file that never is more open than the one whose place it is to take.
 #[cfg(unix)]
-fn new_file(path: &Path, replaced: Option<&Metadata>) -> io::Result<File> {
+fn new_file(path: &Path, mode: PartMode<'_>) -> io::Result<File> {
     use std::os::unix::fs::{MetadataExt as _, OpenOptionsExt as _, fchown};
 
     let mut options = OpenOptions::new();
     options.write(true).create_new(true);
-    let Some(replaced) = replaced else {
-        return options.open(path);
+    let replaced = match mode {
+        PartMode::New(mode) => return options.mode(mode).open(path),
+        PartMode::Of(replaced) => replaced,
     };
     let file = options.mode(0o600).open(path)?;
     // Only the superuser may give a file away; for everyone else the new file is their own.
@@ -204,7 +225,7 @@ fn new_file(path: &Path, replaced: Option<&Metadata>) -> io::Result<File> {
 }
 
 #[cfg(not(unix))]
-fn new_file(path: &Path, _: Option<&Metadata>) -> io::Result<File> {
+fn new_file(path: &Path, _: PartMode<'_>) -> io::Result<File> {
     OpenOptions::new().write(true).create_new(true).open(path)
 }
 
@@ -230,9 +251,9 @@ mod tests {
         let folder = folder();
         let path = folder.path().join("copter.parm");
         let refuse: LinkFile = |_, _| Err(io::ErrorKind::PermissionDenied.into());
-        create_file(&path, "A,1\n", refuse).expect("it is written");
+        create_file(&path, "A,1\n", PUBLIC, refuse).expect("it is written");
         assert_eq!(fs::read_to_string(&path).expect("readable"), "A,1\n");
-        let again = create_file(&path, "A,2\n", refuse).expect_err("it is there");
+        let again = create_file(&path, "A,2\n", PUBLIC, refuse).expect_err("it is there");
         assert_eq!(again.kind(), io::ErrorKind::AlreadyExists);
         assert_eq!(fs::read_to_string(&path).expect("readable"), "A,1\n");
         assert_eq!(names(folder.path()), ["copter.parm"]);
@@ -259,6 +280,17 @@ mod tests {
             let mode = fs::metadata(&target).expect("there").permissions().mode();
             assert_eq!(mode & 0o777, 0o640);
             assert_eq!(names(folder.path()), ["link", "target"]);
+        }
+
+        #[test]
+        fn results_are_for_their_trainee_alone_unless_a_group_may_read_them() {
+            let folder = folder();
+            for (readers, expected) in [(Readers::Owner, 0o600), (Readers::Group, 0o640)] {
+                let path = folder.path().join(format!("{readers:?}"));
+                write_output(&path, "text", readers).expect("written");
+                let mode = fs::metadata(&path).expect("there").permissions().mode();
+                assert_eq!(mode & 0o777, expected);
+            }
         }
 
         #[test]

@@ -1,4 +1,4 @@
-//! Profiles: who trains here, what they flew, bought and designed, in one `SQLite` file for their eyes only.
+//! Profiles: who trains here, what they flew, bought and designed, in one `SQLite` file for the readers of its folder.
 //!
 //! A career is a history that only grows ([`crate::campaign`]); this file keeps it, and a run's whole report with it. Every
 //! change is one transaction, written ahead to a log, so that a killed program loses nothing that it has reported as stored,
@@ -14,17 +14,20 @@ mod schema;
 mod tests;
 mod transfer;
 
+use std::cmp::Ordering;
 use std::fs::{File, OpenOptions};
 use std::io;
-use std::os::unix::fs::{DirBuilderExt as _, OpenOptionsExt as _};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use rusqlite::{Connection, OptionalExtension as _, Transaction, TransactionBehavior, params};
+use rusqlite::{
+    Connection, OpenFlags, OptionalExtension as _, Transaction, TransactionBehavior, params,
+};
 use serde::{Deserialize, Serialize};
 
 use crate::campaign::Aids;
 use crate::notice::sanitised;
+use crate::store::sharing;
 
 pub use error::ProfileError;
 pub use flights::{PastRun, RunEntry};
@@ -44,6 +47,7 @@ const LONGEST_NAME: usize = 40;
 pub struct Profiles {
     connection: Connection,
     path: PathBuf,
+    is_read_only: bool,
 }
 
 /// Somebody who trains here.
@@ -78,15 +82,63 @@ impl Profiles {
             path: path.clone(),
             error,
         };
-        std::fs::DirBuilder::new()
-            .recursive(true)
-            .mode(0o700)
-            .create(data)
-            .map_err(unusable)?;
-        drop(private(&path).map_err(unusable)?);
+        match sharing::private_folder(data).and_then(|()| private(&path)) {
+            Ok(_) => {}
+            // The results of another user, or a folder that nobody writes to.
+            Err(error) if is_forbidden(&error) && path.is_file() => {
+                return Ok((Self::read_only(path)?, None));
+            }
+            Err(error) => return Err(unusable(error)),
+        }
         let rescue = rescue::rescue(&path).map_err(unusable)?;
         let connection = Self::connect(&path)?;
-        Ok((Self { connection, path }, rescue))
+        let profiles = Self {
+            connection,
+            path,
+            is_read_only: false,
+        };
+        Ok((profiles, rescue))
+    }
+
+    /// Opens a file that may only be read. Where nobody writes to it, there is no log beside it; then it is read without
+    /// the locks for which `SQLite` would have to write.
+    fn read_only(path: PathBuf) -> Result<Self, ProfileError> {
+        let database = |error| ProfileError::Database {
+            path: path.clone(),
+            error,
+        };
+        let log = PathBuf::from(format!("{}-wal", path.display()));
+        let quiet = if log.exists() { "" } else { "?immutable=1" };
+        let name = path.display().to_string();
+        let name = name
+            .replace('%', "%25")
+            .replace('?', "%3f")
+            .replace('#', "%23");
+        let flags = OpenFlags::SQLITE_OPEN_READ_ONLY
+            | OpenFlags::SQLITE_OPEN_NO_MUTEX
+            | OpenFlags::SQLITE_OPEN_URI;
+        let connection = Connection::open_with_flags(format!("file:{name}{quiet}"), flags);
+        let connection = connection.map_err(database)?;
+        connection.busy_timeout(PATIENCE).map_err(database)?;
+        let found = schema::version(&connection).map_err(database)?;
+        match found.cmp(&schema::VERSION) {
+            Ordering::Equal => Ok(Self {
+                connection,
+                path,
+                is_read_only: true,
+            }),
+            Ordering::Greater => Err(ProfileError::Newer {
+                path,
+                found,
+                known: schema::VERSION,
+            }),
+            Ordering::Less => Err(ProfileError::Older { path }),
+        }
+    }
+
+    /// Whether it can be read, and not be written.
+    pub fn is_read_only(&self) -> bool {
+        self.is_read_only
     }
 
     /// Reads rows that are damaged from the copies, as far as these have them. `None`: none was.
@@ -277,9 +329,16 @@ fn json<T: serde::Serialize>(value: &T) -> String {
     serde_json::to_string(value).unwrap_or_default()
 }
 
-/// Makes sure that there is a file that only its owner reads, before `SQLite` makes one that others may.
+/// Makes sure that there is a file that only the readers of its folder read, before `SQLite` makes one that others may.
 fn private(path: &Path) -> io::Result<File> {
     let mut file = OpenOptions::new();
-    file.create(true).truncate(false).write(true).mode(0o600);
-    file.open(path)
+    sharing::open(file.create(true).truncate(false).write(true), path)
+}
+
+/// Whether a file is there and must not be written.
+fn is_forbidden(error: &io::Error) -> bool {
+    matches!(
+        error.kind(),
+        io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem
+    )
 }

@@ -1,4 +1,4 @@
-//! Recorded runs: a file each, for their trainee's eyes only.
+//! Recorded runs: a file each, for the readers of their folder.
 //!
 //! A file is called after the time and the mission, so that the tries at a mission are found without opening the
 //! others. What is written comes in whole lines, also when the disk is full; a crash loses what was not yet written
@@ -8,13 +8,12 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsStr;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufRead as _, BufReader, Read as _, Seek as _, SeekFrom, Write as _};
-use std::os::unix::fs::{DirBuilderExt as _, OpenOptionsExt as _};
 use std::path::{Path, PathBuf};
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use chrono::{DateTime, NaiveDateTime};
 
-use super::StoreError;
+use super::{StoreError, sharing};
 use crate::campaign::is_practice;
 use crate::mission::record::{End, Head};
 use crate::scoring::TryReport;
@@ -82,11 +81,11 @@ impl Runs {
             path: path.to_owned(),
             error,
         };
-        fs::DirBuilder::new()
-            .recursive(true)
-            .mode(0o700)
-            .create(&self.folder)
-            .map_err(|error| unwritable(&self.folder, error))?;
+        let made = match self.folder.parent() {
+            Some(data) if self.is_bounded => sharing::folder_within(data, &self.folder),
+            _ => sharing::private_folder(&self.folder),
+        };
+        made.map_err(|error| unwritable(&self.folder, error))?;
         if self.is_bounded {
             self.make_room();
         }
@@ -96,9 +95,8 @@ impl Runs {
         for number in 0..100 {
             let name = format!("{when}_{mission}_{process}-{number:02}{ENDING}");
             let path = self.folder.join(name);
-            let mut private = OpenOptions::new();
-            private.create_new(true).append(true).mode(0o600);
-            match private.open(&path) {
+            let mut options = OpenOptions::new();
+            match sharing::open(options.create_new(true).append(true), &path) {
                 Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
                 Err(error) => return Err(unwritable(&path, error)),
                 Ok(file) => {

@@ -117,8 +117,6 @@ const SUB: &[(u32, &str)] = &[
     (21, "SURFTRAK"),
 ];
 
-/// Modes that bring a vehicle home or down, under the names of every class.
-const COMING_DOWN: [&str; 6] = ["LAND", "RTL", "SMART_RTL", "AUTO_RTL", "QLAND", "QRTL"];
 /// Modes that stop a vehicle where it is, under the names of every class.
 const STOPPING: [&str; 2] = ["BRAKE", "HOLD"];
 
@@ -202,7 +200,14 @@ impl Mode {
 
     /// Whether the vehicle comes home or lands by itself, so that it ends on the ground.
     pub fn comes_down(self) -> bool {
-        COMING_DOWN.iter().any(|name| self.is(name))
+        let names: &[&str] = match self.class {
+            VehicleClass::Copter => &["LAND", "RTL", "SMART_RTL", "AUTO_RTL"],
+            // In RTL it circles above its home.
+            VehicleClass::Plane => &["QLAND", "QRTL", "LOITER_ALT_QLAND", "AUTOLAND"],
+            VehicleClass::Rover => &["RTL", "SMART_RTL"],
+            VehicleClass::Sub | VehicleClass::Other => &[],
+        };
+        names.iter().any(|name| self.is(name))
     }
 
     /// Whether the vehicle stops where it is.
@@ -247,6 +252,17 @@ mod tests {
                 );
             }
         }
+    }
+
+    #[test]
+    fn a_plane_circles_in_rtl_while_a_copter_lands() {
+        let comes_down = |class: VehicleClass, name| {
+            let mode = class.mode(name).expect("it has the mode");
+            mode.comes_down()
+        };
+        assert!(comes_down(VehicleClass::Copter, "RTL"));
+        assert!(!comes_down(VehicleClass::Plane, "RTL"));
+        assert!(comes_down(VehicleClass::Plane, "QRTL"));
     }
 
     #[test]

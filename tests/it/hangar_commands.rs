@@ -182,7 +182,9 @@ fn a_program_that_is_no_sitl_is_a_fault_of_identify_and_of_the_doctor() {
     assert_eq!(said.status.code(), Some(1));
     let line = text(&said.stdout);
     assert!(
-        line.contains("is no SITL: it has ended (exit status: 2); it printed: no such option"),
+        line.contains(
+            "is not a SITL program: it has ended (exit status: 2); it printed: no such option"
+        ),
         "{line}"
     );
     let said = place.sortie(&["doctor", "--json", "--arducopter", &program]);

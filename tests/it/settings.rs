@@ -337,6 +337,49 @@ fn what_the_administrator_names_may_be_missing_or_wrong() {
 }
 
 #[test]
+fn results_are_for_their_trainee_unless_the_administrator_lets_a_group_read_them() {
+    for (setting, expected) in [("", [0o700, 0o600]), ("group", [0o2750, 0o640])] {
+        let home = home(&[]);
+        let system = home.path().join("etc/sortie");
+        fs::create_dir_all(&system).expect("created");
+        if !setting.is_empty() {
+            let text = format!("[results]\nreaders = \"{setting}\"\n");
+            fs::write(system.join("config.toml"), text).expect("written");
+        }
+        let data = home.path().join("class/anna");
+        let variables = [("SORTIE_DATA", data.to_str().expect("plain"))];
+        let run = |arguments: &[&str]| {
+            let output = sortie(home.path(), &variables, arguments);
+            assert_ne!(output.status.code(), Some(2), "{}", text(&output.stderr));
+        };
+        run(&["profile", "create", "anna"]);
+        run(&[
+            "run",
+            "00",
+            "--pilot",
+            "00-first-flight",
+            "--profile",
+            "anna",
+        ]);
+        let report = home.path().join("report.md");
+        let output = report.to_str().expect("plain");
+        run(&["report", "--profile", "anna", "--output", output]);
+        let mode = |path: &Path| {
+            let facts = fs::metadata(path).expect("it is there");
+            facts.permissions().mode() & 0o7777
+        };
+        let runs = fs::read_dir(data.join("runs")).expect("recorded");
+        let record = runs.flatten().next().expect("one").path();
+        for folder in [&data, &data.join("runs")] {
+            assert_eq!(mode(folder), expected[0], "{setting}");
+        }
+        for file in [&data.join("profiles.sqlite"), &record, &report] {
+            assert_eq!(mode(file), expected[1], "{setting}: {}", file.display());
+        }
+    }
+}
+
+#[test]
 fn of_thousands_of_faults_in_the_settings_fifty_are_told() {
     let faults: Vec<String> = (0..3000).map(|at| format!("wrong{at} = 1")).collect();
     let home = home(&[("config.toml", &faults.join("\n"))]);

@@ -8,6 +8,7 @@ use nix::sys::resource::{Resource, getrlimit};
 
 use super::super::settings::CliSettings;
 use super::HostFinding;
+use super::mount::network_file_system;
 
 /// What one idle or flying `ArduCopter` 4.6 takes, measured with up to 32 of them: per cent of a core, and resident
 /// memory in kibibytes.
@@ -83,6 +84,44 @@ fn folder(about: &str, path: &Path) -> HostFinding {
         Some(free) => HostFinding::ok(about, format!("{name}{made}, {} GiB free", free / 1024)),
         None => HostFinding::ok(about, format!("{name}{made}")),
     }
+}
+
+/// Whether the profiles lie where a database is safe: on this machine, and in a folder that no other user writes to.
+pub(super) fn database(settings: &CliSettings) -> Vec<HostFinding> {
+    let mounts = fs::read_to_string("/proc/self/mountinfo").unwrap_or_default();
+    let data = settings.data.as_deref().into_iter();
+    data.flat_map(|data| {
+        let there = data.ancestors().find(|folder| folder.exists());
+        // A link leads to where the files are.
+        let there = there.and_then(|folder| folder.canonicalize().ok());
+        let there = there.unwrap_or_else(|| data.to_owned());
+        let far = on_network(&mounts, data, &there);
+        far.into_iter().chain(open_to_others(data))
+    })
+    .collect()
+}
+
+fn on_network(mounts: &str, data: &Path, there: &Path) -> Option<HostFinding> {
+    let kind = network_file_system(mounts, there)?;
+    Some(HostFinding::note(
+        "profiles",
+        format!("{} is on a network folder ({kind})", data.display()),
+        "use the profiles from one machine at a time, or name a folder of this machine: --data, SORTIE_DATA",
+    ))
+}
+
+/// A folder that others may write to: they could lay links there that lead the program's files elsewhere.
+fn open_to_others(data: &Path) -> Option<HostFinding> {
+    let facts = fs::metadata(data).ok()?;
+    let is_open = facts.permissions().mode() & 0o022 != 0;
+    is_open.then(|| {
+        let name = data.display();
+        HostFinding::fault(
+            "profiles",
+            format!("other users can write to {name}"),
+            format!("chmod go-w {name}"),
+        )
+    })
 }
 
 fn free_mib(path: &Path) -> Option<u64> {
@@ -183,7 +222,7 @@ pub(super) fn token(settings: &CliSettings) -> Option<HostFinding> {
         ),
         Ok(facts) if facts.uid() != nix::unistd::geteuid().as_raw() => HostFinding::fault(
             about,
-            format!("{name} belongs to somebody else"),
+            format!("{name} belongs to another user"),
             "name another with the setting hangar.token_file",
         ),
         Ok(_) => HostFinding::ok(about, format!("{name}, for you alone")),
@@ -200,6 +239,21 @@ mod tests {
         let text = "MemTotal: 100 kB\nMemAvailable:   81920 kB\n";
         assert_eq!(available_kib(text), Some(81_920));
         assert_eq!(available_kib(""), None);
+    }
+
+    #[test]
+    fn a_database_on_a_network_folder_or_one_that_others_write_to_is_noticed() {
+        let data = tempfile::tempdir().expect("a temporary folder");
+        let mounts = "22 1 0:35 / / rw - nfs4 server:/ rw\n";
+        let far = on_network(mounts, data.path(), data.path()).expect("noticed");
+        assert_eq!(far.verdict, Verdict::Note);
+        assert!(far.found.ends_with("is on a network folder (nfs4)"));
+        assert_eq!(on_network("", data.path(), data.path()), None);
+        assert_eq!(open_to_others(data.path()), None);
+        let open = fs::Permissions::from_mode(0o777);
+        fs::set_permissions(data.path(), open).expect("ours");
+        let found = open_to_others(data.path()).expect("noticed");
+        assert_eq!(found.verdict, Verdict::Fault);
     }
 
     #[test]

@@ -22,7 +22,7 @@ pub enum HangarAddressError {
     )]
     Https,
     /// It is something else.
-    #[error("`{0}` is no address of a hangar: expected http://HOST:PORT")]
+    #[error("`{0}` is not the address of a hangar: expected http://HOST:PORT")]
     Other(String),
 }
 

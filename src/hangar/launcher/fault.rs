@@ -12,7 +12,7 @@ use super::stub::StubStep;
 #[derive(Debug, thiserror::Error)]
 pub(in crate::hangar) enum LaunchError {
     /// The path leads nowhere.
-    #[error("there is no program {0}: name the one to start, or build it")]
+    #[error("no program {0}: name the one to start, or build it")]
     NoProgram(PathBuf),
     /// The path leads to a folder.
     #[error("{0} is a folder: name the program in it")]

@@ -55,7 +55,7 @@ pub enum Unknown {
     #[error("{0}")]
     Start(String),
     /// It has ended instead.
-    #[error("{} is no SITL: it has ended ({status}){}", file.display(), said(.output))]
+    #[error("{} is not a SITL program: it has ended ({status}){}", file.display(), said(.output))]
     Ended {
         file: PathBuf,
         status: ExitStatus,
@@ -63,14 +63,14 @@ pub enum Unknown {
         output: String,
     },
     /// It prints without end.
-    #[error("{} is no SITL: it prints without end{}", file.display(), said(.output))]
+    #[error("{} is not a SITL program: it prints without end{}", file.display(), said(.output))]
     Flood {
         file: PathBuf,
         /// What it printed last.
         output: String,
     },
     /// It has not said anything that makes sense.
-    #[error("{} has not said what it is within {patience:?}: it is no SITL, or it hangs{}", file.display(), said(.output))]
+    #[error("{} has not said what it is within {patience:?}: it is not a SITL program, or it hangs{}", file.display(), said(.output))]
     Silent {
         file: PathBuf,
         /// How long it had.

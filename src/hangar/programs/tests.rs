@@ -136,7 +136,8 @@ async fn what_is_no_sitl_is_told_with_what_it_printed() {
         .await
         .expect_err("it lists");
     assert!(
-        ls.to_string().contains("/bin/ls is no SITL: it has ended"),
+        ls.to_string()
+            .contains("/bin/ls is not a SITL program: it has ended"),
         "{ls}"
     );
     let folder = identify(home.0.path(), LONG).await.expect_err("a folder");

@@ -21,6 +21,8 @@ pub enum ProfileError {
         /// The newest version that this program knows.
         known: i32,
     },
+    /// An older version of the program made it, and it may only be read.
+    Older { path: PathBuf },
     /// The database says no.
     Database {
         path: PathBuf,
@@ -70,6 +72,7 @@ impl ProfileError {
                     known = *known
                 )
             }
+            Self::Older { path } => text!("profiles-older", path = shown(path)),
             Self::Database { path, error } => {
                 text!(
                     "profiles-database",

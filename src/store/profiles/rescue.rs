@@ -24,13 +24,13 @@ pub struct Rescue {
     /// The copy that took its place; `None`: there was no good one, the profiles begin anew.
     pub copy: Option<PathBuf>,
     /// What is wrong with it.
-    pub fault: String,
+    pub fault: Text,
 }
 
 impl Rescue {
     pub fn text(&self) -> Text {
         let damaged = self.damaged.display().to_string();
-        let fault = self.fault.as_str();
+        let fault = self.fault.clone();
         match &self.copy {
             Some(copy) => text!(
                 "profiles-rescued",
@@ -87,9 +87,9 @@ fn lock_file(path: &Path) -> io::Result<File> {
 
 /// What is wrong with a database. An empty file, or none, is a new one where there is no copy. Being busy, or of a file
 /// system that refuses, is no damage.
-fn damage(path: &Path) -> Option<String> {
+fn damage(path: &Path) -> Option<Text> {
     if is_empty(path) {
-        return good_copy(path).map(|_| "it is empty".to_owned());
+        return good_copy(path).map(|_| text!("profiles-fault-empty"));
     }
     let is_damage = |error: &rusqlite::Error| {
         matches!(
@@ -99,10 +99,15 @@ fn damage(path: &Path) -> Option<String> {
     };
     match check(path) {
         Ok(word) if word == SOUND => None,
-        Ok(fault) => Some(fault),
-        Err(error) if is_damage(&error) => Some(error.to_string()),
+        Ok(words) => Some(faulty(words)),
+        Err(error) if is_damage(&error) => Some(faulty(error.to_string())),
         Err(_) => None,
     }
+}
+
+/// `SQLite`'s own words are English in every language.
+fn faulty(words: String) -> Text {
+    text!("profiles-fault-database", words = words)
 }
 
 /// What `SQLite` says of a database: [`SOUND`], or what is wrong.
@@ -135,12 +140,20 @@ fn is_empty(path: &Path) -> bool {
 /// Writes a copy once more, beside the database whose place it takes then; it is on the disk before that.
 fn duplicate(copy: &Path, path: &Path) -> io::Result<PathBuf> {
     let restored = beside(path, "restored");
-    let mut file = super::private(&restored)?;
     // What is left of a rescue that was interrupted.
-    file.set_len(0)?;
+    remove(&restored)?;
+    let mut file = super::private(&restored)?;
     io::copy(&mut File::open(copy)?, &mut file)?;
     file.sync_all()?;
     Ok(restored)
+}
+
+/// Removes what is there.
+fn remove(path: &Path) -> io::Result<()> {
+    match fs::remove_file(path) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
+        _ => Ok(()),
+    }
 }
 
 /// Renames what is there.
@@ -167,9 +180,9 @@ pub(super) fn back_up(connection: &Connection, path: &Path) -> rusqlite::Result<
     if lock.try_lock().is_err() {
         return Ok(());
     }
-    // What is left of a copy that was interrupted.
-    let file = super::private(&fresh).map_err(io)?;
-    file.set_len(0).map_err(io)?;
+    // What is left of a copy that was interrupted, or a link that another user has laid.
+    remove(&fresh).map_err(io)?;
+    drop(super::private(&fresh).map_err(io)?);
     connection.backup("main", &fresh, None)?;
     let found = check(&fresh)?;
     if found != SOUND {

@@ -104,6 +104,6 @@ pub(super) fn migrate(connection: &mut Connection) -> rusqlite::Result<i32> {
     Ok(now)
 }
 
-fn version(connection: &Connection) -> rusqlite::Result<i32> {
+pub(super) fn version(connection: &Connection) -> rusqlite::Result<i32> {
     connection.query_row("PRAGMA user_version", [], |row| row.get(0))
 }

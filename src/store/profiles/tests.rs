@@ -368,3 +368,34 @@ proptest! {
         prop_assert_eq!(profiles.history(&copy).expect("readable"), profiles.history(&anna).expect("readable"));
     }
 }
+
+#[test]
+fn profiles_that_may_not_be_written_are_read() {
+    let data = tempfile::tempdir().expect("a folder");
+    let profiles = open(data.path());
+    profiles.create("anna", WHEN).expect("made");
+    let path = profiles.path().to_owned();
+    let names = |profiles: &Profiles| {
+        let all = profiles.list().expect("readable").into_iter();
+        all.map(|profile| profile.name).collect::<Vec<_>>()
+    };
+    // While a console has them open, and after that.
+    let beside = Profiles::read_only(path.clone()).expect("readable");
+    assert_eq!(names(&beside), ["anna"]);
+    drop((beside, profiles));
+    let alone = Profiles::read_only(path.clone()).expect("readable");
+    assert_eq!(names(&alone), ["anna"]);
+    assert!(alone.is_read_only());
+    alone.create("bob", WHEN).expect_err("it is only read");
+    let odd = data.path().join("a?b#c%20d");
+    fs::copy(&path, &odd).expect("copied");
+    assert_eq!(
+        names(&Profiles::read_only(odd).expect("readable")),
+        ["anna"]
+    );
+    let older = rusqlite::Connection::open(&path).expect("it opens");
+    older.pragma_update(None, "user_version", 0).expect("set");
+    drop(older);
+    let refused = Profiles::read_only(path).expect_err("it cannot be brought up to date");
+    assert!(matches!(refused, ProfileError::Older { .. }), "{refused}");
+}

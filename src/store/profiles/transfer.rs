@@ -76,6 +76,7 @@ impl ProfileFile {
             },
             other @ (ProfileError::Unusable { .. }
             | ProfileError::Newer { .. }
+            | ProfileError::Older { .. }
             | ProfileError::Database { .. }
             | ProfileError::Damaged { .. }
             | ProfileError::Unknown { .. }

@@ -1,18 +1,18 @@
-//! The themes on offer: the embedded ones, and those of the user's folder.
+//! The themes on offer: the embedded ones, and those of the administrator's and the user's folders.
 
 use std::collections::BTreeMap;
 
 use super::{EMBEDDED, Theme, file};
-use crate::diagnostic::{Diagnostic, nearest};
+use crate::diagnostic::{Diagnostic, first_shown, nearest};
 use crate::text::Text;
 
-/// Themes by name. One of the user's stands before the embedded one of the same name, and may inherit it.
+/// Themes by name. One of a file stands before the embedded one of the same name, and may inherit it.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Themes {
     own: BTreeMap<String, ThemeFile>,
 }
 
-/// A theme file of the user's.
+/// A theme file of the administrator's or the user's.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ThemeFile {
     /// Under which faults in it are reported.
@@ -24,7 +24,7 @@ pub struct ThemeFile {
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum ThemeError {
     /// Nothing is called so.
-    #[error("there is no theme `{name}`: choose one of {known}{guess}")]
+    #[error("unknown theme `{name}`: choose one of {known}{guess}")]
     Unknown {
         /// What was asked for.
         name: String,
@@ -47,21 +47,21 @@ impl From<&ThemeError> for Text {
             // The console offers names that there are; only a command line can ask for others.
             ThemeError::Unknown { .. } => Self::verbatim(error.to_string()),
             ThemeError::Faulty { file, faults } => {
-                let faults = faults.iter();
-                let lines = faults.map(|fault| fault.text(&file.path, &file.text));
-                Self::joined("\n", lines.collect())
+                let (shown, rest) = first_shown(faults);
+                let lines = shown.iter().map(|it| it.text(&file.path, &file.text));
+                Self::joined("\n", lines.chain(rest).collect())
             }
         }
     }
 }
 
 impl Themes {
-    /// Adds a theme of the user's.
+    /// Adds a theme of a file; it takes the place of one of the same name.
     pub fn add(&mut self, name: String, file: ThemeFile) {
         self.own.insert(name, file);
     }
 
-    /// The names on offer: the embedded themes, then the user's.
+    /// The names on offer: the embedded themes, then those of files.
     pub fn names(&self) -> impl Iterator<Item = &str> {
         let added = self.own.keys().map(String::as_str);
         let embedded = EMBEDDED.iter().map(|&(name, _)| name);
@@ -101,7 +101,7 @@ impl Themes {
         })
     }
 
-    /// The user's own file of that name.
+    /// The file of that name.
     pub(super) fn own(&self, name: &str) -> Option<&ThemeFile> {
         self.own.get(name)
     }

@@ -237,7 +237,7 @@ fn what_cannot_be_inherited_is_pointed_at() {
             "slip",
             "slip.toml:1:12: unknown theme `chld` (did you mean `child`?)",
         ),
-        ("chil", "there is no theme `chil`: choose one of dark,"),
+        ("chil", "unknown theme `chil`: choose one of dark,"),
     ];
     for (name, said) in cases {
         let error = themes.named(name).expect_err(name).to_string();

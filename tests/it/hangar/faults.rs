@@ -29,7 +29,10 @@ async fn what_is_no_arducopter_ends_with_the_reason() {
         (&locked, "must not be run by this user"),
         (&lost, "its interpreter or its loader is missing"),
         (folder.path(), "is a folder"),
-        (Path::new("/no/such/arducopter"), "there is no program"),
+        (
+            Path::new("/no/such/arducopter"),
+            "no program /no/such/arducopter",
+        ),
     ] {
         let stand = Stand::running(program.to_owned(), |config| config);
         let id = stand.launch().await;

@@ -1,0 +1,116 @@
+//! Who may read what is kept of a trainee: the trainee alone, or a group as well.
+//!
+//! The folder of the data says so itself: one whose group may read it and whose set-group-ID bit is set holds files that
+//! the group may read, in folders of the same kind.
+
+use std::fs::{self, DirBuilder, File, OpenOptions, Permissions};
+use std::io;
+use std::os::unix::fs::{DirBuilderExt as _, OpenOptionsExt as _, PermissionsExt as _};
+use std::path::Path;
+
+/// The bits of a folder that is shared: set-group-ID, and the group may read and enter it.
+const SHARED_FOLDER: u32 = 0o2050;
+/// The bit of a file in such a folder.
+const SHARED_FILE: u32 = 0o040;
+
+/// Lets the group of a data folder read all that is in it; makes the folder if need be.
+///
+/// # Errors
+/// The folder cannot be made, or belongs to another user.
+pub fn share_with_group(data: &Path) -> io::Result<()> {
+    private_folder(data)?;
+    allow(data, SHARED_FOLDER)?;
+    for entry in fs::read_dir(data)? {
+        let entry = entry?;
+        let kind = entry.file_type()?;
+        if kind.is_dir() {
+            share_with_group(&entry.path())?;
+        } else if kind.is_file() {
+            allow(&entry.path(), SHARED_FILE)?;
+        }
+    }
+    Ok(())
+}
+
+/// Makes a folder, and those above it, for its owner alone.
+///
+/// # Errors
+/// It cannot be made.
+pub(super) fn private_folder(path: &Path) -> io::Result<()> {
+    DirBuilder::new().recursive(true).mode(0o700).create(path)
+}
+
+/// Makes a folder within another that its readers may read as well.
+///
+/// # Errors
+/// It cannot be made.
+pub(super) fn folder_within(above: &Path, path: &Path) -> io::Result<()> {
+    private_folder(path)?;
+    if is_shared(above) {
+        allow(path, SHARED_FOLDER)?;
+    }
+    Ok(())
+}
+
+/// Opens a file to be written: with these options, and, if it is new, for the readers of its folder.
+///
+/// # Errors
+/// It cannot be opened.
+pub(super) fn open(options: &mut OpenOptions, path: &Path) -> io::Result<File> {
+    let file = options.mode(0o600).open(path)?;
+    let folder = path.parent().filter(|it| !it.as_os_str().is_empty());
+    if is_shared(folder.unwrap_or(Path::new("."))) {
+        allow(path, SHARED_FILE)?;
+    }
+    Ok(file)
+}
+
+fn is_shared(folder: &Path) -> bool {
+    let facts = fs::metadata(folder);
+    facts.is_ok_and(|facts| facts.permissions().mode() & SHARED_FOLDER == SHARED_FOLDER)
+}
+
+/// Adds bits to a mode that lacks them.
+fn allow(path: &Path, bits: u32) -> io::Result<()> {
+    let mode = fs::metadata(path)?.permissions().mode();
+    if mode & bits == bits {
+        return Ok(());
+    }
+    fs::set_permissions(path, Permissions::from_mode(mode | bits))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn mode(path: &Path) -> u32 {
+        let facts = fs::metadata(path).expect("it is there");
+        facts.permissions().mode() & 0o7777
+    }
+
+    fn made(path: &Path) {
+        let mut options = OpenOptions::new();
+        open(options.create(true).append(true), path).expect("made");
+    }
+
+    #[test]
+    fn what_is_in_a_shared_folder_is_shared_and_nothing_else() {
+        let home = tempfile::tempdir().expect("a folder");
+        let data = home.path().join("data");
+        let (early, late) = (data.join("early"), data.join("runs/late"));
+        private_folder(&data).expect("made");
+        made(&early);
+        assert_eq!((mode(&data), mode(&early)), (0o700, 0o600));
+        share_with_group(&data).expect("ours");
+        assert_eq!((mode(&data), mode(&early)), (0o2750, 0o640));
+        folder_within(&data, &data.join("runs")).expect("made");
+        made(&late);
+        assert_eq!((mode(&data.join("runs")), mode(&late)), (0o2750, 0o640));
+        // Not every folder that a group may read was meant to be shared.
+        let other = home.path().join("other");
+        private_folder(&other).expect("made");
+        allow(&other, 0o055).expect("ours");
+        made(&other.join("file"));
+        assert_eq!(mode(&other.join("file")), 0o600);
+    }
+}
