@@ -176,6 +176,7 @@ fn announce(state: &mut State, effect: &SessionEffect) {
         SessionEffect::StartFree => state.say(Severity::Info, text!("home-starting-simulator")),
         SessionEffect::StartArduPilot
         | SessionEffect::Connect(_)
+        | SessionEffect::Forget(_)
         | SessionEffect::Restart { .. }
         | SessionEffect::Process(..)
         | SessionEffect::Inject(_)
