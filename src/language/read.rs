@@ -121,59 +121,25 @@ impl Kind {
     /// The words that this kind of value can be, with what each means.
     pub(super) fn names(self, context: &Context) -> Vec<(String, Text)> {
         match self {
-            Self::Choice(choices) => choices
-                .iter()
-                .map(|choice| ((*choice).to_owned(), Text::default()))
-                .collect(),
-            Self::Mode => mode_names(context)
-                .into_iter()
-                .map(|name| {
-                    let warning = mode_warning(name, context);
-                    let hint = warning.unwrap_or_else(|| text!("grammar-mode"));
-                    (name.to_owned(), hint)
-                })
-                .collect(),
-            Self::Point => context
-                .places
-                .into_iter()
-                .flatten()
-                .map(|(name, at)| {
-                    let degrees = format!("{:.6} {:.6}", at.lat_deg, at.lon_deg);
-                    (name.clone(), degrees.into())
-                })
-                .collect(),
-            Self::Area => context
-                .areas
-                .into_iter()
-                .flatten()
-                .map(|(name, _)| (name.clone(), text!("grammar-area")))
-                .collect(),
+            Self::Choice(choices) => unexplained(choices).collect(),
+            Self::Mode => modes(context),
+            Self::Point => places(context),
+            Self::Area => {
+                let areas = context.areas.into_iter().flatten();
+                areas
+                    .map(|(name, _)| (name.clone(), text!("grammar-area")))
+                    .collect()
+            }
             Self::Message => MavMessage::all_messages()
                 .iter()
                 .map(|(name, id)| ((*name).to_owned(), text!("grammar-message", id = *id)))
                 .collect(),
-            Self::MavCommand => command_names()
-                .iter()
-                .map(|(number, name)| {
-                    (
-                        (*name).to_owned(),
-                        text!("grammar-mav-command", number = *number),
-                    )
-                })
-                .collect(),
-            Self::Parameter => context
-                .parameters
-                .into_iter()
-                .flat_map(ParameterList::iter)
-                .map(|(name, known)| (name.to_owned(), format!("= {}", shown(known.value)).into()))
-                .collect(),
-            Self::Name(list) => context
-                .names
-                .listed(list)
-                .names()
-                .into_iter()
-                .map(|named| (named.name, named.meaning))
-                .collect(),
+            Self::MavCommand => mav_commands(),
+            Self::Parameter => parameters(context),
+            Self::Name(list) => {
+                let listed = context.names.listed(list).names().into_iter();
+                listed.map(|named| (named.name, named.meaning)).collect()
+            }
             Self::Group => context
                 .groups
                 .iter()
@@ -181,17 +147,53 @@ impl Kind {
                 .collect(),
             Self::Sort => {
                 let falling = Column::NAMES.iter().map(|name| format!("-{name}"));
-                let rising = Column::NAMES.iter().map(|name| (*name).to_owned());
-                rising
-                    .map(|name| (name, Text::default()))
-                    .chain(falling.map(|name| (name, text!("grammar-largest-first"))))
-                    .collect()
+                let falling = falling.map(|name| (name, text!("grammar-largest-first")));
+                unexplained(Column::NAMES).chain(falling).collect()
             }
             Self::Flag | Self::Number(..) | Self::Whole(..) | Self::Vehicles | Self::Rest => {
                 Vec::new()
             }
         }
     }
+}
+
+fn unexplained<'a>(words: &'a [&'a str]) -> impl Iterator<Item = (String, Text)> {
+    words
+        .iter()
+        .map(|word| ((*word).to_owned(), Text::default()))
+}
+
+fn modes(context: &Context) -> Vec<(String, Text)> {
+    let explained = |name: &'static str| {
+        let warning = mode_warning(name, context);
+        let hint = warning.unwrap_or_else(|| text!("grammar-mode"));
+        (name.to_owned(), hint)
+    };
+    mode_names(context).into_iter().map(explained).collect()
+}
+
+fn places(context: &Context) -> Vec<(String, Text)> {
+    let places = context.places.into_iter().flatten();
+    let explained = places.map(|(name, at)| {
+        let degrees = format!("{:.6} {:.6}", at.lat_deg, at.lon_deg);
+        (name.clone(), degrees.into())
+    });
+    explained.collect()
+}
+
+fn mav_commands() -> Vec<(String, Text)> {
+    let explained = |(number, name): &(u16, &str)| {
+        let hint = text!("grammar-mav-command", number = *number);
+        ((*name).to_owned(), hint)
+    };
+    command_names().iter().map(explained).collect()
+}
+
+fn parameters(context: &Context) -> Vec<(String, Text)> {
+    let known = context.parameters.into_iter().flat_map(ParameterList::iter);
+    known
+        .map(|(name, known)| (name.to_owned(), format!("= {}", shown(known.value)).into()))
+        .collect()
 }
 
 /// A number in its range, its unit taken off.

@@ -3,11 +3,15 @@
 
 use toml::de::DeTable;
 
+use super::event::Event;
+use super::event::standard::Standard;
 use super::format::{self, Draft, FileTable, WrittenValue, describe, table, tables};
 use super::hazard::{self, Hazard};
+use super::radio::Radio;
 use super::weather::Weather;
-use super::{Mission, Point};
+use super::{LessonStep, Mission, Point, Requires, Rewards};
 use crate::diagnostic::Diagnostic;
+use crate::scoring::ScoreRules;
 
 mod action;
 mod advice;
@@ -25,8 +29,10 @@ mod site;
 mod zones;
 
 use advice::MissionAdvice;
+use fleet::FleetSection;
 use head::FileHead;
 use rules::RuleSet;
+use site::MissionSite;
 
 /// Zones, places, events and hints of one mission.
 const MOST_TABLES: usize = 200;
@@ -67,60 +73,14 @@ pub fn reference() -> String {
 /// All sections; `None` where one that is needed could not be read.
 fn mission(file: &mut FileTable<'_>) -> Option<Mission> {
     let head = FileHead::need(file);
-    let site = file.need(
-        "sim",
-        table(site::site),
-        "where it is flown, and for how long",
-    );
-    let weather = file.may(
-        "weather",
-        table(site::weather),
-        "calm, 20 degrees and day where nothing is written. The wind moves the vehicles, the clouds and the fires",
-    );
-    let fleet = file.need(
-        "fleet",
-        table(fleet::fleet),
-        "what flies and what it carries",
-    );
-    if let Some(fleet) = &fleet {
-        file.draft().pads.clone_from(&fleet.pads);
-        file.draft().sensors = fleet.sensors();
-    }
-    let rules = file.may("rules", table(rules::rules), "what vehicles must keep to");
+    let setting = MissionSetting::need(file);
     let content = MissionContent::of(file);
-    let radio = file.may(
-        "radio",
-        table(radio::radio),
-        "how far vehicles are heard. Without it radio does not matter to the mission's own drones; those that \
-         were built for it are heard as far as their own radios reach, with it or without",
-    );
-    let events_form = tables(events::event, MOST_TABLES);
-    let events = file.may(
-        "events",
-        events_form,
-        "what happens while the mission is flown",
-    );
-    let instructor = table(radio::may_inject);
-    let may_inject = file.may(
-        "instructor",
-        instructor,
-        "what an instructor may have happen besides the events that are `by = \"instructor\"`",
-    );
-    let lesson = file.may(
-        "lesson",
-        tables(lesson::step, MOST_TABLES),
-        "steps that a trainee is led through on the first flights; none in exams, after the mission was passed, and \
-         where advice is switched off",
-    );
-    let scoring = file.need("scoring", table(score::rules), "what it all is worth");
-    let requires = file.may(
-        "requires",
-        table(career::requires),
-        "what a trainee must have shown before",
-    );
-    let rewards = file.may("rewards", table(career::rewards), "what passing it brings");
-    let (head, site, fleet) = (head?, site?, fleet?);
-    let rules = rules.unwrap_or_else(RuleSet::usual);
+    let course = MissionCourse::of(file);
+    let worth = MissionWorth::need(file);
+    let (head, setting, worth) = (head?, setting?, worth?);
+    let MissionSetting {
+        site, fleet, rules, ..
+    } = setting;
     Some(Mission {
         id: head.id,
         rev: head.rev,
@@ -133,8 +93,8 @@ fn mission(file: &mut FileTable<'_>) -> Option<Mission> {
         tags: head.tags,
         authors: head.authors,
         drill_of: head.drill_of,
-        requires: requires.unwrap_or_default(),
-        rewards: rewards.unwrap_or_default(),
+        requires: worth.requires,
+        rewards: worth.rewards,
         pausable: rules.pausable,
         gives_hints: true,
         most_speedup: rules.most_speedup,
@@ -144,10 +104,10 @@ fn mission(file: &mut FileTable<'_>) -> Option<Mission> {
         time_limit: site.time_limit,
         hints: content.advice.hints,
         clues: content.advice.clues,
-        lesson: lesson.unwrap_or_default(),
-        scoring: scoring?,
+        lesson: course.lesson,
+        scoring: worth.scoring,
         origin: site.origin,
-        weather: weather.unwrap_or(Weather::CALM),
+        weather: setting.weather,
         pads: fleet.pads,
         asked: fleet.fits.clone(),
         fits: fleet.fits,
@@ -160,10 +120,49 @@ fn mission(file: &mut FileTable<'_>) -> Option<Mission> {
         max_height_m: rules.max_height_m,
         land_reserve_percent: rules.land_reserve_percent,
         separation_m: rules.separation_m,
-        events: events.unwrap_or_default(),
-        radio,
-        may_inject: may_inject.unwrap_or_default(),
+        events: course.events,
+        radio: course.radio,
+        may_inject: course.may_inject,
     })
+}
+
+/// Where it is flown, with what, and under which rules.
+struct MissionSetting {
+    site: MissionSite,
+    weather: Weather,
+    fleet: FleetSection,
+    rules: RuleSet,
+}
+
+impl MissionSetting {
+    fn need(file: &mut FileTable<'_>) -> Option<Self> {
+        let site = file.need(
+            "sim",
+            table(site::site),
+            "where it is flown, and for how long",
+        );
+        let weather = file.may(
+            "weather",
+            table(site::weather),
+            "calm, 20 degrees and day where nothing is written. The wind moves the vehicles, the clouds and the fires",
+        );
+        let fleet = file.need(
+            "fleet",
+            table(fleet::fleet),
+            "what flies and what it carries",
+        );
+        if let Some(fleet) = &fleet {
+            file.draft().pads.clone_from(&fleet.pads);
+            file.draft().sensors = fleet.sensors();
+        }
+        let rules = file.may("rules", table(rules::rules), "what vehicles must keep to");
+        Some(Self {
+            site: site?,
+            weather: weather.unwrap_or(Weather::CALM),
+            fleet: fleet?,
+            rules: rules.unwrap_or_else(RuleSet::usual),
+        })
+    }
 }
 
 /// What there is in the mission, and what is to be done.
@@ -207,6 +206,71 @@ impl MissionContent {
             objectives: objectives.unwrap_or_default(),
             advice: MissionAdvice::of(hints.unwrap_or_default()),
         }
+    }
+}
+
+/// What happens while it is flown.
+struct MissionCourse {
+    radio: Option<Radio>,
+    events: Vec<Event>,
+    may_inject: Vec<Standard>,
+    lesson: Vec<LessonStep>,
+}
+
+impl MissionCourse {
+    fn of(file: &mut FileTable<'_>) -> Self {
+        let radio = file.may(
+            "radio",
+            table(radio::radio),
+            "how far vehicles are heard. Without it radio does not matter to the mission's own drones; those that \
+             were built for it are heard as far as their own radios reach, with it or without",
+        );
+        let events = file.may(
+            "events",
+            tables(events::event, MOST_TABLES),
+            "what happens while the mission is flown",
+        );
+        let may_inject = file.may(
+            "instructor",
+            table(radio::may_inject),
+            "what an instructor may have happen besides the events that are `by = \"instructor\"`",
+        );
+        let lesson = file.may(
+            "lesson",
+            tables(lesson::step, MOST_TABLES),
+            "steps that a trainee is led through on the first flights; none in exams, after the mission was passed, and \
+             where advice is switched off",
+        );
+        Self {
+            radio,
+            events: events.unwrap_or_default(),
+            may_inject: may_inject.unwrap_or_default(),
+            lesson: lesson.unwrap_or_default(),
+        }
+    }
+}
+
+/// What it is worth, and what it asks of a career.
+struct MissionWorth {
+    scoring: ScoreRules,
+    requires: Requires,
+    rewards: Rewards,
+}
+
+impl MissionWorth {
+    fn need(file: &mut FileTable<'_>) -> Option<Self> {
+        let scoring = file.need("scoring", table(score::rules), "what it all is worth");
+        let requires = file.may(
+            "requires",
+            table(career::requires),
+            "what a trainee must have shown before",
+        );
+        let rewards = file.may("rewards", table(career::rewards), "what passing it brings");
+        Some(Self {
+            scoring: scoring?,
+            requires: requires.unwrap_or_default(),
+            rewards: rewards.unwrap_or_default(),
+        })
     }
 }
 

@@ -21,6 +21,34 @@ use crate::ui::widget::{put, row_of};
 pub fn draw(state: &State, log: Log, cursor: Option<usize>, panel: Panel<'_>, buffer: &mut Buffer) {
     let count = state.log_length(log);
     let cursor = cursor.unwrap_or(count).min(count.saturating_sub(1));
+    let title = title(state, log, cursor, panel);
+    let inner = panel.boxed(&title, Role::Accent, buffer);
+    if count == 0 {
+        let text = panel.say("fly-nothing-yet");
+        let line = Line::styled(text, panel.style(Role::Muted));
+        put(buffer, inner, 0, &line);
+        return;
+    }
+    let rows = usize::from(inner.height);
+    // Every entry has a line at least: more of them than rows on either side cannot be seen.
+    let near = cursor.saturating_sub(rows)..(cursor + rows + 1).min(count);
+    let blocks = blocks(
+        state,
+        log,
+        near.clone(),
+        usize::from(inner.width),
+        panel.look,
+    );
+    let window = Window::around(cursor - near.start, blocks, rows);
+    window.draw(panel.at(inner), buffer);
+    // Of what lies beyond, only the nearest lines were made.
+    let above = near.start + window.first;
+    let below = window.lines.len() - window.first + count.saturating_sub(near.end);
+    panel.at(inner).mark_scroll(above, above + below, buffer);
+}
+
+fn title(state: &State, log: Log, cursor: usize, panel: Panel<'_>) -> String {
+    let count = state.log_length(log);
     let name = match log {
         Log::Notices => panel.say("fly-notices"),
     };
@@ -35,51 +63,52 @@ pub fn draw(state: &State, log: Log, cursor: Option<usize>, panel: Panel<'_>, bu
         scroll = state.keymap().keys(Action::UP_AND_DOWN, Place::Reader),
         key = state.keymap().key(Action::Escape, Place::Reader)
     );
-    let title = format!("{name}   {place}{}", panel.text(&keys));
-    let inner = panel.boxed(&title, Role::Accent, buffer);
-    let rows = usize::from(inner.height);
-    // Every entry has a line at least: more of them than rows on either side cannot be seen.
-    let near = cursor.saturating_sub(rows)..(cursor + rows + 1).min(count);
-    let before = cursor - near.start;
-    let (near_start, near_end) = (near.start, near.end);
-    let blocks = blocks(state, log, near, usize::from(inner.width), panel.look);
-    if blocks.is_empty() {
-        let text = panel.say("fly-nothing-yet");
-        put(
-            buffer,
-            inner,
-            0,
-            &Line::styled(text, panel.style(Role::Muted)),
-        );
-    }
-    let above: usize = blocks.iter().take(before).map(Vec::len).sum();
-    let marked = above..above + blocks.get(before).map_or(0, Vec::len);
-    let lines: Vec<Line<'_>> = blocks.into_iter().flatten().collect();
-    // The entry under the cursor stays in the middle while the list scrolls under it.
-    let first = marked
-        .start
-        .saturating_sub(rows / 2)
-        .min(lines.len().saturating_sub(rows));
-    for (row, (at, line)) in lines.iter().enumerate().skip(first).take(rows).enumerate() {
-        put(buffer, inner, row as u16, line);
-        if marked.contains(&at) {
-            panel.at(row_of(inner, row as u16)).mark_cursor(buffer);
-        }
-        if at == marked.start {
-            // Seen without colour too, in the free column beside the frame.
-            let margin = Rect {
-                x: inner.x.saturating_sub(1),
-                ..inner
-            };
-            put(buffer, margin, row as u16, &Line::raw(">"));
+    format!("{name}   {place}{}", panel.text(&keys))
+}
+
+/// The lines near the cursor, and which of them are shown.
+struct Window<'a> {
+    lines: Vec<Line<'a>>,
+    /// Those of the entry under the cursor.
+    marked: Range<usize>,
+    first: usize,
+}
+
+impl<'a> Window<'a> {
+    /// The entry under the cursor stays in the middle while the list scrolls under it.
+    fn around(cursor: usize, blocks: Vec<Vec<Line<'a>>>, rows: usize) -> Self {
+        let above: usize = blocks.iter().take(cursor).map(Vec::len).sum();
+        let marked = above..above + blocks.get(cursor).map_or(0, Vec::len);
+        let lines: Vec<Line<'a>> = blocks.into_iter().flatten().collect();
+        let first = marked
+            .start
+            .saturating_sub(rows / 2)
+            .min(lines.len().saturating_sub(rows));
+        Self {
+            lines,
+            marked,
+            first,
         }
     }
-    // Of what lies beyond, only the nearest lines were made.
-    let above = first + near_start;
-    let beyond = count.saturating_sub(near_end);
-    panel
-        .at(inner)
-        .mark_scroll(above, above + lines.len() - first + beyond, buffer);
+
+    fn draw(&self, panel: Panel<'_>, buffer: &mut Buffer) {
+        let inner = panel.area;
+        let shown = self.lines.iter().enumerate().skip(self.first);
+        for (row, (at, line)) in shown.take(usize::from(inner.height)).enumerate() {
+            put(buffer, inner, row as u16, line);
+            if self.marked.contains(&at) {
+                panel.at(row_of(inner, row as u16)).mark_cursor(buffer);
+            }
+            if at == self.marked.start {
+                // Seen without colour too, in the free column beside the frame.
+                let margin = Rect {
+                    x: inner.x.saturating_sub(1),
+                    ..inner
+                };
+                put(buffer, margin, row as u16, &Line::raw(">"));
+            }
+        }
+    }
 }
 
 fn blocks<'a>(

@@ -29,49 +29,12 @@ impl Page<'_> {
         if self.state.session.activity.is_none() {
             return;
         }
-        let state = self.state;
-        let words = |line| self.words_key(line);
-        let pause = state.key(Action::PauseMission);
-        let progress = state.session.mission.as_ref();
-        let pledge = progress.map_or_else(Pledge::default, |progress| progress.pledge);
-        let waits = self.awaits_launch();
-        let open = |text: Text| waits.then_some(text);
-        let prediction = match pledge.prediction {
-            Some(points) => Some(text!("mission-prediction-is", points = points)),
-            None => open(text!("mission-prediction-none", key = words("predict "))),
-        };
-        let goal = match pledge.goal {
-            Some(goal) => Some(goal.title()),
-            None => open(text!("mission-goal-none", key = words("goal "))),
-        };
-        let then = text!(
-            "mission-then-is",
-            drones = state.key(Action::Submit),
-            back = state.key(Action::Escape),
-            help = state.key(Action::Help)
-        );
         let named = [
-            (text!("mission-prediction"), prediction),
-            (text!("mission-goal"), goal),
-            (
-                text!("mission-next-hint"),
-                progress
-                    .and_then(|it| it.clues.price(words("hint")))
-                    .filter(|_| waits),
-            ),
-            (
-                text!("mission-reading"),
-                self.can_wait().then(|| {
-                    if self.state.session.is_reading() {
-                        text!("mission-reading-first")
-                    } else if self.state.session.is_paused() {
-                        text!("mission-reading-paused", key = pause)
-                    } else {
-                        text!("mission-reading-is", key = pause)
-                    }
-                }),
-            ),
-            (text!("mission-then"), open(then)),
+            (text!("mission-prediction"), self.prediction()),
+            (text!("mission-goal"), self.goal()),
+            (text!("mission-next-hint"), self.next_hint()),
+            (text!("mission-reading"), self.reading()),
+            (text!("mission-then"), self.then()),
         ];
         let told = named
             .into_iter()
@@ -80,15 +43,71 @@ impl Page<'_> {
         if rows.is_empty() {
             return;
         }
+        let waits = self.awaits_launch();
         self.title(&if waits {
             text!("mission-launch")
         } else {
             text!("mission-pledge")
         });
         self.rows(&rows);
+        let progress = self.state.session.mission.as_ref();
         if waits && let Some(hint) = progress.and_then(|progress| progress.hint.as_ref()) {
             let hint = self.locale.text(hint);
             self.paragraph(Tone::Hint, &hint);
         }
+    }
+
+    fn pledge(&self) -> Pledge {
+        let progress = self.state.session.mission.as_ref();
+        progress.map_or_else(Pledge::default, |progress| progress.pledge)
+    }
+
+    fn prediction(&self) -> Option<Text> {
+        match self.pledge().prediction {
+            Some(points) => Some(text!("mission-prediction-is", points = points)),
+            None => self
+                .awaits_launch()
+                .then(|| text!("mission-prediction-none", key = self.words_key("predict "))),
+        }
+    }
+
+    fn goal(&self) -> Option<Text> {
+        match self.pledge().goal {
+            Some(goal) => Some(goal.title()),
+            None => self
+                .awaits_launch()
+                .then(|| text!("mission-goal-none", key = self.words_key("goal "))),
+        }
+    }
+
+    fn next_hint(&self) -> Option<Text> {
+        let progress = self.state.session.mission.as_ref();
+        let price = progress.and_then(|it| it.clues.price(self.words_key("hint")));
+        price.filter(|_| self.awaits_launch())
+    }
+
+    fn reading(&self) -> Option<Text> {
+        let pause = self.state.key(Action::PauseMission);
+        self.can_wait().then(|| {
+            if self.state.session.is_reading() {
+                text!("mission-reading-first")
+            } else if self.state.session.is_paused() {
+                text!("mission-reading-paused", key = pause)
+            } else {
+                text!("mission-reading-is", key = pause)
+            }
+        })
+    }
+
+    fn then(&self) -> Option<Text> {
+        let key = |action| self.state.key(action);
+        self.awaits_launch().then(|| {
+            text!(
+                "mission-then-is",
+                drones = key(Action::Submit),
+                back = key(Action::Escape),
+                help = key(Action::Help)
+            )
+        })
     }
 }
