@@ -3,19 +3,19 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-use rand::{RngExt as _, SeedableRng as _};
+use rand::SeedableRng as _;
 use rand_chacha::ChaCha8Rng;
 
 use super::airspace::Airspace;
 use super::alert::{Alerts, OpenAlert};
 use super::demand::{Demand, Demands};
-use super::fault::{Broken, Fault, Victim};
+use super::fault::Breakdowns;
 use super::mover::Mover;
 use super::scope::{Scope, Sight};
 use super::standard::Standard;
 use super::weather::Drift;
-use super::{Action, Trigger, expression};
-use crate::mission::craft::{Breach, Craft};
+use super::{Action, expression};
+use crate::mission::craft::Breach;
 use crate::mission::weather::Weather;
 use crate::mission::zone::Zone;
 use crate::mission::{Mission, TICK, is_due};
@@ -24,6 +24,9 @@ use crate::text::Text;
 use crate::vehicle::VehicleId;
 
 mod needs;
+mod schedule;
+
+use schedule::Schedule;
 
 /// Random numbers of events; sensors and hazards have others.
 const STREAM: u64 = 1 << 40;
@@ -46,18 +49,6 @@ pub(crate) enum EngineNews {
     Failed(Text),
 }
 
-/// Where an event stands.
-#[derive(Debug, Clone, Copy, Default)]
-struct EventWatch {
-    /// When it is to happen.
-    due: Option<Duration>,
-    /// Whether its condition held when it was looked at last.
-    held: bool,
-    over: bool,
-    /// Whether an instructor wants it, so that chance has no say.
-    wanted: bool,
-}
-
 /// The threats of one flight.
 #[derive(Debug)]
 pub(crate) struct Engine {
@@ -65,11 +56,10 @@ pub(crate) struct Engine {
     zones: Vec<Zone>,
     /// Which of the zones are there now, in the order of the file.
     active: Vec<bool>,
-    watches: Vec<EventWatch>,
-    fired: Vec<bool>,
+    schedule: Schedule,
     drifts: Vec<Drift>,
     movers: Vec<Mover>,
-    broken: Vec<Broken>,
+    breakdowns: Breakdowns,
     alerts: Alerts,
     airspace: Airspace,
     /// How well vehicles are heard, in dB; empty where radio does not matter.
@@ -87,25 +77,17 @@ impl Engine {
     pub fn new(mission: &Mission, seed: u64) -> Self {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         random.set_stream(STREAM);
-        let watch = |event: &super::Event| EventWatch {
-            due: match event.trigger {
-                Trigger::At(at) => Some(jittered(at, event.jitter, &mut random)),
-                Trigger::When(_) | Trigger::After(..) | Trigger::Instructor => None,
-            },
-            ..EventWatch::default()
-        };
-        let watches: Vec<EventWatch> = mission.events.iter().map(watch).collect();
+        let schedule = Schedule::new(mission, &mut random);
         let mut places = ChaCha8Rng::seed_from_u64(seed);
         places.set_stream(PLACES_STREAM);
         let zones = mission.zones.iter();
         Self {
             zones: zones.map(|zone| zone.moved(&mut places)).collect(),
             active: mission.zones.iter().map(|zone| zone.active).collect(),
-            fired: vec![false; watches.len()],
-            watches,
+            schedule,
             drifts: Vec::new(),
             movers: Vec::new(),
-            broken: Vec::new(),
+            breakdowns: Breakdowns::default(),
             alerts: Alerts::default(),
             airspace: Airspace::default(),
             margins_db: BTreeMap::new(),
@@ -126,8 +108,7 @@ impl Engine {
     ) -> Vec<EngineNews> {
         let mut news = Vec::new();
         self.movers.retain_mut(|mover| mover.step(sight.now));
-        let ended = |broken: &Broken| broken.until.is_some_and(|until| until <= sight.now);
-        self.broken.retain(|broken| !ended(broken));
+        self.breakdowns.mend(sight.now);
         let drifts = std::mem::take(&mut self.drifts);
         let steps = drifts.into_iter();
         self.drifts = steps
@@ -140,11 +121,12 @@ impl Engine {
             });
             self.ask(mission, weather, sight, &mut news);
         }
-        for index in 0..self.watches.len() {
-            let watch = &mut self.watches[index];
-            if watch.due.is_some_and(|due| due <= sight.now) {
-                watch.due = None;
-                self.fire(index, mission, weather, sight, &mut news);
+        for (index, event) in mission.events.iter().enumerate() {
+            let random = &mut self.random;
+            if self.schedule.happens(index, mission, sight.now, random) {
+                for action in &event.actions {
+                    self.act(action, weather, sight, &mut news);
+                }
             }
         }
         for standard in std::mem::take(&mut self.injected) {
@@ -175,66 +157,15 @@ impl Engine {
         news: &mut Vec<EngineNews>,
     ) {
         let scope = self.scope(weather, sight);
-        let events = mission.events.iter().zip(&self.watches).zip(0..);
-        let holds = events.map(|((event, watch), index)| {
-            let Trigger::When(condition) = &event.trigger else {
-                return false;
-            };
-            let chance = (self.seed, STREAM + 1 + index);
-            !watch.over
-                && condition.holds(&Scope {
-                    chance,
-                    ..scope.clone()
-                })
-        });
-        let holds: Vec<bool> = holds.collect();
+        let holding = self.schedule.holding(mission, &scope, STREAM + 1);
         let answered: Vec<bool> = self
             .alerts
             .conditions()
             .map(|ok| ok.holds(&scope))
             .collect();
-        for (watch, holds) in self.watches.iter_mut().zip(holds) {
-            if holds && !watch.held {
-                watch.due = Some(sight.now);
-            }
-            watch.held = holds;
-        }
+        self.schedule.note(&holding, sight.now);
         let answered = self.alerts.answer(&answered, sight.now);
         news.extend(answered.into_iter().map(EngineNews::Answered));
-    }
-
-    /// The time of an event has come.
-    fn fire(
-        &mut self,
-        index: usize,
-        mission: &Mission,
-        weather: &Weather,
-        sight: &Sight<'_>,
-        news: &mut Vec<EngineNews>,
-    ) {
-        let event = &mission.events[index];
-        let watch = &mut self.watches[index];
-        let wanted = std::mem::take(&mut watch.wanted);
-        if watch.over {
-            return;
-        }
-        watch.over = event.once;
-        let happens = self.random.random::<f64>() < event.chance;
-        if !happens && !wanted {
-            return;
-        }
-        self.fired[index] = true;
-        for (watch, follower) in self.watches.iter_mut().zip(&mission.events) {
-            if let Trigger::After(first, delay) = follower.trigger
-                && first == index
-            {
-                let delay = jittered(delay, follower.jitter, &mut self.random);
-                watch.due = Some(sight.now + delay.max(TICK));
-            }
-        }
-        for action in &event.actions {
-            self.act(action, weather, sight, news);
-        }
     }
 
     fn act(
@@ -282,43 +213,9 @@ impl Engine {
                 let mover = Mover::new(spawn, sight.now, &mut self.random);
                 self.movers.push(mover);
             }
-            Action::Fault(fault) => self.break_down(fault, sight),
+            Action::Fault(fault) => self.breakdowns.add(fault, sight, &mut self.random),
             Action::Fail(text) => news.push(EngineNews::Failed(text.clone())),
-            Action::Event(other) => self.watches[*other].due = Some(sight.now + TICK),
-        }
-    }
-
-    fn break_down(&mut self, fault: &Fault, sight: &Sight<'_>) {
-        let crafts: Vec<&Craft> = match fault.victim {
-            Victim::One(index) => sight.crafts.get(index).into_iter().collect(),
-            Victim::All => sight.crafts.iter().collect(),
-            Victim::Chance => {
-                let flies = |craft: &&Craft| craft.airborne && !craft.lost;
-                let flying: Vec<&Craft> = sight.crafts.iter().filter(flies).collect();
-                let among = if flying.is_empty() {
-                    sight.crafts.iter().collect()
-                } else {
-                    flying
-                };
-                let chosen = self.random.random_range(0..among.len().max(1));
-                among.get(chosen).copied().into_iter().collect()
-            }
-        };
-        for craft in crafts {
-            let vehicle = sight.vehicles.get(&craft.id);
-            let voltage = vehicle.and_then(|vehicle| vehicle.battery()?.voltage_v);
-            let mut held = craft.shown();
-            held.extend(voltage.map(f64::from));
-            self.broken
-                .retain(|broken| (broken.kind, broken.vehicle) != (fault.kind, craft.id));
-            self.broken.push(Broken {
-                kind: fault.kind,
-                vehicle: craft.id,
-                to: fault.to,
-                since: sight.now,
-                until: fault.lasts.map(|lasts| sight.now + lasts),
-                held,
-            });
+            Action::Event(other) => self.schedule.put(*other, sight.now + TICK),
         }
     }
 
@@ -330,7 +227,7 @@ impl Engine {
             active: &self.active,
             movers: &self.movers,
             alerts: self.alerts.levels(),
-            fired: &self.fired,
+            fired: self.schedule.fired(),
             margins_db: &self.margins_db,
             wind_m_s: weather.wind.speed_m_s,
             chance: (self.seed, STREAM),
@@ -339,11 +236,7 @@ impl Engine {
 
     /// An instructor wants an event of the mission to happen, by its place in the file.
     pub fn inject_event(&mut self, index: usize, now: Duration) {
-        if let Some(watch) = self.watches.get_mut(index) {
-            watch.due = Some(now);
-            watch.over = false;
-            watch.wanted = true;
-        }
+        self.schedule.want(index, now);
     }
 
     /// An instructor wants one of the [`Standard`] threats.
@@ -353,11 +246,7 @@ impl Engine {
 
     /// What sensors of a vehicle show instead of the truth.
     pub fn shown(&self, vehicle: VehicleId, sensor: usize, shown: f64, now: Duration) -> f64 {
-        let broken = self
-            .broken
-            .iter()
-            .filter(|broken| broken.vehicle == vehicle);
-        broken.fold(shown, |shown, broken| broken.shown(sensor, shown, now))
+        self.breakdowns.shown(vehicle, sensor, shown, now)
     }
 
     /// Which of the zones are there now, in the order of the file.
@@ -395,11 +284,4 @@ impl Engine {
     pub fn take_demands(&mut self) -> Vec<Demand> {
         self.demands.take()
     }
-}
-
-/// A time moved by chance, either way.
-fn jittered(at: Duration, jitter: Duration, random: &mut ChaCha8Rng) -> Duration {
-    let by_s = random.random_range(-1.0..=1.0) * jitter.as_secs_f64();
-    let at_s = (at.as_secs_f64() + by_s).max(0.0);
-    Duration::try_from_secs_f64(at_s).unwrap_or(at)
 }

@@ -2,6 +2,11 @@
 
 use std::time::Duration;
 
+use rand::RngExt as _;
+use rand_chacha::ChaCha8Rng;
+
+use super::scope::Sight;
+use crate::mission::craft::Craft;
 use crate::vehicle::VehicleId;
 
 /// A fault as an event makes it.
@@ -72,6 +77,71 @@ pub(crate) struct Broken {
     pub until: Option<Duration>,
     /// What each sensor showed when it began, and the voltage.
     pub held: Vec<f64>,
+}
+
+/// The faults that vehicles have now.
+#[derive(Debug, Default)]
+pub(crate) struct Breakdowns(Vec<Broken>);
+
+impl Breakdowns {
+    /// Ends those whose time is over.
+    pub fn mend(&mut self, now: Duration) {
+        self.0
+            .retain(|broken| broken.until.is_none_or(|until| until > now));
+    }
+
+    /// Breaks something on board of those whom a fault hits.
+    pub fn add(&mut self, fault: &Fault, sight: &Sight<'_>, random: &mut ChaCha8Rng) {
+        for craft in fault.victim.among(sight.crafts, random) {
+            let vehicle = sight.vehicles.get(&craft.id);
+            let voltage = vehicle.and_then(|vehicle| vehicle.battery()?.voltage_v);
+            let mut held = craft.shown();
+            held.extend(voltage.map(f64::from));
+            self.0
+                .retain(|broken| (broken.kind, broken.vehicle) != (fault.kind, craft.id));
+            self.0.push(Broken {
+                kind: fault.kind,
+                vehicle: craft.id,
+                to: fault.to,
+                since: sight.now,
+                until: fault.lasts.map(|lasts| sight.now + lasts),
+                held,
+            });
+        }
+    }
+
+    /// Those of one vehicle.
+    pub fn of(&self, vehicle: VehicleId) -> impl Iterator<Item = &Broken> {
+        self.0
+            .iter()
+            .filter(move |broken| broken.vehicle == vehicle)
+    }
+
+    /// What sensors of a vehicle show instead of the truth.
+    pub fn shown(&self, vehicle: VehicleId, sensor: usize, shown: f64, now: Duration) -> f64 {
+        let broken = self.of(vehicle);
+        broken.fold(shown, |shown, broken| broken.shown(sensor, shown, now))
+    }
+}
+
+impl Victim {
+    fn among<'a>(self, crafts: &'a [Craft], random: &mut ChaCha8Rng) -> Vec<&'a Craft> {
+        match self {
+            Self::One(index) => crafts.get(index).into_iter().collect(),
+            Self::All => crafts.iter().collect(),
+            Self::Chance => {
+                let flies = |craft: &&Craft| craft.airborne && !craft.lost;
+                let flying: Vec<&Craft> = crafts.iter().filter(flies).collect();
+                let among = if flying.is_empty() {
+                    crafts.iter().collect()
+                } else {
+                    flying
+                };
+                let chosen = random.random_range(0..among.len().max(1));
+                among.get(chosen).copied().into_iter().collect()
+            }
+        }
+    }
 }
 
 impl Broken {

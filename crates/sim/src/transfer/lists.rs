@@ -5,9 +5,9 @@
 mod guided;
 mod kept;
 mod layout;
+mod upload;
 
 use std::ops::RangeInclusive;
-use std::time::Duration;
 
 use mavlink::MessageData as _;
 use mavlink::dialects::ardupilotmega::MavMissionResult::{
@@ -26,15 +26,12 @@ use self::kept::announce;
 pub(super) use self::kept::{as_sent, leads_somewhere, replace, take_fence};
 use self::layout::{Travelling, float_place, read_floats};
 pub(super) use self::layout::{item_at, laid_out, whole_place};
+use self::upload::{Upload, UploadDue};
 use super::{Peer, Talk, items};
 use crate::mode;
 use crate::payload::{Payload, Writer};
 use crate::plan::{Item, ListKind};
 
-/// An item that does not come is asked for again after this long.
-const ASK_AGAIN_AFTER: Duration = Duration::from_secs(1);
-/// An upload ends when no item has come for this long.
-const GIVE_UP_AFTER: Duration = Duration::from_secs(8);
 /// Message ids of what is said and heard.
 const PARTIAL: u32 = MISSION_WRITE_PARTIAL_LIST_DATA::ID;
 const ITEM: u32 = MISSION_ITEM_DATA::ID;
@@ -55,18 +52,6 @@ struct ListState {
     /// Whether the sender was told that it speaks an old dialect.
     warned_item: bool,
     warned_request: bool,
-}
-
-#[derive(Debug, Clone)]
-struct Upload {
-    peer: Peer,
-    /// The item that is asked for, and the last one to come.
-    next: u16,
-    last: u16,
-    heard_at: Duration,
-    asked_at: Duration,
-    /// A fence takes effect as a whole: the items that it will have.
-    staged: Vec<Item>,
 }
 
 impl Lists {
@@ -126,27 +111,26 @@ pub(super) fn handle(talk: &mut Talk<'_>, id: u32, payload: &Payload) -> bool {
 pub(super) fn step(talk: &mut Talk<'_>) {
     let now = talk.autopilot.vehicle.uptime();
     for kind in ListKind::ALL {
-        let Some(upload) = &mut talk.transfers.lists.of(kind).upload else {
+        let link = talk.peer.link;
+        let Some(upload) = &talk.state(kind).upload else {
             continue;
         };
-        let silent = now.saturating_sub(upload.heard_at);
-        if upload.peer.link != talk.peer.link {
-            // The link it came by may be gone.
-            if silent > GIVE_UP_AFTER + ASK_AGAIN_AFTER {
-                talk.transfers.lists.of(kind).upload = None;
+        let peer = upload.peer;
+        match upload.due(now, peer.link == link) {
+            UploadDue::Nothing => {}
+            UploadDue::AskAgain => talk.ask(kind),
+            UploadDue::Forget => talk.state(kind).upload = None,
+            UploadDue::GiveUp => {
+                talk.peer = peer;
+                talk.state(kind).upload = None;
+                talk.ack(kind.number(), MAV_MISSION_OPERATION_CANCELLED);
+                let name = match kind {
+                    ListKind::Mission => "Mission",
+                    ListKind::Fence => "Fence",
+                    ListKind::Rally => "Rally",
+                };
+                talk.text(MAV_SEVERITY_WARNING, &format!("{name} upload timeout"));
             }
-        } else if silent > GIVE_UP_AFTER {
-            talk.peer = upload.peer;
-            talk.transfers.lists.of(kind).upload = None;
-            talk.ack(kind.number(), MAV_MISSION_OPERATION_CANCELLED);
-            let name = match kind {
-                ListKind::Mission => "Mission",
-                ListKind::Fence => "Fence",
-                ListKind::Rally => "Rally",
-            };
-            talk.text(MAV_SEVERITY_WARNING, &format!("{name} upload timeout"));
-        } else if now.saturating_sub(upload.asked_at) > ASK_AGAIN_AFTER {
-            talk.ask(kind);
         }
     }
 }
@@ -173,8 +157,7 @@ impl Talk<'_> {
         let Some(upload) = &mut self.state(kind).upload else {
             return;
         };
-        upload.asked_at = now;
-        let (next, to) = (upload.next, upload.peer);
+        let (next, to) = (upload.ask(now), upload.peer);
         let to = [to.system, to.component, kind.number()];
         self.raw(REQUEST, Writer::default().short(next).bytes(&to).done());
     }
@@ -182,14 +165,7 @@ impl Talk<'_> {
     fn begin(&mut self, kind: ListKind, items: RangeInclusive<u16>, staged: Vec<Item>) {
         let now = self.autopilot.vehicle.uptime();
         *self.state(kind) = ListState {
-            upload: Some(Upload {
-                peer: self.peer,
-                next: *items.start(),
-                last: *items.end(),
-                heard_at: now,
-                asked_at: now,
-                staged,
-            }),
+            upload: Some(Upload::new(self.peer, &items, now, staged)),
             ..ListState::default()
         };
         self.ask(kind);
@@ -336,9 +312,7 @@ impl Talk<'_> {
         let peer = self.peer;
         let refusal = match &self.state(kind).upload {
             None => Some(MAV_MISSION_ERROR),
-            Some(upload) if upload.next != travelling.seq => Some(MAV_MISSION_INVALID_SEQUENCE),
-            Some(upload) if !upload.peer.is_same_sender(peer) => Some(MAV_MISSION_DENIED),
-            Some(_) => None,
+            Some(upload) => upload.refusal(travelling.seq, peer),
         };
         if let Some(reason) = refusal {
             self.ack(travelling.number, reason);
@@ -358,9 +332,7 @@ impl Talk<'_> {
         let Some(upload) = &mut self.state(kind).upload else {
             return;
         };
-        upload.heard_at = now;
-        upload.next += 1;
-        if upload.next <= upload.last {
+        if upload.advance(now) {
             self.ask(kind);
             return;
         }
@@ -394,13 +366,10 @@ impl Talk<'_> {
             }
             ListKind::Rally => items::rally_item(item)?,
         };
-        let last = self
-            .state(kind)
-            .upload
-            .as_ref()
-            .map_or(0, |upload| upload.last);
+        let upload = self.state(kind).upload.as_ref();
+        let announced = upload.map_or(1, Upload::length);
         let length = self.autopilot.vehicle.plans.list(kind).len();
-        let in_sight = length.max(usize::from(last) + 1);
+        let in_sight = length.max(announced);
         if kind == ListKind::Mission && !leads_somewhere(&item, in_sight) {
             return Err(MAV_MISSION_ERROR);
         }

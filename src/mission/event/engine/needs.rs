@@ -42,7 +42,7 @@ impl Engine {
             let mut wishes = Wishes::default();
             wishes.weather(weather);
             self.navigation(mission, craft, &mut wishes);
-            for broken in self.broken.iter().filter(|b| b.vehicle == craft.id) {
+            for broken in self.breakdowns.of(craft.id) {
                 wishes.broken(broken, mission.origin.at);
             }
             self.demands.wish(craft.id, wishes);
@@ -90,9 +90,8 @@ impl Engine {
             (Some(_), Some(margin_db)) => crate::mission::radio::Radio::fault(margin_db),
             _ => RadioFault::default(),
         };
-        let is_link =
-            |broken: &&Broken| broken.vehicle == vehicle && broken.kind == FaultKind::Link;
-        for broken in self.broken.iter().filter(is_link) {
+        let of_link = |broken: &&Broken| broken.kind == FaultKind::Link;
+        for broken in self.breakdowns.of(vehicle).filter(of_link) {
             fault.loss = 1.0 - (1.0 - fault.loss) * (1.0 - broken.to);
         }
         fault.seed = self.seed;

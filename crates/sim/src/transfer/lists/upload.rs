@@ -1,0 +1,100 @@
+//! One list on its way to the vehicle.
+
+use std::ops::RangeInclusive;
+use std::time::Duration;
+
+use mavlink::dialects::ardupilotmega::MavMissionResult::{
+    self, MAV_MISSION_DENIED, MAV_MISSION_INVALID_SEQUENCE,
+};
+
+use super::Peer;
+use crate::plan::Item;
+
+/// An item that does not come is asked for again after this long.
+const ASK_AGAIN_AFTER: Duration = Duration::from_secs(1);
+/// An upload ends when no item has come for this long.
+const GIVE_UP_AFTER: Duration = Duration::from_secs(8);
+
+#[derive(Debug, Clone)]
+pub(super) struct Upload {
+    pub peer: Peer,
+    /// The item that is asked for, and the last one to come.
+    next: u16,
+    last: u16,
+    heard_at: Duration,
+    asked_at: Duration,
+    /// A fence takes effect as a whole: the items that it will have.
+    pub staged: Vec<Item>,
+}
+
+/// What is to be done about an upload.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum UploadDue {
+    Nothing,
+    /// The item did not come.
+    AskAgain,
+    /// Its sender is told that it is over.
+    GiveUp,
+    /// The link that it came by may be gone.
+    Forget,
+}
+
+impl Upload {
+    pub fn new(peer: Peer, items: &RangeInclusive<u16>, now: Duration, staged: Vec<Item>) -> Self {
+        Self {
+            peer,
+            next: *items.start(),
+            last: *items.end(),
+            heard_at: now,
+            asked_at: now,
+            staged,
+        }
+    }
+
+    /// Asks for an item: which one.
+    pub fn ask(&mut self, now: Duration) -> u16 {
+        self.asked_at = now;
+        self.next
+    }
+
+    /// Why an item is not the one that is asked for, if it is not.
+    pub fn refusal(&self, seq: u16, from: Peer) -> Option<MavMissionResult> {
+        if self.next != seq {
+            Some(MAV_MISSION_INVALID_SEQUENCE)
+        } else if !self.peer.is_same_sender(from) {
+            Some(MAV_MISSION_DENIED)
+        } else {
+            None
+        }
+    }
+
+    /// Notes that the item has come; whether another one is to come.
+    pub fn advance(&mut self, now: Duration) -> bool {
+        self.heard_at = now;
+        self.next += 1;
+        self.next <= self.last
+    }
+
+    /// How many items the list will have at least.
+    pub fn length(&self) -> usize {
+        usize::from(self.last) + 1
+    }
+
+    /// What is to be done about it where its own link, or another one, has its turn.
+    pub fn due(&self, now: Duration, is_own_link: bool) -> UploadDue {
+        let silent = now.saturating_sub(self.heard_at);
+        if !is_own_link {
+            if silent > GIVE_UP_AFTER + ASK_AGAIN_AFTER {
+                UploadDue::Forget
+            } else {
+                UploadDue::Nothing
+            }
+        } else if silent > GIVE_UP_AFTER {
+            UploadDue::GiveUp
+        } else if now.saturating_sub(self.asked_at) > ASK_AGAIN_AFTER {
+            UploadDue::AskAgain
+        } else {
+            UploadDue::Nothing
+        }
+    }
+}
