@@ -179,6 +179,7 @@ fn announce(state: &mut State, effect: &SessionEffect) {
         | SessionEffect::Forget(_)
         | SessionEffect::Restart { .. }
         | SessionEffect::Process(..)
+        | SessionEffect::Forget(_)
         | SessionEffect::Inject(_)
         | SessionEffect::Pause
         | SessionEffect::Continue
