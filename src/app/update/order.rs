@@ -179,7 +179,6 @@ fn announce(state: &mut State, effect: &SessionEffect) {
         | SessionEffect::Forget(_)
         | SessionEffect::Restart { .. }
         | SessionEffect::Process(..)
-        | SessionEffect::Forget(_)
         | SessionEffect::Inject(_)
         | SessionEffect::Pause
         | SessionEffect::Continue
