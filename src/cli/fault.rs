@@ -25,8 +25,8 @@ impl FileFault {
         match self {
             Self::Inside(source, faults) => {
                 let path = Path::new(&source.name);
-                let name = path.file_name().unwrap_or(path.as_os_str());
-                let name = sanitised(&name.to_string_lossy());
+                let last = path.file_name().unwrap_or(path.as_os_str());
+                let name = sanitised(&last.to_string_lossy());
                 let (shown, rest) = diagnostic::first_shown(faults);
                 let lines = shown.iter().map(|fault| fault.text(&name, &source.text));
                 lines.chain(rest).collect()

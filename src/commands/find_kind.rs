@@ -41,7 +41,6 @@ impl FindKind {
     /// The words of all kinds.
     pub const NAMES: &'static [&'static str] = <Self as VariantNames>::VARIANTS;
 
-    /// Its word.
     pub fn name(self) -> &'static str {
         self.into()
     }

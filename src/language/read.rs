@@ -146,8 +146,9 @@ impl Kind {
                 .map(|(name, ids)| (name.clone(), Targets::Ids(ids.clone()).to_string().into()))
                 .collect(),
             Self::Sort => {
-                let falling = Column::NAMES.iter().map(|name| format!("-{name}"));
-                let falling = falling.map(|name| (name, text!("grammar-largest-first")));
+                let falling = Column::NAMES
+                    .iter()
+                    .map(|name| (format!("-{name}"), text!("grammar-largest-first")));
                 unexplained(Column::NAMES).chain(falling).collect()
             }
             Self::Flag | Self::Number(..) | Self::Whole(..) | Self::Vehicles | Self::Rest => {

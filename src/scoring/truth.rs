@@ -43,7 +43,6 @@ pub struct SquareReport {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ObjectReport {
     pub at: Place,
-    /// What it is.
     pub kind: ObjectKind,
     /// Whether it was still there at the end.
     pub present: bool,

@@ -109,16 +109,16 @@ impl Profiles {
         };
         let log = PathBuf::from(format!("{}-wal", path.display()));
         let quiet = if log.exists() { "" } else { "?immutable=1" };
-        let name = path.display().to_string();
-        let name = name
+        let shown = path.display().to_string();
+        let name = shown
             .replace('%', "%25")
             .replace('?', "%3f")
             .replace('#', "%23");
         let flags = OpenFlags::SQLITE_OPEN_READ_ONLY
             | OpenFlags::SQLITE_OPEN_NO_MUTEX
             | OpenFlags::SQLITE_OPEN_URI;
-        let connection = Connection::open_with_flags(format!("file:{name}{quiet}"), flags);
-        let connection = connection.map_err(database)?;
+        let connection =
+            Connection::open_with_flags(format!("file:{name}{quiet}"), flags).map_err(database)?;
         connection.busy_timeout(PATIENCE).map_err(database)?;
         let found = schema::version(&connection).map_err(database)?;
         match found.cmp(&schema::VERSION) {

@@ -269,9 +269,9 @@ impl FlightView {
             members.retain(|member| *member != vehicle);
         }
         if self.cursor == Some(vehicle) {
-            let next = self.vehicles.range(vehicle..).next();
-            let next = next.or_else(|| self.vehicles.range(..vehicle).next_back());
-            self.cursor = next.map(|(&id, _)| id);
+            let below = || self.vehicles.range(..vehicle).next_back();
+            let nearest = self.vehicles.range(vehicle..).next().or_else(below);
+            self.cursor = nearest.map(|(&id, _)| id);
         }
     }
 

@@ -247,8 +247,8 @@ fn recipients(state: &State, line: &str) -> Text {
     }
     if let Some(targets) = words(line).first().filter(|word| word.is_targets()) {
         let choice = VehicleChoice::read(targets);
-        let ids = choice.and_then(|choice| state.chosen(&choice));
-        let ids = ids.unwrap_or_default();
+        let chosen = choice.and_then(|choice| state.chosen(&choice));
+        let ids = chosen.unwrap_or_default();
         return if ids.is_empty() {
             Text::default()
         } else {

@@ -103,10 +103,10 @@ pub fn started(state: &mut State, started: Started) {
     session.pace = SessionPace::new(started.speedup);
     session.begin(state.now);
     if let Some(Activity::Connected { .. }) = session.activity {
-        let expected = state.config.connect.expect.as_deref();
+        let written = state.config.connect.expect.as_deref();
         // What the configuration says has been checked.
-        let expected = expected.and_then(|ids| parse_ranges(ids).ok());
-        session.expected = expected.into_iter().flatten().collect();
+        let ids = written.and_then(|ids| parse_ranges(ids).ok());
+        session.expected = ids.into_iter().flatten().collect();
     }
     let starting = |expected| Hangar {
         expected,

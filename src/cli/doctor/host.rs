@@ -91,10 +91,10 @@ pub(super) fn database(settings: &CliSettings) -> Vec<HostFinding> {
     let mounts = fs::read_to_string("/proc/self/mountinfo").unwrap_or_default();
     let data = settings.data.as_deref().into_iter();
     data.flat_map(|data| {
-        let there = data.ancestors().find(|folder| folder.exists());
+        let nearest = data.ancestors().find(|folder| folder.exists());
         // A link leads to where the files are.
-        let there = there.and_then(|folder| folder.canonicalize().ok());
-        let there = there.unwrap_or_else(|| data.to_owned());
+        let real = nearest.and_then(|folder| folder.canonicalize().ok());
+        let there = real.unwrap_or_else(|| data.to_owned());
         let far = on_network(&mounts, data, &there);
         far.into_iter().chain(open_to_others(data))
     })

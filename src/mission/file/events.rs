@@ -127,7 +127,6 @@ pub(super) fn condition() -> ConditionValue {
     ConditionValue
 }
 
-/// What [`condition`] makes.
 pub(super) struct ConditionValue;
 
 impl FileValue for ConditionValue {

@@ -103,8 +103,7 @@ fn gate(table: &mut FileTable<'_>, written: &Spanned<String>) -> Option<Gate> {
         let message = format!("unknown name `{id}` in a gate");
         let mut names: Vec<&str> = Gate::names().collect();
         names.extend(objectives.iter().map(String::as_str));
-        let fault = Diagnostic::new(written.span(), message);
-        let fault = fault.with_nearest(id, names);
+        let fault = Diagnostic::new(written.span(), message).with_nearest(id, names);
         table.draft().faults.push(fault);
     }
     Some(gate)

@@ -42,7 +42,6 @@ struct LocateTracker {
 struct LocateReports {
     /// From each thing to the nearest report of it.
     distances_m: Vec<Option<f64>>,
-    /// All other reports.
     wrong: usize,
 }
 

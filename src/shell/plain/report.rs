@@ -267,12 +267,12 @@ fn contacts(state: &State) -> Vec<Text> {
 /// How vehicles are: those that are named, else those that a command would go to, else all.
 fn status(state: &State, choice: Option<&VehicleChoice>) -> Vec<Text> {
     let vehicles = state.session().vehicles();
-    let ids = match choice {
+    let chosen = match choice {
         Some(choice) => state.chosen(choice),
         None if state.session().selection().is_empty() => state.chosen(&VehicleChoice::All),
         None => Ok(state.addressed()),
     };
-    let ids = match ids {
+    let ids = match chosen {
         Ok(ids) => ids,
         Err(fault) => return vec![fault],
     };

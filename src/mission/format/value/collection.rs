@@ -10,7 +10,6 @@ use crate::mission::format::description::{FileShape, describe};
 use crate::mission::format::draft::Draft;
 use crate::mission::format::table::{FileTable, Reader};
 
-/// What [`list`] makes.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::mission) struct ListValue<V> {
     of: V,
@@ -57,7 +56,6 @@ impl<V: FileValue> FileValue for ListValue<V> {
     }
 }
 
-/// What [`map`] makes.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::mission) struct MapValue<V> {
     names: &'static str,
@@ -96,7 +94,6 @@ impl<V: FileValue> FileValue for MapValue<V> {
     }
 }
 
-/// What [`table`] makes.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::mission) struct TableValue<T>(Reader<T>);
 
@@ -121,7 +118,6 @@ impl<T> FileValue for TableValue<T> {
     }
 }
 
-/// What [`tables`] makes.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::mission) struct TablesValue<T> {
     reader: Reader<T>,

@@ -10,7 +10,6 @@ use crate::mission::format::LONGEST_S;
 use crate::mission::format::description::FileShape;
 use crate::mission::format::draft::Draft;
 
-/// What [`number`] makes.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::mission) struct NumberValue {
     pub(super) low: f64,
@@ -52,7 +51,6 @@ impl FileValue for NumberValue {
     }
 }
 
-/// What [`seconds`] makes.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::mission) struct SecondsValue(NumberValue);
 
@@ -87,7 +85,6 @@ impl FileValue for SecondsValue {
     }
 }
 
-/// What [`whole`] makes.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::mission) struct WholeValue {
     low: u32,
@@ -133,7 +130,6 @@ pub(in crate::mission::format) fn spaced(unit: &str) -> String {
     }
 }
 
-/// What [`flag`] makes.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::mission) struct FlagValue;
 

@@ -9,7 +9,6 @@ use crate::mission::format::description::FileShape;
 use crate::mission::format::draft::Draft;
 use crate::mission::sensor::Sensor;
 
-/// What [`text`] makes.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::mission) struct TextValue {
     form: &'static str,
@@ -94,7 +93,6 @@ impl FileValue for TextValue {
     }
 }
 
-/// What [`word`] makes.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::mission) struct WordValue<T: 'static>(&'static [(&'static str, T)]);
 
@@ -133,7 +131,6 @@ impl<T: Copy + PartialEq> FileValue for WordValue<T> {
     }
 }
 
-/// What [`named`] makes.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::mission) struct NamedValue<T> {
     what: &'static str,

@@ -26,11 +26,11 @@ pub fn text(vehicle: &Vehicle) -> Text {
         ratios.sort_by(|a, b| badness(b.1).total_cmp(&badness(a.1)));
         ratios.truncate(1);
     }
-    let figures = ratios
+    let figures: Vec<String> = ratios
         .iter()
-        .map(|(name, ratio)| format!("{name} {}", figure(*ratio, 2)));
-    let figures = figures.collect::<Vec<_>>().join(" ");
-    Text::joined("  ", vec![state, figures.into()])
+        .map(|(name, ratio)| format!("{name} {}", figure(*ratio, 2)))
+        .collect();
+    Text::joined("  ", vec![state, figures.join(" ").into()])
 }
 
 /// A ratio to compare: one that the filter cannot tell is the worst.
