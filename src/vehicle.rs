@@ -32,6 +32,9 @@ pub use readings::{
 pub use speeds::{AskedSpeeds, SpeedAxis};
 pub use status::{EkfFlags, FixType, LandedState, Severity, SystemStatus};
 
+/// A home that is farther away is none of this flight.
+const FARTHEST_HOME_M: f64 = 1_000_000.0;
+
 /// The number by which people and the grammar call a vehicle. It is the vehicle's system id as long as that
 /// is enough; a swarm larger than the 255 ids of MAVLink needs more numbers than that.
 pub type VehicleId = u16;
@@ -193,7 +196,8 @@ impl Vehicle {
     /// Horizontal distance to home in metres.
     pub fn distance_home_m(&self) -> Option<f64> {
         let (global, home) = (self.global?, self.home?);
-        Some(global.at_point.distance_m(home.at_point))
+        let metres = global.at_point.distance_m(home.at_point);
+        (metres < FARTHEST_HOME_M).then_some(metres)
     }
 
     /// The pack that flies the vehicle.

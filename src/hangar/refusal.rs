@@ -11,7 +11,7 @@ use crate::text::Text;
 #[derive(Debug, thiserror::Error)]
 pub enum HangarRefusal {
     /// No instance has that number.
-    #[error("unknown instance {0}: the list names those that run")]
+    #[error("no instance {0}: the list names those that run")]
     Unknown(InstanceId),
     /// The number is taken.
     #[error("instance {0} exists already: stop it first, or choose another number")]

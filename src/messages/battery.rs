@@ -97,8 +97,9 @@ fn current_a(centiamperes: i16) -> Option<f32> {
     (centiamperes >= 0).then(|| f32::from(centiamperes) * 0.01)
 }
 
+/// What was used since the start. -1 means unknown; below zero and at the end of the range no battery has been either.
 fn known(count: i32) -> Option<f32> {
-    (count != -1).then_some(count as f32)
+    (0..i32::MAX).contains(&count).then_some(count as f32)
 }
 
 fn percent(remaining: i8) -> Option<u8> {

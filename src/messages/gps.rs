@@ -16,8 +16,9 @@ pub(super) fn apply(vehicle: &mut Vehicle, data: &GPS_RAW_INT_DATA, report: &mut
         hdop: (data.eph != u16::MAX).then(|| f32::from(data.eph) * 0.01),
         at: report.now,
     };
-    // 0 is what senders without the extension fields say.
-    vehicle.gps_accuracy = (data.h_acc != 0 && data.v_acc != 0).then_some(GpsAccuracy {
+    // 0 is what senders without the extension fields say, and the end of the range what others do that do not know.
+    let is_known = |accuracy| !matches!(accuracy, 0 | u32::MAX);
+    vehicle.gps_accuracy = (is_known(data.h_acc) && is_known(data.v_acc)).then_some(GpsAccuracy {
         horizontal_m: data.h_acc as f32 * 1e-3,
         vertical_m: data.v_acc as f32 * 1e-3,
     });

@@ -22,7 +22,7 @@ pub(super) fn apply_rc(vehicle: &mut Vehicle, data: &RC_CHANNELS_DATA) {
     });
 }
 
-/// Applies `SERVO_OUTPUT_RAW` of the first port.
+/// Applies `SERVO_OUTPUT_RAW` of the first port; 65535 is unused.
 pub(super) fn apply_servos(vehicle: &mut Vehicle, data: &SERVO_OUTPUT_RAW_DATA) {
     if data.port != 0 {
         return;
@@ -44,5 +44,6 @@ pub(super) fn apply_servos(vehicle: &mut Vehicle, data: &SERVO_OUTPUT_RAW_DATA) 
         data.servo14_raw,
         data.servo15_raw,
         data.servo16_raw,
-    ];
+    ]
+    .map(|width_us| if width_us == u16::MAX { 0 } else { width_us });
 }

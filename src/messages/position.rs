@@ -10,9 +10,13 @@ use super::attitude::heading_deg;
 use crate::geo::LatLon;
 use crate::vehicle::{GlobalPosition, LocalPosition, Place, Vehicle};
 
-/// Applies `GLOBAL_POSITION_INT`. Latitude and longitude both 0 is how `ArduPilot` says that it does not know.
+/// Applies `GLOBAL_POSITION_INT`. Latitude and longitude both 0 is how `ArduPilot` says that it does not know; a height
+/// at an end of the range is no place either.
 pub(super) fn apply_global(vehicle: &mut Vehicle, data: &GLOBAL_POSITION_INT_DATA, now: Duration) {
-    let position = point(data.lat, data.lon).map(|at_point| GlobalPosition {
+    let is_height = |height_mm| !matches!(height_mm, i32::MIN | i32::MAX);
+    let at_point = point(data.lat, data.lon);
+    let at_point = at_point.filter(|_| is_height(data.alt) && is_height(data.relative_alt));
+    let position = at_point.map(|at_point| GlobalPosition {
         at_point,
         altitude_amsl_m: f64::from(data.alt) * 1e-3,
         altitude_m: f64::from(data.relative_alt) * 1e-3,

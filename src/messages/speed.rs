@@ -18,7 +18,7 @@ pub(super) fn apply_hud(vehicle: &mut Vehicle, data: &VFR_HUD_DATA, now: Duratio
         ground_speed_m_s: data.groundspeed,
         climb_m_s: data.climb,
         altitude_amsl_m: data.alt,
-        throttle_percent: data.throttle,
+        throttle_percent: data.throttle.min(100),
         heading_deg: heading_deg(f32::from(data.heading)),
         at: now,
     });

@@ -205,7 +205,7 @@ pub struct Vibration {
     /// number where a sensor does not work.
     pub level_m_s2: [f32; 3],
     /// How often each accelerometer clipped.
-    pub clipping: [u32; 3],
+    pub clipping: Option<[u32; 3]>,
 }
 
 /// Progress through the plan on board.

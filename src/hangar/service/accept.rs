@@ -44,10 +44,13 @@ pub(super) async fn run(listener: &TcpListener, state: &Arc<ServiceState>) -> Jo
             () = state.cancel.cancelled() => return tasks,
             accepted = listener.accept() => match accepted {
                 Ok((stream, peer)) => {
-                    if let Ok(permit) = Arc::clone(&room).try_acquire_owned() {
+                    let ends = ends_of(&stream, peer);
+                    let permit = Arc::clone(&room).try_acquire_owned().ok();
+                    let permit = permit.filter(|_| may_enter(&room, ends.as_ref(), state));
+                    if let Some((permit, ends)) = permit.zip(ends) {
                         let (router, state) = (router.clone(), Arc::clone(state));
                         tasks.spawn(async move {
-                            talk(stream, peer, router, &state).await;
+                            talk(stream, ends, router, &state).await;
                             drop(permit);
                         });
                     } else if let Ok(permit) = Arc::clone(&rejected).try_acquire_owned() {
@@ -61,15 +64,25 @@ pub(super) async fn run(listener: &TcpListener, state: &Arc<ServiceState>) -> Jo
     }
 }
 
+fn ends_of(stream: &TcpStream, peer: SocketAddr) -> Option<ConnectionEnds> {
+    let local = stream.local_addr().ok()?;
+    Some(ConnectionEnds::new(peer, local))
+}
+
+/// Whether one more connection may enter, if it has found room. On this host, half of the room is the user's own: no other
+/// user can keep them out.
+fn may_enter(room: &Semaphore, ends: Option<&ConnectionEnds>, state: &ServiceState) -> bool {
+    let is_half_full = room.available_permits() < state.setup.bounds.connections / 2;
+    let is_own = || ends.is_some_and(|ends| ends.is_own(state.setup.owner));
+    !state.on_loopback || !is_half_full || is_own()
+}
+
 /// Answers the requests of one connection. A tunnel that it becomes is no longer counted.
-async fn talk(stream: TcpStream, peer: SocketAddr, router: Router, state: &ServiceState) {
+async fn talk(stream: TcpStream, ends: ConnectionEnds, router: Router, state: &ServiceState) {
     // Answers are small and must not wait for one another; failing that they only come later.
     let _ = stream.set_nodelay(true);
-    let Ok(local) = stream.local_addr() else {
-        return;
-    };
     let bounds = state.setup.bounds;
-    let service = router.layer(Extension(Arc::new(ConnectionEnds::new(peer, local))));
+    let service = router.layer(Extension(Arc::new(ends)));
     let connection = http1::Builder::new()
         .timer(TokioTimer::new())
         .header_read_timeout(bounds.head)

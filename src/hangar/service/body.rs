@@ -80,7 +80,7 @@ impl<S: Send + Sync> FromRequestParts<S> for PathNumber {
         let Path(text) = text
             .map_err(|rejection| ServiceProblem::new(rejection.status(), rejection.body_text()))?;
         text.parse().map(Self).map_err(|_| {
-            let error = format!("`{text}` is no instance: expected a number from 1 to 65535");
+            let error = format!("`{text}` is not an instance: expected a number from 1 to 65535");
             ServiceProblem::new(StatusCode::BAD_REQUEST, error)
         })
     }

@@ -8,6 +8,7 @@ use std::net::{IpAddr, SocketAddr};
 use std::sync::{Arc, OnceLock};
 
 use axum::extract::{Request, State};
+use axum::http::uri::Authority;
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::middleware::Next;
 use axum::response::{IntoResponse as _, Response};
@@ -33,7 +34,7 @@ impl ConnectionEnds {
     }
 
     /// Whether the other end is a program of the user whose program this is, or of root.
-    fn is_own(&self, owner: Owner) -> bool {
+    pub fn is_own(&self, owner: Owner) -> bool {
         let on_loopback = |address: SocketAddr| address.ip().to_canonical().is_loopback();
         let uid = || *self.owner.get_or_init(|| owner(self.peer, self.local));
         on_loopback(self.peer)
@@ -57,7 +58,13 @@ pub(super) async fn check(
 impl ServiceState {
     fn admit(&self, request: &Request) -> Result<(), ServiceProblem> {
         let headers = request.headers();
-        let host = text(headers, &header::HOST);
+        if headers.get_all(header::HOST).iter().count() > 1 {
+            let error = "the request names its host more than once";
+            return Err(ServiceProblem::new(StatusCode::BAD_REQUEST, error));
+        }
+        // What a whole address in the request's line says counts before the header (RFC 9112, 3.2.2).
+        let whole = request.uri().authority().map(Authority::as_str);
+        let host = whole.or_else(|| text(headers, &header::HOST));
         // Elsewhere the token is asked for, which no page of somebody else's knows.
         if self.on_loopback && !host.is_some_and(is_this_host) {
             let host = host.unwrap_or("nothing");

@@ -1,10 +1,11 @@
 //! What single messages put into the model.
 
 use mavlink::dialects::ardupilotmega::{
-    AUTOPILOT_VERSION_DATA, BATTERY_STATUS_DATA, DISTANCE_SENSOR_DATA, GPS_GLOBAL_ORIGIN_DATA,
-    LOCAL_POSITION_NED_DATA, MISSION_CURRENT_DATA, MavFrame, MavParamType, MavSensorOrientation,
-    MissionState, PARAM_VALUE_DATA, POSITION_TARGET_GLOBAL_INT_DATA,
-    POSITION_TARGET_LOCAL_NED_DATA, PositionTargetTypemask, SERVO_OUTPUT_RAW_DATA, SYS_STATUS_DATA,
+    AUTOPILOT_VERSION_DATA, BATTERY_STATUS_DATA, DISTANCE_SENSOR_DATA, GLOBAL_POSITION_INT_DATA,
+    GPS_GLOBAL_ORIGIN_DATA, GPS_RAW_INT_DATA, HOME_POSITION_DATA, LOCAL_POSITION_NED_DATA,
+    MISSION_CURRENT_DATA, MavFrame, MavParamType, MavSensorOrientation, MissionState,
+    PARAM_VALUE_DATA, POSITION_TARGET_GLOBAL_INT_DATA, POSITION_TARGET_LOCAL_NED_DATA,
+    PositionTargetTypemask, SERVO_OUTPUT_RAW_DATA, SYS_STATUS_DATA, VIBRATION_DATA,
 };
 
 use super::super::testing::Bench;
@@ -21,6 +22,58 @@ fn a_position_of_zero_means_unknown() {
     let position = bench.vehicle.global.expect("a position");
     assert_eq!(position.heading_deg, None);
     assert!((position.altitude_m - 10.0).abs() < 1e-9);
+}
+
+#[test]
+fn values_at_the_end_of_their_range_are_no_figures() {
+    let mut bench = Bench::new();
+    for count in [-1, i32::MIN, i32::MAX] {
+        bench.hear(MavMessage::BATTERY_STATUS(BATTERY_STATUS_DATA {
+            current_consumed: count,
+            energy_consumed: count,
+            ..Default::default()
+        }));
+        let battery = bench.vehicle.battery().expect("a pack");
+        assert_eq!((battery.consumed_mah, battery.consumed_wh), (None, None));
+    }
+    bench.hear(MavMessage::VIBRATION(VIBRATION_DATA {
+        clipping_1: u32::MAX,
+        ..Default::default()
+    }));
+    assert_eq!(bench.vehicle.vibration.and_then(|it| it.clipping), None);
+    bench.hear(MavMessage::SERVO_OUTPUT_RAW(SERVO_OUTPUT_RAW_DATA {
+        servo1_raw: u16::MAX,
+        servo2_raw: 1500,
+        ..Default::default()
+    }));
+    assert_eq!(bench.vehicle.servos_us[..2], [0, 1500]);
+    bench.hear(MavMessage::GPS_RAW_INT(GPS_RAW_INT_DATA {
+        h_acc: u32::MAX,
+        v_acc: 900,
+        ..Default::default()
+    }));
+    assert_eq!(bench.vehicle.gps_accuracy, None);
+    bench.hear(MavMessage::GLOBAL_POSITION_INT(GLOBAL_POSITION_INT_DATA {
+        lat: 504_501_000,
+        lon: 305_234_000,
+        alt: i32::MAX,
+        ..Default::default()
+    }));
+    assert_eq!(bench.vehicle.global, None);
+}
+
+#[test]
+fn a_home_on_the_other_side_of_the_earth_has_no_distance() {
+    let mut bench = Bench::new();
+    bench.hear(global(504_501_000, 305_234_000));
+    for (latitude, is_near) in [(-504_501_000, false), (504_511_000, true)] {
+        bench.hear(MavMessage::HOME_POSITION(HOME_POSITION_DATA {
+            latitude,
+            longitude: 305_234_000,
+            ..Default::default()
+        }));
+        assert_eq!(bench.vehicle.distance_home_m().is_some(), is_near);
+    }
 }
 
 #[test]

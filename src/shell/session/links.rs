@@ -14,12 +14,15 @@ use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle};
 use crate::wire::{ComponentId, SystemId};
 
+/// A link that was down is up again once it has been for so long.
+const UP_HOLDS: Duration = Duration::from_secs(2);
+
 /// The links of a session.
 #[derive(Default)]
 pub(super) struct SessionLinks {
     all: Vec<watch::Receiver<LinkStatus>>,
-    /// What was said of each last.
-    said: Vec<LinkNews>,
+    /// What was heard and said of each.
+    heard: Vec<LinkHeard>,
     /// How many had ended when they were shown last.
     ended: usize,
 }
@@ -28,7 +31,7 @@ impl SessionLinks {
     /// Adds a link that was opened.
     pub fn add(&mut self, link: watch::Receiver<LinkStatus>) {
         self.all.push(link);
-        self.said.push(LinkNews::Silent);
+        self.heard.push(LinkHeard::new());
     }
 
     /// All of them, in their order.
@@ -38,16 +41,11 @@ impl SessionLinks {
 
     /// What a human should hear of them: that one is down and why, and that it is up again.
     pub fn hear(&mut self, now: Duration) -> impl Iterator<Item = Notice> {
-        let links = self.all.iter().zip(&mut self.said);
-        links.filter_map(move |(link, said)| {
+        let links = self.all.iter().zip(&mut self.heard);
+        links.filter_map(move |(link, heard)| {
             let status = link.borrow();
-            let news = LinkNews::of(&status);
-            if news == LinkNews::Silent || news == *said {
-                return None;
-            }
-            let before = std::mem::replace(said, news.clone());
-            let is_usual = before == LinkNews::Silent && news == LinkNews::Up;
-            (!is_usual).then(|| news.notice(&status.name, now))
+            let news = heard.note(LinkNews::of(&status), now)?;
+            Some(news.notice(&status.name, now))
         })
     }
 
@@ -67,6 +65,52 @@ impl SessionLinks {
             summary(&status, round_trip)
         });
         Some(LinkEvent::Summaries(summaries.collect()).into())
+    }
+}
+
+/// What was heard and said of a link.
+struct LinkHeard {
+    /// How it was when it was looked at last, and since when.
+    seen: LinkNews,
+    since: Duration,
+    /// What was said of it last.
+    said: LinkNews,
+}
+
+impl LinkHeard {
+    fn new() -> Self {
+        Self {
+            seen: LinkNews::Silent,
+            since: Duration::ZERO,
+            said: LinkNews::Silent,
+        }
+    }
+
+    /// What is to be said now. That a link is up again is said once that has held: of one that goes up and down, the same
+    /// is said again and again, which folds into one line.
+    fn note(&mut self, news: LinkNews, now: Duration) -> Option<LinkNews> {
+        if news == LinkNews::Silent {
+            return None;
+        }
+        let is_new = news != self.seen;
+        if is_new {
+            self.seen = news;
+            self.since = now;
+        }
+        let is_said = match self.seen {
+            // It has come up for the first time, as usual.
+            LinkNews::Up if self.said == LinkNews::Silent => {
+                self.said = LinkNews::Up;
+                false
+            }
+            LinkNews::Up => self.said != LinkNews::Up && now >= self.since + UP_HOLDS,
+            LinkNews::Down(_) | LinkNews::Ended => is_new,
+            LinkNews::Silent => false,
+        };
+        is_said.then(|| {
+            self.said.clone_from(&self.seen);
+            self.seen.clone()
+        })
     }
 }
 
@@ -152,5 +196,36 @@ fn summary(status: &LinkStatus, round_trip: Option<Duration>) -> LinkSummary {
         unsent: status.dropped_out,
         reconnects: status.reconnects,
         round_trip,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Looks ten times a second for so long; what was said.
+    fn said(heard: &mut LinkHeard, from_ms: u64, to_ms: u64, news: &LinkNews) -> Vec<LinkNews> {
+        (from_ms..to_ms)
+            .step_by(100)
+            .filter_map(|ms| heard.note(news.clone(), Duration::from_millis(ms)))
+            .collect()
+    }
+
+    #[test]
+    fn a_link_that_goes_up_and_down_says_the_same_again_and_again() {
+        let down = LinkNews::Down("connection reset".into());
+        let mut heard = LinkHeard::new();
+        assert_eq!(said(&mut heard, 0, 5000, &LinkNews::Up), [], "as usual");
+        for round in 0..20 {
+            let at = 5000 + round * 500;
+            let told = said(&mut heard, at, at + 200, &down);
+            assert_eq!(told, std::slice::from_ref(&down));
+            assert_eq!(said(&mut heard, at + 200, at + 500, &LinkNews::Up), []);
+        }
+        assert_eq!(
+            said(&mut heard, 15_000, 20_000, &LinkNews::Up),
+            [LinkNews::Up],
+            "once it has held"
+        );
     }
 }

@@ -90,6 +90,13 @@ async fn pages_of_other_sites_are_refused() {
         (vec!["Host: localhost".to_owned()], 200),
         (vec![format!("Host: localhost:{port}")], 200),
         (vec!["Host: 127.0.0.1:6000".to_owned()], 200),
+        (
+            vec![
+                "Host: localhost".to_owned(),
+                "Host: evil.example".to_owned(),
+            ],
+            400,
+        ),
         (vec!["Origin: http://evil.example".to_owned()], 403),
         (vec!["Origin: null".to_owned()], 403),
         (vec![own_origin], 200),
@@ -100,6 +107,11 @@ async fn pages_of_other_sites_are_refused() {
         let words: Vec<&str> = headers.iter().map(String::as_str).collect();
         let answer = served.send("GET", "/list", &words, "").await;
         assert_eq!(answer.status, status, "{headers:?}: {answer:?}");
+    }
+    for (whole, status) in [("evil.example", 403), ("localhost", 200)] {
+        let path = format!("http://{whole}/list");
+        let answer = served.send("GET", &path, &["Host: localhost"], "").await;
+        assert_eq!(answer.status, status, "{whole}: {answer:?}");
     }
     let start = ["Sec-Fetch-Site: cross-site"];
     served.send("GET", "/start/1", &start, "").await;

@@ -1,8 +1,12 @@
 //! Clients that are too many, too slow, or say too much.
 
+use std::collections::BTreeSet;
+use std::net::SocketAddr;
+use std::sync::Mutex;
 use std::time::Duration;
 
 use tokio::io::AsyncWriteExt as _;
+use tokio::net::TcpSocket;
 
 use super::{Answer, Served};
 use sortie::hangar::service::ServiceSetup;
@@ -112,6 +116,41 @@ async fn who_holds_all_connections_does_not_hold_them_for_long() {
     tokio::time::timeout(super::PATIENCE, served_again)
         .await
         .expect("there is room again");
+    served.end().await;
+}
+
+/// Ports of programs of another user.
+static STRANGERS: Mutex<BTreeSet<u16>> = Mutex::new(BTreeSet::new());
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn another_user_of_the_host_cannot_keep_the_owner_out() {
+    #[expect(clippy::unnecessary_wraps, reason = "the type of an owner")]
+    fn owner(peer: SocketAddr, _: SocketAddr) -> Option<u32> {
+        let strangers = STRANGERS.lock().expect("no panic");
+        // Root may do what the owner may.
+        Some(if strangers.contains(&peer.port()) {
+            4711
+        } else {
+            0
+        })
+    }
+    let adjust = |setup: &mut ServiceSetup| {
+        setup.bounds.connections = 8;
+        setup.owner = owner;
+    };
+    let served = Served::with(1, None, adjust).await;
+    let mut held = Vec::new();
+    for _ in 0..30 {
+        let socket = TcpSocket::new_v4().expect("a socket");
+        socket
+            .bind("127.0.0.1:0".parse().expect("an address"))
+            .expect("a port");
+        let port = socket.local_addr().expect("bound").port();
+        STRANGERS.lock().expect("no panic").insert(port);
+        held.push(socket.connect(served.address).await.expect("it listens"));
+        assert_eq!(served.ask("GET", "/list").await.status, 200);
+    }
+    drop(held);
     served.end().await;
 }
 

@@ -152,8 +152,14 @@ async fn what_makes_no_sense_is_refused_with_what_is_wrong_and_where() {
     for (method, path, headers, status, expected) in [
         ("POST", "/vehicles", &[form][..], 415, "application/json"),
         ("POST", "/vehicles", &[], 415, "application/json"),
-        ("GET", "/vehicles/one", &[], 400, "`one` is no instance"),
-        ("GET", "/vehicles/70000", &[], 400, "`70000` is no instance"),
+        ("GET", "/vehicles/one", &[], 400, "`one` is not an instance"),
+        (
+            "GET",
+            "/vehicles/70000",
+            &[],
+            400,
+            "`70000` is not an instance",
+        ),
         ("GET", "/vehicles/%ff", &[], 400, "UTF-8"),
         ("GET", "/vehicles/9", &[], 404, "no instance 9"),
         ("DELETE", "/vehicles/9", &[], 404, "no instance 9"),

@@ -149,7 +149,7 @@ fn what_a_vehicle_does_not_know_is_no_figure() {
     });
     vehicle.vibration = Some(sortie::vehicle::Vibration {
         level_m_s2: [unknown, 3.0, f32::INFINITY],
-        clipping: [0; 3],
+        clipping: Some([0; 3]),
     });
     vehicle.health = vehicle.health.map(|health| sortie::vehicle::Health {
         load_percent: unknown,

@@ -68,7 +68,7 @@ fn talkative(altitude_m: f64) -> Vehicle {
     });
     vehicle.vibration = Some(Vibration {
         level_m_s2: [12.0, 35.5, 61.0],
-        clipping: [0, 3, 140],
+        clipping: Some([0, 3, 140]),
     });
     vehicle.health = Some(Health {
         present: 0x5231_9C2F,
@@ -246,7 +246,7 @@ fn a_vehicle_of_which_little_is_known_shows_dashes_and_never_nan() {
     odd.texts.clear();
     odd.vibration = Some(Vibration {
         level_m_s2: [f32::NAN, f32::INFINITY, -f32::NAN],
-        clipping: [0; 3],
+        clipping: Some([0; 3]),
     });
     odd.ekf = odd.ekf.map(|ekf| sortie::vehicle::Ekf {
         velocity_variance: f32::NAN,
@@ -354,7 +354,7 @@ fn absurd_figures_stay_short() {
     });
     vehicle.vibration = Some(Vibration {
         level_m_s2: [1e38; 3],
-        clipping: [0; 3],
+        clipping: Some([0; 3]),
     });
     console.vehicle(vehicle).at(31);
     for key in ["V", "F"] {

@@ -125,7 +125,7 @@ fn vibration(subject: &Subject<'_>) -> Vec<Line<'static>> {
             graded(subject, &label, &value, level.map(Grade::of_vibration))
         })
         .collect();
-    let counts = vibration.map(|vibration| vibration.clipping);
+    let counts = vibration.and_then(|vibration| vibration.clipping);
     let value = counts.map_or(UNKNOWN.to_owned(), |[x, y, z]| format!("{x} {y} {z}"));
     let worst = counts.and_then(|counts| counts.into_iter().max());
     lines.push(graded(

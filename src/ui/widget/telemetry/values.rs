@@ -292,7 +292,9 @@ fn wind(vehicle: &Vehicle) -> Text {
 fn vibration(vehicle: &Vehicle) -> Text {
     vehicle.vibration.map_or_else(Text::default, |vibration| {
         let [x, y, z] = vibration.level_m_s2.map(|level| figure(level, 0));
-        let clipped: u32 = vibration.clipping.iter().sum();
+        let clipped = vibration.clipping.map_or("-".to_owned(), |counts| {
+            counts.into_iter().fold(0, u32::saturating_add).to_string()
+        });
         text!(
             "telemetry-vibrations",
             levels = format!("{x} {y} {z}"),
