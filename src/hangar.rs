@@ -8,7 +8,7 @@
 //!   earlier hangar has left; `process` asks the system about processes; `output` keeps what they print.
 //! - `launch` is what is asked for, `refusal` why it is not done; `roster` says who is there and what is free.
 //! - `instance` is one instance's task: its process, its connection, its stages, its end. `relay` carries bytes between
-//!   it and whoever is attached. `progress` is how far it has come: `probe` asks it, `stages` judges. `endurance` says
+//!   it and whoever is attached. `progress` is how far it has come: `probe` asks it, `stages` judges. `restarts` says
 //!   whether it is started again.
 
 use std::collections::BTreeMap;
@@ -26,7 +26,6 @@ use crate::sitl::SitlKind;
 pub use crate::sitl::SitlStage;
 
 pub mod client;
-mod endurance;
 mod folder;
 mod instance;
 mod launch;
@@ -39,6 +38,7 @@ pub mod programs;
 mod progress;
 mod refusal;
 mod relay;
+mod restarts;
 mod roster;
 pub mod service;
 pub mod sockets;

@@ -30,7 +30,7 @@
 //! | | [`commands`] | typed commands: when one is refused, how it is encoded, and what telemetry shows that it is done |
 //! | | [`messages`] | telemetry: a handler for each kind of message |
 //! | | [`ledger`], [`notice`], [`alert`] | what became of each command; what is said to people; the kinds of alerts |
-//! | | [`vehicle`] | the model of one vehicle |
+//! | | [`vehicle`] | the model of one vehicle, and what its way home takes of the battery |
 //! | | [`doctor`] | what is wrong with a link (`sortie doctor`, about this machine, is in [`cli`]) |
 //! | | [`inspector`] | messages counted, and taken apart field by field |
 //! | | [`parameters`] | parameter lists, files, differences |

@@ -9,15 +9,14 @@ use std::sync::Arc;
 
 use crate::wire::{ComponentId, MavAddress, SystemId};
 
-mod endurance;
 mod limits;
 mod mode;
 mod plan;
 mod readings;
 mod speeds;
 mod status;
+mod way_home;
 
-pub use endurance::{Endurance, HomeReach, Load};
 pub use limits::Grade;
 pub use mode::{Mode, VehicleClass};
 pub use plan::{
@@ -31,6 +30,7 @@ pub use readings::{
 };
 pub use speeds::{AskedSpeeds, SpeedAxis};
 pub use status::{EkfFlags, FixType, LandedState, Severity, SystemStatus};
+pub use way_home::{HomeReach, MeanCurrent, WayHome};
 
 /// A home that is farther away is none of this flight.
 const FARTHEST_HOME_M: f64 = 1_000_000.0;
@@ -73,7 +73,7 @@ pub struct Vehicle {
     /// `BATTERY_STATUS`, one per pack, in order of the pack's id; pack 0 falls back to `SYS_STATUS`.
     pub batteries: Vec<Battery>,
     /// What its motors have drawn of late; `None` while they stand still.
-    pub load: Option<Load>,
+    pub load: Option<MeanCurrent>,
     /// How the estimator is doing (`EKF_STATUS_REPORT`).
     pub ekf: Option<Ekf>,
     pub vibration: Option<Vibration>,

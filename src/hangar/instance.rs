@@ -7,12 +7,12 @@ use tokio::net::{TcpListener, TcpStream};
 use tokio::sync::{mpsc, oneshot};
 use tokio::time::{Instant as Moment, sleep_until};
 
-use super::endurance::Endurance;
 use super::launcher::{LaunchError, LaunchOrder, RunningProcess};
 use super::output::ProcessOutput;
 use super::process::{Belongs, Connection};
 use super::progress::StartProgress;
 use super::relay::{Passed, Relay};
+use super::restarts::Restarts;
 use super::{Instance, InstanceRequest, Shared, SitlStage};
 
 mod begin;
@@ -38,7 +38,7 @@ struct InstanceTask {
     /// How long it may be without anybody attached.
     idle: Option<Duration>,
     unattended_since: Moment,
-    endurance: Endurance,
+    restarts: Restarts,
     listener: TcpListener,
     relay: Relay,
     output: ProcessOutput,
@@ -86,7 +86,7 @@ impl InstanceTask {
                 }
                 ProcessEnd::Fault(reason, ready_for) => {
                     self.shown.fault = Some(reason);
-                    self.endurance.failed(ready_for)
+                    self.restarts.failed(ready_for)
                 }
                 ProcessEnd::Hopeless(reason) => {
                     self.shown.fault = Some(reason);
@@ -194,7 +194,7 @@ impl InstanceTask {
                 }
                 InstanceEvent::Restart => {
                     self.end(&mut running).await;
-                    self.endurance.forgive();
+                    self.restarts.forgive();
                     return ProcessEnd::Restart;
                 }
                 InstanceEvent::Connected(stream) => {
@@ -292,7 +292,7 @@ impl InstanceTask {
         let again_at = wait.map(|wait| Moment::now() + wait);
         self.shown.hint = match wait {
             Some(wait) => Some(format!("is started again in {} s", wait.as_secs())),
-            None if self.endurance.is_given_up() => {
+            None if self.restarts.is_given_up() => {
                 Some("has failed five times in a row and is not started again".to_owned())
             }
             None => None,
@@ -310,7 +310,7 @@ impl InstanceTask {
             match self.event(again_at.map_or(until, |at| at.min(until))).await {
                 InstanceEvent::Over(done) => return Some(done),
                 InstanceEvent::Restart => {
-                    self.endurance.forgive();
+                    self.restarts.forgive();
                     return None;
                 }
                 InstanceEvent::Passed(_) | InstanceEvent::Connected(_) | InstanceEvent::Nothing => {

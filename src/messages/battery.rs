@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::{BATTERY_STATUS_DATA, SYS_STATUS_DATA};
 
-use crate::vehicle::{Battery, Load, Vehicle};
+use crate::vehicle::{Battery, MeanCurrent, Vehicle};
 
 /// The pack that flies the vehicle.
 pub(super) const MAIN_PACK: u8 = 0;
@@ -25,7 +25,7 @@ pub(super) fn apply(vehicle: &mut Vehicle, data: &BATTERY_STATUS_DATA, now: Dura
         at: now,
     };
     if let Some(current_a) = battery.current_a.filter(|_| data.id == MAIN_PACK) {
-        vehicle.load = Load::after(vehicle.load, current_a, now);
+        vehicle.load = MeanCurrent::after(vehicle.load, current_a, now);
     }
     *pack(vehicle, data.id, now) = battery;
 }

@@ -171,16 +171,16 @@ fn battery(vehicle: &Vehicle) -> Option<Alert> {
 
 /// That the way home takes nearly all that is left. A vehicle that is on this way, or landing, does what it can.
 fn way_home(vehicle: &Vehicle) -> Option<Alert> {
-    let endurance = vehicle.endurance()?;
+    let way_home = vehicle.way_home()?;
     let mode = vehicle.mode()?;
     let says = |severity, text| Some(condition(AlertKind::WayHome, severity, text));
-    match endurance.reach() {
+    match way_home.reach() {
         HomeReach::OutOfReach if !mode.is("LAND") => {
             says(Severity::Critical, text!("alert-out-of-reach"))
         }
         HomeReach::TurnBack if !mode.comes_down() => {
-            let needed = figure(endurance.needed_percent.ceil(), 0);
-            let left = figure(endurance.left_percent, 0);
+            let needed = figure(way_home.needed_percent.ceil(), 0);
+            let left = figure(way_home.left_percent, 0);
             says(
                 Severity::Warning,
                 text!("alert-turn-back", needed = needed, left = left),

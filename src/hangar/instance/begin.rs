@@ -10,10 +10,10 @@ use tokio::sync::mpsc;
 use tokio::time::Instant as Moment;
 
 use super::InstanceTask;
-use crate::hangar::endurance::Endurance;
 use crate::hangar::launcher::LaunchOrder;
 use crate::hangar::output::ProcessOutput;
 use crate::hangar::relay::Relay;
+use crate::hangar::restarts::Restarts;
 use crate::hangar::roster::Taken;
 use crate::hangar::{HangarRefusal, Instance, InstanceRequest, Launch, Shared, SitlStage};
 use crate::sitl::{Recipe, SerialEndpoint};
@@ -76,7 +76,7 @@ pub(in crate::hangar) async fn begin(
         speedup: launch.speedup,
         idle: launch.idle_s.map(|s| Duration::from_secs(s.into())),
         unattended_since: Moment::now(),
-        endurance: Endurance::new(shared.config.restart),
+        restarts: Restarts::new(shared.config.restart),
         relay: Relay::default(),
         listener,
         output,

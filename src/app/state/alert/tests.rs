@@ -229,7 +229,7 @@ fn the_way_home_is_watched_until_the_vehicle_is_on_it() {
         });
         // 4 Ah at 30 A: 0.2 % a second, and the way home takes 84 s.
         let now = Duration::from_secs(1);
-        vehicle.load = crate::vehicle::Load::after(None, 30.0, now);
+        vehicle.load = crate::vehicle::MeanCurrent::after(None, 30.0, now);
         vehicle.batteries = vec![Battery {
             id: 0,
             voltage_v: Some(11.0),

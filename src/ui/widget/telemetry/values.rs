@@ -145,7 +145,7 @@ fn speed(vehicle: &Vehicle) -> Text {
 /// The charge of the first battery beside what the way home takes of it.
 fn charge(vehicle: &Vehicle) -> Option<Gauge> {
     let left = vehicle.battery()?.remaining_percent?;
-    let needed = vehicle.endurance().map(|it| it.needed_percent / 100.0);
+    let needed = vehicle.way_home().map(|it| it.needed_percent / 100.0);
     Some(Gauge {
         share: f64::from(left) / 100.0,
         mark: needed,
@@ -170,24 +170,24 @@ fn battery(vehicle: &Vehicle, detail: Detail) -> Text {
 
 /// How much of what is left the way home takes.
 fn way_home_share(vehicle: &Vehicle) -> Option<Gauge> {
-    let endurance = vehicle.endurance()?;
+    let way_home = vehicle.way_home()?;
     Some(Gauge {
-        share: endurance.needed_percent / endurance.left_percent.max(1.0),
+        share: way_home.needed_percent / way_home.left_percent.max(1.0),
         mark: None,
-        role: reach_role(endurance.reach()),
+        role: reach_role(way_home.reach()),
     })
 }
 
 /// What the way home takes, and what there is: both in percent of the charge and in minutes.
 fn way_home(vehicle: &Vehicle) -> Text {
     let clock = |time: Duration| format!("{}:{:02}", time.as_secs() / 60, time.as_secs() % 60);
-    vehicle.endurance().map_or_else(Text::default, |endurance| {
+    vehicle.way_home().map_or_else(Text::default, |way_home| {
         text!(
             "telemetry-way-home",
-            needed = figure(endurance.needed_percent.ceil(), 0),
-            time = clock(endurance.needed),
-            left = figure(endurance.left_percent, 0),
-            lasts = clock(endurance.left)
+            needed = figure(way_home.needed_percent.ceil(), 0),
+            time = clock(way_home.needed),
+            left = figure(way_home.left_percent, 0),
+            lasts = clock(way_home.left)
         )
     })
 }

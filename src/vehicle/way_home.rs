@@ -35,7 +35,7 @@ const CLIMBING: f64 = 1.3;
 
 /// The current that a vehicle has drawn of late.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Load {
+pub struct MeanCurrent {
     /// Its mean, in amperes.
     pub mean_a: f32,
     at: Duration,
@@ -43,7 +43,7 @@ pub struct Load {
 
 /// The way home beside what is left. Percent are of the battery's charge.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Endurance {
+pub struct WayHome {
     /// What the way home takes, until the vehicle has landed.
     pub needed_percent: f64,
     pub needed: Duration,
@@ -63,7 +63,7 @@ pub enum HomeReach {
     OutOfReach,
 }
 
-impl Load {
+impl MeanCurrent {
     /// After another measurement; `None` while the motors stand still.
     pub fn after(before: Option<Self>, current_a: f32, now: Duration) -> Option<Self> {
         let mean_a = before.map_or(current_a, |before| {
@@ -75,7 +75,7 @@ impl Load {
     }
 }
 
-impl Endurance {
+impl WayHome {
     /// What follows from it for a vehicle that has not turned home yet.
     pub fn reach(&self) -> HomeReach {
         if self.left_percent < self.needed_percent {
@@ -90,7 +90,7 @@ impl Endurance {
 
 impl Vehicle {
     /// The way home beside what is left; `None` where it does not fly, or does not say what is needed to know it.
-    pub fn endurance(&self) -> Option<Endurance> {
+    pub fn way_home(&self) -> Option<WayHome> {
         let class = self.heartbeat?.class;
         let (global, home, load) = (self.global?, self.home?, self.load?);
         if class != VehicleClass::Copter || !self.armed() || !self.airborne() {
@@ -104,8 +104,8 @@ impl Vehicle {
         }
         let percent_mah = f64::from(consumed_mah) / f64::from(used - 0.5);
         let percent_per_s = f64::from(load.mean_a) / 3.6 / percent_mah;
-        let way = WayHome::of(global.at_point, home.at_point, global.altitude_m, self.wind);
-        Some(Endurance {
+        let way = ReturnFlight::of(global.at_point, home.at_point, global.altitude_m, self.wind);
+        Some(WayHome {
             needed_percent: way.hover_s * percent_per_s,
             needed: Duration::from_secs_f64(way.time_s),
             left_percent: f64::from(left),
@@ -115,13 +115,13 @@ impl Vehicle {
 }
 
 /// How long the way home takes.
-struct WayHome {
+struct ReturnFlight {
     time_s: f64,
     /// How long a hover lasts that takes as much of the battery.
     hover_s: f64,
 }
 
-impl WayHome {
+impl ReturnFlight {
     fn of(from: LatLon, home: LatLon, height_m: f64, wind: Option<Wind>) -> Self {
         let distance_m = from.distance_m(home);
         let top_m = height_m.max(RETURN_HEIGHT_M);
@@ -150,12 +150,12 @@ mod tests {
 
     const HOME: LatLon = LatLon::new(50.0, 30.0);
 
-    fn way(distance_m: f64, height_m: f64, wind: Option<(f32, f32)>) -> WayHome {
+    fn way(distance_m: f64, height_m: f64, wind: Option<(f32, f32)>) -> ReturnFlight {
         let wind = wind.map(|(speed_m_s, from_deg)| Wind {
             from_deg,
             speed_m_s,
         });
-        WayHome::of(HOME.moved(-distance_m, 0.0), HOME, height_m, wind)
+        ReturnFlight::of(HOME.moved(-distance_m, 0.0), HOME, height_m, wind)
     }
 
     #[test]
@@ -182,16 +182,16 @@ mod tests {
     #[test]
     fn a_short_climb_changes_the_mean_current_little() {
         let at = Duration::from_secs;
-        let mut load = Load::after(None, 28.0, at(0));
-        load = Load::after(load, 40.0, at(2));
+        let mut load = MeanCurrent::after(None, 28.0, at(0));
+        load = MeanCurrent::after(load, 40.0, at(2));
         let mean_a = load.map_or(0.0, |load| load.mean_a);
         assert!((29.0..30.0).contains(&mean_a), "{mean_a}");
-        assert_eq!(Load::after(load, 0.0, at(3)), None);
+        assert_eq!(MeanCurrent::after(load, 0.0, at(3)), None);
     }
 
     #[test]
     fn the_reserve_is_left_after_the_landing() {
-        let with = |needed_percent, left_percent| Endurance {
+        let with = |needed_percent, left_percent| WayHome {
             needed_percent,
             needed: Duration::from_secs(60),
             left_percent,

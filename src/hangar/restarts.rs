@@ -13,12 +13,12 @@ const FIRST_WAIT: Duration = Duration::from_secs(1);
 
 /// Counts the failures of one instance.
 #[derive(Debug)]
-pub(super) struct Endurance {
+pub(super) struct Restarts {
     policy: Restart,
     failures: u32,
 }
 
-impl Endurance {
+impl Restarts {
     pub fn new(policy: Restart) -> Self {
         Self {
             policy,
@@ -52,33 +52,33 @@ impl Endurance {
 mod tests {
     use super::*;
 
-    fn waits(endurance: &mut Endurance, ready_for_s: u64, times: usize) -> Vec<Option<u64>> {
+    fn waits(restarts: &mut Restarts, ready_for_s: u64, times: usize) -> Vec<Option<u64>> {
         let ready_for = Duration::from_secs(ready_for_s);
-        let wait = |_| endurance.failed(ready_for).map(|wait| wait.as_secs());
+        let wait = |_| restarts.failed(ready_for).map(|wait| wait.as_secs());
         (0..times).map(wait).collect()
     }
 
     #[test]
     fn it_is_started_later_and_later_and_given_up_after_five_failures() {
-        let mut endurance = Endurance::new(Restart::Always);
+        let mut restarts = Restarts::new(Restart::Always);
         let expected = [Some(1), Some(2), Some(4), Some(8), None, None];
-        assert_eq!(waits(&mut endurance, 59, 6), expected);
-        assert!(endurance.is_given_up());
-        endurance.forgive();
-        assert_eq!(waits(&mut endurance, 0, 1), [Some(1)]);
+        assert_eq!(waits(&mut restarts, 59, 6), expected);
+        assert!(restarts.is_given_up());
+        restarts.forgive();
+        assert_eq!(waits(&mut restarts, 0, 1), [Some(1)]);
     }
 
     #[test]
     fn a_minute_of_being_ready_makes_up_for_the_failures_before() {
-        let mut endurance = Endurance::new(Restart::Always);
-        waits(&mut endurance, 0, 4);
-        assert_eq!(waits(&mut endurance, 60, 3), [Some(1), Some(1), Some(1)]);
+        let mut restarts = Restarts::new(Restart::Always);
+        waits(&mut restarts, 0, 4);
+        assert_eq!(waits(&mut restarts, 60, 3), [Some(1), Some(1), Some(1)]);
     }
 
     #[test]
     fn without_the_policy_it_stays_down() {
-        let mut endurance = Endurance::new(Restart::Never);
-        assert_eq!(waits(&mut endurance, 100, 1), [None]);
-        assert!(!endurance.is_given_up());
+        let mut restarts = Restarts::new(Restart::Never);
+        assert_eq!(waits(&mut restarts, 100, 1), [None]);
+        assert!(!restarts.is_given_up());
     }
 }
