@@ -1,6 +1,7 @@
 //! What an instance needs before its process can be started: a folder, a listener, its files.
 
 use std::io;
+use std::net::SocketAddr;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
@@ -44,24 +45,12 @@ pub(in crate::hangar) async fn begin(
             what: "its folder".to_owned(),
             source: io::Error::other(error),
         })?;
-    let listen = "listen on 127.0.0.1";
+    let listen = || refuse("listen on 127.0.0.1".to_owned());
     let listener = TcpListener::bind(("127.0.0.1", 0))
         .await
-        .map_err(refuse(listen.to_owned()))?;
-    let address = listener.local_addr().map_err(refuse(listen.to_owned()))?;
-    let recipe = launch.recipe(taken.system);
-    let boot = Recipe {
-        speedup: recipe.speedup.max(BOOT_SPEEDUP),
-        ..recipe
-    };
-    let command = boot
-        .command_line(SerialEndpoint::Outwards(address))
-        .map_err(|unfit| HangarRefusal::Invalid(unfit.to_string()))?;
-    forget_earlier(&folder).map_err(refuse(format!("remove {MEMORY} in {}", folder.display())))?;
-    for (name, text) in &command.files {
-        let path = folder.join(name);
-        std::fs::write(&path, text).map_err(refuse(format!("write {}", path.display())))?;
-    }
+        .map_err(listen())?;
+    let address = listener.local_addr().map_err(listen())?;
+    let arguments = write_files(&launch, taken, address, &folder)?;
     let output = ProcessOutput::new(folder.clone());
     shared.roster.keep_output(id, output.clone());
     let shown = Instance::new(&launch, taken, &folder);
@@ -70,7 +59,7 @@ pub(in crate::hangar) async fn begin(
         shown,
         order: LaunchOrder {
             program,
-            arguments: command.arguments,
+            arguments,
             folder,
         },
         speedup: launch.speedup,
@@ -85,6 +74,31 @@ pub(in crate::hangar) async fn begin(
     };
     tokio::spawn(task.run());
     Ok(())
+}
+
+/// Writes what the program reads, and returns its arguments.
+fn write_files(
+    launch: &Launch,
+    taken: Taken,
+    address: SocketAddr,
+    folder: &Path,
+) -> Result<Vec<String>, HangarRefusal> {
+    let id = taken.id;
+    let refuse = |what: String| move |source: io::Error| HangarRefusal::Host { id, what, source };
+    let recipe = launch.recipe(taken.system);
+    let boot = Recipe {
+        speedup: recipe.speedup.max(BOOT_SPEEDUP),
+        ..recipe
+    };
+    let command = boot
+        .command_line(SerialEndpoint::Outwards(address))
+        .map_err(|unfit| HangarRefusal::Invalid(unfit.to_string()))?;
+    forget_earlier(folder).map_err(refuse(format!("remove {MEMORY} in {}", folder.display())))?;
+    for (name, text) in &command.files {
+        let path = folder.join(name);
+        std::fs::write(&path, text).map_err(refuse(format!("write {}", path.display())))?;
+    }
+    Ok(command.arguments)
 }
 
 /// An instance that had this number before leaves nothing that a new one would take for its own.

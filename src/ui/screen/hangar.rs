@@ -79,45 +79,53 @@ fn draw_list(state: &State, hangar: &Hangar, panel: Panel<'_>, buffer: &mut Buff
     );
     let inner = below(inner, 1);
     if hangar.instances().is_empty() {
-        let (text, role) = match hangar.fault() {
-            Some(fault) => (panel.text(fault), Role::Danger),
-            None => (panel.say("hangar-opening"), Role::Muted),
-        };
         // The whole room is left for it.
-        let inner = below(panel.area, 2);
-        for (row, line) in wrap(&text, usize::from(inner.width))
-            .into_iter()
-            .enumerate()
-        {
-            put(
-                buffer,
-                inner,
-                row as u16,
-                &Line::styled(line, panel.style(role)),
-            );
-        }
+        draw_nothing(hangar, panel.at(below(panel.area, 2)), buffer);
     }
-    let cursor = state.rooms().hangar().cursor();
-    let room = usize::from(inner.height);
+    draw_instances(
+        hangar,
+        state.rooms().hangar().cursor(),
+        columns,
+        panel.at(inner),
+        buffer,
+    );
+    below(panel.area, rows)
+}
+
+/// Why there is no process.
+fn draw_nothing(hangar: &Hangar, panel: Panel<'_>, buffer: &mut Buffer) {
+    let (text, role) = match hangar.fault() {
+        Some(fault) => (panel.text(fault), Role::Danger),
+        None => (panel.say("hangar-opening"), Role::Muted),
+    };
+    let lines = wrap(&text, usize::from(panel.area.width));
+    for (row, line) in lines.into_iter().enumerate() {
+        let line = Line::styled(line, panel.style(role));
+        put(buffer, panel.area, row as u16, &line);
+    }
+}
+
+fn draw_instances(
+    hangar: &Hangar,
+    cursor: usize,
+    columns: Columns,
+    panel: Panel<'_>,
+    buffer: &mut Buffer,
+) {
+    let count = hangar.instances().len();
+    let room = usize::from(panel.area.height);
     let first = cursor
         .saturating_sub(room / 2)
-        .min(hangar.instances().len().saturating_sub(room));
+        .min(count.saturating_sub(room));
     let shown = hangar.instances().iter().enumerate().skip(first).take(room);
     for (row, (at, instance)) in shown.enumerate() {
-        put(
-            buffer,
-            inner,
-            row as u16,
-            &line(instance, columns, panel.look),
-        );
+        let text = line(instance, columns, panel.look);
+        put(buffer, panel.area, row as u16, &text);
         if at == cursor {
-            panel.at(row_of(inner, row as u16)).mark_cursor(buffer);
+            panel.at(row_of(panel.area, row as u16)).mark_cursor(buffer);
         }
     }
-    panel
-        .at(inner)
-        .mark_list(first, hangar.instances().len(), true, buffer);
-    below(panel.area, rows)
+    panel.mark_list(first, count, true, buffer);
 }
 
 /// Columns of the host and of the bar.

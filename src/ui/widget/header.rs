@@ -68,55 +68,71 @@ fn right_part(state: &State, look: &Look, short: bool) -> String {
             vec![vehicles, text!("header-reading")],
         ));
     }
-    let mut parts = Vec::new();
-    if let Some(bytes_per_s) = state.slow_line() {
-        let rate = format!("{:.1}", f64::from(bytes_per_s) / 1000.0);
-        parts.push(text!("terminal-slow", rate = rate));
-    }
-    let dropped = state.notices().dropped();
-    if dropped > 0 {
-        parts.push(if short {
-            text!("header-dropped-short", count = dropped)
-        } else {
-            text!("header-dropped", count = dropped)
-        });
-    }
-    if let Some(pressing) = state.session().alarms().pressing()
-        && state.room() != Room::Fly
-        && !state.session().is_over()
-    {
-        // The flight screen has a line of its own for it.
-        let count = pressing.vehicles.len() + pressing.others;
-        parts.push(text!("alert-header", count = count));
-    }
-    if let Some(progress) = state.session().mission()
-        && let Some(alert) = progress.alerts.first()
-        && !matches!(state.room(), Room::Fly | Room::Map)
-        && !state.session().is_over()
-    {
-        // These two rooms tell what it is about.
-        let seconds = alert.remaining.as_secs();
-        parts.push(text!("mission-alert-short", seconds = seconds));
-    }
-    if state.room() != Room::Home || state.session().activity().is_some() {
-        let (armed, all) = (state.session().armed(), state.session().vehicles().len());
-        parts.push(if short {
-            text!("header-armed-short", armed = armed, all = all)
-        } else {
-            text!(
-                "header-armed",
-                vehicles = text!("count-vehicles", count = all),
-                armed = armed
-            )
-        });
-        parts.push(links(state, short));
-    }
-    parts.push(if is_reading {
+    let time = if is_reading {
         text!("header-reading")
     } else {
         clock(state.session().time(state.now())).into()
-    });
-    look.text(&Text::joined("   ", parts))
+    };
+    let parts = [
+        slow_line(state),
+        dropped(state, short),
+        pressing_alert(state),
+        mission_alert(state),
+        vehicles(state, short),
+        Some(time),
+    ];
+    let shown = parts.into_iter().flatten().collect();
+    look.text(&Text::joined("   ", shown))
+}
+
+fn slow_line(state: &State) -> Option<Text> {
+    let bytes_per_s = state.slow_line()?;
+    let rate = format!("{:.1}", f64::from(bytes_per_s) / 1000.0);
+    Some(text!("terminal-slow", rate = rate))
+}
+
+fn dropped(state: &State, short: bool) -> Option<Text> {
+    let count = state.notices().dropped();
+    (count > 0).then(|| {
+        if short {
+            text!("header-dropped-short", count = count)
+        } else {
+            text!("header-dropped", count = count)
+        }
+    })
+}
+
+/// The flight screen has a line of its own for it.
+fn pressing_alert(state: &State) -> Option<Text> {
+    let session = state.session();
+    let pressing = session.alarms().pressing()?;
+    let count = pressing.vehicles.len() + pressing.others;
+    let is_shown = state.room() != Room::Fly && !session.is_over();
+    is_shown.then(|| text!("alert-header", count = count))
+}
+
+/// How long the mission's alert waits for its answer; two rooms tell what it is about.
+fn mission_alert(state: &State) -> Option<Text> {
+    let session = state.session();
+    let alert = session.mission()?.alerts.first()?;
+    let seconds = alert.remaining.as_secs();
+    let is_shown = !matches!(state.room(), Room::Fly | Room::Map) && !session.is_over();
+    is_shown.then(|| text!("mission-alert-short", seconds = seconds))
+}
+
+fn vehicles(state: &State, short: bool) -> Option<Text> {
+    let session = state.session();
+    if state.room() == Room::Home && session.activity().is_none() {
+        return None;
+    }
+    let (armed, all) = (session.armed(), session.vehicles().len());
+    let count = if short {
+        text!("header-armed-short", armed = armed, all = all)
+    } else {
+        let vehicles = text!("count-vehicles", count = all);
+        text!("header-armed", vehicles = vehicles, armed = armed)
+    };
+    Some(Text::joined("   ", vec![count, links(state, short)]))
 }
 
 fn links(state: &State, short: bool) -> Text {
