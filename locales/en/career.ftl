@@ -36,7 +36,7 @@ profile-not-stored = the flight is not stored: { $fault }
 profile-record = with a profile, runs are recorded in the folder of its data, and tries are counted: leave out --record and --try
 profiles-damaged = { $path } holds something that sortie did not write: { $fault }
 profiles-recovered = a finished flight of { $profile } had not been stored and is now: { $mission }, { $score } points
-profiles-left-exam = { $profile } left the exam of { $mission } before its end; it counts as ended there: { $score } points
+profiles-left-exam = { $profile }: exam { $mission } was left early; it counts with { $score } points
 
 progress-title = Progress of { $name }
 progress-standing = { $credits } credits, level { $level } ({ $experience } of { $next } experience), licence for { $licence } drones, flights: { $flights }

@@ -81,7 +81,7 @@ debrief-tries = YOUR TRIES
 debrief-practice = practice
 
 debrief-next = NEXT
-debrief-next-drill = Fly the drill { $drill }, then this mission again with one thing in mind: { $what }
+debrief-next-drill = Fly the drill { $drill }, then this mission again: { $what }
 debrief-next-again = Next try: { $what }
 debrief-next-on = Go on to the next mission.
 debrief-last-mission = this was the last mission

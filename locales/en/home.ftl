@@ -17,6 +17,7 @@ home-mission-rules = objectives and rules
 home-free-deed = starts
 home-connect-deed = asks for the address
 home-quit-deed = leaves
+home-over = { $session } is over: { $key } shows its debrief
 home-running = { $session } goes on: { $key } returns to it
 home-connect-empty = write an address, such as tcp:127.0.0.1:5760
 home-starting-mission = starting the mission ...

@@ -37,7 +37,7 @@ profile-not-stored = політ не збережено: { $fault }
 profile-record = із профілем польоти записуються в теку його даних, а спроби рахуються: приберіть --record і --try
 profiles-damaged = { $path } містить те, чого sortie не писала: { $fault }
 profiles-recovered = завершений політ ({ $profile }) не був збережений, тепер збережено: { $mission }, балів: { $score }
-profiles-left-exam = { $profile }: іспит { $mission } залишено до кінця; він рахується як завершений у ту мить: { $score } б.
+profiles-left-exam = { $profile }: іспит { $mission } залишено; зараховано { $score } балів
 
 progress-title = Поступ: { $name }
 progress-standing = кредитів { $credits }, рівень { $level } (досвід { $experience } з { $next }), ліцензія на кількість дронів { $licence }, польотів { $flights }

@@ -81,7 +81,7 @@ debrief-tries = ВАШІ СПРОБИ
 debrief-practice = тренування
 
 debrief-next = ДАЛІ
-debrief-next-drill = Виконайте вправу { $drill }, а тоді це завдання ще раз, зваживши на одне: { $what }
+debrief-next-drill = Виконайте вправу { $drill }, тоді це завдання ще раз: { $what }
 debrief-next-again = Наступна спроба: { $what }
 debrief-next-on = Переходьте до наступного завдання.
 debrief-last-mission = це було останнє завдання

@@ -17,6 +17,7 @@ home-mission-rules = цілі та правила
 home-free-deed = почати
 home-connect-deed = запитає адресу
 home-quit-deed = вийти
+home-over = { $session } завершено: { $key } показує розбір
 home-running = { $session } триває: { $key } повертає туди
 home-connect-empty = впишіть адресу, наприклад tcp:127.0.0.1:5760
 home-starting-mission = завдання починається ...

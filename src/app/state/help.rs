@@ -6,13 +6,15 @@ use crate::app::keymap::{Keymap, Meaning, Place};
 use crate::app::room_list::Room;
 use crate::language::{Channel, VerbRow, rows};
 use crate::text;
-use crate::text::{Locale, Text};
+use crate::text::{Locale, Text, wrap};
 
 /// Columns of a usage that leaves room for an explanation beside it.
 pub const SHORT_USAGE: usize = 22;
 
 /// Columns of a summary that fits beside it.
 const SHORT_SUMMARY: usize = 49;
+/// Columns of a usage that stands alone.
+const USAGE_WIDTH: usize = 64;
 /// Columns of a note.
 const NOTE_WIDTH: usize = 66;
 
@@ -149,10 +151,19 @@ fn explained(usages: &[String], summary: &str) -> Vec<HelpLine> {
     {
         return vec![HelpLine::Entry(usage.clone(), summary.to_owned())];
     }
-    let alone = |usage: &String| HelpLine::Entry(usage.clone(), String::new());
-    let mut lines: Vec<HelpLine> = usages.iter().map(alone).collect();
+    let mut lines: Vec<HelpLine> = usages.iter().flat_map(|usage| alone(usage)).collect();
     lines.extend(notes(summary));
     lines
+}
+
+/// A usage by itself, in as many lines as it needs.
+fn alone(usage: &str) -> Vec<HelpLine> {
+    let parts = wrap(usage, USAGE_WIDTH);
+    let indents = std::iter::once("").chain(std::iter::repeat("    "));
+    let lines = indents.zip(parts);
+    lines
+        .map(|(indent, part)| HelpLine::Entry(format!("{indent}{part}"), String::new()))
+        .collect()
 }
 
 /// A text in lines of the width of notes.
@@ -252,6 +263,9 @@ mod tests {
             let title = locale.text(&Place::In(Room::Ledger).title());
             assert_eq!(lines[0], HelpLine::Title(title));
             for line in lines {
+                if let HelpLine::Entry(what, _) = &line {
+                    assert!(what.width() <= NOTE_WIDTH + 4, "{line:?}");
+                }
                 if let HelpLine::Entry(what, meaning) = &line
                     && !meaning.is_empty()
                 {

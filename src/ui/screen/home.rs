@@ -77,11 +77,14 @@ fn draw_heads(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
     let Some(activity) = state.session().activity() else {
         return panel.area;
     };
-    let running = text!(
-        "home-running",
-        session = activity.title(),
-        key = state.key(Action::Show(Room::Fly))
-    );
+    let session = activity.title();
+    let running = if state.session().is_over() {
+        let key = state.key(Action::Show(Room::Debrief));
+        text!("home-over", session = session, key = key)
+    } else {
+        let key = state.key(Action::Show(Room::Fly));
+        text!("home-running", session = session, key = key)
+    };
     let line = Line::styled(
         format!(" {}", panel.text(&running)),
         panel.style(Role::Accent),

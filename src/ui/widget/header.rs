@@ -122,9 +122,7 @@ fn mission_alert(state: &State) -> Option<Text> {
 
 fn vehicles(state: &State, short: bool) -> Option<Text> {
     let session = state.session();
-    if state.room() == Room::Home && session.activity().is_none() {
-        return None;
-    }
+    session.activity()?;
     let (armed, all) = (session.armed(), session.vehicles().len());
     let count = if short {
         text!("header-armed-short", armed = armed, all = all)
@@ -139,14 +137,11 @@ fn links(state: &State, short: bool) -> Text {
     let links = state.session().links();
     match links {
         [] => text!("header-no-link"),
+        [link] if link.up => text!("header-link-up"),
         // A long address is cut rather than the word that matters.
         [link] => {
             let name = clip(&link.name, if short { 14 } else { 24 });
-            if link.up {
-                text!("header-link-up", name = name)
-            } else {
-                text!("header-link-down", name = name)
-            }
+            text!("header-link-down", name = name)
         }
         links => {
             let up = links.iter().filter(|link| link.up).count();

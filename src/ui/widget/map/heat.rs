@@ -49,7 +49,7 @@ pub fn draw_scale(field: &SampleField, panel: Panel<'_>, buffer: &mut Buffer) {
     for ((shade, _), figure) in shown.iter().zip(figures(&values)) {
         spans.push(Span::styled(shade.to_string(), panel.style(Role::Hazard)));
         spans.push(Span::styled(
-            format!(" {figure}  "),
+            format!("{}{figure}  ", between(panel.look.symbols)),
             panel.style(Role::Muted),
         ));
     }
@@ -63,6 +63,14 @@ pub fn shade(share: f64, symbols: Symbols) -> Option<char> {
     shades.get(level.checked_sub(1)?).copied()
 }
 
+/// What stands between a shade and its figure: a digit beside a figure would be taken for a part of it.
+fn between(symbols: Symbols) -> char {
+    match symbols {
+        Symbols::Ascii => '=',
+        Symbols::Braille | Symbols::Block => ' ',
+    }
+}
+
 /// The shades with the share of the most that each stands for, in percent; of many, some.
 pub fn shares(symbols: Symbols) -> String {
     let shades = shades(symbols);
@@ -70,7 +78,7 @@ pub fn shares(symbols: Symbols) -> String {
     let shown = shades.iter().enumerate().skip(step - 1).step_by(step);
     let share = |(at, shade): (usize, &char)| {
         let percent = (at + 1) * 100 / shades.len();
-        format!("{shade} {percent}")
+        format!("{shade}{}{percent}", between(symbols))
     };
     shown.map(share).collect::<Vec<_>>().join(" ")
 }

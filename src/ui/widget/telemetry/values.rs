@@ -136,7 +136,7 @@ fn speed(vehicle: &Vehicle) -> Text {
         Some(deg) => text!(
             "telemetry-speed-heading",
             speed = speed,
-            heading = figure(deg, 0)
+            heading = (deg.round() as i32).rem_euclid(360)
         ),
         None => text!("telemetry-speed-alone", speed = speed),
     }
@@ -204,7 +204,7 @@ fn home(vehicle: &Vehicle) -> Text {
     text!(
         "telemetry-bearing",
         distance = figure(distance, 0),
-        bearing = figure(bearing, 0)
+        bearing = (bearing.round() as i32).rem_euclid(360)
     )
 }
 

@@ -1,6 +1,7 @@
 //! The seats of a mission.
 
 use super::*;
+use crate::app::state::Activity;
 
 #[test]
 fn a_fleet_is_chosen_given_back_and_flown() {
@@ -17,6 +18,19 @@ fn a_fleet_is_chosen_given_back_and_flown() {
     );
     press(&mut state, "x");
     assert!(state.fleets.is_empty());
+}
+
+#[test]
+fn another_mission_is_built_for_once_the_flown_one_is_over() {
+    let mut state = workshop(None);
+    let more = state.missions[0].clone();
+    state.missions.push(more);
+    state.session.activity = Some(Activity::Free);
+    press(&mut state, "]");
+    assert_eq!(state.rooms.home.cursor, 0);
+    state.session.over = true;
+    press(&mut state, "]");
+    assert_eq!(state.rooms.home.cursor, 1);
 }
 
 #[test]
