@@ -138,6 +138,28 @@ mod tests {
     }
 
     #[test]
+    fn what_was_not_tried_is_not_shown_badly() {
+        let source = include_str!("../../missions/00-first-flight.toml");
+        let mission = Mission::parse(source).expect("it is good");
+        let mut pilot = Pilot::flying(mission, 1);
+        pilot.take_off(20.0);
+        pilot.wait(12.0);
+        pilot.land();
+        pilot.flight.abandon();
+        let report = Report {
+            passed: true,
+            ..pilot.report()
+        };
+        let evidence = Evidence::of(&report, pilot.flight.mission());
+        let is_of = |id: &str| {
+            let mut objectives = report.objectives.iter();
+            let title = objectives.find(|it| it.id == id).map(|it| it.title.clone());
+            evidence.iter().any(|it| Some(&it.what) == title.as_ref())
+        };
+        assert!(is_of("hover") && !is_of("gates"), "{evidence:?}");
+    }
+
+    #[test]
     fn a_hop_that_reaches_little_shows_nothing_that_went_well() {
         let mut pilot = Pilot::new(1);
         pilot.take_off(20.0);

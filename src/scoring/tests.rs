@@ -93,6 +93,34 @@ fn a_perfect_flight_gets_everything() {
 }
 
 #[test]
+fn a_missed_mandatory_objective_says_that_it_caps_the_others() {
+    let facts = |optional| Facts {
+        objectives: vec![
+            objective(0.0, true),
+            ObjectiveFact {
+                value: optional,
+                ..objective(1.0, false)
+            },
+        ],
+        ..perfect()
+    };
+    let words = |optional| {
+        let score = score(&rules(), &facts(optional));
+        (
+            score.components[0].value,
+            score.components[0].moved_by.to_string(),
+        )
+    };
+    let (value, why) = words(150.0);
+    assert!(
+        (value - 0.5).abs() < 1e-9 && why.ends_with("no more than 0.500"),
+        "{why}"
+    );
+    let (value, why) = words(50.0 / 3.0);
+    assert!(value < 0.5 && !why.contains("no more than"), "{why}");
+}
+
+#[test]
 fn who_never_takes_off_earns_nothing_by_breaking_no_rule() {
     let idle = Facts {
         objectives: vec![objective(0.0, true)],

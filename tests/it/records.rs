@@ -81,6 +81,42 @@ fn a_disk_that_fills_up_costs_the_rest_of_the_record_and_nothing_else() {
 }
 
 #[test]
+fn a_record_of_a_mission_that_was_rewritten_says_so() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let into = folder.path().join("kept");
+    let name = into.to_string_lossy().into_owned();
+    run(
+        folder.path(),
+        "",
+        &[&FLIGHT[..], &["--record", &name]].concat(),
+    );
+    let file = runs(&into).pop().expect("a record");
+    let record = fs::read_to_string(&file).expect("there");
+    let of = |record: &str| {
+        fs::write(&file, record).expect("writable");
+        let name = file.to_string_lossy();
+        let text = run(folder.path(), "", &["debrief", &name]).stdout;
+        let json = run(folder.path(), "", &["debrief", &name, "--json"]).stdout;
+        [text, json].map(|bytes| String::from_utf8_lossy(&bytes).into_owned())
+    };
+    let [text, json] = of(&record);
+    assert!(!text.contains("scores do not compare"), "{text}");
+    assert!(json.contains("\"mission_file\": \"course\""), "{json}");
+    let rewritten = record.replacen(
+        "objective = 0.45, quality = 0.20",
+        "objective = 0.65, quality = 0.00",
+        1,
+    );
+    assert_ne!(record, rewritten);
+    let [text, json] = of(&rewritten);
+    assert!(
+        text.contains("The mission file differs from 01-air-sample"),
+        "{text}"
+    );
+    assert!(json.contains("\"mission_file\": \"altered\""), "{json}");
+}
+
+#[test]
 fn what_is_no_run_is_refused_with_its_name_and_the_reason() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let file = |name: &str, content: &[u8]| {

@@ -51,6 +51,22 @@ fn another_movement_takes_a_vehicle_out_and_the_others_close_up() {
 }
 
 #[test]
+fn whoever_gets_no_line_of_a_survey_is_not_said_to_have_flown_one() {
+    let mut stage = Stage::flying(3, 8.0);
+    stage.say("1-3 survey lane spacing 100 course 0");
+    let rows = stage.rows("survey");
+    let without = rows.iter().filter(|row| row.1 == RowState::NoEffect);
+    let reasons: Vec<&str> = without.map(|row| row.2.as_str()).collect();
+    assert!(!reasons.is_empty(), "{rows:?}");
+    assert!(
+        reasons
+            .iter()
+            .all(|it| it.starts_with("no line left for it")),
+        "{reasons:?}"
+    );
+}
+
+#[test]
 fn a_hold_ends_a_survey_where_it_is() {
     let mut stage = Stage::flying(2, 10.0);
     stage.say("all survey lane spacing 12");
