@@ -47,6 +47,8 @@ pub struct Config {
     pub macros: BTreeMap<String, Vec<String>>,
     /// The keymap file, if not the one in the folder of the configuration.
     pub keymap: Option<String>,
+    /// What is recorded of flights.
+    pub records: RecordsConfig,
     /// What the program writes down about itself.
     pub log: LogConfig,
     pub hangar: HangarConfig,
@@ -118,6 +120,29 @@ pub struct AlertsConfig {
     pub notify: bool,
     /// The kinds that stay silent.
     pub mute: Vec<AlertKind>,
+}
+
+/// What is recorded of flights, and how much of it is kept.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct RecordsConfig {
+    /// Whether sessions are recorded.
+    pub enabled: bool,
+    /// Records that are kept; the oldest go first.
+    pub count: u32,
+    /// Mebibytes that they may take together.
+    pub space: u64,
+}
+
+impl Default for RecordsConfig {
+    /// Seven hours with 32 vehicles.
+    fn default() -> Self {
+        Self {
+            enabled: true,
+            count: 200,
+            space: 4096,
+        }
+    }
 }
 
 /// SITL processes: what the hangar starts, and how much of it.
@@ -207,6 +232,7 @@ impl Default for Config {
             alerts: AlertsConfig::default(),
             macros: BTreeMap::new(),
             keymap: None,
+            records: RecordsConfig::default(),
             log: LogConfig::default(),
             hangar: HangarConfig::default(),
             connect: ConnectConfig::default(),

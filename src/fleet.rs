@@ -10,7 +10,8 @@ use std::sync::Arc;
 use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
-use crate::link::{LinkStatus, Tap, Transport};
+use crate::link::{FrameSink, LinkStatus, Tap, Transport};
+use crate::notice::Notice;
 use crate::parameters::ParameterSnapshot;
 use crate::session::{Report, Steering, Stream, VehicleCommand, WANTED_STREAMS, Want};
 use crate::text;
@@ -38,8 +39,10 @@ pub enum FleetEvent {
     Parameters(VehicleId, watch::Receiver<ParameterSnapshot>),
     /// A link was opened; its state and its frames can be watched from now on.
     Linked(watch::Receiver<LinkStatus>, Tap),
-    /// A command has come further, or a human should hear of something.
+    /// A command has come further, or a vehicle's telemetry says what a human should hear.
     Report(Report),
+    /// Something is wrong with the ways by which vehicles are heard.
+    Warning(Notice),
     /// So many reports more were dropped because the console did not listen.
     Dropped(u64),
 }
@@ -68,7 +71,16 @@ impl Fleet {
         clock: FleetClock,
         cancel: CancellationToken,
     ) -> (Self, mpsc::Receiver<FleetEvent>) {
-        Self::start_wanting(WANTED_STREAMS, clock, cancel)
+        Self::spawn(WANTED_STREAMS, None, clock, cancel)
+    }
+
+    /// Starts an empty fleet whose frames are taken down.
+    pub fn start_recorded(
+        sink: Option<FrameSink>,
+        clock: FleetClock,
+        cancel: CancellationToken,
+    ) -> (Self, mpsc::Receiver<FleetEvent>) {
+        Self::spawn(WANTED_STREAMS, sink, clock, cancel)
     }
 
     /// Starts an empty fleet that asks its vehicles for other telemetry than what the console shows.
@@ -77,11 +89,21 @@ impl Fleet {
         clock: FleetClock,
         cancel: CancellationToken,
     ) -> (Self, mpsc::Receiver<FleetEvent>) {
+        Self::spawn(streams, None, clock, cancel)
+    }
+
+    fn spawn(
+        streams: &'static [Stream],
+        sink: Option<FrameSink>,
+        clock: FleetClock,
+        cancel: CancellationToken,
+    ) -> (Self, mpsc::Receiver<FleetEvent>) {
         let (requests, requests_in) = mpsc::channel(REQUESTS_KEPT);
         let (events, events_out) = mpsc::channel(EVENTS_KEPT);
         let surroundings = hub::HubSurroundings {
             clock,
             streams,
+            sink,
             events,
             cancel: cancel.clone(),
         };

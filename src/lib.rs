@@ -24,6 +24,7 @@
 //! | | [`scoring`] | marks, medals, and the report of a flight |
 //! | | [`fidelity`] | the simulator beside recordings of the real vehicle |
 //! | | [`sitl`] | the command line and the files of one SITL process |
+//! | | [`record`] | what a flight leaves beside the frames of its links: the journal and its marks |
 //! | | [`swarm`] | manoeuvres of several vehicles |
 //! | | [`session`] | the conversation with one vehicle: commands, sent again as their verb says, and when they end; plans, parameters; when it counts as lost |
 //! | | [`language`] | the grammar, and the one table of verbs: to vehicles, to the mission, to the console; with each one's values: retries, danger, precedence, what `wait arrived` waits for |
@@ -89,6 +90,7 @@ pub mod mission;
 pub mod notice;
 pub mod operator;
 pub mod parameters;
+pub mod record;
 pub mod scoring;
 pub mod session;
 pub mod shell;

@@ -33,6 +33,7 @@ mod peer;
 mod playback;
 mod server;
 mod simulator;
+mod sink;
 mod stream;
 mod tap;
 mod task;
@@ -44,6 +45,7 @@ pub use address::{Address, AddressError};
 pub use simulator::{
     Endpoint, Simulator, SimulatorError, SimulatorPace, StartedSimulator, step_on_threads,
 };
+pub use sink::{FrameSink, WaitingFrames};
 pub use tap::Tap;
 pub use tlog::{TlogError, TlogReader, TlogRecord, TlogWriter};
 
@@ -279,11 +281,34 @@ pub fn open(
     open_with(id, transport, LinkConfig::default(), inbound, cancel)
 }
 
+/// Opens a link as [`open`] does, and has its frames taken down.
+pub fn open_recorded(
+    id: LinkId,
+    transport: Transport,
+    sink: Option<FrameSink>,
+    inbound: mpsc::Sender<Inbound>,
+    cancel: CancellationToken,
+) -> LinkHandle {
+    let (config, tap) = (LinkConfig::default(), Tap::new(sink));
+    open_tapped(id, transport, config, tap, inbound, cancel)
+}
+
 /// Opens a link under another identity or at another playback speed than [`open`].
 pub fn open_with(
     id: LinkId,
     transport: Transport,
     config: LinkConfig,
+    inbound: mpsc::Sender<Inbound>,
+    cancel: CancellationToken,
+) -> LinkHandle {
+    open_tapped(id, transport, config, Tap::new(None), inbound, cancel)
+}
+
+fn open_tapped(
+    id: LinkId,
+    transport: Transport,
+    config: LinkConfig,
+    tap: Tap,
     inbound: mpsc::Sender<Inbound>,
     cancel: CancellationToken,
 ) -> LinkHandle {
@@ -295,7 +320,6 @@ pub fn open_with(
     let (outbox, to_send) = mpsc::channel(OUTBOX_LEN);
     let (published, status) = watch::channel(LinkStatus::new(id, name, state));
     let refused = Arc::new(AtomicU64::new(0));
-    let tap = Tap::new();
     let meter = meter::LinkMeter::new(published, Arc::clone(&refused), tap.clone());
     let link = core::LinkCore::new(id, config, meter, inbound, to_send, cancel);
     let hushed = link.hushed();

@@ -56,7 +56,7 @@ const BUSY_POLL: Duration = Duration::from_millis(50);
 const IDLE_POLL: Duration = Duration::from_millis(500);
 
 /// What a session has to send and to say.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 struct Output {
     messages: Vec<Outgoing>,
     /// Acknowledgements of `DO_CHANGE_SPEED` that no order waits for.
@@ -78,7 +78,7 @@ impl Output {
 }
 
 /// The state of a conversation with one vehicle.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Session {
     vehicle: Vehicle,
     inbox: Inbox,

@@ -15,11 +15,13 @@ use crate::mission::Mission;
 use crate::scoring::{FlownBy, MissionFile, Report};
 use crate::workshop::Design;
 
+mod append;
 mod folders;
 mod history;
 mod journal;
 mod output;
 mod profiles;
+mod records;
 mod runs;
 mod sharing;
 mod source;
@@ -34,6 +36,7 @@ pub use profiles::{
     MendedRows, PastRun, Profile, ProfileError, ProfileFile, ProfileSettings, Profiles, Rescue,
     RunEntry,
 };
+pub use records::{RecordFiles, RecordLimits, Recording, RecordingFault, Records};
 pub use runs::{RunFile, Runs, read_run, utc};
 pub use sharing::share_with_group;
 pub use source::{Source, StoreError, read, user_path};

@@ -29,3 +29,7 @@ record-mission = this program cannot read the mission of the run: { $fault }
 record-unwritable = The run is not recorded from here on, the flight goes on: { $fault }
 record-differs = It was scored { $before } when it was flown; this program scores it { $now }.
 record-no-runs = no run is recorded in { $folder }; fly a mission with `sortie fly`, or name a recorded run
+journal-none = this is no journal of a flight: it begins with another line
+record-not-begun = this flight is not recorded and cannot be replayed: { $fault }
+record-broken-off = the record of this flight ends here: { $fault }
+record-full = the record of this flight ends here: it has reached { $mib } MiB (settings records.space, half of which one record may take)

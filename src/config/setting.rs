@@ -120,6 +120,24 @@ pub const SETTINGS: &[Setting] = &[
         "The kinds of alerts that stay silent.",
     ),
     setting(
+        "records.enabled",
+        SettingKind::Flag,
+        Some("SORTIE_RECORD"),
+        "Whether flights are recorded, to be replayed.",
+    ),
+    setting(
+        "records.count",
+        SettingKind::Whole(1, 100_000),
+        None,
+        "Records that are kept at most; the oldest go first.",
+    ),
+    setting(
+        "records.space",
+        SettingKind::Whole(16, 16 * 1024 * 1024),
+        None,
+        "Mebibytes that they may take together; one record may take half of it.",
+    ),
+    setting(
         "log.file",
         SettingKind::Text,
         Some("SORTIE_LOG_FILE"),

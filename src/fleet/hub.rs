@@ -12,7 +12,7 @@ use super::vehicle_task::{ParameterFeed, ToVehicle, VehicleTask};
 use super::{FleetClock, FleetEvent, FleetRequest};
 use crate::inspector::Census;
 use crate::ledger::RowState;
-use crate::link::{self, Inbound, LinkHandle, LinkId, LinkPeer, Transport};
+use crate::link::{self, FrameSink, Inbound, LinkHandle, LinkId, LinkPeer, Transport};
 use crate::notice::Notice;
 use crate::parameters::ParameterSnapshot;
 use crate::session::{LOST_AFTER, Report, Session, Stream, VehicleCommand, Want};
@@ -86,6 +86,8 @@ pub(super) struct HubSurroundings {
     pub clock: FleetClock,
     /// Telemetry that vehicles are asked for.
     pub streams: &'static [Stream],
+    /// Where the frames of all links are taken down, if they are recorded.
+    pub sink: Option<FrameSink>,
     pub events: mpsc::Sender<FleetEvent>,
     pub cancel: CancellationToken,
 }
@@ -93,6 +95,7 @@ pub(super) struct HubSurroundings {
 struct Hub {
     clock: FleetClock,
     streams: &'static [Stream],
+    sink: Option<FrameSink>,
     links: Vec<LinkHandle>,
     routes: BTreeMap<SystemId, PeerRoute>,
     inbound: mpsc::Sender<Inbound>,
@@ -105,6 +108,7 @@ pub(super) async fn run(surroundings: HubSurroundings, mut requests: mpsc::Recei
     let HubSurroundings {
         clock,
         streams,
+        sink,
         events,
         cancel,
     } = surroundings;
@@ -112,6 +116,7 @@ pub(super) async fn run(surroundings: HubSurroundings, mut requests: mpsc::Recei
     let mut hub = Hub {
         clock,
         streams,
+        sink,
         links: Vec::new(),
         routes: BTreeMap::new(),
         inbound,
@@ -146,7 +151,8 @@ pub(super) async fn run(surroundings: HubSurroundings, mut requests: mpsc::Recei
 impl Hub {
     async fn connect(&mut self, transport: Transport) {
         let id = LinkId(self.links.len() as u16);
-        let link = link::open(id, transport, self.inbound.clone(), self.cancel.clone());
+        let (sink, inbound) = (self.sink.clone(), self.inbound.clone());
+        let link = link::open_recorded(id, transport, sink, inbound, self.cancel.clone());
         let news = FleetEvent::Linked(link.status(), link.tap());
         self.links.push(link);
         self.tell(news).await;
@@ -335,7 +341,7 @@ impl Hub {
             kind: None,
             text,
         };
-        self.tell(FleetEvent::Report(Report::Notice(notice))).await;
+        self.tell(FleetEvent::Warning(notice)).await;
     }
 
     /// The link, and the peer's network address where the link has several peers.

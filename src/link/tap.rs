@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use tokio::time::Instant;
 
-use super::{LinkPeer, LinkState, LinkStatus};
+use super::{FrameSink, LinkPeer, LinkState, LinkStatus};
 use crate::doctor::{self, Observation};
 use crate::inspector::{Census, FrameWay};
 
@@ -16,13 +16,16 @@ use crate::inspector::{Census, FrameWay};
 pub struct Tap {
     opened: Instant,
     census: Arc<Mutex<Census>>,
+    /// Where every frame is taken down, if the link is recorded.
+    sink: Option<FrameSink>,
 }
 
 impl Tap {
-    pub(super) fn new() -> Self {
+    pub(super) fn new(sink: Option<FrameSink>) -> Self {
         Self {
             opened: Instant::now(),
             census: Arc::default(),
+            sink,
         }
     }
 
@@ -47,14 +50,22 @@ impl Tap {
     }
 
     pub(super) fn received(&self, peer: LinkPeer, bytes: &[u8], is_verified: bool) {
+        self.take_down(bytes);
         let now = self.opened.elapsed();
         self.census()
             .note(FrameWay::received(peer.0), bytes, is_verified, now);
     }
 
     pub(super) fn sent(&self, peer: LinkPeer, bytes: &[u8]) {
+        self.take_down(bytes);
         let now = self.opened.elapsed();
         self.census().note(FrameWay::sent(peer.0), bytes, true, now);
+    }
+
+    fn take_down(&self, frame: &[u8]) {
+        if let Some(sink) = &self.sink {
+            sink.note(frame);
+        }
     }
 
     /// Notes bytes in which no frame was found.

@@ -115,6 +115,11 @@ impl Flight {
         }
     }
 
+    /// Mission time of the last step, up to the limit.
+    pub fn elapsed(&self) -> Duration {
+        self.elapsed
+    }
+
     /// Says what the flight is for; without it, it is practice.
     pub fn set_stake(&mut self, stake: Stake) {
         self.stake = stake;

@@ -18,6 +18,7 @@ use serde::{Deserialize, Serialize};
 use super::{Mission, Stake, TICK};
 use crate::commands::Deed;
 use crate::ledger::{EntryId, Ledger, LedgerEntry, LedgerRow, RowState};
+use crate::record::{EntryLine, RowLine};
 use crate::scoring::{FlightBackend, FlownBy, Medal, Report};
 use crate::vehicle::{VehicleId, Vehicles};
 use crate::workshop::Design;
@@ -26,7 +27,7 @@ mod line;
 mod observed;
 mod replay;
 
-use line::{EntryLine, RecordChange, RecordLine, RowLine};
+use line::{RecordChange, RecordLine};
 use observed::{ObservedVehicle, WatchedVehicle};
 pub use replay::{Rescored, Stored};
 
@@ -274,7 +275,7 @@ impl Recorder {
             };
             for (row, known) in entry.rows.iter().zip(known) {
                 if std::mem::replace(known, (row.state, row.tries)) != (row.state, row.tries) {
-                    change.r.push(RowLine::of(id, row));
+                    change.r.push(RowLine::standing(id, row));
                 }
             }
             !entry.is_final()

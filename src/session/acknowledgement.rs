@@ -50,7 +50,7 @@ impl Acknowledgement {
 
 /// Acknowledgements that may still come for commands whose answer nobody waits for any longer. Without them
 /// the late answer to an arm would be taken for the answer to the kill that replaced it: both are one `MAV_CMD`.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct OwedAcks(Vec<(u16, Duration)>);
 
 /// An acknowledgement that has not come by then will not come: vehicles answer within milliseconds, links

@@ -45,7 +45,7 @@ enum Phase {
 }
 
 /// The download of one vehicle's list.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Download {
     phase: Phase,
     /// Since when nothing new has come, or since when that was found out last.

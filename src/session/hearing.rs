@@ -13,7 +13,7 @@ use crate::wire::{Frame, LossMeter};
 pub const LOST_AFTER: Duration = Duration::from_millis(2500);
 
 /// Listens to one vehicle.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Hearing {
     loss: LossMeter,
 }

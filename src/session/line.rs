@@ -25,7 +25,7 @@ const MOST_WAITING: usize = 32;
 const SPEEDS_SAID: u8 = 3;
 
 /// The orders of one vehicle.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Line {
     /// Those that wait for the line to be free, with the time they were given.
     queue: VecDeque<(VehicleCommand, Duration)>,
@@ -43,7 +43,7 @@ pub(super) struct Line {
 }
 
 /// An order that was carried out, and what is true of the vehicle while it holds.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct Holding {
     entry: EntryId,
     claim: Claim,

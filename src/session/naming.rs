@@ -65,7 +65,7 @@ pub(super) fn settle(order: &mut VehicleCommand, list: &ParameterList) -> bool {
 }
 
 /// Asks a vehicle by which of two names it knows the parameter of the order that is next.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Search {
     /// The order that it is for.
     entry: Option<EntryId>,

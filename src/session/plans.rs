@@ -66,7 +66,7 @@ const UPLOAD_PARAMETERS: [(&[u8], PlanKind); 2] = [
 const NO_INDEX: u16 = u16::MAX;
 
 /// Reads the lists of one vehicle.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct PlanReader {
     /// When the vehicle was heard first.
     heard_at: Option<Duration>,

@@ -44,7 +44,7 @@ impl RadioFault {
 }
 
 /// Both directions of a link.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Channel {
     fault: RadioFault,
     random: ChaCha8Rng,

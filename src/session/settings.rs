@@ -45,7 +45,7 @@ struct Setting {
 }
 
 /// All of one vehicle's.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Settings {
     /// Whether anything was ever heard from it: before that, it would not listen.
     is_there: bool,

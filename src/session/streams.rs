@@ -68,7 +68,7 @@ const HOME_EVERY: u32 = 16;
 const GOOD_ENOUGH: f64 = 0.7;
 
 /// Watches the rates of one vehicle.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Streams {
     wanted: &'static [Stream],
     arrived: BTreeMap<u32, u32>,

@@ -10,7 +10,7 @@ use crate::wire::{MavAddress, Outgoing, SystemId};
 const EVERY: Duration = Duration::from_secs(5);
 
 /// Measures the way to a vehicle and back.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Timesync {
     asked_at: Option<Duration>,
 }

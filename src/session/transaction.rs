@@ -53,7 +53,7 @@ enum Phase {
 }
 
 /// A command under way.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Transaction {
     pub(super) order: VehicleCommand,
     vehicle: VehicleId,

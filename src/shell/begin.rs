@@ -167,6 +167,7 @@ impl Console {
             speedup: self.options.speedup,
             simulation: self.options.backend.clone(),
             runs: self.options.preferences.runs.clone(),
+            records: self.options.preferences.records.clone(),
             occasion: Occasion {
                 stake: self.attempt.stake,
                 flown_by: self.options.flown_by,

@@ -25,6 +25,9 @@ impl Console {
     /// Takes in what is waiting, and carries out what comes of it, until nothing is left.
     pub(super) async fn take_in(&mut self) {
         while let Some(event) = self.inbox.pop_front() {
+            if let Some(running) = &self.running {
+                running.note_event(self.clock.now(), &event);
+            }
             for effect in self.app.update(event) {
                 self.carry_out(effect).await;
             }

@@ -9,7 +9,7 @@ use crate::hangar::{SitlSource, VehicleBackend};
 use crate::link::Address;
 use crate::mission::Mission;
 use crate::scoring::FlownBy;
-use crate::store::{History, Runs};
+use crate::store::{History, Records, Runs};
 use crate::text::Text;
 use crate::ui::{Look, Themes};
 
@@ -77,6 +77,8 @@ pub struct Preferences {
     pub history: Option<History>,
     /// Where flown missions are recorded; nowhere for measurements.
     pub runs: Option<Runs>,
+    /// Where flights are recorded to be replayed; nowhere for measurements, or if the user does not want it.
+    pub records: Option<Records>,
     /// The folder of profiles; none are kept for measurements.
     pub data: Option<PathBuf>,
     /// Whose career it is, by name.

@@ -1,10 +1,13 @@
 //! Carries out what was asked of vehicles.
 
+use std::time::Duration;
+
 use super::Console;
 use crate::app::event::{Event, VehicleEvent};
 use crate::commands::Order;
 use crate::fleet::Unreachable;
 use crate::ledger::{EntryId, RowState, RowUpdate};
+use crate::record::{EntryLine, Happening};
 use crate::text;
 use crate::text::Text;
 
@@ -12,6 +15,7 @@ impl Console {
     /// Carries out an order whose entry is open already, and posts what comes of it.
     pub(super) fn order(&mut self, entry: EntryId, order: &Order) {
         let now = self.clock.now();
+        self.note_order(entry, order, now);
         let vehicles = self.app.state().session().vehicles();
         let events: Vec<Event> = match &mut self.running {
             Some(running) => running.carry_out(entry, order, vehicles, now),
@@ -33,6 +37,20 @@ impl Console {
         };
         for event in events {
             self.post(event);
+        }
+    }
+
+    fn note_order(&self, entry: EntryId, order: &Order, now: Duration) {
+        if let Some(running) = &self.running {
+            let given = order.given();
+            let what = Happening::Entry(EntryLine {
+                id: entry.0,
+                line: given.line.to_owned(),
+                verb: given.verb,
+                risk: given.risk,
+                vehicles: order.targets.clone(),
+            });
+            running.note_down(now, what);
         }
     }
 }

@@ -4,6 +4,7 @@ use super::{Console, RunningSession};
 use crate::app::effect::PaceChange;
 use crate::app::event::{Event, SessionEvent};
 use crate::notice::Notice;
+use crate::record::Happening;
 use crate::text;
 use crate::vehicle::Severity;
 
@@ -44,6 +45,8 @@ impl Console {
         let now = self.clock.now();
         if let Some(running) = &mut self.running {
             running.set_speedup(change.speedup, now);
+            let rate = change.speedup;
+            running.note_down(now, Happening::Speedup { rate });
             self.post(SessionEvent::Speedup(change));
         }
     }

@@ -11,11 +11,13 @@ use crate::app::room::messages::Wanted;
 use crate::exercise::PacedClock;
 use crate::fleet::{Fleet, FleetEvent};
 use crate::link::SimulatorPace;
+use crate::notice::Notice;
 use crate::operator::Operator;
 use crate::parameters::ParameterSnapshot;
+use crate::record::{Happening, NoticeLine};
 use crate::session::Report;
 use crate::swarm::Path;
-use crate::vehicle::{Vehicle, VehicleId};
+use crate::vehicle::{Severity, Vehicle, VehicleId};
 
 mod hangar;
 mod inspection;
@@ -23,12 +25,14 @@ mod links;
 mod logbook;
 mod mission_run;
 mod orders;
+mod recorder;
 mod start;
 
 use hangar::Processes;
 pub(super) use hangar::SessionEnding;
 use inspection::Inspection;
 use links::SessionLinks;
+use recorder::FlightRecorder;
 pub(super) use mission_run::Finished;
 use mission_run::MissionRun;
 pub(super) use start::{SessionBackend, SessionPlan};
@@ -57,6 +61,8 @@ pub(super) struct RunningSession {
     vehicle_time: PacedClock,
     /// The processes of its vehicles.
     processes: Option<Processes>,
+    /// What is recorded of it, if anything is.
+    recorder: Option<FlightRecorder>,
     cancel: CancellationToken,
 }
 
@@ -127,6 +133,10 @@ impl RunningSession {
                 Ok(FleetEvent::Report(Report::Notice(notice))) => {
                     collected.push(Event::Notice(notice));
                 }
+                Ok(FleetEvent::Warning(notice)) => {
+                    self.note_down(now, Happening::Notice(NoticeLine::of(&notice)));
+                    collected.push(Event::Notice(notice));
+                }
                 Ok(FleetEvent::Dropped(count)) => {
                     self.dropped += count;
                     collected.push(Event::NoticesDropped(self.dropped));
@@ -141,10 +151,43 @@ impl RunningSession {
             }
         }
         collected.extend(self.changed_parameters());
-        collected.extend(self.links.hear(now).map(Event::Notice));
+        let heard: Vec<Notice> = self.links.hear(now).collect();
+        for notice in heard {
+            self.note_down(now, Happening::Notice(NoticeLine::of(&notice)));
+            collected.push(Event::Notice(notice));
+        }
+        collected.extend(self.hear_recorder(now));
         collected.extend(self.links.changed(&self.vehicles));
         collected.extend(self.inspection.examine(self.links.all(), now));
         collected
+    }
+
+    /// Notes in the session's record that something happened.
+    pub fn note_down(&self, now: Duration, what: Happening) {
+        if let Some(recorder) = &self.recorder {
+            recorder.note(now, what);
+        }
+    }
+
+    /// Notes in the session's record what neither telemetry nor the mission says again.
+    pub fn note_event(&self, now: Duration, event: &Event) {
+        if let Event::Vehicle(event) = event
+            && let Some(what) = recorder::happening(event)
+        {
+            self.note_down(now, what);
+        }
+    }
+
+    /// What is to be said of the record.
+    fn hear_recorder(&mut self, now: Duration) -> Option<Event> {
+        let text = self.recorder.as_mut()?.take_fault()?;
+        Some(Event::Notice(Notice {
+            at: now,
+            vehicle: None,
+            severity: Severity::Warning,
+            kind: None,
+            text,
+        }))
     }
 
     /// The lists that have changed.
@@ -167,6 +210,9 @@ impl RunningSession {
 
 impl Drop for RunningSession {
     fn drop(&mut self) {
+        if let Some(recorder) = &self.recorder {
+            recorder.end();
+        }
         self.cancel.cancel();
     }
 }

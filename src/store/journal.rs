@@ -10,7 +10,8 @@
 use std::path::Path;
 use std::time::{SystemTime, UNIX_EPOCH};
 
-use super::runs::{ENDING, is_flown, outline, run_id};
+use super::append::is_written;
+use super::runs::{ENDING, outline, run_id};
 use super::{Profile, ProfileError, Profiles, RunEntry, Runs, read_run, utc};
 use crate::campaign::{
     AttemptMeans, AttemptTerms, AttemptTrainee, CareerFlight, CareerStanding, PracticeReason,
@@ -165,7 +166,7 @@ impl<'a> LeftRun<'a> {
     /// record has only the name in common with the one that flew it.
     fn read(path: &Path, everybody: &'a [Profile]) -> Option<Self> {
         let (head, end) = outline(path).ok()?;
-        let is_left_exam = end.is_none() && head.stake == Stake::Exam && !is_flown(path);
+        let is_left_exam = end.is_none() && head.stake == Stake::Exam && !is_written(path);
         if end.is_none() && !is_left_exam {
             return None;
         }

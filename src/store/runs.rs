@@ -6,13 +6,14 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsStr;
-use std::fs::{self, File, OpenOptions};
-use std::io::{self, BufRead as _, BufReader, Read as _, Seek as _, SeekFrom, Write as _};
+use std::fs::{self, File};
+use std::io::{self, BufRead as _, BufReader, Read as _, Seek as _, SeekFrom};
 use std::path::{Path, PathBuf};
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use chrono::{DateTime, NaiveDateTime};
 
+use super::append::{AppendFile, is_written};
 use super::{StoreError, sharing};
 use crate::campaign::is_practice;
 use crate::mission::record::{End, Head};
@@ -44,12 +45,7 @@ pub struct Runs {
 
 /// A run that is being recorded.
 #[derive(Debug)]
-pub struct RunFile {
-    file: File,
-    path: PathBuf,
-    /// Bytes of whole lines.
-    len: u64,
-}
+pub struct RunFile(AppendFile);
 
 impl Runs {
     /// The runs in the program's folder for data: the newest 300, as long as they take no more than 256 MiB.
@@ -94,17 +90,8 @@ impl Runs {
         // Two tries in one second, or of two consoles, get names of their own.
         for number in 0..100 {
             let name = format!("{when}_{mission}_{process}-{number:02}{ENDING}");
-            let path = self.folder.join(name);
-            let mut options = OpenOptions::new();
-            match sharing::open(options.create_new(true).append(true), &path) {
-                Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
-                Err(error) => return Err(unwritable(&path, error)),
-                Ok(file) => {
-                    // It tells other consoles that the run is still flown (`is_flown`). Where files cannot be locked,
-                    // a run that was left cannot be told from one that is flown, and stays as it is.
-                    drop(file.try_lock());
-                    return Ok(RunFile { file, path, len: 0 });
-                }
+            if let Some(file) = AppendFile::create(self.folder.join(name))? {
+                return Ok(RunFile(file));
             }
         }
         Err(unwritable(
@@ -141,7 +128,7 @@ impl Runs {
         // What is being flown is no try yet.
         let outlines = files.filter_map(|path| {
             let (head, end) = outline(&path).ok()?;
-            (end.is_some() || !is_flown(&path)).then_some((head, end))
+            (end.is_some() || !is_written(&path)).then_some((head, end))
         });
         for (head, end) in outlines.filter(|(head, _)| head.profile.as_deref() == whose) {
             let one = as_try(&head, end.as_ref());
@@ -193,39 +180,22 @@ impl RunFile {
     /// # Errors
     /// The disk is full or gone.
     pub fn append(&mut self, lines: &str) -> Result<(), StoreError> {
-        let Err(error) = self.file.write_all(lines.as_bytes()) else {
-            self.len += lines.len() as u64;
-            return Ok(());
-        };
-        // A disk that is gone takes no tidying up either.
-        drop(if self.len == 0 {
-            fs::remove_file(&self.path)
-        } else {
-            self.file.set_len(self.len)
-        });
-        let path = self.path.clone();
-        Err(StoreError::Unwritable { path, error })
+        self.0.append(lines.as_bytes())
     }
 
     pub fn path(&self) -> &Path {
-        &self.path
+        self.0.path()
     }
 
     /// Removes the file. Where it cannot be, it stays a flight without an end, which counts for nothing.
     pub fn discard(self) {
-        drop(fs::remove_file(&self.path));
+        drop(fs::remove_file(self.path()));
     }
 
     /// What no other run is called: the file's name without its ending.
     pub fn id(&self) -> &str {
-        run_id(&self.path)
+        run_id(self.0.path())
     }
-}
-
-/// Whether a run may still be flown: the console that flies it holds a lock on its file.
-pub(super) fn is_flown(path: &Path) -> bool {
-    let free = File::open(path).is_ok_and(|file| file.try_lock_shared().is_ok());
-    !free
 }
 
 /// The id of a run by its file.

@@ -129,7 +129,7 @@ impl Console {
             FleetEvent::Linked(link, _) => self.links.push(link),
             FleetEvent::Dropped(count) => panic!("{count} reports were dropped"),
             FleetEvent::Report(Report::Row(row)) => self.rows.push(row),
-            FleetEvent::Report(Report::Notice(notice)) => {
+            FleetEvent::Report(Report::Notice(notice)) | FleetEvent::Warning(notice) => {
                 self.notices.push(notice.text.to_string());
             }
         }

@@ -22,6 +22,7 @@ const PURE: &[&[&str]] = &[
     &["commands", "messages"],
     &["language"],
     &["session", "swarm"],
+    &["record"],
     &["sitl"],
     &["fidelity", "mission", "scoring", "debrief"],
     &["campaign"],

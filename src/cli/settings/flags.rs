@@ -43,6 +43,15 @@ pub(in crate::cli) struct Common {
         help_heading = "Settings"
     )]
     mouse: Option<String>,
+    /// Record nothing: flights of this session cannot be replayed.
+    #[arg(
+        long,
+        global = true,
+        num_args = 0,
+        default_missing_value = "false",
+        help_heading = "Settings"
+    )]
+    no_record: Option<String>,
     /// Write a log to FILE.
     #[arg(long, global = true, value_name = "FILE", help_heading = "Settings")]
     log: Option<String>,
@@ -61,6 +70,7 @@ impl Common {
             ("fps", "--fps", &self.fps),
             ("symbols", "--symbols", &self.symbols),
             ("mouse", "--mouse", &self.mouse),
+            ("records.enabled", "--no-record", &self.no_record),
             ("log.file", "--log", &self.log),
             ("log.level", "--log-level", &self.log_level),
         ];

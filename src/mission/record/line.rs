@@ -1,15 +1,12 @@
 //! The lines of a record after its head.
 
-use serde::de::Error as _;
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde::{Deserialize, Serialize};
 
 use super::End;
 use super::observed::ObservedVehicle;
 use crate::commands::Deed;
-use crate::language;
-use crate::ledger::{EntryId, LedgerRow, Risk, RowState};
+use crate::record::{EntryLine, RowLine};
 use crate::vehicle::VehicleId;
-use crate::verb::Verb;
 
 /// One line after the head.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -83,61 +80,4 @@ pub(super) struct RecordChange {
     pub(super) e: Vec<EntryLine>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub(super) r: Vec<RowLine>,
-}
-
-/// A command that was given.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub(super) struct EntryLine {
-    pub(super) id: u32,
-    pub(super) line: String,
-    #[serde(serialize_with = "verb_name", deserialize_with = "known_verb")]
-    pub(super) verb: &'static Verb,
-    #[serde(default, skip_serializing_if = "is_none")]
-    pub(super) risk: Risk,
-    pub(super) vehicles: Vec<VehicleId>,
-}
-
-/// What became of it with one vehicle.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub(super) struct RowLine {
-    pub(super) id: u32,
-    pub(super) vehicle: VehicleId,
-    pub(super) state: RowState,
-    pub(super) tries: u8,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub(super) why: Option<String>,
-}
-
-#[expect(
-    clippy::trivially_copy_pass_by_ref,
-    reason = "the serialiser passes references"
-)]
-fn is_none(risk: &Risk) -> bool {
-    *risk == Risk::None
-}
-
-#[expect(
-    clippy::trivially_copy_pass_by_ref,
-    reason = "serde passes fields by reference"
-)]
-fn verb_name<S: Serializer>(verb: &&'static Verb, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.serialize_str(verb.name)
-}
-
-fn known_verb<'de, D: Deserializer<'de>>(deserializer: D) -> Result<&'static Verb, D::Error> {
-    let name = String::deserialize(deserializer)?;
-    language::verb(&name).ok_or_else(|| D::Error::custom("no verb"))
-}
-
-impl RowLine {
-    /// The line of a row as it stands now.
-    pub(super) fn of(id: EntryId, row: &LedgerRow) -> Self {
-        Self {
-            id: id.0,
-            vehicle: row.vehicle,
-            state: row.state,
-            tries: row.tries,
-            why: row.explanation.as_ref().map(ToString::to_string),
-        }
-    }
 }

@@ -209,11 +209,7 @@ impl Replay {
             };
             self.ledger.apply(&RowUpdate {
                 entry,
-                vehicle: row.vehicle,
-                state: row.state,
-                tries: row.tries,
-                at,
-                explanation: row.why.clone().map(Text::verbatim),
+                ..row.update(at)
             });
         }
     }

@@ -21,7 +21,7 @@ const TRIES_PER_FORM: u8 = 3;
 const MOST_ITEMS: u16 = 5000;
 
 /// A download under way.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Download {
     pub kind: PlanKind,
     address: MavAddress,

@@ -4,14 +4,15 @@ use std::collections::{BTreeSet, VecDeque};
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::RunningSession;
 use super::logbook::Logbook;
+use super::{RunningSession, recorder};
 use crate::app::event::{Event, SessionEvent};
 use crate::app::state::{FlightView, Hangar, SitlStage};
 use crate::exercise::{FlightDriver, FlightPace, PacedClock};
 use crate::mission::record::Occasion;
 use crate::mission::{Clock, Demand, Flight, Mission, Pledge, Stake};
 use crate::notice::Notice;
+use crate::record::Happening;
 use crate::scoring::{FlightBackend, Report, TryReport};
 use crate::store::{self, Runs};
 use crate::text::Text;
@@ -90,6 +91,17 @@ impl MissionRun {
         };
         let logbook = Logbook::begin(runs, self.driver.flight_mut(), occasion, earlier);
         self.logbook = Some(logbook);
+    }
+
+    /// What its run is called, where it is recorded.
+    pub fn run_id(&self) -> Option<&str> {
+        let logbook = self.logbook.as_ref().filter(|it| it.is_whole())?;
+        Some(logbook.run_id())
+    }
+
+    /// How late it is in the mission.
+    fn elapsed(&self) -> Duration {
+        self.driver.flight().elapsed()
     }
 
     /// Steps the mission up to now and returns what came of it. It stands still until its vehicles are there.
@@ -212,16 +224,30 @@ impl RunningSession {
         let Some(mission_run) = &mut self.mission_run else {
             return Vec::new();
         };
+        let before = mission_run.elapsed();
         let events = mission_run.fly(now, shown);
+        let elapsed = mission_run.elapsed();
         mission_run
             .wanted
             .extend(mission_run.driver.flight_mut().take_demands());
         // What a vehicle cannot be told before it is heard waits until it is.
+        let recorder = self.recorder.as_ref();
         tell_demands(
             &mut mission_run.wanted,
             |vehicle| shown.vehicles().contains_key(&vehicle),
-            |demand| self.fleet.carry_out(demand.vehicle, demand.want).is_ok(),
+            |demand| {
+                let is_told = self.fleet.carry_out(demand.vehicle, demand.want).is_ok();
+                let what = recorder::demanded(demand.vehicle, demand.want);
+                if let (true, Some(recorder), Some(what)) = (is_told, recorder, what) {
+                    recorder.note(now, what);
+                }
+                is_told
+            },
         );
+        if elapsed > before {
+            let ms = elapsed.as_millis() as u64;
+            self.note_down(now, Happening::Mission { ms });
+        }
         events
     }
 

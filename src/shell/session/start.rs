@@ -12,6 +12,7 @@ use super::hangar::{Processes, SessionEnding};
 use super::inspection::Inspection;
 use super::links::SessionLinks;
 use super::mission_run::MissionRun;
+use super::recorder::FlightRecorder;
 use crate::app::event::Started;
 use crate::app::state::Activity;
 use crate::exercise::PacedClock;
@@ -24,7 +25,7 @@ use crate::mission::{Flight, Mission, Stake};
 use crate::operator::Operator;
 use crate::scoring::TryReport;
 use crate::sim::{Start, World, WorldConfig};
-use crate::store::Runs;
+use crate::store::{Records, Runs};
 use crate::swarm::Rules;
 use crate::text;
 use crate::text::Text;
@@ -57,6 +58,8 @@ pub(in crate::shell) struct SessionBackend {
     pub speedup: f64,
     /// Where missions are recorded.
     pub runs: Option<Runs>,
+    /// Where flights are recorded to be replayed.
+    pub records: Option<Records>,
     /// How a mission counts, and for whose career.
     pub occasion: Occasion,
     /// The trainee's tries at it before this one, oldest first.
@@ -73,6 +76,18 @@ impl SessionPlan {
     }
 }
 
+impl SessionPlan {
+    /// Whether a session is recorded. One that plays a recording is not: it is one already.
+    fn is_recorded(&self, backend: &SessionBackend) -> bool {
+        let plays = |address: &Address| matches!(address, Address::File { .. });
+        let is_playback = match self {
+            Self::Connect(addresses) => addresses.iter().any(plays),
+            Self::Mission(_) | Self::Free(_) => false,
+        };
+        backend.records.is_some() && !is_playback
+    }
+}
+
 impl RunningSession {
     /// Starts a session, once the processes of the one before it are gone.
     ///
@@ -84,7 +99,10 @@ impl RunningSession {
         before: SessionEnding,
     ) -> Result<(Self, Started), Text> {
         let cancel = CancellationToken::new();
-        let (fleet, events) = Fleet::start(backend.clock.clone(), cancel.clone());
+        let recorder = plan.is_recorded(backend).then(|| FlightRecorder::new(&backend.clock));
+        let sink = recorder.as_ref().map(FlightRecorder::sink);
+        let (fleet, events) =
+            Fleet::start_recorded(sink, backend.clock.clone(), cancel.clone());
         let mut running = Self {
             plan: plan.clone(),
             fleet,
@@ -103,6 +121,7 @@ impl RunningSession {
             paths: Vec::new(),
             vehicle_time: PacedClock::new(backend.speedup, Duration::ZERO),
             processes: None,
+            recorder,
             cancel,
         };
         let row = || WorldConfig {
@@ -130,7 +149,16 @@ impl RunningSession {
         };
         started.speedup = backend.speedup;
         started.processes = running.processes.as_ref().map(|processes| processes.count);
+        running.begin_record(backend, &started);
         Ok((running, started))
+    }
+
+    fn begin_record(&mut self, backend: &SessionBackend, started: &Started) {
+        let run_id = self.mission_run.as_ref().and_then(MissionRun::run_id);
+        if let (Some(recorder), Some(records)) = (&mut self.recorder, &backend.records) {
+            let profile = backend.occasion.profile.as_deref();
+            recorder.begin(records, started, profile, run_id);
+        }
     }
 
     async fn start_mission(

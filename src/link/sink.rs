@@ -1,0 +1,121 @@
+//! Where the frames of all links are taken down, until a recorder fetches them.
+
+use std::fmt;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use crate::wire::Anatomy;
+
+/// What waits for the recorder at most; beyond that frames are left out, and counted.
+const MOST_WAITING: usize = 32 * 1024 * 1024;
+/// `SETUP_SIGNING` carries a secret key.
+const SETUP_SIGNING: u32 = 256;
+
+/// Takes frames down as the entries of a tlog, in the order of their time. All clones are one sink.
+#[derive(Clone)]
+pub struct FrameSink(Arc<Inner>);
+
+struct Inner {
+    /// Microseconds since 1970 (UTC).
+    clock: Box<dyn Fn() -> u64 + Send + Sync>,
+    waiting: Mutex<WaitingFrames>,
+}
+
+/// Frames that wait for the recorder.
+#[derive(Debug, Default)]
+pub struct WaitingFrames {
+    /// Entries of a tlog.
+    pub bytes: Vec<u8>,
+    /// Frames that found no room since the last call.
+    pub dropped: u64,
+    /// Whether nothing is taken down any more.
+    is_closed: bool,
+}
+
+impl fmt::Debug for FrameSink {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("FrameSink")
+            .field(&self.waiting().bytes.len())
+            .finish()
+    }
+}
+
+impl FrameSink {
+    /// A sink whose clock tells microseconds since 1970 (UTC).
+    pub fn new(clock: impl Fn() -> u64 + Send + Sync + 'static) -> Self {
+        Self(Arc::new(Inner {
+            clock: Box::new(clock),
+            waiting: Mutex::default(),
+        }))
+    }
+
+    /// Takes a frame down, unless it carries a secret.
+    pub fn note(&self, frame: &[u8]) {
+        if Anatomy::of(frame).is_some_and(|it| it.id == SETUP_SIGNING) {
+            return;
+        }
+        let mut waiting = self.waiting();
+        if waiting.is_closed {
+            return;
+        }
+        if waiting.bytes.len() > MOST_WAITING {
+            waiting.dropped += 1;
+            return;
+        }
+        // The clock is read while nobody else can write, so that times never go back.
+        let stamp = (self.0.clock)().to_be_bytes();
+        waiting.bytes.extend_from_slice(&stamp);
+        waiting.bytes.extend_from_slice(frame);
+    }
+
+    /// What was taken down since the last call.
+    pub fn take(&self) -> WaitingFrames {
+        let mut waiting = self.waiting();
+        let is_closed = waiting.is_closed;
+        let empty = WaitingFrames {
+            is_closed,
+            ..WaitingFrames::default()
+        };
+        std::mem::replace(&mut *waiting, empty)
+    }
+
+    /// Takes nothing down any more.
+    pub fn close(&self) {
+        self.waiting().is_closed = true;
+    }
+
+    fn waiting(&self) -> MutexGuard<'_, WaitingFrames> {
+        // A panic while a frame is taken down costs that frame.
+        self.0.waiting.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use mavlink::dialects::ardupilotmega::{HEARTBEAT_DATA, MavMessage, SETUP_SIGNING_DATA};
+
+    use super::*;
+    use crate::link::TlogReader;
+    use crate::wire::Encoder;
+
+    fn frame(message: MavMessage) -> Vec<u8> {
+        let mut bytes = Vec::new();
+        Encoder::new(255, 190).encode(&message.into(), &mut bytes);
+        bytes
+    }
+
+    #[test]
+    fn frames_are_entries_of_a_tlog_and_keys_are_left_out() {
+        let sink = FrameSink::new(|| 1_700_000_000_000_000);
+        let beat = frame(MavMessage::HEARTBEAT(HEARTBEAT_DATA::default()));
+        sink.note(&beat);
+        sink.clone().note(&frame(MavMessage::SETUP_SIGNING(SETUP_SIGNING_DATA::default())));
+        sink.note(&beat);
+        let waiting = sink.take();
+        let read: Result<Vec<_>, _> = TlogReader::new(&waiting.bytes[..]).collect();
+        let read = read.expect("a sound tlog");
+        assert_eq!(read.len(), 2);
+        assert!(read.iter().all(|it| it.bytes == beat));
+        assert_eq!(read[0].unix_us, 1_700_000_000_000_000);
+        assert!(sink.take().bytes.is_empty());
+    }
+}

@@ -1,0 +1,180 @@
+//! What a flight leaves: beside the frames of its links, a journal of everything that the frames do not tell.
+//!
+//! A record is a set of files with one stem. `STEM.tlog` holds the frames of all links in both directions, as other
+//! ground stations write and read them. `STEM.flight.jsonl` holds the [`Head`] and then a [`JournalLine`] for each
+//! command and what became of it, each bookmark, and whatever else happened beside the links. A mission's own record,
+//! from which it is scored again, is `STEM.run.jsonl` ([`mission::record`](crate::mission::record)).
+//!
+//! Times count from the beginning of the record, without the pauses in which everything stood still.
+
+use std::collections::BTreeMap;
+use std::time::Duration;
+
+use serde::{Deserialize, Serialize};
+
+use crate::geo::LatLon;
+use crate::text;
+use crate::text::Text;
+
+mod bookmark;
+mod line;
+
+pub use line::{EntryLine, Happening, JournalLine, LossLine, NoticeLine, RowLine};
+pub use bookmark::{Bookmark, BookmarkKind};
+
+/// The version of the journal's format.
+const VERSION: u32 = 1;
+
+/// What was flown, when and by whom: the first line of a journal.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Head {
+    /// The version of the format.
+    pub sortie_flight: u32,
+    /// The program that recorded it.
+    pub program: String,
+    /// The time of day when it began: microseconds since 1970 (UTC). Stamps of the tlog count from 1970 as well.
+    pub began_unix_us: u64,
+    /// What was done.
+    pub subject: Subject,
+    /// Whose flight it was: the name of a profile, where there is one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub profile: Option<String>,
+    /// The places that commands could name.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub places: BTreeMap<String, LatLon>,
+    /// How many times as fast as the clock on the wall simulated time passed at the start.
+    #[serde(default = "real_time", skip_serializing_if = "is_real_time")]
+    pub speedup: f64,
+}
+
+fn real_time() -> f64 {
+    1.0
+}
+
+#[expect(
+    clippy::trivially_copy_pass_by_ref,
+    reason = "the serialiser passes references"
+)]
+fn is_real_time(speedup: &f64) -> bool {
+    (*speedup - 1.0).abs() < f64::EPSILON
+}
+
+/// What a recorded session was about.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Subject {
+    /// The mission of this id; its own record has the rest.
+    Mission(String),
+    /// Simulated vehicles without a task.
+    Free,
+    /// Vehicles that were there already, at these addresses.
+    Connected(Vec<String>),
+}
+
+impl Subject {
+    /// A word for it in the names of files: the id of the mission, `free` or `connect`.
+    pub fn slug(&self) -> &str {
+        match self {
+            Self::Mission(id) => id,
+            Self::Free => "free",
+            Self::Connected(_) => "connect",
+        }
+    }
+
+    /// What it is called.
+    pub fn text(&self) -> Text {
+        match self {
+            Self::Mission(id) => id.as_str().into(),
+            Self::Free => text!("session-free"),
+            Self::Connected(addresses) => addresses.join(" ").into(),
+        }
+    }
+}
+
+impl Head {
+    /// That of a session that begins at a time of day, in microseconds since 1970 (UTC).
+    pub fn new(subject: Subject, began_unix_us: u64) -> Self {
+        Self {
+            sortie_flight: VERSION,
+            program: env!("SORTIE_VERSION").to_owned(),
+            began_unix_us,
+            subject,
+            profile: None,
+            places: BTreeMap::new(),
+            speedup: 1.0,
+        }
+    }
+
+    /// The head in a line, with its end.
+    pub fn to_line(&self) -> String {
+        line::written(self)
+    }
+}
+
+/// A journal as it was read.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Journal {
+    pub head: Head,
+    /// What happened, oldest first.
+    pub lines: Vec<JournalLine>,
+    /// What is wrong with the rest of the file: up to where it could be read.
+    pub damage: Option<Text>,
+}
+
+impl Journal {
+    /// Reads a journal. What is damaged or goes back in time ends it.
+    ///
+    /// # Errors
+    /// It is no journal, or one of another version; in words.
+    pub fn read(text: &str) -> Result<Self, Text> {
+        let mut all = text.split_inclusive('\n');
+        let first = all.next().unwrap_or_default();
+        let version = serde_json::from_str::<serde_json::Value>(first)
+            .ok()
+            .and_then(|head| head.get("sortie_flight")?.as_u64())
+            .ok_or_else(|| text!("journal-none"))?;
+        if version != u64::from(VERSION) {
+            return Err(text!("record-version", version = version, known = VERSION));
+        }
+        let head: Head = serde_json::from_str(first)
+            .map_err(|error| text!("record-head", error = error.to_string()))?;
+        let mut journal = Self {
+            head,
+            lines: Vec::new(),
+            damage: None,
+        };
+        let mut since = Duration::ZERO;
+        for (index, line) in all.enumerate() {
+            let line = serde_json::from_str(line).ok();
+            let Some(line) = line.filter(|line: &JournalLine| line.at() >= since) else {
+                journal.damage = Some(text!("record-damaged", line = index + 2));
+                break;
+            };
+            since = line.at();
+            journal.lines.push(line);
+        }
+        Ok(journal)
+    }
+
+    /// The bookmarks in it, oldest first.
+    pub fn bookmarks(&self) -> impl Iterator<Item = Bookmark> + '_ {
+        self.lines.iter().filter_map(|line| match &line.what {
+            Happening::Bookmark { text } => Some(Bookmark {
+                at: line.at(),
+                vehicle: None,
+                kind: BookmarkKind::Own,
+                text: Text::verbatim(text.clone()),
+            }),
+            Happening::Entry(_)
+            | Happening::Row(_)
+            | Happening::Notice(_)
+            | Happening::Loss(_)
+            | Happening::Speedup { .. }
+            | Happening::Mission { .. }
+            | Happening::End => None,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests;

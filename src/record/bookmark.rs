@@ -1,0 +1,66 @@
+//! Bookmarks: the moments of a flight that are worth coming back to.
+
+use std::time::Duration;
+
+use strum::{EnumIter, EnumString, IntoStaticStr, VariantNames};
+
+use crate::text::Text;
+use crate::vehicle::VehicleId;
+
+/// A moment worth coming back to.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Bookmark {
+    /// When it was, from the beginning of the record.
+    pub at: Duration,
+    /// Which vehicle it is about, if one.
+    pub vehicle: Option<VehicleId>,
+    pub kind: BookmarkKind,
+    /// What it is, in a few words.
+    pub text: Text,
+}
+
+/// What makes a moment one to come back to. The names are those of the command line.
+#[derive(
+    Debug,
+    Clone,
+    Copy,
+    PartialEq,
+    Eq,
+    PartialOrd,
+    Ord,
+    EnumIter,
+    EnumString,
+    IntoStaticStr,
+    VariantNames,
+)]
+#[strum(serialize_all = "kebab-case")]
+pub enum BookmarkKind {
+    /// The operator set it.
+    Own,
+    /// A vehicle refused a command, or a command had no effect.
+    Refusal,
+    /// Something was wrong with a vehicle.
+    Alert,
+    /// A vehicle changed its mode.
+    Mode,
+    /// A vehicle was armed or disarmed.
+    Arming,
+    /// An objective of the mission was reached or missed.
+    Objective,
+    /// Two vehicles that fly were closest to each other.
+    Separation,
+}
+
+impl BookmarkKind {
+    /// The names of all kinds.
+    pub const NAMES: &'static [&'static str] = Self::VARIANTS;
+
+    pub fn name(self) -> &'static str {
+        self.into()
+    }
+
+    /// The kind of a name.
+    pub fn named(name: &str) -> Option<Self> {
+        name.parse().ok()
+    }
+}

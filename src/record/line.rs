@@ -1,0 +1,230 @@
+//! The lines of a journal after its head.
+
+use std::time::Duration;
+
+use serde::de::Error as _;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+use crate::alert::AlertKind;
+use crate::language;
+use crate::ledger::{EntryId, LedgerRow, Risk, RowState, RowUpdate};
+use crate::notice::Notice;
+use crate::session::RadioFault;
+use crate::text::Text;
+use crate::vehicle::{Severity, VehicleId};
+use crate::verb::Verb;
+
+/// Something that happened, and when.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct JournalLine {
+    /// Microseconds since the beginning of the record.
+    us: u64,
+    #[serde(flatten)]
+    pub what: Happening,
+}
+
+impl JournalLine {
+    /// That something happened at a time that counts from the beginning of the record.
+    pub fn new(at: Duration, what: Happening) -> Self {
+        let us = u64::try_from(at.as_micros()).unwrap_or(u64::MAX);
+        Self { us, what }
+    }
+
+    /// When it happened, from the beginning of the record.
+    pub fn at(&self) -> Duration {
+        Duration::from_micros(self.us)
+    }
+
+    /// It in a line, with its end.
+    pub fn to_line(&self) -> String {
+        written(self)
+    }
+}
+
+/// What happened beside the links.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Happening {
+    /// A command was given.
+    Entry(EntryLine),
+    /// A command advanced with one vehicle.
+    Row(RowLine),
+    /// Something was said that neither telemetry nor the mission says.
+    Notice(NoticeLine),
+    /// The radio between a vehicle and the console is like this from now on.
+    Loss(LossLine),
+    /// Simulated time passes so many times as fast as the clock on the wall from now on.
+    Speedup { rate: f64 },
+    /// The mission was stepped up to this time of its own clock.
+    Mission { ms: u64 },
+    /// The operator set a bookmark.
+    Bookmark { text: String },
+    /// The session was ended as usual.
+    End,
+}
+
+/// A command that was given.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct EntryLine {
+    /// Its number in the ledger.
+    pub id: u32,
+    /// The whole line in the console's grammar.
+    pub line: String,
+    #[serde(serialize_with = "verb_name", deserialize_with = "known_verb")]
+    pub verb: &'static Verb,
+    /// What it sets at risk.
+    #[serde(default, skip_serializing_if = "is_none")]
+    pub risk: Risk,
+    /// Its targets.
+    pub vehicles: Vec<VehicleId>,
+}
+
+/// What became of a command with one vehicle.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct RowLine {
+    /// The number of its entry in the ledger.
+    pub id: u32,
+    pub vehicle: VehicleId,
+    /// How far it has come.
+    pub state: RowState,
+    /// How often it has been sent.
+    pub tries: u8,
+    /// The reason of a refusal, or a remark, in English.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub why: Option<String>,
+}
+
+impl RowLine {
+    /// The line of an update.
+    pub fn of(update: &RowUpdate) -> Self {
+        Self {
+            id: update.entry.0,
+            vehicle: update.vehicle,
+            state: update.state,
+            tries: update.tries,
+            why: update.explanation.as_ref().map(ToString::to_string),
+        }
+    }
+
+    /// The line of a row as it stands now.
+    pub fn standing(entry: EntryId, row: &LedgerRow) -> Self {
+        Self {
+            id: entry.0,
+            vehicle: row.vehicle,
+            state: row.state,
+            tries: row.tries,
+            why: row.explanation.as_ref().map(ToString::to_string),
+        }
+    }
+
+    /// The update of a line, at a time.
+    pub fn update(&self, at: Duration) -> RowUpdate {
+        RowUpdate {
+            entry: EntryId(self.id),
+            vehicle: self.vehicle,
+            state: self.state,
+            tries: self.tries,
+            at,
+            explanation: self.why.clone().map(Text::verbatim),
+        }
+    }
+}
+
+/// What was said to the operator, in English.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct NoticeLine {
+    /// Which vehicle it is about, if one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub vehicle: Option<VehicleId>,
+    /// How serious it is: a `MAV_SEVERITY`.
+    pub severity: u8,
+    /// Which alert it is about, if one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub kind: Option<AlertKind>,
+    pub text: String,
+}
+
+impl NoticeLine {
+    /// The line of a notice.
+    pub fn of(notice: &Notice) -> Self {
+        Self {
+            vehicle: notice.vehicle,
+            severity: notice.severity as u8,
+            kind: notice.kind,
+            text: notice.text.to_string(),
+        }
+    }
+
+    /// The notice of a line, at a time.
+    pub fn notice(&self, at: Duration) -> Notice {
+        Notice {
+            at,
+            vehicle: self.vehicle,
+            severity: Severity::from_wire(self.severity),
+            kind: self.kind,
+            text: Text::verbatim(self.text.clone()),
+        }
+    }
+}
+
+/// What is wrong with the radio between a vehicle and the console.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct LossLine {
+    pub vehicle: VehicleId,
+    /// The share of frames that are lost either way, 0 to 1.
+    pub loss: f64,
+    /// How late the others come, in microseconds.
+    pub delay_us: u64,
+    /// Decides which frames are lost.
+    pub seed: u64,
+}
+
+impl LossLine {
+    /// The line of a fault.
+    pub fn of(vehicle: VehicleId, fault: RadioFault) -> Self {
+        Self {
+            vehicle,
+            loss: fault.loss,
+            delay_us: u64::try_from(fault.delay.as_micros()).unwrap_or(u64::MAX),
+            seed: fault.seed,
+        }
+    }
+
+    /// The fault of a line.
+    pub fn fault(&self) -> RadioFault {
+        RadioFault {
+            loss: self.loss,
+            delay: Duration::from_micros(self.delay_us),
+            seed: self.seed,
+        }
+    }
+}
+
+/// Something in a line, with its end.
+pub(super) fn written(what: &impl Serialize) -> String {
+    // Plain data without maps that have other keys than words: it can always be written.
+    let mut line = serde_json::to_string(what).unwrap_or_default();
+    line.push('\n');
+    line
+}
+
+#[expect(
+    clippy::trivially_copy_pass_by_ref,
+    reason = "the serialiser passes references"
+)]
+fn is_none(risk: &Risk) -> bool {
+    *risk == Risk::None
+}
+
+#[expect(
+    clippy::trivially_copy_pass_by_ref,
+    reason = "serde passes fields by reference"
+)]
+fn verb_name<S: Serializer>(verb: &&'static Verb, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(verb.name)
+}
+
+fn known_verb<'de, D: Deserializer<'de>>(deserializer: D) -> Result<&'static Verb, D::Error> {
+    let name = String::deserialize(deserializer)?;
+    language::verb(&name).ok_or_else(|| D::Error::custom("no verb"))
+}

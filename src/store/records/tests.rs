@@ -1,0 +1,87 @@
+use std::sync::mpsc;
+
+use super::*;
+use crate::record::{Happening, Journal, Subject};
+
+fn head() -> Head {
+    Head::new(Subject::Free, 1_700_000_000_000_000)
+}
+
+fn mark(at_s: u64) -> JournalLine {
+    let text = "here".to_owned();
+    JournalLine::new(Duration::from_secs(at_s), Happening::Bookmark { text })
+}
+
+fn records(count: usize, bytes: u64) -> (tempfile::TempDir, Records) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let records = Records::within(folder.path(), RecordLimits { count, bytes });
+    (folder, records)
+}
+
+#[test]
+fn what_is_recorded_is_in_the_files_when_the_record_is_over() {
+    let (_folder, records) = records(10, 1 << 20);
+    let (send, receive) = mpsc::channel();
+    let source = move || receive.try_iter().flatten().collect();
+    let recording = records
+        .begin(&head(), None, "2026-11-20T14:03:22Z", source)
+        .expect("a record");
+    send.send(b"frames".to_vec()).expect("it listens");
+    recording.note(&mark(3));
+    assert!(records.list()[0].is_written());
+    drop(recording);
+    let [files] = &records.list()[..] else {
+        panic!("one record");
+    };
+    assert!(!files.is_written());
+    assert_eq!(files.head().expect("a head"), head());
+    let journal = fs::read_to_string(files.journal.as_ref().expect("it")).expect("readable");
+    let journal = Journal::read(&journal).expect("a journal");
+    assert_eq!(journal.lines, [mark(3)]);
+    assert_eq!(fs::read(files.frames.as_ref().expect("it")).expect("it"), b"frames");
+    assert_eq!(RecordFiles::beside(files.frames.as_ref().expect("it")), *files);
+    files.delete().expect("it goes");
+    assert_eq!(records.list(), []);
+}
+
+#[test]
+fn the_oldest_records_make_room_and_runs_stay() {
+    let (_folder, records) = records(3, 1 << 20);
+    for second in 0..5 {
+        let when = format!("2026-11-20T14:03:0{second}Z");
+        drop(records.begin(&head(), None, &when, Vec::new).expect("a record"));
+        let stem = records.list().pop().expect("it").stem;
+        fs::write(records.folder().join(format!("{stem}{RUN}")), "run").expect("writable");
+    }
+    let stems: Vec<String> = records.list().into_iter().map(|it| it.stem).collect();
+    assert_eq!(stems.len(), 3);
+    assert!(stems[0].starts_with("2026-11-20T14-03-02Z_free_"), "{stems:?}");
+    let runs = fs::read_dir(records.folder()).expect("a folder").flatten();
+    let runs = runs.filter(|it| it.file_name().to_string_lossy().ends_with(RUN));
+    assert_eq!(runs.count(), 5);
+}
+
+#[test]
+fn a_record_that_is_too_large_ends_and_says_so() {
+    let (_folder, records) = records(10, 1000);
+    let recording = records
+        .begin(&head(), None, "2026-11-20T14:03:22Z", || vec![7; 400])
+        .expect("a record");
+    let stem = recording.stem().to_owned();
+    let shared = Arc::clone(&recording.shared);
+    drop(recording);
+    assert!(shared.state().bytes <= 500);
+    // What had room is there.
+    let files = RecordFiles::beside(&records.folder().join(format!("{stem}{JOURNAL}")));
+    assert!(files.head().is_ok());
+}
+
+#[test]
+fn a_record_is_called_like_its_run() {
+    let (_folder, records) = records(10, 1 << 20);
+    let stem = "2026-11-20T14-03-22Z_01-air-sample_7-00";
+    let recording = records
+        .begin(&head(), Some(stem), "2026-11-20T14:03:22Z", Vec::new)
+        .expect("a record");
+    assert_eq!(recording.stem(), stem);
+}
