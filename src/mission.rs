@@ -48,6 +48,7 @@ mod listing;
 mod lookout;
 mod needs;
 mod objective;
+mod pad;
 mod progress;
 mod radio;
 pub mod record;
@@ -78,6 +79,7 @@ pub use listing::{FitListing, Listing, ObjectiveListing};
 pub use needs::{FitLine, Need};
 pub use objective::NEXT_PLACE;
 pub(crate) use objective::Trying;
+pub use pad::is_pad;
 pub use progress::{
     Cell, ClueProgress, Ground, LoadLeft, MovingThing, ObjectiveProgress, ObjectiveState, Progress,
     Reading, ShownContact, ShownMark, Trust,
@@ -288,10 +290,10 @@ impl Mission {
         let mut places: BTreeMap<String, LatLon> = named
             .map(|(name, at)| (name.clone(), self.origin.place(*at)))
             .collect();
-        for (index, &pad) in self.pads.iter().enumerate() {
-            let place = self.origin.place(pad);
-            places.entry("pad".to_owned()).or_insert(place);
-            places.insert(format!("pad{}", index + 1), place);
+        for (index, &at) in self.pads.iter().enumerate() {
+            let place = self.origin.place(at);
+            places.entry(pad::STEM.to_owned()).or_insert(place);
+            places.insert(pad::pad_name(index + 1), place);
         }
         for survey in self
             .objectives

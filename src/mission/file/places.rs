@@ -1,6 +1,9 @@
 //! `[[places]]`: named points.
 
+use crate::mission::contact;
 use crate::mission::format::{Draft, FileTable, NamedPlace, point, text_by};
+use crate::mission::objective::NEXT_PLACE;
+use crate::mission::pad;
 
 pub(super) fn place(table: &mut FileTable<'_>) -> Option<NamedPlace> {
     let id_form = text_by(
@@ -52,8 +55,9 @@ fn is_taken(name: &str) -> bool {
         let rest = name.strip_prefix(prefix);
         rest.is_some_and(|rest: &str| rest.chars().all(|c| c.is_ascii_digit()))
     };
-    ["pad", "c", "fire", "gate", "peak"]
+    [pad::STEM, "gate", "peak"]
         .into_iter()
+        .chain(contact::STEMS)
         .any(numbered)
-        || name == "next"
+        || name == NEXT_PLACE
 }

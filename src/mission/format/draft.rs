@@ -9,6 +9,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::FileFaults;
 use crate::mission::Point;
+use crate::mission::pad::pad_name;
 use crate::mission::sensor::Sensor;
 use crate::mission::survey::SurveyPlan;
 use crate::mission::zone::{Zone, ZoneKind};
@@ -117,7 +118,7 @@ impl Draft {
             .map(|place| (place.name.clone(), place.at));
         let pads = (1..)
             .zip(&self.pads)
-            .map(|(number, &pad)| (format!("pad{number}"), pad));
+            .map(|(number, &pad)| (pad_name(number), pad));
         let (names, points): (Vec<String>, Vec<Point>) = named.chain(pads).unzip();
         let index = self.refer("place", name, &names)?;
         Some(points[index])

@@ -10,7 +10,7 @@ use super::ground::{outline, sign, stroke};
 use super::legend::draw_scale;
 use crate::app::room::map::SketchKind;
 use crate::geo::{Extent, GridSize, LatLon, Viewport};
-use crate::mission::{AreaKind, Listing};
+use crate::mission::{AreaKind, Listing, is_pad};
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 
@@ -69,7 +69,6 @@ fn extent(mission: &Listing) -> Option<Extent> {
 
 /// The pads first, then places, then areas: of words that would cover each other the first one stays.
 fn words(mission: &Listing, view: &Viewport) -> Vec<Word> {
-    let is_pad = |name: &str| name.starts_with("pad");
     let word = |at: LatLon, text: String, role| {
         let cell = view.cell(at)?;
         Some(Word { cell, text, role })

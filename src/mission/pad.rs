@@ -1,0 +1,26 @@
+//! What the pads are called in commands.
+
+/// What their names begin with; a number follows.
+pub(crate) const STEM: &str = "pad";
+
+/// The name of a pad, the first of which has the number 1.
+pub(crate) fn pad_name(number: usize) -> String {
+    format!("{STEM}{number}")
+}
+
+/// Whether a place is a pad, by its name.
+pub fn is_pad(name: &str) -> bool {
+    name.strip_prefix(STEM)
+        .is_some_and(|number| number.chars().all(|c| c.is_ascii_digit()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_paddock_is_no_pad() {
+        assert!(is_pad(&pad_name(12)) && is_pad("pad"));
+        assert!(!is_pad("paddock") && !is_pad("c1"));
+    }
+}
