@@ -19,8 +19,8 @@ use crate::text::Text;
 mod bookmark;
 mod line;
 
-pub use line::{EntryLine, Happening, JournalLine, LossLine, NoticeLine, RowLine};
 pub use bookmark::{Bookmark, BookmarkKind};
+pub use line::{EntryLine, Happening, JournalLine, LossLine, NoticeLine, RowLine};
 
 /// The version of the journal's format.
 const VERSION: u32 = 1;

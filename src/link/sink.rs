@@ -85,7 +85,10 @@ impl FrameSink {
 
     fn waiting(&self) -> MutexGuard<'_, WaitingFrames> {
         // A panic while a frame is taken down costs that frame.
-        self.0.waiting.lock().unwrap_or_else(PoisonError::into_inner)
+        self.0
+            .waiting
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
     }
 }
 
@@ -108,7 +111,9 @@ mod tests {
         let sink = FrameSink::new(|| 1_700_000_000_000_000);
         let beat = frame(MavMessage::HEARTBEAT(HEARTBEAT_DATA::default()));
         sink.note(&beat);
-        sink.clone().note(&frame(MavMessage::SETUP_SIGNING(SETUP_SIGNING_DATA::default())));
+        sink.clone().note(&frame(MavMessage::SETUP_SIGNING(
+            SETUP_SIGNING_DATA::default(),
+        )));
         sink.note(&beat);
         let waiting = sink.take();
         let read: Result<Vec<_>, _> = TlogReader::new(&waiting.bytes[..]).collect();

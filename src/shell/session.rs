@@ -32,9 +32,9 @@ use hangar::Processes;
 pub(super) use hangar::SessionEnding;
 use inspection::Inspection;
 use links::SessionLinks;
-use recorder::FlightRecorder;
 pub(super) use mission_run::Finished;
 use mission_run::MissionRun;
+use recorder::FlightRecorder;
 pub(super) use start::{SessionBackend, SessionPlan};
 
 /// Fleet events taken over per tick, so that a flood of notices cannot hold up the screen.

@@ -144,7 +144,10 @@ impl RecordFiles {
     /// One of them cannot be removed.
     pub fn delete(&self) -> Result<(), StoreError> {
         // The journal goes last: without it, nobody would find the others again.
-        for path in [&self.bookmarks, &self.frames, &self.journal].into_iter().flatten() {
+        for path in [&self.bookmarks, &self.frames, &self.journal]
+            .into_iter()
+            .flatten()
+        {
             fs::remove_file(path).map_err(|error| unwritable(path, error))?;
         }
         Ok(())
@@ -190,7 +193,10 @@ impl Records {
             files.stem = stem.to_owned();
             files.add(entry.path(), ending);
         }
-        found.into_values().filter(|it| it.journal.is_some()).collect()
+        found
+            .into_values()
+            .filter(|it| it.journal.is_some())
+            .collect()
     }
 
     /// Begins a record; makes room for it. Its stem is that of a run, or made of the time of day `when` (as

@@ -99,10 +99,11 @@ impl RunningSession {
         before: SessionEnding,
     ) -> Result<(Self, Started), Text> {
         let cancel = CancellationToken::new();
-        let recorder = plan.is_recorded(backend).then(|| FlightRecorder::new(&backend.clock));
+        let recorder = plan
+            .is_recorded(backend)
+            .then(|| FlightRecorder::new(&backend.clock));
         let sink = recorder.as_ref().map(FlightRecorder::sink);
-        let (fleet, events) =
-            Fleet::start_recorded(sink, backend.clock.clone(), cancel.clone());
+        let (fleet, events) = Fleet::start_recorded(sink, backend.clock.clone(), cancel.clone());
         let mut running = Self {
             plan: plan.clone(),
             fleet,

@@ -38,8 +38,14 @@ fn what_is_recorded_is_in_the_files_when_the_record_is_over() {
     let journal = fs::read_to_string(files.journal.as_ref().expect("it")).expect("readable");
     let journal = Journal::read(&journal).expect("a journal");
     assert_eq!(journal.lines, [mark(3)]);
-    assert_eq!(fs::read(files.frames.as_ref().expect("it")).expect("it"), b"frames");
-    assert_eq!(RecordFiles::beside(files.frames.as_ref().expect("it")), *files);
+    assert_eq!(
+        fs::read(files.frames.as_ref().expect("it")).expect("it"),
+        b"frames"
+    );
+    assert_eq!(
+        RecordFiles::beside(files.frames.as_ref().expect("it")),
+        *files
+    );
     files.delete().expect("it goes");
     assert_eq!(records.list(), []);
 }
@@ -49,13 +55,20 @@ fn the_oldest_records_make_room_and_runs_stay() {
     let (_folder, records) = records(3, 1 << 20);
     for second in 0..5 {
         let when = format!("2026-11-20T14:03:0{second}Z");
-        drop(records.begin(&head(), None, &when, Vec::new).expect("a record"));
+        drop(
+            records
+                .begin(&head(), None, &when, Vec::new)
+                .expect("a record"),
+        );
         let stem = records.list().pop().expect("it").stem;
         fs::write(records.folder().join(format!("{stem}{RUN}")), "run").expect("writable");
     }
     let stems: Vec<String> = records.list().into_iter().map(|it| it.stem).collect();
     assert_eq!(stems.len(), 3);
-    assert!(stems[0].starts_with("2026-11-20T14-03-02Z_free_"), "{stems:?}");
+    assert!(
+        stems[0].starts_with("2026-11-20T14-03-02Z_free_"),
+        "{stems:?}"
+    );
     let runs = fs::read_dir(records.folder()).expect("a folder").flatten();
     let runs = runs.filter(|it| it.file_name().to_string_lossy().ends_with(RUN));
     assert_eq!(runs.count(), 5);

@@ -125,8 +125,10 @@ impl<'a> ScaleSwarm<'a> {
                             .unwrap_or_default();
                         self.refusal = Some(format!("vehicle {}: {}{why}", row.vehicle, row.state));
                     }
-                    FleetEvent::Parameters(..) | FleetEvent::Report(_) | FleetEvent::Dropped(_) => {
-                    }
+                    FleetEvent::Parameters(..)
+                    | FleetEvent::Report(_)
+                    | FleetEvent::Dropped(_)
+                    | FleetEvent::Warning(_) => {}
                 }
             }
         }
