@@ -25,10 +25,12 @@ mod lesson;
 pub mod lines;
 pub mod room;
 pub mod room_list;
+mod snapshot;
 pub mod state;
 mod update;
 
 pub use room::State;
+pub use snapshot::FlightSnapshot;
 
 /// What the console begins with.
 #[derive(Debug, Clone)]

@@ -46,6 +46,7 @@ mod manual;
 mod profile;
 mod programs;
 mod progress;
+mod replay;
 mod report;
 mod run;
 mod settings;
@@ -105,6 +106,11 @@ enum CliCommand {
         #[arg(long)]
         plain: bool,
     },
+    /// Replays a recorded flight in the console: a record of this program, or any tlog.
+    #[command(after_help = "Examples:\n  \
+                            sortie replay                       the newest record\n  \
+                            sortie replay flight.tlog")]
+    Replay(replay::ReplayArguments),
     /// Flies a mission by a pilot script, without a console; prints the debrief.
     Run(run::RunArguments),
     /// Scores a recorded run again and prints its debrief.
@@ -231,6 +237,7 @@ fn dispatch(
             }
             fly::connect(addresses, plain, settings)
         }
+        Some(CliCommand::Replay(options)) => replay::replay(&options, settings),
         Some(CliCommand::Run(options)) => {
             settings.complain();
             run::run(&options, &settings)

@@ -41,7 +41,9 @@ mod tests;
 pub use argument::{Argument, Kind, Unit};
 pub use choice::VehicleChoice;
 pub use complete::{Completion, begun, complete, hint, lines};
-pub use console::{AlertLine, ConsoleLine, ParametersLine, ProcessDeed, Report, TableLine};
+pub use console::{
+    AlertLine, ConsoleLine, ParametersLine, ProcessDeed, ReplayLine, Report, SeekTarget, TableLine,
+};
 pub use ids::{parse_ranges, ranges};
 pub use lexer::{Word, comment_start, words};
 pub use manual::manual;

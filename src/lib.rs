@@ -10,6 +10,7 @@
 //! | shell | [`cli`] | the subcommands, their options and what they print |
 //! | | [`shell`] | the run loop: carries out effects, feeds events; the console without a screen (`--plain`) |
 //! | | [`terminal`] | keys in, cells out: which features the terminal has, and how fast it is |
+//! | | [`replay`] | a recorded flight as the events that the console saw then; from any moment on |
 //! | | [`ui`] | screens and widgets: state in, cells out |
 //! | | [`app`] | state, events, effects, key bindings, the rooms' behaviour, one `update`; when an alert holds, rings and is muted |
 //! | input and output | [`fleet`] | a task for each vehicle, and the hub that finds it |
@@ -30,7 +31,7 @@
 //! | | [`language`] | the grammar, and the one table of verbs: to vehicles, to the mission, to the console; with each one's values: retries, danger, precedence, what `wait arrived` waits for |
 //! | | [`commands`] | typed commands: when one is refused, how it is encoded, and what telemetry shows that it is done |
 //! | | [`messages`] | telemetry: a handler for each kind of message |
-//! | | [`ledger`], [`notice`], [`alert`] | what became of each command; what is said to people; the kinds of alerts |
+//! | | [`ledger`], [`notice`], [`alert`], [`moment`] | what became of each command; what is said to people; the kinds of alerts; what is worth coming back to |
 //! | | [`vehicle`] | the model of one vehicle, and what its way home takes of the battery |
 //! | | [`doctor`] | what is wrong with a link (`sortie doctor`, about this machine, is in [`cli`]) |
 //! | | [`inspector`] | messages counted, and taken apart field by field |
@@ -87,10 +88,12 @@ pub mod ledger;
 pub mod link;
 pub mod messages;
 pub mod mission;
+pub mod moment;
 pub mod notice;
 pub mod operator;
 pub mod parameters;
 pub mod record;
+pub mod replay;
 pub mod scoring;
 pub mod session;
 pub mod shell;

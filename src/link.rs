@@ -47,7 +47,7 @@ pub use simulator::{
 };
 pub use sink::{FrameSink, WaitingFrames};
 pub use tap::Tap;
-pub use tlog::{TlogError, TlogReader, TlogRecord, TlogWriter};
+pub use tlog::{TlogError, TlogPiece, TlogReader, TlogRecord, TlogSalvage, TlogWriter};
 
 /// How many messages wait for a link before more are dropped.
 const OUTBOX_LEN: usize = 256;

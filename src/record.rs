@@ -13,13 +13,12 @@ use std::time::Duration;
 use serde::{Deserialize, Serialize};
 
 use crate::geo::LatLon;
+use crate::moment::{Moment, MomentKind};
 use crate::text;
 use crate::text::Text;
 
-mod bookmark;
 mod line;
 
-pub use bookmark::{Bookmark, BookmarkKind};
 pub use line::{EntryLine, Happening, JournalLine, LossLine, NoticeLine, RowLine};
 
 /// The version of the journal's format.
@@ -157,12 +156,12 @@ impl Journal {
     }
 
     /// The bookmarks in it, oldest first.
-    pub fn bookmarks(&self) -> impl Iterator<Item = Bookmark> + '_ {
+    pub fn bookmarks(&self) -> impl Iterator<Item = Moment> + '_ {
         self.lines.iter().filter_map(|line| match &line.what {
-            Happening::Bookmark { text } => Some(Bookmark {
+            Happening::Bookmark { text } => Some(Moment {
                 at: line.at(),
-                vehicle: None,
-                kind: BookmarkKind::Own,
+                vehicles: Vec::new(),
+                kind: MomentKind::Bookmark,
                 text: Text::verbatim(text.clone()),
             }),
             Happening::Entry(_)

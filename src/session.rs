@@ -43,7 +43,7 @@ use plans::PlanReader;
 use streams::Streams;
 use timesync::Timesync;
 
-pub use hearing::LOST_AFTER;
+pub use hearing::{LOST_AFTER, autopilot_of};
 pub use naming::Renamed;
 pub use order::{Report, Steering, VehicleCommand};
 pub use radio::RadioFault;

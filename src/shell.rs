@@ -16,6 +16,7 @@ use crate::app::{App, Setup};
 use crate::campaign::{Attempt, Stake};
 use crate::config::Config;
 use crate::fleet::FleetClock;
+use crate::replay::Replay;
 use crate::store::History;
 use crate::terminal::input::Input;
 use crate::terminal::{self, Keyboard, Screen};
@@ -33,6 +34,7 @@ mod orders;
 mod pace;
 mod pause;
 pub mod plain;
+mod replaying;
 mod session;
 mod sight;
 mod signals;
@@ -163,6 +165,10 @@ struct Console {
     app: App,
     sight: Sight,
     running: Option<RunningSession>,
+    /// The recording that is replayed instead.
+    replaying: Option<Replay>,
+    /// When the messages of the recording are looked at again.
+    next_traffic: Duration,
     /// The try at what runs.
     attempt: Attempt,
     /// Who trains here; `None` where profiles are not kept or cannot be had.
@@ -220,6 +226,8 @@ impl Console {
             clock: FleetClock::start(),
             app: App::new(setup),
             running: None,
+            replaying: None,
+            next_traffic: Duration::ZERO,
             attempt: Attempt::practice(None),
             careers: None,
             next_look: LOOK_EVERY,
@@ -249,6 +257,7 @@ impl Console {
             Opening::Home => return,
             Opening::Mission(mission) => self.launch(mission, Stake::Graded, None).await,
             Opening::Free => self.start_afresh(SessionPlan::Free(None)).await,
+            Opening::Replay(path) => self.open_replay(&path),
             Opening::Connect(addresses) => self.start_afresh(SessionPlan::Connect(addresses)).await,
         };
         self.tell_failure(outcome);
@@ -312,6 +321,7 @@ impl Console {
         }
         let wall = self.clock.wall();
         self.feed(Event::Tick { now, wall }).await;
+        self.go_on_replaying(wall).await;
         let Some(running) = &mut self.running else {
             return;
         };

@@ -200,6 +200,13 @@ impl Vehicle {
         (metres < FARTHEST_HOME_M).then_some(metres)
     }
 
+    /// How far it is from another vehicle, in metres through the air, by what both say of their places.
+    pub fn distance_m(&self, other: &Self) -> Option<f64> {
+        let (here, there) = (self.global?, other.global?);
+        let across_m = here.at_point.distance_m(there.at_point);
+        Some(across_m.hypot(here.altitude_amsl_m - there.altitude_amsl_m))
+    }
+
     /// The pack that flies the vehicle.
     pub fn battery(&self) -> Option<&Battery> {
         self.batteries.first()

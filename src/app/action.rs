@@ -44,6 +44,9 @@ pub enum Action {
     UsualPace,
     /// End the mission now.
     Abandon,
+    /// Steer what is replayed.
+    #[strum(disabled)]
+    Replay(ReplayAction),
     /// Back to the home screen.
     Leave,
     /// Take note of the alerts.
@@ -95,7 +98,8 @@ impl Action {
         let shared = (ViewAction::iter().map(Self::View))
             .chain(SelectAction::iter().map(Self::Select))
             .chain(LineAction::iter().map(Self::Line))
-            .chain(StartAction::iter().map(Self::Start));
+            .chain(StartAction::iter().map(Self::Start))
+            .chain(ReplayAction::iter().map(Self::Replay));
         let of_one_room = (DebriefAction::iter().map(Self::Debrief))
             .chain(MapAction::iter().map(Self::Map))
             .chain(LedgerAction::iter().map(Self::Ledger))
@@ -120,6 +124,7 @@ impl Action {
             Self::Select(action) => action.into(),
             Self::Line(action) => action.into(),
             Self::Start(action) => action.into(),
+            Self::Replay(action) => action.into(),
             Self::Debrief(action) => action.into(),
             Self::Map(action) => action.into(),
             Self::Ledger(action) => action.into(),
@@ -211,6 +216,28 @@ pub enum StartAction {
     Exam,
     /// Fly a mission for practice, with a seed of one's own.
     Practise,
+}
+
+/// Steers what is replayed, in every room.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
+pub enum ReplayAction {
+    /// Play, or stand still.
+    PlayReplay,
+    /// Ten seconds back.
+    ReplayBack,
+    /// Ten seconds on.
+    ReplayForward,
+    /// One frame back.
+    FrameBack,
+    /// One frame on.
+    FrameForward,
+    /// To the moment before.
+    PreviousMoment,
+    /// To the moment after.
+    NextMoment,
+    /// Show all moments, to go to one.
+    ShowMoments,
 }
 
 /// Actions of the Debrief room.

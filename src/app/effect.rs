@@ -1,9 +1,12 @@
 //! Work for the shell, grouped by what it concerns.
 
+use std::time::Duration;
+
 use crate::campaign::{Aids, Stake};
 use crate::commands::Order;
-use crate::language::ProcessDeed;
+use crate::language::{ProcessDeed, SeekTarget};
 use crate::ledger::EntryId;
+use crate::moment::MomentKind;
 use crate::text::{Language, Text};
 use crate::vehicle::VehicleId;
 use crate::workshop::Design;
@@ -59,6 +62,8 @@ pub enum Effect {
     Career(CareerEffect),
     /// Start, steer or end a session.
     Session(SessionEffect),
+    /// Steer what is replayed.
+    Replay(ReplayEffect),
     /// Change how the terminal shows the console, or call its user.
     Terminal(TerminalEffect),
 }
@@ -163,10 +168,14 @@ pub enum SessionEffect {
     Connect(Vec<String>),
     /// Close what these vehicles are heard by; one that is heard again is new.
     Forget(Vec<VehicleId>),
+    /// Replay a recorded flight.
+    Replay(String),
     /// Restart or stop the process that simulates a vehicle.
     Process(ProcessDeed, VehicleId),
     /// Trigger an inject of the mission, by name.
     Inject(String),
+    /// Set a bookmark with a text at this moment.
+    Bookmark(String),
     /// Stop simulated time, and every deadline with it.
     Pause,
     /// Let simulated time go on.
@@ -182,6 +191,28 @@ pub enum SessionEffect {
     },
     /// Stop the session and close its links; the state has dropped it already.
     Leave,
+}
+
+/// What a replay is to do.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ReplayEffect {
+    /// Play, or stand still.
+    Play(bool),
+    /// Play so many times as fast as it was recorded.
+    Rate(f64),
+    Seek(SeekTarget),
+    /// Show the next or the previous frame.
+    Step {
+        forward: bool,
+    },
+    /// Go to the next or the previous moment.
+    Moment {
+        forward: bool,
+    },
+    /// Play a stretch over and over, or no longer.
+    Loop(Option<(Duration, Duration)>),
+    /// Stop at moments of these kinds.
+    StopAt(Vec<MomentKind>),
 }
 
 /// Something about the terminal.

@@ -9,18 +9,21 @@ use crossterm::event::KeyEvent;
 use super::action::Action;
 use super::effect::{FileKind, PaceChange};
 use super::room::messages::LinkTraffic;
-use super::state::{Activity, Career, Instance, LinkSummary};
+use super::snapshot::FlightSnapshot;
+use super::state::{Activity, Career, Instance, LinkSummary, ReplayPosition, ReplayView};
 use crate::campaign::Reward;
 use crate::doctor::LinkFinding;
 use crate::geo::LatLon;
-use crate::ledger::RowUpdate;
+use crate::ledger::{Risk, RowUpdate};
 use crate::mission::{Area, Listing, Progress};
+use crate::moment::Moment;
 use crate::notice::Notice;
 use crate::parameters::ParameterSnapshot;
 use crate::scoring::{Report, TryReport};
 use crate::swarm::Path;
 use crate::text::Text;
 use crate::vehicle::{Vehicle, VehicleId};
+use crate::verb::Verb;
 
 /// Something that the console reacts to.
 #[derive(Debug, Clone)]
@@ -42,6 +45,8 @@ pub enum Event {
     Process(ProcessEvent),
     /// A session began, ended or went on.
     Session(SessionEvent),
+    /// A recording is replayed.
+    Replay(ReplayEvent),
     /// The profile in use, or what belongs to it, changed.
     Career(CareerEvent),
     /// A file was read or written.
@@ -93,6 +98,18 @@ pub enum VehicleEvent {
         /// What is known of them now.
         snapshot: ParameterSnapshot,
     },
+    /// A command was given in what is replayed.
+    Given {
+        /// When it was given.
+        at: Duration,
+        /// The whole line in the console's grammar.
+        line: String,
+        verb: &'static Verb,
+        /// What it sets at risk.
+        risk: Risk,
+        /// Its targets.
+        vehicles: Vec<VehicleId>,
+    },
     /// An order advanced with one vehicle.
     Row(RowUpdate),
     /// The paths that vehicles of a manoeuvre are going to fly.
@@ -140,6 +157,23 @@ pub enum SessionEvent {
     Mission(Box<Progress>),
     /// The mission is over.
     MissionEnded(Box<Report>),
+}
+
+/// The course of a replay. What was heard and happened comes as the events of then.
+#[derive(Debug, Clone)]
+pub enum ReplayEvent {
+    /// A recording was opened; what it was about follows as a session that has started.
+    Opened(Box<ReplayView>),
+    /// It has been read to its end: how long it is, and what is in it.
+    Known {
+        length: Duration,
+        /// The moments found so far, earliest first.
+        moments: Arc<Vec<Moment>>,
+    },
+    /// The console is to show what it knew at another time.
+    Restored(Box<FlightSnapshot>),
+    /// It stands there now.
+    At(ReplayPosition),
 }
 
 /// The state of profiles and careers.
@@ -193,6 +227,7 @@ part_of_event! {
     LinkEvent => Link,
     ProcessEvent => Process,
     SessionEvent => Session,
+    ReplayEvent => Replay,
     CareerEvent => Career,
     FileEvent => File,
     Notice => Notice,

@@ -24,6 +24,8 @@ pub enum Place {
     /// In every room without an overlay.
     Anywhere,
     In(Room),
+    /// In every room while a recording is replayed, before what the room says.
+    Replay,
     /// On the command line and other prompts.
     Prompt,
     /// On overlays that are read.
@@ -36,9 +38,12 @@ impl Place {
     /// Every place, in the order of the help.
     pub fn all() -> impl Iterator<Item = Self> {
         let rooms = Room::ALL.into_iter().map(Self::In);
-        std::iter::once(Self::Anywhere)
-            .chain(rooms)
-            .chain([Self::Prompt, Self::Reader, Self::List])
+        std::iter::once(Self::Anywhere).chain(rooms).chain([
+            Self::Replay,
+            Self::Prompt,
+            Self::Reader,
+            Self::List,
+        ])
     }
 
     /// Its name in keymap files.
@@ -46,6 +51,7 @@ impl Place {
         match self {
             Self::Anywhere => "anywhere",
             Self::In(room) => room.name(),
+            Self::Replay => "replay",
             Self::Prompt => "prompt",
             Self::Reader => "reader",
             Self::List => "list",
@@ -57,6 +63,7 @@ impl Place {
         match self {
             Self::Anywhere => text!("keys-anywhere"),
             Self::In(room) => text!("keys-room", room = room.title()),
+            Self::Replay => text!("keys-replay"),
             Self::Prompt => text!("keys-prompt"),
             Self::Reader => text!("keys-reader"),
             Self::List => text!("keys-list"),

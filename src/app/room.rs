@@ -188,6 +188,7 @@ pub fn act(state: &mut State, action: Action) -> Answer {
         | Action::PauseMission
         | Action::Faster
         | Action::UsualPace
+        | Action::Replay(_)
         | Action::Abandon
         | Action::Leave
         | Action::Acknowledge

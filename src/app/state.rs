@@ -32,6 +32,7 @@ mod notices;
 mod overlay;
 mod pace;
 mod profiles;
+mod replay;
 mod time;
 mod views;
 
@@ -55,6 +56,7 @@ pub use notices::{NoticeLine, NoticeLog};
 pub use overlay::{Confirm, Consequence, Log, Overlay, Palette, ParameterSetting, Prompt, Purpose};
 pub use pace::{SessionPace, rate};
 pub use profiles::Trainee;
+pub use replay::{ReplayPosition, ReplayView};
 pub use time::SessionTime;
 
 /// The smallest terminal that the console fits into: columns and rows.
@@ -68,7 +70,10 @@ const ACKNOWLEDGEMENT_LIFE: Duration = Duration::from_secs(4);
 /// The whole console; `R` is what its rooms remember.
 #[derive(Debug, Clone)]
 pub struct State<R> {
+    /// The time of what is flown: since the program began, or since the beginning of what is replayed.
     pub(in crate::app) now: Duration,
+    /// The recording that is replayed, if one is.
+    pub(in crate::app) replay: Option<ReplayView>,
     /// The room that is shown.
     pub(in crate::app) room: Room,
     /// What every room remembers.
@@ -150,6 +155,7 @@ impl<R: Default> State<R> {
     pub(in crate::app) fn new(setup: Setup) -> Self {
         let mut state = Self {
             now: Duration::ZERO,
+            replay: None,
             room: Room::Home,
             rooms: R::default(),
             typed: String::new(),
@@ -206,6 +212,7 @@ impl<R> State<R> {
     pub fn log_length(&self, log: Log) -> usize {
         match log {
             Log::Notices => self.notices.lines().len(),
+            Log::Moments => self.replay.as_ref().map_or(0, |it| it.moments.len()),
         }
     }
 
@@ -213,7 +220,7 @@ impl<R> State<R> {
     pub fn message(&self) -> Option<&Message> {
         self.message
             .as_ref()
-            .filter(|message| self.now.saturating_sub(message.at) < message.life())
+            .filter(|message| self.wall.saturating_sub(message.at) < message.life())
     }
 
     /// Writes in a language from now on, if the screen shows its letters.
@@ -232,7 +239,7 @@ impl<R> State<R> {
         self.message = Some(Message {
             text: text.into(),
             severity,
-            at: self.now,
+            at: self.wall,
         });
     }
 

@@ -8,6 +8,7 @@ use super::event::{
 };
 use super::room::{parameters, workshop};
 use super::state::{Overlay, Room};
+use crate::ledger::Given;
 
 mod act;
 mod alert_line;
@@ -27,6 +28,7 @@ mod palette;
 mod profiles;
 mod prompt;
 mod reader;
+mod replay;
 mod telemetry;
 
 /// Takes in what happened and says what the shell has to do.
@@ -61,8 +63,7 @@ fn stay_with_vehicles(state: &mut State) {
 fn react(state: &mut State, event: Event) -> Effects {
     match event {
         Event::Tick { now, wall } => {
-            state.wall = wall;
-            telemetry::tick(state, now);
+            telemetry::tick(state, now, wall);
             return parameters::wanted(state);
         }
         Event::Terminal(event) => return terminal(state, event),
@@ -70,6 +71,7 @@ fn react(state: &mut State, event: Event) -> Effects {
         Event::Link(event) => link(state, event),
         Event::Process(event) => processes(state, event),
         Event::Session(event) => session(state, event),
+        Event::Replay(event) => replay::happened(state, event),
         Event::Career(event) => career(state, event),
         Event::File(event) => return file(state, event),
         Event::Notice(notice) => telemetry::notice(state, &notice),
@@ -115,6 +117,19 @@ fn vehicle(state: &mut State, event: VehicleEvent) -> Effects {
         }
         VehicleEvent::Parameters { vehicle, snapshot } => {
             parameters::arrived(state, vehicle, snapshot);
+        }
+        VehicleEvent::Given {
+            at,
+            line,
+            verb,
+            risk,
+            vehicles,
+        } => {
+            let line = line.as_str();
+            state
+                .session
+                .open(at, Given { line, verb, risk }, &vehicles);
+            state.rooms.ledger.spoil();
         }
         VehicleEvent::Row(row) => {
             state.touch();

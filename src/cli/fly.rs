@@ -140,7 +140,7 @@ fn look(settings: &CliSettings) -> Look {
 
 /// How the console is set up. What is wrong with the user's files is told under it, so that it is there when the
 /// console is left.
-fn options(opening: Opening, settings: CliSettings) -> Result<ConsoleOptions, Failure> {
+pub(super) fn options(opening: Opening, settings: CliSettings) -> Result<ConsoleOptions, Failure> {
     if let Opening::Connect(addresses) = &opening {
         for address in addresses {
             check_recording(address)?;
@@ -184,7 +184,7 @@ pub(super) fn records(settings: &CliSettings) -> Option<Records> {
     Some(Records::within(data, limits))
 }
 
-fn open(options: ConsoleOptions, plain: bool) -> Result<ExitCode, Failure> {
+pub(super) fn open(options: ConsoleOptions, plain: bool) -> Result<ExitCode, Failure> {
     if !plain && let Some(fault) = no_screen() {
         let fault = options.look.text(&fault);
         return Err(Failure::Failed(anyhow::anyhow!(fault)));

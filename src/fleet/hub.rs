@@ -4,7 +4,6 @@ use std::collections::{BTreeMap, VecDeque};
 use std::sync::Arc;
 use std::time::Duration;
 
-use mavlink::dialects::ardupilotmega::{MavAutopilot, MavMessage, MavType};
 use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
@@ -15,11 +14,11 @@ use crate::ledger::RowState;
 use crate::link::{self, FrameSink, Inbound, LinkHandle, LinkId, LinkPeer, Transport};
 use crate::notice::Notice;
 use crate::parameters::ParameterSnapshot;
-use crate::session::{LOST_AFTER, Report, Session, Stream, VehicleCommand, Want};
+use crate::session::{LOST_AFTER, Report, Session, Stream, VehicleCommand, Want, autopilot_of};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
-use crate::wire::{ComponentId, Content, Frame, SystemId};
+use crate::wire::{ComponentId, Frame, SystemId};
 
 /// Batches of frames that may wait for the hub; beyond that links read more slowly.
 const INBOUND_KEPT: usize = 256;
@@ -29,9 +28,6 @@ const BATCHES_KEPT: usize = 256;
 const TRIED_AGAIN_AFTER: Duration = Duration::from_millis(50);
 /// How often a shared system id is complained about.
 const CONFLICT_EVERY: Duration = Duration::from_secs(30);
-const TYPE_GROUND_STATION: u8 = MavType::MAV_TYPE_GCS as u8;
-/// A component that does not fly anything.
-const AUTOPILOT_NONE: u8 = MavAutopilot::MAV_AUTOPILOT_INVALID as u8;
 
 /// A sender of frames.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -220,7 +216,7 @@ impl Hub {
     async fn deliver(&mut self, system: SystemId, from: FrameSender, frames: Vec<Frame>) {
         let now = self.clock.now();
         if !self.routes.contains_key(&system) {
-            let Some(component) = frames.iter().find_map(autopilot_component) else {
+            let Some(component) = frames.iter().find_map(autopilot_of) else {
                 return;
             };
             self.appear(system, component, from, now).await;
@@ -362,18 +358,6 @@ impl Hub {
         // An error means that the console is gone, and the token will follow.
         drop(self.events.send(event).await);
     }
-}
-
-/// The component id, if the frame is the heartbeat of something that flies (or drives or dives).
-fn autopilot_component(frame: &Frame) -> Option<u8> {
-    let (mav_type, autopilot) = match &frame.content {
-        Content::Message(MavMessage::HEARTBEAT(beat)) => (beat.mavtype as u8, beat.autopilot as u8),
-        // The dialect lacks the type or the autopilot; the numbers lie at their places all the same.
-        Content::Undecoded { id: 0, payload } => (payload[4], payload[5]),
-        Content::Message(_) | Content::Undecoded { .. } | Content::Unknown { .. } => return None,
-    };
-    (mav_type != TYPE_GROUND_STATION && autopilot != AUTOPILOT_NONE && frame.system != 0)
-        .then_some(frame.component)
 }
 
 #[cfg(test)]

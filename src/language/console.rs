@@ -1,8 +1,11 @@
 //! What the lines say that the console carries out itself.
 
+use std::time::Duration;
+
 use super::VehicleChoice;
 use crate::alert::AlertKind;
 use crate::config::{Column, LiveSetting, TableSort};
+use crate::moment::MomentKind;
 use crate::vehicle::VehicleId;
 
 /// A line that the console carries out itself: no vehicle hears of it.
@@ -55,6 +58,10 @@ pub enum ConsoleLine {
     Continue,
     /// Have so many seconds pass in one.
     Speedup(f64),
+    /// Something about what is replayed.
+    Replay(ReplayLine),
+    /// Set a bookmark at this moment, with a text.
+    Bookmark(String),
     /// Give the mission up and show its debrief.
     Abandon,
     /// The same mission again.
@@ -118,6 +125,31 @@ pub enum TableLine {
     Filter(String),
     /// Show these columns; as many as fit if empty.
     Columns(Vec<Column>),
+}
+
+/// A line about what is replayed.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ReplayLine {
+    /// Replay this file.
+    Open(String),
+    /// Go to a moment.
+    Seek(SeekTarget),
+    /// Play from one time to another over and over; `None` ends that.
+    Loop(Option<(Duration, Duration)>),
+    /// Stop at moments of these kinds; none plays through.
+    StopAt(Vec<MomentKind>),
+}
+
+/// Where in a recording to go.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SeekTarget {
+    /// A time from the beginning.
+    At(Duration),
+    /// So much later.
+    Later(Duration),
+    /// So much earlier.
+    Earlier(Duration),
+    End,
 }
 
 /// A line about alerts.

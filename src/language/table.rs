@@ -11,6 +11,7 @@ mod devices;
 mod flight;
 mod mission;
 mod motion;
+mod replay;
 mod session;
 mod swarm;
 mod waiting;
@@ -36,7 +37,7 @@ pub fn verb(name: &str) -> Option<&'static Verb> {
     verbs().find(|verb| verb.name == name)
 }
 
-static TABLE: [&[VerbRow]; 8] = [
+static TABLE: [&[VerbRow]; 9] = [
     flight::ROWS,
     motion::ROWS,
     swarm::ROWS,
@@ -45,6 +46,7 @@ static TABLE: [&[VerbRow]; 8] = [
     devices::ROWS,
     console::ROWS,
     session::ROWS,
+    replay::ROWS,
 ];
 
 /// A motor that starts late can hurt somebody: give up soon.

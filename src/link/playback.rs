@@ -9,7 +9,7 @@ use tokio::time::{Instant, sleep_until};
 
 use super::core::LinkCore;
 use super::peer::{PeerStream, StreamEnding};
-use super::tlog::{Piece, Salvage};
+use super::tlog::{TlogPiece, TlogSalvage};
 use super::{LinkPeer, Playback};
 use crate::text;
 use crate::text::Text;
@@ -22,7 +22,7 @@ const CHUNKS_AHEAD: usize = 4;
 /// No pause in a recording is kept for longer, in its own time: logs that were joined have gaps of days.
 const LONGEST_GAP: Duration = Duration::from_secs(10);
 
-type PlaybackChunk = Result<Vec<Piece>, Text>;
+type PlaybackChunk = Result<Vec<TlogPiece>, Text>;
 
 /// Plays a recording to its end, and returns what was wrong with it, if anything was. Both directions of the
 /// recorded traffic are delivered.
@@ -87,12 +87,12 @@ impl Damage {
 
 impl Player {
     /// Plays a chunk; frames that are due together are delivered together. `None` if nobody wants more.
-    async fn play(&mut self, link: &mut LinkCore, pieces: &[Piece]) -> Option<()> {
+    async fn play(&mut self, link: &mut LinkCore, pieces: &[TlogPiece]) -> Option<()> {
         let mut frames = Vec::new();
         for piece in pieces {
             let record = match piece {
-                Piece::Record(record) => record,
-                Piece::Damage { offset, len } => {
+                TlogPiece::Record(record) => record,
+                TlogPiece::Damage { offset, len } => {
                     self.pass_over(link, *offset, *len);
                     continue;
                 }
@@ -186,7 +186,7 @@ fn read_ahead(path: &Path, chunks: &mpsc::Sender<PlaybackChunk>) {
             return;
         }
     };
-    let mut salvage = Salvage::new(file);
+    let mut salvage = TlogSalvage::new(file);
     loop {
         let mut failure = None;
         let pieces: Vec<_> = salvage

@@ -9,7 +9,7 @@ use crate::wire::frame_len;
 
 mod salvage;
 
-pub(super) use salvage::{Piece, Salvage};
+pub use salvage::{TlogPiece, TlogSalvage};
 
 const STAMP_LEN: usize = 8;
 /// The longest frame: MAVLink 2 with a full payload and a signature.

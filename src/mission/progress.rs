@@ -130,6 +130,13 @@ pub enum ObjectiveState {
     Missed,
 }
 
+impl ObjectiveProgress {
+    /// Whether it is reached.
+    pub fn is_reached(&self) -> bool {
+        self.state == ObjectiveState::Met
+    }
+}
+
 /// Something that detectors believe to have found.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShownContact {

@@ -29,7 +29,7 @@ mod replay;
 
 use line::{RecordChange, RecordLine};
 use observed::{ObservedVehicle, WatchedVehicle};
-pub use replay::{Rescored, Stored};
+pub use replay::{Reenactment, Rescored, Stored};
 
 /// The version of the format.
 const VERSION: u32 = 1;

@@ -2,15 +2,33 @@
 
 use std::time::Duration;
 
+use mavlink::dialects::ardupilotmega::{MavAutopilot, MavMessage, MavType};
+
 use crate::alert::AlertKind;
 use crate::notice::Notice;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle};
-use crate::wire::{Frame, LossMeter};
+use crate::wire::{ComponentId, Content, Frame, LossMeter};
 
 /// A vehicle that has been silent for this long counts as lost; people must see it within 3 s.
 pub const LOST_AFTER: Duration = Duration::from_millis(2500);
+
+const TYPE_GROUND_STATION: u8 = MavType::MAV_TYPE_GCS as u8;
+/// A component that does not fly anything.
+const AUTOPILOT_NONE: u8 = MavAutopilot::MAV_AUTOPILOT_INVALID as u8;
+
+/// The component that steers, if the frame is the heartbeat of something that flies (or drives or dives).
+pub fn autopilot_of(frame: &Frame) -> Option<ComponentId> {
+    let (mav_type, autopilot) = match &frame.content {
+        Content::Message(MavMessage::HEARTBEAT(beat)) => (beat.mavtype as u8, beat.autopilot as u8),
+        // The dialect lacks the type or the autopilot; the numbers lie at their places all the same.
+        Content::Undecoded { id: 0, payload } => (payload[4], payload[5]),
+        Content::Message(_) | Content::Undecoded { .. } | Content::Unknown { .. } => return None,
+    };
+    (mav_type != TYPE_GROUND_STATION && autopilot != AUTOPILOT_NONE && frame.system != 0)
+        .then_some(frame.component)
+}
 
 /// Listens to one vehicle.
 #[derive(Debug, Clone, Default)]

@@ -121,6 +121,7 @@ impl Console {
     /// Ends the session. Its processes may take a while: `ending` is waited for before the next session or the end.
     pub(super) fn end_session(&mut self) {
         self.go_on();
+        self.replaying = None;
         self.end_flight();
         if let Some(running) = self.running.take() {
             self.ending = running.ending();

@@ -47,6 +47,7 @@ impl Console {
             Effect::File(effect) => self.handle_file(effect),
             Effect::Career(change) => self.change_career(change),
             Effect::Session(effect) => self.steer(effect).await,
+            Effect::Replay(effect) => self.steer_replay(effect),
             Effect::Terminal(effect) => self.adjust(effect),
         }
     }
@@ -63,6 +64,11 @@ impl Console {
                 Ok(addresses) => self.start_afresh(SessionPlan::Connect(addresses)).await,
                 Err(error) => Err(error),
             },
+            SessionEffect::Replay(path) => self.replay(&path),
+            SessionEffect::Bookmark(text) => {
+                self.bookmark(text);
+                Ok(())
+            }
             SessionEffect::Restart { alike } => self.start_again(alike).await,
             SessionEffect::Forget(vehicles) => {
                 if let Some(running) = &mut self.running {

@@ -21,6 +21,8 @@ pub enum Opening {
     Free,
     /// Vehicles that are already there.
     Connect(Vec<Address>),
+    /// A recording, by one of its files.
+    Replay(PathBuf),
 }
 
 /// How the console is set up.

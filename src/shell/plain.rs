@@ -99,7 +99,7 @@ fn expected(options: &ConsoleOptions) -> usize {
     match &options.opening {
         Opening::Mission(mission) => mission.vehicles,
         Opening::Free => usize::from(options.vehicles),
-        Opening::Home | Opening::Connect(_) => 1,
+        Opening::Home | Opening::Connect(_) | Opening::Replay(_) => 1,
     }
 }
 

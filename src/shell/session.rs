@@ -162,6 +162,13 @@ impl RunningSession {
         collected
     }
 
+    /// Whether it is recorded.
+    pub fn is_recorded(&self) -> bool {
+        self.recorder
+            .as_ref()
+            .is_some_and(FlightRecorder::is_recording)
+    }
+
     /// Notes in the session's record that something happened.
     pub fn note_down(&self, now: Duration, what: Happening) {
         if let Some(recorder) = &self.recorder {

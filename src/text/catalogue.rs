@@ -47,6 +47,7 @@ catalogue! {
     "grammar",
     "outcomes",
     "refusals",
+    "replay",
     "telemetry",
     "transport",
     "verbs",

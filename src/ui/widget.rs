@@ -27,6 +27,7 @@ pub mod overlay;
 pub mod palette;
 pub mod profiles;
 pub mod prompt;
+pub mod replay;
 pub mod swarm;
 pub mod telemetry;
 pub mod urgent;

@@ -18,7 +18,7 @@ const PURE: &[&[&str]] = &[
     &["inspector"],
     &["doctor"],
     &["vehicle"],
-    &["notice", "ledger"],
+    &["notice", "ledger", "moment"],
     &["commands", "messages"],
     &["language"],
     &["session", "swarm"],
@@ -32,7 +32,14 @@ const PURE: &[&[&str]] = &[
 /// Modules with input and output: they may use pure ones, and those before them.
 const IO: &[&[&str]] = &[&["store"], &["link"], &["fleet", "hangar"]];
 /// The shell, lowest first.
-const SHELL: &[&[&str]] = &[&["app"], &["ui"], &["terminal"], &["shell"], &["cli"]];
+const SHELL: &[&[&str]] = &[
+    &["app"],
+    &["replay"],
+    &["ui"],
+    &["terminal"],
+    &["shell"],
+    &["cli"],
+];
 
 /// What pure modules must not touch: time and randomness are arguments, files and sockets are elsewhere.
 const IMPURE: &[&str] = &[

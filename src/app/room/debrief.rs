@@ -120,7 +120,7 @@ impl State {
     /// Whether the debrief has opened so recently that keys were meant for the flight.
     pub fn is_deaf(&self) -> bool {
         let debrief = self.rooms.debrief.as_ref();
-        self.room == Room::Debrief && debrief.is_some_and(|debrief| debrief.is_deaf(self.now))
+        self.room == Room::Debrief && debrief.is_some_and(|debrief| debrief.is_deaf(self.wall))
     }
 }
 

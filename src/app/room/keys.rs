@@ -3,7 +3,9 @@
 use crossterm::event::KeyCode;
 
 use super::{Room, keys};
-use crate::app::action::{Action, DebriefAction, LineAction, SelectAction, Step, ViewAction};
+use crate::app::action::{
+    Action, DebriefAction, LineAction, ReplayAction, SelectAction, Step, ViewAction,
+};
 use crate::app::keymap::{
     Binding, ENTER, ESCAPE, KeyRow, Keymap, Meaning, Place, Press, does, key, writes,
 };
@@ -31,6 +33,7 @@ impl Default for Keymap {
                 add(Place::In(room), &rows);
             }
         }
+        add(Place::Replay, REPLAY);
         add(Place::Prompt, PROMPT);
         add(Place::Reader, READER);
         add(Place::Reader, MOVES);
@@ -51,6 +54,7 @@ const GENERAL: &[KeyRow] = &[
     does(key('p'), Action::PauseMission),
     does(key('>'), Action::Faster),
     does(key('<'), Action::UsualPace),
+    writes('\'', "bookmark "),
     does(Press::Control('c'), Action::Quit),
 ];
 
@@ -67,6 +71,18 @@ const MOVES: &[KeyRow] = &[
     does(Press::Plain(KeyCode::PageUp), Action::Move(Step::PageUp)),
     does(Press::Plain(KeyCode::Home), Action::Move(Step::First)),
     does(Press::Plain(KeyCode::End), Action::Move(Step::Last)),
+];
+
+/// The keys that steer a replay.
+const REPLAY: &[KeyRow] = &[
+    does(key(' '), Action::Replay(ReplayAction::PlayReplay)),
+    does(key('('), Action::Replay(ReplayAction::ReplayBack)),
+    does(key(')'), Action::Replay(ReplayAction::ReplayForward)),
+    does(key(','), Action::Replay(ReplayAction::FrameBack)),
+    does(key('.'), Action::Replay(ReplayAction::FrameForward)),
+    does(key('{'), Action::Replay(ReplayAction::PreviousMoment)),
+    does(key('}'), Action::Replay(ReplayAction::NextMoment)),
+    does(key('m'), Action::Replay(ReplayAction::ShowMoments)),
 ];
 
 const READER: &[KeyRow] = &[

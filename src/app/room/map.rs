@@ -119,6 +119,13 @@ impl Map {
         }
     }
 
+    /// Goes back to what had been seen at another time; what the user looks at stays.
+    pub(in crate::app) fn remember(&mut self, then: Self) {
+        self.trails = then.trails;
+        self.samples = then.samples;
+        self.overview = then.overview;
+    }
+
     /// What a canvas shows; `None` while nothing has a place.
     pub fn view(&self, size: GridSize) -> Option<Viewport> {
         let (centre, zoom) = match self.aim {

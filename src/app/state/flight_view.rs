@@ -126,6 +126,17 @@ impl FlightView {
         }
     }
 
+    /// Takes over what the user had chosen in the view before.
+    pub(in crate::app) fn keep_choices(&mut self, before: Self) {
+        self.selection = before.selection;
+        self.groups = before.groups;
+        self.first_room = before.first_room;
+        if before.cursor_placed {
+            self.cursor = before.cursor;
+            self.cursor_placed = true;
+        }
+    }
+
     /// Its clock begins at zero; in a mission the mission's does.
     pub(in crate::app) fn begin(&mut self, now: Duration) {
         self.began_at = now;

@@ -37,6 +37,8 @@ pub enum Overlay {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Log {
     Notices,
+    /// The moments of what is replayed.
+    Moments,
 }
 
 /// The command line while it is being written.

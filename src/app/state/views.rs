@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use super::{
     Activity, Alarms, Career, FlightView, Hangar, Histories, Keymap, LinkSummary, MissionListing,
-    NoticeLog, Overlay, Room, Selection, SessionPace, State, TimeFlow,
+    NoticeLog, Overlay, ReplayView, Room, Selection, SessionPace, State, TimeFlow,
 };
 use crate::campaign::Reward;
 use crate::config::Config;
@@ -22,9 +22,14 @@ use crate::workshop::Design;
 
 /// What is shown, and where one is in it.
 impl<R> State<R> {
-    /// Time since the program began.
+    /// The time of what is flown: since the program began, or since the beginning of what is replayed.
     pub fn now(&self) -> Duration {
         self.now
+    }
+
+    /// The recording that is replayed, if one is.
+    pub fn replay(&self) -> Option<&ReplayView> {
+        self.replay.as_ref()
     }
 
     /// The room that is shown.

@@ -1,6 +1,6 @@
 //! What actions mean where a room has no meaning of its own for them.
 
-use super::{mission, order, pace, palette, profiles};
+use super::{mission, order, pace, palette, profiles, replay};
 use crate::app::State;
 use crate::app::action::{Action, SelectAction};
 use crate::app::effect::{Effect, Effects, SessionEffect};
@@ -34,6 +34,7 @@ pub fn act(state: &mut State, action: Action) -> Effects {
         Action::PauseMission => return mission::turn(state),
         Action::Faster => return pace::faster(state),
         Action::UsualPace => return pace::usual(state),
+        Action::Replay(action) => return replay::act(state, action),
         Action::Abandon => return mission::abandon(state),
         Action::Leave => return leave(state),
         Action::Profiles => profiles::open(state),
@@ -128,6 +129,7 @@ pub fn leave(state: &mut State) -> Effects {
 /// Forgets the session and shows the home screen. The debrief stays until another session starts.
 pub fn go_home(state: &mut State) {
     state.session = FlightView::default();
+    state.replay = None;
     let debrief = state.rooms.debrief.take();
     state.rooms.forget_session();
     state.rooms.debrief = debrief;
@@ -164,7 +166,7 @@ pub fn loss(state: &State) -> Option<Text> {
     let is_mission = matches!(session.activity, Some(Activity::Mission { .. }));
     let is_waiting = session.is_starting() || (is_mission && !session.has_flight_begun());
     let has_not_begun = is_waiting && session.armed() == 0;
-    if session.over || session.activity.is_none() || has_not_begun {
+    if session.over || session.activity.is_none() || has_not_begun || state.replay.is_some() {
         return None;
     }
     match (state.session.mission.is_some(), state.session.armed()) {

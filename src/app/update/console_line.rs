@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{act, alert_line, forget, macros, mission, pace};
+use super::{act, alert_line, forget, macros, mission, pace, replay};
 use crate::app::State;
 use crate::app::effect::{CareerEffect, Effect, Effects, SessionEffect, TerminalEffect};
 use crate::app::room::{Room, fly, hangar, parameters};
@@ -74,6 +74,8 @@ fn obey(state: &mut State, own: ConsoleLine) -> Result<Effects, Text> {
         ConsoleLine::Pause => return Ok(mission::pause(state)),
         ConsoleLine::Continue => return Ok(mission::go_on(state)),
         ConsoleLine::Speedup(speedup) => return Ok(pace::set(state, speedup)),
+        ConsoleLine::Replay(line) => return Ok(replay::carry_out(state, line)),
+        ConsoleLine::Bookmark(text) => return Ok(replay::bookmark(state, text)),
         ConsoleLine::Abandon => return Ok(mission::abandon(state)),
         ConsoleLine::Restart => return Ok(mission::restart(state, false)),
         ConsoleLine::Leave => return Ok(act::leave(state)),

@@ -40,10 +40,7 @@ pub fn press(state: &mut State, key: KeyEvent) -> Effects {
             reader::help(state, page, key);
             Effects::none()
         }
-        Some(Overlay::Log { log, cursor }) => {
-            reader::log(state, log, cursor, key);
-            Effects::none()
-        }
+        Some(Overlay::Log { log, cursor }) => reader::log(state, log, cursor, key),
         None => on_screen(state, key),
     }
 }
@@ -171,7 +168,11 @@ fn on_screen(state: &mut State, key: KeyEvent) -> Effects {
     if state.is_deaf() {
         return Effects::none();
     }
-    let meaning = state.keymap.resolve(key, Place::In(state.room));
+    let in_replay = state
+        .replay
+        .as_ref()
+        .and_then(|_| state.keymap.resolve(key, Place::Replay));
+    let meaning = in_replay.or_else(|| state.keymap.resolve(key, Place::In(state.room)));
     match meaning.cloned() {
         Some(Meaning::Do(action)) => act::act(state, action),
         Some(Meaning::Write(words)) => {

@@ -1,6 +1,7 @@
 //! The course of a session: pause, end, once more.
 
 use super::act::{ask, guarded, leave, loss};
+use super::replay;
 use crate::app::State;
 use crate::app::action::Action;
 use crate::app::effect::{Effect, Effects, Launch, SessionEffect};
@@ -20,6 +21,9 @@ pub fn leave_brief(state: &mut State) {
 
 /// Lets the session stand still, or go on where it does.
 pub fn turn(state: &mut State) -> Effects {
+    if let Some(view) = &state.replay {
+        return replay::play(!view.position.is_playing);
+    }
     if state.session.is_paused() {
         go_on(state)
     } else {
@@ -29,6 +33,9 @@ pub fn turn(state: &mut State) -> Effects {
 
 /// Lets the session stand still, where that is possible; says why where it is not.
 pub fn pause(state: &mut State) -> Effects {
+    if state.replay.is_some() {
+        return replay::play(false);
+    }
     match obstacle(state) {
         Some(reason) => {
             state.say(Severity::Notice, reason);
@@ -40,6 +47,9 @@ pub fn pause(state: &mut State) -> Effects {
 
 /// Lets the session go on.
 pub fn go_on(state: &mut State) -> Effects {
+    if state.replay.is_some() {
+        return replay::play(true);
+    }
     if state.session.is_paused() {
         return Effects::from(Effect::Session(SessionEffect::Continue));
     }
@@ -130,7 +140,7 @@ pub fn restart(state: &mut State, alike: bool) -> Effects {
 
 /// Ends the mission, after a question.
 pub fn abandon(state: &mut State) -> Effects {
-    if state.flown_mission().is_none() || state.session.over {
+    if state.flown_mission().is_none() || state.session.over || state.replay.is_some() {
         state.say(Severity::Notice, text!("mission-none"));
         return Effects::none();
     }

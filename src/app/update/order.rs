@@ -66,6 +66,10 @@ fn order_now(
 
 /// Refuses what cannot be said now.
 fn permit(state: &State, line: &str, statement: &Statement) -> Result<(), Diagnostic> {
+    if state.replay.is_some() {
+        return Err(Diagnostic::new(first_word(line), text!("replay-refuses"))
+            .with_help(text!("replay-refuses-help")));
+    }
     if state.session.is_starting() && state.flown_mission().is_some() {
         return Err(Diagnostic::new(
             first_word(line),

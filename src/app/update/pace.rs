@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use super::replay;
 use crate::alert::AlertKind;
 use crate::app::State;
 use crate::app::action::Action;
@@ -22,6 +23,9 @@ const KEY_FACTOR: f64 = 2.0;
 
 /// Twice as fast as now, as far as it may go.
 pub fn faster(state: &mut State) -> Effects {
+    if state.replay.is_some() {
+        return replay::change_rate(state, true);
+    }
     let pace = state.session.pace;
     let most = most(state).max(pace.usual);
     if pace.now >= most && obstacle(state, most).is_none() {
@@ -32,11 +36,17 @@ pub fn faster(state: &mut State) -> Effects {
 
 /// As fast as the session began.
 pub fn usual(state: &mut State) -> Effects {
+    if state.replay.is_some() {
+        return replay::change_rate(state, false);
+    }
     set(state, state.session.pace.usual)
 }
 
 /// Has time pass so many times as fast as the clock on the wall, where that is possible; says why where it is not.
 pub fn set(state: &mut State, speedup: f64) -> Effects {
+    if state.replay.is_some() {
+        return replay::set_rate(state, speedup);
+    }
     let now = state.session.pace.now;
     let is_same = (speedup - now).abs() < f64::EPSILON;
     let same = || is_same.then(|| text!("speedup-same", rate = rate(now)));
@@ -107,7 +117,7 @@ pub struct Watch {
 
 /// Watches an event, while time passes faster than usual.
 pub fn watch(state: &State, event: &Event) -> Option<Watch> {
-    state.session.pace.is_fast().then(|| Watch {
+    (state.session.pace.is_fast() && state.replay.is_none()).then(|| Watch {
         reason: reason(state, event),
         alerts: open_alerts(state),
     })
@@ -154,6 +164,7 @@ fn reason(state: &State, event: &Event) -> Option<Text> {
         | Event::Link(_)
         | Event::Process(_)
         | Event::Session(_)
+        | Event::Replay(_)
         | Event::Career(_)
         | Event::File(_)
         | Event::NoticesDropped(_)

@@ -2,8 +2,10 @@
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
+use super::replay;
 use crate::app::State;
 use crate::app::action::{Action, DebriefAction, ViewAction};
+use crate::app::effect::Effects;
 use crate::app::keymap::Place;
 use crate::app::state::{HelpPage, Log, Overlay};
 
@@ -57,9 +59,12 @@ fn write(page: &mut HelpPage, key: KeyEvent) -> bool {
 }
 
 /// A key for a log, whose newest entry stays under the cursor when newer ones come.
-pub fn log(state: &mut State, log: Log, cursor: Option<usize>, key: KeyEvent) {
+pub fn log(state: &mut State, log: Log, cursor: Option<usize>, key: KeyEvent) -> Effects {
     let cursor = match state.keymap.action(key, Place::Reader) {
-        Some(Action::Escape) => return,
+        Some(Action::Escape) if log == Log::Moments && key.code == KeyCode::Enter => {
+            return replay::go_to(state, cursor);
+        }
+        Some(Action::Escape) => return Effects::none(),
         Some(Action::Move(step)) => {
             let count = state.log_length(log);
             let at = step.apply(cursor.unwrap_or(count.saturating_sub(1)), count);
@@ -68,4 +73,5 @@ pub fn log(state: &mut State, log: Log, cursor: Option<usize>, key: KeyEvent) {
         _ => cursor,
     };
     state.overlay = Some(Overlay::Log { log, cursor });
+    Effects::none()
 }

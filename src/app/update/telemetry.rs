@@ -24,13 +24,26 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
 
-pub fn tick(state: &mut State, now: Duration) {
-    // The clock shows seconds, messages live for whole seconds, and the debrief says when it hears keys: nothing
-    // else on the screen depends on time.
-    let before = (state.now.as_secs(), state.is_deaf());
+/// Time passes by the clock on the wall; for what is flown it does too, unless that is replayed.
+pub fn tick(state: &mut State, now: Duration, wall: Duration) {
+    // Messages live for whole seconds, and the debrief says when it hears keys.
+    let before = (state.wall.as_secs(), state.is_deaf());
+    state.wall = wall;
+    if before != (wall.as_secs(), state.is_deaf()) {
+        state.touch();
+    }
+    if state.replay.is_none() {
+        pass(state, now);
+    }
+}
+
+/// Time passes for what is flown.
+pub fn pass(state: &mut State, now: Duration) {
+    // The clock shows seconds: nothing else on the screen depends on time.
+    let before = state.now.as_secs();
     state.now = now;
     map::tick(state);
-    if before.0 != now.as_secs() {
+    if before != now.as_secs() {
         watch(state);
     }
     let session = &mut state.session;
@@ -39,7 +52,7 @@ pub fn tick(state: &mut State, now: Duration) {
     if fly::tick(state) | ledger::tick(state) | is_curve_longer {
         state.touch();
     }
-    if before != (now.as_secs(), state.is_deaf()) {
+    if before != now.as_secs() {
         state.touch();
     }
 }
@@ -87,6 +100,10 @@ fn watch(state: &mut State) {
 /// What makes itself noticed now.
 pub fn signals(state: &mut State) -> Effects {
     let due = state.session.alarms.due(state.now);
+    if state.replay.is_some() {
+        // It has rung then.
+        return Effects::none();
+    }
     let alerts = &state.config.alerts;
     let ring = (due.ring && alerts.bell).then_some(TerminalEffect::Bell);
     let note = due
@@ -116,7 +133,7 @@ pub fn started(state: &mut State, started: Started) {
     // What was said and dropped before belongs to the session before.
     state.notices = NoticeLog::default();
     state.reward = None;
-    let is_again = session.activity == state.session.activity;
+    let is_again = session.activity == state.session.activity || state.replay.is_some();
     // Who comes to a mission reads first what it is about; who flies it again knows.
     session.first_room = if session.listing.is_some() && !is_again {
         Room::Mission
@@ -211,9 +228,12 @@ pub fn ended(state: &mut State, report: Box<Report>) {
         report,
         scroll: 0,
         map: false,
-        since: state.now,
+        since: state.wall,
     });
     state.session.over = true;
+    if state.replay.is_some() {
+        return;
+    }
     state.room = Room::Debrief;
     if !matches!(state.overlay, Some(Overlay::Palette(_))) {
         state.overlay = None;

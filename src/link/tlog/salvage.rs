@@ -13,7 +13,7 @@ const PLAUSIBLE_US: std::ops::Range<u64> = 946_684_800_000_000..4_102_444_800_00
 
 /// What comes next in a recording.
 #[derive(Debug, PartialEq, Eq)]
-pub(in crate::link) enum Piece {
+pub enum TlogPiece {
     Record(TlogRecord),
     /// Bytes that belong to no record.
     Damage {
@@ -27,7 +27,7 @@ pub(in crate::link) enum Piece {
 /// Reads all that is sound in a tlog; the strict reader is [`super::TlogReader`]. After an error it yields
 /// nothing more.
 #[derive(Debug)]
-pub(in crate::link) struct Salvage<R> {
+pub struct TlogSalvage<R> {
     input: R,
     window: Vec<u8>,
     /// Where the next record starts in the window, and in the file.
@@ -37,9 +37,9 @@ pub(in crate::link) struct Salvage<R> {
     last_us: Option<u64>,
 }
 
-impl<R: Read> Salvage<R> {
+impl<R: Read> TlogSalvage<R> {
     /// Reads from the start of a recording; needs no buffered reader.
-    pub(in crate::link) fn new(input: R) -> Self {
+    pub fn new(input: R) -> Self {
         Self {
             input,
             window: Vec::new(),
@@ -50,13 +50,33 @@ impl<R: Read> Salvage<R> {
         }
     }
 
-    fn piece(&mut self) -> Result<Option<Piece>, TlogError> {
+    /// Reads on from a place where a record starts, `offset` bytes from the start of the file; `last_us` is the time of
+    /// the record before it.
+    pub fn at(input: R, offset: u64, last_us: Option<u64>) -> Self {
+        Self {
+            offset,
+            last_us,
+            ..Self::new(input)
+        }
+    }
+
+    /// Where the next piece starts, in bytes from the start of the file.
+    pub fn offset(&self) -> u64 {
+        self.offset
+    }
+
+    /// The time of the last record, in microseconds since 1970 (UTC).
+    pub fn last_us(&self) -> Option<u64> {
+        self.last_us
+    }
+
+    fn piece(&mut self) -> Result<Option<TlogPiece>, TlogError> {
         self.fill()?;
         if self.rest().is_empty() {
             return Ok(None);
         }
         if self.is_record() {
-            return Ok(self.take_record().map(Piece::Record));
+            return Ok(self.take_record().map(TlogPiece::Record));
         }
         let offset = self.offset;
         let is_cut = is_cut(self.rest());
@@ -68,7 +88,7 @@ impl<R: Read> Salvage<R> {
             return Err(TlogError::Truncated { offset });
         }
         let len = self.offset - offset;
-        Ok(Some(Piece::Damage { offset, len }))
+        Ok(Some(TlogPiece::Damage { offset, len }))
     }
 
     fn take_record(&mut self) -> Option<TlogRecord> {
@@ -137,8 +157,8 @@ impl<R: Read> Salvage<R> {
     }
 }
 
-impl<R: Read> Iterator for Salvage<R> {
-    type Item = Result<Piece, TlogError>;
+impl<R: Read> Iterator for TlogSalvage<R> {
+    type Item = Result<TlogPiece, TlogError>;
 
     fn next(&mut self) -> Option<Self::Item> {
         let piece = self.piece();
@@ -207,12 +227,12 @@ mod tests {
         let records = records(2);
         let noise = vec![0; 3 * READ_LEN];
         let bytes = [written(&records[..1]), noise, written(&records[1..])].concat();
-        let pieces: Result<Vec<_>, _> = Salvage::new(&bytes[..]).collect();
-        let damage = Piece::Damage {
+        let pieces: Result<Vec<_>, _> = TlogSalvage::new(&bytes[..]).collect();
+        let damage = TlogPiece::Damage {
             offset: written(&records[..1]).len() as u64,
             len: 3 * READ_LEN as u64,
         };
-        let [first, second] = [0, 1].map(|number| Piece::Record(records[number].clone()));
+        let [first, second] = [0, 1].map(|number| TlogPiece::Record(records[number].clone()));
         assert_eq!(pieces.expect("readable"), [first, damage, second]);
     }
 
@@ -223,8 +243,8 @@ mod tests {
             record.unix_us += 100 * DAY_US;
         }
         let bytes = written(&records);
-        let pieces: Result<Vec<_>, _> = Salvage::new(&bytes[..]).collect();
-        let expected: Vec<_> = records.into_iter().map(Piece::Record).collect();
+        let pieces: Result<Vec<_>, _> = TlogSalvage::new(&bytes[..]).collect();
+        let expected: Vec<_> = records.into_iter().map(TlogPiece::Record).collect();
         assert_eq!(pieces.expect("sound"), expected);
     }
 
@@ -238,13 +258,13 @@ mod tests {
             let mut bytes = written(&records);
             bytes[at..at + noise.len()].copy_from_slice(&noise);
             let (mut len, mut found) = (0, 0);
-            for piece in Salvage::new(&bytes[..]) {
+            for piece in TlogSalvage::new(&bytes[..]) {
                 match piece.expect("readable") {
-                    Piece::Record(record) => {
+                    TlogPiece::Record(record) => {
                         len += (STAMP_LEN + record.bytes.len()) as u64;
                         found += usize::from(records.contains(&record));
                     }
-                    Piece::Damage { offset, len: passed_over } => {
+                    TlogPiece::Damage { offset, len: passed_over } => {
                         prop_assert_eq!(offset, len);
                         len += passed_over;
                     }

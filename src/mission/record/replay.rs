@@ -8,7 +8,8 @@ use super::{End, Head, RecordChange, RecordLine, VERSION};
 use crate::diagnostic::Diagnostic;
 use crate::ledger::{EntryId, Given, Ledger, RowUpdate};
 use crate::mission::{Flight, Mission, Stake, TICK};
-use crate::scoring::Report;
+use crate::notice::Notice;
+use crate::scoring::{FlightBackend, Report};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Vehicles;
@@ -20,7 +21,7 @@ pub struct Stored {
     pub head: Head,
     /// What is wrong with the rest of the file: up to where it could be read.
     pub damage: Option<Text>,
-    lines: Vec<RecordLine>,
+    lines: Arc<Vec<RecordLine>>,
 }
 
 /// A record scored again.
@@ -52,21 +53,26 @@ impl Stored {
         let mut stored = Self {
             head,
             damage: None,
-            lines: Vec::new(),
+            lines: Arc::default(),
         };
+        let mut lines = Vec::new();
         let mut since = 0;
         for (index, line) in all.enumerate() {
+            let is_over = lines
+                .last()
+                .is_some_and(|it: &RecordLine| it.end().is_some());
             let line = serde_json::from_str(line)
                 .ok()
                 .filter(|line: &RecordLine| line.time().is_none_or(|t| t >= since));
-            let Some(line) = line.filter(|_| stored.end().is_none()) else {
+            let Some(line) = line.filter(|_| !is_over) else {
                 stored.damage = Some(text!("record-damaged", line = index + 2));
-                return Ok(stored);
+                break;
             };
             since = line.time().unwrap_or(since);
-            stored.lines.push(line);
+            lines.push(line);
         }
-        if stored.end().is_none() {
+        stored.lines = Arc::new(lines);
+        if stored.damage.is_none() && stored.end().is_none() {
             stored.damage = Some(text!("record-no-end"));
         }
         Ok(stored)
@@ -82,29 +88,38 @@ impl Stored {
     /// # Errors
     /// This program cannot read the mission in it.
     pub fn rescore(&self) -> Result<Rescored, Text> {
-        let mission = self.head.flown()?;
-        let mut flight = Flight::new(Arc::new(mission), self.head.seed);
-        flight.set_attempt(self.head.attempt);
-        flight.set_flown_by(self.head.flown_by);
-        let mut replay = Replay {
-            flight,
-            vehicles: BTreeMap::new(),
-            ledger: Ledger::new(),
-            entries: BTreeMap::new(),
-            now: None,
-        };
-        for line in &self.lines {
-            replay.take(line);
-        }
+        let mut replay = self.reenact()?;
+        drop(replay.advance(Duration::MAX));
         // An exam that was left ended where its record does.
         if self.end().is_none() && self.head.stake == Stake::Exam {
             replay.flight.abandon();
         }
-        let mut report = replay.flight.report(&replay.ledger);
-        report.backend = self.head.backend;
         Ok(Rescored {
-            report,
+            report: replay.report(),
             before: self.end().copied(),
+        })
+    }
+
+    /// The flight before its first step, to be flown again step by step.
+    ///
+    /// # Errors
+    /// This program cannot read the mission in it.
+    pub fn reenact(&self) -> Result<Reenactment, Text> {
+        let mission = self.head.flown()?;
+        let mut flight = Flight::new(Arc::new(mission), self.head.seed);
+        flight.set_attempt(self.head.attempt);
+        flight.set_flown_by(self.head.flown_by);
+        flight.set_stake(self.head.stake);
+        Ok(Reenactment {
+            flight,
+            backend: self.head.backend,
+            vehicles: BTreeMap::new(),
+            ledger: Ledger::new(),
+            entries: BTreeMap::new(),
+            now: None,
+            lines: Arc::clone(&self.lines),
+            next: 0,
+            said: Vec::new(),
         })
     }
 }
@@ -132,16 +147,60 @@ fn unreadable(faults: &[Diagnostic], name: &str, source: &str) -> Text {
     text!("record-mission", fault = fault.unwrap_or_default())
 }
 
-struct Replay {
+/// A recorded flight that is flown again, as far as it is asked to.
+#[derive(Debug)]
+pub struct Reenactment {
     flight: Flight,
+    backend: FlightBackend,
     vehicles: Vehicles,
     ledger: Ledger,
     /// The ids that entries had, and those that they have here.
     entries: BTreeMap<u32, EntryId>,
     now: Option<Duration>,
+    lines: Arc<Vec<RecordLine>>,
+    /// The line that comes next.
+    next: usize,
+    /// What the mission said since the last call.
+    said: Vec<Notice>,
 }
 
-impl Replay {
+impl Reenactment {
+    /// Flies on up to a mission time, and returns what the mission said.
+    pub fn advance(&mut self, until: Duration) -> Vec<Notice> {
+        let lines = Arc::clone(&self.lines);
+        while let Some(line) = lines.get(self.next) {
+            let is_due = line
+                .time()
+                .is_none_or(|t| Duration::from_millis(t) <= until);
+            if !is_due {
+                // Steps in which nothing changed have no line.
+                self.pass(until.saturating_add(TICK));
+                break;
+            }
+            self.next += 1;
+            self.take(line);
+        }
+        std::mem::take(&mut self.said)
+    }
+
+    /// Whether the record goes no further.
+    pub fn is_over(&self) -> bool {
+        self.next == self.lines.len()
+    }
+
+    /// The flight as far as it has come.
+    pub fn flight(&self) -> &Flight {
+        &self.flight
+    }
+
+    /// The report, as if the flight had ended here.
+    pub fn report(&self) -> Report {
+        Report {
+            backend: self.backend,
+            ..self.flight.report(&self.ledger)
+        }
+    }
+
     fn take(&mut self, line: &RecordLine) {
         match line {
             RecordLine::Tick { t, change } => {
@@ -156,11 +215,13 @@ impl Replay {
             }
             RecordLine::Lose { vehicle, change } => {
                 self.change(change, self.now.unwrap_or_default());
-                drop(self.flight.lose(*vehicle, &self.vehicles));
+                let said = self.flight.lose(*vehicle, &self.vehicles);
+                self.said.extend(said);
             }
             RecordLine::Inject { name } => drop(self.flight.inject(name)),
             RecordLine::Pause { seconds } => {
-                drop(self.flight.note_pause(Duration::from_secs(*seconds)));
+                let said = self.flight.note_pause(Duration::from_secs(*seconds));
+                self.said.extend(said);
             }
             RecordLine::Abandon => self.flight.abandon(),
             RecordLine::End { t, change, .. } => {
@@ -183,7 +244,8 @@ impl Replay {
 
     fn step(&mut self, at: Duration) {
         self.now = Some(at);
-        drop(self.flight.step(at, &self.vehicles, &self.ledger));
+        let said = self.flight.step(at, &self.vehicles, &self.ledger);
+        self.said.extend(said);
     }
 
     fn change(&mut self, change: &RecordChange, at: Duration) {

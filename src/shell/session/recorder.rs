@@ -83,10 +83,9 @@ impl FlightRecorder {
         }
     }
 
-    /// What its files are called, and how many bytes they have.
-    pub fn size(&self) -> Option<(&str, u64)> {
-        let recording = self.recording.as_ref()?;
-        Some((recording.stem(), recording.bytes()))
+    /// Whether files are written.
+    pub fn is_recording(&self) -> bool {
+        self.recording.is_some()
     }
 
     /// Why nothing is recorded any more, once.
@@ -119,9 +118,11 @@ impl Drop for FlightRecorder {
 pub(super) fn happening(event: &VehicleEvent) -> Option<Happening> {
     match event {
         VehicleEvent::Row(row) => Some(Happening::Row(RowLine::of(row))),
-        VehicleEvent::Telemetry(_) | VehicleEvent::Parameters { .. } | VehicleEvent::Paths(_) => {
-            None
-        }
+        // Orders are noted when they are given.
+        VehicleEvent::Telemetry(_)
+        | VehicleEvent::Parameters { .. }
+        | VehicleEvent::Paths(_)
+        | VehicleEvent::Given { .. } => None,
     }
 }
 

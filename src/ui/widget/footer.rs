@@ -11,7 +11,7 @@ use crate::text;
 use crate::text::Text;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{below, put, severity_role, width as width_of};
+use crate::ui::widget::{below, put, replay, severity_role, width as width_of};
 
 /// Draws the footer into the last row of the screen.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
@@ -35,6 +35,9 @@ fn line<'a>(state: &'a State, panel: Panel<'_>) -> Line<'a> {
     if let Some(message) = state.message() {
         let role = severity_role(message.severity);
         return Line::styled(format!(" {}", look.text(&message.text)), look.style(role));
+    }
+    if let Some(view) = state.replay() {
+        return replay::bar(state, view, panel);
     }
     let mut spans = vec![Span::raw(" ")];
     let mut used = 1;

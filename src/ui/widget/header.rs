@@ -12,7 +12,7 @@ use crate::text::Text;
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{clip, clock, columns, put, upper, width};
+use crate::ui::widget::{clip, clock, columns, put, replay, upper, width};
 
 /// Draws the header and returns the area between it and the footer.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
@@ -23,7 +23,9 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
     let title = activity.map_or_else(String::new, |activity| panel.text(&activity.title()));
     let room = usize::from(panel.area.width);
     let session = state.session();
-    let pace = if session.is_paused() {
+    let pace = if let Some(view) = state.replay() {
+        replay::badge(view, panel.look)
+    } else if session.is_paused() {
         format!(" {} ", panel.say("header-paused"))
     } else if session.pace().is_fast() {
         let rate = rate(session.pace().now);
@@ -79,6 +81,7 @@ fn right_part(state: &State, look: &Look, short: bool) -> String {
         pressing_alert(state),
         mission_alert(state),
         vehicles(state, short),
+        recorded_at(state, short),
         Some(time),
     ];
     let shown = parts.into_iter().flatten().collect();
@@ -130,7 +133,16 @@ fn vehicles(state: &State, short: bool) -> Option<Text> {
         let vehicles = text!("count-vehicles", count = all);
         text!("header-armed", vehicles = vehicles, armed = armed)
     };
-    Some(Text::joined("   ", vec![count, links(state, short)]))
+    // The links of a recording are no longer there.
+    let links = state.replay().is_none().then(|| links(state, short));
+    let shown = std::iter::once(count).chain(links).collect();
+    Some(Text::joined("   ", shown))
+}
+
+/// The time of day of what is replayed.
+fn recorded_at(state: &State, short: bool) -> Option<Text> {
+    let view = state.replay()?;
+    Some(replay::time_of_day(view, short).into())
 }
 
 fn links(state: &State, short: bool) -> Text {

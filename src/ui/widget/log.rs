@@ -6,7 +6,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::Line;
 
-use super::notices;
+use super::{notices, replay};
 use crate::app::State;
 use crate::app::action::Action;
 use crate::app::keymap::Place;
@@ -51,6 +51,7 @@ fn title(state: &State, log: Log, cursor: usize, panel: Panel<'_>) -> String {
     let count = state.log_length(log);
     let name = match log {
         Log::Notices => panel.say("fly-notices"),
+        Log::Moments => panel.say("replay-moments"),
     };
     let place = if count == 0 {
         String::new()
@@ -125,6 +126,13 @@ fn blocks<'a>(
             let notices = state.notices().lines().skip(which.start).take(count);
             notices
                 .map(|notice| notices::lines(notice, session, width, usize::MAX, look))
+                .collect()
+        }
+        Log::Moments => {
+            let moments = state.replay().into_iter().flat_map(|it| it.moments.iter());
+            let moments = moments.skip(which.start).take(count);
+            moments
+                .map(|moment| vec![replay::moment_line(moment, width, look)])
                 .collect()
         }
     }

@@ -1,4 +1,4 @@
-//! Bookmarks: the moments of a flight that are worth coming back to.
+//! Moments of a flight that are worth coming back to.
 
 use std::time::Duration;
 
@@ -9,12 +9,12 @@ use crate::vehicle::VehicleId;
 
 /// A moment worth coming back to.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Bookmark {
+pub struct Moment {
     /// When it was, from the beginning of the record.
     pub at: Duration,
-    /// Which vehicle it is about, if one.
-    pub vehicle: Option<VehicleId>,
-    pub kind: BookmarkKind,
+    /// Which vehicles it is about; none where it is about the flight.
+    pub vehicles: Vec<VehicleId>,
+    pub kind: MomentKind,
     /// What it is, in a few words.
     pub text: Text,
 }
@@ -34,9 +34,9 @@ pub struct Bookmark {
     VariantNames,
 )]
 #[strum(serialize_all = "kebab-case")]
-pub enum BookmarkKind {
-    /// The operator set it.
-    Own,
+pub enum MomentKind {
+    /// The operator set a bookmark.
+    Bookmark,
     /// A vehicle refused a command, or a command had no effect.
     Refusal,
     /// Something was wrong with a vehicle.
@@ -51,7 +51,7 @@ pub enum BookmarkKind {
     Separation,
 }
 
-impl BookmarkKind {
+impl MomentKind {
     /// The names of all kinds.
     pub const NAMES: &'static [&'static str] = Self::VARIANTS;
 

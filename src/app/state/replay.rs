@@ -1,0 +1,71 @@
+//! What is shown of a recording that is replayed.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use crate::moment::{Moment, MomentKind};
+
+/// A recording that is replayed, and how far it has come.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ReplayView {
+    /// The name of its file.
+    pub name: String,
+    /// The time of day when it began: microseconds since 1970 (UTC).
+    pub began_unix_us: u64,
+    /// How long it is.
+    pub length: Duration,
+    /// Where it stands.
+    pub position: ReplayPosition,
+    /// The moments that have been found so far, earliest first.
+    pub moments: Arc<Vec<Moment>>,
+}
+
+/// Where a replay stands, and how it goes on. Times count from the beginning of the recording.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ReplayPosition {
+    pub at: Duration,
+    /// How far the recording has been read through: up to there, every moment is found at once.
+    pub indexed: Duration,
+    /// How many times as fast as it was recorded it is played.
+    pub rate: f64,
+    pub is_playing: bool,
+    /// The stretch that is played over and over.
+    pub looped: Option<(Duration, Duration)>,
+    /// The kinds of moments that it stops at.
+    pub stops: Vec<MomentKind>,
+    /// For how long nothing was recorded at this place, if it is a gap.
+    pub gap: Option<Duration>,
+}
+
+impl Default for ReplayPosition {
+    fn default() -> Self {
+        Self {
+            at: Duration::ZERO,
+            indexed: Duration::ZERO,
+            rate: 1.0,
+            is_playing: true,
+            looped: None,
+            stops: Vec::new(),
+            gap: None,
+        }
+    }
+}
+
+impl ReplayView {
+    /// A recording that is replayed from its beginning.
+    pub fn new(name: String, began_unix_us: u64, length: Duration) -> Self {
+        Self {
+            name,
+            began_unix_us,
+            length,
+            position: ReplayPosition::default(),
+            moments: Arc::default(),
+        }
+    }
+
+    /// The moment that the replay stands at or has passed last.
+    pub fn current(&self) -> Option<&Moment> {
+        let passed = self.moments.partition_point(|it| it.at <= self.position.at);
+        self.moments.get(passed.checked_sub(1)?)
+    }
+}

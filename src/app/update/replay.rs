@@ -1,0 +1,129 @@
+//! The course of a replay, and what steers it.
+
+use super::{act, telemetry};
+use crate::app::action::ReplayAction;
+use crate::app::effect::{Effect, Effects, ReplayEffect, SessionEffect};
+use crate::app::event::ReplayEvent;
+use crate::app::state::{Log, rate};
+use crate::app::{State, snapshot};
+use crate::language::{ReplayLine, SeekTarget};
+use crate::text;
+use crate::vehicle::Severity;
+use std::time::Duration;
+
+/// How far the keys go.
+const KEY_STEP: Duration = Duration::from_secs(10);
+/// How slow and how fast a recording is played.
+const SLOWEST: f64 = 0.1;
+const FASTEST: f64 = 64.0;
+/// Every press of a key makes it so many times as fast.
+const KEY_FACTOR: f64 = 2.0;
+
+/// Takes in how a replay goes.
+pub fn happened(state: &mut State, event: ReplayEvent) {
+    match event {
+        ReplayEvent::Opened(view) => {
+            state.replay = Some(*view);
+            state.now = Duration::ZERO;
+        }
+        ReplayEvent::Known { length, moments } => {
+            if let Some(view) = &mut state.replay {
+                (view.length, view.moments) = (length, moments);
+            }
+        }
+        ReplayEvent::Restored(flight) => snapshot::restore(state, *flight),
+        ReplayEvent::At(position) => {
+            telemetry::pass(state, position.at);
+            if let Some(view) = &mut state.replay {
+                view.position = position;
+            }
+        }
+    }
+    state.touch();
+}
+
+/// Does what a key says.
+pub fn act(state: &mut State, action: ReplayAction) -> Effects {
+    let Some(view) = &state.replay else {
+        return refuse(state);
+    };
+    let effect = match action {
+        ReplayAction::PlayReplay => ReplayEffect::Play(!view.position.is_playing),
+        ReplayAction::ReplayBack => ReplayEffect::Seek(SeekTarget::Earlier(KEY_STEP)),
+        ReplayAction::ReplayForward => ReplayEffect::Seek(SeekTarget::Later(KEY_STEP)),
+        ReplayAction::FrameBack => ReplayEffect::Step { forward: false },
+        ReplayAction::FrameForward => ReplayEffect::Step { forward: true },
+        ReplayAction::PreviousMoment => ReplayEffect::Moment { forward: false },
+        ReplayAction::NextMoment => ReplayEffect::Moment { forward: true },
+        ReplayAction::ShowMoments => {
+            act::look_back(state, Log::Moments);
+            return Effects::none();
+        }
+    };
+    Effects::from(Effect::Replay(effect))
+}
+
+/// Goes to a moment of the list; none is the last.
+pub fn go_to(state: &State, moment: Option<usize>) -> Effects {
+    let moments = state.replay.iter().flat_map(|it| it.moments.iter());
+    let chosen = match moment {
+        Some(at) => moments.clone().nth(at),
+        None => moments.last(),
+    };
+    let Some(moment) = chosen else {
+        return Effects::none();
+    };
+    let target = SeekTarget::At(moment.at);
+    Effects::from(Effect::Replay(ReplayEffect::Seek(target)))
+}
+
+/// Carries out a line about what is replayed.
+pub fn carry_out(state: &mut State, line: ReplayLine) -> Effects {
+    let effect = match line {
+        ReplayLine::Open(path) => {
+            let effect = Effect::Session(SessionEffect::Replay(path));
+            return act::guarded(state, text!("ask-start"), effect);
+        }
+        ReplayLine::Seek(target) => ReplayEffect::Seek(target),
+        ReplayLine::Loop(stretch) => ReplayEffect::Loop(stretch),
+        ReplayLine::StopAt(kinds) => ReplayEffect::StopAt(kinds),
+    };
+    if state.replay.is_none() {
+        return refuse(state);
+    }
+    Effects::from(Effect::Replay(effect))
+}
+
+/// Plays, or stands still.
+pub fn play(plays: bool) -> Effects {
+    Effects::from(Effect::Replay(ReplayEffect::Play(plays)))
+}
+
+/// Plays so many times as fast as it was recorded, as far as that goes.
+pub fn set_rate(state: &mut State, wanted: f64) -> Effects {
+    let possible = wanted.clamp(SLOWEST, FASTEST);
+    let text = text!("replay-rate", rate = rate(possible));
+    state.say(Severity::Notice, text);
+    Effects::from(Effect::Replay(ReplayEffect::Rate(possible)))
+}
+
+/// Plays faster or slower by a key.
+pub fn change_rate(state: &mut State, faster: bool) -> Effects {
+    let now = state.replay.as_ref().map_or(1.0, |it| it.position.rate);
+    let factor = if faster { KEY_FACTOR } else { 1.0 / KEY_FACTOR };
+    set_rate(state, now * factor)
+}
+
+/// Sets a bookmark at this moment.
+pub fn bookmark(state: &mut State, text: String) -> Effects {
+    if state.session.activity.is_none() {
+        state.say(Severity::Warning, text!("bookmark-nothing"));
+        return Effects::none();
+    }
+    Effects::from(Effect::Session(SessionEffect::Bookmark(text)))
+}
+
+fn refuse(state: &mut State) -> Effects {
+    state.say(Severity::Warning, text!("replay-none"));
+    Effects::none()
+}

@@ -1,0 +1,239 @@
+//! Recorded flights, played again: as the events that the console saw then, from any moment on.
+//!
+//! A [`Stage`](stage::Stage) has the vehicles' sessions hear the recorded frames again, and yields what they and the
+//! journal say as events, a tenth of a second at a time. An [`Index`](index::Index) goes through the whole recording
+//! once, in a thread of its own, and keeps what was known every few seconds: to go to a moment, the console takes the
+//! last of these key frames before it, and lets the stage go on from there. So the same moment is the same screen, by
+//! whatever way one has come to it.
+//!
+//! Nothing is ever sent: what the sessions would say to their vehicles is dropped.
+
+use std::path::Path;
+use std::sync::Arc;
+use std::time::Duration;
+
+use crate::app::effect::ReplayEffect;
+use crate::app::event::{Event, ReplayEvent, SessionEvent, Started};
+use crate::app::room::messages::{LinkTraffic, Wanted};
+use crate::app::state::{ReplayPosition, ReplayView};
+use crate::config::Config;
+use crate::language::SeekTarget;
+use crate::text::Text;
+
+mod film;
+mod index;
+mod moments;
+mod observer;
+mod stage;
+#[cfg(test)]
+mod tests;
+
+pub use film::Film;
+use index::Index;
+use stage::Stage;
+
+/// The frames of a replay: so far apart are the moments that can be shown.
+pub const FRAME: Duration = Duration::from_millis(100);
+/// Frames of MAVLink that are heard between two looks at the keys. At half a microsecond each it is a tenth of a second.
+const HEARD_AT_ONCE: u64 = 200_000;
+
+/// A recording that is replayed.
+#[derive(Debug)]
+pub struct Replay {
+    film: Arc<Film>,
+    stage: Stage,
+    index: Index,
+    position: ReplayPosition,
+    /// Where it is to be, from the beginning of the recording; it may not be there yet.
+    goal: Duration,
+    /// When time was looked at last, on the program's clock.
+    looked: Option<Duration>,
+    /// How much of the index the console knows.
+    known: usize,
+}
+
+impl Replay {
+    /// Opens a recording: a tlog, or a file of a record; `config` is what alerts are muted by. Returns it with the
+    /// events that the console has to begin with.
+    ///
+    /// # Errors
+    /// It cannot be read, or there is nothing in it; in words.
+    pub fn open(path: &Path, config: &Config) -> Result<(Self, Vec<Event>), Text> {
+        let film = Arc::new(Film::open(path)?);
+        let stage = Stage::new(&film)?;
+        let started = film.started();
+        let index = Index::begin(&film, &started, config)?;
+        let view = ReplayView::new(film.name(), film.began_unix_us(), film.length());
+        let events = begin(view, started);
+        let replay = Self {
+            film,
+            stage,
+            index,
+            position: ReplayPosition::default(),
+            goal: Duration::ZERO,
+            looked: None,
+            known: 0,
+        };
+        Ok((replay, events))
+    }
+
+    /// Lets it go on, as the program's clock does; returns what happened in it.
+    pub fn tick(&mut self, now: Duration) -> Vec<Event> {
+        let passed = now.saturating_sub(self.looked.replace(now).unwrap_or(now));
+        let is_there = self.goal < self.stage.now() + FRAME;
+        if self.position.is_playing && is_there {
+            self.play(passed.mul_f64(self.position.rate));
+        }
+        let mut events = self.approach();
+        events.extend(self.news());
+        events
+    }
+
+    /// Does what its user wants.
+    pub fn steer(&mut self, effect: ReplayEffect) -> Vec<Event> {
+        let now = self.stage.now();
+        match effect {
+            ReplayEffect::Play(plays) => {
+                self.position.is_playing = plays;
+                if plays && self.is_at_end() {
+                    self.goal = Duration::ZERO;
+                }
+            }
+            ReplayEffect::Rate(rate) => self.position.rate = rate,
+            ReplayEffect::Seek(target) => {
+                self.goal = match target {
+                    SeekTarget::At(at) => at,
+                    SeekTarget::Later(by) => now + by,
+                    SeekTarget::Earlier(by) => now.saturating_sub(by),
+                    SeekTarget::End => self.film.length(),
+                }
+                .min(self.film.length());
+            }
+            ReplayEffect::Step { forward } => {
+                self.position.is_playing = false;
+                self.goal = if forward {
+                    (now + FRAME).min(self.film.length())
+                } else {
+                    now.saturating_sub(FRAME)
+                };
+            }
+            ReplayEffect::Moment { forward } => self.go_to_moment(forward),
+            ReplayEffect::Loop(stretch) => {
+                self.position.looped = stretch;
+                if let Some((from, _)) = stretch {
+                    self.goal = from.min(self.film.length());
+                }
+            }
+            ReplayEffect::StopAt(kinds) => self.position.stops = kinds,
+        }
+        self.approach()
+    }
+
+    /// A look at the messages, if one is wanted.
+    pub fn inspect(&mut self, wanted: &Wanted) -> LinkTraffic {
+        self.stage.inspect(wanted)
+    }
+
+    /// What is replayed.
+    pub fn film(&self) -> &Film {
+        &self.film
+    }
+
+    /// How far it is now.
+    pub fn now(&self) -> Duration {
+        self.stage.now()
+    }
+
+    /// Waits until the whole recording has been gone through.
+    pub fn wait_for_index(&mut self) {
+        self.index.finish();
+    }
+
+    fn is_at_end(&self) -> bool {
+        self.stage.now() + FRAME > self.film.length()
+    }
+
+    fn play(&mut self, passed: Duration) {
+        let before = self.goal;
+        self.goal += passed;
+        if let Some((from, to)) = self.position.looped
+            && self.goal >= to
+        {
+            self.goal = from;
+            return;
+        }
+        let stops = &self.position.stops;
+        let stop = self.index.first_between(before, self.goal, stops);
+        if let Some(stop) = stop {
+            self.goal = stop;
+            self.position.is_playing = false;
+        }
+        if self.goal >= self.film.length() {
+            self.goal = self.film.length();
+            self.position.is_playing = false;
+        }
+    }
+
+    fn go_to_moment(&mut self, forward: bool) {
+        let now = self.stage.now();
+        let moments = self.index.moments();
+        // What has just been reached is not the one before: who presses the key again wants to go further back.
+        let found = if forward {
+            moments.iter().find(|it| it.at >= now + FRAME)
+        } else {
+            moments.iter().rev().find(|it| it.at + FRAME * 2 <= now)
+        };
+        if let Some(moment) = found {
+            // A frame shows what happened before its end.
+            self.goal = (moment.at + FRAME).min(self.film.length());
+        }
+    }
+
+    /// Goes to where it is to be, as far as there is time for it now.
+    fn approach(&mut self) -> Vec<Event> {
+        let mut events = Vec::new();
+        let now = self.stage.now();
+        if let Some(key) = self.index.key_frame(self.goal)
+            && (self.goal + FRAME <= now || key.at() > now)
+        {
+            self.stage.restore(key.cast());
+            events.push(ReplayEvent::Restored(Box::new(key.flight())).into());
+        }
+        let until = self.stage.heard() + HEARD_AT_ONCE;
+        while self.stage.now() + FRAME <= self.goal && self.stage.heard() < until {
+            let told = self.stage.step();
+            events.push(ReplayEvent::At(self.at()).into());
+            events.extend(told);
+        }
+        events.push(ReplayEvent::At(self.at()).into());
+        events
+    }
+
+    fn at(&self) -> ReplayPosition {
+        ReplayPosition {
+            at: self.stage.now(),
+            gap: self.stage.gap(),
+            ..self.position.clone()
+        }
+    }
+
+    /// What the index has found since the last call.
+    fn news(&mut self) -> Option<Event> {
+        self.position.indexed = self.index.reached();
+        let moments = self.index.moments();
+        if moments.len() == self.known {
+            return None;
+        }
+        self.known = moments.len();
+        let length = self.film.length();
+        Some(ReplayEvent::Known { length, moments }.into())
+    }
+}
+
+/// The events that a console begins a replay with.
+fn begin(view: ReplayView, started: Started) -> Vec<Event> {
+    vec![
+        ReplayEvent::Opened(Box::new(view)).into(),
+        SessionEvent::Started(Box::new(started)).into(),
+    ]
+}

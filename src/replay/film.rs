@@ -1,0 +1,193 @@
+//! A recording and what lies beside it.
+
+use std::fs::File;
+use std::io::{Read as _, Seek as _, SeekFrom};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use crate::app::event::Started;
+use crate::app::state::Activity;
+use crate::link::{TlogPiece, TlogSalvage};
+use crate::mission::record::Stored;
+use crate::record::{Journal, Subject};
+use crate::store::{RecordFiles, read_run};
+use crate::text;
+use crate::text::Text;
+
+/// So many bytes from its end on the last record of a recording is looked for.
+const TAIL_LEN: u64 = 64 * 1024;
+/// A journal longer than this is none of ours.
+const LARGEST_JOURNAL: u64 = 256 * 1024 * 1024;
+
+/// A recording that was opened. It does not change while it is replayed.
+#[derive(Debug)]
+pub struct Film {
+    files: RecordFiles,
+    frames: PathBuf,
+    journal: Option<Journal>,
+    run: Option<Stored>,
+    began_unix_us: u64,
+    length: Duration,
+}
+
+impl Film {
+    /// Opens a recording by one of its files.
+    ///
+    /// # Errors
+    /// It cannot be read, or holds no frame; in words.
+    pub fn open(path: &Path) -> Result<Self, Text> {
+        let files = RecordFiles::beside(path);
+        let Some(frames) = files.frames.clone() else {
+            let name = path.display().to_string();
+            return Err(if path.is_file() {
+                text!("replay-no-frames", file = name)
+            } else {
+                text!("replay-no-file", file = name)
+            });
+        };
+        let (first, last) = ends(&frames)?;
+        let journal = match &files.journal {
+            Some(path) => Some(Journal::read(&read_journal(path)?)?),
+            None => None,
+        };
+        let run = match &files.run {
+            // A flight can be looked at without its score.
+            Some(path) => read_run(path)
+                .ok()
+                .and_then(|text| Stored::read(&text).ok()),
+            None => None,
+        };
+        let began_unix_us = journal.as_ref().map_or(first, |it| it.head.began_unix_us);
+        let lines = journal.iter().flat_map(|it| &it.lines);
+        let told = lines.last().map_or(Duration::ZERO, |line| line.at());
+        let heard = Duration::from_micros(last.saturating_sub(began_unix_us));
+        Ok(Self {
+            files,
+            frames,
+            journal,
+            run,
+            began_unix_us,
+            length: heard.max(told),
+        })
+    }
+
+    /// What it is called.
+    pub fn name(&self) -> String {
+        self.files.stem.clone()
+    }
+
+    /// Its files.
+    pub fn files(&self) -> &RecordFiles {
+        &self.files
+    }
+
+    /// When it began: microseconds since 1970 (UTC).
+    pub fn began_unix_us(&self) -> u64 {
+        self.began_unix_us
+    }
+
+    /// How long it is.
+    pub fn length(&self) -> Duration {
+        self.length
+    }
+
+    /// What happened beside its links, where that was recorded.
+    pub fn journal(&self) -> Option<&Journal> {
+        self.journal.as_ref()
+    }
+
+    /// The mission that was flown, where one was.
+    pub fn run(&self) -> Option<&Stored> {
+        self.run.as_ref()
+    }
+
+    /// Reads its frames from a place in the file on, where a record starts.
+    ///
+    /// # Errors
+    /// The file is gone; in words.
+    pub fn reader(&self, offset: u64, last_us: Option<u64>) -> Result<TlogSalvage<File>, Text> {
+        let open = || {
+            let mut file = File::open(&self.frames)?;
+            file.seek(SeekFrom::Start(offset))?;
+            Ok(TlogSalvage::at(file, offset, last_us))
+        };
+        open().map_err(|error: std::io::Error| unreadable(&self.frames, &error))
+    }
+
+    /// What the console shows that it is about.
+    pub fn started(&self) -> Started {
+        let mission = self.run.as_ref().and_then(|run| run.head.flown().ok());
+        let head = self.journal.as_ref().map(|it| &it.head);
+        let mut started = Started {
+            activity: Activity::Connected {
+                addresses: vec![self.name()],
+            },
+            mission: None,
+            places: head.map(|it| it.places.clone()).unwrap_or_default(),
+            areas: Vec::new(),
+            processes: None,
+            speedup: head.map_or(1.0, |it| it.speedup),
+        };
+        if let (Some(mission), Some(run)) = (mission, &self.run) {
+            started.activity = Activity::Mission {
+                id: mission.id.clone(),
+                title: mission.title.clone(),
+                stake: run.head.stake,
+            };
+            started.places = mission.places();
+            started.areas = mission.areas();
+            started.mission = Some(Box::new(mission.listing()));
+            return started;
+        }
+        match head.map(|it| &it.subject) {
+            Some(Subject::Free) => started.activity = Activity::Free,
+            Some(Subject::Connected(addresses)) => {
+                started.activity = Activity::Connected {
+                    addresses: addresses.clone(),
+                };
+            }
+            Some(Subject::Mission(_)) | None => {}
+        }
+        started
+    }
+}
+
+fn unreadable(path: &Path, error: &std::io::Error) -> Text {
+    let (path, error) = (path.display().to_string(), error.to_string());
+    text!("transport-no-file", path = path, error = error)
+}
+
+/// The times of the first and of the last record.
+fn ends(path: &Path) -> Result<(u64, u64), Text> {
+    let unreadable = |error| unreadable(path, &error);
+    let none = || text!("replay-no-tlog", file = path.display().to_string());
+    let file = File::open(path).map_err(unreadable)?;
+    let len = file.metadata().map_err(unreadable)?.len();
+    let mut first = times(file).next();
+    let mut tail = File::open(path).map_err(unreadable)?;
+    let from = len.saturating_sub(TAIL_LEN);
+    tail.seek(SeekFrom::Start(from)).map_err(unreadable)?;
+    let first = first.take().ok_or_else(none)?;
+    let day = Duration::from_secs(24 * 3600 * 365).as_micros() as u64;
+    let plausible = times(tail).filter(|us| us.abs_diff(first) < day);
+    Ok((first, plausible.max().unwrap_or(first).max(first)))
+}
+
+fn times(file: File) -> impl Iterator<Item = u64> {
+    let pieces = TlogSalvage::new(file).map_while(Result::ok);
+    pieces.filter_map(|piece| match piece {
+        TlogPiece::Record(record) => Some(record.unix_us),
+        TlogPiece::Damage { .. } => None,
+    })
+}
+
+fn read_journal(path: &Path) -> Result<String, Text> {
+    let read = || {
+        let mut bytes = Vec::new();
+        File::open(path)?
+            .take(LARGEST_JOURNAL)
+            .read_to_end(&mut bytes)?;
+        Ok(String::from_utf8_lossy(&bytes).into_owned())
+    };
+    read().map_err(|error: std::io::Error| unreadable(path, &error))
+}

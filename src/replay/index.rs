@@ -1,0 +1,211 @@
+//! What is in a recording, and what was known at many times of it: found by going through it once.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::thread::JoinHandle;
+use std::time::Duration;
+
+use super::moments::Lookout;
+use super::observer::Observer;
+use super::stage::{Cast, Stage};
+use super::{FRAME, Film};
+use crate::app::FlightSnapshot;
+use crate::app::event::Started;
+use crate::app::state::{ReplayPosition, ReplayView};
+use crate::config::Config;
+use crate::moment::{Moment, MomentKind};
+use crate::text::Text;
+
+/// So far apart are key frames at first.
+const KEY_EVERY: Duration = Duration::from_secs(10);
+/// Key frames that are kept; when there are more, every other one goes. Each has a few kilobytes per vehicle, and twenty
+/// for its curves.
+const MOST_KEYS: usize = 160;
+
+/// What was known at one time.
+#[derive(Debug)]
+pub(super) struct KeyFrame {
+    cast: Cast,
+    flight: FlightSnapshot,
+}
+
+impl KeyFrame {
+    pub fn at(&self) -> Duration {
+        self.cast.at()
+    }
+
+    /// What the console knew.
+    pub fn flight(&self) -> FlightSnapshot {
+        self.flight.clone()
+    }
+
+    /// What played.
+    pub fn cast(&self) -> Cast {
+        self.cast.clone()
+    }
+}
+
+/// The index of a recording, as far as it has been gone through.
+#[derive(Debug)]
+pub(super) struct Index {
+    shared: Arc<Shared>,
+    thread: Option<JoinHandle<()>>,
+}
+
+#[derive(Debug, Default)]
+struct Shared {
+    found: Mutex<Found>,
+    is_cancelled: AtomicBool,
+}
+
+#[derive(Debug, Default)]
+struct Found {
+    /// Earliest first, the first at the beginning.
+    keys: Vec<Arc<KeyFrame>>,
+    /// Earliest first.
+    moments: Arc<Vec<Moment>>,
+    reached: Duration,
+}
+
+impl Shared {
+    fn found(&self) -> MutexGuard<'_, Found> {
+        // What was found before a panic was found.
+        self.found.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Index {
+    /// Begins to go through a recording.
+    ///
+    /// # Errors
+    /// Its file is gone, or there is no thread for it.
+    pub fn begin(film: &Arc<Film>, started: &Started, config: &Config) -> Result<Self, Text> {
+        let stage = Stage::new(film)?;
+        let view = ReplayView::new(film.name(), film.began_unix_us(), film.length());
+        let observer = Observer::new(view, started, config);
+        let shared = Arc::new(Shared::default());
+        let mut reader = IndexReader {
+            shared: Arc::clone(&shared),
+            length: film.length(),
+            lookout: Lookout::new(film),
+            stage,
+            observer,
+            key_every: KEY_EVERY,
+        };
+        // There is always one to go back to.
+        reader.keep();
+        let thread = std::thread::Builder::new()
+            .name("index".to_owned())
+            .spawn(move || reader.run())
+            .map_err(|error| Text::verbatim(error.to_string()))?;
+        Ok(Self {
+            shared,
+            thread: Some(thread),
+        })
+    }
+
+    /// How far the recording has been gone through.
+    pub fn reached(&self) -> Duration {
+        self.shared.found().reached
+    }
+
+    /// The moments found so far, earliest first.
+    pub fn moments(&self) -> Arc<Vec<Moment>> {
+        Arc::clone(&self.shared.found().moments)
+    }
+
+    /// The first moment of some kinds after a time, up to another one.
+    pub fn first_between(
+        &self,
+        after: Duration,
+        until: Duration,
+        kinds: &[MomentKind],
+    ) -> Option<Duration> {
+        let moments = self.moments();
+        let mut later = moments.iter().filter(|it| it.at > after && it.at <= until);
+        later.find(|it| kinds.contains(&it.kind)).map(|it| it.at)
+    }
+
+    /// The last key frame that is not later than a time.
+    pub fn key_frame(&self, at: Duration) -> Option<Arc<KeyFrame>> {
+        let found = self.shared.found();
+        let passed = found.keys.partition_point(|key| key.at() <= at);
+        found.keys.get(passed.checked_sub(1)?).map(Arc::clone)
+    }
+
+    /// Waits until all of it has been gone through.
+    pub fn finish(&mut self) {
+        if let Some(thread) = self.thread.take() {
+            drop(thread.join());
+        }
+    }
+}
+
+impl Drop for Index {
+    fn drop(&mut self) {
+        self.shared.is_cancelled.store(true, Ordering::Relaxed);
+        self.finish();
+    }
+}
+
+/// Goes through a recording.
+struct IndexReader {
+    shared: Arc<Shared>,
+    length: Duration,
+    stage: Stage,
+    observer: Observer,
+    lookout: Lookout,
+    key_every: Duration,
+}
+
+impl IndexReader {
+    fn run(mut self) {
+        let mut next_key = self.key_every;
+        while self.stage.now() + FRAME <= self.length
+            && !self.shared.is_cancelled.load(Ordering::Relaxed)
+        {
+            let events = self.stage.step();
+            let now = self.stage.now();
+            let position = ReplayPosition {
+                at: now,
+                ..ReplayPosition::default()
+            };
+            self.observer.watch(position, &events);
+            self.lookout
+                .watch(now, &events, self.observer.app().state());
+            if now >= next_key {
+                self.keep();
+                next_key = now + self.key_every;
+            }
+        }
+        self.publish();
+    }
+
+    /// Keeps what is known now.
+    fn keep(&mut self) {
+        let key = Arc::new(KeyFrame {
+            cast: self.stage.cast(),
+            flight: self.observer.snapshot(),
+        });
+        self.publish();
+        let mut found = self.shared.found();
+        found.keys.push(key);
+        if found.keys.len() > MOST_KEYS {
+            let mut at = 0;
+            found.keys.retain(|_| {
+                at += 1;
+                at % 2 == 1
+            });
+            self.key_every *= 2;
+        }
+    }
+
+    fn publish(&mut self) {
+        let moments = self.lookout.found();
+        let mut found = self.shared.found();
+        found.reached = self.stage.now();
+        if let Some(moments) = moments {
+            found.moments = Arc::new(moments);
+        }
+    }
+}

@@ -1,0 +1,257 @@
+//! Finds the moments of a recording that are worth coming back to.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::time::Duration;
+
+use super::Film;
+use crate::alert::AlertKind;
+use crate::app::State;
+use crate::app::event::{Event, SessionEvent, VehicleEvent};
+use crate::ledger::RowUpdate;
+use crate::mission::Progress;
+use crate::moment::{Moment, MomentKind};
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::{Mode, Vehicle, VehicleId};
+
+/// Vehicles that come closer to each other than this are noted.
+const NEAR_M: f64 = 15.0;
+/// They have passed each other once they are so much further apart than they were.
+const PASSED_M: f64 = 1.0;
+/// What several vehicles do within this time, they do together.
+const TOGETHER: Duration = Duration::from_millis(1500);
+/// Moments that are kept; a recording with more of them is nothing but moments.
+const MOST: usize = 10_000;
+
+/// Watches a recording go by.
+#[derive(Debug)]
+pub(super) struct Lookout {
+    found: Vec<Moment>,
+    /// Goes up whenever they change.
+    revision: u64,
+    /// The revision that was given last.
+    given: Option<u64>,
+    /// The alerts that hold.
+    alerts: BTreeSet<(VehicleId, AlertKind)>,
+    vehicles: BTreeMap<VehicleId, KnownVehicle>,
+    pairs: BTreeMap<(VehicleId, VehicleId), Approach>,
+    /// The objectives that are reached, by place.
+    reached: Vec<bool>,
+}
+
+#[derive(Debug, Clone, Copy, Default)]
+struct KnownVehicle {
+    mode: Option<Mode>,
+    is_armed: bool,
+}
+
+/// How close two vehicles have come since they came near each other.
+#[derive(Debug, Clone, Copy)]
+struct Approach {
+    closest_m: f64,
+    at: Duration,
+    is_told: bool,
+}
+
+impl Lookout {
+    /// Watches from the beginning; the bookmarks of the journal are known.
+    pub fn new(film: &Film) -> Self {
+        let bookmarks = film.journal().map(|it| it.bookmarks().collect());
+        Self {
+            found: bookmarks.unwrap_or_default(),
+            revision: 0,
+            given: None,
+            alerts: BTreeSet::new(),
+            vehicles: BTreeMap::new(),
+            pairs: BTreeMap::new(),
+            reached: Vec::new(),
+        }
+    }
+
+    /// The moments so far, if there are others than at the last call.
+    pub fn found(&mut self) -> Option<Vec<Moment>> {
+        let is_news = self.given.replace(self.revision) != Some(self.revision);
+        is_news.then(|| self.found.clone())
+    }
+
+    /// Takes in what happened in one step, after which the console knew this.
+    pub fn watch(&mut self, now: Duration, events: &[Event], state: &State) {
+        let mut has_moved = false;
+        for event in events {
+            match event {
+                Event::Vehicle(VehicleEvent::Telemetry(vehicle)) => {
+                    has_moved = true;
+                    self.see(now, vehicle);
+                }
+                Event::Vehicle(VehicleEvent::Row(row)) => self.judge(row, state),
+                Event::Session(SessionEvent::Mission(progress)) => self.count(now, progress),
+                _ => {}
+            }
+        }
+        if has_moved {
+            self.measure(now, state);
+        }
+        self.alarm(now, state);
+    }
+
+    /// Adds a moment; what several vehicles do at nearly the same time is one.
+    fn add(&mut self, moment: Moment) {
+        let place = self.found.partition_point(|it| it.at <= moment.at);
+        let recent = self.found[..place].iter_mut().rev();
+        let mut same = recent
+            .take_while(|it| moment.at.saturating_sub(it.at) < TOGETHER)
+            .filter(|it| it.kind == moment.kind && it.text == moment.text);
+        if let Some(known) = same.next() {
+            known.vehicles.extend(moment.vehicles);
+            known.vehicles.sort_unstable();
+            known.vehicles.dedup();
+            self.revision += 1;
+        } else if self.found.len() < MOST {
+            self.found.insert(place, moment);
+            self.revision += 1;
+        }
+    }
+
+    fn see(&mut self, at: Duration, vehicle: &Vehicle) {
+        let Some(heartbeat) = vehicle.heartbeat else {
+            return;
+        };
+        let now = KnownVehicle {
+            mode: Some(heartbeat.mode),
+            is_armed: heartbeat.armed,
+        };
+        let Some(before) = self.vehicles.insert(vehicle.id, now) else {
+            return;
+        };
+        let mut add = |kind, text| {
+            self.add(Moment {
+                at,
+                vehicles: vec![vehicle.id],
+                kind,
+                text,
+            });
+        };
+        if before.is_armed != now.is_armed {
+            let text = if now.is_armed {
+                text!("moment-armed")
+            } else {
+                text!("moment-disarmed")
+            };
+            add(MomentKind::Arming, text);
+        }
+        if before.mode != now.mode {
+            let mode = heartbeat.mode.to_string();
+            add(MomentKind::Mode, text!("moment-mode", mode = mode));
+        }
+    }
+
+    fn judge(&mut self, row: &RowUpdate, state: &State) {
+        if !row.state.is_failure() {
+            return;
+        }
+        let Some(entry) = state.session().ledger().entry(row.entry) else {
+            return;
+        };
+        let (line, outcome) = (entry.line.as_str(), row.state.text());
+        let text = match &row.explanation {
+            Some(why) => text!(
+                "moment-refused-why",
+                line = line,
+                outcome = outcome,
+                why = why.clone()
+            ),
+            None => text!("moment-refused", line = line, outcome = outcome),
+        };
+        self.add(Moment {
+            at: row.at,
+            vehicles: vec![row.vehicle],
+            kind: MomentKind::Refusal,
+            text,
+        });
+    }
+
+    /// The alerts that have come up.
+    fn alarm(&mut self, at: Duration, state: &State) {
+        let open = state.session().alarms().open();
+        let mut now = BTreeSet::new();
+        for (vehicle, one) in open {
+            let key = (vehicle, one.alert.kind);
+            now.insert(key);
+            if !self.alerts.contains(&key) {
+                self.add(Moment {
+                    at,
+                    vehicles: vec![vehicle],
+                    kind: MomentKind::Alert,
+                    text: one.alert.text.clone(),
+                });
+            }
+        }
+        self.alerts = now;
+    }
+
+    fn count(&mut self, at: Duration, progress: &Progress) {
+        self.reached.resize(progress.objectives.len(), false);
+        let objectives = progress.objectives.iter().zip(&mut self.reached);
+        let news = objectives.filter_map(|(objective, was)| {
+            let is = objective.is_reached();
+            (!std::mem::replace(was, is) && is).then(|| objective.title.clone())
+        });
+        let changed: Vec<Text> = news.collect();
+        for title in changed {
+            self.add(Moment {
+                at,
+                vehicles: Vec::new(),
+                kind: MomentKind::Objective,
+                text: text!("moment-objective", objective = title),
+            });
+        }
+    }
+
+    /// How far the vehicles in the air are from each other.
+    fn measure(&mut self, now: Duration, state: &State) {
+        let vehicles = state.session().vehicles().values();
+        let flying: Vec<&Vehicle> = vehicles
+            .map(AsRef::as_ref)
+            .filter(|it| it.airborne() && !it.link.lost && it.global.is_some())
+            .collect();
+        for (at, one) in flying.iter().enumerate() {
+            for other in &flying[at + 1..] {
+                if let Some(distance_m) = one.distance_m(other) {
+                    self.approach(now, (one.id, other.id), distance_m);
+                }
+            }
+        }
+    }
+
+    fn approach(&mut self, now: Duration, pair: (VehicleId, VehicleId), distance_m: f64) {
+        if distance_m > NEAR_M + PASSED_M {
+            self.pairs.remove(&pair);
+            return;
+        }
+        let known = self.pairs.entry(pair).or_insert(Approach {
+            closest_m: distance_m,
+            at: now,
+            is_told: false,
+        });
+        if distance_m < known.closest_m {
+            *known = Approach {
+                closest_m: distance_m,
+                at: now,
+                is_told: false,
+            };
+        } else if distance_m > known.closest_m + PASSED_M
+            && known.closest_m < NEAR_M
+            && !std::mem::replace(&mut known.is_told, true)
+        {
+            let (at, closest_m) = (known.at, known.closest_m);
+            let metres = text::figure(closest_m, 1);
+            let text = text!("moment-near", metres = metres);
+            self.add(Moment {
+                at,
+                vehicles: vec![pair.0, pair.1],
+                kind: MomentKind::Separation,
+                text,
+            });
+        }
+    }
+}

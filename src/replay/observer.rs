@@ -1,0 +1,47 @@
+//! A console that nobody sees: it knows what the console knew then.
+
+use crate::app::event::{Event, ReplayEvent, SessionEvent, Started};
+use crate::app::state::{ReplayPosition, ReplayView};
+use crate::app::{App, FlightSnapshot, Setup};
+use crate::config::Config;
+
+/// A console without a screen that watches a recording.
+#[derive(Debug)]
+pub(super) struct Observer(App);
+
+impl Observer {
+    /// One that begins with a recording.
+    pub fn new(view: ReplayView, started: &Started, config: &Config) -> Self {
+        let setup = Setup {
+            config: config.clone(),
+            ..Setup::default()
+        };
+        let mut observer = Self(App::new(setup));
+        observer.see(ReplayEvent::Opened(Box::new(view)).into());
+        observer.see(SessionEvent::Started(Box::new(started.clone())).into());
+        observer
+    }
+
+    /// Sees what happened in one step.
+    pub fn watch(&mut self, position: ReplayPosition, events: &[Event]) {
+        self.see(ReplayEvent::At(position).into());
+        for event in events {
+            self.see(event.clone());
+        }
+    }
+
+    /// What it knows now.
+    pub fn snapshot(&self) -> FlightSnapshot {
+        FlightSnapshot::of(self.0.state())
+    }
+
+    /// The console with what it shows.
+    pub fn app(&self) -> &App {
+        &self.0
+    }
+
+    fn see(&mut self, event: Event) {
+        // What it would have done then was done then.
+        drop(self.0.update(event));
+    }
+}

@@ -1,0 +1,427 @@
+//! The vehicles of a recording, which hear and say again what they heard and said then.
+
+use std::collections::BTreeMap;
+use std::fs::File;
+use std::sync::Arc;
+use std::time::Duration;
+
+use super::{FRAME, Film};
+use crate::app::event::{Event, LinkEvent, SessionEvent, VehicleEvent};
+use crate::app::room::messages::{LinkTraffic, Wanted};
+use crate::app::state::LinkSummary;
+use crate::inspector::{Census, FrameWay};
+use crate::link::{LinkState, TlogPiece, TlogRecord, TlogSalvage};
+use crate::mission::record::{Reenactment, Stored};
+use crate::notice::Notice;
+use crate::parameters::Fetching;
+use crate::record::{EntryLine, Happening, JournalLine, LossLine};
+use crate::session::{Report, Session, Want, autopilot_of};
+use crate::text::Text;
+use crate::vehicle::Vehicle;
+use crate::wire::{Decoder, GROUND_STATION_SYSTEM, SystemId};
+
+/// Where nothing at all was recorded for so long, the recording has a gap: nobody was lost.
+const GAP: Duration = Duration::from_secs(2);
+/// The recording is one link.
+const LINK: u16 = 0;
+const PEER: u32 = 0;
+
+/// Everything that plays, up to one moment.
+#[derive(Debug)]
+pub(super) struct Stage {
+    film: Arc<Film>,
+    reader: TlogSalvage<File>,
+    /// A record that was read and is not due yet.
+    pending: Option<TlogRecord>,
+    cast: Cast,
+    mission: Option<MissionStage>,
+    /// Frames heard since the stage was built.
+    heard: u64,
+}
+
+/// What of a stage is kept for coming back to it.
+#[derive(Debug, Clone)]
+pub(super) struct Cast {
+    now: Duration,
+    vehicles: BTreeMap<SystemId, Actor>,
+    census: Census,
+    traffic: Traffic,
+    /// The line of the journal that comes next.
+    next_line: usize,
+    /// How late it was in the mission.
+    elapsed: Duration,
+    /// Whether the mission's report has been given.
+    is_over: bool,
+    last_heard: Duration,
+    /// How long the gap is in which it stands.
+    gap: Option<Duration>,
+    /// Where the next record starts in the file, and the time of the one before.
+    offset: u64,
+    last_us: Option<u64>,
+}
+
+/// A vehicle that plays.
+#[derive(Debug, Clone)]
+struct Actor {
+    session: Session,
+    shown: Arc<Vehicle>,
+    /// What was shown of its parameters.
+    parameters: (u64, Fetching),
+}
+
+/// What the recording's link carries.
+#[derive(Debug, Clone, Copy, Default)]
+struct Traffic {
+    bytes: u64,
+    messages: u64,
+    /// The counts and the time of the last look.
+    before: (u64, u64, Duration),
+}
+
+/// The mission that is flown again.
+#[derive(Debug)]
+struct MissionStage {
+    run: Stored,
+    flight: Reenactment,
+    elapsed: Duration,
+}
+
+impl MissionStage {
+    fn new(run: &Stored) -> Option<Self> {
+        Some(Self {
+            flight: run.reenact().ok()?,
+            run: run.clone(),
+            elapsed: Duration::ZERO,
+        })
+    }
+
+    /// Flies up to a time of the mission, from the start if that lies behind.
+    fn go_to(&mut self, elapsed: Duration) {
+        if elapsed < self.elapsed
+            && let Ok(anew) = self.run.reenact()
+        {
+            self.flight = anew;
+        }
+        self.elapsed = elapsed;
+        drop(self.flight.advance(elapsed));
+    }
+}
+
+impl Actor {
+    fn new(system: SystemId, component: u8, now: Duration) -> Self {
+        let mut session = Session::new(system, component, now);
+        session.heard_via(LINK, now);
+        Self {
+            session,
+            shown: Arc::new(Vehicle::new(system, component)),
+            parameters: (0, Fetching::NotAsked),
+        }
+    }
+
+    /// What there is to show and to say since the last call.
+    fn tell(&mut self) -> Vec<Event> {
+        drop(self.session.take_outgoing());
+        let reports = self.session.take_reports().into_iter();
+        let mut events: Vec<Event> = reports
+            .filter_map(|report| match report {
+                Report::Notice(notice) => Some(notice.into()),
+                // Nothing was ordered here.
+                Report::Row(_) => None,
+            })
+            .collect();
+        if *self.shown != *self.session.vehicle() {
+            self.shown = Arc::new(self.session.vehicle().clone());
+            events.push(VehicleEvent::Telemetry(Arc::clone(&self.shown)).into());
+        }
+        let snapshot = self.session.parameters();
+        let state = (snapshot.list.revision(), snapshot.fetching);
+        if state != self.parameters {
+            self.parameters = state;
+            let vehicle = self.shown.id;
+            events.push(VehicleEvent::Parameters { vehicle, snapshot }.into());
+        }
+        events
+    }
+}
+
+impl Stage {
+    /// The beginning of a recording.
+    ///
+    /// # Errors
+    /// The file is gone.
+    pub fn new(film: &Arc<Film>) -> Result<Self, Text> {
+        Ok(Self {
+            reader: film.reader(0, None)?,
+            film: Arc::clone(film),
+            pending: None,
+            cast: Cast {
+                now: Duration::ZERO,
+                vehicles: BTreeMap::new(),
+                census: Census::default(),
+                traffic: Traffic::default(),
+                next_line: 0,
+                elapsed: Duration::ZERO,
+                is_over: false,
+                last_heard: Duration::ZERO,
+                gap: None,
+                offset: 0,
+                last_us: None,
+            },
+            mission: film.run().and_then(MissionStage::new),
+            heard: 0,
+        })
+    }
+
+    /// How far it has come.
+    pub fn now(&self) -> Duration {
+        self.cast.now
+    }
+
+    /// How long the gap is in which it stands, if it does.
+    pub fn gap(&self) -> Option<Duration> {
+        self.cast.gap
+    }
+
+    /// How many frames of MAVLink were heard so far.
+    pub fn heard(&self) -> u64 {
+        self.heard
+    }
+
+    /// What is to be kept for coming back here.
+    pub fn cast(&self) -> Cast {
+        self.cast.clone()
+    }
+
+    /// Goes back, or on, to where a key frame was made.
+    pub fn restore(&mut self, cast: Cast) {
+        // A file that has gone meanwhile is a recording that has ended here.
+        if let Ok(reader) = self.film.reader(cast.offset, cast.last_us) {
+            self.reader = reader;
+        }
+        self.pending = None;
+        self.cast = cast;
+        if let Some(mission) = &mut self.mission {
+            mission.go_to(self.cast.elapsed);
+        }
+    }
+
+    /// Goes one frame on, and returns what happened in it.
+    pub fn step(&mut self) -> Vec<Event> {
+        let until = self.cast.now + FRAME;
+        self.hear(until);
+        self.cast.now = until;
+        let mut events = self.tell(until);
+        events.extend(self.read_journal(until));
+        events.extend(self.summarise(until));
+        events
+    }
+
+    /// Has the vehicles hear everything before a time.
+    fn hear(&mut self, until: Duration) {
+        loop {
+            let before = (self.reader.offset(), self.reader.last_us());
+            if self.pending.is_none() {
+                (self.cast.offset, self.cast.last_us) = before;
+                self.pending = self.next_record();
+            }
+            let Some(record) = &self.pending else {
+                self.cast.gap = None;
+                break;
+            };
+            let at = self.time_of(record.unix_us);
+            if at >= until {
+                let silent = at.saturating_sub(self.cast.last_heard);
+                self.cast.gap = (silent >= GAP).then_some(silent);
+                break;
+            }
+            if let Some(record) = self.pending.take() {
+                self.heard += 1;
+                self.cast.last_heard = at;
+                self.change_radio(at);
+                self.cast.take_in(&record.bytes, at);
+            }
+        }
+    }
+
+    /// A time of the recording; where it steps back it stands still.
+    fn time_of(&self, unix_us: u64) -> Duration {
+        let at = Duration::from_micros(unix_us.saturating_sub(self.film.began_unix_us()));
+        at.max(self.cast.last_heard)
+    }
+
+    fn next_record(&mut self) -> Option<TlogRecord> {
+        loop {
+            match self.reader.next()?.ok()? {
+                TlogPiece::Record(record) => return Some(record),
+                TlogPiece::Damage { .. } => {}
+            }
+        }
+    }
+
+    fn lines(&self) -> &[JournalLine] {
+        self.film.journal().map_or(&[], |it| &it.lines)
+    }
+
+    /// The radio changes that are due before a frame is heard. Everything else of the journal can wait for the end of
+    /// the step.
+    fn change_radio(&mut self, at: Duration) {
+        let film = Arc::clone(&self.film);
+        let lines = film.journal().map_or(&[][..], |it| &it.lines);
+        // Lines of the step that is under way: the rest of them is read at its end.
+        for line in lines[self.cast.next_line..]
+            .iter()
+            .take_while(|it| it.at() <= at)
+        {
+            if let Happening::Loss(loss) = &line.what {
+                self.cast.change_radio(loss);
+            }
+        }
+    }
+
+    /// What the vehicles have to say.
+    fn tell(&mut self, now: Duration) -> Vec<Event> {
+        let is_gap = self.cast.gap.is_some();
+        let actors = self.cast.vehicles.values_mut();
+        actors
+            .flat_map(|actor| {
+                // In a gap nobody was silent.
+                if !is_gap {
+                    actor.session.poll(now);
+                }
+                actor.tell()
+            })
+            .collect()
+    }
+
+    fn read_journal(&mut self, until: Duration) -> Vec<Event> {
+        let mut events = Vec::new();
+        while let Some(line) = self.lines().get(self.cast.next_line).cloned()
+            && line.at() < until
+        {
+            self.cast.next_line += 1;
+            match &line.what {
+                Happening::Entry(entry) => events.push(opened(entry, line.at())),
+                Happening::Row(row) => {
+                    events.push(VehicleEvent::Row(row.update(line.at())).into());
+                }
+                Happening::Notice(notice) => events.push(notice.notice(line.at()).into()),
+                Happening::Mission { ms } => {
+                    let elapsed = Duration::from_millis(*ms);
+                    events.extend(self.fly(elapsed, line.at()));
+                }
+                // No frame came after it in this step.
+                Happening::Loss(loss) => self.cast.change_radio(loss),
+                Happening::Speedup { .. } | Happening::Bookmark { .. } | Happening::End => {}
+            }
+        }
+        events
+    }
+
+    /// Flies the mission up to a time of its own.
+    fn fly(&mut self, elapsed: Duration, now: Duration) -> Vec<Event> {
+        let Some(mission) = &mut self.mission else {
+            return Vec::new();
+        };
+        mission.elapsed = elapsed;
+        self.cast.elapsed = elapsed;
+        let said = mission.flight.advance(elapsed).into_iter();
+        let mut events: Vec<Event> = said
+            .map(|notice| Event::Notice(Notice { at: now, ..notice }))
+            .collect();
+        let progress = mission.flight.flight().progress();
+        events.push(SessionEvent::Mission(Box::new(progress)).into());
+        let has_ended = mission.flight.flight().outcome().is_some() || mission.flight.is_over();
+        if has_ended && !self.cast.is_over {
+            self.cast.is_over = true;
+            let report = mission.flight.report();
+            events.push(SessionEvent::MissionEnded(Box::new(report)).into());
+        }
+        events
+    }
+
+    /// How the recording's link is doing, once a second.
+    fn summarise(&mut self, now: Duration) -> Option<Event> {
+        let traffic = &mut self.cast.traffic;
+        let (bytes, messages, since) = traffic.before;
+        let span = now.saturating_sub(since);
+        if span < Duration::from_secs(1) {
+            return None;
+        }
+        let per_s = |now: u64, before: u64| (now - before) as f64 / span.as_secs_f64();
+        let summary = LinkSummary {
+            name: self.film.name(),
+            state: LinkState::Up.text(),
+            up: true,
+            peers: 1,
+            bytes_in_per_s: per_s(traffic.bytes, bytes),
+            messages_in_per_s: per_s(traffic.messages, messages),
+            ..LinkSummary::default()
+        };
+        traffic.before = (traffic.bytes, traffic.messages, now);
+        Some(LinkEvent::Summaries(vec![summary]).into())
+    }
+
+    /// A look at the messages.
+    pub fn inspect(&mut self, wanted: &Wanted) -> LinkTraffic {
+        let keys = wanted.watched.iter().map(|(_, key)| *key).collect();
+        self.cast.census.watch(&keys);
+        LinkTraffic {
+            name: self.film.name(),
+            now: self.cast.now,
+            census: wanted.census.then(|| self.cast.census.snapshot()),
+            watched: self.cast.census.take_watched(),
+        }
+    }
+}
+
+impl Cast {
+    /// Has a frame heard by whom it concerns.
+    fn take_in(&mut self, bytes: &[u8], at: Duration) {
+        self.traffic.bytes += bytes.len() as u64;
+        self.traffic.messages += 1;
+        let mut decoder = Decoder::new();
+        decoder.push(bytes);
+        let Some(frame) = decoder.next_frame() else {
+            return;
+        };
+        let way = if frame.system == GROUND_STATION_SYSTEM {
+            FrameWay::sent(PEER)
+        } else {
+            FrameWay::received(PEER)
+        };
+        self.census.note(way, bytes, frame.is_verified(), at);
+        let system = frame.system;
+        if !self.vehicles.contains_key(&system)
+            && let Some(component) = autopilot_of(&frame)
+        {
+            self.vehicles
+                .insert(system, Actor::new(system, component, at));
+        }
+        if let Some(actor) = self.vehicles.get_mut(&system) {
+            actor.session.receive(&frame, at);
+        }
+    }
+
+    fn change_radio(&mut self, loss: &LossLine) {
+        let system = SystemId::try_from(loss.vehicle).ok();
+        if let Some(actor) = system.and_then(|it| self.vehicles.get_mut(&it)) {
+            actor.session.carry_out(Want::Radio(loss.fault()));
+        }
+    }
+
+    /// The time of the recording up to which it has played.
+    pub fn at(&self) -> Duration {
+        self.now
+    }
+}
+
+fn opened(entry: &EntryLine, at: Duration) -> Event {
+    VehicleEvent::Given {
+        at,
+        line: entry.line.clone(),
+        verb: entry.verb,
+        risk: entry.risk,
+        vehicles: entry.vehicles.clone(),
+    }
+    .into()
+}

@@ -1,0 +1,186 @@
+//! What is shown of a replay in every room: that it is one, where it stands, and the moments in it.
+
+use std::time::Duration;
+
+use chrono::DateTime;
+use ratatui::text::{Line, Span};
+
+use crate::app::State;
+use crate::app::action::{Action, ReplayAction};
+use crate::app::keymap::Place;
+use crate::app::state::{ReplayView, rate};
+use crate::language::ranges;
+use crate::moment::{Moment, MomentKind};
+use crate::text;
+use crate::text::Text;
+use crate::ui::look::Look;
+use crate::ui::panel::Panel;
+use crate::ui::theme::Role;
+use crate::ui::widget::{aligned, clip, clock, width};
+
+/// Cells of the time line at least; without room for them it is left out.
+const SHORTEST: usize = 10;
+/// Columns of a moment's kind in the list.
+const KIND_WIDTH: usize = 10;
+
+/// What the header says of the pace: that nothing here is now.
+pub fn badge(view: &ReplayView, look: &Look) -> String {
+    let position = &view.position;
+    let name = look.say("replay-badge");
+    if position.is_playing {
+        let rate = rate(position.rate);
+        format!(" {name} x{rate} ")
+    } else {
+        format!(" {name} {} ", look.say("replay-stopped"))
+    }
+}
+
+/// The time of day of the recording: `2026-11-20 14:03:22 UTC`.
+pub fn time_of_day(view: &ReplayView, is_short: bool) -> String {
+    let at = u64::try_from(view.position.at.as_micros()).unwrap_or(u64::MAX);
+    let unix_us = view.began_unix_us.saturating_add(at);
+    let time = i64::try_from(unix_us)
+        .ok()
+        .and_then(DateTime::from_timestamp_micros)
+        .unwrap_or_default();
+    let format = if is_short {
+        "%H:%M:%S"
+    } else {
+        "%Y-%m-%d %H:%M:%S UTC"
+    };
+    time.format(format).to_string()
+}
+
+/// The last line of the screen: the place in the recording, its moments, and the keys that go elsewhere.
+pub fn bar<'a>(state: &State, view: &ReplayView, panel: Panel<'_>) -> Line<'a> {
+    let look = panel.look;
+    let position = &view.position;
+    let sign = if position.is_playing { "▶" } else { "■" };
+    let (at, length) = (clock(position.at), clock(view.length));
+    let gap = position
+        .gap
+        .map(|gap| text!("replay-gap", time = clock(gap)));
+    let gap = gap.map_or_else(String::new, |gap| format!(" {}", look.text(&gap)));
+    let head = format!(" {sign} {at}{gap} ");
+    let tail = format!(" {length}  ");
+    let hints = hints(state, panel.width() / 2, look);
+    let hints_width: usize = hints.iter().map(Span::width).sum();
+    let used = width(&head) + width(&tail) + hints_width;
+    let cells = panel.width().saturating_sub(used + 1);
+    let mut spans = vec![Span::styled(head, look.style(Role::Accent))];
+    if cells >= SHORTEST {
+        spans.extend(line(view, cells, look));
+    }
+    spans.push(Span::styled(tail, look.style(Role::Muted)));
+    spans.extend(hints);
+    Line::from(spans)
+}
+
+/// The keys, as far as there is room for them.
+fn hints<'a>(state: &State, room: usize, look: &Look) -> Vec<Span<'a>> {
+    use ReplayAction::{
+        NextMoment, PlayReplay, PreviousMoment, ReplayBack, ReplayForward, ShowMoments,
+    };
+
+    let rows: [(&[ReplayAction], &str); 4] = [
+        (&[PlayReplay], "hint-play"),
+        (&[ReplayBack, ReplayForward], "hint-ten-seconds"),
+        (&[PreviousMoment, NextMoment], "hint-moments"),
+        (&[ShowMoments], "hint-moment-list"),
+    ];
+    let mut spans = Vec::new();
+    let mut used = 0;
+    for (actions, about) in rows {
+        let keys = actions.iter().map(|&action| {
+            let key = state.keymap().key(Action::Replay(action), Place::Replay);
+            look.text(&key)
+        });
+        let (keys, about) = (keys.collect::<Vec<_>>().join(" "), look.say(about));
+        used += width(&keys) + width(&about) + 3;
+        if used > room {
+            break;
+        }
+        spans.push(Span::styled(keys, look.style(Role::Key)));
+        spans.push(Span::styled(format!(" {about}  "), look.style(Role::Muted)));
+    }
+    spans
+}
+
+/// The time line: what has been played, what has been read through, the moments, and the stretch that is played over and
+/// over.
+fn line<'a>(view: &ReplayView, cells: usize, look: &Look) -> Vec<Span<'a>> {
+    let cell = |at: Duration| {
+        let share = at.as_secs_f64() / view.length.as_secs_f64().max(0.001);
+        ((share * cells as f64) as usize).min(cells - 1)
+    };
+    let position = &view.position;
+    let mut line: Vec<(&str, Role)> = (0..cells)
+        .map(|at| match at {
+            at if at < cell(position.at) => ("━", Role::Accent),
+            at if at <= cell(position.indexed) => ("─", Role::Text),
+            _ => ("·", Role::Muted),
+        })
+        .collect();
+    for moment in view.moments.iter() {
+        let (sign, role) = sign(moment.kind);
+        let known = &mut line[cell(moment.at)];
+        // The most serious one of a cell is seen.
+        if rank(known.1) < rank(role) {
+            *known = (sign, role);
+        }
+    }
+    if let Some((from, to)) = position.looped {
+        line[cell(from)] = ("[", Role::Accent);
+        line[cell(to)] = ("]", Role::Accent);
+    }
+    line[cell(position.at)] = ("●", Role::Accent);
+    line.into_iter()
+        .map(|(sign, role)| Span::styled(sign, look.style(role)))
+        .collect()
+}
+
+/// How a moment is drawn on the time line.
+fn sign(kind: MomentKind) -> (&'static str, Role) {
+    match kind {
+        MomentKind::Bookmark => ("◆", Role::Selected),
+        MomentKind::Refusal => ("x", Role::Warning),
+        MomentKind::Alert => ("!", Role::Danger),
+        MomentKind::Mode | MomentKind::Arming => ("┴", Role::Muted),
+        MomentKind::Objective => ("*", Role::Ok),
+        MomentKind::Separation => ("<", Role::Warning),
+    }
+}
+
+fn rank(role: Role) -> u8 {
+    match role {
+        Role::Selected => 5,
+        Role::Danger => 4,
+        Role::Warning => 3,
+        Role::Ok => 2,
+        Role::Muted => 1,
+        _ => 0,
+    }
+}
+
+/// A moment in the list of them.
+pub fn moment_line<'a>(moment: &Moment, columns: usize, look: &Look) -> Line<'a> {
+    let (sign, role) = sign(moment.kind);
+    let time = clock(moment.at);
+    let kind = aligned(&look.text(&kind_text(moment.kind)), KIND_WIDTH, false);
+    let vehicles = match ranges(moment.vehicles.iter().copied()) {
+        none if none.is_empty() => none,
+        some => format!("{some}: "),
+    };
+    let head = format!("{time} {sign} {kind} ");
+    let rest = columns.saturating_sub(width(&head));
+    let text = clip(&format!("{vehicles}{}", look.text(&moment.text)), rest);
+    Line::from(vec![
+        Span::styled(head, look.style(role)),
+        Span::styled(text, look.style(Role::Text)),
+    ])
+}
+
+/// What a kind of moment is called.
+fn kind_text(kind: MomentKind) -> Text {
+    Text::new(format!("moment-kind-{}", kind.name()), Vec::new())
+}
