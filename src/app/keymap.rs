@@ -131,7 +131,12 @@ impl Keymap {
         };
         at(place).or_else(|| match place {
             Place::In(_) if !self.is_silent(key, place) => at(Place::Anywhere),
-            Place::Anywhere | Place::In(_) | Place::Prompt | Place::Reader | Place::List => None,
+            Place::Anywhere
+            | Place::In(_)
+            | Place::Replay
+            | Place::Prompt
+            | Place::Reader
+            | Place::List => None,
         })
     }
 

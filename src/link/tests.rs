@@ -72,7 +72,7 @@ impl Rig {
 /// A meter that nobody reads.
 pub(super) fn meter() -> meter::LinkMeter {
     let (published, _) = watch::channel(LinkStatus::new(LinkId(1), "test".into(), LinkState::Up));
-    meter::LinkMeter::new(published, Arc::default(), Tap::new())
+    meter::LinkMeter::new(published, Arc::default(), Tap::new(None))
 }
 
 pub(super) fn heartbeat(system: u8) -> Vec<u8> {

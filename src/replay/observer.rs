@@ -40,6 +40,14 @@ impl Observer {
         &self.0
     }
 
+    /// Sees everything that came of a seek.
+    #[cfg(test)]
+    pub fn see_all(&mut self, events: Vec<Event>) {
+        for event in events {
+            self.see(event);
+        }
+    }
+
     fn see(&mut self, event: Event) {
         // What it would have done then was done then.
         drop(self.0.update(event));

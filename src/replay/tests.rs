@@ -1,1 +1,291 @@
+use std::path::PathBuf;
 
+use proptest::prelude::*;
+
+use super::observer::Observer;
+use super::*;
+use crate::app::State;
+use crate::ledger::RowState;
+use crate::link::TlogWriter;
+use crate::moment::MomentKind;
+use crate::record::{EntryLine, Happening, Head, JournalLine, RowLine, Subject};
+use crate::sim::{PortId, Start, World, WorldConfig};
+use crate::wire::{Decoder, Encoder};
+use mavlink::dialects::ardupilotmega::{
+    COMMAND_LONG_DATA, HEARTBEAT_DATA, MavAutopilot, MavCmd, MavMessage, MavType,
+};
+
+const BEGAN_US: u64 = 1_700_000_000_000_000;
+
+const fn s(s: u64) -> Duration {
+    Duration::from_secs(s)
+}
+
+/// A record of two vehicles of the embedded simulator, one of which is armed at 16 s and takes off; nothing is recorded
+/// between 20 s and 35 s.
+struct Recorded {
+    _folder: tempfile::TempDir,
+    frames: PathBuf,
+}
+
+fn beat() -> MavMessage {
+    MavMessage::HEARTBEAT(HEARTBEAT_DATA {
+        mavtype: MavType::MAV_TYPE_GCS,
+        autopilot: MavAutopilot::MAV_AUTOPILOT_INVALID,
+        ..HEARTBEAT_DATA::default()
+    })
+}
+
+fn command(command: MavCmd, params: [f32; 3]) -> MavMessage {
+    MavMessage::COMMAND_LONG(COMMAND_LONG_DATA {
+        command,
+        target_system: 1,
+        target_component: 1,
+        param1: params[0],
+        param2: params[1],
+        param7: params[2],
+        ..COMMAND_LONG_DATA::default()
+    })
+}
+
+/// What the ground station says at a tenth of a second.
+fn said(tick: u64) -> Vec<MavMessage> {
+    let order = |what, params: [f32; 3]| command(what, params);
+    let mut said = Vec::new();
+    if tick % 10 == 0 {
+        said.push(beat());
+    }
+    match tick {
+        20 => said.push(order(MavCmd::MAV_CMD_SET_MESSAGE_INTERVAL, [33.0, 200_000.0, 0.0])),
+        150 => said.push(order(MavCmd::MAV_CMD_DO_SET_MODE, [1.0, 4.0, 0.0])),
+        160 => said.push(order(MavCmd::MAV_CMD_COMPONENT_ARM_DISARM, [1.0, 0.0, 0.0])),
+        165 => said.push(order(MavCmd::MAV_CMD_NAV_TAKEOFF, [0.0, 0.0, 12.0])),
+        _ => {}
+    }
+    said
+}
+
+fn record() -> Recorded {
+    let folder = tempfile::tempdir().expect("a folder");
+    let frames = folder.path().join("flight.tlog");
+    let start = Start {
+        at: crate::geo::LatLon::new(50.45, 30.52),
+        altitude_amsl_m: 180.0,
+        heading_deg: 0.0,
+    };
+    let mut world = World::new(&WorldConfig::row(2, start));
+    let ports: Vec<PortId> = (0..2).map(|vehicle| world.connect(vehicle)).collect();
+    let mut encoder = Encoder::new(255, 190);
+    let mut file = std::fs::File::create(&frames).expect("writable");
+    let mut tlog = TlogWriter::new(&mut file);
+    for tick in 0..450_u64 {
+        let at_us = BEGAN_US + tick * 100_000;
+        let is_gap = (200..350).contains(&tick);
+        let mut write = |bytes: &[u8]| {
+            if !is_gap {
+                tlog.write(at_us, bytes).expect("writable");
+            }
+        };
+        for message in said(tick) {
+            let mut bytes = Vec::new();
+            encoder.encode(&message.into(), &mut bytes);
+            ports.iter().for_each(|&port| world.receive(port, &bytes));
+            write(&bytes);
+        }
+        while world.now() < FRAME * (tick as u32 + 1) {
+            world.step();
+        }
+        for &port in &ports {
+            let mut output = Vec::new();
+            world.take_output(port, &mut output);
+            let mut decoder = Decoder::new();
+            decoder.push(&output);
+            while let Some(frame) = decoder.next_frame() {
+                write(decoder.bytes_of(&frame));
+            }
+        }
+    }
+    drop(tlog);
+    write_journal(&frames);
+    Recorded {
+        _folder: folder,
+        frames,
+    }
+}
+
+/// A command that was refused, a bookmark.
+fn write_journal(frames: &std::path::Path) {
+    let head = Head::new(Subject::Free, BEGAN_US);
+    let verb = crate::language::verb("arm").expect("it is one");
+    let entry = EntryLine {
+        id: 0,
+        line: "2 arm".to_owned(),
+        verb,
+        risk: crate::ledger::Risk::None,
+        vehicles: vec![2],
+    };
+    let row = |state| {
+        Happening::Row(RowLine {
+            id: 0,
+            vehicle: 2,
+            state,
+            tries: 1,
+            why: Some("it is tired".to_owned()),
+        })
+    };
+    let lines = [
+        (s(6), Happening::Entry(entry)),
+        (s(6), row(RowState::Sent)),
+        (s(7), row(RowState::Refused)),
+        (
+            s(12),
+            Happening::Bookmark {
+                text: "here".to_owned(),
+            },
+        ),
+        (s(40), Happening::End),
+    ];
+    let mut text = head.to_line();
+    for (at, what) in lines {
+        text.push_str(&JournalLine::new(at, what).to_line());
+    }
+    std::fs::write(frames.with_extension("flight.jsonl"), text).expect("writable");
+}
+
+fn watched(recorded: &Recorded) -> (Replay, Observer) {
+    let (mut replay, _) = Replay::open(&recorded.frames, &Config::default()).expect("a recording");
+    replay.wait_for_index();
+    let film = replay.film();
+    let view = ReplayView::new(film.name(), film.began_unix_us(), film.length());
+    let observer = Observer::new(view, &film.started(), &Config::default());
+    (replay, observer)
+}
+
+fn seek(replay: &mut Replay, observer: &mut Observer, to: Duration) {
+    let mut events = replay.steer(ReplayEffect::Seek(SeekTarget::At(to)));
+    while replay.goal >= replay.stage.now() + FRAME {
+        events.extend(replay.approach());
+    }
+    observer.see_all(events);
+}
+
+/// What the console knows, in words: whatever a screen can show.
+fn known(state: &State) -> String {
+    let session = state.session();
+    let trails = state.rooms().map().trails();
+    format!(
+        "{:?}\n{:#?}\n{:#?}\n{:?}\n{:?}\n{trails:?}",
+        state.now(),
+        session.vehicles(),
+        session.ledger(),
+        state.notices().lines().collect::<Vec<_>>(),
+        session.alarms(),
+    )
+}
+
+/// Every tenth of a second from the beginning on, without going anywhere.
+fn straight(recorded: &Recorded, times: &[Duration]) -> Vec<String> {
+    let (mut replay, mut observer) = watched(recorded);
+    let mut found = Vec::new();
+    for &to in times {
+        seek(&mut replay, &mut observer, to);
+        found.push(known(observer.app().state()));
+    }
+    found
+}
+
+#[test]
+fn a_moment_is_the_same_by_whatever_way_one_comes_to_it() {
+    let recorded = record();
+    let times: Vec<Duration> = (0..45).map(|at| s(at) + Duration::from_millis(at % 10 * 100)).collect();
+    let expected = straight(&recorded, &times);
+    assert!(expected[30] != expected[10]);
+    let (mut replay, mut observer) = watched(&recorded);
+    let mut runner = proptest::test_runner::TestRunner::new(ProptestConfig {
+        cases: 60,
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    });
+    let (replay, observer) = (std::cell::RefCell::new(&mut replay), std::cell::RefCell::new(&mut observer));
+    runner
+        .run(&(0..times.len()), |at| {
+            seek(&mut replay.borrow_mut(), &mut observer.borrow_mut(), times[at]);
+            let is = known(observer.borrow().app().state());
+            prop_assert!(is == expected[at], "at {:?}", times[at]);
+            Ok(())
+        })
+        .expect("all moments are alike");
+}
+
+#[test]
+fn a_gap_is_a_gap_and_no_lost_link() {
+    let recorded = record();
+    let (mut replay, mut observer) = watched(&recorded);
+    seek(&mut replay, &mut observer, s(30));
+    assert!(replay.stage.gap().is_some_and(|gap| gap >= s(14)), "{:?}", replay.stage.gap());
+    let state = observer.app().state();
+    assert!(state.session().vehicles().values().all(|it| !it.link.lost));
+    seek(&mut replay, &mut observer, s(40));
+    assert_eq!(replay.stage.gap(), None);
+    let state = observer.app().state();
+    assert!(state.session().vehicles().values().all(|it| !it.link.lost));
+}
+
+#[test]
+fn moments_are_found_and_stopped_at() {
+    let recorded = record();
+    let (mut replay, _) = watched(&recorded);
+    let moments = replay.index.moments();
+    let of = |kind| moments.iter().filter(move |it| it.kind == kind);
+    assert_eq!(of(MomentKind::Bookmark).count(), 1);
+    let refusal = of(MomentKind::Refusal).next().expect("a refusal");
+    assert_eq!((refusal.at, &refusal.vehicles[..]), (s(7), &[2][..]));
+    assert!(of(MomentKind::Arming).any(|it| it.vehicles == [1]), "{moments:?}");
+    let in_order = moments.is_sorted_by_key(|it| it.at);
+    assert!(in_order);
+
+    drop(replay.steer(ReplayEffect::StopAt(vec![MomentKind::Refusal])));
+    let mut now = Duration::ZERO;
+    while replay.position.is_playing {
+        drop(replay.tick(now));
+        now += FRAME;
+    }
+    assert!(replay.now() >= s(6) && replay.now() <= s(7), "{:?}", replay.now());
+
+    drop(replay.steer(ReplayEffect::Moment { forward: true }));
+    assert!(replay.goal > s(7));
+}
+
+#[test]
+fn a_stretch_is_played_over_and_over_at_a_rate() {
+    let recorded = record();
+    let (mut replay, _) = watched(&recorded);
+    drop(replay.steer(ReplayEffect::Loop(Some((s(10), s(12))))));
+    drop(replay.steer(ReplayEffect::Rate(4.0)));
+    let mut seen = Vec::new();
+    for tick in 0..20 {
+        drop(replay.tick(FRAME * tick));
+        seen.push(replay.now().as_millis());
+    }
+    assert!(seen.iter().all(|at| (10_000..12_000).contains(at)), "{seen:?}");
+    assert_eq!(&seen[..4], [10_000, 10_400, 10_800, 11_200]);
+    assert!(seen.windows(2).any(|two| two[1] < two[0]));
+}
+
+#[test]
+fn frames_go_both_ways_and_the_end_is_the_end() {
+    let recorded = record();
+    let (mut replay, mut observer) = watched(&recorded);
+    seek(&mut replay, &mut observer, s(10));
+    drop(replay.steer(ReplayEffect::Step { forward: false }));
+    assert_eq!(replay.now(), s(10) - FRAME);
+    drop(replay.steer(ReplayEffect::Step { forward: true }));
+    assert_eq!(replay.now(), s(10));
+    drop(replay.steer(ReplayEffect::Seek(SeekTarget::End)));
+    while replay.goal >= replay.stage.now() + FRAME {
+        drop(replay.approach());
+    }
+    assert!(replay.is_at_end());
+    drop(replay.steer(ReplayEffect::Play(true)));
+    assert_eq!(replay.now(), Duration::ZERO);
+}

@@ -54,6 +54,12 @@ impl AppendFile {
         &self.path
     }
 
+    /// From now on it takes nothing, as on a disk that is full.
+    #[cfg(test)]
+    pub fn make_read_only(&mut self) {
+        self.file = File::open(&self.path).expect("it is there");
+    }
+
     /// Bytes that were written.
     pub fn len(&self) -> u64 {
         self.len

@@ -1,6 +1,8 @@
 use std::os::unix::fs::PermissionsExt as _;
 use std::time::Duration;
 
+use std::fs::OpenOptions;
+
 use super::*;
 
 const HEAD: &str = "{\"sortie_run\":1,\"mission\":\"01-a\",\"revision\":2,\"seed\":5,\"attempt\":1,\
@@ -109,7 +111,8 @@ fn large_runs_make_room_by_their_age_but_the_newest_stays_whatever_its_size() {
         .enumerate()
     {
         let run = begin(&runs, number);
-        run.file.set_len(len).expect("a file with a hole");
+        let file = OpenOptions::new().append(true).open(run.path());
+        file.and_then(|it| it.set_len(len)).expect("a file with a hole");
         runs.make_room();
         assert_eq!(runs.files().len(), left, "{number}");
         assert_eq!(runs.newest().as_deref(), Some(run.path()), "{number}");
@@ -130,7 +133,7 @@ fn in_a_folder_of_somebodys_own_nothing_makes_room() {
 fn a_run_of_which_nothing_could_be_written_leaves_no_file() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let mut run = begin(&Runs::at(folder.path()), 0);
-    run.file = File::open(run.path()).expect("there");
+    run.0.make_read_only();
     let error = run.append(HEAD).expect_err("it takes nothing").to_string();
     assert!(error.contains(&run.path().display().to_string()), "{error}");
     assert!(!run.path().exists());

@@ -127,8 +127,8 @@ impl<'a> ScaleSwarm<'a> {
                     }
                     FleetEvent::Parameters(..)
                     | FleetEvent::Report(_)
-                    | FleetEvent::Dropped(_)
-                    | FleetEvent::Warning(_) => {}
+                    | FleetEvent::Warning(_)
+                    | FleetEvent::Dropped(_) => {}
                 }
             }
         }
