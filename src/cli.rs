@@ -46,6 +46,7 @@ mod manual;
 mod profile;
 mod programs;
 mod progress;
+mod records;
 mod replay;
 mod report;
 mod run;
@@ -111,6 +112,8 @@ enum CliCommand {
                             sortie replay                       the newest record\n  \
                             sortie replay flight.tlog")]
     Replay(replay::ReplayArguments),
+    /// Lists, shows, exports and deletes the records of flights.
+    Records(records::RecordsArguments),
     /// Flies a mission by a pilot script, without a console; prints the debrief.
     Run(run::RunArguments),
     /// Scores a recorded run again and prints its debrief.
@@ -236,6 +239,10 @@ fn dispatch(
                 settings.config.connect.expect = expect;
             }
             fly::connect(addresses, plain, settings)
+        }
+        Some(CliCommand::Records(options)) => {
+            settings.complain();
+            records::records(&options, &settings)
         }
         Some(CliCommand::Replay(options)) => replay::replay(&options, settings),
         Some(CliCommand::Run(options)) => {

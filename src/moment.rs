@@ -59,6 +59,11 @@ impl MomentKind {
         self.into()
     }
 
+    /// What it is called.
+    pub fn text(self) -> Text {
+        Text::new(format!("moment-kind-{}", self.name()), Vec::new())
+    }
+
     /// The kind of a name.
     pub fn named(name: &str) -> Option<Self> {
         name.parse().ok()

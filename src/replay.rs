@@ -12,14 +12,18 @@ use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
 
+use chrono::DateTime;
+
 use crate::app::effect::ReplayEffect;
 use crate::app::event::{Event, ReplayEvent, SessionEvent, Started};
 use crate::app::room::messages::{LinkTraffic, Wanted};
 use crate::app::state::{ReplayPosition, ReplayView};
 use crate::config::Config;
 use crate::language::SeekTarget;
+use crate::moment::Moment;
 use crate::text::Text;
 
+mod export;
 mod film;
 mod index;
 mod moments;
@@ -28,6 +32,7 @@ mod stage;
 #[cfg(test)]
 mod tests;
 
+pub use export::{ExportFormat, export};
 pub use film::Film;
 use index::Index;
 use stage::Stage;
@@ -75,6 +80,16 @@ impl Replay {
             known: 0,
         };
         Ok((replay, events))
+    }
+
+    /// The moments of a recording, earliest first.
+    ///
+    /// # Errors
+    /// It cannot be read, or there is nothing in it; in words.
+    pub fn moments_of(path: &Path, config: &Config) -> Result<Vec<Moment>, Text> {
+        let (mut replay, _) = Self::open(path, config)?;
+        replay.index.finish();
+        Ok(replay.index.moments().to_vec())
     }
 
     /// Lets it go on, as the program's clock does; returns what happened in it.
@@ -228,6 +243,15 @@ impl Replay {
         let length = self.film.length();
         Some(ReplayEvent::Known { length, moments }.into())
     }
+}
+
+/// A time of day, given in microseconds since 1970: `2026-11-20 14:03:22`.
+pub fn utc_of(unix_us: u64) -> String {
+    let time = i64::try_from(unix_us).ok();
+    let time = time.and_then(DateTime::from_timestamp_micros);
+    time.unwrap_or_default()
+        .format("%Y-%m-%d %H:%M:%S")
+        .to_string()
 }
 
 /// The events that a console begins a replay with.

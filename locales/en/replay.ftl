@@ -49,3 +49,28 @@ action-frame-forward = show the next frame
 action-previous-moment = go to the moment before
 action-next-moment = go to the next moment
 action-show-moments = list the moments of the recording
+export-exists = { $path } exists already: give another path
+export-unwritable = { $path } cannot be written: { $error }
+export-done = written: { $path }
+records-total = { $count ->
+    [one] 1 record
+   *[other] { $count } records
+}, { $size } MiB; the newest { $most } are kept, and { $space } MiB at most
+records-no-number = there is no record { $number }: `sortie records list` numbers them
+records-number = no.
+records-began = began (UTC)
+records-subject = flight
+records-length = length
+records-size = size
+records-profile = profile
+records-now = being recorded
+records-at = at
+records-kind = kind
+records-vehicles = vehicles
+records-what = what
+records-in-use = { $name } is still being recorded
+records-confirm = { $count ->
+    [one] 1 record would be deleted: add --yes
+   *[other] { $count } records would be deleted: add --yes
+}
+records-deleted = deleted: { $name }

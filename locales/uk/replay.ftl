@@ -49,3 +49,30 @@ action-frame-forward = наступний кадр
 action-previous-moment = попередній момент
 action-next-moment = наступний момент
 action-show-moments = список моментів запису
+export-exists = { $path } уже існує: вкажіть інший шлях
+export-unwritable = не вдалося записати { $path }: { $error }
+export-done = записано: { $path }
+records-total = { $count ->
+    [one] { $count } запис
+    [few] { $count } записи
+   *[other] { $count } записів
+}, { $size } МіБ; зберігаються найновіші { $most }, щонайбільше { $space } МіБ
+records-no-number = немає запису { $number }: номери показує `sortie records list`
+records-number = №
+records-began = початок (UTC)
+records-subject = політ
+records-length = тривалість
+records-size = розмір
+records-profile = профіль
+records-now = записується
+records-at = час
+records-kind = вид
+records-vehicles = апарати
+records-what = що
+records-in-use = { $name } ще записується
+records-confirm = { $count ->
+    [one] Буде вилучено { $count } запис: додайте --yes
+    [few] Буде вилучено { $count } записи: додайте --yes
+   *[other] Буде вилучено { $count } записів: додайте --yes
+}
+records-deleted = вилучено: { $name }

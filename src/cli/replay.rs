@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use clap::Args;
 
 use super::settings::CliSettings;
-use super::{Failure, fly};
+use super::{Failure, fly, records};
 use crate::replay::Film;
 use crate::shell::Opening;
 
@@ -32,10 +32,7 @@ pub(super) fn replay(
 }
 
 fn newest(settings: &CliSettings) -> Result<PathBuf, Failure> {
-    let records = fly::records(settings)
-        .map(|it| it.list())
-        .unwrap_or_default();
-    let newest = records.into_iter().rev().find_map(|it| it.frames);
+    let newest = fly::records(settings).and_then(|it| records::newest(&it));
     newest.ok_or_else(|| {
         let text = "sortie: nothing is recorded yet: fly first, or give a file";
         Failure::Invalid(text.to_owned())

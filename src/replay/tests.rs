@@ -56,7 +56,10 @@ fn said(tick: u64) -> Vec<MavMessage> {
         said.push(beat());
     }
     match tick {
-        20 => said.push(order(MavCmd::MAV_CMD_SET_MESSAGE_INTERVAL, [33.0, 200_000.0, 0.0])),
+        20 => said.push(order(
+            MavCmd::MAV_CMD_SET_MESSAGE_INTERVAL,
+            [33.0, 200_000.0, 0.0],
+        )),
         150 => said.push(order(MavCmd::MAV_CMD_DO_SET_MODE, [1.0, 4.0, 0.0])),
         160 => said.push(order(MavCmd::MAV_CMD_COMPONENT_ARM_DISARM, [1.0, 0.0, 0.0])),
         165 => said.push(order(MavCmd::MAV_CMD_NAV_TAKEOFF, [0.0, 0.0, 12.0])),
@@ -197,7 +200,9 @@ fn straight(recorded: &Recorded, times: &[Duration]) -> Vec<String> {
 #[test]
 fn a_moment_is_the_same_by_whatever_way_one_comes_to_it() {
     let recorded = record();
-    let times: Vec<Duration> = (0..45).map(|at| s(at) + Duration::from_millis(at % 10 * 100)).collect();
+    let times: Vec<Duration> = (0..45)
+        .map(|at| s(at) + Duration::from_millis(at % 10 * 100))
+        .collect();
     let expected = straight(&recorded, &times);
     assert!(expected[30] != expected[10]);
     let (mut replay, mut observer) = watched(&recorded);
@@ -206,10 +211,17 @@ fn a_moment_is_the_same_by_whatever_way_one_comes_to_it() {
         failure_persistence: None,
         ..ProptestConfig::default()
     });
-    let (replay, observer) = (std::cell::RefCell::new(&mut replay), std::cell::RefCell::new(&mut observer));
+    let (replay, observer) = (
+        std::cell::RefCell::new(&mut replay),
+        std::cell::RefCell::new(&mut observer),
+    );
     runner
         .run(&(0..times.len()), |at| {
-            seek(&mut replay.borrow_mut(), &mut observer.borrow_mut(), times[at]);
+            seek(
+                &mut replay.borrow_mut(),
+                &mut observer.borrow_mut(),
+                times[at],
+            );
             let is = known(observer.borrow().app().state());
             prop_assert!(is == expected[at], "at {:?}", times[at]);
             Ok(())
@@ -222,7 +234,11 @@ fn a_gap_is_a_gap_and_no_lost_link() {
     let recorded = record();
     let (mut replay, mut observer) = watched(&recorded);
     seek(&mut replay, &mut observer, s(30));
-    assert!(replay.stage.gap().is_some_and(|gap| gap >= s(14)), "{:?}", replay.stage.gap());
+    assert!(
+        replay.stage.gap().is_some_and(|gap| gap >= s(14)),
+        "{:?}",
+        replay.stage.gap()
+    );
     let state = observer.app().state();
     assert!(state.session().vehicles().values().all(|it| !it.link.lost));
     seek(&mut replay, &mut observer, s(40));
@@ -240,7 +256,10 @@ fn moments_are_found_and_stopped_at() {
     assert_eq!(of(MomentKind::Bookmark).count(), 1);
     let refusal = of(MomentKind::Refusal).next().expect("a refusal");
     assert_eq!((refusal.at, &refusal.vehicles[..]), (s(7), &[2][..]));
-    assert!(of(MomentKind::Arming).any(|it| it.vehicles == [1]), "{moments:?}");
+    assert!(
+        of(MomentKind::Arming).any(|it| it.vehicles == [1]),
+        "{moments:?}"
+    );
     let in_order = moments.is_sorted_by_key(|it| it.at);
     assert!(in_order);
 
@@ -250,7 +269,11 @@ fn moments_are_found_and_stopped_at() {
         drop(replay.tick(now));
         now += FRAME;
     }
-    assert!(replay.now() >= s(6) && replay.now() <= s(7), "{:?}", replay.now());
+    assert!(
+        replay.now() >= s(6) && replay.now() <= s(7),
+        "{:?}",
+        replay.now()
+    );
 
     drop(replay.steer(ReplayEffect::Moment { forward: true }));
     assert!(replay.goal > s(7));
@@ -267,7 +290,10 @@ fn a_stretch_is_played_over_and_over_at_a_rate() {
         drop(replay.tick(FRAME * tick));
         seen.push(replay.now().as_millis());
     }
-    assert!(seen.iter().all(|at| (10_000..12_000).contains(at)), "{seen:?}");
+    assert!(
+        seen.iter().all(|at| (10_000..12_000).contains(at)),
+        "{seen:?}"
+    );
     assert_eq!(&seen[..4], [10_000, 10_400, 10_800, 11_200]);
     assert!(seen.windows(2).any(|two| two[1] < two[0]));
 }

@@ -1,5 +1,7 @@
 //! Numbers in writing.
 
+use std::time::Duration;
+
 /// From this on a number is written by its power of ten, with decimals and without.
 const LONG_DECIMAL: f64 = 1e5;
 const LONG_WHOLE: f64 = 1e7;
@@ -40,9 +42,26 @@ pub fn rounded(value: f64, decimals: i32) -> f64 {
     }
 }
 
+/// A time as minutes and seconds, with hours where there are any.
+pub fn clock(time: Duration) -> String {
+    let seconds = time.as_secs();
+    let (hours, minutes, seconds) = (seconds / 3600, seconds / 60 % 60, seconds % 60);
+    if hours > 0 {
+        format!("{hours}:{minutes:02}:{seconds:02}")
+    } else {
+        format!("{minutes:02}:{seconds:02}")
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn clocks_grow_hours_when_needed() {
+        assert_eq!(clock(Duration::from_secs(62)), "01:02");
+        assert_eq!(clock(Duration::from_secs(3723)), "1:02:03");
+    }
 
     #[test]
     fn numbers_are_short_whatever_they_are() {

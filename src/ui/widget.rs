@@ -32,6 +32,8 @@ pub mod swarm;
 pub mod telemetry;
 pub mod urgent;
 
+pub use crate::text::clock;
+
 /// A box of a size in the middle of an area, made smaller where it does not fit.
 pub fn centred(width: u16, height: u16, area: Rect) -> Rect {
     let (width, height) = (width.min(area.width), height.min(area.height));
@@ -56,17 +58,6 @@ pub fn aligned(text: &str, columns: usize, right: bool) -> String {
         blanks + &text
     } else {
         text + &blanks
-    }
-}
-
-/// A time as minutes and seconds, with hours where there are any.
-pub fn clock(time: Duration) -> String {
-    let seconds = time.as_secs();
-    let (hours, minutes, seconds) = (seconds / 3600, seconds / 60 % 60, seconds % 60);
-    if hours > 0 {
-        format!("{hours}:{minutes:02}:{seconds:02}")
-    } else {
-        format!("{minutes:02}:{seconds:02}")
     }
 }
 
@@ -120,11 +111,5 @@ mod tests {
         assert_eq!(clip("position", 5), "posi…");
         assert_eq!(clip("position", 0), "");
         assert_eq!(clip("日本語", 4), "日…");
-    }
-
-    #[test]
-    fn clocks_grow_hours_when_needed() {
-        assert_eq!(clock(Duration::from_secs(62)), "01:02");
-        assert_eq!(clock(Duration::from_secs(3723)), "1:02:03");
     }
 }

@@ -112,7 +112,8 @@ fn large_runs_make_room_by_their_age_but_the_newest_stays_whatever_its_size() {
     {
         let run = begin(&runs, number);
         let file = OpenOptions::new().append(true).open(run.path());
-        file.and_then(|it| it.set_len(len)).expect("a file with a hole");
+        file.and_then(|it| it.set_len(len))
+            .expect("a file with a hole");
         runs.make_room();
         assert_eq!(runs.files().len(), left, "{number}");
         assert_eq!(runs.newest().as_deref(), Some(run.path()), "{number}");

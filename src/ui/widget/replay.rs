@@ -12,7 +12,6 @@ use crate::app::state::{ReplayView, rate};
 use crate::language::ranges;
 use crate::moment::{Moment, MomentKind};
 use crate::text;
-use crate::text::Text;
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
@@ -166,7 +165,7 @@ fn rank(role: Role) -> u8 {
 pub fn moment_line<'a>(moment: &Moment, columns: usize, look: &Look) -> Line<'a> {
     let (sign, role) = sign(moment.kind);
     let time = clock(moment.at);
-    let kind = aligned(&look.text(&kind_text(moment.kind)), KIND_WIDTH, false);
+    let kind = aligned(&look.text(&moment.kind.text()), KIND_WIDTH, false);
     let vehicles = match ranges(moment.vehicles.iter().copied()) {
         none if none.is_empty() => none,
         some => format!("{some}: "),
@@ -178,9 +177,4 @@ pub fn moment_line<'a>(moment: &Moment, columns: usize, look: &Look) -> Line<'a>
         Span::styled(head, look.style(role)),
         Span::styled(text, look.style(Role::Text)),
     ])
-}
-
-/// What a kind of moment is called.
-fn kind_text(kind: MomentKind) -> Text {
-    Text::new(format!("moment-kind-{}", kind.name()), Vec::new())
 }

@@ -1,0 +1,370 @@
+//! `sortie records`: what was recorded of flights.
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use clap::{Args, Subcommand, ValueEnum};
+use serde::Serialize;
+
+use super::settings::CliSettings;
+use super::table::{Side, TextTable};
+use super::{Failure, fly};
+use crate::config::Config;
+use crate::moment::Moment;
+use crate::replay::{ExportFormat, Film, Replay, export, utc_of};
+use crate::store::{RecordFiles, Records};
+use crate::text;
+use crate::text::{Locale, Text, clock, figure};
+
+/// Options of `sortie records`.
+#[derive(Debug, Args)]
+pub(super) struct RecordsArguments {
+    #[command(subcommand)]
+    command: RecordsCommand,
+}
+
+#[derive(Debug, Subcommand)]
+enum RecordsCommand {
+    /// Lists the records, the newest first.
+    #[command(after_help = "Examples:\n  sortie records list\n  sortie records list --json")]
+    List {
+        /// One JSON document instead of a table.
+        #[arg(long)]
+        json: bool,
+    },
+    /// Shows what a record holds: its files, how long it is, its moments.
+    #[command(after_help = "Examples:\n  sortie records show\n  sortie records show 3 --json")]
+    Show {
+        /// The number in the list, or a file; by default the newest.
+        #[arg(default_value = "1")]
+        record: String,
+        /// One JSON document instead of tables.
+        #[arg(long)]
+        json: bool,
+    },
+    /// Writes a record, or any tlog, for other programs: all vehicles and all messages.
+    #[command(after_help = "Examples:\n  \
+                            sortie records export 1 --format kml --output flight.kml\n  \
+                            sortie records export flight.tlog --format csv --output tables\n  \
+                            sortie records export 1 --format mcap --output flight.mcap")]
+    Export {
+        /// The number in the list, or a file.
+        record: String,
+        /// What to write: csv (a folder with a table for each kind of message), kml, gpx, geojson, mcap.
+        #[arg(long, value_enum)]
+        format: Format,
+        /// The file or folder, which must not exist yet.
+        #[arg(long, value_name = "PATH")]
+        output: PathBuf,
+    },
+    /// Deletes records; what a career counts of a mission stays.
+    #[command(after_help = "Examples:\n  sortie records delete 3 4 --yes")]
+    Delete {
+        /// The numbers in the list.
+        #[arg(required = true)]
+        records: Vec<String>,
+        /// Do not ask.
+        #[arg(long)]
+        yes: bool,
+    },
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Format {
+    Csv,
+    Kml,
+    Gpx,
+    Geojson,
+    Mcap,
+}
+
+impl From<Format> for ExportFormat {
+    fn from(format: Format) -> Self {
+        match format {
+            Format::Csv => Self::Csv,
+            Format::Kml => Self::Kml,
+            Format::Gpx => Self::Gpx,
+            Format::Geojson => Self::GeoJson,
+            Format::Mcap => Self::Mcap,
+        }
+    }
+}
+
+/// A line of the list.
+#[derive(Debug, Serialize)]
+struct ListedRecord {
+    number: usize,
+    name: String,
+    began: String,
+    subject: String,
+    profile: Option<String>,
+    /// Whether it belongs to a mission whose score is recorded.
+    has_run: bool,
+    duration_s: Option<f64>,
+    bytes: u64,
+    being_recorded: bool,
+}
+
+/// A record as a document.
+#[derive(Debug, Serialize)]
+struct ShownRecord {
+    #[serde(flatten)]
+    record: ListedRecord,
+    frames: Option<PathBuf>,
+    journal: Option<PathBuf>,
+    run: Option<PathBuf>,
+    moments: Vec<ShownMoment>,
+}
+
+#[derive(Debug, Serialize)]
+struct ShownMoment {
+    at_s: f64,
+    kind: &'static str,
+    vehicles: Vec<u16>,
+    text: String,
+}
+
+impl From<&Moment> for ShownMoment {
+    fn from(moment: &Moment) -> Self {
+        Self {
+            at_s: moment.at.as_secs_f64(),
+            kind: moment.kind.name(),
+            vehicles: moment.vehicles.clone(),
+            text: moment.text.to_string(),
+        }
+    }
+}
+
+/// Does what was asked for.
+pub(super) fn records(
+    arguments: &RecordsArguments,
+    settings: &CliSettings,
+) -> Result<ExitCode, Failure> {
+    let records = fly::records(settings).ok_or_else(|| {
+        Failure::Failed(anyhow::anyhow!(
+            "there is no folder for records: give --data"
+        ))
+    })?;
+    let commands = RecordsCommands {
+        locale: Locale::new(settings.language()),
+        records,
+    };
+    match &arguments.command {
+        RecordsCommand::List { json } => commands.list(*json),
+        RecordsCommand::Show { record, json } => commands.show(record, *json),
+        RecordsCommand::Export {
+            record,
+            format,
+            output,
+        } => commands.export(record, (*format).into(), output),
+        RecordsCommand::Delete { records, yes } => commands.delete(records, *yes),
+    }
+}
+
+/// The files of the newest record that has frames.
+pub(super) fn newest(records: &Records) -> Option<PathBuf> {
+    records.list().into_iter().rev().find_map(|it| it.frames)
+}
+
+struct RecordsCommands {
+    records: Records,
+    locale: Locale,
+}
+
+impl RecordsCommands {
+    /// The records with their numbers, the newest first.
+    fn numbered(&self) -> impl Iterator<Item = (usize, RecordFiles)> {
+        (1..).zip(self.records.list().into_iter().rev())
+    }
+
+    /// The record of a number of the list, or of a file.
+    fn find(&self, named: &str) -> Result<RecordFiles, Failure> {
+        let Ok(wanted) = named.parse::<usize>() else {
+            return Ok(RecordFiles::beside(Path::new(named)));
+        };
+        let found = self.numbered().find(|(number, _)| *number == wanted);
+        found.map(|(_, files)| files).ok_or_else(|| {
+            let text = text!("records-no-number", number = wanted);
+            Failure::Invalid(format!("sortie: {}", self.locale.text(&text)))
+        })
+    }
+
+    fn listed(&self, number: usize, files: &RecordFiles) -> ListedRecord {
+        let film = files.frames.as_deref().map(Film::open).and_then(Result::ok);
+        let head = files.head().ok();
+        let began = film.as_ref().map(Film::began_unix_us);
+        let began = began.or(head.as_ref().map(|it| it.began_unix_us));
+        ListedRecord {
+            number,
+            name: files.stem.clone(),
+            began: began.map(utc_of).unwrap_or_default(),
+            subject: head
+                .as_ref()
+                .map(|it| self.locale.text(&it.subject.text()))
+                .unwrap_or_default(),
+            profile: head.and_then(|it| it.profile),
+            has_run: files.run.is_some(),
+            duration_s: film.map(|it| it.length().as_secs_f64()),
+            bytes: files.bytes,
+            being_recorded: files.is_written(),
+        }
+    }
+
+    fn list(&self, json: bool) -> Result<ExitCode, Failure> {
+        let all: Vec<ListedRecord> = self
+            .numbered()
+            .map(|(number, files)| self.listed(number, &files))
+            .collect();
+        if json {
+            say!("{}", serde_json::to_string_pretty(&all)?)?;
+            return Ok(ExitCode::SUCCESS);
+        }
+        let bytes: u64 = all.iter().map(|it| it.bytes).sum();
+        if !all.is_empty() {
+            say!("{}", self.table(&all).plain().trim_end())?;
+        }
+        let limits = self.records.limits();
+        let text = text!(
+            "records-total",
+            count = all.len(),
+            size = mebibytes(bytes),
+            most = limits.count,
+            space = mebibytes(limits.bytes)
+        );
+        say!("{}", self.locale.text(&text))?;
+        Ok(ExitCode::SUCCESS)
+    }
+
+    fn table(&self, records: &[ListedRecord]) -> TextTable {
+        let columns = [
+            (text!("records-number"), Side::Right),
+            (text!("records-began"), Side::Left),
+            (text!("records-subject"), Side::Left),
+            (text!("records-length"), Side::Right),
+            (text!("records-size"), Side::Right),
+            (text!("records-profile"), Side::Left),
+        ];
+        let mut table = TextTable::new(&self.locale, &columns);
+        for record in records {
+            let length = record.duration_s.map_or_else(String::new, |seconds| {
+                clock(std::time::Duration::from_secs_f64(seconds))
+            });
+            let profile = match (&record.profile, record.being_recorded) {
+                (_, true) => self.locale.text(&text!("records-now")),
+                (profile, false) => profile.clone().unwrap_or_default(),
+            };
+            table.push(vec![
+                record.number.to_string(),
+                record.began.clone(),
+                record.subject.clone(),
+                length,
+                format!("{} MiB", mebibytes(record.bytes)),
+                profile,
+            ]);
+        }
+        table
+    }
+
+    fn moments(&self, files: &RecordFiles) -> Result<(Film, Vec<Moment>), Failure> {
+        let invalid =
+            |fault: Text| Failure::Invalid(format!("sortie: {}", self.locale.text(&fault)));
+        let Some(frames) = &files.frames else {
+            return Err(invalid(text!(
+                "replay-no-frames",
+                file = files.stem.as_str()
+            )));
+        };
+        let moments = Replay::moments_of(frames, &Config::default()).map_err(invalid)?;
+        Ok((Film::open(frames).map_err(invalid)?, moments))
+    }
+
+    fn show(&self, named: &str, json: bool) -> Result<ExitCode, Failure> {
+        let files = self.find(named)?;
+        let (_, moments) = self.moments(&files)?;
+        let number = self.numbered().find(|(_, it)| it.stem == files.stem);
+        let record = self.listed(number.map_or(0, |(number, _)| number), &files);
+        if json {
+            let shown = ShownRecord {
+                record,
+                frames: files.frames,
+                journal: files.journal,
+                run: files.run,
+                moments: moments.iter().map(ShownMoment::from).collect(),
+            };
+            say!("{}", serde_json::to_string_pretty(&shown)?)?;
+            return Ok(ExitCode::SUCCESS);
+        }
+        say!("{}", self.table(&[record]).plain().trim_end())?;
+        for path in [&files.frames, &files.journal, &files.run]
+            .into_iter()
+            .flatten()
+        {
+            say!("  {}", path.display())?;
+        }
+        say!("")?;
+        let columns = [
+            (text!("records-at"), Side::Right),
+            (text!("records-kind"), Side::Left),
+            (text!("records-vehicles"), Side::Left),
+            (text!("records-what"), Side::Left),
+        ];
+        let mut table = TextTable::new(&self.locale, &columns);
+        for moment in &moments {
+            table.push(vec![
+                clock(moment.at),
+                self.locale.text(&moment.kind.text()),
+                crate::language::ranges(moment.vehicles.iter().copied()),
+                self.locale.text(&moment.text),
+            ]);
+        }
+        say!("{}", table.plain().trim_end())?;
+        Ok(ExitCode::SUCCESS)
+    }
+
+    fn export(
+        &self,
+        named: &str,
+        format: ExportFormat,
+        output: &Path,
+    ) -> Result<ExitCode, Failure> {
+        let files = self.find(named)?;
+        let (film, moments) = self.moments(&files)?;
+        export(&film, &moments, format, output)
+            .map_err(|fault| Failure::Failed(anyhow::anyhow!(self.locale.text(&fault))))?;
+        let text = text!("export-done", path = output.display().to_string());
+        say!("{}", self.locale.text(&text))?;
+        Ok(ExitCode::SUCCESS)
+    }
+
+    fn delete(&self, named: &[String], yes: bool) -> Result<ExitCode, Failure> {
+        let found: Result<Vec<RecordFiles>, Failure> =
+            named.iter().map(|it| self.find(it)).collect();
+        let found = found?;
+        for files in &found {
+            if files.is_written() {
+                let text = text!("records-in-use", name = files.stem.as_str());
+                return Err(Failure::Invalid(format!(
+                    "sortie: {}",
+                    self.locale.text(&text)
+                )));
+            }
+        }
+        if !yes {
+            let text = text!("records-confirm", count = found.len());
+            return Err(Failure::Invalid(format!(
+                "sortie: {}",
+                self.locale.text(&text)
+            )));
+        }
+        for files in &found {
+            files.delete()?;
+            let text = text!("records-deleted", name = files.stem.as_str());
+            say!("{}", self.locale.text(&text))?;
+        }
+        Ok(ExitCode::SUCCESS)
+    }
+}
+
+fn mebibytes(bytes: u64) -> String {
+    figure(bytes as f64 / f64::from(1024 * 1024), 1)
+}

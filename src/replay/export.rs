@@ -1,0 +1,78 @@
+//! Recordings as files that other programs open: all vehicles and all messages at once.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use super::Film;
+use crate::link::{TlogPiece, TlogRecord};
+use crate::moment::Moment;
+use crate::text;
+use crate::text::Text;
+
+mod mcap;
+mod tables;
+mod track;
+mod tracks;
+
+/// A kind of file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ExportFormat {
+    /// A folder with a table for each kind of message.
+    Csv,
+    /// Tracks with times, for globes.
+    Kml,
+    /// Tracks with times, for maps.
+    Gpx,
+    /// Tracks and moments, for maps.
+    GeoJson,
+    /// All messages as JSON, and the positions, for `Foxglove`.
+    Mcap,
+}
+
+/// Writes a recording as a file, or as a folder of tables. Nothing that exists is replaced.
+///
+/// # Errors
+/// It cannot be read or written, or there is something at the path already; in words.
+pub fn export(
+    film: &Film,
+    moments: &[Moment],
+    format: ExportFormat,
+    to: &Path,
+) -> Result<(), Text> {
+    let unwritable = |error: &dyn std::fmt::Display| {
+        let (path, error) = (to.display().to_string(), error.to_string());
+        text!("export-unwritable", path = path, error = error)
+    };
+    if to.exists() {
+        return Err(text!("export-exists", path = to.display().to_string()));
+    }
+    match format {
+        ExportFormat::Csv => tables::write(film, to).map_err(|error| unwritable(&error)),
+        ExportFormat::Mcap => mcap::write(film, to).map_err(|error| unwritable(&error)),
+        ExportFormat::Kml | ExportFormat::Gpx | ExportFormat::GeoJson => {
+            let tracks = track::tracks(film)?;
+            let text = match format {
+                ExportFormat::Kml => tracks::kml(film, &tracks, moments),
+                ExportFormat::Gpx => tracks::gpx(film, &tracks, moments),
+                _ => Ok(tracks::geo_json(film, &tracks, moments)),
+            };
+            let text = text.map_err(|error| unwritable(&error))?;
+            crate::store::write(to, &text, false).map_err(|error| Text::from(&error))
+        }
+    }
+}
+
+/// The records of a recording; damage is passed over.
+fn records(film: &Film) -> Result<impl Iterator<Item = TlogRecord>, Text> {
+    let pieces = film.reader(0, None)?.map_while(Result::ok);
+    Ok(pieces.filter_map(|piece| match piece {
+        TlogPiece::Record(record) => Some(record),
+        TlogPiece::Damage { .. } => None,
+    }))
+}
+
+/// A new file in which as much is written at once as is quick.
+fn create(path: PathBuf) -> io::Result<io::BufWriter<std::fs::File>> {
+    let file = std::fs::File::create_new(path)?;
+    Ok(io::BufWriter::with_capacity(256 * 1024, file))
+}
