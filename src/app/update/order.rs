@@ -187,6 +187,8 @@ fn announce(state: &mut State, effect: &SessionEffect) {
         | SessionEffect::Pause
         | SessionEffect::Continue
         | SessionEffect::Speedup(_)
+        | SessionEffect::Replay(_)
+        | SessionEffect::Bookmark(_)
         | SessionEffect::Abandon => {}
     }
 }
