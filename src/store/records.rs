@@ -7,14 +7,13 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::io;
-use std::os::unix::fs::DirBuilderExt as _;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
 use std::time::Duration;
 
-use super::StoreError;
 use super::append::{AppendFile, is_written};
+use super::{StoreError, sharing};
 use crate::record::{Happening, Head, JournalLine};
 
 /// How the files of a record end.
@@ -211,10 +210,8 @@ impl Records {
         when: &str,
         source: impl FnMut() -> Vec<u8> + Send + 'static,
     ) -> Result<Recording, StoreError> {
-        fs::DirBuilder::new()
-            .recursive(true)
-            .mode(0o700)
-            .create(&self.folder)
+        let data = self.folder.parent().unwrap_or(&self.folder);
+        sharing::folder_within(data, &self.folder)
             .map_err(|error| unwritable(&self.folder, error))?;
         self.make_room();
         let (mut journal, stem) = self.create_journal(head, stem, when)?;

@@ -176,7 +176,7 @@ fn all_rebound() -> String {
         // A room must not hide a key that holds anywhere.
         let unusual: Vec<char> = match place {
             Place::Anywhere => ('a'..='z').chain('0'..='9').collect(),
-            Place::In(_) | Place::Prompt | Place::Reader | Place::List => {
+            Place::In(_) | Place::Replay | Place::Prompt | Place::Reader | Place::List => {
                 ('A'..='Z').chain('α'..='ω').collect()
             }
         };
