@@ -95,8 +95,7 @@ impl Replay {
     /// Lets it go on, as the program's clock does; returns what happened in it.
     pub fn tick(&mut self, now: Duration) -> Vec<Event> {
         let passed = now.saturating_sub(self.looked.replace(now).unwrap_or(now));
-        let is_there = self.goal < self.stage.now() + FRAME;
-        if self.position.is_playing && is_there {
+        if self.position.is_playing && self.is_there() {
             self.play(passed.mul_f64(self.position.rate));
         }
         let mut events = self.approach();
@@ -157,6 +156,11 @@ impl Replay {
     /// How far it is now.
     pub fn now(&self) -> Duration {
         self.stage.now()
+    }
+
+    /// Whether it is where it is to be.
+    pub fn is_there(&self) -> bool {
+        self.goal < self.stage.now() + FRAME
     }
 
     /// Waits until the whole recording has been gone through.

@@ -32,4 +32,4 @@ record-no-runs = no run is recorded in { $folder }; fly a mission with `sortie f
 journal-none = this is no journal of a flight: it begins with another line
 record-not-begun = this flight is not recorded and cannot be replayed: { $fault }
 record-broken-off = the record of this flight ends here: { $fault }
-record-full = the record of this flight ends here: it has reached { $mib } MiB (settings records.space, half of which one record may take)
+record-full = the record of this flight ends here: it has reached { $mib } MiB (the setting `records.space` allows twice that for all)

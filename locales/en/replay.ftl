@@ -13,9 +13,9 @@ replay-no-tlog = { $file } holds no MAVLink frame: it is no tlog
 bookmark-nothing = there is nothing to bookmark: nothing is flown
 bookmark-not-recorded = this flight is not recorded, so it cannot be bookmarked
 bookmark-set = bookmark set
-seek-unreadable = expected a time such as 12:30, +30, -10 or end
+seek-unreadable = expected a time such as 12:30, +30, -10 or `end`
 loop-unreadable = expected two times, the earlier one first: 1:10 1:40
-argument-seek = 12:30, +30, -10, start or end
+argument-seek = 12:30, +30, -10 or `end`
 argument-loop = from when to when
 hint-play = play
 hint-ten-seconds = 10 s
@@ -74,3 +74,6 @@ records-confirm = { $count ->
    *[other] { $count } records would be deleted: add --yes
 }
 records-deleted = deleted: { $name }
+action-replay-newest = replay the flight that was recorded last
+hint-replay = replay
+records-none = nothing is recorded yet: fly first, or name a file

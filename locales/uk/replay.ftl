@@ -13,9 +13,9 @@ replay-no-tlog = { $file } не містить кадрів MAVLink: це не t
 bookmark-nothing = нема чого позначати закладкою: польоту немає
 bookmark-not-recorded = цей політ не записується, тож закладку поставити не можна
 bookmark-set = закладку поставлено
-seek-unreadable = потрібен час, наприклад 12:30, +30, -10 або end
+seek-unreadable = потрібен час, наприклад 12:30, +30, -10 або `end`
 loop-unreadable = потрібні два моменти, ранніший перший: 1:10 1:40
-argument-seek = 12:30, +30, -10, start або end
+argument-seek = 12:30, +30, -10 або `end`
 argument-loop = від якого часу до якого
 hint-play = пуск
 hint-ten-seconds = 10 с
@@ -76,3 +76,6 @@ records-confirm = { $count ->
    *[other] Буде вилучено { $count } записів: додайте --yes
 }
 records-deleted = вилучено: { $name }
+action-replay-newest = переглянути останній записаний політ
+hint-replay = перегляд
+records-none = ще нічого не записано: спершу політайте або вкажіть файл

@@ -238,6 +238,8 @@ pub enum ReplayAction {
     NextMoment,
     /// Show all moments, to go to one.
     ShowMoments,
+    /// Replay the flight that was recorded last.
+    ReplayNewest,
 }
 
 /// Actions of the Debrief room.

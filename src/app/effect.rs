@@ -168,8 +168,8 @@ pub enum SessionEffect {
     Connect(Vec<String>),
     /// Close what these vehicles are heard by; one that is heard again is new.
     Forget(Vec<VehicleId>),
-    /// Replay a recorded flight.
-    Replay(String),
+    /// Replay a recorded flight: one of its files, or the newest.
+    Replay(Option<String>),
     /// Restart or stop the process that simulates a vehicle.
     Process(ProcessDeed, VehicleId),
     /// Trigger an inject of the mission, by name.

@@ -14,6 +14,7 @@ mod frame;
 mod latency;
 mod load;
 mod missions;
+mod replay;
 mod scale;
 mod sim;
 
@@ -34,6 +35,8 @@ pub(super) enum BenchCommand {
     Load(load::LoadArguments),
     /// How much faster than real time the reference pilots fly the shipped missions.
     Missions(missions::MissionsArguments),
+    /// A recording of flying vehicles: how soon it is open, how soon any moment of it is shown, and what recording costs.
+    Replay(replay::BenchReplayArguments),
     /// What a growing number of vehicles costs the simulator and the console, as the paper measured it.
     Scale(scale::ScaleArguments),
     /// Cost of simulated vehicles that fly and stream their position and attitude, from one to thousands.
@@ -49,6 +52,7 @@ pub(super) fn bench(bench: &BenchCommand, settings: &CliSettings) -> Result<Exit
         BenchCommand::Latency(options) => latency::latency(options),
         BenchCommand::Load(options) => load::load(options),
         BenchCommand::Missions(options) => missions::missions(options),
+        BenchCommand::Replay(options) => replay::replay(options),
         BenchCommand::Scale(options) => scale::scale(options, settings),
         BenchCommand::Sim(options) => sim::sim(options),
     }

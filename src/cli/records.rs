@@ -161,11 +161,6 @@ pub(super) fn records(
     }
 }
 
-/// The files of the newest record that has frames.
-pub(super) fn newest(records: &Records) -> Option<PathBuf> {
-    records.list().into_iter().rev().find_map(|it| it.frames)
-}
-
 struct RecordsCommands {
     records: Records,
     locale: Locale,

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use clap::Args;
 
 use super::settings::CliSettings;
-use super::{Failure, fly, records};
+use super::{Failure, fly};
 use crate::replay::Film;
 use crate::shell::Opening;
 
@@ -32,7 +32,7 @@ pub(super) fn replay(
 }
 
 fn newest(settings: &CliSettings) -> Result<PathBuf, Failure> {
-    let newest = fly::records(settings).and_then(|it| records::newest(&it));
+    let newest = fly::records(settings).and_then(|it| it.newest());
     newest.ok_or_else(|| {
         let text = "sortie: nothing is recorded yet: fly first, or give a file";
         Failure::Invalid(text.to_owned())

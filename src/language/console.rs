@@ -130,8 +130,8 @@ pub enum TableLine {
 /// A line about what is replayed.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ReplayLine {
-    /// Replay this file.
-    Open(String),
+    /// Replay this file, or the newest record.
+    Open(Option<String>),
     /// Go to a moment.
     Seek(SeekTarget),
     /// Play from one time to another over and over; `None` ends that.

@@ -44,9 +44,9 @@ static TABLE: [&[VerbRow]; 9] = [
     waiting::ROWS,
     mission::ROWS,
     devices::ROWS,
+    replay::ROWS,
     console::ROWS,
     session::ROWS,
-    replay::ROWS,
 ];
 
 /// A motor that starts late can hurt somebody: give up soon.

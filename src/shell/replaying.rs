@@ -9,7 +9,7 @@ use crate::app::event::{Event, LinkEvent};
 use crate::app::room::messages;
 use crate::record::Happening;
 use crate::replay::Replay;
-use crate::store::user_path;
+use crate::store::{Records, user_path};
 use crate::text;
 use crate::text::Text;
 
@@ -18,9 +18,17 @@ const LOOK_EVERY: Duration = Duration::from_millis(250);
 
 impl Console {
     /// Replays a recording in place of what runs.
-    pub(super) fn replay(&mut self, path: &str) -> Result<(), Text> {
-        let path = user_path(path);
-        self.open_replay(Path::new(&path))
+    pub(super) fn replay(&mut self, path: Option<&str>) -> Result<(), Text> {
+        if let Some(path) = path {
+            let path = user_path(path);
+            return self.open_replay(Path::new(&path));
+        }
+        // The newest may be the one that is being recorded: it ends first.
+        self.end_session();
+        let records = self.options.preferences.records.as_ref();
+        let newest = records.and_then(Records::newest);
+        let path = newest.ok_or_else(|| text!("records-none"))?;
+        self.open_replay(&path)
     }
 
     pub(super) fn open_replay(&mut self, path: &Path) -> Result<(), Text> {

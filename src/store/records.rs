@@ -198,6 +198,11 @@ impl Records {
             .collect()
     }
 
+    /// The frames of the newest record that has any.
+    pub fn newest(&self) -> Option<PathBuf> {
+        self.list().into_iter().rev().find_map(|it| it.frames)
+    }
+
     /// Begins a record; makes room for it. Its stem is that of a run, or made of the time of day `when` (as
     /// [`utc`](super::utc) writes it) and the subject. What it is to write is fetched from `source`.
     ///

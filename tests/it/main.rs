@@ -27,6 +27,7 @@ mod profiles;
 mod pty;
 mod recordings;
 mod records;
+mod replays;
 mod screens;
 mod settings;
 mod simulator;

@@ -291,6 +291,12 @@ impl Terminal {
         self
     }
 
+    /// Kills the program, which gets no chance to do anything more.
+    pub fn kill(&mut self) {
+        self.child.kill().expect("it runs");
+        self.child.wait().expect("it was started");
+    }
+
     /// The process id of the program.
     pub fn process_id(&self) -> u32 {
         self.child.process_id().expect("it runs")

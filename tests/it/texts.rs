@@ -8,6 +8,7 @@ use fluent_syntax::ast::{Entry, Expression, InlineExpression, Pattern, PatternEl
 use sortie::app::action::Action;
 use sortie::app::state::Room;
 use sortie::language::rows;
+use sortie::moment::MomentKind;
 use sortie::text::{Language, Locale, messages};
 
 /// The variables of each message of a language, by id.
@@ -158,6 +159,11 @@ fn from_tables() -> BTreeSet<String> {
         .chain(rooms)
         .chain(classes)
         .chain(summaries)
+        .chain(
+            MomentKind::NAMES
+                .iter()
+                .map(|name| format!("moment-kind-{name}")),
+        )
         .chain(meanings.filter(|id| !id.is_empty()))
         .collect()
 }

@@ -5,7 +5,7 @@ use std::time::Duration;
 use crossterm::event::KeyCode;
 
 use crate::app::State;
-use crate::app::action::{Action, DebriefAction, StartAction, Step};
+use crate::app::action::{Action, DebriefAction, ReplayAction, StartAction, Step};
 use crate::app::keymap::{ESCAPE, KeyHint, KeyRow, Press, does, hint, key};
 use crate::app::room::home::fly_drill;
 use crate::app::room::{Answer, Room, RoomModel, RoomRequest, footer_keys};
@@ -134,6 +134,7 @@ const HINTS: &[KeyHint] = &[
     hint(&[Action::Again], "hint-new-try"),
     hint(&[Action::AgainAlike], "hint-alike"),
     hint(&[Action::Debrief(DebriefAction::NextMission)], "hint-next"),
+    hint(&[Action::Replay(ReplayAction::ReplayNewest)], "hint-replay"),
     hint(&[Action::Leave], "hint-home"),
     hint(&[Action::Start(StartAction::Drill)], "hint-drill"),
     footer_keys::COMMAND,
@@ -153,6 +154,7 @@ impl RoomModel for Option<Debrief> {
         does(key('n'), Action::Debrief(DebriefAction::NextMission)),
         does(key('t'), Action::Start(StartAction::Drill)),
         does(key('m'), Action::Debrief(DebriefAction::TruthMap)),
+        does(key('v'), Action::Replay(ReplayAction::ReplayNewest)),
         does(key('h'), Action::Leave),
         does(ESCAPE, Action::Escape),
         does(

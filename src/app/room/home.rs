@@ -1,7 +1,7 @@
 //! Where to begin: missions, free flight, vehicles elsewhere.
 
 use crate::app::State;
-use crate::app::action::{Action, StartAction, Step};
+use crate::app::action::{Action, ReplayAction, StartAction, Step};
 use crate::app::effect::{Effect, Effects, Launch, SessionEffect};
 use crate::app::keymap::{ENTER, KeyHint, KeyRow, does, hint, key};
 use crate::app::room::{Answer, Room, RoomModel, RoomRequest, footer_keys};
@@ -87,6 +87,7 @@ const HINTS: &[KeyHint] = &[
     footer_keys::COMMAND,
     footer_keys::HELP,
     hint(&[Action::Profiles], "hint-trainee"),
+    hint(&[Action::Replay(ReplayAction::ReplayNewest)], "hint-replay"),
     hint(&[Action::Show(Room::Standing)], "room-standing"),
     hint(&[Action::Show(Room::Workshop)], "room-workshop"),
     hint(&[Action::Quit], "hint-quit"),
@@ -99,6 +100,7 @@ impl RoomModel for Home {
         does(key('d'), Action::Start(StartAction::Daily)),
         does(key('e'), Action::Start(StartAction::Exam)),
         does(key('p'), Action::Start(StartAction::Practise)),
+        does(key('v'), Action::Replay(ReplayAction::ReplayNewest)),
         does(key('u'), Action::Profiles),
         does(key('q'), Action::Quit),
     ];

@@ -44,6 +44,9 @@ pub fn happened(state: &mut State, event: ReplayEvent) {
 
 /// Does what a key says.
 pub fn act(state: &mut State, action: ReplayAction) -> Effects {
+    if action == ReplayAction::ReplayNewest {
+        return open(state, None);
+    }
     let Some(view) = &state.replay else {
         return refuse(state);
     };
@@ -59,8 +62,15 @@ pub fn act(state: &mut State, action: ReplayAction) -> Effects {
             act::look_back(state, Log::Moments);
             return Effects::none();
         }
+        ReplayAction::ReplayNewest => return open(state, None),
     };
     Effects::from(Effect::Replay(effect))
+}
+
+/// Replays a file, or the newest record; asks first where something would be lost.
+fn open(state: &mut State, path: Option<String>) -> Effects {
+    let effect = Effect::Session(SessionEffect::Replay(path));
+    act::guarded(state, text!("ask-start"), effect)
 }
 
 /// Goes to a moment of the list; none is the last.
@@ -80,10 +90,7 @@ pub fn go_to(state: &State, moment: Option<usize>) -> Effects {
 /// Carries out a line about what is replayed.
 pub fn carry_out(state: &mut State, line: ReplayLine) -> Effects {
     let effect = match line {
-        ReplayLine::Open(path) => {
-            let effect = Effect::Session(SessionEffect::Replay(path));
-            return act::guarded(state, text!("ask-start"), effect);
-        }
+        ReplayLine::Open(path) => return open(state, path),
         ReplayLine::Seek(target) => ReplayEffect::Seek(target),
         ReplayLine::Loop(stretch) => ReplayEffect::Loop(stretch),
         ReplayLine::StopAt(kinds) => ReplayEffect::StopAt(kinds),

@@ -31,11 +31,11 @@ const fn said(
 const REPLAY: VerbRow = said(
     "replay",
     Scope::Screen,
-    &["replay flight.tlog"],
+    &["replay", "replay flight.tlog"],
     &[Form::new(
-        &[Argument::value("file", Kind::Rest, "argument-file")],
+        &[Argument::value("file", Kind::Rest, "argument-file").optional()],
         |given| {
-            let path = given.required_word("file")?.to_owned();
+            let path = given.word("file").map(str::to_owned);
             console(ConsoleLine::Replay(ReplayLine::Open(path)))
         },
     )],
