@@ -47,7 +47,7 @@ fn a_session_that_is_killed_leaves_its_record() {
 fn what_was_flown_is_replayed_and_takes_no_commands() {
     let data = tempfile::tempdir().expect("a folder");
     let mut terminal = flying(data.path());
-    terminal.press("q").see("home").press("\r").see("y to");
+    terminal.press("q").see("leave").press("\r").see("HOME");
     drop(terminal);
     let frames = newest(data.path()).display().to_string();
     let mut replay = Terminal::start(&["replay", &frames], 100, 30);

@@ -134,9 +134,9 @@ const HINTS: &[KeyHint] = &[
     hint(&[Action::Again], "hint-new-try"),
     hint(&[Action::AgainAlike], "hint-alike"),
     hint(&[Action::Debrief(DebriefAction::NextMission)], "hint-next"),
-    hint(&[Action::Replay(ReplayAction::ReplayNewest)], "hint-replay"),
     hint(&[Action::Leave], "hint-home"),
     hint(&[Action::Start(StartAction::Drill)], "hint-drill"),
+    hint(&[Action::Replay(ReplayAction::ReplayNewest)], "hint-replay"),
     footer_keys::COMMAND,
     footer_keys::HELP,
 ];

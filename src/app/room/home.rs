@@ -87,10 +87,10 @@ const HINTS: &[KeyHint] = &[
     footer_keys::COMMAND,
     footer_keys::HELP,
     hint(&[Action::Profiles], "hint-trainee"),
-    hint(&[Action::Replay(ReplayAction::ReplayNewest)], "hint-replay"),
     hint(&[Action::Show(Room::Standing)], "room-standing"),
     hint(&[Action::Show(Room::Workshop)], "room-workshop"),
     hint(&[Action::Quit], "hint-quit"),
+    hint(&[Action::Replay(ReplayAction::ReplayNewest)], "hint-replay"),
 ];
 
 impl RoomModel for Home {
