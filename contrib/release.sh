@@ -29,7 +29,7 @@ unset CARGO_ENCODED_RUSTFLAGS CFLAGS
 program=${CARGO_TARGET_DIR:-target}/$target/release/sortie
 
 rm -rf "$stage"
-mkdir -p "$stage/completions" "$stage/docs/images" "$stage/systemd"
+mkdir -p "$stage/completions" "$stage/docs/images" "$stage/systemd" "$stage/licences"
 cp "$program" README.md CHANGELOG.md LICENSE "$stage/"
 cp docs/*.md "$stage/docs/"
 cp docs/images/*.svg "$stage/docs/images/"
@@ -39,6 +39,9 @@ for shell in bash zsh fish elvish powershell; do
 done
 "$program" man --dir "$stage/man/man1"
 cargo run --quiet --locked --example third_party -- "$target" >"$stage/THIRD-PARTY.md"
+# What is in the program besides crates.
+cp "$(rustc --print sysroot)/share/doc/rust/COPYRIGHT-library.html" "$stage/licences/rust-std.html"
+cp contrib/licences/musl.txt "$stage/licences/"
 
 # What a static program must not need.
 case $(ldd "$program" 2>&1 || true) in

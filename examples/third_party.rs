@@ -114,6 +114,10 @@ fn inside(resolve: &Resolve) -> BTreeSet<&str> {
 /// A list of the packages, and each text of a licence once, below the packages that have it.
 fn print_document(packages: &[&Package]) -> anyhow::Result<()> {
     println!("# Third-party software in sortie\n");
+    println!(
+        "The program also contains Rust's standard library ([its notices](licences/rust-std.html)) and, where it is \
+         static, the C library musl ([its notices](licences/musl.txt)).\n"
+    );
     println!("| package | version | licence | source |\n| --- | --- | --- | --- |");
     let mut texts: BTreeMap<String, Vec<String>> = BTreeMap::new();
     for package in packages {
