@@ -1,4 +1,4 @@
-//! What an alert is about.
+//! The kinds of alerts.
 
 use serde::{Deserialize, Serialize};
 use strum::{EnumString, IntoStaticStr, VariantNames};

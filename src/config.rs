@@ -1,4 +1,4 @@
-//! What a user has set: the console's configuration, whatever file, variable or flag it came from.
+//! The console's configuration, whatever file, variable or flag it came from.
 //!
 //! [`SETTINGS`] declares every setting once; [`Layers`] lays defaults, file, environment and flags over each other
 //! and remembers where each value came from.

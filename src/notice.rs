@@ -1,4 +1,4 @@
-//! What is said to a human.
+//! Notices to people.
 
 use std::time::Duration;
 

@@ -1,4 +1,4 @@
-//! What several vehicles do together: surveys, formations, following, spreading, searches and relay chains.
+//! Manoeuvres of several vehicles: surveys, formations, following, spreading, searches and relay chains.
 //!
 //! The [`Conductor`] turns each [`Manoeuvre`] into setpoints for each of its vehicles and judges from their telemetry
 //! how far they are. It is pure: whoever owns it (the console, an exercise) calls [`Conductor::step`] some

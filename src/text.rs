@@ -1,4 +1,4 @@
-//! What is said to people, in their language.
+//! Texts for people, in their language.
 //!
 //! Whoever has something to say makes a [`Text`]: which message, and what goes into it. It stays one until
 //! it is shown, where a [`Locale`] turns it into words. The words are Fluent messages in `locales/LANGUAGE/`;

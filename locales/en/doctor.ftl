@@ -33,8 +33,8 @@ doctor-well = { $count ->
    *[other] all is well: { $count } vehicles are heard and answer
 }
 
-doctor-try-not-open = Correct the fault that the link reports; it is tried again automatically.
-doctor-try-not-open-tcp = Is the vehicle or SITL running, and is the port right? SITL listens on 5760, 5762 and 5763, ten more for each further instance. It is tried again by itself.
+doctor-try-not-open = Correct the fault that the link reports. The link is tried again automatically.
+doctor-try-not-open-tcp = Is the vehicle or SITL running, and is the port right? SITL listens on 5760, 5762 and 5763, plus 10 for each further instance. The link is tried again automatically.
 doctor-try-not-open-serial = Is the device plugged in and the name right, such as /dev/ttyUSB0, /dev/ttyACM0 or COM3? May you open it (on Linux the group dialout)? It is tried again by itself.
 doctor-try-text = Is it a console, a boot loader or a GPS receiver? On the autopilot set the port's SERIALn_PROTOCOL to 2 (MAVLink 2), or take another port.
 doctor-try-no-frame = Is it MAVLink? Behind a serial-to-network bridge the baud rate may be wrong; the stream may also be encrypted or compressed.

@@ -29,7 +29,7 @@ grammar-there-are = known: { $names }
 grammar-empty-part = a vehicle is missing beside the comma: write numbers and ranges as in `1-4,7`
 grammar-backwards = `{ $range }` is reversed: use `{ $turned }`
 grammar-no-targets = `{ $word }` names no vehicles: write a number, a range such as `1-4`, `@group` or `all`
-grammar-no-vehicle-number = { $word } is not a vehicle: they are numbered from 1 to { $highest }
+grammar-no-vehicle-number = `{ $word }` is not the number of a vehicle: they are numbered from 1 to { $highest }
 grammar-no-vehicle = no vehicle { $vehicle }, only { $known }
 
 grammar-not-whole = `{ $word }` is not a whole number

@@ -117,9 +117,9 @@ mission-vehicle-gone = its simulator has ended: the vehicle is lost
 # What a mission answers to deeds.
 deed-over = the mission is over
 deed-launched = only possible before takeoff
-deed-no-position = its position is not known
+deed-no-position = its position is unknown
 deed-other-kind = this mission asks for no reports of `{ $kind }`; report { $kinds }
-deed-no-contacts = no such contact that has not been reported
+deed-no-contacts = all such contacts have been reported already
 deed-no-mark = no report within 15 m of there
 deed-marked-before = reported already
 deed-marked = { $count } reported

@@ -31,7 +31,7 @@ outcome-no-answer = { $tries ->
     [one] no answer to { $tries } try in { $seconds } s
    *[other] no answer to { $tries } tries in { $seconds } s
 }
-outcome-no-parameter = perhaps it has no parameter { $name }
+outcome-no-parameter = the vehicle may not have the parameter { $name }
 outcome-value-became = { $name } = { $value } (requested: { $wanted })
 outcome-other-name = { $outcome } (this vehicle's name for { $name })
 outcome-opposite-name = { $outcome } (this vehicle's name for { $name }, with the opposite meaning)

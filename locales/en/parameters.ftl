@@ -13,7 +13,7 @@ parameters-out-of-range = not sent: { $name } takes { $least } to { $greatest } 
 parameters-inexact = not sent: MAVLink would carry { $nearest } instead, so { $name } cannot be set to that exactly
 parameters-no-number = `{ $value }` is not a number
 
-parameters-file-twice = { $name } is { $value } on line { $line } already
+parameters-file-twice = { $name } is set to { $value } on line { $line } already
 parameters-file-no-value = { $name } has no value
 parameters-file-more = nothing more is expected after the value
 parameters-file-name = `{ $name }` is not a parameter: names have 1 to 16 letters, digits and `_`
@@ -112,5 +112,5 @@ parameters-hint-help = help
 parameters-hint-mark = mark
 parameters-hint-mark-all = all, others
 parameters-hint-extra = only here
-parameters-hint-apply = set the marked
+parameters-hint-apply = set the marked ones
 parameters-hint-close = back

@@ -40,7 +40,7 @@ transport-tlog-damaged = the recording is damaged: there is no MAVLink frame in 
 transport-tlog-unreadable = the recording cannot be read at byte { $byte }: { $error }
 
 transport-no-address = "{ $address }" is not a link address: { $problem }; write tcp:HOST:PORT (connect), tcpin:HOST:PORT (listen), udp:HOST:PORT (send to), udpin:HOST:PORT (listen), udpbcast:HOST:PORT, serial:PATH:BAUD or file:FILE.tlog
-transport-address-empty = it is empty
+transport-address-empty = the address is empty
 transport-file-missing = the file is missing
 transport-no-kind = unknown kind of link "{ $kind }"
 transport-no-kind-no-port = it names neither a kind of link nor a port

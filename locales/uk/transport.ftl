@@ -40,7 +40,7 @@ transport-tlog-damaged = запис пошкоджено: на байті { $byt
 transport-tlog-unreadable = запис не читається на байті { $byte }: { $error }
 
 transport-no-address = «{ $address }» не є адресою зв'язку: { $problem }; пишіть tcp:HOST:PORT (з'єднатися), tcpin:HOST:PORT (слухати), udp:HOST:PORT (надсилати), udpin:HOST:PORT (слухати), udpbcast:HOST:PORT, serial:PATH:BAUD або file:FILE.tlog
-transport-address-empty = вона порожня
+transport-address-empty = адреса порожня
 transport-file-missing = бракує файлу
 transport-no-kind = невідомий вид зв'язку: «{ $kind }»
 transport-no-kind-no-port = у ній немає ні виду зв'язку, ні порту

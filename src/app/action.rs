@@ -1,4 +1,4 @@
-//! What the user wants, whichever key said it.
+//! The user's intents, whichever key gave them.
 
 use strum::{EnumIter, IntoEnumIterator as _, IntoStaticStr};
 

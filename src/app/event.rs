@@ -1,4 +1,4 @@
-//! What happened, grouped by where it comes from.
+//! Events, grouped by where they come from.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;

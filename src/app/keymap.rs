@@ -1,4 +1,4 @@
-//! Which key means what, and where. The help is made from this table.
+//! The key bindings by room. The help is made from this table.
 
 use std::borrow::Cow;
 

@@ -1,4 +1,4 @@
-//! What a try counts for, and on which layout it is flown.
+//! The stake of a try, and the layout that it is flown on.
 
 use super::{
     CareerStanding, LockReason, MissionCourse, MissionStage, PartState, Stake, daily_seed,

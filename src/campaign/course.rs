@@ -1,4 +1,4 @@
-//! The missions of a campaign, and which of them somebody may fly.
+//! The missions of a campaign, and which of them are open to a trainee.
 
 use super::{CareerFlight, CareerStanding, Mastery, Skill};
 use crate::mission::{Mission, Requires, Unlock};

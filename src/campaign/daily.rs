@@ -1,4 +1,4 @@
-//! Seeds that everybody has in common.
+//! Seeds that all trainees have in common.
 
 /// The seed of a day (days since 1970, UTC): the same for all trainees, another one tomorrow.
 pub fn daily_seed(day: i64) -> u64 {

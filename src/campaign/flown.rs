@@ -1,4 +1,4 @@
-//! What a finished flight means to a career.
+//! A finished flight as a part of a career.
 
 use super::{CareerFlight, Evidence, FlownDesign, Stake, wear};
 use crate::mission::Mission;

@@ -1,4 +1,4 @@
-//! How far somebody has come, as tables: per mission and per skill.
+//! A trainee's progress as tables: per mission and per skill.
 
 use serde::Serialize;
 

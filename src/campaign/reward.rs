@@ -1,4 +1,4 @@
-//! What a flight brought, and why.
+//! The reward of a flight, and its reasons.
 
 use serde::Serialize;
 

@@ -1,4 +1,4 @@
-//! What a history amounts to.
+//! The standing that follows from a history.
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,4 +1,4 @@
-//! What flying costs its owner.
+//! The costs of flying.
 
 use crate::workshop::{Design, PartSlot};
 

@@ -1,4 +1,4 @@
-//! What flies: the options that `fly`, `run` and others share.
+//! The options about vehicles that `fly`, `run` and others share.
 
 use std::env;
 use std::path::{Path, PathBuf};

@@ -1,4 +1,4 @@
-//! `sortie config`: what is set, and who has set it.
+//! `sortie config`: every setting and its source.
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;

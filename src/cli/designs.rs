@@ -1,4 +1,4 @@
-//! The drones that somebody built, as `run` and `fly` take them.
+//! Built drones, as `run` and `fly` take them.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! What is wrong with a file, and how it is told.
+//! Faults of files, as they are printed and noticed.
 
 use std::env;
 use std::io::IsTerminal as _;

@@ -67,7 +67,7 @@ pub(super) struct HomeArguments {
 }
 
 impl HomeArguments {
-    /// Whether nothing is set.
+    /// Whether all values are the defaults.
     pub fn is_default(&self) -> bool {
         self.seed.is_none() && self.speedup.is_none()
     }

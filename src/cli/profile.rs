@@ -1,4 +1,4 @@
-//! `sortie profile`: who trains here, and what they may do.
+//! `sortie profile`: the profiles of trainees.
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;

@@ -1,4 +1,4 @@
-//! Profiles as commands need them: opened, found by name, and what is wrong told.
+//! Profiles as commands need them: opened, found by name, with their faults explained.
 
 use std::process::ExitCode;
 

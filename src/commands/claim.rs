@@ -1,4 +1,4 @@
-//! What stays true of a vehicle while a command holds.
+//! The state of a vehicle that a command holds it in.
 
 use super::modes::{holding_mode, mode_named};
 use super::{ArmingCommand, Command, FlightCommand, MotionCommand};

@@ -1,4 +1,4 @@
-//! What telemetry shows once a command works.
+//! The effect of a command in telemetry.
 
 use std::time::Duration;
 

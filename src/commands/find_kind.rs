@@ -1,4 +1,4 @@
-//! What a find can be reported as.
+//! The kinds that a find can be reported as.
 
 use serde::{Deserialize, Serialize};
 use strum::{EnumString, IntoStaticStr, VariantNames};

@@ -1,4 +1,4 @@
-//! What begins, ends and interrupts a flight.
+//! Commands that begin, end and interrupt a flight.
 
 use std::time::Duration;
 

@@ -1,4 +1,4 @@
-//! What several vehicles are asked to do together.
+//! Manoeuvres of several vehicles.
 //!
 //! Pure data: the [`Conductor`](crate::swarm::Conductor) turns it into setpoints for each of them.
 

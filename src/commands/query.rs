@@ -1,4 +1,4 @@
-//! What a vehicle is to say.
+//! Requests for messages.
 
 use mavlink::dialects::ardupilotmega::MavCmd;
 

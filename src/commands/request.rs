@@ -1,4 +1,4 @@
-//! What goes out for a command, and what answers it.
+//! The messages of a command, and the answer to wait for.
 
 use std::time::Duration;
 

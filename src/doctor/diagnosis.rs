@@ -1,4 +1,4 @@
-//! What the charts say.
+//! The diagnosis of links from their charts.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;

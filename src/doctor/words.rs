@@ -1,4 +1,4 @@
-//! What a person reads of a finding: what it is, and what to try.
+//! The texts of findings: the cause, and the advice.
 
 use super::{Cause, LinkFinding, Way};
 use crate::text;

@@ -1,4 +1,4 @@
-//! What two vehicles answered, in order.
+//! The answers of two vehicles, in order.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! What a ground station can know of a flight.
+//! A flight as a ground station can observe it.
 
 use mavlink::MessageData as _;
 use mavlink::dialects::ardupilotmega::{COMMAND_ACK_DATA, MavMessage, MavModeFlag};

@@ -1,4 +1,4 @@
-//! The hub: which vehicle is heard by which link.
+//! The hub: it knows by which link each vehicle is heard.
 
 use std::collections::{BTreeMap, VecDeque};
 use std::sync::Arc;

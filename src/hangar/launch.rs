@@ -1,4 +1,4 @@
-//! What is to be started, and whether it makes sense.
+//! The description of a launch, and whether it makes sense.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! Why a hangar does not do what it is asked.
+//! Refusals of a hangar, with their reasons.
 
 use std::io;
 

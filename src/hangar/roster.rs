@@ -1,4 +1,4 @@
-//! Who is in the hangar, which numbers and system ids are taken, and how everybody is.
+//! The instances of a hangar: their states, and which numbers and system ids are taken.
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};

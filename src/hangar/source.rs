@@ -1,4 +1,4 @@
-//! What a session of simulated vehicles is made of: where they run, and what they are.
+//! The source of a session's simulated vehicles: where they run, and what they are.
 
 use std::sync::Arc;
 

@@ -1,4 +1,4 @@
-//! What could come next in a line.
+//! Completion: what could come next in a line.
 
 use std::cmp::Reverse;
 use std::ops::Range;

@@ -1,4 +1,4 @@
-//! What the lines say that the console carries out itself.
+//! Lines that the console carries out itself.
 
 use std::time::Duration;
 

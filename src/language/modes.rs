@@ -1,4 +1,4 @@
-//! Flight modes as lines name them: which there are, and what should be known before entering one.
+//! Flight modes as lines name them, with warnings about some.
 
 use super::Context;
 use crate::text;

@@ -1,4 +1,4 @@
-//! Whom a line concerns.
+//! The vehicles that a line is for.
 
 use std::fmt;
 

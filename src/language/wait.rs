@@ -1,4 +1,4 @@
-//! What a script waits for.
+//! The conditions that a script can wait for.
 
 use std::collections::BTreeMap;
 use std::time::Duration;

@@ -258,7 +258,7 @@ mod tests {
     #[test]
     fn what_is_wrong_is_named_and_the_forms_are_listed() {
         let table = [
-            ("", "it is empty"),
+            ("", "the address is empty"),
             ("ftp:host:21", "unknown kind of link \"ftp\""),
             ("host", "neither a kind of link nor a port"),
             ("tcp:host", "\"host\" is not a port"),

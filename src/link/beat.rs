@@ -1,4 +1,4 @@
-//! Things that are done again and again.
+//! Periodic work of a link.
 
 use std::time::Duration;
 

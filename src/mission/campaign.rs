@@ -1,4 +1,4 @@
-//! What a mission asks of a career, and what it gives to it.
+//! A mission's requirements of a career, and its rewards.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! What happens to a mission while it is flown: by time, on a condition, by chance, or by an instructor's hand.
+//! Events of a mission while it is flown: by time, on a condition, by chance, or by an instructor.
 //!
 //! [`Event`]s are read from the file once. The [`Engine`](engine::Engine) of a flight watches them, changes the
 //! weather and the zones, brings people and aircraft, breaks things on board, and asks for answers to alerts.

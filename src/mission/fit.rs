@@ -1,4 +1,4 @@
-//! What vehicles carry on a mission.
+//! The equipment of vehicles on a mission.
 
 use std::collections::BTreeMap;
 

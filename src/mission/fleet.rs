@@ -1,4 +1,4 @@
-//! The drones that a mission is flown with, where somebody built their own.
+//! The drones of a mission, where the trainee built them.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;

@@ -1,4 +1,4 @@
-//! What can be told of a mission before it is flown.
+//! A mission as it is listed before it is flown.
 
 use std::collections::BTreeMap;
 use std::time::Duration;

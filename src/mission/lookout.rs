@@ -1,4 +1,4 @@
-//! What the detectors of a fleet see as the vehicles fly.
+//! The detectors of a fleet as its vehicles fly.
 //!
 //! A look that finds with probability `p` is an exposure of `-ln(1 - p)`; something is found when the exposure has
 //! reached a random amount with the exponential distribution. So a pass finds with `p`, a dwell of `t` with

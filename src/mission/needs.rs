@@ -1,4 +1,4 @@
-//! What a mission needs of the drones that fly it, and how a design stands to it.
+//! A mission's needs of the drones that fly it, and whether a design meets them.
 
 use std::time::Duration;
 

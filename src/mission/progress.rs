@@ -1,4 +1,4 @@
-//! What the mission panel shows.
+//! The content of the mission panel.
 
 use std::collections::BTreeMap;
 use std::time::Duration;

@@ -1,4 +1,4 @@
-//! What the trainee has reported.
+//! The trainee's reports of finds.
 
 use std::time::Duration;
 
@@ -21,7 +21,7 @@ pub(crate) const SAME_WITHIN_M: f64 = 0.5;
 /// A report is taken back within this of the place that is named.
 const UNMARK_WITHIN_M: f64 = 15.0;
 
-/// All reports of a flight that have not been taken back, in the order of their making.
+/// All reports of a flight that were not withdrawn, in their order.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Marks(Vec<Mark>);
 

@@ -1,4 +1,4 @@
-//! What a vehicle says.
+//! Texts of vehicles.
 
 use crate::vehicle::{StatusText, Vehicle};
 

@@ -1,4 +1,4 @@
-//! What a flight is flown for.
+//! The stake of a flight: practice, graded, exam.
 
 use serde::{Deserialize, Serialize};
 

@@ -1,4 +1,4 @@
-//! What a mission says of vehicles that do something together.
+//! Manoeuvres of several vehicles, as a mission counts them.
 
 use super::Mission;
 use crate::swarm::{Rules, Swath};

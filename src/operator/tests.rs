@@ -1,4 +1,4 @@
-//! What follows from a line.
+//! Lines and their consequences.
 
 use super::*;
 use crate::commands::Setpoint;

@@ -1,4 +1,4 @@
-//! What differs between two lists of parameters.
+//! The differences between two lists of parameters.
 
 use std::collections::BTreeMap;
 

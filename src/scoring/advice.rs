@@ -1,4 +1,4 @@
-//! What would have brought more points. Every gain is the difference to the score of the same flight with that
+//! Advice: what would have brought more points. Every gain is the difference to the score of the same flight with that
 //! one thing mended, so it is what the trainee would really have got. Two things may bring the same points, such as
 //! those that need a share of the objectives: the smaller gains are cut so that all together are no more than what
 //! everything mended would bring.

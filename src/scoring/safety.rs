@@ -1,4 +1,4 @@
-//! Rules broken, and what each costs.
+//! Broken rules, and their cost.
 
 use std::collections::BTreeMap;
 use std::time::Duration;

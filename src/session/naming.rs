@@ -1,4 +1,4 @@
-//! What a vehicle calls a parameter: versions of the firmware differ, most of all in how faults are made (`SIM_*`).
+//! The vehicle's name of a parameter: versions of the firmware differ, most of all in how faults are made (`SIM_*`).
 
 use std::time::Duration;
 

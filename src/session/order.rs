@@ -1,4 +1,4 @@
-//! What a session is asked to do, and what it reports.
+//! The orders to a session, and its reports.
 
 use std::time::Duration;
 

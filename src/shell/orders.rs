@@ -1,4 +1,4 @@
-//! Carries out what was asked of vehicles.
+//! Orders to vehicles, carried out.
 
 use std::time::Duration;
 

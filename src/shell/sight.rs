@@ -1,4 +1,4 @@
-//! What of the console is on the terminal: how it looks, and what it has yet to show.
+//! The console on the terminal: its look, and what waits for the next frame.
 
 use std::io;
 use std::sync::Arc;

@@ -1,4 +1,4 @@
-//! What the operating system tells the console.
+//! Signals of the operating system.
 
 use std::future::poll_fn;
 use std::io;

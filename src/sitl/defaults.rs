@@ -1,4 +1,4 @@
-//! What a new vehicle lacks before it lets itself be armed, as parameters.
+//! The parameters that a new vehicle lacks before it can be armed.
 //!
 //! Tried on copter, plane, rover and sub of an `ArduPilot` 4.6: with these each arms in GUIDED (a sub in MANUAL) as soon
 //! as it knows where it is. Names that a version does not know are left out by it without a word.

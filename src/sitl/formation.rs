@@ -1,4 +1,4 @@
-//! Where the vehicles of a swarm stand when they are switched on.
+//! The places of a swarm's vehicles when they are switched on.
 
 use serde::{Deserialize, Serialize};
 use strum::{IntoStaticStr, VariantArray};

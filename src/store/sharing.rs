@@ -1,4 +1,4 @@
-//! Who may read what is kept of a trainee: the trainee alone, or a group as well.
+//! Readers of a trainee's results: the trainee alone, or a group as well.
 //!
 //! The folder of the data says so itself: one whose group may read it and whose set-group-ID bit is set holds files that
 //! the group may read, in folders of the same kind.

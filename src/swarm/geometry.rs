@@ -1,4 +1,4 @@
-//! Distances, and who goes where.
+//! Distances, and the assignment of vehicles to places.
 
 use glam::{DVec2, DVec3};
 

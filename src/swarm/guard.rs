@@ -1,4 +1,4 @@
-//! Who has to wait because somebody else is in the way.
+//! Vehicles that have to wait because another is in the way.
 //!
 //! Those of one manoeuvre are kept apart by how it is planned. This is for everybody else: vehicles that hover, that
 //! are flown by hand, or that do something else together.

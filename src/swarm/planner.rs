@@ -1,4 +1,4 @@
-//! From what was asked to who flies what.
+//! From an order to a plan for each vehicle.
 
 use std::time::Duration;
 

@@ -1,4 +1,4 @@
-//! Ways on which nobody meets anybody.
+//! Ways on which no vehicles meet.
 //!
 //! Everybody first rises (or sinks) on the spot to a height of its own, then all cross, then all sink to where they
 //! work; each part begins when the one before has ended for all. Ways that stay clear of all others share the height

@@ -1,4 +1,4 @@
-//! What the terminal can show, by the environment.
+//! The terminal's capabilities, by the environment.
 
 use crate::config::Symbols;
 use crate::text::{Text, text};

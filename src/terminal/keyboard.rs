@@ -1,4 +1,4 @@
-//! What comes from the terminal, without ever waiting for it.
+//! Input from the terminal, without ever waiting for it.
 
 use std::fs::File;
 use std::io::{self, Read as _};

@@ -1,4 +1,4 @@
-//! What can be clicked on, by where it was drawn last.
+//! Areas that can be clicked on, by where they were drawn last.
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 

@@ -1,4 +1,4 @@
-//! How things are shown to this user: colours, words, symbols.
+//! The look: colours, words, symbols.
 
 use std::sync::Arc;
 

@@ -236,7 +236,7 @@ impl Part {
         matches!(self.spec, Spec::Load)
     }
 
-    /// What decides how far it reaches, if it is a radio.
+    /// The figures that decide its range, if it is a radio.
     pub fn radio(&self) -> Option<&Radio> {
         match &self.spec {
             Spec::Radio(radio) => Some(radio),

@@ -1,4 +1,4 @@
-//! What happens between switching on and being ready, in seconds or like the real thing.
+//! The boot, from power-on to ready: in seconds, or as long as on the real vehicle.
 
 use mavlink::dialects::ardupilotmega::{EkfStatusFlags, GpsFixType};
 

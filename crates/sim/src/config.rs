@@ -1,4 +1,4 @@
-//! What a world begins with: vehicles, where they stand, and what stands in their way.
+//! The configuration of a world: vehicles, their places, obstacles.
 
 use std::sync::Arc;
 

@@ -1,4 +1,4 @@
-//! What a vehicle counts and learns of its flights and keeps in its parameters: the hours, and the throttle that
+//! Statistics that a vehicle keeps in its parameters: hours flown, and the throttle that
 //! holds it in the air.
 
 use std::time::Duration;

@@ -1,4 +1,4 @@
-//! What the autopilot makes of a flight that it has lost: `ArduCopter`'s crash check and its check for lost thrust.
+//! Loss of control: `ArduCopter`'s crash check and its check for lost thrust.
 
 use glam::DVec3;
 use mavlink::dialects::ardupilotmega::MavSeverity;

@@ -1,4 +1,4 @@
-//! What the vehicle does by itself when a link falls silent, the battery runs low or the estimate goes bad.
+//! Failsafes: what the vehicle does by itself when a link falls silent, the battery runs low or the estimate goes bad.
 //!
 //! Conditions, texts and actions are those of `ArduCopter` (`events.cpp`, `ekf_check.cpp`, `AP_BattMonitor`).
 

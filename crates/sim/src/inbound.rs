@@ -1,4 +1,4 @@
-//! What a ground station says, and the vehicle's answers.
+//! Messages of ground stations, and the vehicle's answers.
 
 mod fields;
 

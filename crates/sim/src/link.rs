@@ -1,4 +1,4 @@
-//! What the vehicle keeps for one serial port.
+//! The state that the vehicle keeps for one serial port.
 
 use std::time::Duration;
 

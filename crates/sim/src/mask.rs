@@ -1,4 +1,4 @@
-//! The type masks of setpoints: what a ground station leaves out.
+//! The type masks of setpoints: the fields that are left out.
 
 use mavlink::dialects::ardupilotmega::PositionTargetTypemask as Mask;
 

@@ -1,4 +1,4 @@
-//! What ground stations upload: the mission, the fence and the rally points, item by item.
+//! Uploaded lists: the mission, the fence and the rally points, item by item.
 
 /// One item of a list, as it came over the link.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

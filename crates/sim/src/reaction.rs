@@ -1,4 +1,4 @@
-//! What the parts that watch over a flight ask of the autopilot.
+//! Requests to the autopilot from the parts that watch over a flight.
 
 use mavlink::dialects::ardupilotmega::MavSeverity;
 

@@ -1,4 +1,4 @@
-//! Which messages one serial port sends, and how often.
+//! The messages of one serial port and their rates.
 
 #![expect(
     deprecated,

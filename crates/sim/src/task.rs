@@ -1,4 +1,4 @@
-//! What the autopilot is doing inside its mode: one small controller per task.
+//! Tasks inside a mode: one small controller each.
 
 mod attitude;
 mod auto;

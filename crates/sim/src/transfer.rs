@@ -1,4 +1,4 @@
-//! What ground stations carry to and from the vehicle: lists of items, files and flight logs.
+//! Transfers to and from the vehicle: lists of items, files and flight logs.
 //!
 //! As in the real vehicle one upload per list, one open file and one log download are under way at a time,
 //! whichever link they came by.

@@ -1,4 +1,4 @@
-//! What really is the case with a vehicle.
+//! The true state of a vehicle.
 
 use super::autopilot::Autopilot;
 use sortie_geo::{LatLon, wrap_360};

@@ -1,4 +1,4 @@
-//! All that the parameters set, converted once per change instead of once per step.
+//! The parameters in SI units, converted once per change instead of once per step.
 
 use std::time::Duration;
 

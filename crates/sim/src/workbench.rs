@@ -1,4 +1,4 @@
-//! What is done by hand to a vehicle that stands on the ground, as on a workbench: motor tests, compass calibration,
+//! Work on a vehicle on the ground, as on a workbench: motor tests, compass calibration,
 //! and the switches of the hardware.
 
 use std::time::Duration;

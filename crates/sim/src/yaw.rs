@@ -1,4 +1,4 @@
-//! Where the nose should point and how fast it may turn.
+//! Heading control: where the nose points and how fast it turns.
 
 use glam::DVec2;
 

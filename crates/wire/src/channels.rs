@@ -1,4 +1,4 @@
-//! The channels of radios, which messages name one by one.
+//! Radio channels, for which messages have a field each.
 
 /// The first 16 channels of a message with fields `chan1_raw`, `chan2_raw`..., in order.
 #[macro_export]

@@ -1,4 +1,4 @@
-//! Which keys lead to something at a place, as hints and messages show them.
+//! Keys in hints and messages: those that lead to an action at a place.
 
 use std::borrow::Cow;
 

@@ -1,4 +1,4 @@
-//! Keyboard layouts: which Latin key lies where a Ukrainian letter is printed.
+//! Keyboard layouts: the Latin key at the place of each Ukrainian letter.
 
 use crossterm::event::{KeyCode, KeyEvent};
 

@@ -1,4 +1,4 @@
-//! What depends on the state and on what some room remembers.
+//! Views of the state that need what a room remembers.
 
 use super::State;
 use crate::language::{Channel, Context, VehicleChoice};

@@ -1,4 +1,4 @@
-//! What the flight was worth.
+//! The debrief of a flight.
 
 use std::time::Duration;
 

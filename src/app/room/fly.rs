@@ -29,7 +29,7 @@ const SORTS: &[Column] = &[
     Column::Group,
 ];
 
-/// What the room remembers.
+/// The state of the room.
 #[derive(Debug, Clone, Default)]
 pub struct Fly {
     /// What the rows have to fit, as it was written.

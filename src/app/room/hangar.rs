@@ -11,7 +11,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 
-/// What the room remembers.
+/// The state of the room.
 #[derive(Debug, Clone, Default)]
 pub struct Hangar {
     /// The place of the process under the cursor.

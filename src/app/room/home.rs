@@ -1,4 +1,4 @@
-//! Where to begin: missions, free flight, vehicles elsewhere.
+//! The home screen: missions, free flight, connections.
 
 use crate::app::State;
 use crate::app::action::{Action, ReplayAction, StartAction, Step};

@@ -10,7 +10,7 @@ use crate::ledger::{EntryId, LedgerEntry, RowState};
 use crate::text;
 use crate::text::Text;
 
-/// What the room remembers.
+/// The state of the room.
 #[derive(Debug, Clone, Default)]
 pub struct Ledger {
     /// What the commands have to contain, as it was written.
@@ -294,7 +294,7 @@ impl Term {
     }
 }
 
-/// What a filter may call what became of a command.
+/// The word of a filter for a command's outcome.
 fn became(state: RowState) -> &'static str {
     match state {
         RowState::Queued => "queued",

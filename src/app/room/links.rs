@@ -11,7 +11,7 @@ use crate::app::state::LinkSummary;
 /// Seconds that the history looks back.
 pub const HISTORY_S: usize = 60;
 
-/// What the room remembers.
+/// The state of the room.
 #[derive(Debug, Clone, Default)]
 pub struct Links {
     /// The link under the cursor.

@@ -23,7 +23,7 @@ pub use tree::{Branch, Node};
 /// Graphs that fit below the fields.
 const MOST_PINS: usize = 4;
 
-/// What the room remembers.
+/// The state of the room.
 #[derive(Debug, Clone, Default)]
 pub struct Messages {
     /// The links as they were looked at last.
@@ -32,7 +32,7 @@ pub struct Messages {
     pub(in crate::app) paused: bool,
     /// Only messages whose name or number contains this are shown.
     pub(in crate::app) filter: String,
-    /// What the messages of a component are ordered by.
+    /// The order of a component's messages.
     pub(in crate::app) sort: Sort,
     /// The line under the cursor; `None` is the first.
     pub(in crate::app) cursor: Option<Node>,

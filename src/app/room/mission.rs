@@ -13,7 +13,7 @@ mod page;
 
 pub use page::{PageLine, Tone, columns};
 
-/// What the room remembers.
+/// The state of the room.
 #[derive(Debug, Clone, Default)]
 pub struct Mission {
     /// The first line shown.

@@ -33,7 +33,7 @@ pub use edit::{Edit, entered, note_order, setting_line, tell};
 pub use files::{load, read, save};
 pub use rows::{Row, coming, extra, rows};
 
-/// What the room remembers.
+/// The state of the room.
 #[derive(Debug, Clone, Default)]
 pub struct Parameters {
     /// What is known of each vehicle's parameters.

@@ -16,7 +16,7 @@ use crate::vehicle::Severity;
 /// From this width and height on, everything is shown at the same time.
 const WIDE: (u16, u16) = (140, 40);
 
-/// What the room remembers.
+/// The state of the room.
 #[derive(Debug, Clone, Default)]
 pub struct Standing {
     /// The pane that the cursor is in.

@@ -9,7 +9,7 @@ use crate::app::room::fly;
 use crate::app::room::{Answer, Room, RoomModel, footer_keys};
 use crate::app::state::Window;
 
-/// What the room remembers.
+/// The state of the room.
 #[derive(Debug, Clone, Default)]
 pub struct Vehicle {
     /// How far back its curves reach.

@@ -27,7 +27,7 @@ pub use fleet::{Seat, bill, seats};
 pub use licence::{Licence, lacking, licence};
 pub use shelf::{Stored, heard, is_saved, lay, stored};
 
-/// What the room remembers.
+/// The state of the room.
 #[derive(Debug, Clone, Default)]
 pub struct Workshop {
     /// What lies on the bench.

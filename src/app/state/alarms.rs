@@ -1,4 +1,4 @@
-//! The alerts that stand: since when, and whether somebody has taken note of them.
+//! The active alerts: since when, and whether they are acknowledged.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
@@ -17,7 +17,7 @@ pub struct Standing {
     pub alert: Alert,
     /// Since when it is as serious as it is, on the program's clock.
     pub since: Duration,
-    /// Whether somebody has taken note of it.
+    /// Whether it is acknowledged.
     pub acknowledged: bool,
     /// When it ended, for as long as it might come back.
     ended: Option<Duration>,

@@ -1,4 +1,4 @@
-//! What is wrong with a vehicle right now.
+//! The present alerts of a vehicle.
 
 use std::time::Duration;
 

@@ -1,4 +1,4 @@
-//! What the rows of the swarm table are ordered by.
+//! The order of the swarm table's rows.
 
 use std::cmp::Ordering;
 

@@ -1,4 +1,4 @@
-//! How high the highest vehicle was, over a whole flight.
+//! The height of the highest vehicle over a whole flight.
 
 use std::time::Duration;
 

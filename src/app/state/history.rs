@@ -1,4 +1,4 @@
-//! What the vehicles' readings were over the last minutes: a bounded ring per vehicle, sampled at a fixed rate.
+//! The vehicles' readings of the last minutes: a bounded ring per vehicle, sampled at a fixed rate.
 
 use std::collections::{BTreeMap, VecDeque};
 use std::time::Duration;

@@ -1,4 +1,4 @@
-//! What the links count.
+//! The counters of the links.
 
 use std::time::Duration;
 

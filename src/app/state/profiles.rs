@@ -1,4 +1,4 @@
-//! Who could train here.
+//! The profiles to choose from.
 
 use super::State;
 

@@ -1,4 +1,4 @@
-//! How late it was in a session, by the program's clock.
+//! Session time by the program's clock.
 
 use std::time::Duration;
 
@@ -37,7 +37,7 @@ impl SessionTime {
         self.pace = pace;
     }
 
-    /// How late it was then: zero before the beginning. `None` where nothing is known of it.
+    /// The session's time then: zero before its beginning, `None` where it is unknown.
     pub fn at(&self, then: Duration) -> Option<Duration> {
         let next = self.marks.partition_point(|(now, _)| *now < then);
         let before = next.checked_sub(1).and_then(|last| self.marks.get(last));

@@ -1,4 +1,4 @@
-//! What actions mean where a room has no meaning of its own for them.
+//! Actions that mean the same in every room.
 
 use super::{mission, order, pace, palette, profiles, replay};
 use crate::app::State;

@@ -1,4 +1,4 @@
-//! What the hangar says of the vehicles' processes.
+//! News of the vehicles' processes from the hangar.
 
 use super::telemetry;
 use crate::alert::AlertKind;

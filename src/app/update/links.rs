@@ -1,4 +1,4 @@
-//! What is heard of the links: the doctor's findings, and their messages.
+//! News of the links: the doctor's findings, and their messages.
 
 use std::time::Duration;
 

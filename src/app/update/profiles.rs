@@ -1,4 +1,4 @@
-//! Who trains here: choosing, making and leaving a profile.
+//! Choosing, making and leaving a profile.
 
 use crossterm::event::KeyEvent;
 

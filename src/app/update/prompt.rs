@@ -1,4 +1,4 @@
-//! Lines that are asked for.
+//! Prompts for a line.
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 

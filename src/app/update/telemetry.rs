@@ -1,4 +1,4 @@
-//! What comes from the shell: time, vehicles, notices, the mission's course.
+//! Events from the shell: time, vehicles, notices, the mission's course.
 
 use std::sync::Arc;
 use std::time::Duration;

@@ -1,4 +1,4 @@
-//! What a try counts for.
+//! The stakes of tries.
 
 use proptest::prelude::*;
 use proptest::sample::select;

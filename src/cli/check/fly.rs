@@ -1,4 +1,4 @@
-//! `sortie check --fly`: whether a mission can be passed by who knows how, and only by them.
+//! `sortie check --fly`: whether a mission can be passed with skill, and only with skill.
 
 use std::path::Path;
 use std::process::ExitCode;

@@ -1,4 +1,4 @@
-//! A run that is flown for somebody's career: whether it may be, how it counts, and what it brings.
+//! A run that is flown for a career: whether it may be, how it counts, and its reward.
 
 use serde::Serialize;
 

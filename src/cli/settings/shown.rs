@@ -1,4 +1,4 @@
-//! What can be shown to the user: the settings, as far as the terminal allows.
+//! Language and symbols as set, as far as the terminal can show them.
 
 use super::CliSettings;
 use crate::config::Symbols;

@@ -1,4 +1,4 @@
-//! What a hub does with a vehicle whose task does not keep up.
+//! A vehicle whose task does not keep up.
 
 use super::*;
 

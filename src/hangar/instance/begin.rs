@@ -1,4 +1,4 @@
-//! What an instance needs before its process can be started: a folder, a listener, its files.
+//! Preparing an instance before its process is started: a folder, a listener, its files.
 
 use std::io;
 use std::net::SocketAddr;

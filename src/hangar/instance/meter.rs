@@ -1,4 +1,4 @@
-//! What an instance uses.
+//! Memory and processor time of an instance.
 
 use std::time::Duration;
 

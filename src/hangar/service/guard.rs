@@ -1,4 +1,4 @@
-//! Lets in who may.
+//! Access control.
 //!
 //! On loopback other users of the host can connect, and so can web pages that a user of the host looks at. So a
 //! connection is let in by the token, or if the program at its other end is the same user's; and a request that

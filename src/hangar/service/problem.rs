@@ -1,4 +1,4 @@
-//! What is answered when a request cannot be met.
+//! The answer to a request that cannot be met.
 
 use axum::Json;
 use axum::http::{Method, StatusCode, Uri, header};

@@ -1,4 +1,4 @@
-//! A vehicle's bytes over the service's own connection: one port, one token, and nobody else gets at the vehicle.
+//! A vehicle's bytes over the service's own connection: one port, one token, no access for others.
 
 use std::sync::Arc;
 

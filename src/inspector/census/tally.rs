@@ -1,4 +1,4 @@
-//! What is counted of one kind of message, and how much of it comes per second.
+//! The counters and the rate of one kind of message.
 
 use std::time::Duration;
 

@@ -1,4 +1,4 @@
-//! Verbs about what the console shows and whom it means.
+//! Verbs about the screen and the selection of vehicles.
 
 use super::{Built, console};
 use crate::alert::AlertKind;

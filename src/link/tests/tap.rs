@@ -1,4 +1,4 @@
-//! What the tap of a link shows.
+//! The tap of a link.
 
 use super::*;
 use crate::inspector::{Direction, FrameSource};

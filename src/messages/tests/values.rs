@@ -1,4 +1,4 @@
-//! What single messages put into the model.
+//! Single messages and the model.
 
 use mavlink::dialects::ardupilotmega::{
     AUTOPILOT_VERSION_DATA, BATTERY_STATUS_DATA, DISTANCE_SENSOR_DATA, GLOBAL_POSITION_INT_DATA,

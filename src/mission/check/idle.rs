@@ -1,4 +1,4 @@
-//! Whether somebody has to do something.
+//! Whether a mission can be passed without doing anything.
 
 use super::Examined;
 use crate::mission::objective::ObjectiveScene;

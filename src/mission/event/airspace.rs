@@ -1,4 +1,4 @@
-//! Rules of the air: where not to fly, and whom to keep away from.
+//! Rules of the air: closed areas, and distances to people and aircraft.
 
 use std::collections::BTreeMap;
 

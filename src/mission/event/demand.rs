@@ -1,4 +1,4 @@
-//! What threats ask of the vehicles' simulators and links.
+//! Demands of threats on the vehicles' simulators and links.
 //!
 //! Wind and faults are `SIM_*` parameters by the names of `ArduCopter` 4.6, which the embedded simulator has as well;
 //! whoever carries a demand out finds the name that another version has for it. What is no longer wanted goes back to

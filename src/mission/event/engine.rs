@@ -1,4 +1,4 @@
-//! What threatens one flight: the events as they come, and what they have brought.
+//! The events of one flight as they come, and their consequences.
 
 use std::collections::BTreeMap;
 use std::time::Duration;

@@ -1,4 +1,4 @@
-//! What breaks on board.
+//! Faults on board.
 
 use std::time::Duration;
 

@@ -1,4 +1,4 @@
-//! Who and what moves through a mission besides its vehicles: people, aircraft, drones of others.
+//! Others that move through a mission: people, aircraft, foreign drones.
 
 use std::time::Duration;
 

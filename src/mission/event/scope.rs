@@ -1,4 +1,4 @@
-//! What conditions and threats see of a flight.
+//! A flight as conditions and threats see it.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;

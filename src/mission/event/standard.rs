@@ -1,4 +1,4 @@
-//! What an instructor can have happen in every mission that allows it, without an event in its file.
+//! Events that an instructor can cause in every mission that allows it, without a line in its file.
 
 use std::time::Duration;
 

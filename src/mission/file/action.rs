@@ -1,4 +1,4 @@
-//! What an event does: one table per action, told apart by the key that only it has.
+//! The actions of events: one table each, told apart by the key that only it has.
 
 use std::time::Duration;
 

@@ -1,4 +1,4 @@
-//! What stands in a mission file before its first section.
+//! The keys of a mission file before its first section.
 
 use toml::Spanned;
 use toml::de::DeValue;

@@ -1,4 +1,4 @@
-//! `[[lesson]]`: what a trainee is led through, step by step.
+//! `[[lesson]]`: the steps of a guided lesson.
 
 use super::events::condition;
 use crate::mission::format::{FileTable, text};

@@ -1,4 +1,4 @@
-//! `[[objectives]]`: what all kinds have in common.
+//! `[[objectives]]`: the keys that all kinds have in common.
 
 use crate::mission::format::{FileTable, flag, number};
 use crate::mission::objective::{self, Objective};

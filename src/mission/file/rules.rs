@@ -1,4 +1,4 @@
-//! `[rules]`: what everybody has to keep to.
+//! `[rules]`: the limits of a flight.
 
 use toml::Spanned;
 

@@ -1,4 +1,4 @@
-//! `[scoring]`: what it all is worth.
+//! `[scoring]`: weights, medals and limits of the score.
 
 use std::time::Duration;
 

@@ -1,4 +1,4 @@
-//! What a mission does when it is asked: reports, and the trainee's word before launch.
+//! Deeds of a mission: reports, and the trainee's prediction and goal before launch.
 
 use std::collections::BTreeSet;
 

@@ -1,4 +1,4 @@
-//! What there is to tell of a flight: notices for humans, events for the report, and the rules that were broken.
+//! The journal of a flight: notices for people, events for the report, and the rules that were broken.
 
 use std::time::Duration;
 

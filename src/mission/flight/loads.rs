@@ -1,4 +1,4 @@
-//! What vehicles carry to let go of: balls, kits and nodes in pieces, the sprayer in seconds; and what becomes of it.
+//! Payloads: balls, kits and nodes in pieces, the sprayer in seconds; and their effects.
 
 use std::collections::BTreeMap;
 use std::time::Duration;

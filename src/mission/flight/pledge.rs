@@ -1,4 +1,4 @@
-//! What the trainee said before launch against what came of it.
+//! The trainee's prediction and goal, compared with the result.
 
 use super::{Flight, Outcome};
 use crate::commands::Goal;

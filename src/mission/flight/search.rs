@@ -1,4 +1,4 @@
-//! What the detectors find, and what the trainee reports.
+//! The detectors' finds, and the trainee's reports.
 
 use super::deeds::Done;
 use super::journal::FlightJournal;

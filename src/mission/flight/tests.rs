@@ -1,4 +1,4 @@
-//! What the trainee asks and says: hints, a prediction, a goal.
+//! Hints, a prediction, a goal.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;

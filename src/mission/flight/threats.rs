@@ -1,4 +1,4 @@
-//! What threatens a flight, and what an instructor may have happen.
+//! Threats to a flight, and injects of an instructor.
 
 use super::Flight;
 use super::journal::{FlightJournal, JournalEntry, JournalSubject};

@@ -1,4 +1,4 @@
-//! Where the vehicles have been, and where their sensors have shown the most.
+//! The vehicles' tracks, and where their sensors have read the most.
 
 use std::collections::BTreeMap;
 

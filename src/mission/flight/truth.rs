@@ -1,4 +1,4 @@
-//! What the debrief reveals.
+//! The truth that the debrief reveals.
 
 use super::Flight;
 use crate::mission::Point;

@@ -1,4 +1,4 @@
-//! How a flight comes to its end.
+//! The end of a flight, and its reasons.
 
 use std::time::Duration;
 

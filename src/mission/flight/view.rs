@@ -1,4 +1,4 @@
-//! How a flight stands, for the mission panel.
+//! The state of a flight for the mission panel.
 
 use super::{Craft, Flight, ObjectiveStanding, result};
 use crate::language::Findings;

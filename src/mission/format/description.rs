@@ -1,4 +1,4 @@
-//! What a table of a mission file may contain, as its reader asks for it.
+//! The content of a mission file's table, as its reader asks for it.
 
 use super::draft::Draft;
 use super::table::{AskedKey, FileTable, Reader};

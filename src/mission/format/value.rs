@@ -1,4 +1,4 @@
-//! What may stand after a key of a mission file: how each sort of value is read, checked and described.
+//! The values of a mission file: how each sort is read, checked and described.
 
 use toml::Spanned;
 use toml::de::DeValue;

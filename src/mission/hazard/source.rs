@@ -1,4 +1,4 @@
-//! What lets something out into the air, whatever becomes of it there: what it is, where, and how the seed varies it.
+//! Sources of what spreads in the air: substance, place, and how the seed varies them.
 
 use std::slice;
 

@@ -1,4 +1,4 @@
-//! What objectives demand of the mission around them, for the check whether it can be flown at all.
+//! The objectives' demands on their mission, for the check whether it can be flown at all.
 
 use std::time::Duration;
 

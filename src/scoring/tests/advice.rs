@@ -1,4 +1,4 @@
-//! What is advised, and how many points it is said to bring.
+//! The advice, and the points that it promises.
 
 use std::collections::BTreeSet;
 

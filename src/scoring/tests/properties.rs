@@ -1,4 +1,4 @@
-//! What holds for the score of any flight.
+//! Properties of the score of any flight.
 
 use proptest::prelude::*;
 

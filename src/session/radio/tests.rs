@@ -1,4 +1,4 @@
-//! What gets through a bad link, and when.
+//! Messages over a bad link.
 
 use mavlink::dialects::ardupilotmega::{GLOBAL_POSITION_INT_DATA, PARAM_VALUE_DATA};
 

@@ -1,4 +1,4 @@
-//! What a session hears, asks for and answers.
+//! Messages that a session hears, asks for and answers.
 
 use super::*;
 

@@ -1,4 +1,4 @@
-//! What becomes of an order when something else takes the vehicle.
+//! Orders whose vehicle something else has taken.
 
 use mavlink::dialects::ardupilotmega::{EXTENDED_SYS_STATE_DATA, MavLandedState};
 

@@ -1,4 +1,4 @@
-//! What a mission is about, in lines.
+//! The brief of a mission, in lines.
 
 use crate::app::State;
 use crate::mission::{Listing, ObjectiveListing};

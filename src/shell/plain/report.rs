@@ -1,4 +1,4 @@
-//! What there is to say in lines: news, each once, and the state on demand.
+//! Reports in lines: news, each once, and the state on demand.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! What is shown and said of a session's links.
+//! A session's links as they are shown, and their notices.
 
 use std::sync::Arc;
 use std::time::Duration;

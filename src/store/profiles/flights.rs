@@ -1,4 +1,4 @@
-//! What was flown: the history of a career, and the runs that it came from.
+//! Flights: the history of a career, and the runs that it came from.
 
 use std::collections::BTreeSet;
 

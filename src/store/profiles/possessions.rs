@@ -1,4 +1,4 @@
-//! What somebody has: the rights to use parts, and designs.
+//! A trainee's possessions: rights to use parts, and designs.
 
 use rusqlite::params;
 

@@ -1,4 +1,4 @@
-//! Who falls out, and how the others go on.
+//! Vehicles that fall out, and how the others go on.
 
 use std::sync::Arc;
 use std::time::Duration;

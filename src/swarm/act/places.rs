@@ -1,4 +1,4 @@
-//! Who goes where, and how everybody gets there.
+//! The vehicles' places, and their ways there.
 
 use glam::{DVec2, DVec3};
 

@@ -1,4 +1,4 @@
-//! What is done once everybody is where it begins, and how far that is.
+//! The work of a manoeuvre once all vehicles are in place, and its progress.
 
 use glam::DVec3;
 

@@ -1,4 +1,4 @@
-//! What each manoeuvre comes to for those who take part.
+//! The plan of each manoeuvre for its vehicles.
 
 use glam::{DVec2, DVec3};
 

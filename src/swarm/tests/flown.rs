@@ -1,4 +1,4 @@
-//! What is flown is what was asked for.
+//! Manoeuvres are flown as ordered.
 
 use super::*;
 

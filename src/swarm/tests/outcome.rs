@@ -1,4 +1,4 @@
-//! What the ledger says.
+//! Outcomes in the ledger.
 
 use std::sync::Arc;
 

@@ -1,4 +1,4 @@
-//! What is shown when the terminal is too small for anything else.
+//! The screen of a terminal that is too small.
 
 use ratatui::buffer::Buffer;
 use ratatui::text::Line;

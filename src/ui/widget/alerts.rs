@@ -1,4 +1,4 @@
-//! The line of alerts: the worst that nobody has taken note of.
+//! The line of alerts: the worst one that is not acknowledged.
 
 use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};

@@ -1,4 +1,4 @@
-//! The drone that flies where nobody names another: SITL's default multirotor with a battery that ends.
+//! The default drone: SITL's default multirotor with a battery that runs down.
 
 use std::sync::Arc;
 

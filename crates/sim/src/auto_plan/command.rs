@@ -1,4 +1,4 @@
-//! What the vehicle calls the commands of a plan, and how it takes them.
+//! The vehicle's names for the commands of a plan, and its answers to them.
 
 use crate::cmd;
 

@@ -1,4 +1,4 @@
-//! What the places of mission items mean.
+//! The meaning of the places in mission items.
 
 use glam::DVec3;
 

@@ -1,4 +1,4 @@
-//! Which item comes next: the list, its jumps and its tags (`AP_Mission`).
+//! The order of a plan's items: the list, its jumps and its tags (`AP_Mission`).
 
 use std::collections::BTreeMap;
 

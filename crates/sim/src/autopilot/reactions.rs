@@ -1,4 +1,4 @@
-//! What comes of that which the watching parts see.
+//! The autopilot's reactions to what its watching parts report.
 
 use std::time::Duration;
 

@@ -1,4 +1,4 @@
-//! What the vehicle reports: one builder per message, picked by message id.
+//! Telemetry of the vehicle: one builder per message, picked by message id.
 
 #![expect(deprecated, reason = "the real vehicle still speaks these messages")]
 

@@ -1,4 +1,4 @@
-//! Things that stand in the way: buildings, masts, trees.
+//! Obstacles: buildings, masts, trees.
 
 use glam::{DVec2, DVec3};
 

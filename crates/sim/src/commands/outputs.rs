@@ -1,4 +1,4 @@
-//! Commands to servos, relays, motors and what else hangs on the outputs.
+//! Commands to servos, relays, motors and other outputs.
 
 use mavlink::dialects::ardupilotmega::{
     MavResult, MavSeverity, ParachuteAction, SafetySwitchState,

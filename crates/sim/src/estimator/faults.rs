@@ -1,4 +1,4 @@
-//! What is wrong with the sensors: the `SIM_*` parameters.
+//! Sensor faults: the `SIM_*` parameters.
 
 use std::time::Duration;
 

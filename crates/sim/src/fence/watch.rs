@@ -1,4 +1,4 @@
-//! What comes of the fences: switching them, a breach, slowing down, what is reported.
+//! The fences at work: switching, breaches, slowing down, reports.
 
 use std::time::Duration;
 

@@ -1,4 +1,4 @@
-//! What comes between arming and the climb.
+//! The time between arming and the climb.
 
 use mavlink::dialects::ardupilotmega::{MavCmd, MavMessage, MavResult};
 

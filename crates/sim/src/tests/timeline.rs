@@ -1,4 +1,4 @@
-//! What a vehicle says and does, with the times.
+//! Texts and actions of a vehicle, with their times.
 
 use mavlink::dialects::ardupilotmega::{MavCmd, MavMessage};
 

@@ -1,4 +1,4 @@
-//! What the vehicle's folders and files hold, also those that are made when they are read.
+//! The content of the vehicle's folders and files, also of those that are made when they are read.
 
 use super::packed::{self, PackRequest};
 use super::tree::{Disk, FolderEntry, INVALID, NO_SUCH_FILE, READ_ONLY, clean};

@@ -1,4 +1,4 @@
-//! What the vehicle is doing: the mode, the task at hand, and the path and the nose that follow it.
+//! The vehicle in flight: the mode, the task, and the path and the nose that follow it.
 
 use std::time::Duration;
 

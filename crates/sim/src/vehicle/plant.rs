@@ -1,4 +1,4 @@
-//! What really flies, whatever the autopilot believes: the body, its battery and the air around it.
+//! The physical vehicle, whatever the autopilot believes: body, battery and the air around it.
 
 use std::sync::Arc;
 

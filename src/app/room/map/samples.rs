@@ -1,4 +1,4 @@
-//! What the virtual sensors have shown, and where: a field of means over squares.
+//! Readings of the virtual sensors by place: a field of means over squares.
 
 use std::collections::BTreeMap;
 

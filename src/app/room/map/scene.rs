@@ -1,4 +1,4 @@
-//! What lies on the ground: areas and ways, as plain outlines for the map.
+//! Areas and ways on the ground, as plain outlines for the map.
 
 use std::sync::Arc;
 

@@ -1,4 +1,4 @@
-//! Where a vehicle has been.
+//! The trail of a vehicle.
 
 use crate::geo::LatLon;
 

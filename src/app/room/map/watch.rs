@@ -1,4 +1,4 @@
-//! What the map takes in while things happen, also when nobody looks at it.
+//! Updates of the map during a flight, also while another room is shown.
 
 use super::{Aim, planned};
 use crate::app::State;

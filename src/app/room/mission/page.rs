@@ -1,4 +1,4 @@
-//! What the room of the mission says, line by line.
+//! The mission's page, line by line.
 
 use std::time::Duration;
 

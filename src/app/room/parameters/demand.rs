@@ -1,4 +1,4 @@
-//! Which vehicles are asked for their parameters: those that somebody looks at, a few at a time.
+//! Which vehicles are asked for their parameters: those on the screen, a few at a time.
 
 use std::time::Duration;
 

@@ -1,4 +1,4 @@
-//! New values: what is written, and what became of it.
+//! New values and their outcome.
 
 use std::collections::BTreeMap;
 

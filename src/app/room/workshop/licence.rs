@@ -1,4 +1,4 @@
-//! What of the parts a trainee may fly, and buying the right to fly more.
+//! The parts that a trainee may fly, and buying more.
 
 use super::part_under_cursor;
 use crate::app::State;

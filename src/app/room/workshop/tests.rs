@@ -1,4 +1,4 @@
-//! What keys do in the workshop.
+//! Keys in the workshop.
 
 mod bench;
 mod designs;

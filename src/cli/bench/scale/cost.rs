@@ -1,4 +1,4 @@
-//! What threads, processes and the machine have spent, as Linux tells it below `/proc`.
+//! Processor time of threads, processes and the machine, as Linux gives it below `/proc`.
 
 use std::fs;
 use std::io;

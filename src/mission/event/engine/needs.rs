@@ -1,4 +1,4 @@
-//! What the threats of a moment mean for each vehicle's simulator and link.
+//! The present threats as settings of each vehicle's simulator and link.
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,4 +1,4 @@
-//! What the functions of an expression are given: how each sort of argument is read.
+//! The arguments of an expression's functions: how each sort is read.
 
 use std::ops::Range;
 

@@ -1,4 +1,4 @@
-//! What an expression can ask of a flight.
+//! The functions of expressions: questions about a flight.
 
 use std::ops::Range;
 use std::time::Duration;

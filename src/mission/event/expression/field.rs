@@ -1,4 +1,4 @@
-//! What can be asked of one vehicle.
+//! The fields of one vehicle in expressions.
 
 use super::{Type, Value};
 use crate::mission::craft::Craft;

@@ -1,4 +1,4 @@
-//! What conditions mean, and that nothing that anybody writes breaks them.
+//! The meaning of conditions; no text breaks their reader.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;

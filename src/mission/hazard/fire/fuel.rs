@@ -1,4 +1,4 @@
-//! What burns, and how fast a front runs through it.
+//! Fuels, and how fast a front runs through them.
 
 use crate::mission::weather::Wind;
 

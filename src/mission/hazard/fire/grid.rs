@@ -1,4 +1,4 @@
-//! The ground in cells, and what of it burns.
+//! The ground in cells, and which of them burn.
 //!
 //! A cell's front gains on each neighbour that can burn by the speed in that direction; the neighbour catches fire
 //! when the fastest front has crossed the way between their centres. So a front runs at the speed of the formula

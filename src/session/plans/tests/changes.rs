@@ -1,4 +1,4 @@
-//! What has a list read again.
+//! Changes after which a list is read again.
 
 use mavlink::dialects::ardupilotmega::{
     MISSION_ACK_DATA, MavMissionResult, MavMissionType, PARAM_VALUE_DATA, STATUSTEXT_DATA,

@@ -1,4 +1,4 @@
-//! How a process is shown.
+//! A process as the room Hangar shows it.
 
 use std::time::Duration;
 

@@ -1,4 +1,4 @@
-//! Files and rows that somebody else has written.
+//! Files and rows that another program has written.
 
 use serde_json::{Value, json};
 

@@ -1,4 +1,4 @@
-//! What the line under the cursor is about, what it means to the trainee's career, and its keys.
+//! The line under the cursor: its subject, its part in the trainee's career, its keys.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;

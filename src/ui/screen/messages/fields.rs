@@ -1,4 +1,4 @@
-//! What the message under the cursor says: field by field, or byte by byte.
+//! The message under the cursor, field by field or byte by byte.
 
 use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};

@@ -18,7 +18,7 @@ use crate::vehicle::VehicleId;
 const NAME: usize = 16;
 /// Columns of a value.
 const VALUE: usize = 13;
-/// Columns of what became of an edit, where more columns follow.
+/// Columns of an edit's outcome, where more columns follow.
 const STATE: usize = 24;
 /// Columns of a type.
 const KIND: usize = 6;

@@ -1,4 +1,4 @@
-//! How well it knows where it is: GPS, navigation filter, vibration, against the limits that matter.
+//! The quality of the position: GPS, navigation filter, vibration, against their limits.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;

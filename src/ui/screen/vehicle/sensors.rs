@@ -1,4 +1,4 @@
-//! What is fitted, in use and healthy, as `SYS_STATUS` has it.
+//! Sensors: fitted, in use and healthy, by `SYS_STATUS`.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;

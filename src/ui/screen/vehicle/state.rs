@@ -1,4 +1,4 @@
-//! What it is doing and what it needs, the most needed rows first.
+//! State and needs of a vehicle, the most needed rows first.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;

@@ -1,4 +1,4 @@
-//! What the vehicle itself has said.
+//! The vehicle's own texts.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;

@@ -1,4 +1,4 @@
-//! What the design can do, and what the part under the cursor would make of it.
+//! The design's performance, and with the part under the cursor.
 
 use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};

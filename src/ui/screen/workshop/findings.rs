@@ -1,4 +1,4 @@
-//! What speaks against the design, and what of it may not be flown yet.
+//! Faults of the design, and parts that may not be flown yet.
 
 use ratatui::buffer::Buffer;
 use ratatui::style::Style;

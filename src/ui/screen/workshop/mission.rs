@@ -1,4 +1,4 @@
-//! What the mission needs, and what the design on the bench has of it.
+//! The mission's needs, and whether the design on the bench meets them.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;

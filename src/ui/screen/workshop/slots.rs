@@ -1,4 +1,4 @@
-//! What is built in, slot by slot.
+//! The parts of the design, slot by slot.
 
 use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};

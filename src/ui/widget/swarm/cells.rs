@@ -251,7 +251,7 @@ fn command(row: &Row<'_>, look: &Look, room: usize) -> Cell {
     (text, role)
 }
 
-/// The worst alert and since when; a mark before it until somebody has taken note.
+/// The worst alert and since when; a mark before it until it is acknowledged.
 fn alert(row: &Row<'_>, look: &Look, room: usize) -> Cell {
     let session = row.state.session();
     let Some(one) = session.alarms().worst(row.vehicle.id) else {

@@ -1,4 +1,4 @@
-//! Lists that nobody would fly.
+//! Lists that make no sense.
 
 use proptest::prelude::*;
 

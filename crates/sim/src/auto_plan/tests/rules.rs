@@ -1,4 +1,4 @@
-//! What holds for starting, stopping, setting and refusing. Facts without a source are those of a flight of the same
+//! Rules for starting, stopping, setting and refusing. Facts without a source are those of a flight of the same
 //! firmware on 21 November 2026.
 
 use super::*;

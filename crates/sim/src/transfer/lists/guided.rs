@@ -1,4 +1,4 @@
-//! Places to go to at once, said as mission items: an old way that ground stations still use in GUIDED.
+//! Mission items as immediate targets: an old way that ground stations still use in GUIDED.
 
 use glam::DVec3;
 use mavlink::dialects::ardupilotmega::MavMissionResult::{

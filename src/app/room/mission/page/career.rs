@@ -1,4 +1,4 @@
-//! What the mission means to the trainee's career.
+//! The mission's part in the trainee's career.
 
 use super::Page;
 use crate::app::room::home::facts;

@@ -1,4 +1,4 @@
-//! What the vehicles carry, and the areas of the mission.
+//! The vehicles' equipment, and the areas of the mission.
 
 use super::Page;
 use crate::language::ranges;

@@ -1,4 +1,4 @@
-//! What a trainee is asked before launch, and what was answered.
+//! The questions before launch, and the answers.
 
 use super::{Page, Tone};
 use crate::app::action::Action;

@@ -1,4 +1,4 @@
-//! What passing the mission brings.
+//! The reward for passing the mission.
 
 use super::Page;
 use crate::app::room::home::unlocked;

@@ -1,4 +1,4 @@
-//! What the trainee has reached before.
+//! The trainee's earlier tries.
 
 use super::Page;
 use crate::scoring::{Medal, TryReport};

@@ -1,4 +1,4 @@
-//! What holds for every design on the bench.
+//! Properties of every design on the bench.
 
 use std::collections::BTreeSet;
 
