@@ -9,7 +9,7 @@ use crate::app::event::Started;
 use crate::app::state::Activity;
 use crate::link::{TlogPiece, TlogSalvage};
 use crate::mission::record::Stored;
-use crate::record::{Journal, Subject};
+use crate::record::{Journal, JournalLine, Subject};
 use crate::store::{RecordFiles, read_run};
 use crate::text;
 use crate::text::Text;
@@ -59,7 +59,7 @@ impl Film {
         };
         let began_unix_us = journal.as_ref().map_or(first, |it| it.head.began_unix_us);
         let lines = journal.iter().flat_map(|it| &it.lines);
-        let told = lines.last().map_or(Duration::ZERO, |line| line.at());
+        let told = lines.last().map_or(Duration::ZERO, JournalLine::at);
         let heard = Duration::from_micros(last.saturating_sub(began_unix_us));
         Ok(Self {
             files,

@@ -52,7 +52,7 @@ fn command(command: MavCmd, params: [f32; 3]) -> MavMessage {
 fn said(tick: u64) -> Vec<MavMessage> {
     let order = |what, params: [f32; 3]| command(what, params);
     let mut said = Vec::new();
-    if tick % 10 == 0 {
+    if tick.is_multiple_of(10) {
         said.push(beat());
     }
     match tick {
@@ -92,7 +92,9 @@ fn record() -> Recorded {
         for message in said(tick) {
             let mut bytes = Vec::new();
             encoder.encode(&message.into(), &mut bytes);
-            ports.iter().for_each(|&port| world.receive(port, &bytes));
+            for &port in &ports {
+                world.receive(port, &bytes);
+            }
             write(&bytes);
         }
         while world.now() < FRAME * (tick as u32 + 1) {
@@ -108,7 +110,6 @@ fn record() -> Recorded {
             }
         }
     }
-    drop(tlog);
     write_journal(&frames);
     Recorded {
         _folder: folder,
@@ -304,7 +305,7 @@ fn frames_go_both_ways_and_the_end_is_the_end() {
     let (mut replay, mut observer) = watched(&recorded);
     seek(&mut replay, &mut observer, s(10));
     drop(replay.steer(ReplayEffect::Step { forward: false }));
-    assert_eq!(replay.now(), s(10) - FRAME);
+    assert_eq!(replay.now() + FRAME, s(10));
     drop(replay.steer(ReplayEffect::Step { forward: true }));
     assert_eq!(replay.now(), s(10));
     drop(replay.steer(ReplayEffect::Seek(SeekTarget::End)));

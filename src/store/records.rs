@@ -181,15 +181,13 @@ impl Records {
         let entries = fs::read_dir(&self.folder).into_iter().flatten().flatten();
         for entry in entries {
             let name = entry.file_name().to_string_lossy().into_owned();
-            let endings = [JOURNAL, RUN, BOOKMARKS, FRAMES].into_iter();
-            let Some((stem, ending)) = endings
-                .filter_map(|ending| Some((name.strip_suffix(ending)?, ending)))
-                .next()
-            else {
+            let mut endings = [JOURNAL, RUN, BOOKMARKS, FRAMES].into_iter();
+            let known = |ending| Some((name.strip_suffix(ending)?, ending));
+            let Some((stem, ending)) = endings.find_map(known) else {
                 continue;
             };
             let files = found.entry(stem.to_owned()).or_default();
-            files.stem = stem.to_owned();
+            stem.clone_into(&mut files.stem);
             files.add(entry.path(), ending);
         }
         found

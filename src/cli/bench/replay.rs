@@ -129,7 +129,9 @@ fn record(vehicles: u8, seconds: u64, path: &Path) -> io::Result<()> {
         for message in said(tick, vehicles) {
             let mut bytes = Vec::new();
             encoder.encode(&message, &mut bytes);
-            ports.iter().for_each(|&port| world.receive(port, &bytes));
+            for &port in &ports {
+                world.receive(port, &bytes);
+            }
             tlog.write(unix_us, &bytes)?;
         }
         while world.now() < FRAME * (tick as u32 + 1) {
@@ -150,7 +152,7 @@ fn record(vehicles: u8, seconds: u64, path: &Path) -> io::Result<()> {
 /// What the ground station says at a tenth of a second.
 fn said(tick: u64, vehicles: u8) -> Vec<Outgoing> {
     let mut said = Vec::new();
-    if tick % 10 == 0 {
+    if tick.is_multiple_of(10) {
         said.push(ground_station_heartbeat());
     }
     let asked = tick.checked_sub(20).and_then(|at| STREAMS.get(at as usize));

@@ -58,17 +58,16 @@ impl<W: io::Write + io::Seek> McapFile<W> {
             return Ok(());
         }
         let key = (frame.system, frame.component, frame.id);
-        let channel = match self.channels.get(&key) {
-            Some(&channel) => channel,
-            None => {
-                let name = name_of(frame.id);
-                let topic = format!("/mavlink/{}/{}/{name}", frame.system, frame.component);
-                let schema = schema(&reading.values).to_string();
-                let name = format!("mavlink.{name}");
-                let channel = self.channel(&topic, &name, &schema)?;
-                self.channels.insert(key, channel);
-                channel
-            }
+        let channel = if let Some(&channel) = self.channels.get(&key) {
+            channel
+        } else {
+            let name = name_of(frame.id);
+            let topic = format!("/mavlink/{}/{}/{name}", frame.system, frame.component);
+            let schema = schema(&reading.values).to_string();
+            let name = format!("mavlink.{name}");
+            let channel = self.channel(&topic, &name, &schema)?;
+            self.channels.insert(key, channel);
+            channel
         };
         let fields = reading.values.iter();
         let fields = fields.map(|field| (field.name.to_owned(), value(field)));
@@ -87,14 +86,13 @@ impl<W: io::Write + io::Seek> McapFile<W> {
         let Content::Message(MavMessage::GLOBAL_POSITION_INT(position)) = &frame.content else {
             return Ok(());
         };
-        let channel = match self.places.get(&frame.system) {
-            Some(&channel) => channel,
-            None => {
-                let topic = format!("/vehicle/{}/location", frame.system);
-                let channel = self.channel(&topic, "foxglove.LocationFix", LOCATION_SCHEMA)?;
-                self.places.insert(frame.system, channel);
-                channel
-            }
+        let channel = if let Some(&channel) = self.places.get(&frame.system) {
+            channel
+        } else {
+            let topic = format!("/vehicle/{}/location", frame.system);
+            let channel = self.channel(&topic, "foxglove.LocationFix", LOCATION_SCHEMA)?;
+            self.places.insert(frame.system, channel);
+            channel
         };
         let fix = json!({
             "timestamp": {"sec": unix_us / 1_000_000, "nsec": unix_us % 1_000_000 * 1000},

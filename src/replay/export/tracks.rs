@@ -1,4 +1,4 @@
-//! Tracks and moments for maps: KML, GPX and GeoJSON.
+//! Tracks and moments for maps: KML, GPX and `GeoJSON`.
 
 use std::io;
 
