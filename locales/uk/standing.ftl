@@ -64,11 +64,11 @@ fact-daily-open = з варіантом дня ще не виконано
 fact-daily-flown = з варіантом дня виконано: удруге це тренування
 
 # Перелік профілів.
-profiles-title = хто тренується
+profiles-title = профілі
 profiles-now = (зараз)
-profiles-new = хтось новий ...
-profiles-guest = ніхто: польоти не зберігаються
-profiles-keys = { $scroll } рухають   { $submit } бере   { $escape } назад
+profiles-new = новий профіль ...
+profiles-guest = Гість (польоти не зберігаються)
+profiles-keys = { $scroll } рух   { $submit } вибрати   { $escape } назад
 profiles-in-flight = завдання триває: спершу завершіть його, результат належить теперішньому профілю
 profiles-nameless = впишіть ім'я
 prompt-profile = ваше ім'я
@@ -77,7 +77,7 @@ prompt-seed = варіант для вправи
 prompt-seed-advice = число; той самий варіант - той самий політ. Сам { $submit } бере варіант з командного рядка або 1. Тренування нічого не платить
 
 # Власний поступ.
-standing-no-profile = Тут не тренується ніхто, чиї польоти зберігаються. Натисніть { $key }, щоб вибрати або створити профіль; тоді тут будуть навички, бали, кредити й досвід у часі.
+standing-no-profile = Профілю не вибрано. Натисніть { $key }, щоб вибрати або створити профіль; тоді тут будуть навички, бали, кредити й досвід у часі.
 standing-choose-first = спершу оберіть профіль: { $key }
 standing-level = рівень { $level }
 standing-experience = досвід { $experience }/{ $needed }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use ratatui::style::Style;
+use ratatui::style::{Modifier, Style};
 
 use super::hits::Hits;
 use super::theme::{Role, Theme};
@@ -57,6 +57,12 @@ impl Look {
     /// The style of a role.
     pub fn style(&self, role: Role) -> Style {
         self.theme.style(role)
+    }
+
+    /// How blocks of a role look: reversed, a filled one would be empty.
+    pub fn fill(&self, role: Role) -> Style {
+        let kept_off = Modifier::REVERSED | Modifier::UNDERLINED;
+        self.style(role).remove_modifier(kept_off)
     }
 
     /// A text in words that are safe to show on one line.

@@ -30,7 +30,7 @@ impl Gauge {
         let filled = cell(self.share).max(least).min(cells);
         let mark = self.mark.map(|share| cell(share).clamp(1, cells) - 1);
         let part = |from: usize, to: usize, sign: &str, role: Role| {
-            Span::styled(sign.repeat(to - from), look.style(role))
+            Span::styled(sign.repeat(to - from), look.fill(role))
         };
         let ends = [
             (0, filled, "█", self.role),
@@ -85,6 +85,7 @@ pub fn reach_role(reach: HomeReach) -> Role {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::ui::Theme;
 
     fn drawn(share: f64, mark: Option<f64>) -> String {
         let gauge = Gauge {
@@ -102,6 +103,29 @@ mod tests {
         assert_eq!(drawn(0.01, None), "█·······");
         assert_eq!(drawn(0.5, None), "████····");
         assert_eq!(drawn(1.7, None), "████████");
+    }
+
+    #[test]
+    fn what_is_filled_is_seen_in_every_theme() {
+        use ratatui::style::Modifier;
+        for name in Theme::names() {
+            let theme = Theme::named(name).expect("it is one of ours");
+            let look = Look {
+                theme,
+                ..Look::default()
+            };
+            let gauge = Gauge {
+                share: 0.5,
+                mark: None,
+                role: Role::Danger,
+            };
+            for span in gauge.spans(8, &look) {
+                assert!(
+                    !span.style.add_modifier.contains(Modifier::REVERSED),
+                    "{name}"
+                );
+            }
+        }
     }
 
     #[test]

@@ -13,11 +13,11 @@ use crate::text;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::bars::{Bar, Bars, draw as draw_bars};
-use crate::ui::widget::{aligned, below, put, row_of, stars, upper};
+use crate::ui::widget::{aligned, below, put, row_of, stars, upper, width};
 
 /// Rows of the chart at least, with its title and its axis.
 const CHART: u16 = 12;
-/// Columns of a mission's name at most, and of the rest of its line.
+/// Columns of a mission's name at most, and of the rest of its line at least.
 const NAME: usize = 30;
 const FIGURES: usize = 36;
 /// Points of a perfect flight.
@@ -67,9 +67,12 @@ fn line(subject: &Subject<'_>, offer: &Offer, room: usize) -> String {
         last = last.map_or(0, |last| last.score),
         when = last.map_or_else(Default::default, |last| days(last.day - subject.career.day))
     );
-    let name = room.saturating_sub(FIGURES + 2).min(NAME);
+    let figures = look.text(&figures);
+    let name = room
+        .saturating_sub(width(&figures).max(FIGURES) + 3)
+        .min(NAME);
     let title = aligned(&look.text(&offer.title), name, false);
-    format!("{title} {}", look.text(&figures))
+    format!("{title} {figures}")
 }
 
 fn draw_chart(subject: &Subject<'_>, offer: &Offer, area: Rect, buffer: &mut Buffer) {
@@ -81,7 +84,7 @@ fn draw_chart(subject: &Subject<'_>, offer: &Offer, area: Rect, buffer: &mut Buf
     let tries = subject.career.growth.tries(&offer.id);
     let bars: Vec<Bar> = tries
         .iter()
-        .map(|one| bar(one, look.style(role(one))))
+        .map(|one| bar(one, look.fill(role(one))))
         .collect();
     let lines: Vec<(f64, String)> = listing
         .map(|Listing { medals, .. }| medal_lines(*medals))

@@ -69,9 +69,10 @@ fn line(measure: Measure, now: &Sheet, then: Option<&Sheet>, panel: Panel<'_>) -
         figures
     };
     let (change, role) = changed.unwrap_or_else(|| (String::new(), Role::Text));
+    let beside = if then.is_some() { CHANGE + 1 } else { 0 };
     let name = aligned(
         &panel.text(&measure.name()),
-        panel.width().saturating_sub(VALUES + CHANGE + 2),
+        panel.width().saturating_sub(VALUES + beside + 1),
         false,
     );
     Line::from(vec![
