@@ -45,11 +45,12 @@ pub(super) fn private_folder(path: &Path) -> io::Result<()> {
 /// # Errors
 /// It cannot be made.
 pub(super) fn folder_within(above: &Path, path: &Path) -> io::Result<()> {
-    private_folder(path)?;
-    if is_shared(above) {
-        allow(path, SHARED_FOLDER)?;
+    if !is_shared(above) {
+        return private_folder(path);
     }
-    Ok(())
+    // It inherits the group and its bit, which an owner outside of the group could not set afterwards.
+    DirBuilder::new().recursive(true).mode(0o750).create(path)?;
+    allow(path, SHARED_FOLDER)
 }
 
 /// Opens a file to be written: with these options, and, if it is new, for the readers of its folder.
