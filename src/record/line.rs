@@ -30,6 +30,13 @@ impl JournalLine {
         Self { us, what }
     }
 
+    /// The same at that time, if it was earlier: what happens within one tick is noted by clocks that were read one
+    /// after the other.
+    #[must_use]
+    pub fn not_before(self, at: Duration) -> Self {
+        Self::new(self.at().max(at), self.what)
+    }
+
     /// When it happened, from the beginning of the record.
     pub fn at(&self) -> Duration {
         Duration::from_micros(self.us)

@@ -80,3 +80,101 @@ impl Console {
         self.post(Event::Answer(text!("bookmark-set")));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::app::State;
+    use crate::app::event::TerminalEvent;
+    use crate::language::SeekTarget;
+    use crate::mission::Mission;
+    use crate::shell::pace::TICK;
+    use crate::shell::{ConsoleOptions, Opening};
+    use crate::store::{RecordLimits, Records, Runs};
+
+    const FIRST: &str = include_str!("../../missions/00-first-flight.toml");
+
+    async fn run(console: &mut Console, seconds: u32) {
+        for _ in 0..seconds * 10 {
+            tokio::time::sleep(TICK).await;
+            console.tick().await;
+        }
+    }
+
+    async fn say(console: &mut Console, line: &str) {
+        console.feed(TerminalEvent::Line(line.to_owned())).await;
+    }
+
+    /// What a mission has come to, as the console shows it.
+    fn told(state: &State) -> (Option<Duration>, Vec<String>, Vec<String>) {
+        let session = state.session();
+        let entries = session.ledger().entries();
+        (
+            session.mission().map(|it| it.elapsed),
+            session
+                .mission()
+                .iter()
+                .flat_map(|it| &it.objectives)
+                .map(|it| it.detail.to_string())
+                .collect(),
+            entries
+                .flat_map(|entry| {
+                    let rows = entry.rows.iter();
+                    rows.map(|row| format!("{}: {}", entry.line, row.state))
+                })
+                .collect(),
+        )
+    }
+
+    #[tokio::test(start_paused = true)]
+    async fn a_mission_that_was_flown_is_replayed_with_its_objectives_and_its_debrief() {
+        let data = tempfile::tempdir().expect("a folder");
+        let mission = Mission::parse(FIRST).expect("it is good");
+        let mut options = ConsoleOptions::for_test(Opening::Mission(Arc::new(mission)));
+        let limits = RecordLimits::default();
+        options.preferences.records = Some(Records::within(data.path(), limits));
+        options.preferences.runs = Some(Runs::within(data.path()));
+        let mut console = Console::new(options, false);
+        console.begin().await;
+        run(&mut console, 5).await;
+        for line in ["all guided", "all arm", "all takeoff 20", "bookmark up"] {
+            say(&mut console, line).await;
+            run(&mut console, 3).await;
+        }
+        run(&mut console, 30).await;
+        let flown = told(console.app.state());
+        say(&mut console, "abandon").await;
+        console
+            .feed(crate::shell::key(crossterm::event::KeyCode::Char('y')))
+            .await;
+        run(&mut console, 2).await;
+        let report = console
+            .app
+            .state()
+            .rooms()
+            .debrief()
+            .clone()
+            .expect("a debrief");
+
+        say(&mut console, "replay").await;
+        console.replay(None).expect("it was recorded");
+        console.take_in().await;
+        let replay = console.replaying.as_mut().expect("it runs");
+        replay.wait_for_index();
+        console.steer_replay(ReplayEffect::Seek(SeekTarget::End));
+        for _ in 0..100 {
+            console.take_in().await;
+            run(&mut console, 1).await;
+        }
+        let state = console.app.state();
+        let replayed = told(state);
+        assert!(flown.0 > Some(Duration::from_secs(30)), "{flown:?}");
+        assert!(replayed.0 >= flown.0, "{replayed:?} {flown:?}");
+        assert_eq!(replayed.1.len(), flown.1.len());
+        assert_eq!(replayed.2, flown.2);
+        let again = state.rooms().debrief().as_ref().expect("a debrief");
+        assert_eq!(again.report().score, report.report().score);
+    }
+}

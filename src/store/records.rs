@@ -332,9 +332,10 @@ impl Recording {
         &self.stem
     }
 
-    /// Adds a line to the journal.
-    pub fn note(&self, line: &JournalLine) {
+    /// Adds a line to the journal, whose times never go back.
+    pub fn note(&self, line: JournalLine) {
         let mut state = self.shared.state();
+        let line = line.not_before(state.last_at);
         if !state.has_stopped {
             state.lines.push_str(&line.to_line());
             state.last_at = line.at();

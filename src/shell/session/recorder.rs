@@ -72,7 +72,7 @@ impl FlightRecorder {
     pub fn note(&self, now: Duration, what: Happening) {
         if let Some(recording) = &self.recording {
             let at = now.saturating_sub(self.began_at);
-            recording.note(&JournalLine::new(at, what));
+            recording.note(JournalLine::new(at, what));
         }
     }
 

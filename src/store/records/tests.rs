@@ -7,7 +7,7 @@ fn head() -> Head {
     Head::new(Subject::Free, 1_700_000_000_000_000)
 }
 
-fn mark(at_s: u64) -> JournalLine {
+fn bookmark(at_s: u64) -> JournalLine {
     let text = "here".to_owned();
     JournalLine::new(Duration::from_secs(at_s), Happening::Bookmark { text })
 }
@@ -27,7 +27,8 @@ fn what_is_recorded_is_in_the_files_when_the_record_is_over() {
         .begin(&head(), None, "2026-11-20T14:03:22Z", source)
         .expect("a record");
     send.send(b"frames".to_vec()).expect("it listens");
-    recording.note(&mark(3));
+    recording.note(bookmark(3));
+    recording.note(bookmark(2));
     assert!(records.list()[0].is_written());
     drop(recording);
     let [files] = &records.list()[..] else {
@@ -37,7 +38,8 @@ fn what_is_recorded_is_in_the_files_when_the_record_is_over() {
     assert_eq!(files.head().expect("a head"), head());
     let journal = fs::read_to_string(files.journal.as_ref().expect("it")).expect("readable");
     let journal = Journal::read(&journal).expect("a journal");
-    assert_eq!(journal.lines, [mark(3)]);
+    assert_eq!(journal.lines, [bookmark(3), bookmark(3)]);
+    assert_eq!(journal.damage, None);
     assert_eq!(
         fs::read(files.frames.as_ref().expect("it")).expect("it"),
         b"frames"
