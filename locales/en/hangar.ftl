@@ -2,7 +2,7 @@
 
 hangar-unknown = no instance { $id }
 hangar-taken = instance { $id } runs already: stop it first, or choose another number
-hangar-full = { $limit } instances run, which is the limit: stop some, or raise it
+hangar-full = { $limit } instances are running, which is the limit: stop some, or raise the limit
 hangar-no-program = no { $program } was found: name one with --arducopter or SORTIE_ARDUCOPTER, or put it on the PATH
 hangar-attached = another program is attached to instance { $id }
 hangar-host = cannot start instance { $id }: { $what }: { $error }

@@ -70,7 +70,7 @@ fact-drones = drones
 fact-drones-are = { $count }, your licence is for { $licence }
 fact-daily = today
 fact-daily-open = seed of the day not flown yet
-fact-daily-flown = seed of the day flown: again it is practice
+fact-daily-flown = seed of the day flown; repeats are practice
 
 # The list of profiles.
 profiles-title = profiles

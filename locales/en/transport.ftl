@@ -26,7 +26,7 @@ transport-closed = closed by the other end
 transport-takes-nothing = it takes no more data
 transport-silent = nothing was heard for { $seconds } s
 transport-pipe-gone = the pipe's other end is gone: { $reason }
-transport-fleet-busy = the fleet does not take requests now: it is ending or overloaded
+transport-fleet-busy = no requests are taken now: the session is ending or overloaded
 
 transport-no-file = cannot open { $path }: { $error }
 transport-damage = { $count ->

@@ -18,7 +18,7 @@ locked-medal = здобудьте медаль ({ $medal }) у «{ $mission }»
 locked-skill = { $skill }: { $has } %, треба { $wanted } %
 locked-licence = треба ліцензію на { $wanted } дронів, ваша на { $has }
 
-buy-unknown = такої деталі немає; їх перелічує `sortie workshop parts`
+buy-unknown = такої деталі немає; усі деталі показує `sortie workshop parts`
 buy-owned = вона вже ваша
 buy-locked = спершу пройдіть { $mission }
 buy-too-dear = коштує { $price } кредитів, у вас { $credits }

@@ -18,7 +18,7 @@ lack-days = { $count ->
    *[other] польоти ще у { $count } дні
 }
 
-mission-state-locked = замкнено
+mission-state-locked = закрито
 mission-state-open = відкрито
 mission-state-passed = пройдено
 
@@ -61,7 +61,7 @@ progress-tries = спроби
 progress-first = перше
 progress-last = останнє
 progress-trend = балів за спробу
-progress-why = чому замкнено
+progress-why = чому закрито
 progress-skill = навичка
 progress-chance = імовірність
 progress-mastery = опанування

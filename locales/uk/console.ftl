@@ -74,7 +74,7 @@ order-question = { $count ->
 }
 order-no-vehicle = немає апарата { $vehicle }
 order-none = `{ $verb }` не надсилає команд
-order-wait = `wait` - лише для сценаріїв пілота
+order-wait = `wait` — лише для сценаріїв пілота
 order-wait-help = консоль ніколи не чекає: дайте наступну команду, коли вважатимете за потрібне
 macro-line = рядок { $number } макросу `{ $name }`, `{ $line }`: { $fault }
 macro-endless = макрос зупинено після { $count } рядків: чи не викликає він сам себе?

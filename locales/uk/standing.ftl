@@ -61,7 +61,7 @@ fact-drones = дрони
 fact-drones-are = { $count }, ваша ліцензія на { $licence }
 fact-daily = сьогодні
 fact-daily-open = з варіантом дня ще не виконано
-fact-daily-flown = з варіантом дня виконано: удруге це тренування
+fact-daily-flown = з варіантом дня виконано; повтори — тренування
 
 # Перелік профілів.
 profiles-title = профілі

@@ -11,13 +11,13 @@ threat-bubble = { $distance } m до літака
 threat-intruder-hit = зіткнення з чужим дроном
 threat-intruder-near = { $distance } m до чужого дрона
 threat-answered = відповідь за { $seconds } s: { $alert }
-threat-not-allowed = `{ $name }` не можна викликати в цьому завданні
+threat-not-allowed = `{ $name }` не можна ввести в цьому завданні
 
 threat-gust = сильні пориви вітру
 threat-wind-shift = вітер змінює напрямок
 threat-gnss-jam = супутникова навігація відмовила
 threat-link-loss = зв'язок утрачено
-threat-motor-fail = мотор відмовляє
+threat-motor-fail = двигун відмовляє
 threat-battery-cold = холодний акумулятор
 threat-battery-cell = відмовила банка акумулятора
 threat-person = на ділянку заходить людина

@@ -26,7 +26,7 @@ transport-closed = закрито з іншого боку
 transport-takes-nothing = більше не приймає даних
 transport-silent = тиша вже { $seconds } s
 transport-pipe-gone = іншого кінця каналу вже немає: { $reason }
-transport-fleet-busy = рій зараз не приймає запитів: він завершується або перевантажений
+transport-fleet-busy = запити зараз не приймаються: сеанс завершується або перевантажений
 
 transport-no-file = не вдається відкрити { $path }: { $error }
 transport-damage = { $count ->

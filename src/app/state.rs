@@ -84,9 +84,9 @@ pub struct State<R> {
     pub(in crate::app) session: FlightView,
     /// The vehicle list that is being typed, `3-9`; empty if none.
     pub(in crate::app) typed: String,
-    /// Time since the program began, by the clock on the wall: it goes on while a session stands still.
+    /// Time since the program began, by the wall clock: it runs on while a session is paused.
     pub(in crate::app) wall: Duration,
-    /// When the key before this one answered a question and so changed what is flown, by the clock on the wall.
+    /// When the key before this one answered a question and so changed what is flown, by the wall clock.
     pub(in crate::app) answered_at: Option<Duration>,
     /// What the user has set.
     pub(in crate::app) config: Config,

@@ -49,7 +49,7 @@ impl Aids {
         code.parse().ok()
     }
 
-    /// The one after this, in a circle.
+    /// The level after this one; the first follows the last.
     #[must_use]
     pub fn next(self) -> Self {
         match self {

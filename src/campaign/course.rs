@@ -57,7 +57,7 @@ pub enum LockReason {
     Medal(Text, Medal),
     /// A skill has to be this likely, in percent, and is that.
     Skill(Skill, u8, u8),
-    /// It takes so many drones, and the licence is for that many.
+    /// The mission needs the first number of drones; the licence covers only the second.
     Licence(u8, u8),
 }
 

@@ -11,7 +11,7 @@ use crate::text::{Locale, Text};
 /// The profiles of the data folder; with warnings about repaired files and recovered flights.
 ///
 /// # Errors
-/// They cannot be had.
+/// There is no data folder, or its profiles cannot be opened.
 pub(super) fn open(settings: &CliSettings, locale: &Locale) -> Result<Profiles, Failure> {
     let Some(data) = &settings.data else {
         return Err(invalid(&text!("career-nowhere"), locale));

@@ -25,7 +25,7 @@ use crate::wire::{
 const COMPONENT: ComponentId = 192;
 /// How often the speed is set until the vehicle says that it is.
 const SPEED_EVERY: Duration = Duration::from_millis(500);
-/// A vehicle that keeps another speed after so many attempts has one that it can have.
+/// Attempts to set the speed; after them, the speed that the vehicle keeps is accepted.
 const SPEED_TRIES: u32 = 10;
 const SPEED: &str = "SIM_SPEEDUP";
 /// How often the messages are asked for until they come.

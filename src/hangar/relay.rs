@@ -8,9 +8,9 @@ use std::task::{Context, Poll, ready};
 use tokio::io::{AsyncRead, AsyncWrite, DuplexStream, ReadBuf};
 use tokio::net::TcpStream;
 
-/// How much waits for one who is attached and does not read.
+/// Bytes kept for an attached client that does not read.
 const PIPE_LEN: usize = 64 * 1024;
-/// How much waits for an instance that does not read.
+/// Bytes kept for an instance that does not read.
 const BACKLOG_LEN: usize = 64 * 1024;
 /// As much as a pipe holds: what was put into it in one go is taken out in one go, so that a frame is not cut by what
 /// the hangar itself says in between.

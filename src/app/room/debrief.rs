@@ -37,7 +37,7 @@ pub struct Debrief {
     pub(in crate::app) report: Box<Report>,
     /// The first line shown.
     pub(in crate::app) scroll: usize,
-    /// Whether the truth is shown on a map, where there is no room for it beside the text.
+    /// Whether the map of the truth replaces the text, on a screen too narrow for both.
     pub(in crate::app) map: bool,
     /// When it opened: keys that were meant for the flight must not close it.
     pub(in crate::app) since: Duration,
@@ -55,7 +55,7 @@ impl Debrief {
         self.scroll
     }
 
-    /// Whether the truth is shown on a map, where there is no room for it beside the text.
+    /// Whether the map of the truth replaces the text, on a screen too narrow for both.
     pub fn shows_map(&self) -> bool {
         self.map
     }

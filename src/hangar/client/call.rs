@@ -136,7 +136,7 @@ impl RemoteHangar {
         }
     }
 
-    /// A connection that says what no HTTP service says, or that ends in the middle.
+    /// The error for an answer that is not HTTP, or for a connection that ends midway.
     fn broken(&self, error: &hyper::Error) -> ClientError {
         if error.is_parse() {
             return self.not_a_hangar(error.to_string());

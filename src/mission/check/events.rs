@@ -48,7 +48,7 @@ fn circle(events: &[Event], first: usize) -> Option<Vec<usize>> {
     }
 }
 
-/// Whether an event outside the circle has one of it happen.
+/// Whether an event outside the circle triggers one inside it.
 fn is_begun(events: &[Event], circle: &[usize]) -> bool {
     let others = events
         .iter()

@@ -63,7 +63,7 @@ pub(in crate::mission) enum FileShape {
     Number(f64, f64, &'static str),
     Whole(u32, u32, &'static str),
     Flag,
-    /// Text, with how it is to be written and the most bytes of it.
+    /// Text: how it is written, and its greatest length in bytes.
     Text(&'static str, Option<usize>),
     /// So many numbers, each from one to the other, with how they are written.
     Numbers {

@@ -187,8 +187,8 @@ impl PlumeField {
         };
     }
 
-    /// How much thicker than its mean the air is at a point: what left the source some time ago is carried there
-    /// as it was. Lognormal, with a mean of 1.
+    /// The concentration at a point as a multiple of its mean: the wind carries there, unchanged, what left the source
+    /// some time ago. Lognormal, with a mean of 1.
     fn gust_at(&self, at: Point) -> f64 {
         if self.intermittency <= 0.0 {
             return 1.0;

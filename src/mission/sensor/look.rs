@@ -290,7 +290,7 @@ impl Camera {
         }
     }
 
-    /// What smoke lets through.
+    /// The share of the light of this band that smoke lets through, 0 to 1.
     fn transmission(&self, view: &View<'_>) -> f64 {
         match self.band {
             Band::Visible => view.clarity,

@@ -23,7 +23,7 @@ mod tries;
 const TWO_COLUMNS: u16 = 110;
 /// Longer lines are hard to read.
 const WIDEST: usize = 88;
-/// Columns for how an objective stands at most, and for its points.
+/// The most columns for the state of an objective; `POINTS` is the width of its points.
 const DETAIL: usize = 24;
 const POINTS: usize = 7;
 

@@ -20,9 +20,9 @@ pub struct Batch {
     under_way: Vec<(EntryId, ParameterSetting)>,
     /// How many commands may be under way now.
     window: usize,
-    /// Vehicles' values that were confirmed.
+    /// Number of values that vehicles confirmed.
     confirmed: usize,
-    /// Vehicles' values that were refused or not answered.
+    /// Number of values that vehicles refused or did not answer.
     failed: usize,
 }
 
