@@ -64,6 +64,17 @@ impl MomentKind {
         Text::new(format!("moment-kind-{}", self.name()), Vec::new())
     }
 
+    /// How much it matters beside others: the least comes first.
+    pub fn weight(self) -> u8 {
+        match self {
+            Self::Mode | Self::Arming => 0,
+            Self::Objective => 1,
+            Self::Refusal | Self::Separation => 2,
+            Self::Alert => 3,
+            Self::Bookmark => 4,
+        }
+    }
+
     /// The kind of a name.
     pub fn named(name: &str) -> Option<Self> {
         name.parse().ok()

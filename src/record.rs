@@ -118,6 +118,8 @@ pub struct Journal {
     pub lines: Vec<JournalLine>,
     /// What is wrong with the rest of the file: up to where it could be read.
     pub damage: Option<Text>,
+    /// Lines that this program does not know.
+    pub unknown: usize,
 }
 
 impl Journal {
@@ -141,14 +143,24 @@ impl Journal {
             head,
             lines: Vec::new(),
             damage: None,
+            unknown: 0,
         };
         let mut since = Duration::ZERO;
         for (index, line) in all.enumerate() {
-            let line = serde_json::from_str(line).ok();
-            let Some(line) = line.filter(|line: &JournalLine| line.at() >= since) else {
-                journal.damage = Some(text!("record-damaged", line = index + 2));
+            let Ok(line) = serde_json::from_str::<JournalLine>(line) else {
+                // What a later program has added is passed over.
+                if line.ends_with("}\n") && serde_json::from_str::<serde_json::Value>(line).is_ok()
+                {
+                    journal.unknown += 1;
+                    continue;
+                }
+                journal.damage = Some(text!("journal-damaged", line = index + 2));
                 break;
             };
+            if line.at() < since {
+                journal.damage = Some(text!("journal-damaged", line = index + 2));
+                break;
+            }
             since = line.at();
             journal.lines.push(line);
         }

@@ -21,7 +21,9 @@ use crate::app::state::{ReplayPosition, ReplayView};
 use crate::config::Config;
 use crate::language::SeekTarget;
 use crate::moment::Moment;
+use crate::notice::Notice;
 use crate::text::Text;
+use crate::vehicle::Severity;
 
 mod export;
 mod film;
@@ -39,6 +41,10 @@ use stage::Stage;
 
 /// The frames of a replay: so far apart are the moments that can be shown.
 pub const FRAME: Duration = Duration::from_millis(100);
+/// A key frame is taken on the way ahead, where so much lies between.
+const KEY_AHEAD: Duration = Duration::from_secs(3);
+/// Frames of the replay that are gone through between two looks at the keys.
+const STEPS_AT_ONCE: usize = 1000;
 /// Frames of MAVLink that are heard between two looks at the keys. At half a microsecond each it is a tenth of a second.
 const HEARD_AT_ONCE: u64 = 200_000;
 
@@ -53,8 +59,8 @@ pub struct Replay {
     goal: Duration,
     /// When time was looked at last, on the program's clock.
     looked: Option<Duration>,
-    /// How much of the index the console knows.
-    known: usize,
+    /// How many moments the console knows, and which length.
+    known: (usize, Duration),
 }
 
 impl Replay {
@@ -69,7 +75,8 @@ impl Replay {
         let started = film.started();
         let index = Index::begin(&film, &started, config)?;
         let view = ReplayView::new(film.name(), film.began_unix_us(), film.length());
-        let events = begin(view, started);
+        let mut events = begin(view, started);
+        events.extend(film.damage().map(warning));
         let replay = Self {
             film,
             stage,
@@ -77,7 +84,7 @@ impl Replay {
             position: ReplayPosition::default(),
             goal: Duration::ZERO,
             looked: None,
-            known: 0,
+            known: (0, Duration::ZERO),
         };
         Ok((replay, events))
     }
@@ -117,25 +124,26 @@ impl Replay {
             ReplayEffect::Seek(target) => {
                 self.goal = match target {
                     SeekTarget::At(at) => at,
-                    SeekTarget::Later(by) => now + by,
+                    SeekTarget::Later(by) => now.saturating_add(by),
                     SeekTarget::Earlier(by) => now.saturating_sub(by),
-                    SeekTarget::End => self.film.length(),
+                    SeekTarget::End => self.length(),
                 }
-                .min(self.film.length());
+                .min(self.length());
             }
             ReplayEffect::Step { forward } => {
                 self.position.is_playing = false;
                 self.goal = if forward {
-                    (now + FRAME).min(self.film.length())
+                    (now + FRAME).min(self.length())
                 } else {
                     now.saturating_sub(FRAME)
                 };
             }
             ReplayEffect::Moment { forward } => self.go_to_moment(forward),
+            ReplayEffect::Show(at) => self.goal = showing(at).min(self.length()),
             ReplayEffect::Loop(stretch) => {
                 self.position.looped = stretch;
                 if let Some((from, _)) = stretch {
-                    self.goal = from.min(self.film.length());
+                    self.goal = from.min(self.length());
                 }
             }
             ReplayEffect::StopAt(kinds) => self.position.stops = kinds,
@@ -163,13 +171,18 @@ impl Replay {
         self.goal < self.stage.now() + FRAME
     }
 
+    /// How long it is, as far as that is known.
+    pub fn length(&self) -> Duration {
+        self.index.length().unwrap_or_else(|| self.film.length())
+    }
+
     /// Waits until the whole recording has been gone through.
     pub fn wait_for_index(&mut self) {
         self.index.finish();
     }
 
     fn is_at_end(&self) -> bool {
-        self.stage.now() + FRAME > self.film.length()
+        self.stage.now() + FRAME > self.length()
     }
 
     fn play(&mut self, passed: Duration) {
@@ -184,11 +197,11 @@ impl Replay {
         let stops = &self.position.stops;
         let stop = self.index.first_between(before, self.goal, stops);
         if let Some(stop) = stop {
-            self.goal = stop;
+            self.goal = showing(stop);
             self.position.is_playing = false;
         }
-        if self.goal >= self.film.length() {
-            self.goal = self.film.length();
+        if self.goal >= self.length() {
+            self.goal = self.length();
             self.position.is_playing = false;
         }
     }
@@ -203,8 +216,7 @@ impl Replay {
             moments.iter().rev().find(|it| it.at + FRAME * 2 <= now)
         };
         if let Some(moment) = found {
-            // A frame shows what happened before its end.
-            self.goal = (moment.at + FRAME).min(self.film.length());
+            self.goal = showing(moment.at).min(self.length());
         }
     }
 
@@ -213,13 +225,16 @@ impl Replay {
         let mut events = Vec::new();
         let now = self.stage.now();
         if let Some(key) = self.index.key_frame(self.goal)
-            && (self.goal + FRAME <= now || key.at() > now)
+            && (self.goal + FRAME <= now || key.at() > now + KEY_AHEAD)
         {
             self.stage.restore(key.cast());
             events.push(ReplayEvent::Restored(Box::new(key.flight())).into());
         }
         let until = self.stage.heard() + HEARD_AT_ONCE;
-        while self.stage.now() + FRAME <= self.goal && self.stage.heard() < until {
+        for _ in 0..STEPS_AT_ONCE {
+            if self.is_there() || self.stage.heard() >= until {
+                break;
+            }
             let told = self.stage.step();
             events.push(ReplayEvent::At(self.at()).into());
             events.extend(told);
@@ -240,13 +255,25 @@ impl Replay {
     fn news(&mut self) -> Option<Event> {
         self.position.indexed = self.index.reached();
         let moments = self.index.moments();
-        if moments.len() == self.known {
+        let known = (moments.len(), self.length());
+        if known == self.known {
             return None;
         }
-        self.known = moments.len();
-        let length = self.film.length();
+        self.known = known;
+        let length = self.length();
         Some(ReplayEvent::Known { length, moments }.into())
     }
+}
+
+/// What is wrong with a recording, for the notices.
+fn warning(text: Text) -> Event {
+    Event::Notice(Notice {
+        at: Duration::ZERO,
+        vehicle: None,
+        severity: Severity::Warning,
+        kind: None,
+        text,
+    })
 }
 
 /// A time of day, given in microseconds since 1970: `2026-11-20 14:03:22`.
@@ -256,6 +283,12 @@ pub fn utc_of(unix_us: u64) -> String {
     time.unwrap_or_default()
         .format("%Y-%m-%d %H:%M:%S")
         .to_string()
+}
+
+/// The frame that shows what happened at a time: a frame has what came before its end.
+fn showing(at: Duration) -> Duration {
+    let frames = at.as_millis() / FRAME.as_millis() + 1;
+    FRAME * u32::try_from(frames).unwrap_or(u32::MAX)
 }
 
 /// The events that a console begins a replay with.

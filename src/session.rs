@@ -175,6 +175,12 @@ impl Session {
         self.take_in_arrived(now);
     }
 
+    /// Nothing could be heard for so long, whatever the vehicle has said: it was not silent.
+    pub fn rest(&mut self, lasted: Duration) {
+        let link = &mut self.vehicle.link;
+        link.last_heard = link.last_heard.map(|heard| heard + lasted);
+    }
+
     /// Has something done to the vehicle's simulator or to the radio between it and us, from now on.
     pub fn carry_out(&mut self, want: Want) {
         match want {

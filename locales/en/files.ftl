@@ -33,3 +33,5 @@ journal-none = this is no journal of a flight: it begins with another line
 record-not-begun = this flight is not recorded and cannot be replayed: { $fault }
 record-broken-off = the record of this flight ends here: { $fault }
 record-full = the record of this flight ends here: it has reached { $mib } MiB (the setting `records.space` allows twice that for all)
+journal-damaged = line { $line } of the journal is damaged: what was said and ordered is known up to there
+record-frames-dropped = the disk is too slow for this flight: frames are missing from its record

@@ -209,6 +209,8 @@ pub enum ReplayEffect {
     Moment {
         forward: bool,
     },
+    /// Show what happened at a time.
+    Show(Duration),
     /// Play a stretch over and over, or no longer.
     Loop(Option<(Duration, Duration)>),
     /// Stop at moments of these kinds.

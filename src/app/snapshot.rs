@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use super::State;
+use super::room::debrief::Debrief;
 use super::room::map::Map;
 use super::state::{FlightView, NoticeLog};
 use crate::text::Text;
@@ -14,6 +15,7 @@ pub struct FlightSnapshot {
     notices: NoticeLog,
     map: Map,
     hints: Vec<Text>,
+    debrief: Option<Debrief>,
     now: Duration,
 }
 
@@ -25,6 +27,7 @@ impl FlightSnapshot {
             notices: state.notices.clone(),
             map: state.rooms.map.clone(),
             hints: state.rooms.mission.hints.clone(),
+            debrief: state.rooms.debrief.clone(),
             now: state.now,
         }
     }
@@ -42,6 +45,7 @@ pub(super) fn restore(state: &mut State, snapshot: FlightSnapshot) {
     state.notices = snapshot.notices;
     state.rooms.map.remember(snapshot.map);
     state.rooms.mission.hints = snapshot.hints;
+    state.rooms.debrief = snapshot.debrief;
     state.rooms.ledger.spoil();
     state.now = snapshot.now;
     state.touch();

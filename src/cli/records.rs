@@ -61,9 +61,9 @@ enum RecordsCommand {
     #[command(after_help = "Examples:\n  sortie records delete 3 4 --yes")]
     Delete {
         /// The numbers in the list.
-        #[arg(required = true)]
-        records: Vec<String>,
-        /// Do not ask.
+        #[arg(required = true, value_name = "NUMBER")]
+        records: Vec<usize>,
+        /// Confirm.
         #[arg(long)]
         yes: bool,
     },
@@ -174,9 +174,13 @@ impl RecordsCommands {
 
     /// The record of a number of the list, or of a file.
     fn find(&self, named: &str) -> Result<RecordFiles, Failure> {
-        let Ok(wanted) = named.parse::<usize>() else {
-            return Ok(RecordFiles::beside(Path::new(named)));
-        };
+        match named.parse() {
+            Ok(number) => self.numbered_as(number),
+            Err(_) => Ok(RecordFiles::beside(Path::new(named))),
+        }
+    }
+
+    fn numbered_as(&self, wanted: usize) -> Result<RecordFiles, Failure> {
         let found = self.numbered().find(|(number, _)| *number == wanted);
         found.map(|(_, files)| files).ok_or_else(|| {
             let text = text!("records-no-number", number = wanted);
@@ -331,9 +335,9 @@ impl RecordsCommands {
         Ok(ExitCode::SUCCESS)
     }
 
-    fn delete(&self, named: &[String], yes: bool) -> Result<ExitCode, Failure> {
+    fn delete(&self, numbers: &[usize], yes: bool) -> Result<ExitCode, Failure> {
         let found: Result<Vec<RecordFiles>, Failure> =
-            named.iter().map(|it| self.find(it)).collect();
+            numbers.iter().map(|&it| self.numbered_as(it)).collect();
         let found = found?;
         for files in &found {
             if files.is_written() {

@@ -7,8 +7,8 @@ use crate::wire::Anatomy;
 
 /// What waits for the recorder at most; beyond that frames are left out, and counted.
 const MOST_WAITING: usize = 32 * 1024 * 1024;
-/// `SETUP_SIGNING` carries a secret key.
-const SETUP_SIGNING: u32 = 256;
+/// What carries secrets: `SETUP_SIGNING` a key, `WIFI_CONFIG_AP` a password.
+const SECRET: [u32; 2] = [256, 299];
 
 /// Takes frames down as the entries of a tlog, in the order of their time. All clones are one sink.
 #[derive(Clone)]
@@ -25,8 +25,8 @@ struct Inner {
 pub struct WaitingFrames {
     /// Entries of a tlog.
     pub bytes: Vec<u8>,
-    /// Frames that found no room since the last call.
-    pub dropped: u64,
+    /// Frames that found no room so far.
+    dropped: u64,
     /// Whether nothing is taken down any more.
     is_closed: bool,
 }
@@ -50,7 +50,7 @@ impl FrameSink {
 
     /// Takes a frame down, unless it carries a secret.
     pub fn note(&self, frame: &[u8]) {
-        if Anatomy::of(frame).is_some_and(|it| it.id == SETUP_SIGNING) {
+        if Anatomy::of(frame).is_some_and(|it| SECRET.contains(&it.id)) {
             return;
         }
         let mut waiting = self.waiting();
@@ -61,7 +61,7 @@ impl FrameSink {
             waiting.dropped += 1;
             return;
         }
-        // The clock is read while nobody else can write, so that times never go back.
+        // The clock is read while no other link can write, so that times never go back.
         let stamp = (self.0.clock)().to_be_bytes();
         waiting.bytes.extend_from_slice(&stamp);
         waiting.bytes.extend_from_slice(frame);
@@ -70,12 +70,18 @@ impl FrameSink {
     /// What was taken down since the last call.
     pub fn take(&self) -> WaitingFrames {
         let mut waiting = self.waiting();
-        let is_closed = waiting.is_closed;
+        let (dropped, is_closed) = (waiting.dropped, waiting.is_closed);
         let empty = WaitingFrames {
+            bytes: Vec::new(),
+            dropped,
             is_closed,
-            ..WaitingFrames::default()
         };
         std::mem::replace(&mut *waiting, empty)
+    }
+
+    /// Frames that found no room so far, because the disk is too slow.
+    pub fn dropped(&self) -> u64 {
+        self.waiting().dropped
     }
 
     /// Takes nothing down any more.

@@ -177,6 +177,11 @@ impl<W: Write> TlogWriter<W> {
         self.output.write_all(frame)
     }
 
+    /// The output.
+    pub fn into_inner(self) -> W {
+        self.output
+    }
+
     /// Hands everything on to the output's destination.
     ///
     /// # Errors

@@ -1,1 +1,59 @@
+use super::*;
 
+fn head() -> Head {
+    Head::new(Subject::Free, 1_700_000_000_000_000)
+}
+
+fn bookmark(at_s: u64) -> JournalLine {
+    let text = "here".to_owned();
+    JournalLine::new(Duration::from_secs(at_s), Happening::Bookmark { text })
+}
+
+#[test]
+fn what_a_later_program_has_added_is_passed_over() {
+    let later = "{\"us\":2000000,\"wind\":{\"m_s\":3}}\n";
+    let text = [
+        head().to_line(),
+        bookmark(1).to_line(),
+        later.to_owned(),
+        bookmark(3).to_line(),
+    ];
+    let journal = Journal::read(&text.concat()).expect("a journal");
+    assert_eq!((journal.damage, journal.unknown), (None, 1));
+    assert_eq!(journal.lines, [bookmark(1), bookmark(3)]);
+}
+
+#[test]
+fn what_was_cut_off_or_goes_back_in_time_ends_a_journal() {
+    let whole = [
+        head().to_line(),
+        bookmark(4).to_line(),
+        bookmark(6).to_line(),
+    ]
+    .concat();
+    let cut = Journal::read(&whole[..whole.len() - 9]).expect("a journal");
+    assert_eq!(cut.lines, [bookmark(4)]);
+    assert!(cut.damage.is_some());
+    let back = [
+        head().to_line(),
+        bookmark(4).to_line(),
+        bookmark(3).to_line(),
+    ]
+    .concat();
+    let back = Journal::read(&back).expect("a journal");
+    assert_eq!(back.lines, [bookmark(4)]);
+    assert!(back.damage.is_some());
+}
+
+#[test]
+fn what_is_no_journal_is_refused_with_the_reason() {
+    for (text, reason) in [
+        ("", "no journal"),
+        ("{\"sortie_run\":1}\n", "no journal"),
+        ("{\"sortie_flight\":2}\n", "version 2"),
+        ("{\"sortie_flight\":1}\n", "missing field"),
+    ] {
+        let fault = Journal::read(text).expect_err("no journal").to_string();
+        assert!(fault.contains(reason), "{fault}");
+    }
+}

@@ -54,7 +54,9 @@ pub fn export(
             let text = match format {
                 ExportFormat::Kml => tracks::kml(film, &tracks, moments),
                 ExportFormat::Gpx => tracks::gpx(film, &tracks, moments),
-                _ => Ok(tracks::geo_json(film, &tracks, moments)),
+                ExportFormat::GeoJson | ExportFormat::Csv | ExportFormat::Mcap => {
+                    Ok(tracks::geo_json(film, &tracks, moments))
+                }
             };
             let text = text.map_err(|error| unwritable(&error))?;
             crate::store::write(to, &text, false).map_err(|error| Text::from(&error))

@@ -16,6 +16,8 @@ use crate::text::Text;
 
 /// So many bytes from its end on the last record of a recording is looked for.
 const TAIL_LEN: u64 = 64 * 1024;
+/// No recording is longer than a week.
+const LONGEST_US: u64 = 7 * 24 * 3600 * 1_000_000;
 /// A journal longer than this is none of ours.
 const LARGEST_JOURNAL: u64 = 256 * 1024 * 1024;
 
@@ -96,6 +98,11 @@ impl Film {
         self.journal.as_ref()
     }
 
+    /// What is wrong with its journal.
+    pub fn damage(&self) -> Option<Text> {
+        self.journal.as_ref()?.damage.clone()
+    }
+
     /// The mission that was flown, where one was.
     pub fn run(&self) -> Option<&Stored> {
         self.run.as_ref()
@@ -168,8 +175,8 @@ fn ends(path: &Path) -> Result<(u64, u64), Text> {
     let from = len.saturating_sub(TAIL_LEN);
     tail.seek(SeekFrom::Start(from)).map_err(unreadable)?;
     let first = first.take().ok_or_else(none)?;
-    let day = Duration::from_secs(24 * 3600 * 365).as_micros() as u64;
-    let plausible = times(tail).filter(|us| us.abs_diff(first) < day);
+    // A clock that was set meanwhile tells no length: that is known once the recording has been gone through.
+    let plausible = times(tail).filter(|us| us.abs_diff(first) < LONGEST_US);
     Ok((first, plausible.max().unwrap_or(first).max(first)))
 }
 

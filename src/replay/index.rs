@@ -5,10 +5,10 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
 use std::time::Duration;
 
+use super::Film;
 use super::moments::Lookout;
 use super::observer::Observer;
 use super::stage::{Cast, Stage};
-use super::{FRAME, Film};
 use crate::app::FlightSnapshot;
 use crate::app::event::Started;
 use crate::app::state::{ReplayPosition, ReplayView};
@@ -16,7 +16,7 @@ use crate::config::Config;
 use crate::moment::{Moment, MomentKind};
 use crate::text::Text;
 
-/// So far apart are key frames at first.
+/// The distance between key frames at first.
 const KEY_EVERY: Duration = Duration::from_secs(10);
 /// Key frames that are kept; when there are more, every other one goes. Each has a few kilobytes per vehicle, and twenty
 /// for its curves.
@@ -65,6 +65,8 @@ struct Found {
     /// Earliest first.
     moments: Arc<Vec<Moment>>,
     reached: Duration,
+    /// Whether all of it has been gone through.
+    is_over: bool,
 }
 
 impl Shared {
@@ -86,7 +88,6 @@ impl Index {
         let shared = Arc::new(Shared::default());
         let mut reader = IndexReader {
             shared: Arc::clone(&shared),
-            length: film.length(),
             lookout: Lookout::new(film),
             stage,
             observer,
@@ -107,6 +108,12 @@ impl Index {
     /// How far the recording has been gone through.
     pub fn reached(&self) -> Duration {
         self.shared.found().reached
+    }
+
+    /// How long the recording is, once it has been gone through.
+    pub fn length(&self) -> Option<Duration> {
+        let found = self.shared.found();
+        found.is_over.then_some(found.reached)
     }
 
     /// The moments found so far, earliest first.
@@ -151,7 +158,6 @@ impl Drop for Index {
 /// Goes through a recording.
 struct IndexReader {
     shared: Arc<Shared>,
-    length: Duration,
     stage: Stage,
     observer: Observer,
     lookout: Lookout,
@@ -161,9 +167,7 @@ struct IndexReader {
 impl IndexReader {
     fn run(mut self) {
         let mut next_key = self.key_every;
-        while self.stage.now() + FRAME <= self.length
-            && !self.shared.is_cancelled.load(Ordering::Relaxed)
-        {
+        while !self.stage.is_over() && !self.shared.is_cancelled.load(Ordering::Relaxed) {
             let events = self.stage.step();
             let now = self.stage.now();
             let position = ReplayPosition {
@@ -179,6 +183,7 @@ impl IndexReader {
             }
         }
         self.publish();
+        self.shared.found().is_over = true;
     }
 
     /// Keeps what is known now.

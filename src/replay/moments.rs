@@ -225,7 +225,9 @@ impl Lookout {
 
     fn approach(&mut self, now: Duration, pair: (VehicleId, VehicleId), distance_m: f64) {
         if distance_m > NEAR_M + PASSED_M {
-            self.pairs.remove(&pair);
+            if let Some(passed) = self.pairs.remove(&pair) {
+                self.tell_approach(pair, passed);
+            }
             return;
         }
         let known = self.pairs.entry(pair).or_insert(Approach {
@@ -239,11 +241,16 @@ impl Lookout {
                 at: now,
                 is_told: false,
             };
-        } else if distance_m > known.closest_m + PASSED_M
-            && known.closest_m < NEAR_M
-            && !std::mem::replace(&mut known.is_told, true)
-        {
-            let (at, closest_m) = (known.at, known.closest_m);
+        } else if distance_m > known.closest_m + PASSED_M {
+            let passed = *known;
+            known.is_told = true;
+            self.tell_approach(pair, passed);
+        }
+    }
+
+    fn tell_approach(&mut self, pair: (VehicleId, VehicleId), passed: Approach) {
+        if passed.closest_m < NEAR_M && !passed.is_told {
+            let (at, closest_m) = (passed.at, passed.closest_m);
             let metres = text::figure(closest_m, 1);
             let text = text!("moment-near", metres = metres);
             self.add(Moment {

@@ -1,4 +1,4 @@
-//! A console that nobody sees: it knows what the console knew then.
+//! A console without a screen: it knows what the console knew then.
 
 use crate::app::event::{Event, ReplayEvent, SessionEvent, Started};
 use crate::app::state::{ReplayPosition, ReplayView};

@@ -10,6 +10,7 @@ use crate::app::event::{Event, LinkEvent, SessionEvent, VehicleEvent};
 use crate::app::room::messages::{LinkTraffic, Wanted};
 use crate::app::state::LinkSummary;
 use crate::inspector::{Census, FrameWay};
+use crate::ledger::{EntryId, RowUpdate};
 use crate::link::{LinkState, TlogPiece, TlogRecord, TlogSalvage};
 use crate::mission::record::{Reenactment, Stored};
 use crate::notice::Notice;
@@ -20,8 +21,12 @@ use crate::text::Text;
 use crate::vehicle::Vehicle;
 use crate::wire::{Decoder, GROUND_STATION_SYSTEM, SystemId};
 
-/// Where nothing at all was recorded for so long, the recording has a gap: nobody was lost.
+/// Where nothing at all was recorded for so long, the recording has a gap: no vehicle was lost.
 const GAP: Duration = Duration::from_secs(2);
+/// Times that step back by less only stand still.
+const STEP_BACK_US: i64 = 1_000_000;
+/// A longer gap is a clock that was set.
+const LONGEST_GAP_US: i64 = 3600 * 1_000_000;
 /// The recording is one link.
 const LINK: u16 = 0;
 const PEER: u32 = 0;
@@ -53,6 +58,12 @@ pub(super) struct Cast {
     /// Whether the mission's report has been given.
     is_over: bool,
     last_heard: Duration,
+    /// What is to be added to times of the file, because its clock was set.
+    skew_us: i64,
+    /// Whether the file has been read to its end.
+    is_at_end: bool,
+    /// How many commands were given, and by their numbers in the journal which.
+    given: BTreeMap<u32, u32>,
     /// How long the gap is in which it stands.
     gap: Option<Duration>,
     /// Where the next record starts in the file, and the time of the one before.
@@ -163,6 +174,9 @@ impl Stage {
                 elapsed: Duration::ZERO,
                 is_over: false,
                 last_heard: Duration::ZERO,
+                skew_us: 0,
+                is_at_end: false,
+                given: BTreeMap::new(),
                 gap: None,
                 offset: 0,
                 last_us: None,
@@ -224,11 +238,12 @@ impl Stage {
                 (self.cast.offset, self.cast.last_us) = before;
                 self.pending = self.next_record();
             }
-            let Some(record) = &self.pending else {
+            let Some(unix_us) = self.pending.as_ref().map(|it| it.unix_us) else {
                 self.cast.gap = None;
+                self.cast.is_at_end = true;
                 break;
             };
-            let at = self.time_of(record.unix_us);
+            let at = self.time_of(unix_us);
             if at >= until {
                 let silent = at.saturating_sub(self.cast.last_heard);
                 self.cast.gap = (silent >= GAP).then_some(silent);
@@ -236,6 +251,10 @@ impl Stage {
             }
             if let Some(record) = self.pending.take() {
                 self.heard += 1;
+                let silent = at.saturating_sub(self.cast.last_heard);
+                if silent >= GAP {
+                    self.cast.rest(silent);
+                }
                 self.cast.last_heard = at;
                 self.change_radio(at);
                 self.cast.take_in(&record.bytes, at);
@@ -243,10 +262,23 @@ impl Stage {
         }
     }
 
-    /// A time of the recording; where it steps back it stands still.
-    fn time_of(&self, unix_us: u64) -> Duration {
-        let at = Duration::from_micros(unix_us.saturating_sub(self.film.began_unix_us()));
-        at.max(self.cast.last_heard)
+    /// Whether there is nothing more to come.
+    pub fn is_over(&self) -> bool {
+        self.cast.is_at_end && self.cast.next_line >= self.lines().len()
+    }
+
+    /// A time of the recording. Where a clock was set meanwhile, time goes on a second later.
+    fn time_of(&mut self, unix_us: u64) -> Duration {
+        let cast = &mut self.cast;
+        let since_us = unix_us.saturating_sub(self.film.began_unix_us());
+        let raw_us = i64::try_from(since_us).unwrap_or(i64::MAX);
+        let last_us = i64::try_from(cast.last_heard.as_micros()).unwrap_or(i64::MAX);
+        let mut at_us = raw_us.saturating_add(cast.skew_us);
+        if !(last_us - STEP_BACK_US..last_us.saturating_add(LONGEST_GAP_US)).contains(&at_us) {
+            at_us = last_us + 1_000_000;
+            cast.skew_us = at_us.saturating_sub(raw_us);
+        }
+        Duration::from_micros(u64::try_from(at_us).unwrap_or(0)).max(cast.last_heard)
     }
 
     fn next_record(&mut self) -> Option<TlogRecord> {
@@ -284,7 +316,7 @@ impl Stage {
         let actors = self.cast.vehicles.values_mut();
         actors
             .flat_map(|actor| {
-                // In a gap nobody was silent.
+                // In a gap no vehicle was silent.
                 if !is_gap {
                     actor.session.poll(now);
                 }
@@ -300,9 +332,21 @@ impl Stage {
         {
             self.cast.next_line += 1;
             match &line.what {
-                Happening::Entry(entry) => events.push(opened(entry, line.at())),
+                Happening::Entry(entry) => {
+                    let count = self.cast.given.len() as u32;
+                    self.cast.given.insert(entry.id, count);
+                    events.push(opened(entry, line.at()));
+                }
                 Happening::Row(row) => {
-                    events.push(VehicleEvent::Row(row.update(line.at())).into());
+                    // What became of a command whose line is lost belongs to none.
+                    if let Some(&entry) = self.cast.given.get(&row.id) {
+                        let entry = EntryId(entry);
+                        let update = RowUpdate {
+                            entry,
+                            ..row.update(line.at())
+                        };
+                        events.push(VehicleEvent::Row(update).into());
+                    }
                 }
                 Happening::Notice(notice) => events.push(notice.notice(line.at()).into()),
                 Happening::Mission { ms } => {
@@ -399,6 +443,13 @@ impl Cast {
         }
         if let Some(actor) = self.vehicles.get_mut(&system) {
             actor.session.receive(&frame, at);
+        }
+    }
+
+    /// Nothing was recorded for so long: no vehicle was silent.
+    fn rest(&mut self, lasted: Duration) {
+        for actor in self.vehicles.values_mut() {
+            actor.session.rest(lasted);
         }
     }
 

@@ -23,10 +23,13 @@ impl Console {
             let path = user_path(path);
             return self.open_replay(Path::new(&path));
         }
+        let records = self.options.preferences.records.clone();
+        if records.as_ref().and_then(Records::newest).is_none() {
+            return Err(text!("records-none"));
+        }
         // The newest may be the one that is being recorded: it ends first.
         self.end_session();
-        let records = self.options.preferences.records.as_ref();
-        let newest = records.and_then(Records::newest);
+        let newest = records.as_ref().and_then(Records::newest);
         let path = newest.ok_or_else(|| text!("records-none"))?;
         self.open_replay(&path)
     }

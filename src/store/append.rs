@@ -1,6 +1,6 @@
 //! Files that only grow, and are whole whenever they are looked at.
 
-use std::fs::{self, File, OpenOptions};
+use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 
@@ -68,6 +68,7 @@ impl AppendFile {
 
 /// Whether a file may still be written: the console that writes it holds a lock on it.
 pub(super) fn is_written(path: &Path) -> bool {
-    let free = File::open(path).is_ok_and(|file| file.try_lock_shared().is_ok());
-    !free
+    let lock = File::open(path).map(|file| file.try_lock_shared());
+    // Where files cannot be locked, whoever writes one cannot be seen: only what is known counts.
+    matches!(lock, Ok(Err(TryLockError::WouldBlock)))
 }

@@ -142,7 +142,7 @@ impl RecordFiles {
     /// # Errors
     /// One of them cannot be removed.
     pub fn delete(&self) -> Result<(), StoreError> {
-        // The journal goes last: without it, nobody would find the others again.
+        // The journal goes last: without it, the others could not be found again.
         for path in [&self.bookmarks, &self.frames, &self.journal]
             .into_iter()
             .flatten()
@@ -408,13 +408,20 @@ impl RecordWriter {
     fn write(&mut self, lines: &str) -> Result<(), RecordingFault> {
         // Frames first: a journal may lack its last lines, but names no frame that is not there.
         let frames = (self.source)();
-        if self.frames.len() + self.journal.len() + frames.len() as u64 > self.most_bytes {
+        let len = self.frames.len() + self.journal.len() + frames.len() as u64;
+        let is_full = len > self.most_bytes;
+        let written = if is_full {
+            Ok(())
+        } else {
+            self.frames.append(&frames)
+        };
+        written
+            .and_then(|()| self.journal.append(lines.as_bytes()))
+            .map_err(RecordingFault::Unwritable)?;
+        if is_full {
             return Err(RecordingFault::Full(self.most_bytes));
         }
-        self.frames
-            .append(&frames)
-            .and_then(|()| self.journal.append(lines.as_bytes()))
-            .map_err(RecordingFault::Unwritable)
+        Ok(())
     }
 }
 

@@ -36,7 +36,8 @@ fn said(output: &Output) -> String {
 
 fn runs(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
-    entries.map(|entry| entry.path()).collect()
+    let is_run = |path: &PathBuf| path.to_string_lossy().ends_with(".run.jsonl");
+    entries.map(|entry| entry.path()).filter(is_run).collect()
 }
 
 const FLIGHT: [&str; 6] = [

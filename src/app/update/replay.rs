@@ -34,9 +34,13 @@ pub fn happened(state: &mut State, event: ReplayEvent) {
         ReplayEvent::Restored(flight) => snapshot::restore(state, *flight),
         ReplayEvent::At(position) => {
             telemetry::pass(state, position.at);
-            if let Some(view) = &mut state.replay {
+            if let Some(view) = &mut state.replay
+                && view.position != position
+            {
                 view.position = position;
+                state.touch();
             }
+            return;
         }
     }
     state.touch();
@@ -83,8 +87,7 @@ pub fn go_to(state: &State, moment: Option<usize>) -> Effects {
     let Some(moment) = chosen else {
         return Effects::none();
     };
-    let target = SeekTarget::At(moment.at);
-    Effects::from(Effect::Replay(ReplayEffect::Seek(target)))
+    Effects::from(Effect::Replay(ReplayEffect::Show(moment.at)))
 }
 
 /// Carries out a line about what is replayed.

@@ -23,7 +23,7 @@ pub(super) fn write(film: &Film, folder: &Path) -> io::Result<()> {
             continue;
         };
         let reading = read(&frame);
-        // Of what cannot be verified nobody knows the fields.
+        // Of what cannot be verified, the fields are not known.
         if !reading.is_verified {
             continue;
         }

@@ -31,7 +31,7 @@ fn placed<'a>(
     })
 }
 
-/// What a moment is called in other programs, in English as all that programs read.
+/// What a moment is called in other programs, in English.
 fn label(moment: &Moment) -> String {
     let vehicles = crate::language::ranges(moment.vehicles.iter().copied());
     let colon = if vehicles.is_empty() { "" } else { ": " };
@@ -157,7 +157,9 @@ fn gpx_point(xml: &mut Xml, tag: &str, at: TrackPoint, name: Option<&str>) -> io
 
 /// A line per vehicle with its times, and a point per moment.
 pub(super) fn geo_json(film: &Film, tracks: &Tracks, moments: &[Moment]) -> String {
-    let lines = tracks.iter().map(|(system, track)| {
+    // A line has two points at least.
+    let lines = tracks.iter().filter(|(_, track)| track.len() > 1);
+    let lines = lines.map(|(system, track)| {
         let times: Vec<String> = track.iter().map(TrackPoint::time).collect();
         let coordinates: Vec<Value> = track.iter().map(position).collect();
         json!({

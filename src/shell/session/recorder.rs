@@ -22,6 +22,8 @@ pub(super) struct FlightRecorder {
     recording: Option<Recording>,
     /// What has to be said of it.
     fault: Option<Text>,
+    /// Whether frames that were left out have been told of.
+    has_told_loss: bool,
 }
 
 impl FlightRecorder {
@@ -38,6 +40,7 @@ impl FlightRecorder {
             began_at,
             recording: None,
             fault: None,
+            has_told_loss: false,
         }
     }
 
@@ -98,6 +101,9 @@ impl FlightRecorder {
                 }
                 RecordingFault::Full(bytes) => text!("record-full", mib = bytes / (1024 * 1024)),
             });
+        }
+        if self.sink.dropped() > 0 && !std::mem::replace(&mut self.has_told_loss, true) {
+            return Some(text!("record-frames-dropped"));
         }
         self.fault.take()
     }

@@ -120,13 +120,11 @@ fn line<'a>(view: &ReplayView, cells: usize, look: &Look) -> Vec<Span<'a>> {
             _ => ("·", Role::Muted),
         })
         .collect();
-    for moment in view.moments.iter() {
-        let (sign, role) = sign(moment.kind);
-        let known = &mut line[cell(moment.at)];
-        // The most serious one of a cell is seen.
-        if rank(known.1) < rank(role) {
-            *known = (sign, role);
-        }
+    // Of the moments of one cell, the one that matters most is seen.
+    let mut moments: Vec<&Moment> = view.moments.iter().collect();
+    moments.sort_by_key(|moment| moment.kind.weight());
+    for moment in moments {
+        line[cell(moment.at)] = sign(moment.kind);
     }
     if let Some((from, to)) = position.looped {
         line[cell(from)] = ("[", Role::Accent);
@@ -147,17 +145,6 @@ fn sign(kind: MomentKind) -> (&'static str, Role) {
         MomentKind::Mode | MomentKind::Arming => ("┴", Role::Muted),
         MomentKind::Objective => ("*", Role::Ok),
         MomentKind::Separation => ("<", Role::Warning),
-    }
-}
-
-fn rank(role: Role) -> u8 {
-    match role {
-        Role::Selected => 5,
-        Role::Danger => 4,
-        Role::Warning => 3,
-        Role::Ok => 2,
-        Role::Muted => 1,
-        _ => 0,
     }
 }
 
