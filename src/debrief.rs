@@ -315,7 +315,12 @@ impl DebriefPage<'_> {
     fn improvements(&mut self, report: &Report) {
         self.heading("debrief-improve");
         if report.improvements.is_empty() {
-            let nothing = format!("  {}", self.locale.say("debrief-nothing"));
+            let id = if report.passed {
+                "debrief-nothing"
+            } else {
+                "debrief-not-flown"
+            };
+            let nothing = format!("  {}", self.locale.say(id));
             self.line(&nothing);
         }
         for improvement in &report.improvements {
@@ -358,6 +363,8 @@ impl DebriefPage<'_> {
                 text!("debrief-next-drill", drill = drill, what = what)
             }
             (_, Some(what)) => text!("debrief-next-again", what = what),
+            // Of a flight that never took off nothing could be improved.
+            (_, None) if !report.passed => text!("debrief-next-same"),
             (_, None) => text!("debrief-next-on"),
         };
         self.wrapped("  ", &text);

@@ -98,3 +98,5 @@ truth-false = false report
 truth-strength = % of the strongest
 truth-gate = gate
 truth-gaps = not covered
+debrief-not-flown = Nothing counts before the first takeoff.
+debrief-next-same = Fly this mission again.

@@ -98,3 +98,5 @@ truth-false = хибне повідомлення
 truth-strength = % від найсильнішого
 truth-gate = ворота
 truth-gaps = не обстежено
+debrief-not-flown = До першого зльоту нічого не зараховується.
+debrief-next-same = Виконайте це завдання ще раз.

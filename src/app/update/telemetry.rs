@@ -185,6 +185,10 @@ pub fn progress(state: &mut State, mut progress: Progress) {
         if let (Some(career), Some(mission)) = (&state.career, state.flown_mission()) {
             career.fade(&mission.id, &mut progress);
         }
+        // What the trainee was to do then is no order now.
+        if state.replay.is_some() {
+            progress.lesson = None;
+        }
         lesson::name_key(state, &mut progress);
         // Its clock runs, so it has begun.
         if !progress.elapsed.is_zero() {
