@@ -1,7 +1,7 @@
 //! Recorded flights, played again: as the events that the console saw then, from any moment on.
 //!
-//! A [`Stage`](stage::Stage) has the vehicles' sessions hear the recorded frames again, and yields what they and the
-//! journal say as events, a tenth of a second at a time. An [`Index`](index::Index) goes through the whole recording
+//! A stage has the vehicles' sessions hear the recorded frames again, and yields what they and the
+//! journal say as events, a tenth of a second at a time. An index goes through the whole recording
 //! once, in a thread of its own, and keeps what was known every few seconds: to go to a moment, the console takes the
 //! last of these key frames before it, and lets the stage go on from there. So the same moment is the same screen, by
 //! whatever way one has come to it.
