@@ -20,7 +20,7 @@ use crate::text::Text;
 const KEY_EVERY: Duration = Duration::from_secs(10);
 /// Key frames that are kept; when there are more, every other one goes. Each has a few kilobytes per vehicle, and twenty
 /// for its curves.
-const MOST_KEYS: usize = 160;
+const MOST_KEYS: usize = 240;
 
 /// What was known at one time.
 #[derive(Debug)]
