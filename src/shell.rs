@@ -186,7 +186,7 @@ struct Console {
     /// The last line of the history that its file has.
     kept: Option<String>,
     over: bool,
-    /// Whether the terminal has gone away, or the program is told to end: nobody has left the flight.
+    /// Whether the terminal has gone away, or the program is told to end: the trainee has not left the flight.
     is_cut_off: bool,
 }
 

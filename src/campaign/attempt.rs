@@ -93,7 +93,7 @@ pub enum PracticeReason {
     SlowMotion,
 }
 
-/// Whether a flight is practice as far as tries are counted: what a script has flown is nobody's try. Records that are older
+/// Whether a flight is practice as far as tries are counted: what a script has flown is no try of the trainee. Records that are older
 /// than the second were flown by hand.
 pub fn is_practice(stake: Stake, flown_by: Option<FlownBy>) -> bool {
     let by_hand = match flown_by {

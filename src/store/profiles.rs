@@ -84,7 +84,7 @@ impl Profiles {
         };
         match sharing::private_folder(data).and_then(|()| private(&path)) {
             Ok(_) => {}
-            // The results of another user, or a folder that nobody writes to.
+            // The results of another user, or a folder that is not written to.
             Err(error) if is_forbidden(&error) && path.is_file() => {
                 return Ok((Self::read_only(path)?, None));
             }
@@ -100,7 +100,7 @@ impl Profiles {
         Ok((profiles, rescue))
     }
 
-    /// Opens a file that may only be read. Where nobody writes to it, there is no log beside it; then it is read without
+    /// Opens a file that may only be read. Where it is not written to, there is no log beside it; then it is read without
     /// the locks for which `SQLite` would have to write.
     fn read_only(path: PathBuf) -> Result<Self, ProfileError> {
         let database = |error| ProfileError::Database {
