@@ -34,7 +34,7 @@ pub(super) struct Lookout {
     /// The alerts that hold.
     alerts: BTreeSet<(VehicleId, AlertKind)>,
     vehicles: BTreeMap<VehicleId, KnownVehicle>,
-    pairs: BTreeMap<(VehicleId, VehicleId), Approach>,
+    pairs: BTreeMap<Pair, Approach>,
     /// The objectives that are reached, by place.
     reached: Vec<bool>,
 }
@@ -43,6 +43,13 @@ pub(super) struct Lookout {
 struct KnownVehicle {
     mode: Option<Mode>,
     is_armed: bool,
+}
+
+/// Two vehicles, the one with the lower number first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Pair {
+    one: VehicleId,
+    other: VehicleId,
 }
 
 /// How close two vehicles have come since they came near each other.
@@ -217,13 +224,17 @@ impl Lookout {
         for (at, one) in flying.iter().enumerate() {
             for other in &flying[at + 1..] {
                 if let Some(distance_m) = one.distance_m(other) {
-                    self.approach(now, (one.id, other.id), distance_m);
+                    let pair = Pair {
+                        one: one.id,
+                        other: other.id,
+                    };
+                    self.approach(now, pair, distance_m);
                 }
             }
         }
     }
 
-    fn approach(&mut self, now: Duration, pair: (VehicleId, VehicleId), distance_m: f64) {
+    fn approach(&mut self, now: Duration, pair: Pair, distance_m: f64) {
         if distance_m > NEAR_M + PASSED_M {
             if let Some(passed) = self.pairs.remove(&pair) {
                 self.tell_approach(pair, passed);
@@ -248,14 +259,14 @@ impl Lookout {
         }
     }
 
-    fn tell_approach(&mut self, pair: (VehicleId, VehicleId), passed: Approach) {
+    fn tell_approach(&mut self, pair: Pair, passed: Approach) {
         if passed.closest_m < NEAR_M && !passed.is_told {
             let (at, closest_m) = (passed.at, passed.closest_m);
             let metres = text::figure(closest_m, 1);
             let text = text!("moment-near", metres = metres);
             self.add(Moment {
                 at,
-                vehicles: vec![pair.0, pair.1],
+                vehicles: vec![pair.one, pair.other],
                 kind: MomentKind::Separation,
                 text,
             });
