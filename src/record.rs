@@ -33,7 +33,6 @@ pub struct Head {
     pub program: String,
     /// The time of day when it began: microseconds since 1970 (UTC). Stamps of the tlog count from 1970 as well.
     pub began_unix_us: u64,
-    /// What was done.
     pub subject: Subject,
     /// Whose flight it was: the name of a profile, where there is one.
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -95,7 +95,7 @@ pub(super) fn fly(arguments: &FlyArguments, settings: CliSettings) -> Result<Exi
         None => Opening::Free,
     };
     let options = ConsoleOptions {
-        // What is wrong with it is told before the screen opens.
+        // Faults are reported before the screen opens.
         backend: arguments.backend.choose(&settings)?,
         vehicles: arguments.vehicles,
         seed: arguments.seed,

@@ -26,7 +26,7 @@ pub(super) fn replay(
         Some(path) => path.clone(),
         None => newest(&settings)?,
     };
-    // What is wrong with it is told before the screen opens.
+    // Faults are reported before the screen opens.
     Film::open(&path).map_err(|fault| Failure::Invalid(format!("sortie: {fault}")))?;
     fly::open(fly::options(Opening::Replay(path), settings)?, false)
 }

@@ -1,4 +1,4 @@
-//! The use of a vehicle's time in the air: whether it has a task, and how long it goes on without its operator.
+//! The use of a vehicle's time in the air: whether it has a task, and how long it needs no attention from its operator.
 
 use std::time::Duration;
 

@@ -78,7 +78,6 @@ impl Film {
         self.files.stem.clone()
     }
 
-    /// Its files.
     pub fn files(&self) -> &RecordFiles {
         &self.files
     }

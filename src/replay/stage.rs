@@ -12,14 +12,17 @@ use crate::app::state::LinkSummary;
 use crate::inspector::{Census, FrameWay};
 use crate::ledger::{EntryId, RowUpdate};
 use crate::link::{LinkState, TlogPiece, TlogRecord, TlogSalvage};
-use crate::mission::record::{Reenactment, Stored};
 use crate::notice::Notice;
-use crate::parameters::Fetching;
 use crate::record::{EntryLine, Happening, JournalLine, LossLine};
-use crate::session::{Report, Session, Want, autopilot_of};
+use crate::session::{Want, autopilot_of};
 use crate::text::Text;
-use crate::vehicle::Vehicle;
 use crate::wire::{Decoder, GROUND_STATION_SYSTEM, SystemId};
+
+mod actor;
+mod mission;
+
+use actor::Actor;
+use mission::MissionStage;
 
 /// Where nothing at all was recorded for so long, the recording has a gap: no vehicle was lost.
 const GAP: Duration = Duration::from_secs(2);
@@ -53,6 +56,8 @@ pub(super) struct Cast {
     traffic: Traffic,
     /// The line of the journal that comes next.
     next_line: usize,
+    /// The line up to which the radio has been changed.
+    radio_line: usize,
     /// How late it was in the mission.
     elapsed: Duration,
     /// Whether the mission's report has been given.
@@ -71,15 +76,6 @@ pub(super) struct Cast {
     last_us: Option<u64>,
 }
 
-/// A vehicle that plays.
-#[derive(Debug, Clone)]
-struct Actor {
-    session: Session,
-    shown: Arc<Vehicle>,
-    /// What was shown of its parameters.
-    parameters: (u64, Fetching),
-}
-
 /// What the recording's link carries.
 #[derive(Debug, Clone, Copy, Default)]
 struct Traffic {
@@ -87,72 +83,6 @@ struct Traffic {
     messages: u64,
     /// The counts and the time of the last look.
     before: (u64, u64, Duration),
-}
-
-/// The mission that is flown again.
-#[derive(Debug)]
-struct MissionStage {
-    run: Stored,
-    flight: Reenactment,
-    elapsed: Duration,
-}
-
-impl MissionStage {
-    fn new(run: &Stored) -> Option<Self> {
-        Some(Self {
-            flight: run.reenact().ok()?,
-            run: run.clone(),
-            elapsed: Duration::ZERO,
-        })
-    }
-
-    /// Flies up to a time of the mission, from the start if that lies behind.
-    fn go_to(&mut self, elapsed: Duration) {
-        if elapsed < self.elapsed
-            && let Ok(anew) = self.run.reenact()
-        {
-            self.flight = anew;
-        }
-        self.elapsed = elapsed;
-        drop(self.flight.advance(elapsed));
-    }
-}
-
-impl Actor {
-    fn new(system: SystemId, component: u8, now: Duration) -> Self {
-        let mut session = Session::new(system, component, now);
-        session.heard_via(LINK, now);
-        Self {
-            session,
-            shown: Arc::new(Vehicle::new(system, component)),
-            parameters: (0, Fetching::NotAsked),
-        }
-    }
-
-    /// What there is to show and to say since the last call.
-    fn tell(&mut self) -> Vec<Event> {
-        drop(self.session.take_outgoing());
-        let reports = self.session.take_reports().into_iter();
-        let mut events: Vec<Event> = reports
-            .filter_map(|report| match report {
-                Report::Notice(notice) => Some(notice.into()),
-                // Nothing was ordered here.
-                Report::Row(_) => None,
-            })
-            .collect();
-        if *self.shown != *self.session.vehicle() {
-            self.shown = Arc::new(self.session.vehicle().clone());
-            events.push(VehicleEvent::Telemetry(Arc::clone(&self.shown)).into());
-        }
-        let snapshot = self.session.parameters();
-        let state = (snapshot.list.revision(), snapshot.fetching);
-        if state != self.parameters {
-            self.parameters = state;
-            let vehicle = self.shown.id;
-            events.push(VehicleEvent::Parameters { vehicle, snapshot }.into());
-        }
-        events
-    }
 }
 
 impl Stage {
@@ -171,6 +101,7 @@ impl Stage {
                 census: Census::default(),
                 traffic: Traffic::default(),
                 next_line: 0,
+                radio_line: 0,
                 elapsed: Duration::ZERO,
                 is_over: false,
                 last_heard: Duration::ZERO,
@@ -223,6 +154,7 @@ impl Stage {
     pub fn step(&mut self) -> Vec<Event> {
         let until = self.cast.now + FRAME;
         self.hear(until);
+        self.change_radio(until);
         self.cast.now = until;
         let mut events = self.tell(until);
         events.extend(self.read_journal(until));
@@ -267,7 +199,8 @@ impl Stage {
         self.cast.is_at_end && self.cast.next_line >= self.lines().len()
     }
 
-    /// A time of the recording. Where a clock was set meanwhile, time goes on a second later.
+    /// A time stamp as a time of the recording. If the clock of the recorder was set, the next record counts as one
+    /// second later than the last.
     fn time_of(&mut self, unix_us: u64) -> Duration {
         let cast = &mut self.cast;
         let since_us = unix_us.saturating_sub(self.film.began_unix_us());
@@ -294,16 +227,14 @@ impl Stage {
         self.film.journal().map_or(&[], |it| &it.lines)
     }
 
-    /// The radio changes that are due before a frame is heard. Everything else of the journal can wait for the end of
-    /// the step.
-    fn change_radio(&mut self, at: Duration) {
+    /// Changes the radio as the journal says, up to a time: what is heard then is heard by the radio of then.
+    fn change_radio(&mut self, until: Duration) {
         let film = Arc::clone(&self.film);
         let lines = film.journal().map_or(&[][..], |it| &it.lines);
-        // Lines of the step that is under way: the rest of them is read at its end.
-        for line in lines[self.cast.next_line..]
-            .iter()
-            .take_while(|it| it.at() <= at)
+        while let Some(line) = lines.get(self.cast.radio_line)
+            && line.at() <= until
         {
+            self.cast.radio_line += 1;
             if let Happening::Loss(loss) = &line.what {
                 self.cast.change_radio(loss);
             }

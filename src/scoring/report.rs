@@ -199,7 +199,7 @@ pub struct TryReport {
     pub seed: u64,
     /// Revision of the mission.
     pub revision: u32,
-    /// Whether it counts for nothing: flown for practice or by a script. It is no best and takes no free hints.
+    /// Whether it was flown for practice or by a script: such a try is never the best one and uses up no free hints.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub is_practice: bool,
 }

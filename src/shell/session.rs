@@ -84,7 +84,7 @@ impl RunningSession {
     /// Forgets vehicles: one that is heard again is new.
     pub fn forget(&mut self, vehicles: &[VehicleId]) {
         for &vehicle in vehicles {
-            // A vehicle that the hub goes on with has to be seen when it is heard again.
+            // The hub may still route such a vehicle: it must appear when it is heard again.
             if self.fleet.forget(vehicle).is_ok() {
                 self.vehicles.retain(|known| known.borrow().id != vehicle);
                 self.parameters.retain(|(id, _)| *id != vehicle);

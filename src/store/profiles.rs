@@ -1,4 +1,5 @@
-//! Profiles: who trains here, what they flew, bought and designed, in one `SQLite` file for the readers of its folder.
+//! Profiles: the trainees, their flights, purchases and designs, in one `SQLite` file. Whoever may read its folder may
+//! read it.
 //!
 //! A career is a history that only grows ([`crate::campaign`]); this file keeps it, and a run's whole report with it. Every
 //! change is one transaction, written ahead to a log, so that a killed program loses nothing that it has reported as stored,

@@ -19,7 +19,6 @@ use crate::record::{Happening, Head, JournalLine};
 /// How the files of a record end.
 const FRAMES: &str = ".tlog";
 const JOURNAL: &str = ".flight.jsonl";
-const BOOKMARKS: &str = ".bookmarks.jsonl";
 /// How the record of a mission's run ends, which `runs` keeps.
 const RUN: &str = ".run.jsonl";
 /// How often what has happened is written.
@@ -53,7 +52,7 @@ pub struct Records {
     limits: RecordLimits,
 }
 
-/// The files of one record. Those that there are not are `None`.
+/// The files of one record; `None` for each one that is missing.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct RecordFiles {
     /// What they are called without their endings.
@@ -62,11 +61,9 @@ pub struct RecordFiles {
     pub frames: Option<PathBuf>,
     /// What happened beside them.
     pub journal: Option<PathBuf>,
-    /// Bookmarks that were added or edited afterwards.
-    pub bookmarks: Option<PathBuf>,
     /// The record of the mission's run.
     pub run: Option<PathBuf>,
-    /// Bytes of frames, journal and bookmarks.
+    /// Bytes of frames and journal.
     pub bytes: u64,
 }
 
@@ -74,7 +71,7 @@ impl RecordFiles {
     /// The files that lie beside one of them. A file with another ending is taken for frames.
     pub fn beside(path: &Path) -> Self {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
-        let stem = [JOURNAL, RUN, BOOKMARKS, FRAMES]
+        let stem = [JOURNAL, RUN, FRAMES]
             .iter()
             .find_map(|ending| name.strip_suffix(ending));
         let Some(stem) = stem else {
@@ -88,7 +85,7 @@ impl RecordFiles {
             stem: stem.to_owned(),
             ..Self::default()
         };
-        for ending in [FRAMES, JOURNAL, BOOKMARKS, RUN] {
+        for ending in [FRAMES, JOURNAL, RUN] {
             let path = path.with_file_name(format!("{stem}{ending}"));
             if path.is_file() {
                 files.add(path, ending);
@@ -97,18 +94,11 @@ impl RecordFiles {
         files
     }
 
-    /// Where bookmarks are kept that are added or edited afterwards.
-    pub fn bookmarks_path(&self) -> Option<PathBuf> {
-        let beside = self.frames.as_ref().or(self.journal.as_ref())?;
-        Some(beside.with_file_name(format!("{}{BOOKMARKS}", self.stem)))
-    }
-
     fn add(&mut self, path: PathBuf, ending: &str) {
         let len = fs::metadata(&path).map_or(0, |file| file.len());
         let place = match ending {
             FRAMES => &mut self.frames,
             JOURNAL => &mut self.journal,
-            BOOKMARKS => &mut self.bookmarks,
             _ => {
                 self.run = Some(path);
                 return;
@@ -137,16 +127,13 @@ impl RecordFiles {
         self.journal.as_deref().is_some_and(is_written)
     }
 
-    /// Removes frames, journal and bookmarks; the record of a mission's run stays, because careers count it.
+    /// Removes frames and journal; the record of a mission's run stays, because careers count it.
     ///
     /// # Errors
     /// One of them cannot be removed.
     pub fn delete(&self) -> Result<(), StoreError> {
         // The journal goes last: without it, the others could not be found again.
-        for path in [&self.bookmarks, &self.frames, &self.journal]
-            .into_iter()
-            .flatten()
-        {
+        for path in [&self.frames, &self.journal].into_iter().flatten() {
             fs::remove_file(path).map_err(|error| unwritable(path, error))?;
         }
         Ok(())
@@ -181,7 +168,7 @@ impl Records {
         let entries = fs::read_dir(&self.folder).into_iter().flatten().flatten();
         for entry in entries {
             let name = entry.file_name().to_string_lossy().into_owned();
-            let mut endings = [JOURNAL, RUN, BOOKMARKS, FRAMES].into_iter();
+            let mut endings = [JOURNAL, RUN, FRAMES].into_iter();
             let known = |ending| Some((name.strip_suffix(ending)?, ending));
             let Some((stem, ending)) = endings.find_map(known) else {
                 continue;

@@ -20,7 +20,7 @@ pub struct ReplayView {
     pub moments: Arc<Vec<Moment>>,
 }
 
-/// Where a replay stands, and how it goes on. Times count from the beginning of the recording.
+/// The position and the pace of a replay. Times count from the beginning of the recording.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReplayPosition {
     pub at: Duration,

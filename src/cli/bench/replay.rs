@@ -69,7 +69,7 @@ struct ReplayCost {
     recording_core_percent: f64,
 }
 
-/// Measures.
+/// Records flying vehicles, replays the recording, and prints what both cost.
 pub(in crate::cli) fn replay(options: &BenchReplayArguments) -> Result<ExitCode, Failure> {
     let folder = tempfile_in(&std::env::temp_dir())?;
     let path = folder.0.join("bench.tlog");

@@ -163,7 +163,7 @@ impl Flight {
         })
     }
 
-    /// A report of what no objective asks for would count for nothing, and nothing would say so. Where none asks for
+    /// A report of a kind that no objective asks for would be ignored without a word. Where none asks for
     /// reports, any will do.
     fn check_kind(&self, kind: Option<FindKind>) -> Result<(), Text> {
         let objectives = self.mission.objectives.iter();

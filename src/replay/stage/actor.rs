@@ -1,0 +1,57 @@
+//! A vehicle of a recording, and what there is to show of it.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use super::LINK;
+use crate::app::event::{Event, VehicleEvent};
+use crate::parameters::Fetching;
+use crate::session::{Report, Session};
+use crate::vehicle::Vehicle;
+use crate::wire::SystemId;
+
+/// A vehicle that plays.
+#[derive(Debug, Clone)]
+pub(super) struct Actor {
+    pub session: Session,
+    shown: Arc<Vehicle>,
+    /// What was shown of its parameters.
+    parameters: (u64, Fetching),
+}
+
+impl Actor {
+    pub fn new(system: SystemId, component: u8, now: Duration) -> Self {
+        let mut session = Session::new(system, component, now);
+        session.heard_via(LINK, now);
+        Self {
+            session,
+            shown: Arc::new(Vehicle::new(system, component)),
+            parameters: (0, Fetching::NotAsked),
+        }
+    }
+
+    /// What there is to show and to say since the last call.
+    pub fn tell(&mut self) -> Vec<Event> {
+        drop(self.session.take_outgoing());
+        let reports = self.session.take_reports().into_iter();
+        let mut events: Vec<Event> = reports
+            .filter_map(|report| match report {
+                Report::Notice(notice) => Some(notice.into()),
+                // Nothing was ordered here.
+                Report::Row(_) => None,
+            })
+            .collect();
+        if *self.shown != *self.session.vehicle() {
+            self.shown = Arc::new(self.session.vehicle().clone());
+            events.push(VehicleEvent::Telemetry(Arc::clone(&self.shown)).into());
+        }
+        let snapshot = self.session.parameters();
+        let state = (snapshot.list.revision(), snapshot.fetching);
+        if state != self.parameters {
+            self.parameters = state;
+            let vehicle = self.shown.id;
+            events.push(VehicleEvent::Parameters { vehicle, snapshot }.into());
+        }
+        events
+    }
+}

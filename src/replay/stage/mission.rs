@@ -1,0 +1,34 @@
+//! The mission of a recording.
+
+use std::time::Duration;
+
+use crate::mission::record::{Reenactment, Stored};
+
+/// The mission that is flown again.
+#[derive(Debug)]
+pub(super) struct MissionStage {
+    run: Stored,
+    pub flight: Reenactment,
+    pub elapsed: Duration,
+}
+
+impl MissionStage {
+    pub fn new(run: &Stored) -> Option<Self> {
+        Some(Self {
+            flight: run.reenact().ok()?,
+            run: run.clone(),
+            elapsed: Duration::ZERO,
+        })
+    }
+
+    /// Flies up to a time of the mission, from the start if that lies behind.
+    pub fn go_to(&mut self, elapsed: Duration) {
+        if elapsed < self.elapsed
+            && let Ok(anew) = self.run.reenact()
+        {
+            self.flight = anew;
+        }
+        self.elapsed = elapsed;
+        drop(self.flight.advance(elapsed));
+    }
+}
