@@ -220,7 +220,7 @@ impl AutoPlan {
     pub(super) fn step(&mut self, vehicle: &mut Vehicle) {
         let said_before = vehicle.outbox.len();
         if self.starting {
-            if vehicle.datum.home.is_some() {
+            if vehicle.datum.home().is_some() {
                 self.start_or_resume(vehicle);
                 self.starting = false;
             }

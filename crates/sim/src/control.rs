@@ -4,7 +4,7 @@
 use glam::{DVec2, DVec3};
 
 use super::body::Body;
-use super::kinematics::{GRAVITY_M_S2, STEP_S, square_root};
+use super::kinematics::{STEP_S, square_root};
 
 /// Gains of the feedback (`PSC_POSXY_P`, `PSC_VELXY_P`, `_I`, `_D`, `PSC_POSZ_P`, `PSC_VELZ_P`).
 const POSITION_P: f64 = 1.0;
@@ -223,9 +223,14 @@ impl PositionControl {
         self.accel_m_s2 = accel_m_s2;
     }
 
-    /// The acceleration that makes the body follow the path, within the lean that is allowed.
+    /// The acceleration that makes the body follow the path, within what the lean that is allowed gives.
     /// A large error of the place is made good at no more than an acceleration (`correction_m_s2`).
-    pub(super) fn demand(&mut self, body: &Body, lean_max_rad: f64, correction_m_s2: f64) -> DVec3 {
+    pub(super) fn demand(
+        &mut self,
+        body: &Body,
+        lean_max_m_s2: f64,
+        correction_m_s2: f64,
+    ) -> DVec3 {
         let error_m = self.path_m - body.position_m;
         let off_m = error_m.truncate();
         self.last_error_m = off_m;
@@ -249,10 +254,9 @@ impl PositionControl {
             + error * VELOCITY_P
             + self.integral_m_s2
             + self.slope_m_s2 * VELOCITY_D;
-        let most = GRAVITY_M_S2 * lean_max_rad.tan();
-        let flat = if raw.length_squared() > most * most {
+        let flat = if raw.length_squared() > lean_max_m_s2 * lean_max_m_s2 {
             self.saturated = raw;
-            within(raw, self.velocity_m_s.truncate(), most)
+            within(raw, self.velocity_m_s.truncate(), lean_max_m_s2)
         } else {
             self.saturated = DVec2::ZERO;
             raw

@@ -36,10 +36,32 @@ pub(super) fn altitude_amsl_m(
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct LocalDatum {
     pub(super) start: Start,
-    pub(super) home: Option<Place>,
+    home: Option<Place>,
+    /// Home as a point, worked out once: every step flies by it.
+    home_m: DVec3,
 }
 
 impl LocalDatum {
+    /// Begins at a start, without a home.
+    pub(super) fn at(start: Start) -> Self {
+        Self {
+            start,
+            home: None,
+            home_m: DVec3::ZERO,
+        }
+    }
+
+    /// Where home is; `None` until it is set.
+    pub(super) fn home(&self) -> Option<Place> {
+        self.home
+    }
+
+    /// Makes a place home.
+    pub(super) fn set_home(&mut self, home: Place) {
+        self.home = Some(home);
+        self.home_m = self.point_of(home);
+    }
+
     /// The place of a point in metres north, east and down from the start.
     pub(super) fn place_of(&self, point_m: DVec3) -> Place {
         Place {
@@ -60,7 +82,7 @@ impl LocalDatum {
 
     /// Home as a point; the start until home is set.
     pub(super) fn home_point(&self) -> DVec3 {
-        self.home.map_or(DVec3::ZERO, |home| self.point_of(home))
+        self.home_m
     }
 
     /// [`altitude_amsl_m`] for this vehicle.

@@ -75,10 +75,7 @@ impl Vehicle {
             board_id: build.board_id,
             parameters,
             estimator: Estimator::new(build.board_id),
-            datum: LocalDatum {
-                start: build.start,
-                home: None,
-            },
+            datum: LocalDatum::at(build.start),
             flight: FlightState::resting(&plant.body),
             tuning,
             plant,
@@ -246,7 +243,7 @@ impl Vehicle {
 
     /// Makes a place home and tells everybody.
     pub(super) fn set_home(&mut self, home: Place) {
-        self.datum.home = Some(home);
+        self.datum.set_home(home);
         let boot_us = self.uptime().as_micros() as u64;
         self.outbox.extend(self.datum.global_origin(boot_us));
         self.outbox.extend(self.datum.home_position(boot_us));

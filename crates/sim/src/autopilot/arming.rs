@@ -63,7 +63,7 @@ impl Autopilot {
             estimator: &vehicle.estimator,
             failsafe: &self.failsafe,
             mode: &vehicle.flight.mode,
-            has_home: vehicle.datum.home.is_some(),
+            has_home: vehicle.datum.home().is_some(),
             received_throttle_us: vehicle.reception().throttle_us,
             throttle_us: vehicle.sticks().channels_us[2],
             battery: battery.obstacle(voltage_v, vehicle.charge_left_mah()),
@@ -106,7 +106,7 @@ fn start_motors(vehicle: &mut Vehicle, forced: bool) {
     let height_m = vehicle.believed().height_m();
     vehicle.safety = Safety::armed(on_ground, height_m, vehicle.uptime());
     vehicle.begin_trail(vehicle.is_ready());
-    if vehicle.datum.home.is_some() {
+    if vehicle.datum.home().is_some() {
         vehicle.set_home(vehicle.here());
     }
     if !forced && vehicle.tuning.arming.is_off() {

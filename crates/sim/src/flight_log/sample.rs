@@ -48,7 +48,7 @@ impl LogSample {
         let LogInputs { body, battery, .. } = *inputs;
         let here = inputs.datum.place_of(body.position_m);
         let (lat_e7, lon_e7) = here.at.to_e7();
-        let home = inputs.datum.home;
+        let home = inputs.datum.home();
         let home_m = home.map_or(here.altitude_amsl_m, |home| home.altitude_amsl_m);
         let (roll, pitch) = body.roll_pitch_rad();
         let velocity = body.velocity_m_s;

@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use super::{AutoRules, PilotRules};
 use crate::fence::FenceRules;
+use crate::kinematics::GRAVITY_M_S2;
 use crate::parameters::Parameters;
 use crate::radio::RadioRules;
 use crate::rally::RallyRules;
@@ -19,7 +20,8 @@ pub(crate) struct FlightTuning {
     pub(crate) accel_z_m_s2: f64,
     pub(crate) jerk_m_s3: f64,
     pub(crate) jerk_z_m_s3: f64,
-    pub(crate) lean_max_rad: f64,
+    /// The horizontal acceleration that the largest lean gives (`ANGLE_MAX`).
+    pub(crate) lean_max_m_s2: f64,
     pub(crate) return_speed_m_s: f64,
     pub(crate) return_altitude_m: f64,
     pub(crate) return_climb_min_m: f64,
@@ -57,7 +59,7 @@ impl FlightTuning {
             accel_z_m_s2: least(cm("WPNAV_ACCEL_Z")),
             jerk_m_s3: least(all.value("PSC_JERK_XY")),
             jerk_z_m_s3: least(all.value("PSC_JERK_Z")),
-            lean_max_rad: cm("ANGLE_MAX").clamp(10.0, 80.0).to_radians(),
+            lean_max_m_s2: GRAVITY_M_S2 * cm("ANGLE_MAX").clamp(10.0, 80.0).to_radians().tan(),
             return_speed_m_s: or(cm("RTL_SPEED"), speed_m_s),
             return_altitude_m: cm("RTL_ALT"),
             return_climb_min_m: cm("RTL_CLIMB_MIN").max(0.0),

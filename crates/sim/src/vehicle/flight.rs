@@ -107,7 +107,7 @@ impl FlightState {
             Act::Accelerate(wanted) => Demand::Acceleration(wanted),
             Act::Fly => Demand::Acceleration(self.control.demand(
                 believed,
-                tuning.lean_max_rad,
+                tuning.lean_max_m_s2,
                 tuning.accel_m_s2,
             )),
             Act::Level => {

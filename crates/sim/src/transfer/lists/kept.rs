@@ -77,7 +77,7 @@ fn home(vehicle: &Vehicle) -> Item {
         auto_continue: true,
         ..Item::default()
     };
-    if let Some(home) = vehicle.datum.home {
+    if let Some(home) = vehicle.datum.home() {
         (item.x, item.y) = home.at.to_e7();
         item.z = (home.altitude_amsl_m * 100.0).round() as f32 * 0.01;
     }
