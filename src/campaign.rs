@@ -84,6 +84,9 @@ pub struct CareerFlight {
     pub evidence: Vec<Evidence>,
     /// What was worn, lost or used up of own parts, in credits.
     pub wear: u32,
+    /// Whether it came with an imported profile: nothing but the file says so.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub imported: bool,
 }
 
 /// The right to use a kind of part.

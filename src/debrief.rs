@@ -284,30 +284,11 @@ impl DebriefPage<'_> {
             );
             self.wrapped(&lead, &component.moved_by);
         }
-        let gold = if report.gold_missing.is_empty() {
-            Text::default()
-        } else {
-            let gates = Text::joined(", ", report.gold_missing.clone());
-            text!("debrief-gold-needs", gates = gates)
-        };
         self.line(&format!("{:28} --------", ""));
-        let moved = if report.hint_factor < 1.0 {
-            let factor = format!("{:.2}", report.hint_factor);
-            let hints = text!("debrief-times-hints", factor = factor);
-            Text::joined(
-                "; ",
-                vec![hints, gold]
-                    .into_iter()
-                    .filter(|text| !text.is_empty())
-                    .collect(),
-            )
-        } else {
-            gold
-        };
         let sum = format!("  {} {:>4}", locale.say("debrief-sum"), report.score);
         self.wrapped(
             &format!("{}{:>8.1}   ", fit(&sum, 29), report.subtotal),
-            &moved,
+            &beside_sum(report),
         );
         self.words.push('\n');
     }
@@ -399,6 +380,23 @@ impl DebriefPage<'_> {
 /// Whether what moved a component is good to hear: the objectives may be worth a lot with one of them missed.
 fn is_praise(component: &ComponentReport, report: &Report) -> bool {
     component.name != Component::Objective.title() || report.objectives.iter().all(|it| it.met)
+}
+
+/// What stands beside the sum: why the score is not the sum of the components, and what gold still needs.
+fn beside_sum(report: &Report) -> Text {
+    let mut remarks = Vec::new();
+    if report.given_up {
+        remarks.push(text!("debrief-given-up"));
+    }
+    if report.hint_factor < 1.0 {
+        let factor = format!("{:.2}", report.hint_factor);
+        remarks.push(text!("debrief-times-hints", factor = factor));
+    }
+    if !report.gold_missing.is_empty() {
+        let gates = Text::joined(", ", report.gold_missing.clone());
+        remarks.push(text!("debrief-gold-needs", gates = gates));
+    }
+    Text::joined("; ", remarks)
 }
 
 #[cfg(test)]

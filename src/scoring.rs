@@ -66,6 +66,21 @@ pub struct Medals {
     pub bronze: u16,
 }
 
+impl Medals {
+    /// The medal for so many points; gold only where nothing else is missing for it.
+    pub fn won(self, points: u16, gold_open: bool) -> Option<Medal> {
+        if points >= self.gold && gold_open {
+            Some(Medal::Gold)
+        } else if points >= self.silver {
+            Some(Medal::Silver)
+        } else if points >= self.bronze {
+            Some(Medal::Bronze)
+        } else {
+            None
+        }
+    }
+}
+
 /// A medal. Every medal needs all mandatory objectives.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -146,6 +161,8 @@ pub struct Facts {
     pub usage: Vec<VehicleUse>,
     /// Hints that were asked for.
     pub hints: HintsUsed,
+    /// Whether the trainee gave up.
+    pub given_up: bool,
 }
 
 /// The points of a flight.
@@ -180,11 +197,9 @@ pub const HARM_POINTS: u16 = 300;
 pub fn score(rules: &ScoreRules, facts: &Facts) -> Score {
     let components = component::all(rules, facts);
     let tenths: u32 = components.iter().map(|c| c.points_tenths).sum();
-    let harm = facts.safety.iter().any(|event| event.kind.is_harm());
-    let most = if harm { HARM_POINTS } else { 1000 };
     let hint_factor = facts.hints.factor();
     let earned = (f64::from(tenths) * hint_factor / 10.0).round();
-    let points = (earned as u16).min(most);
+    let points = (earned as u16).min(most_points(facts));
     let mandatory_met = facts.objectives.iter().all(|o| o.met || !o.mandatory);
     let gold_missing: Vec<Text> = rules
         .gold_requires
@@ -192,26 +207,25 @@ pub fn score(rules: &ScoreRules, facts: &Facts) -> Score {
         .filter(|gate| !gate.holds(facts, &components))
         .map(Gate::text)
         .collect();
-    let medal = medal(rules.medals, points, gold_missing.is_empty()).filter(|_| mandatory_met);
+    let medal = rules.medals.won(points, gold_missing.is_empty());
     Score {
         components,
         subtotal_tenths: tenths,
         hint_factor,
         points,
-        medal,
+        medal: medal.filter(|_| mandatory_met),
         gold_missing,
     }
 }
 
-fn medal(medals: Medals, points: u16, gold_open: bool) -> Option<Medal> {
-    if points >= medals.gold && gold_open {
-        Some(Medal::Gold)
-    } else if points >= medals.silver {
-        Some(Medal::Silver)
-    } else if points >= medals.bronze {
-        Some(Medal::Bronze)
+/// What a flight cannot get more than: giving up earns nothing.
+fn most_points(facts: &Facts) -> u16 {
+    if facts.given_up {
+        0
+    } else if facts.safety.iter().any(|event| event.kind.is_harm()) {
+        HARM_POINTS
     } else {
-        None
+        1000
     }
 }
 

@@ -30,7 +30,13 @@ profile-none = no profiles yet; `sortie profile create NAME` makes one
 profile-choose = no profile chosen; profiles: { $known }. Use --profile NAME, or set `profile` in the configuration
 profile-delete = { $name } has { $flights } flights. --yes deletes them all; `sortie profile export { $name }` keeps a copy
 profile-deleted = profile { $name } deleted
-profile-imported = profile { $name } imported, flights: { $flights }
+profile-imported = profile { $name } imported, flights: { $flights }, none of them verified
+import-left-out = { $id } is left out: { $why }
+import-practice = { $id }: { $why }
+import-twice = it is there twice
+import-no-report = it has no report
+import-unfit = its report does not fit together: { $fault }
+import-fleet = its designs cannot fly this mission
 profile-bought = { $part } is licensed for { $price } credits; { $left } left
 profile-not-stored = the flight is not stored: { $fault }
 profile-record = with a profile, runs are recorded in the folder of its data, and tries are counted: leave out --record and --try
@@ -39,7 +45,10 @@ profiles-recovered = a finished flight of { $profile } had not been stored and i
 profiles-left-exam = { $profile }: exam { $mission } was left early; it counts with { $score } points
 
 progress-title = Progress of { $name }
-progress-standing = { $credits } credits, level { $level } ({ $experience } of { $next } experience), licence for { $licence } drones, flights: { $flights }
+progress-standing = { $credits } credits, level { $level } ({ $experience } of { $next } experience), licence for { $licence ->
+    [one] 1 drone
+   *[other] { $licence } drones
+}, flights: { $flights }
 progress-next = next: train { $skill } with { $mission }
 progress-aids = aids: { $aids }
 progress-lang = language: { $lang }
@@ -72,6 +81,8 @@ progress-passed = passed
 progress-stake = counts as
 progress-seed = seed
 progress-recording = recording
+progress-is-imported = imported
+progress-imported = imported, not verified: { $count } of the flights
 aids-full = all
 aids-fading = fading
 aids-none = none

@@ -46,6 +46,7 @@ debrief-predicted-less = You predicted { $predicted }: { $by } less than you got
 debrief-predicted-more = You predicted { $predicted }: { $by } more than you got.
 debrief-goal-reached = Your goal, { $goal }: reached ({ $result }).
 debrief-goal-missed = Your goal, { $goal }: missed ({ $result }).
+debrief-given-up = given up: no points
 debrief-times-hints = x{ $factor } for hints
 
 debrief-alert-good = { $alert } -> answered after { $after } s   good

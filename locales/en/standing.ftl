@@ -45,6 +45,10 @@ fact-practised = open, { $count ->
 fact-exam = exam
 fact-exam-passed = passed, { $score } points
 fact-exam-failed = not passed, { $score } points
+fact-no-points = open, no points in { $count ->
+    [one] { $count } flight
+   *[other] { $count } flights
+}
 fact-open = open, best { $score } points in { $count ->
     [one] { $count } flight
    *[other] { $count } flights

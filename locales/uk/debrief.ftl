@@ -46,6 +46,7 @@ debrief-predicted-less = Ви передбачили { $predicted }: на { $by 
 debrief-predicted-more = Ви передбачили { $predicted }: на { $by } більше, ніж вийшло.
 debrief-goal-reached = Ваша мета, { $goal }: досягнуто ({ $result }).
 debrief-goal-missed = Ваша мета, { $goal }: не досягнуто ({ $result }).
+debrief-given-up = здалися: без балів
 debrief-times-hints = x{ $factor } за підказки
 
 debrief-alert-good = { $alert } -> відповідь за { $after } s   добре

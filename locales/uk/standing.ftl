@@ -42,6 +42,7 @@ fact-practised = відкрито, тренувальних польотів { $
 fact-exam = іспит
 fact-exam-passed = складено, { $score } балів
 fact-exam-failed = не складено, { $score } балів
+fact-no-points = відкрито, без балів, польотів { $count }
 fact-open = відкрито, найкраще { $score } балів, польотів { $count }
 fact-passed = пройдено, { $score } балів, { $medal }, польотів { $count }
 fact-next = далі

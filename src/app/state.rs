@@ -316,10 +316,10 @@ impl<R> State<R> {
         !self.session.over && progress.is_none_or(|progress| progress.can_pledge)
     }
 
-    /// The trainee's best try at a mission that counts; of equal ones the first.
+    /// The trainee's best try at a mission that counts and earned points; of equal ones the first.
     pub fn best_try(&self, mission: &str) -> Option<&TryReport> {
         let tries = self.tries.get(mission)?.iter();
-        let ended = tries.filter(|one| one.score.is_some() && !one.is_practice);
+        let ended = tries.filter(|one| one.score > Some(0) && !one.is_practice);
         ended.rev().max_by_key(|one| one.score)
     }
 

@@ -22,6 +22,7 @@ impl CareerFlight {
             medal: report.medal,
             evidence: Evidence::of(report, mission),
             wear: wear(own(mission, report)),
+            imported: false,
         }
     }
 }

@@ -144,6 +144,7 @@ mod tests {
             medal: None,
             evidence: evidence.collect(),
             wear: 0,
+            imported: false,
         })
     }
 

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::{
     CareerEntry, CareerFlight, CareerStanding, LockReason, Mastery, MissionCourse, MissionStage,
-    Offer, Skill,
+    Offer, Skill, is_practice,
 };
 use crate::scoring::Medal;
 use crate::text::Text;
@@ -24,6 +24,8 @@ pub struct CareerProgress {
     pub licence: u8,
     /// How many flights were finished.
     pub flights: u32,
+    /// How many of them came with an imported profile and were not verified.
+    pub imported_flights: usize,
     /// What to train next, and where.
     pub next: Option<TrainingAdvice>,
     /// The missions, in the order of the course; those that are not in it and were flown come last.
@@ -58,17 +60,17 @@ pub struct MissionProgress {
     pub state: MissionState,
     /// Why it is locked, if it is.
     pub reasons: Vec<Text>,
-    /// All flights, practice among them.
+    /// The tries: flights that were no practice and flown by hand.
     pub tries: usize,
     /// The best score of flights that count.
     pub best: Option<u16>,
     /// The best medal of flights that count.
     pub medal: Option<Medal>,
-    /// The score of the first flight.
+    /// The score of the first try.
     pub first: Option<u16>,
-    /// The score of the last flight.
+    /// The score of the last try.
     pub last: Option<u16>,
-    /// Points per try, by least squares over all flights; `None` for fewer than two.
+    /// Points per try, by least squares over all tries; `None` for fewer than two.
     pub trend: Option<f64>,
 }
 
@@ -130,6 +132,7 @@ impl CareerProgress {
             next_level_experience,
             licence: standing.licence(),
             flights: standing.flights(),
+            imported_flights: flights.iter().filter(|it| it.imported).count(),
             next,
             missions: missions(course, &standing, &flights, day),
             skills: Skill::ALL
@@ -209,8 +212,10 @@ impl MissionProgress {
         standing: &CareerStanding,
         flights: &[&CareerFlight],
     ) -> Self {
-        let flights = flights.iter().filter(|it| it.mission == id);
-        let scores: Vec<u16> = flights.map(|it| it.score).collect();
+        let tries = flights
+            .iter()
+            .filter(|it| it.mission == id && !is_practice(it.stake, it.flown_by));
+        let scores: Vec<u16> = tries.map(|it| it.score).collect();
         let best = standing.best(id);
         Self {
             id: id.to_owned(),
@@ -219,7 +224,7 @@ impl MissionProgress {
             state: MissionState::Open,
             reasons: Vec::new(),
             tries: scores.len(),
-            best: best.map(|best| best.score),
+            best: best.and_then(|best| best.score),
             medal: best.and_then(|best| best.medal),
             first: scores.first().copied(),
             last: scores.last().copied(),

@@ -37,8 +37,6 @@ pub struct Evidence {
 const BLIND_POINTS: f64 = 250.0;
 /// Outcomes are kept to this fraction, so that a career comes back from a file as it was.
 const STEPS: f64 = 1000.0;
-/// A flight that failed and reached less than this share of its objectives shows nothing that went well.
-const REAL_FLIGHT: f64 = 0.5;
 /// What went worse than this counts against a skill in any flight.
 const FAULT: f64 = 0.1;
 
@@ -78,8 +76,8 @@ impl Evidence {
     }
 
     /// What a flight of a mission tells: every objective that was tried of the skill that its kind needs, the components of the score that
-    /// stand for one, and the prediction. Nothing for a flight that was given up before anything was commanded; of one that came to
-    /// little, only what went wrong: a hover with a few blind reports keeps all rules.
+    /// stand for one, and the prediction. Nothing for a flight that was given up before anything was commanded; of one that failed,
+    /// only what went wrong: a hover with a few blind reports keeps all rules.
     pub fn of(report: &Report, mission: &Mission) -> Vec<Self> {
         if report.ledger.is_empty() {
             return Vec::new();
@@ -100,9 +98,7 @@ impl Evidence {
             Some(Self::new(skill, share, objective.title.clone()))
         });
         let components = report.components.iter().filter_map(|shown| {
-            let component = Component::ALL
-                .into_iter()
-                .find(|it| it.title() == shown.name)?;
+            let component = Component::ALL.into_iter().find(|it| shown.is(*it))?;
             let skill = shown_by(component)?;
             // A component without weight had nothing to judge, and neither had one of a flight that never began.
             let is_shown = has_flown || component == Component::Command;
@@ -113,18 +109,10 @@ impl Evidence {
             let off = f64::from(prediction.error.unsigned_abs()) / BLIND_POINTS;
             Self::new(Skill::K12, 1.0 - off, text!("skill-prediction"))
         });
-        let is_real = is_real_flight(report);
         let all = objectives.chain(components).chain(prediction);
-        all.filter(|shown| is_real || shown.outcome < FAULT)
+        all.filter(|shown| report.passed || shown.outcome < FAULT)
             .collect()
     }
-}
-
-/// Whether a flight did enough of what its mission asks for to show what went well.
-fn is_real_flight(report: &Report) -> bool {
-    let reached: f64 = report.objectives.iter().map(|it| it.points).sum();
-    let most: f64 = report.objectives.iter().map(|it| it.points_max).sum();
-    report.passed || reached >= most * REAL_FLIGHT
 }
 
 #[cfg(test)]
@@ -160,12 +148,16 @@ mod tests {
     }
 
     #[test]
-    fn a_hop_that_reaches_little_shows_nothing_that_went_well() {
+    fn a_flight_that_failed_shows_nothing_that_went_well() {
         let mut pilot = Pilot::new(1);
         pilot.take_off(20.0);
         pilot.land();
         pilot.flight.abandon();
         let (mission, mut report) = (pilot.flight.mission(), pilot.report());
+        // However much of what it was for it has reached.
+        for objective in &mut report.objectives {
+            objective.points = objective.points_max * 0.9;
+        }
         let well = |shown: &[(Skill, f64)]| shown.iter().any(|(_, outcome)| *outcome >= FAULT);
         assert!(!report.passed);
         assert!(!well(&shown(&report, mission)));

@@ -94,6 +94,7 @@ mod tests {
                 what: Text::verbatim("checks"),
             }],
             wear: 0,
+            imported: false,
         }
     }
 

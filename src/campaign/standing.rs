@@ -29,8 +29,8 @@ pub struct CareerStanding {
 pub struct Best {
     /// How many graded flights there were.
     pub tries: u32,
-    /// The highest score of all.
-    pub score: u16,
+    /// The highest score of all; `None` where no flight earned a point.
+    pub score: Option<u16>,
     /// The highest score of those that passed.
     pub passed: Option<u16>,
     /// The best medal of all graded flights.
@@ -139,7 +139,7 @@ impl CareerStanding {
         let counts = self.counts(flight);
         if counts {
             self.credits = self.credits.saturating_add(self.pay(flight));
-            let best_score = best.map(|best| best.score);
+            let best_score = best.and_then(|best| best.score);
             self.experience += u64::from(economy::experience(flight, best_score, refreshes));
         }
         self.credits = self.credits.saturating_sub(flight.wear);
@@ -298,7 +298,7 @@ impl CareerStanding {
 impl Best {
     fn take(&mut self, flight: &CareerFlight) {
         self.tries += 1;
-        self.score = self.score.max(flight.score);
+        self.score = self.score.max((flight.score > 0).then_some(flight.score));
         if flight.passed {
             self.passed = self.passed.max(Some(flight.score));
         }

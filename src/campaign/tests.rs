@@ -10,7 +10,7 @@ use super::{
     PurchaseRefusal, STARTER_PARTS, Skill, Stake, daily_seed, exam_seed, licence_price,
 };
 use crate::mission::{Mission, Requires};
-use crate::scoring::Medal;
+use crate::scoring::{FlownBy, Medal};
 use crate::text::{Language, Locale, Text};
 use crate::workshop::{Design, part, parts};
 
@@ -76,6 +76,7 @@ fn flight(course: &MissionCourse, mission: &str, score: u16, day: i64) -> Career
             what: Text::default(),
         }],
         wear: 0,
+        imported: false,
     }
 }
 
@@ -199,6 +200,40 @@ fn a_repeated_seed_of_the_day_is_no_best() {
     let one = &progress.missions[0];
     assert_eq!((one.best, one.medal), (Some(600), Some(Medal::Bronze)));
     assert_eq!((one.tries, one.last), (2, Some(900)));
+}
+
+#[test]
+fn what_a_script_flew_or_what_was_practised_is_no_try() {
+    let course = course();
+    let flown = |stake, flown_by, score| {
+        CareerEntry::Flight(CareerFlight {
+            stake,
+            flown_by: Some(flown_by),
+            ..flight(&course, "one", score, 1)
+        })
+    };
+    let history = [
+        flown(Stake::Practice, FlownBy::Script, 900),
+        flown(Stake::Practice, FlownBy::Hand, 300),
+        flown(Stake::Graded, FlownBy::Hand, 600),
+    ];
+    let progress = CareerProgress::of(&course, &history, 1);
+    let one = &progress.missions[0];
+    assert_eq!((one.tries, one.first, one.last), (1, Some(600), Some(600)));
+    assert_eq!(progress.flights, 3);
+}
+
+#[test]
+fn a_flight_without_points_is_no_best() {
+    let course = course();
+    let failed = CareerFlight {
+        passed: false,
+        medal: None,
+        ..flight(&course, "one", 0, 1)
+    };
+    let standing = CareerStanding::of(&[CareerEntry::Flight(failed)]);
+    let best = standing.best("one").expect("it counts as a try");
+    assert_eq!((best.tries, best.score), (1, None));
 }
 
 #[test]
@@ -379,7 +414,7 @@ fn the_best_of_a_mission_is_kept_apart_by_pass_and_medal() {
     let best = *standing(&entries).best("one").expect("flown");
     assert_eq!(
         (best.tries, best.score, best.passed, best.medal),
-        (3, 900, Some(900), Some(Medal::Gold))
+        (3, Some(900), Some(900), Some(Medal::Gold))
     );
     assert_eq!(standing(&[]).best("one"), None::<&Best>);
 }

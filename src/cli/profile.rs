@@ -266,9 +266,13 @@ impl ProfileCommands<'_> {
 
     fn import(&mut self, path: &Path, name: Option<&str>) -> Result<ExitCode, Failure> {
         let file = ProfileFile::open(path).map_err(|error| self.refused(&error))?;
+        let (file, told) = file.borne_out();
         let name = name.unwrap_or(&file.name);
         let taken_in = self.profiles.import(&file, name);
         let profile = taken_in.map_err(|error| self.refused(&error))?;
+        for text in told {
+            tell!("sortie: {}", self.locale.text(&text));
+        }
         let flights = self.progress(&profile)?.flights;
         let text = text!("profile-imported", name = profile.name, flights = flights);
         trainee::done(&text, &self.locale)

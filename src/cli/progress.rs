@@ -29,6 +29,12 @@ pub(super) fn heading(progress: &CareerProgress) -> Vec<Text> {
         licence = progress.licence,
         flights = progress.flights
     )];
+    if progress.imported_flights > 0 {
+        lines.push(text!(
+            "progress-imported",
+            count = progress.imported_flights
+        ));
+    }
     let next = progress.next.as_ref();
     lines.extend(next.map(|next| {
         let (skill, mission) = (&next.skill_title, &next.mission_title);
@@ -109,20 +115,16 @@ pub(super) fn runs(runs: &[PastRun], locale: &Locale) -> TextTable {
         (text!("progress-flown-by"), Side::Left),
         (text!("progress-seed"), Side::Right),
         (text!("progress-recording"), Side::Left),
+        (text!("progress-is-imported"), Side::Left),
     ];
     let mut table = TextTable::new(locale, &columns);
     for run in runs {
-        let passed = if run.flight.passed {
-            text!("answer-yes")
-        } else {
-            text!("answer-no")
-        };
         table.push(vec![
             run.when.clone(),
             run.flight.mission.clone(),
             run.flight.score.to_string(),
             medal(run.flight.medal, locale),
-            locale.text(&passed),
+            locale.text(&answer(run.flight.passed)),
             locale.text(&stake(run.flight.stake)),
             run.flight
                 .flown_by
@@ -131,9 +133,18 @@ pub(super) fn runs(runs: &[PastRun], locale: &Locale) -> TextTable {
                 .unwrap_or_default(),
             run.seed.to_string(),
             run.recording.clone().unwrap_or_default(),
+            locale.text(&answer(run.flight.imported)),
         ]);
     }
     table
+}
+
+fn answer(yes: bool) -> Text {
+    if yes {
+        text!("answer-yes")
+    } else {
+        text!("answer-no")
+    }
 }
 
 fn state(state: MissionState) -> Text {

@@ -304,6 +304,10 @@ fn a_flight_can_be_given_up() {
     pilot.flight.abandon();
     pilot.tick();
     assert_eq!(pilot.flight.outcome(), Some(Outcome::Abandoned));
+    let report = pilot.report();
+    assert!(report.given_up && report.score == 0);
+    let words = debrief::text(&report, &Locale::default());
+    assert!(words.contains("given up: no points"), "{words}");
     assert_eq!(
         pilot.flight.progress().objectives[0].state,
         ObjectiveState::Missed

@@ -30,8 +30,13 @@ pub struct Improvement {
     pub text: Text,
 }
 
-/// The improvements of a flight, biggest gain first.
+/// The improvements of a flight, biggest gain first. Those of one that was given up are what they would have brought, had
+/// it ended there.
 pub fn improvements(rules: &ScoreRules, facts: &Facts) -> Vec<Improvement> {
+    let facts = &Facts {
+        given_up: false,
+        ..facts.clone()
+    };
     let remedies = remedies(rules, facts).into_iter();
     let mut alone: Vec<(u16, Remedy)> = remedies
         .map(|remedy| (remedy.gain(rules, facts), remedy))

@@ -11,6 +11,7 @@ use crate::text::{Text, rounded};
 
 mod kind;
 mod row_state;
+mod soundness;
 
 pub use kind::{EventKind, FlightBackend, FlownBy, MissionFile, ScoreGrade};
 
@@ -33,6 +34,9 @@ pub struct Report {
     pub mission_file: Option<MissionFile>,
     /// Whether all mandatory objectives were met.
     pub passed: bool,
+    /// Whether the trainee gave up, which earns no points.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub given_up: bool,
     /// The points, 0 to 1000.
     pub score: u16,
     /// The medal, if one was earned.

@@ -72,6 +72,7 @@ fn perfect() -> Facts {
             idle: Duration::ZERO,
         }],
         hints: HintsUsed::default(),
+        given_up: false,
     }
 }
 
@@ -208,6 +209,21 @@ fn each_component_follows_its_formula() {
             "row {index}: {value} instead of {expected}"
         );
     }
+}
+
+#[test]
+fn giving_up_earns_nothing_and_is_told_what_was_missed() {
+    let given_up = Facts {
+        given_up: true,
+        ..perfect()
+    };
+    assert_eq!(score(&rules(), &given_up).points, 0);
+    let late = Facts {
+        elapsed: rules().time_limit,
+        ..given_up
+    };
+    let advice = improvements(&rules(), &late);
+    assert!(!advice.is_empty(), "what the flight itself lacked is said");
 }
 
 #[test]

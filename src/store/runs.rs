@@ -9,7 +9,7 @@ use std::ffi::OsStr;
 use std::fs::{self, File};
 use std::io::{self, BufRead as _, BufReader, Read as _, Seek as _, SeekFrom};
 use std::path::{Path, PathBuf};
-use std::time::{SystemTime, UNIX_EPOCH};
+use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
 use chrono::{DateTime, NaiveDateTime};
 
@@ -240,8 +240,15 @@ pub fn utc(time: SystemTime) -> String {
 
 /// Whether a text is a time of day as [`utc`] writes it.
 pub(super) fn is_moment(text: &str) -> bool {
-    let time = NaiveDateTime::parse_from_str(text, MOMENT);
-    time.is_ok_and(|time| time.format(MOMENT).to_string() == text)
+    moment(text).is_some()
+}
+
+/// The time of day that [`utc`] has written; `None` for anything else.
+pub(super) fn moment(text: &str) -> Option<SystemTime> {
+    let time = NaiveDateTime::parse_from_str(text, MOMENT).ok()?;
+    let is_ours = time.format(MOMENT).to_string() == text;
+    let seconds = u64::try_from(time.and_utc().timestamp()).ok()?;
+    is_ours.then(|| UNIX_EPOCH + Duration::from_secs(seconds))
 }
 
 /// The first line of a run, and the last one if it is its end.

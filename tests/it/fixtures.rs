@@ -219,6 +219,7 @@ pub fn report() -> Report {
         backend: FlightBackend::Embedded,
         flown_by: Some(FlownBy::Hand),
         mission_file: Some(MissionFile::Course),
+        given_up: false,
         passed: true,
         score: 837,
         medal: None,

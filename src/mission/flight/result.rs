@@ -43,6 +43,7 @@ pub(super) fn facts(flight: &Flight, standings: &[ObjectiveStanding]) -> Facts {
         vehicles: flight.mission.vehicles,
         usage: flight.vehicle_uses(),
         hints: flight.clues.used(&flight.mission),
+        given_up: flight.ended == Some(super::Outcome::Abandoned),
     }
 }
 
@@ -67,6 +68,7 @@ pub(super) fn report(flight: &Flight, ledger: &Ledger) -> Report {
         flown_by: flight.flown_by,
         mission_file: None,
         passed: flight.ended == Some(super::Outcome::Passed),
+        given_up: facts.given_up,
         score: score.points,
         medal: score
             .medal

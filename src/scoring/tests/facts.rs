@@ -93,6 +93,7 @@ prop_compose! {
             vehicles: usage.len(),
             usage,
             hints: HintsUsed { levels, free_level },
+            given_up: false,
         }
     }
 }

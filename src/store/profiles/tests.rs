@@ -1,4 +1,5 @@
 mod hostile;
+mod imported;
 mod rescue;
 
 use std::fs;
@@ -63,6 +64,7 @@ fn run_with(report: Report, id: &str, mission: &str, score: u16) -> RunEntry {
             medal: (score >= 700).then_some(Medal::Silver),
             evidence: Vec::new(),
             wear: 0,
+            imported: false,
         },
         report,
         airframes: vec!["schema = 1\n".to_owned()],

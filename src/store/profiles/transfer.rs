@@ -14,6 +14,8 @@ use crate::notice::sanitised;
 use crate::scoring::Report;
 use crate::store::runs::is_moment;
 
+mod claim;
+
 /// The version of the format.
 const SCHEMA: u32 = 1;
 /// A file longer than this is no profile.

@@ -82,14 +82,15 @@ fn stage(career: &Career, offer: &Offer) -> Fact {
             let why = Text::joined("; ", reasons);
             (text!("fact-locked", why = why), Tone::Warning)
         }
-        MissionStage::Open => match best {
-            Some(best) => (
-                text!("fact-open", score = best.score, count = count),
-                Tone::Plain,
-            ),
-            None if count > 0 => (text!("fact-practised", count = count), Tone::Plain),
-            None => (text!("fact-new"), Tone::Plain),
-        },
+        MissionStage::Open => {
+            let what = match (best, best.and_then(|best| best.score)) {
+                (_, Some(score)) => text!("fact-open", score = score, count = count),
+                (Some(_), None) => text!("fact-no-points", count = count),
+                (None, None) if count > 0 => text!("fact-practised", count = count),
+                (None, None) => text!("fact-new"),
+            };
+            (what, Tone::Plain)
+        }
         MissionStage::Passed(medal) => {
             let medal = medal.map_or(text!("debrief-no-medal"), Medal::title);
             let score = best.and_then(|best| best.passed).unwrap_or_default();

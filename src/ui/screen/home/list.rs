@@ -162,8 +162,9 @@ fn item_line(
 
 /// The best score of the flights that count, with its medal in stars; before the first one, the sign in a word.
 fn career_best(career: &Career, mission: &str, sign: Sign, look: &Look) -> String {
-    if let Some(best) = career.standing.best(mission) {
-        return format!(" {:>4} {:<3}", best.score, stars(best.medal));
+    let best = career.standing.best(mission);
+    if let Some((best, score)) = best.and_then(|best| Some((best, best.score?))) {
+        return format!(" {score:>4} {:<3}", stars(best.medal));
     }
     match sign {
         Sign::Locked => format!(" {:>8}", look.say("home-locked")),

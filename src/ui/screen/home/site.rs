@@ -55,7 +55,7 @@ fn best(state: &State, mission: &Listing) -> Text {
     let career = state.career();
     let counted = career.and_then(|career| career.standing.best(&mission.id));
     let (score, medal) = match (counted, state.best_try(&mission.id)) {
-        (Some(best), _) => (Some(best.score), best.medal),
+        (Some(best), _) => (best.score, best.medal),
         (None, Some(best)) if career.is_none() => (best.score, best.medal),
         _ => (None, None),
     };

@@ -62,7 +62,9 @@ fn line(subject: &Subject<'_>, offer: &Offer, room: usize) -> String {
     let figures = text!(
         "standing-mission",
         count = tries.len(),
-        best = best.map_or_else(|| "-".to_owned(), |best| best.score.to_string()),
+        best = best
+            .and_then(|best| best.score)
+            .map_or_else(|| "-".to_owned(), |score| score.to_string()),
         medal = stars(best.and_then(|best| best.medal)),
         last = last.map_or(0, |last| last.score),
         when = last.map_or_else(Default::default, |last| days(last.day - subject.career.day))

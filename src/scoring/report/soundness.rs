@@ -1,0 +1,105 @@
+//! Whether a report's figures fit together: what comes out of files may have been written by anybody.
+
+use super::{ComponentReport, ObjectiveReport, Report};
+use crate::scoring::Component;
+
+/// Weights and values are kept to a thousandth: a component's points may be this far from what they give.
+const POINTS_OFF: f64 = 1.2;
+/// Points are kept in tenths, and so are their sums.
+const TENTH: f64 = 0.051;
+/// How far shares may be off by rounding.
+const SHARE_OFF: f64 = 0.005;
+/// What hints leave at least.
+const LEAST_FACTOR: f64 = 0.7;
+/// The points of a perfect flight.
+const PERFECT: f64 = 1000.0;
+
+impl Report {
+    /// Why its result is not what its parts make of it, in English; `None` if it is. Whether the parts are true only the
+    /// flight's record tells.
+    pub fn fault(&self) -> Option<String> {
+        let parts = self.components.iter().find_map(ComponentReport::fault);
+        let objectives = self.objectives.iter().find_map(ObjectiveReport::fault);
+        parts
+            .or(objectives)
+            .or_else(|| self.sum_fault())
+            .or_else(|| self.verdict_fault())
+    }
+
+    fn sum_fault(&self) -> Option<String> {
+        let weights: f64 = self.components.iter().map(|it| it.weight).sum();
+        let points: f64 = self.components.iter().map(|it| it.points).sum();
+        let share = self.objective_share();
+        let claimed = self
+            .components
+            .iter()
+            .find(|it| it.is(Component::Objective));
+        let is_fair = |value: f64| share.is_some_and(|share| value <= share + SHARE_OFF);
+        let most = self.subtotal * self.hint_factor;
+        if weights > 1.0 + SHARE_OFF {
+            Some(format!("the components weigh {weights:.3} together"))
+        } else if claimed.is_some_and(|it| !is_fair(it.value)) {
+            Some("the objectives do not make the component's value".to_owned())
+        } else if (points - self.subtotal).abs() > TENTH {
+            Some(format!("`subtotal` is {}, not {points:.1}", self.subtotal))
+        } else if !(LEAST_FACTOR - SHARE_OFF..=1.0).contains(&self.hint_factor) {
+            Some(format!("`hint_factor` is {}", self.hint_factor))
+        } else if f64::from(self.score) > most + SHARE_OFF * PERFECT + 0.5 {
+            Some(format!("`score` is {}, more than {most:.1}", self.score))
+        } else {
+            None
+        }
+    }
+
+    /// The share of the objectives' points that was reached, if they have any.
+    fn objective_share(&self) -> Option<f64> {
+        let most: f64 = self.objectives.iter().map(|it| it.points_max).sum();
+        let reached: f64 = self.objectives.iter().map(|it| it.points).sum();
+        (most > 0.0).then(|| reached / most)
+    }
+
+    fn verdict_fault(&self) -> Option<String> {
+        let missed = self.objectives.iter().find(|it| it.mandatory && !it.met);
+        if let (true, Some(missed)) = (self.passed, missed) {
+            return Some(format!("passed without the objective {:?}", missed.id));
+        }
+        if self.passed && self.given_up {
+            return Some("passed and given up".to_owned());
+        }
+        let is_won = self.medal.is_some() && !self.passed;
+        is_won.then(|| "a medal of a flight that did not pass".to_owned())
+    }
+}
+
+impl ComponentReport {
+    /// Whether it is that of a component; stored names are English.
+    pub fn is(&self, component: Component) -> bool {
+        self.name.to_string() == component.title().to_string()
+    }
+
+    fn fault(&self) -> Option<String> {
+        let points = PERFECT * self.weight * self.value;
+        let is_fine = (0.0..=1.0).contains(&self.weight)
+            && (0.0..=1.0).contains(&self.value)
+            && (self.points - points).abs() <= POINTS_OFF;
+        let given = self.points;
+        (!is_fine).then(|| {
+            format!(
+                "component {:?}: {given} points, not {points:.1}",
+                self.name.to_string()
+            )
+        })
+    }
+}
+
+impl ObjectiveReport {
+    fn fault(&self) -> Option<String> {
+        let is_fine = self.points >= 0.0 && self.points <= self.points_max + TENTH;
+        (!is_fine).then(|| {
+            format!(
+                "objective {:?}: {} of {} points",
+                self.id, self.points, self.points_max
+            )
+        })
+    }
+}

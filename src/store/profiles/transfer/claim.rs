@@ -1,0 +1,212 @@
+//! What an imported profile may claim. A file that a trainee has carried here proves nothing by itself: of each flight only
+//! its report counts, under the missions of this course and in the order in which they were flown. What the report does
+//! not bear out is left out or practice, and whatever is taken over is marked as imported.
+
+use std::collections::BTreeSet;
+
+use super::{EntryDocument, ProfileFile, RunDocument};
+use crate::campaign::{
+    AttemptMeans, AttemptTerms, AttemptTrainee, CareerEntry, CareerFlight, CareerStanding,
+    MissionCourse, Offer, PracticeReason, Purchase, Stake, day_and_stake, exam_seed,
+};
+use crate::mission::Mission;
+use crate::notice::sanitised;
+use crate::scoring::{MissionFile, Report};
+use crate::store::runs::moment;
+use crate::store::{course_missions, day_of};
+use crate::text;
+use crate::text::Text;
+use crate::workshop::Design;
+
+impl ProfileFile {
+    /// The same with as much as its reports bear out, and what that leaves out or makes practice, in words.
+    #[must_use]
+    pub fn borne_out(self) -> (Self, Vec<Text>) {
+        let missions = course_missions();
+        let course = MissionCourse::new(missions.iter().map(Offer::of));
+        let mut claims = Claims {
+            missions: &missions,
+            course: &course,
+            standing: CareerStanding::default(),
+            ids: BTreeSet::new(),
+            reports: Vec::new(),
+            told: Vec::new(),
+        };
+        let mut entries = Vec::new();
+        for row in self.entries {
+            let run = self.runs.iter().find(|run| run.id == row.id);
+            match claims.entry(&row, run) {
+                Ok(entry) => {
+                    claims.standing.enter(&entry);
+                    entries.push(EntryDocument { entry, ..row });
+                }
+                Err(why) => claims
+                    .told
+                    .push(text!("import-left-out", id = row.id, why = why)),
+            }
+        }
+        let mut ids = BTreeSet::new();
+        let is_kept = |run: &RunDocument| entries.iter().any(|row| row.id == run.id);
+        let runs = self.runs.into_iter();
+        let runs = runs.filter(|run| is_kept(run) && ids.insert(run.id.clone()));
+        let borne_out = Self {
+            runs: runs.collect(),
+            entries,
+            ..self
+        };
+        (borne_out, claims.told)
+    }
+}
+
+/// What is known while the entries of a file are gone through, oldest first.
+struct Claims<'a> {
+    missions: &'a [Mission],
+    course: &'a MissionCourse,
+    /// How far the trainee had come by then.
+    standing: CareerStanding,
+    ids: BTreeSet<String>,
+    /// The reports of the flights that counted.
+    reports: Vec<Report>,
+    told: Vec<Text>,
+}
+
+impl Claims<'_> {
+    /// What an entry counts for.
+    ///
+    /// # Errors
+    /// Why it counts for nothing.
+    fn entry(
+        &mut self,
+        row: &EntryDocument,
+        run: Option<&RunDocument>,
+    ) -> Result<CareerEntry, Text> {
+        if !self.ids.insert(row.id.clone()) {
+            return Err(text!("import-twice"));
+        }
+        match &row.entry {
+            CareerEntry::Purchase(Purchase { part, .. }) => {
+                let bought = self.standing.buy(part, self.course);
+                bought
+                    .map(CareerEntry::Purchase)
+                    .map_err(|refusal| refusal.text())
+            }
+            CareerEntry::Flight(claimed) => {
+                let run = run.ok_or_else(|| text!("import-no-report"))?;
+                let flight = self.flight(&row.id, claimed, run)?;
+                Ok(CareerEntry::Flight(flight))
+            }
+        }
+    }
+
+    fn flight(
+        &mut self,
+        id: &str,
+        claimed: &CareerFlight,
+        run: &RunDocument,
+    ) -> Result<CareerFlight, Text> {
+        let report = &run.report;
+        let other = claimed.mission != report.mission;
+        let other = other.then(|| format!("the report is of mission {:?}", report.mission));
+        if let Some(fault) = other.or_else(|| report.fault()) {
+            return Err(text!("import-unfit", fault = sanitised(&fault)));
+        }
+        let known = self.missions.iter().find(|it| it.id == report.mission);
+        let Some(mission) = known.filter(|_| claimed.stake != Stake::Practice) else {
+            return Ok(practice(claimed, run));
+        };
+        if self.reports.contains(report) {
+            return Err(text!("import-twice"));
+        }
+        let flown = with_airframes(mission, run).ok_or_else(|| text!("import-fleet"))?;
+        if let Some(fault) = unlike(&flown, report) {
+            return Err(text!("import-unfit", fault = fault));
+        }
+        let (day, stake) = day_and_stake(claimed.stake, report.seed, day(run));
+        let mut reasons = self.practice_reasons(&flown, report, stake, day);
+        reasons.extend((stake != claimed.stake).then_some(PracticeReason::ChosenSeed));
+        if !reasons.is_empty() {
+            let why = PracticeReason::sentence(&reasons);
+            self.told.push(text!("import-practice", id = id, why = why));
+            return Ok(practice(claimed, run));
+        }
+        self.reports.push(report.clone());
+        Ok(CareerFlight {
+            imported: true,
+            ..CareerFlight::of(&flown, report, stake, day)
+        })
+    }
+
+    fn practice_reasons(
+        &self,
+        flown: &Mission,
+        report: &Report,
+        stake: Stake,
+        day: i64,
+    ) -> Vec<PracticeReason> {
+        let terms = AttemptTerms {
+            mission: flown,
+            wanted: stake,
+            seed: None,
+            trainee: Some(AttemptTrainee {
+                standing: &self.standing,
+                course: self.course,
+            }),
+            means: AttemptMeans {
+                mission_file: report.mission_file.unwrap_or(MissionFile::Course),
+                flown_by: report.flown_by.unwrap_or_default(),
+                has_own_airframes: false,
+                speedup: 1.0,
+            },
+            day,
+            random: None,
+        };
+        let has_other_seed =
+            stake == Stake::Exam && report.seed != exam_seed(&report.mission, report.revision);
+        let mut reasons = terms.practice_reasons();
+        reasons.extend(has_other_seed.then_some(PracticeReason::ChosenSeed));
+        reasons
+    }
+}
+
+/// The mission with the trainee's own drones, if it was flown with any; `None` where they could not fly it.
+fn with_airframes(mission: &Mission, run: &RunDocument) -> Option<Mission> {
+    let fleet = run.airframes.iter().map(|it| Design::from_toml(it).ok());
+    let fleet: Vec<Design> = fleet.collect::<Option<_>>()?;
+    let mission = Mission::parse(&mission.source).ok()?;
+    mission.with_fleet(fleet).ok()
+}
+
+/// A flight that brings nothing. What its own drones lost is still lost.
+fn practice(claimed: &CareerFlight, run: &RunDocument) -> CareerFlight {
+    let report = &run.report;
+    CareerFlight {
+        mission: report.mission.clone(),
+        stake: Stake::Practice,
+        flown_by: report.flown_by,
+        day: day(run),
+        score: report.score,
+        passed: report.passed,
+        medal: report.medal,
+        imported: true,
+        ..claimed.clone()
+    }
+}
+
+fn day(run: &RunDocument) -> i64 {
+    moment(&run.ended).map_or(0, day_of)
+}
+
+/// What a report says that a flight of the mission cannot have brought, in English.
+fn unlike(mission: &Mission, report: &Report) -> Option<String> {
+    if report.medal > mission.scoring.medals.won(report.score, true) {
+        return Some(format!("no such medal for {} points", report.score));
+    }
+    if report.revision != mission.rev {
+        return None;
+    }
+    let asked = mission.objectives.iter();
+    let asked = asked.map(|it| (it.id.as_str(), it.mandatory));
+    let told = report.objectives.iter();
+    let told = told.map(|it| (it.id.as_str(), it.mandatory));
+    (!told.eq(asked)).then(|| "its objectives are not those of the mission".to_owned())
+}
