@@ -39,13 +39,17 @@ pub fn text_with(report: &Report, career: &[Text], locale: &Locale) -> String {
     lines.join("\n") + "\n"
 }
 
+/// What moved the score and what would raise it: the part of the page that explains the result.
+pub fn explanation(report: &Report, locale: &Locale) -> Vec<DebriefLine> {
+    let mut page = DebriefPage::new(locale);
+    page.components(report);
+    page.improvements(report);
+    page.finished()
+}
+
 /// The page line by line, for screens that show what each tells.
 pub fn lines_with(report: &Report, career: &[Text], locale: &Locale) -> Vec<DebriefLine> {
-    let mut page = DebriefPage {
-        words: String::new(),
-        tones: Vec::new(),
-        locale,
-    };
+    let mut page = DebriefPage::new(locale);
     page.head(report);
     page.objectives(report);
     page.career(career);
@@ -56,17 +60,7 @@ pub fn lines_with(report: &Report, career: &[Text], locale: &Locale) -> Vec<Debr
     page.map(&report.truth);
     page.tries(report);
     page.next(report);
-    // A stored report may hold anything; the page stays as wide as it is.
-    let cut = |line: &str| fit(line, WIDTH).trim_end().to_owned();
-    let given = page.tones.iter().copied();
-    let tones = given.chain(std::iter::repeat(DebriefTone::Plain));
-    let lines = page.words.lines().zip(tones);
-    lines
-        .map(|(line, tone)| DebriefLine {
-            text: cut(line),
-            tone,
-        })
-        .collect()
+    page.finished()
 }
 
 /// A page while it is written.
@@ -75,6 +69,31 @@ struct DebriefPage<'a> {
     /// What the lines tell, as far as it has been said.
     tones: Vec<DebriefTone>,
     locale: &'a Locale,
+}
+
+impl<'a> DebriefPage<'a> {
+    fn new(locale: &'a Locale) -> Self {
+        Self {
+            words: String::new(),
+            tones: Vec::new(),
+            locale,
+        }
+    }
+
+    /// The lines that were written.
+    fn finished(self) -> Vec<DebriefLine> {
+        // A stored report may hold anything; the page stays as wide as it is.
+        let cut = |line: &str| fit(line, WIDTH).trim_end().to_owned();
+        let given = self.tones.iter().copied();
+        let tones = given.chain(std::iter::repeat(DebriefTone::Plain));
+        let lines = self.words.lines().zip(tones);
+        lines
+            .map(|(line, tone)| DebriefLine {
+                text: cut(line),
+                tone,
+            })
+            .collect()
+    }
 }
 
 impl DebriefPage<'_> {

@@ -20,6 +20,7 @@
 //! | pure | [`exercise`] | when a mission begins and by whose clock its time passes (in the console, too); a mission flown by a pilot script |
 //! | | [`operator`] | from a line to the vehicles, and back to the ledger |
 //! | | [`campaign`] | a career: what is unlocked, earned and owned, how surely each skill is mastered, and what a try counts for |
+//! | | [`review`] | the after-action review of a flight: answers, points to keep and to improve, later bookmarks |
 //! | | [`debrief`] | a report as text |
 //! | | [`mission`] | what a mission file says, and the flight's referee: hazards, sensors, radio, objectives, events |
 //! | | [`scoring`] | marks, medals, and the report of a flight |
@@ -94,6 +95,7 @@ pub mod operator;
 pub mod parameters;
 pub mod record;
 pub mod replay;
+pub mod review;
 pub mod scoring;
 pub mod session;
 pub mod shell;

@@ -47,6 +47,10 @@ pub enum MomentKind {
     Arming,
     /// An objective of the mission was reached or missed.
     Objective,
+    /// A safety rule of the mission was broken.
+    Rule,
+    /// An event of the mission, or an inject of the instructor, changed something.
+    Event,
     /// Two vehicles that fly were closest to each other.
     Separation,
 }
@@ -64,14 +68,29 @@ impl MomentKind {
         Text::new(format!("moment-kind-{}", self.name()), Vec::new())
     }
 
+    /// Whether a review names it: changes of modes and arming belong to every flight.
+    pub fn is_reviewed(self) -> bool {
+        match self {
+            Self::Mode | Self::Arming => false,
+            Self::Bookmark
+            | Self::Refusal
+            | Self::Alert
+            | Self::Objective
+            | Self::Rule
+            | Self::Event
+            | Self::Separation => true,
+        }
+    }
+
     /// How much it matters beside others: the least comes first.
     pub fn weight(self) -> u8 {
         match self {
             Self::Mode | Self::Arming => 0,
-            Self::Objective => 1,
-            Self::Refusal | Self::Separation => 2,
-            Self::Alert => 3,
-            Self::Bookmark => 4,
+            Self::Event => 1,
+            Self::Objective => 2,
+            Self::Refusal | Self::Separation => 3,
+            Self::Alert | Self::Rule => 4,
+            Self::Bookmark => 5,
         }
     }
 

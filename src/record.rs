@@ -79,6 +79,14 @@ impl Subject {
         }
     }
 
+    /// The mission that was flown, by id, if one was.
+    pub fn mission(&self) -> Option<&str> {
+        match self {
+            Self::Mission(id) => Some(id),
+            Self::Free | Self::Connected(_) => None,
+        }
+    }
+
     /// What it is called.
     pub fn text(&self) -> Text {
         match self {

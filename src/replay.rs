@@ -12,8 +12,6 @@ use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
 
-use chrono::DateTime;
-
 use crate::app::effect::ReplayEffect;
 use crate::app::event::{Event, ReplayEvent, SessionEvent, Started};
 use crate::app::room::messages::{LinkTraffic, Wanted};
@@ -22,6 +20,9 @@ use crate::config::Config;
 use crate::language::SeekTarget;
 use crate::moment::Moment;
 use crate::notice::Notice;
+use crate::review::Review;
+use crate::scoring::Report;
+use crate::store::StoreError;
 use crate::text::Text;
 use crate::vehicle::Severity;
 
@@ -59,8 +60,14 @@ pub struct Replay {
     goal: Duration,
     /// When time was looked at last, on the program's clock.
     looked: Option<Duration>,
-    /// How many moments the console knows, and which length.
-    known: (usize, Duration),
+    /// What its user has made of it.
+    review: Review,
+    /// All moments: those that the index has found so far, and the bookmarks.
+    moments: Arc<Vec<Moment>>,
+    /// The moments of the index that are among them.
+    merged: Option<Arc<Vec<Moment>>>,
+    /// The length that the console knows.
+    known_length: Duration,
 }
 
 impl Replay {
@@ -70,33 +77,52 @@ impl Replay {
     /// # Errors
     /// It cannot be read, or there is nothing in it; in words.
     pub fn open(path: &Path, config: &Config) -> Result<(Self, Vec<Event>), Text> {
+        Self::begin(path, config, false)
+    }
+
+    /// Opens a recording to be reviewed: it stands still, and the console begins in the room for it.
+    ///
+    /// # Errors
+    /// As [`open`](Self::open).
+    pub fn review(path: &Path, config: &Config) -> Result<(Self, Vec<Event>), Text> {
+        let (mut replay, events) = Self::begin(path, config, true)?;
+        replay.position.is_playing = false;
+        Ok((replay, events))
+    }
+
+    fn begin(path: &Path, config: &Config, is_review: bool) -> Result<(Self, Vec<Event>), Text> {
         let film = Arc::new(Film::open(path)?);
         let stage = Stage::new(&film)?;
         let started = film.started();
         let index = Index::begin(&film, &started, config)?;
-        let view = ReplayView::new(film.name(), film.began_unix_us(), film.length());
+        let mut view = ReplayView::new(film.name(), film.began_unix_us(), film.length());
+        view.review = film.review().clone();
+        view.is_review = is_review;
         let mut events = begin(view, started);
         events.extend(film.damage().map(warning));
         let replay = Self {
-            film,
             stage,
             index,
             position: ReplayPosition::default(),
             goal: Duration::ZERO,
             looked: None,
-            known: (0, Duration::ZERO),
+            review: film.review().clone(),
+            moments: Arc::default(),
+            merged: None,
+            known_length: Duration::ZERO,
+            film,
         };
         Ok((replay, events))
     }
 
-    /// The moments of a recording, earliest first.
+    /// Opens a recording and goes through all of it, so that its moments and its result are known.
     ///
     /// # Errors
-    /// It cannot be read, or there is nothing in it; in words.
-    pub fn moments_of(path: &Path, config: &Config) -> Result<Vec<Moment>, Text> {
+    /// As [`open`](Self::open).
+    pub fn read_through(path: &Path, config: &Config) -> Result<Self, Text> {
         let (mut replay, _) = Self::open(path, config)?;
-        replay.index.finish();
-        Ok(replay.index.moments().to_vec())
+        replay.wait_for_index();
+        Ok(replay)
     }
 
     /// Lets it go on, as the program's clock does; returns what happened in it.
@@ -147,6 +173,11 @@ impl Replay {
                 }
             }
             ReplayEffect::StopAt(kinds) => self.position.stops = kinds,
+            ReplayEffect::Keep(review) => {
+                if let Err(error) = self.keep(*review) {
+                    return vec![Event::Failed(Text::from(&error))];
+                }
+            }
         }
         self.approach()
     }
@@ -179,6 +210,48 @@ impl Replay {
     /// Waits until the whole recording has been gone through.
     pub fn wait_for_index(&mut self) {
         self.index.finish();
+        self.merge();
+    }
+
+    /// All moments found so far, earliest first.
+    pub fn moments(&self) -> &[Moment] {
+        &self.moments
+    }
+
+    /// What its user has made of it.
+    pub fn reviewed(&self) -> &Review {
+        &self.review
+    }
+
+    /// What the recorded mission was scored, once it has been gone through.
+    pub fn report(&self) -> Option<Arc<Report>> {
+        self.index.report()
+    }
+
+    /// Stores what its user has made of it, beside the recording. It holds for this replay also where it cannot be
+    /// written.
+    fn keep(&mut self, review: Review) -> Result<(), StoreError> {
+        self.review = review;
+        self.merged = None;
+        self.film.files().write_review(&self.review)
+    }
+
+    /// Brings moments and bookmarks together where either have changed; returns whether they had.
+    fn merge(&mut self) -> bool {
+        let found = self.index.moments();
+        if self
+            .merged
+            .as_ref()
+            .is_some_and(|it| Arc::ptr_eq(it, &found))
+        {
+            return false;
+        }
+        let bookmarks = self.review.bookmarks(&self.film.bookmarks());
+        let mut all: Vec<Moment> = found.iter().cloned().chain(bookmarks).collect();
+        all.sort_by_key(|it| it.at);
+        self.moments = Arc::new(all);
+        self.merged = Some(found);
+        true
     }
 
     fn is_at_end(&self) -> bool {
@@ -195,8 +268,10 @@ impl Replay {
             return;
         }
         let stops = &self.position.stops;
-        let stop = self.index.first_between(before, self.goal, stops);
-        if let Some(stop) = stop {
+        let mut passed = self.moments.iter();
+        let stop =
+            passed.find(|it| it.at > before && it.at <= self.goal && stops.contains(&it.kind));
+        if let Some(stop) = stop.map(|it| it.at) {
             self.goal = showing(stop);
             self.position.is_playing = false;
         }
@@ -208,7 +283,7 @@ impl Replay {
 
     fn go_to_moment(&mut self, forward: bool) {
         let now = self.stage.now();
-        let moments = self.index.moments();
+        let moments = &self.moments;
         // What has just been reached is not the one before: who presses the key again wants to go further back.
         let found = if forward {
             moments.iter().find(|it| it.at >= now + FRAME)
@@ -254,14 +329,17 @@ impl Replay {
     /// What the index has found since the last call.
     fn news(&mut self) -> Option<Event> {
         self.position.indexed = self.index.reached();
-        let moments = self.index.moments();
-        let known = (moments.len(), self.length());
-        if known == self.known {
+        let length = self.length();
+        let is_longer = std::mem::replace(&mut self.known_length, length) != length;
+        if !self.merge() && !is_longer {
             return None;
         }
-        self.known = known;
-        let length = self.length();
-        Some(ReplayEvent::Known { length, moments }.into())
+        let event = ReplayEvent::Known {
+            length,
+            moments: Arc::clone(&self.moments),
+            report: self.report(),
+        };
+        Some(event.into())
     }
 }
 
@@ -274,15 +352,6 @@ fn warning(text: Text) -> Event {
         kind: None,
         text,
     })
-}
-
-/// A time of day, given in microseconds since 1970: `2026-11-20 14:03:22`.
-pub fn utc_of(unix_us: u64) -> String {
-    let time = i64::try_from(unix_us).ok();
-    let time = time.and_then(DateTime::from_timestamp_micros);
-    time.unwrap_or_default()
-        .format("%Y-%m-%d %H:%M:%S")
-        .to_string()
 }
 
 /// The frame that shows what happened at a time: a frame has what came before its end.

@@ -243,6 +243,7 @@ impl Console {
 
     async fn begin(&mut self) {
         // A mission that is flown at once is checked against the career that was opened.
+        self.show_reviews();
         self.take_in().await;
         self.open().await;
         // The first one last, because it is the one that stays on the last line of the screen.
@@ -257,7 +258,7 @@ impl Console {
             Opening::Home => return,
             Opening::Mission(mission) => self.launch(mission, Stake::Graded, None).await,
             Opening::Free => self.start_afresh(SessionPlan::Free(None)).await,
-            Opening::Replay(path) => self.open_replay(&path),
+            Opening::Replay(path) => self.open_replay(&path, false),
             Opening::Connect(addresses) => self.start_afresh(SessionPlan::Connect(addresses)).await,
         };
         self.tell_failure(outcome);

@@ -17,7 +17,7 @@ mod layout;
 mod locale;
 
 pub use catalogue::messages;
-pub use figure::{clock, figure, rounded};
+pub use figure::{clock, figure, rounded, utc_of};
 pub use layout::{reflow, wrap};
 pub use locale::Locale;
 

@@ -240,6 +240,8 @@ pub enum ReplayAction {
     ShowMoments,
     /// Replay the flight that was recorded last.
     ReplayNewest,
+    /// Review the flight that was recorded last.
+    ReviewNewest,
 }
 
 /// Actions of the Debrief room.

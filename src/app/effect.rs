@@ -7,6 +7,7 @@ use crate::commands::Order;
 use crate::language::{ProcessDeed, SeekTarget};
 use crate::ledger::EntryId;
 use crate::moment::MomentKind;
+use crate::review::Review;
 use crate::text::{Language, Text};
 use crate::vehicle::VehicleId;
 use crate::workshop::Design;
@@ -42,6 +43,8 @@ pub enum FileKind {
     Parameters,
     /// A design of the workshop.
     Design,
+    /// A review of a flight, as Markdown; it is only written.
+    Review,
 }
 
 /// Work for the shell.
@@ -168,8 +171,13 @@ pub enum SessionEffect {
     Connect(Vec<String>),
     /// Close what these vehicles are heard by; one that is heard again is new.
     Forget(Vec<VehicleId>),
-    /// Replay a recorded flight: one of its files, or the newest.
-    Replay(Option<String>),
+    /// Replay a recorded flight.
+    Replay {
+        /// One of its files; `None` is the newest record.
+        path: Option<String>,
+        /// Whether to begin with its review.
+        review: bool,
+    },
     /// Restart or stop the process that simulates a vehicle.
     Process(ProcessDeed, VehicleId),
     /// Trigger an inject of the mission, by name.
@@ -215,6 +223,8 @@ pub enum ReplayEffect {
     Loop(Option<(Duration, Duration)>),
     /// Stop at moments of these kinds.
     StopAt(Vec<MomentKind>),
+    /// Store what its user makes of it.
+    Keep(Box<Review>),
 }
 
 /// Something about the terminal.

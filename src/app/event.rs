@@ -19,6 +19,7 @@ use crate::mission::{Area, Listing, Progress};
 use crate::moment::Moment;
 use crate::notice::Notice;
 use crate::parameters::ParameterSnapshot;
+use crate::review::Review;
 use crate::scoring::{Report, TryReport};
 use crate::swarm::Path;
 use crate::text::Text;
@@ -169,6 +170,8 @@ pub enum ReplayEvent {
         length: Duration,
         /// The moments found so far, earliest first.
         moments: Arc<Vec<Moment>>,
+        /// What the mission was scored, once that is known.
+        report: Option<Arc<Report>>,
     },
     /// The console is to show what it knew at another time.
     Restored(Box<FlightSnapshot>),
@@ -185,6 +188,8 @@ pub enum CareerEvent {
     Career(Option<Box<Career>>),
     /// The trainee's tries at the current revisions of missions, by mission id, oldest first.
     Tries(BTreeMap<String, Vec<TryReport>>),
+    /// The trainee's newest review of each mission, by mission id.
+    Reviews(BTreeMap<String, Review>),
     /// What the flight that has just ended brought to the career.
     Rewarded(Box<Reward>),
 }

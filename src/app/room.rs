@@ -21,6 +21,7 @@ pub mod messages;
 pub mod mission;
 pub mod parameters;
 mod request;
+pub mod review;
 pub mod standing;
 pub mod vehicle;
 pub mod workshop;

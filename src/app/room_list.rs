@@ -28,6 +28,8 @@ macro_rules! for_each_room {
             Mission, mission, "mission", 'B', mission::Mission;
             /// What the last flight was worth.
             Debrief, debrief, "debrief", 'D', Option<debrief::Debrief>;
+            /// What is made of a recorded flight.
+            Review, review, "review", 'A', review::Review;
             /// How far the trainee has come.
             Standing, standing, "standing", 'T', standing::Standing;
             /// Where drones are built.

@@ -9,6 +9,7 @@ use super::effect::Launch;
 use super::keymap::Place;
 use crate::campaign::Reward;
 use crate::config::{Config, Symbols};
+use crate::review::Review;
 use crate::scoring::TryReport;
 use crate::text::{Language, Locale, Text};
 use crate::vehicle::VehicleId;
@@ -99,6 +100,8 @@ pub struct State<R> {
     pub(in crate::app) missions: Vec<MissionListing>,
     /// The trainee's tries at them as they are now, by the mission's id, oldest first.
     pub(in crate::app) tries: BTreeMap<String, Vec<TryReport>>,
+    /// The trainee's newest review of each mission, by the mission's id.
+    pub(in crate::app) reviews: BTreeMap<String, Review>,
     /// The trainee's career; `None` where no flights are kept.
     pub(in crate::app) career: Option<Career>,
     /// What the last flight brought to it; nothing once another session has started.
@@ -169,6 +172,7 @@ impl<R: Default> State<R> {
             notices: NoticeLog::default(),
             missions: setup.missions,
             tries: setup.tries,
+            reviews: BTreeMap::new(),
             career: None,
             reward: None,
             profiles: Vec::new(),

@@ -29,6 +29,7 @@ mod profiles;
 mod prompt;
 mod reader;
 mod replay;
+mod review;
 mod telemetry;
 
 /// Takes in what happened and says what the shell has to do.
@@ -186,6 +187,7 @@ fn career(state: &mut State, event: CareerEvent) {
             workshop::heard(state);
         }
         CareerEvent::Tries(tries) => state.tries = tries,
+        CareerEvent::Reviews(reviews) => state.reviews = reviews,
         CareerEvent::Rewarded(reward) => state.reward = Some(*reward),
     }
 }
@@ -196,6 +198,7 @@ fn file(state: &mut State, event: FileEvent) -> Effects {
         FileEvent::Read { kind, path, text } => match kind {
             FileKind::Parameters => parameters::read(state, path, &text),
             FileKind::Design => workshop::read(state, &path, &text),
+            FileKind::Review => {}
         },
         FileEvent::Written { path } => files::written(state, &path),
         FileEvent::Exists { kind, path, text } => return files::exists(state, kind, path, text),

@@ -11,10 +11,11 @@ use super::table::{Side, TextTable};
 use super::{Failure, fly};
 use crate::config::Config;
 use crate::moment::Moment;
-use crate::replay::{ExportFormat, Film, Replay, export, utc_of};
-use crate::store::{RecordFiles, Records};
+use crate::replay::{ExportFormat, Film, Replay, export};
+use crate::review::{ReviewedFlight, markdown};
+use crate::store::{RecordFiles, Records, write};
 use crate::text;
-use crate::text::{Locale, Text, clock, figure};
+use crate::text::{Locale, Text, clock, figure, utc_of};
 
 /// Options of `sortie records`.
 #[derive(Debug, Args)]
@@ -42,15 +43,17 @@ enum RecordsCommand {
         #[arg(long)]
         json: bool,
     },
-    /// Writes a record, or any tlog, for other programs: all vehicles and all messages.
+    /// Writes a record, or any tlog, for other programs: all vehicles and all messages; or the review of it.
     #[command(after_help = "Examples:\n  \
                             sortie records export 1 --format kml --output flight.kml\n  \
                             sortie records export flight.tlog --format csv --output tables\n  \
-                            sortie records export 1 --format mcap --output flight.mcap")]
+                            sortie records export 1 --format mcap --output flight.mcap\n  \
+                            sortie records export 1 --format md --output review.md")]
     Export {
         /// The number in the list, or a file.
         record: String,
-        /// What to write: csv (a folder with a table for each kind of message), kml, gpx, geojson, mcap.
+        /// What to write: csv (a folder with a table for each kind of message), kml, gpx, geojson, mcap,
+        /// or md (the review).
         #[arg(long, value_enum)]
         format: Format,
         /// The file or folder, which must not exist yet.
@@ -76,16 +79,19 @@ enum Format {
     Gpx,
     Geojson,
     Mcap,
+    Md,
 }
 
-impl From<Format> for ExportFormat {
-    fn from(format: Format) -> Self {
-        match format {
-            Format::Csv => Self::Csv,
-            Format::Kml => Self::Kml,
-            Format::Gpx => Self::Gpx,
-            Format::Geojson => Self::GeoJson,
-            Format::Mcap => Self::Mcap,
+impl Format {
+    /// How the recording itself is written; `None` for its review.
+    fn of_recording(self) -> Option<ExportFormat> {
+        match self {
+            Self::Csv => Some(ExportFormat::Csv),
+            Self::Kml => Some(ExportFormat::Kml),
+            Self::Gpx => Some(ExportFormat::Gpx),
+            Self::Geojson => Some(ExportFormat::GeoJson),
+            Self::Mcap => Some(ExportFormat::Mcap),
+            Self::Md => None,
         }
     }
 }
@@ -156,7 +162,7 @@ pub(super) fn records(
             record,
             format,
             output,
-        } => commands.export(record, (*format).into(), output),
+        } => commands.export(record, *format, output),
         RecordsCommand::Delete { records, yes } => commands.delete(records, *yes),
     }
 }
@@ -264,7 +270,8 @@ impl RecordsCommands {
         table
     }
 
-    fn moments(&self, files: &RecordFiles) -> Result<(Film, Vec<Moment>), Failure> {
+    /// A recording that has been gone through.
+    fn read(&self, files: &RecordFiles) -> Result<Replay, Failure> {
         let invalid =
             |fault: Text| Failure::Invalid(format!("sortie: {}", self.locale.text(&fault)));
         let Some(frames) = &files.frames else {
@@ -273,13 +280,13 @@ impl RecordsCommands {
                 file = files.stem.as_str()
             )));
         };
-        let moments = Replay::moments_of(frames, &Config::default()).map_err(invalid)?;
-        Ok((Film::open(frames).map_err(invalid)?, moments))
+        Replay::read_through(frames, &Config::default()).map_err(invalid)
     }
 
     fn show(&self, named: &str, json: bool) -> Result<ExitCode, Failure> {
         let files = self.find(named)?;
-        let (_, moments) = self.moments(&files)?;
+        let replay = self.read(&files)?;
+        let moments = replay.moments();
         let number = self.numbered().find(|(_, it)| it.stem == files.stem);
         let record = self.listed(number.map_or(0, |(number, _)| number), &files);
         if json {
@@ -308,7 +315,7 @@ impl RecordsCommands {
             (text!("records-what"), Side::Left),
         ];
         let mut table = TextTable::new(&self.locale, &columns);
-        for moment in &moments {
+        for moment in moments {
             table.push(vec![
                 clock(moment.at),
                 self.locale.text(&moment.kind.text()),
@@ -320,19 +327,35 @@ impl RecordsCommands {
         Ok(ExitCode::SUCCESS)
     }
 
-    fn export(
-        &self,
-        named: &str,
-        format: ExportFormat,
-        output: &Path,
-    ) -> Result<ExitCode, Failure> {
+    fn export(&self, named: &str, format: Format, output: &Path) -> Result<ExitCode, Failure> {
         let files = self.find(named)?;
-        let (film, moments) = self.moments(&files)?;
-        export(&film, &moments, format, output)
-            .map_err(|fault| Failure::Failed(anyhow::anyhow!(self.locale.text(&fault))))?;
+        let replay = self.read(&files)?;
+        match format.of_recording() {
+            Some(format) => export(replay.film(), replay.moments(), format, output),
+            None => write(output, &self.review(&replay), false).map_err(|error| (&error).into()),
+        }
+        .map_err(|fault| Failure::Failed(anyhow::anyhow!(self.locale.text(&fault))))?;
         let text = text!("export-done", path = output.display().to_string());
         say!("{}", self.locale.text(&text))?;
         Ok(ExitCode::SUCCESS)
+    }
+
+    /// The review of a recording, as Markdown.
+    fn review(&self, replay: &Replay) -> String {
+        let film = replay.film();
+        let flown = film.run().and_then(|run| run.head.flown().ok());
+        let title = match &flown {
+            Some(mission) => self.locale.text(&mission.title),
+            None => film.name(),
+        };
+        let report = replay.report();
+        let flight = ReviewedFlight {
+            title: &title,
+            began: &utc_of(film.began_unix_us()),
+            report: report.as_deref(),
+            moments: replay.moments(),
+        };
+        markdown(replay.reviewed(), flight, &self.locale)
     }
 
     fn delete(&self, numbers: &[usize], yes: bool) -> Result<ExitCode, Failure> {
@@ -357,6 +380,7 @@ impl RecordsCommands {
         }
         for files in &found {
             files.delete()?;
+            files.delete_review()?;
             let text = text!("records-deleted", name = files.stem.as_str());
             say!("{}", self.locale.text(&text))?;
         }

@@ -62,6 +62,10 @@ pub enum ConsoleLine {
     Replay(ReplayLine),
     /// Set a bookmark at this moment, with a text.
     Bookmark(String),
+    /// Remove the bookmark of this moment, in a replay.
+    Unbookmark,
+    /// Something about the review of what is replayed.
+    Review(ReviewLine),
     /// Give the mission up and show its debrief.
     Abandon,
     /// The same mission again.
@@ -138,6 +142,25 @@ pub enum ReplayLine {
     Loop(Option<(Duration, Duration)>),
     /// Stop at moments of these kinds; none plays through.
     StopAt(Vec<MomentKind>),
+}
+
+/// What a line says about the review of a recorded flight.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum ReviewLine {
+    /// Review what is replayed, or what was flown last.
+    Open,
+    /// Why it went as it did.
+    Why(String),
+    /// What is to be done next time.
+    Next(String),
+    /// Something that went well, at the moment shown.
+    Sustain(String),
+    /// Something to do otherwise, at the moment shown.
+    Improve(String),
+    /// Remove the point of this number, from 1.
+    Remove(usize),
+    /// Write the review as Markdown into this file.
+    Export(String),
 }
 
 /// Where in a recording to go.

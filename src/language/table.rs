@@ -12,6 +12,7 @@ mod flight;
 mod mission;
 mod motion;
 mod replay;
+mod review;
 mod session;
 mod swarm;
 mod waiting;
@@ -37,7 +38,7 @@ pub fn verb(name: &str) -> Option<&'static Verb> {
     verbs().find(|verb| verb.name == name)
 }
 
-static TABLE: [&[VerbRow]; 9] = [
+static TABLE: [&[VerbRow]; 10] = [
     flight::ROWS,
     motion::ROWS,
     swarm::ROWS,
@@ -45,6 +46,7 @@ static TABLE: [&[VerbRow]; 9] = [
     mission::ROWS,
     devices::ROWS,
     replay::ROWS,
+    review::ROWS,
     console::ROWS,
     session::ROWS,
 ];

@@ -9,7 +9,9 @@ use crate::app::event::Started;
 use crate::app::state::Activity;
 use crate::link::{TlogPiece, TlogSalvage};
 use crate::mission::record::Stored;
+use crate::moment::Moment;
 use crate::record::{Journal, JournalLine, Subject};
+use crate::review::Review;
 use crate::store::{RecordFiles, read_run};
 use crate::text;
 use crate::text::Text;
@@ -28,6 +30,9 @@ pub struct Film {
     frames: PathBuf,
     journal: Option<Journal>,
     run: Option<Stored>,
+    review: Review,
+    /// What is wrong with the review.
+    review_fault: Option<Text>,
     began_unix_us: u64,
     length: Duration,
 }
@@ -59,6 +64,12 @@ impl Film {
                 .and_then(|text| Stored::read(&text).ok()),
             None => None,
         };
+        let (review, review_fault) = match files.read_review() {
+            Ok(review) => (review, None),
+            Err(fault) => (None, Some(fault)),
+        };
+        let head = journal.as_ref().map(|it| &it.head);
+        let review = review.unwrap_or_else(|| Review::of(head));
         let began_unix_us = journal.as_ref().map_or(first, |it| it.head.began_unix_us);
         let lines = journal.iter().flat_map(|it| &it.lines);
         let told = lines.last().map_or(Duration::ZERO, JournalLine::at);
@@ -68,6 +79,8 @@ impl Film {
             frames,
             journal,
             run,
+            review,
+            review_fault,
             began_unix_us,
             length: heard.max(told),
         })
@@ -97,9 +110,21 @@ impl Film {
         self.journal.as_ref()
     }
 
-    /// What is wrong with its journal.
-    pub fn damage(&self) -> Option<Text> {
-        self.journal.as_ref()?.damage.clone()
+    /// What is wrong with its journal, and with its review.
+    pub fn damage(&self) -> impl Iterator<Item = Text> {
+        let journal = self.journal.as_ref().and_then(|it| it.damage.clone());
+        journal.into_iter().chain(self.review_fault.clone())
+    }
+
+    /// What was made of it before, or an empty review.
+    pub fn review(&self) -> &Review {
+        &self.review
+    }
+
+    /// The bookmarks as they were set while it was recorded, earliest first.
+    pub fn bookmarks(&self) -> Vec<Moment> {
+        let journal = self.journal.iter();
+        journal.flat_map(Journal::bookmarks).collect()
     }
 
     /// The mission that was flown, where one was.

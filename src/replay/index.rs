@@ -13,7 +13,8 @@ use crate::app::FlightSnapshot;
 use crate::app::event::Started;
 use crate::app::state::{ReplayPosition, ReplayView};
 use crate::config::Config;
-use crate::moment::{Moment, MomentKind};
+use crate::moment::Moment;
+use crate::scoring::Report;
 use crate::text::Text;
 
 /// The distance between key frames at first.
@@ -62,8 +63,9 @@ struct Shared {
 struct Found {
     /// Earliest first, the first at the beginning.
     keys: Vec<Arc<KeyFrame>>,
-    /// Earliest first.
+    /// Earliest first, without bookmarks.
     moments: Arc<Vec<Moment>>,
+    report: Option<Arc<Report>>,
     reached: Duration,
     /// Whether all of it has been gone through.
     is_over: bool,
@@ -88,7 +90,7 @@ impl Index {
         let shared = Arc::new(Shared::default());
         let mut reader = IndexReader {
             shared: Arc::clone(&shared),
-            lookout: Lookout::new(film),
+            lookout: Lookout::default(),
             stage,
             observer,
             key_every: KEY_EVERY,
@@ -116,21 +118,14 @@ impl Index {
         found.is_over.then_some(found.reached)
     }
 
-    /// The moments found so far, earliest first.
+    /// The moments found so far, earliest first, without bookmarks.
     pub fn moments(&self) -> Arc<Vec<Moment>> {
         Arc::clone(&self.shared.found().moments)
     }
 
-    /// The first moment of some kinds after a time, up to another one.
-    pub fn first_between(
-        &self,
-        after: Duration,
-        until: Duration,
-        kinds: &[MomentKind],
-    ) -> Option<Duration> {
-        let moments = self.moments();
-        let mut later = moments.iter().filter(|it| it.at > after && it.at <= until);
-        later.find(|it| kinds.contains(&it.kind)).map(|it| it.at)
+    /// The result of the mission, once the recording has been gone through to its end.
+    pub fn report(&self) -> Option<Arc<Report>> {
+        self.shared.found().report.clone()
     }
 
     /// The last key frame that is not later than a time.
@@ -211,6 +206,7 @@ impl IndexReader {
         found.reached = self.stage.now();
         if let Some(moments) = moments {
             found.moments = Arc::new(moments);
+            found.report = self.lookout.report();
         }
     }
 }

@@ -1,15 +1,16 @@
 //! Finds the moments of a recording that are worth coming back to.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 use std::time::Duration;
 
-use super::Film;
 use crate::alert::AlertKind;
 use crate::app::State;
 use crate::app::event::{Event, SessionEvent, VehicleEvent};
 use crate::ledger::RowUpdate;
 use crate::mission::Progress;
 use crate::moment::{Moment, MomentKind};
+use crate::scoring::{EventKind, Report};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Mode, Vehicle, VehicleId};
@@ -24,7 +25,7 @@ const TOGETHER: Duration = Duration::from_millis(1500);
 const MOST: usize = 10_000;
 
 /// Watches a recording go by.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct Lookout {
     found: Vec<Moment>,
     /// Goes up whenever they change.
@@ -37,6 +38,17 @@ pub(super) struct Lookout {
     pairs: BTreeMap<Pair, Approach>,
     /// The objectives that are reached, by place.
     reached: Vec<bool>,
+    /// When the mission was how far.
+    course: Vec<MissionTime>,
+    report: Option<Arc<Report>>,
+}
+
+/// A time of the mission's own clock.
+#[derive(Debug, Clone, Copy)]
+struct MissionTime {
+    elapsed: Duration,
+    /// When it was that late, from the beginning of the recording.
+    at: Duration,
 }
 
 #[derive(Debug, Clone, Copy, Default)]
@@ -61,20 +73,6 @@ struct Approach {
 }
 
 impl Lookout {
-    /// Watches from the beginning; the bookmarks of the journal are known.
-    pub fn new(film: &Film) -> Self {
-        let bookmarks = film.journal().map(|it| it.bookmarks().collect());
-        Self {
-            found: bookmarks.unwrap_or_default(),
-            revision: 0,
-            given: None,
-            alerts: BTreeSet::new(),
-            vehicles: BTreeMap::new(),
-            pairs: BTreeMap::new(),
-            reached: Vec::new(),
-        }
-    }
-
     /// The moments so far, if there are others than at the last call.
     pub fn found(&mut self) -> Option<Vec<Moment>> {
         let is_news = self.given.replace(self.revision) != Some(self.revision);
@@ -92,6 +90,7 @@ impl Lookout {
                 }
                 Event::Vehicle(VehicleEvent::Row(row)) => self.judge(row, state),
                 Event::Session(SessionEvent::Mission(progress)) => self.count(now, progress),
+                Event::Session(SessionEvent::MissionEnded(report)) => self.close(report),
                 _ => {}
             }
         }
@@ -99,6 +98,11 @@ impl Lookout {
             self.measure(now, state);
         }
         self.alarm(now, state);
+    }
+
+    /// The result of the mission, once it is over.
+    pub fn report(&self) -> Option<Arc<Report>> {
+        self.report.clone()
     }
 
     /// Adds a moment; what several vehicles do at nearly the same time is one.
@@ -197,6 +201,10 @@ impl Lookout {
     }
 
     fn count(&mut self, at: Duration, progress: &Progress) {
+        let elapsed = progress.elapsed;
+        if self.course.last().is_none_or(|it| it.elapsed < elapsed) {
+            self.course.push(MissionTime { elapsed, at });
+        }
         self.reached.resize(progress.objectives.len(), false);
         let objectives = progress.objectives.iter().zip(&mut self.reached);
         let news = objectives.filter_map(|(objective, was)| {
@@ -212,6 +220,36 @@ impl Lookout {
                 text: text!("moment-objective", objective = title),
             });
         }
+    }
+
+    /// Notes what only the report of the mission tells: broken rules, and what its events and its instructor did.
+    fn close(&mut self, report: &Report) {
+        for event in &report.events {
+            let kind = match event.kind {
+                EventKind::Rule => MomentKind::Rule,
+                EventKind::MissionEvent | EventKind::Inject => MomentKind::Event,
+                EventKind::Objective
+                | EventKind::Alert
+                | EventKind::Answer
+                | EventKind::Rejected
+                | EventKind::Hint
+                | EventKind::Phase
+                | EventKind::Sample
+                | EventKind::Load
+                | EventKind::Pause => continue,
+            };
+            let elapsed = Duration::try_from_secs_f64(event.at_s).unwrap_or_default();
+            let then = self.course.partition_point(|it| it.elapsed < elapsed);
+            let then = self.course.get(then).or(self.course.last());
+            self.add(Moment {
+                at: then.map_or(Duration::ZERO, |it| it.at),
+                vehicles: event.vehicle.into_iter().collect(),
+                kind,
+                text: event.text.clone(),
+            });
+        }
+        self.report = Some(Arc::new(report.clone()));
+        self.revision += 1;
     }
 
     /// How far the vehicles in the air are from each other.

@@ -259,7 +259,8 @@ fn a_gap_is_a_gap_and_no_lost_link() {
 fn moments_are_found_and_stopped_at() {
     let recorded = record();
     let (mut replay, _) = watched(&recorded);
-    let moments = replay.index.moments();
+    replay.wait_for_index();
+    let moments = replay.moments().to_vec();
     let of = |kind| moments.iter().filter(move |it| it.kind == kind);
     assert_eq!(of(MomentKind::Bookmark).count(), 1);
     let refusal = of(MomentKind::Refusal).next().expect("a refusal");
@@ -348,7 +349,8 @@ fn a_clock_that_was_set_meanwhile_makes_no_recording_of_years() {
 #[test]
 fn a_recording_is_exported_in_every_format_and_replaces_nothing() {
     let recorded = record();
-    let moments = Replay::moments_of(&recorded.frames, &Config::default()).expect("moments");
+    let replay = Replay::read_through(&recorded.frames, &Config::default()).expect("it is good");
+    let moments = replay.moments();
     let film = Film::open(&recorded.frames).expect("a recording");
     let folder = recorded.frames.parent().expect("a folder");
     for (format, name, expected) in [
@@ -361,22 +363,22 @@ fn a_recording_is_exported_in_every_format_and_replaces_nothing() {
         (ExportFormat::GeoJson, "f.geojson", "\"LineString\""),
     ] {
         let path = folder.join(name);
-        export(&film, &moments, format, &path).expect("written");
+        export(&film, moments, format, &path).expect("written");
         let text = std::fs::read_to_string(&path).expect("text");
         assert!(text.contains(expected), "{name}");
         assert!(text.contains("here"), "{name}: the moments");
-        let fault = export(&film, &moments, format, &path).expect_err("it exists");
+        let fault = export(&film, moments, format, &path).expect_err("it exists");
         assert!(fault.to_string().contains("exists already"), "{fault}");
     }
     let tables = folder.join("tables");
-    export(&film, &moments, ExportFormat::Csv, &tables).expect("written");
+    export(&film, moments, ExportFormat::Csv, &tables).expect("written");
     let beats = std::fs::read_to_string(tables.join("HEARTBEAT.csv")).expect("a table");
     assert!(
         beats.starts_with("unix_s,system,component,sequence,custom_mode,type"),
         "{beats}"
     );
     let mcap = folder.join("f.mcap");
-    export(&film, &moments, ExportFormat::Mcap, &mcap).expect("written");
+    export(&film, moments, ExportFormat::Mcap, &mcap).expect("written");
     let bytes = std::fs::read(&mcap).expect("there");
     let messages = mcap::MessageStream::new(&bytes).expect("it is one");
     let topics: std::collections::BTreeSet<String> = messages

@@ -165,6 +165,7 @@ impl Console {
         if let Some(gone) = gone {
             self.post(Event::Failed(gone));
         }
+        self.show_reviews();
     }
 
     /// The tries that belong to nobody's career.

@@ -64,7 +64,7 @@ impl Console {
                 Ok(addresses) => self.start_afresh(SessionPlan::Connect(addresses)).await,
                 Err(error) => Err(error),
             },
-            SessionEffect::Replay(path) => self.replay(path.as_deref()),
+            SessionEffect::Replay { path, review } => self.replay(path.as_deref(), review),
             SessionEffect::Bookmark(text) => {
                 self.bookmark(text);
                 Ok(())

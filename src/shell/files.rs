@@ -53,5 +53,6 @@ fn subject(kind: FileKind) -> &'static str {
     match kind {
         FileKind::Parameters => "file-parameters",
         FileKind::Design => "file-design",
+        FileKind::Review => "file-review",
     }
 }

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use super::Console;
 use crate::app::effect::ReplayEffect;
-use crate::app::event::{Event, LinkEvent};
+use crate::app::event::{CareerEvent, Event, LinkEvent};
 use crate::app::room::messages;
 use crate::record::Happening;
 use crate::replay::Replay;
@@ -17,11 +17,11 @@ use crate::text::Text;
 const LOOK_EVERY: Duration = Duration::from_millis(250);
 
 impl Console {
-    /// Replays a recording in place of what runs.
-    pub(super) fn replay(&mut self, path: Option<&str>) -> Result<(), Text> {
+    /// Replays a recording in place of what runs, or begins with its review.
+    pub(super) fn replay(&mut self, path: Option<&str>, review: bool) -> Result<(), Text> {
         if let Some(path) = path {
             let path = user_path(path);
-            return self.open_replay(Path::new(&path));
+            return self.open_replay(Path::new(&path), review);
         }
         let records = self.options.preferences.records.clone();
         if records.as_ref().and_then(Records::newest).is_none() {
@@ -31,11 +31,16 @@ impl Console {
         self.end_session();
         let newest = records.as_ref().and_then(Records::newest);
         let path = newest.ok_or_else(|| text!("records-none"))?;
-        self.open_replay(&path)
+        self.open_replay(&path, review)
     }
 
-    pub(super) fn open_replay(&mut self, path: &Path) -> Result<(), Text> {
-        let (replay, events) = Replay::open(path, self.app.state().config())?;
+    pub(super) fn open_replay(&mut self, path: &Path, review: bool) -> Result<(), Text> {
+        let config = self.app.state().config();
+        let (replay, events) = if review {
+            Replay::review(path, config)?
+        } else {
+            Replay::open(path, config)?
+        };
         self.end_session();
         self.replaying = Some(replay);
         for event in events {
@@ -46,9 +51,21 @@ impl Console {
 
     /// Has the replay do what its user wants.
     pub(super) fn steer_replay(&mut self, effect: ReplayEffect) {
+        let is_review = matches!(effect, ReplayEffect::Keep(_));
         let events = self.replaying.as_mut().map(|it| it.steer(effect));
         for event in events.into_iter().flatten() {
             self.post(event);
+        }
+        if is_review {
+            self.show_reviews();
+        }
+    }
+
+    /// Shows what the trainee has made of earlier flights.
+    pub(super) fn show_reviews(&mut self) {
+        if let Some(records) = &self.options.preferences.records {
+            let reviews = records.newest_reviews(self.trainee());
+            self.post(CareerEvent::Reviews(reviews));
         }
     }
 
@@ -162,7 +179,7 @@ mod tests {
             .expect("a debrief");
 
         say(&mut console, "replay").await;
-        console.replay(None).expect("it was recorded");
+        console.replay(None, false).expect("it was recorded");
         console.take_in().await;
         let replay = console.replaying.as_mut().expect("it runs");
         replay.wait_for_index();

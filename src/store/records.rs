@@ -16,9 +16,13 @@ use super::append::{AppendFile, is_written};
 use super::{StoreError, sharing};
 use crate::record::{Happening, Head, JournalLine};
 
+mod reviews;
+
 /// How the files of a record end.
 const FRAMES: &str = ".tlog";
 const JOURNAL: &str = ".flight.jsonl";
+/// How the review of a record ends.
+const REVIEW: &str = ".review.json";
 /// How the record of a mission's run ends, which `runs` keeps.
 const RUN: &str = ".run.jsonl";
 /// How often what has happened is written.
@@ -63,6 +67,8 @@ pub struct RecordFiles {
     pub journal: Option<PathBuf>,
     /// The record of the mission's run.
     pub run: Option<PathBuf>,
+    /// Where the review is, or would be.
+    pub review: PathBuf,
     /// Bytes of frames and journal.
     pub bytes: u64,
 }
@@ -78,11 +84,13 @@ impl RecordFiles {
             return Self {
                 stem: name.to_string(),
                 frames: Some(path.to_owned()),
+                review: path.with_file_name(format!("{name}{REVIEW}")),
                 ..Self::default()
             };
         };
         let mut files = Self {
             stem: stem.to_owned(),
+            review: path.with_file_name(format!("{stem}{REVIEW}")),
             ..Self::default()
         };
         for ending in [FRAMES, JOURNAL, RUN] {
@@ -125,6 +133,19 @@ impl RecordFiles {
     /// Whether a console is still writing it.
     pub fn is_written(&self) -> bool {
         self.journal.as_deref().is_some_and(is_written)
+    }
+
+    /// Removes its review, where there is one.
+    ///
+    /// # Errors
+    /// It cannot be removed.
+    pub fn delete_review(&self) -> Result<(), StoreError> {
+        match fs::remove_file(&self.review) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => {
+                Err(unwritable(&self.review, error))
+            }
+            Ok(()) | Err(_) => Ok(()),
+        }
     }
 
     /// Removes frames and journal; the record of a mission's run stays, because careers count it.
@@ -175,6 +196,7 @@ impl Records {
             };
             let files = found.entry(stem.to_owned()).or_default();
             stem.clone_into(&mut files.stem);
+            files.review = self.folder.join(format!("{stem}{REVIEW}"));
             files.add(entry.path(), ending);
         }
         found

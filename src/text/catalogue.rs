@@ -48,6 +48,7 @@ catalogue! {
     "outcomes",
     "refusals",
     "replay",
+    "review",
     "telemetry",
     "transport",
     "verbs",

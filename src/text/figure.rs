@@ -2,6 +2,8 @@
 
 use std::time::Duration;
 
+use chrono::DateTime;
+
 /// From this on a number is written by its power of ten, with decimals and without.
 const LONG_DECIMAL: f64 = 1e5;
 const LONG_WHOLE: f64 = 1e7;
@@ -40,6 +42,15 @@ pub fn rounded(value: f64, decimals: i32) -> f64 {
     } else {
         0.0
     }
+}
+
+/// A time of day, given in microseconds since 1970 (UTC): `2026-11-20 14:03:22`.
+pub fn utc_of(unix_us: u64) -> String {
+    let time = i64::try_from(unix_us).ok();
+    let time = time.and_then(DateTime::from_timestamp_micros);
+    time.unwrap_or_default()
+        .format("%Y-%m-%d %H:%M:%S")
+        .to_string()
 }
 
 /// A time as minutes and seconds, with hours where there are any.

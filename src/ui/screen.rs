@@ -16,6 +16,7 @@ pub mod map;
 pub mod messages;
 pub mod mission;
 pub mod parameters;
+pub mod review;
 pub mod small;
 pub mod standing;
 pub mod vehicle;

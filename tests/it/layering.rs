@@ -25,7 +25,7 @@ const PURE: &[&[&str]] = &[
     &["record"],
     &["sitl"],
     &["fidelity", "mission", "scoring", "debrief"],
-    &["campaign"],
+    &["campaign", "review"],
     &["operator"],
     &["exercise"],
 ];
@@ -248,6 +248,7 @@ const STATE_PARTS: &[(&str, &str)] = &[
     ("src/app/room/parameters.rs", "Parameters"),
     ("src/app/room/mission.rs", "Mission"),
     ("src/app/room/debrief.rs", "Debrief"),
+    ("src/app/room/review.rs", "Review"),
     ("src/app/room/standing.rs", "Standing"),
     ("src/app/room/workshop.rs", "Workshop"),
 ];

@@ -136,6 +136,7 @@ const HINTS: &[KeyHint] = &[
     hint(&[Action::Debrief(DebriefAction::NextMission)], "hint-next"),
     hint(&[Action::Leave], "hint-home"),
     hint(&[Action::Start(StartAction::Drill)], "hint-drill"),
+    hint(&[Action::Replay(ReplayAction::ReviewNewest)], "hint-review"),
     hint(&[Action::Replay(ReplayAction::ReplayNewest)], "hint-replay"),
     footer_keys::COMMAND,
     footer_keys::HELP,
@@ -155,6 +156,7 @@ impl RoomModel for Option<Debrief> {
         does(key('t'), Action::Start(StartAction::Drill)),
         does(key('m'), Action::Debrief(DebriefAction::TruthMap)),
         does(key('v'), Action::Replay(ReplayAction::ReplayNewest)),
+        does(key('a'), Action::Replay(ReplayAction::ReviewNewest)),
         does(key('h'), Action::Leave),
         does(ESCAPE, Action::Escape),
         does(

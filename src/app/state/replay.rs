@@ -4,6 +4,11 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use crate::moment::{Moment, MomentKind};
+use crate::review::Review;
+use crate::scoring::Report;
+
+/// What is shown belongs to a moment that was so short a time before: two frames.
+const SAME_MOMENT: Duration = Duration::from_millis(200);
 
 /// A recording that is replayed, and how far it has come.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,6 +23,12 @@ pub struct ReplayView {
     pub position: ReplayPosition,
     /// The moments that have been found so far, earliest first.
     pub moments: Arc<Vec<Moment>>,
+    /// What the mission was scored, once that is known.
+    pub report: Option<Arc<Report>>,
+    /// What its user makes of it.
+    pub review: Review,
+    /// Whether it was opened to be reviewed.
+    pub is_review: bool,
 }
 
 /// The position and the pace of a replay. Times count from the beginning of the recording.
@@ -60,7 +71,28 @@ impl ReplayView {
             length,
             position: ReplayPosition::default(),
             moments: Arc::default(),
+            report: None,
+            review: Review::default(),
+            is_review: false,
         }
+    }
+
+    /// The bookmarks, earliest first.
+    pub fn bookmarks(&self) -> Vec<Moment> {
+        let all = self.moments.iter();
+        all.filter(|it| it.kind == MomentKind::Bookmark)
+            .cloned()
+            .collect()
+    }
+
+    /// When the bookmark was set that the frame now shown has, if it has one.
+    pub fn bookmark_here(&self) -> Option<Duration> {
+        let at = self.position.at;
+        let mut latest = self.moments.iter().rev();
+        let here = latest.find(|it| {
+            it.kind == MomentKind::Bookmark && (it.at..=it.at + SAME_MOMENT).contains(&at)
+        });
+        here.map(|it| it.at)
     }
 
     /// The moment that the replay stands at or has passed last.

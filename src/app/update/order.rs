@@ -187,7 +187,7 @@ fn announce(state: &mut State, effect: &SessionEffect) {
         | SessionEffect::Pause
         | SessionEffect::Continue
         | SessionEffect::Speedup(_)
-        | SessionEffect::Replay(_)
+        | SessionEffect::Replay { .. }
         | SessionEffect::Bookmark(_)
         | SessionEffect::Abandon => {}
     }

@@ -4,10 +4,11 @@ use super::{act, telemetry};
 use crate::app::action::ReplayAction;
 use crate::app::effect::{Effect, Effects, ReplayEffect, SessionEffect};
 use crate::app::event::ReplayEvent;
-use crate::app::state::{Log, rate};
+use crate::app::state::{Log, ReplayView, rate};
 use crate::app::{State, snapshot};
 use crate::language::{ReplayLine, SeekTarget};
 use crate::text;
+use crate::text::Text;
 use crate::vehicle::Severity;
 use std::time::Duration;
 
@@ -26,9 +27,13 @@ pub fn happened(state: &mut State, event: ReplayEvent) {
             state.replay = Some(*view);
             state.now = Duration::ZERO;
         }
-        ReplayEvent::Known { length, moments } => {
+        ReplayEvent::Known {
+            length,
+            moments,
+            report,
+        } => {
             if let Some(view) = &mut state.replay {
-                (view.length, view.moments) = (length, moments);
+                (view.length, view.moments, view.report) = (length, moments, report);
             }
         }
         ReplayEvent::Restored(flight) => snapshot::restore(state, *flight),
@@ -48,8 +53,10 @@ pub fn happened(state: &mut State, event: ReplayEvent) {
 
 /// Does what a key says.
 pub fn act(state: &mut State, action: ReplayAction) -> Effects {
-    if action == ReplayAction::ReplayNewest {
-        return open(state, None);
+    match action {
+        ReplayAction::ReplayNewest => return open(state, None, false),
+        ReplayAction::ReviewNewest => return open(state, None, true),
+        _ => {}
     }
     let Some(view) = &state.replay else {
         return refuse(state);
@@ -66,14 +73,14 @@ pub fn act(state: &mut State, action: ReplayAction) -> Effects {
             act::look_back(state, Log::Moments);
             return Effects::none();
         }
-        ReplayAction::ReplayNewest => return open(state, None),
+        ReplayAction::ReplayNewest | ReplayAction::ReviewNewest => return Effects::none(),
     };
     Effects::from(Effect::Replay(effect))
 }
 
 /// Replays a file, or the newest record; asks first where something would be lost.
-fn open(state: &mut State, path: Option<String>) -> Effects {
-    let effect = Effect::Session(SessionEffect::Replay(path));
+pub fn open(state: &mut State, path: Option<String>, review: bool) -> Effects {
+    let effect = Effect::Session(SessionEffect::Replay { path, review });
     act::guarded(state, text!("ask-start"), effect)
 }
 
@@ -93,7 +100,7 @@ pub fn go_to(state: &State, moment: Option<usize>) -> Effects {
 /// Carries out a line about what is replayed.
 pub fn carry_out(state: &mut State, line: ReplayLine) -> Effects {
     let effect = match line {
-        ReplayLine::Open(path) => return open(state, path),
+        ReplayLine::Open(path) => return open(state, path, false),
         ReplayLine::Seek(target) => ReplayEffect::Seek(target),
         ReplayLine::Loop(stretch) => ReplayEffect::Loop(stretch),
         ReplayLine::StopAt(kinds) => ReplayEffect::StopAt(kinds),
@@ -124,13 +131,42 @@ pub fn change_rate(state: &mut State, faster: bool) -> Effects {
     set_rate(state, now * factor)
 }
 
-/// Sets a bookmark at this moment.
-pub fn bookmark(state: &mut State, text: String) -> Effects {
-    if state.session.activity.is_none() {
-        state.say(Severity::Warning, text!("bookmark-nothing"));
-        return Effects::none();
-    }
-    Effects::from(Effect::Session(SessionEffect::Bookmark(text)))
+/// Sets a bookmark at this moment. In a replay it is kept beside the record, and one that is there gets the text.
+///
+/// # Errors
+/// Nothing is flown or replayed, or there are too many bookmarks.
+pub fn bookmark(state: &mut State, text: String) -> Result<Effects, Text> {
+    let Some(view) = &mut state.replay else {
+        if state.session.activity.is_none() {
+            return Err(text!("bookmark-nothing"));
+        }
+        let effect = SessionEffect::Bookmark(text);
+        return Ok(Effects::from(Effect::Session(effect)));
+    };
+    let here = view.bookmark_here().unwrap_or(view.position.at);
+    view.review.set_bookmark(&view.bookmarks(), here, text)?;
+    let kept = keep(view);
+    state.say(Severity::Notice, text!("bookmark-set"));
+    Ok(kept)
+}
+
+/// Removes the bookmark that the replay shows.
+///
+/// # Errors
+/// There is none here, or nothing is replayed.
+pub fn unbookmark(state: &mut State) -> Result<Effects, Text> {
+    let view = state.replay.as_mut().ok_or_else(|| text!("replay-none"))?;
+    let here = view.bookmark_here().ok_or_else(|| text!("bookmark-none"))?;
+    view.review.remove_bookmark(&view.bookmarks(), here);
+    let kept = keep(view);
+    state.say(Severity::Notice, text!("bookmark-removed"));
+    Ok(kept)
+}
+
+/// Has what its user makes of a replay stored.
+pub fn keep(view: &ReplayView) -> Effects {
+    let review = Box::new(view.review.clone());
+    Effects::from(Effect::Replay(ReplayEffect::Keep(review)))
 }
 
 fn refuse(state: &mut State) -> Effects {

@@ -135,7 +135,9 @@ pub fn started(state: &mut State, started: Started) {
     state.reward = None;
     let is_again = session.activity == state.session.activity || state.replay.is_some();
     // Who comes to a mission reads first what it is about; who flies it again knows.
-    session.first_room = if session.listing.is_some() && !is_again {
+    session.first_room = if state.replay.as_ref().is_some_and(|it| it.is_review) {
+        Room::Review
+    } else if session.listing.is_some() && !is_again {
         Room::Mission
     } else {
         Room::Fly

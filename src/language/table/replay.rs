@@ -92,14 +92,19 @@ const STOP_AT: VerbRow = said(
 const BOOKMARK: VerbRow = said(
     "bookmark",
     Scope::Console,
-    &["bookmark", "bookmark 3 came too close"],
-    &[Form::new(
-        &[Argument::value("text", Kind::Rest, "").optional()],
-        |given| {
-            let text = given.word("text").unwrap_or_default().trim();
-            console(ConsoleLine::Bookmark(text.to_owned()))
-        },
-    )],
+    &["bookmark", "bookmark 3 came too close", "bookmark off"],
+    &[
+        Form::new(&[Argument::flag("off", "")], |_| {
+            console(ConsoleLine::Unbookmark)
+        }),
+        Form::new(
+            &[Argument::value("text", Kind::Rest, "").optional()],
+            |given| {
+                let text = given.word("text").unwrap_or_default().trim();
+                console(ConsoleLine::Bookmark(text.to_owned()))
+            },
+        ),
+    ],
 );
 
 fn built_loop(given: &Arguments) -> Built {

@@ -2,6 +2,7 @@ use std::sync::mpsc;
 
 use super::*;
 use crate::record::{Happening, Journal, Subject};
+use crate::review::Review;
 
 fn head() -> Head {
     Head::new(Subject::Free, 1_700_000_000_000_000)
@@ -99,4 +100,35 @@ fn a_record_is_called_like_its_run() {
         .begin(&head(), Some(stem), "2026-11-20T14:03:22Z", Vec::new)
         .expect("a record");
     assert_eq!(recording.stem(), stem);
+}
+
+#[test]
+fn a_review_outlives_the_frames_and_the_newest_of_a_mission_counts() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let records = Records::within(folder.path(), RecordLimits::default());
+    let write = |when: &str, whose: &str, why: &str| {
+        let mut head = Head::new(Subject::Mission("01".to_owned()), 0);
+        head.profile = Some(whose.to_owned());
+        drop(
+            records
+                .begin(&head, None, when, Vec::new)
+                .expect("a record"),
+        );
+        let files = records.list().pop().expect("it is there");
+        let mut review = Review::of(Some(&head));
+        why.clone_into(&mut review.why);
+        files.write_review(&review).expect("it is written");
+        files
+    };
+    write("2026-11-20T10:00:00Z", "vera", "first");
+    let last = write("2026-11-20T11:00:00Z", "vera", "second");
+    write("2026-11-20T12:00:00Z", "oleg", "other");
+    last.delete().expect("the frames go");
+    let newest = records.newest_reviews(Some("vera"));
+    assert_eq!(newest["01"].why, "second");
+    assert_eq!(records.list().len(), 2);
+    last.delete_review().expect("it goes");
+    assert_eq!(records.newest_reviews(Some("vera"))["01"].why, "first");
+    assert!(records.newest_reviews(None).is_empty());
+    assert_eq!(last.read_review(), Ok(None));
 }

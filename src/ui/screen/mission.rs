@@ -57,7 +57,8 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-fn draw_line(line: &PageLine, panel: Panel<'_>, buffer: &mut Buffer) {
+/// Draws a line of a page.
+pub fn draw_line(line: &PageLine, panel: Panel<'_>, buffer: &mut Buffer) {
     let text = sanitised(&line.text);
     if line.tone == Tone::Title {
         panel.titled(&text, buffer);

@@ -144,7 +144,18 @@ fn sign(kind: MomentKind) -> (&'static str, Role) {
         MomentKind::Alert => ("!", Role::Danger),
         MomentKind::Mode | MomentKind::Arming => ("┴", Role::Muted),
         MomentKind::Objective => ("*", Role::Ok),
+        MomentKind::Rule => ("#", Role::Danger),
+        MomentKind::Event => ("~", Role::Accent),
         MomentKind::Separation => ("<", Role::Warning),
+    }
+}
+
+/// What a moment was, and with which vehicles.
+pub fn moment_text(moment: &Moment, look: &Look) -> String {
+    let text = look.text(&moment.text);
+    match ranges(moment.vehicles.iter().copied()) {
+        none if none.is_empty() => text,
+        vehicles => format!("{vehicles}: {text}"),
     }
 }
 
@@ -153,13 +164,9 @@ pub fn moment_line<'a>(moment: &Moment, columns: usize, look: &Look) -> Line<'a>
     let (sign, role) = sign(moment.kind);
     let time = clock(moment.at);
     let kind = aligned(&look.text(&moment.kind.text()), KIND_WIDTH, false);
-    let vehicles = match ranges(moment.vehicles.iter().copied()) {
-        none if none.is_empty() => none,
-        some => format!("{some}: "),
-    };
     let head = format!("{time} {sign} {kind} ");
     let rest = columns.saturating_sub(width(&head));
-    let text = clip(&format!("{vehicles}{}", look.text(&moment.text)), rest);
+    let text = clip(&moment_text(moment, look), rest);
     Line::from(vec![
         Span::styled(head, look.style(role)),
         Span::styled(text, look.style(Role::Text)),

@@ -16,6 +16,7 @@ use crate::text::{Locale, Text, reflow, wrap};
 mod career;
 mod fits;
 mod launch;
+mod points;
 mod rewards;
 mod tries;
 
@@ -71,6 +72,7 @@ pub fn columns(state: &State, locale: &Locale, width: u16) -> Vec<Vec<PageLine>>
     let mut first = page();
     first.brief();
     first.launch();
+    first.points();
     first.tries();
     first.career();
     if two {

@@ -1,0 +1,28 @@
+//! What the trainee wanted to keep and to improve when a flight of the mission was reviewed last.
+
+use super::{Page, Tone};
+use crate::review::PointKind;
+use crate::text;
+use crate::text::wrap;
+
+impl Page<'_> {
+    /// The points of the newest review, before the flight; nothing where there are none.
+    pub(super) fn points(&mut self) {
+        let is_read = self.state.session.activity.is_none() || self.awaits_launch();
+        let review = self.state.reviews.get(&self.mission.id);
+        let Some(review) = review.filter(|it| is_read && !it.points().is_empty()) else {
+            return;
+        };
+        self.title(&text!("mission-review"));
+        let points = PointKind::ALL
+            .into_iter()
+            .flat_map(|kind| review.points_of(kind));
+        for point in points {
+            let lead = point.kind.sign();
+            for (at, line) in wrap(&point.text, self.width - 2).iter().enumerate() {
+                let lead = if at == 0 { lead } else { ' ' };
+                self.add(Tone::Hint, format!("{lead} {line}"));
+            }
+        }
+    }
+}

@@ -1,0 +1,257 @@
+//! The review of a recorded flight: what was planned, what happened, why, and what next. The score is explained once
+//! its pilot has answered the last two.
+
+use crossterm::event::KeyCode;
+
+use super::mission::{PageLine, positions};
+use super::{Answer, Room, RoomModel, RoomRequest, State, footer_keys};
+use crate::app::action::{Action, Step, ViewAction};
+use crate::app::effect::{Effect, ReplayEffect};
+use crate::app::keymap::{
+    ENTER, ESCAPE, KeyHint, KeyRow, Meaning, Place, Press, does, hint, hint_words, key, writes,
+};
+use crate::moment::Moment;
+use crate::text::{Locale, Text};
+
+mod page;
+
+/// Rows of the screen that are no part of a page: header, pages, footer.
+const OTHER_ROWS: u16 = 4;
+/// Pages wider than this are hard to read.
+const WIDEST: u16 = 100;
+
+/// The pages of a review, in their order.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum ReviewPage {
+    /// The task: objectives, prediction, goal.
+    #[default]
+    Planned,
+    /// The moments of the flight, and the map at each.
+    Happened,
+    /// The pilot's answer to why it went so.
+    Why,
+    /// The pilot's answer to what is to be done next time, and the points.
+    Next,
+    /// What moved the score.
+    Explained,
+}
+
+impl ReviewPage {
+    pub const ALL: [Self; 5] = [
+        Self::Planned,
+        Self::Happened,
+        Self::Why,
+        Self::Next,
+        Self::Explained,
+    ];
+
+    /// The message that is its title.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Planned => "review-planned",
+            Self::Happened => "review-happened",
+            Self::Why => "review-why",
+            Self::Next => "review-next",
+            Self::Explained => "review-explained",
+        }
+    }
+
+    /// The page so many further on; there is none before the first and none after the last.
+    fn moved(self, by: isize) -> Self {
+        let at = Self::ALL.iter().position(|&it| it == self);
+        let to = at.and_then(|at| at.checked_add_signed(by));
+        to.and_then(|to| Self::ALL.get(to)).copied().unwrap_or(self)
+    }
+
+    /// The page after this one; after the last comes the first.
+    fn next(self) -> Self {
+        match self.moved(1) {
+            same if same == self => Self::default(),
+            next => next,
+        }
+    }
+}
+
+/// The state of the room.
+#[derive(Debug, Clone, Default)]
+pub struct Review {
+    pub(in crate::app) page: ReviewPage,
+    /// The moment under the cursor, counted among those that are reviewed.
+    pub(in crate::app) cursor: usize,
+    /// The first line shown of a page.
+    pub(in crate::app) scroll: usize,
+}
+
+impl Review {
+    pub fn page(&self) -> ReviewPage {
+        self.page
+    }
+
+    /// The moment under the cursor, counted among those that are reviewed.
+    pub fn cursor(&self) -> usize {
+        self.cursor
+    }
+
+    /// The first line shown of a page.
+    pub fn scroll(&self) -> usize {
+        self.scroll
+    }
+}
+
+/// The moments that a review names, earliest first.
+pub fn moments(state: &State) -> Vec<&Moment> {
+    let all = state.replay.iter().flat_map(|it| it.moments.iter());
+    all.filter(|it| it.kind.is_reviewed()).collect()
+}
+
+/// The key of the room that opens the command line with these words in it.
+pub fn key_of(state: &State, words: &'static str) -> Text {
+    let meaning = Meaning::words(words);
+    state.keymap.key(meaning, Place::In(Room::Review))
+}
+
+/// The lines of the page that is shown, for a screen of this width; none of the page that has the map.
+pub fn lines(state: &State, locale: &Locale, width: u16) -> Vec<PageLine> {
+    page::lines(state, locale, width.min(WIDEST).saturating_sub(2))
+}
+
+const PAGE_HINTS: &[KeyHint] = &[
+    hint(&[Action::View(ViewAction::NextPage)], "hint-page"),
+    footer_keys::SCROLL,
+    footer_keys::BACK,
+    footer_keys::COMMAND,
+    footer_keys::HELP,
+];
+
+const HAPPENED_HINTS: &[KeyHint] = &[
+    hint(&[Action::View(ViewAction::NextPage)], "hint-page"),
+    footer_keys::MOVE,
+    hint_words("review sustain", "hint-sustain"),
+    hint_words("review improve", "hint-improve"),
+    footer_keys::BACK,
+    footer_keys::HELP,
+];
+
+const ANSWER_HINTS: &[KeyHint] = &[
+    hint(&[Action::View(ViewAction::NextPage)], "hint-page"),
+    hint(&[Action::Submit], "hint-answer"),
+    footer_keys::BACK,
+    footer_keys::COMMAND,
+    footer_keys::HELP,
+];
+
+impl RoomModel for Review {
+    const KEYS: &'static [KeyRow] = &[
+        does(ENTER, Action::Submit),
+        does(ESCAPE, Action::Escape),
+        does(
+            Press::Plain(KeyCode::Tab),
+            Action::View(ViewAction::NextPage),
+        ),
+        does(Press::Plain(KeyCode::Left), Action::Move(Step::Left)),
+        does(Press::Plain(KeyCode::Right), Action::Move(Step::Right)),
+        writes('+', "review sustain "),
+        writes('-', "review improve "),
+        writes('x', "review remove "),
+        writes('e', "review export "),
+        does(key('q'), Action::Leave),
+    ];
+
+    fn hints(state: &State) -> &'static [KeyHint] {
+        match state.rooms.review.page {
+            ReviewPage::Happened => HAPPENED_HINTS,
+            ReviewPage::Why | ReviewPage::Next => ANSWER_HINTS,
+            ReviewPage::Planned | ReviewPage::Explained => PAGE_HINTS,
+        }
+    }
+
+    fn step(state: &mut State, step: Step) -> Answer {
+        Some(match step {
+            Step::Left => turn(state, state.rooms.review.page.moved(-1)),
+            Step::Right => turn(state, state.rooms.review.page.moved(1)),
+            Step::Up
+            | Step::Down
+            | Step::PageUp
+            | Step::PageDown
+            | Step::First
+            | Step::Last
+            | Step::Row(_) => walk(state, step),
+        })
+    }
+
+    /// The answer of a page is written; the moment under the cursor is shown once more.
+    fn submit(state: &mut State) -> Answer {
+        let review = state.replay.as_ref().map(|it| &it.review)?;
+        let line = match state.rooms.review.page {
+            ReviewPage::Why => format!("review why {}", review.why),
+            ReviewPage::Next => format!("review next {}", review.next),
+            ReviewPage::Happened => return Some(show_moment(state)),
+            ReviewPage::Planned | ReviewPage::Explained => return Some(Vec::new()),
+        };
+        Some(vec![RoomRequest::Write(line)])
+    }
+
+    fn escape(state: &mut State) -> Answer {
+        let room = match state.replay {
+            Some(_) => Room::Fly,
+            None => Room::Home,
+        };
+        Some(vec![RoomRequest::Show(room)])
+    }
+
+    fn view(state: &mut State, action: ViewAction) -> Answer {
+        match action {
+            ViewAction::NextPage => {
+                let next = state.rooms.review.page.next();
+                Some(turn(state, next))
+            }
+            ViewAction::Filter
+            | ViewAction::Sort
+            | ViewAction::SortReverse
+            | ViewAction::NextVehicle
+            | ViewAction::PreviousVehicle
+            | ViewAction::Window => None,
+        }
+    }
+}
+
+/// Shows another page; that of the moments stands at the one under the cursor.
+fn turn(state: &mut State, page: ReviewPage) -> Vec<RoomRequest> {
+    let room = &mut state.rooms.review;
+    if room.page == page {
+        return Vec::new();
+    }
+    (room.page, room.scroll) = (page, 0);
+    match page {
+        ReviewPage::Happened => show_moment(state),
+        ReviewPage::Planned | ReviewPage::Why | ReviewPage::Next | ReviewPage::Explained => {
+            Vec::new()
+        }
+    }
+}
+
+fn walk(state: &mut State, step: Step) -> Vec<RoomRequest> {
+    let room = &state.rooms.review;
+    if room.page == ReviewPage::Happened {
+        let cursor = step.apply(room.cursor, moments(state).len());
+        state.rooms.review.cursor = cursor;
+        return show_moment(state);
+    }
+    let (width, height) = state.size;
+    let count = lines(state, &state.locale, width).len();
+    let positions = positions(count, height.saturating_sub(OTHER_ROWS));
+    state.rooms.review.scroll = step.apply(room.scroll.min(positions - 1), positions);
+    Vec::new()
+}
+
+/// Has the replay stand at the moment under the cursor, so that the map shows it.
+fn show_moment(state: &State) -> Vec<RoomRequest> {
+    let moments = moments(state);
+    let cursor = state.rooms.review.cursor;
+    let Some(moment) = moments.get(cursor).or(moments.last()) else {
+        return Vec::new();
+    };
+    [ReplayEffect::Play(false), ReplayEffect::Show(moment.at)]
+        .map(|effect| Effect::Replay(effect).into())
+        .into()
+}

@@ -1,0 +1,90 @@
+//! The review of what is replayed: what its pilot says of it.
+
+use std::time::Duration;
+
+use super::{act, replay};
+use crate::app::State;
+use crate::app::effect::{Effect, Effects, FileEffect, FileKind};
+use crate::app::room::Room;
+use crate::app::room::review::{ReviewPage, moments};
+use crate::language::ReviewLine;
+use crate::review::{PointKind, ReviewedFlight, markdown};
+use crate::text;
+use crate::text::{Text, utc_of};
+use crate::vehicle::Severity;
+
+/// Carries out a line about the review.
+///
+/// # Errors
+/// Nothing is replayed, or what is said does not fit the review.
+pub fn carry_out(state: &mut State, line: ReviewLine) -> Result<Effects, Text> {
+    if line == ReviewLine::Open {
+        return Ok(open(state));
+    }
+    let at = pointed(state);
+    let view = state
+        .replay
+        .as_mut()
+        .ok_or_else(|| text!("review-none-open"))?;
+    let review = &mut view.review;
+    match line {
+        ReviewLine::Open => {}
+        ReviewLine::Why(text) => review.why = text,
+        ReviewLine::Next(text) => review.next = text,
+        ReviewLine::Sustain(text) => review.add(PointKind::Sustain, at, text)?,
+        ReviewLine::Improve(text) => review.add(PointKind::Improve, at, text)?,
+        ReviewLine::Remove(number) => review.remove(number)?,
+        ReviewLine::Export(path) => return Ok(export(state, path)),
+    }
+    let kept = replay::keep(view);
+    state.say(Severity::Notice, text!("review-kept"));
+    Ok(kept)
+}
+
+/// Shows the review of what is replayed; where nothing is, that of the flight that was recorded last.
+fn open(state: &mut State) -> Effects {
+    if state.replay.is_none() {
+        return replay::open(state, None, true);
+    }
+    act::show(state, Room::Review);
+    Effects::none()
+}
+
+/// The moment that a point is tied to: the one under the cursor where the moments are shown, else the one that the
+/// replay has come to.
+fn pointed(state: &State) -> Duration {
+    let room = &state.rooms.review;
+    let chosen = match room.page {
+        ReviewPage::Happened if state.room == Room::Review => {
+            moments(state).get(room.cursor).map(|it| it.at)
+        }
+        _ => None,
+    };
+    let view = state.replay.as_ref();
+    chosen
+        .or_else(|| view.map(|it| it.position.at))
+        .unwrap_or_default()
+}
+
+/// Has the review written as a document.
+fn export(state: &State, path: String) -> Effects {
+    let Some(view) = &state.replay else {
+        return Effects::none();
+    };
+    let title = match &state.session.listing {
+        Some(mission) => state.locale.text(&mission.title),
+        None => view.name.clone(),
+    };
+    let flight = ReviewedFlight {
+        title: &title,
+        began: &utc_of(view.began_unix_us),
+        report: view.report.as_deref(),
+        moments: &view.moments,
+    };
+    Effects::from(Effect::File(FileEffect::Write {
+        kind: FileKind::Review,
+        path,
+        text: markdown(&view.review, flight, &state.locale),
+        replace: false,
+    }))
+}

@@ -1,0 +1,256 @@
+//! The after-action review of a flight: what its pilot makes of it, kept beside the record, which it never changes.
+//!
+//! A review has four questions: what was planned, what happened, why, and what next. The record answers the first two.
+//! The pilot answers the others before the program's own explanation of the score is shown: people learn from what
+//! they have found out themselves. What is worth keeping and what is to be done otherwise are at most three points
+//! each, tied to a moment of the flight; the next brief of the mission repeats them.
+
+use std::time::Duration;
+
+use serde::{Deserialize, Serialize};
+
+use crate::moment::{Moment, MomentKind};
+use crate::record::Head;
+use crate::text;
+use crate::text::Text;
+
+mod markdown;
+
+pub use markdown::{ReviewedFlight, markdown};
+
+/// The version of the format.
+const VERSION: u32 = 1;
+/// Points of one kind at most: more of them are not remembered.
+pub const MOST_POINTS: usize = 3;
+/// Bookmarks at most.
+const MOST_BOOKMARKS: usize = 1000;
+
+/// A review: what is stored beside a record.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Review {
+    /// The version of the format.
+    #[serde(rename = "sortie_review")]
+    version: u32,
+    /// The mission that was flown, by id.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mission: Option<String>,
+    /// Whose flight it was: the name of a profile, where there is one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub profile: Option<String>,
+    /// The pilot's answer to why it went as it did.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub why: String,
+    /// The pilot's answer to what is to be done next time.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub next: String,
+    /// What to keep and what to improve, in the order in which it was said.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    points: Vec<ReviewPoint>,
+    /// The bookmarks as they are now, earliest first; `None` as long as they are those of the record.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    bookmarks: Option<Vec<Bookmark>>,
+}
+
+/// Something to keep or to improve, tied to a moment.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct ReviewPoint {
+    pub kind: PointKind,
+    /// The moment it is tied to: milliseconds from the beginning of the record.
+    at_ms: u64,
+    pub text: String,
+}
+
+/// What a point asks for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum PointKind {
+    /// It went well and is to stay so.
+    Sustain,
+    /// It is to be done otherwise.
+    Improve,
+}
+
+/// A bookmark that was set or changed after the flight.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Bookmark {
+    /// Milliseconds from the beginning of the record.
+    at_ms: u64,
+    text: String,
+}
+
+impl PointKind {
+    pub const ALL: [Self; 2] = [Self::Sustain, Self::Improve];
+
+    /// What it is called: to sustain, to improve.
+    pub fn text(self) -> Text {
+        match self {
+            Self::Sustain => text!("review-sustain"),
+            Self::Improve => text!("review-improve"),
+        }
+    }
+
+    /// The sign before it in lists.
+    pub fn sign(self) -> char {
+        match self {
+            Self::Sustain => '+',
+            Self::Improve => '-',
+        }
+    }
+}
+
+impl ReviewPoint {
+    /// Whether it is tied to a moment at this time.
+    pub fn is_at(&self, at: Duration) -> bool {
+        self.at_ms == milliseconds(at)
+    }
+
+    /// The moment it is tied to, from the beginning of the record.
+    pub fn at(&self) -> Duration {
+        Duration::from_millis(self.at_ms)
+    }
+}
+
+impl Default for Review {
+    fn default() -> Self {
+        Self {
+            version: VERSION,
+            mission: None,
+            profile: None,
+            why: String::new(),
+            next: String::new(),
+            points: Vec::new(),
+            bookmarks: None,
+        }
+    }
+}
+
+impl Review {
+    /// An empty one for a flight with this journal.
+    pub fn of(head: Option<&Head>) -> Self {
+        Self {
+            mission: head.and_then(|it| it.subject.mission()).map(str::to_owned),
+            profile: head.and_then(|it| it.profile.clone()),
+            ..Self::default()
+        }
+    }
+
+    /// Reads a review.
+    ///
+    /// # Errors
+    /// It is none, or one of a later version; in words.
+    pub fn read(text: &str) -> Result<Self, Text> {
+        let review: Self = serde_json::from_str(text)
+            .map_err(|error| text!("review-unreadable", error = error.to_string()))?;
+        if review.version != VERSION {
+            let version = review.version;
+            return Err(text!("record-version", version = version, known = VERSION));
+        }
+        Ok(review)
+    }
+
+    /// It as a document.
+    pub fn to_json(&self) -> String {
+        // Plain data: it can always be written.
+        let json = serde_json::to_string_pretty(self).unwrap_or_default();
+        json + "\n"
+    }
+
+    /// What to keep and what to improve, in the order in which it was said.
+    pub fn points(&self) -> &[ReviewPoint] {
+        &self.points
+    }
+
+    /// The points of one kind.
+    pub fn points_of(&self, kind: PointKind) -> impl Iterator<Item = &ReviewPoint> {
+        self.points.iter().filter(move |it| it.kind == kind)
+    }
+
+    /// Whether the pilot has answered both questions: only then the score is explained.
+    pub fn is_answered(&self) -> bool {
+        !self.why.is_empty() && !self.next.is_empty()
+    }
+
+    /// Adds a point at a time of the recording.
+    ///
+    /// # Errors
+    /// There are as many of its kind as are remembered; in words.
+    pub fn add(&mut self, kind: PointKind, at: Duration, text: String) -> Result<(), Text> {
+        if self.points_of(kind).count() >= MOST_POINTS {
+            return Err(text!("review-full", kind = kind.text(), most = MOST_POINTS));
+        }
+        let at_ms = milliseconds(at);
+        self.points.push(ReviewPoint { kind, at_ms, text });
+        Ok(())
+    }
+
+    /// Removes a point by its number, from 1.
+    ///
+    /// # Errors
+    /// There is none of this number; in words.
+    pub fn remove(&mut self, number: usize) -> Result<(), Text> {
+        let at = number.checked_sub(1).filter(|&at| at < self.points.len());
+        let at = at.ok_or_else(|| text!("review-no-point", number = number))?;
+        self.points.remove(at);
+        Ok(())
+    }
+
+    /// The bookmarks: those of the record, unless they were changed since.
+    pub fn bookmarks(&self, recorded: &[Moment]) -> Vec<Moment> {
+        match &self.bookmarks {
+            Some(own) => own.iter().map(Bookmark::moment).collect(),
+            None => recorded.to_vec(),
+        }
+    }
+
+    /// Sets a bookmark at a time, or gives the one that is there another text; `now` is how the bookmarks stand.
+    ///
+    /// # Errors
+    /// There are too many; in words.
+    pub fn set_bookmark(&mut self, now: &[Moment], at: Duration, text: String) -> Result<(), Text> {
+        let mut all = stored(now);
+        let at_ms = milliseconds(at);
+        if let Some(known) = all.iter_mut().find(|it| it.at_ms == at_ms) {
+            known.text = text;
+        } else if all.len() < MOST_BOOKMARKS {
+            all.push(Bookmark { at_ms, text });
+        } else {
+            return Err(text!("review-bookmarks-full", most = MOST_BOOKMARKS));
+        }
+        all.sort_by_key(|it| it.at_ms);
+        self.bookmarks = Some(all);
+        Ok(())
+    }
+
+    /// Removes the bookmark at a time; `now` is how the bookmarks stand.
+    pub fn remove_bookmark(&mut self, now: &[Moment], at: Duration) {
+        let mut all = stored(now);
+        all.retain(|it| it.at_ms != milliseconds(at));
+        self.bookmarks = Some(all);
+    }
+}
+
+impl Bookmark {
+    fn moment(&self) -> Moment {
+        Moment {
+            at: Duration::from_millis(self.at_ms),
+            vehicles: Vec::new(),
+            kind: MomentKind::Bookmark,
+            text: Text::verbatim(self.text.clone()),
+        }
+    }
+}
+
+fn stored(bookmarks: &[Moment]) -> Vec<Bookmark> {
+    let stored = |moment: &Moment| Bookmark {
+        at_ms: milliseconds(moment.at),
+        text: moment.text.to_string(),
+    };
+    bookmarks.iter().map(stored).collect()
+}
+
+fn milliseconds(at: Duration) -> u64 {
+    u64::try_from(at.as_millis()).unwrap_or(u64::MAX)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,76 @@
+//! Reviews of records: small files beside them, which stay when old records make room.
+
+use std::collections::BTreeMap;
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, Read as _, Write as _};
+use std::path::Path;
+
+use super::{REVIEW, RecordFiles, Records, StoreError, sharing, unwritable};
+use crate::review::Review;
+use crate::text;
+use crate::text::Text;
+
+/// No review is longer than this.
+const LONGEST: u64 = 1024 * 1024;
+
+impl RecordFiles {
+    /// The review of the record, if there is one.
+    ///
+    /// # Errors
+    /// It cannot be read, or is none; in words.
+    pub fn read_review(&self) -> Result<Option<Review>, Text> {
+        match read(&self.review) {
+            Ok(text) => Review::read(&text).map(Some),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
+            Err(error) => Err(text!("review-unreadable", error = error.to_string())),
+        }
+    }
+
+    /// Writes the review of the record; the one before is replaced as a whole.
+    ///
+    /// # Errors
+    /// It cannot be written.
+    pub fn write_review(&self, review: &Review) -> Result<(), StoreError> {
+        let part = self.review.with_extension("json.part");
+        let write = || {
+            let mut options = OpenOptions::new();
+            let mut file = sharing::open(options.create(true).truncate(true).write(true), &part)?;
+            file.write_all(review.to_json().as_bytes())?;
+            file.sync_all()?;
+            fs::rename(&part, &self.review)
+        };
+        write().map_err(|error| unwritable(&self.review, error))
+    }
+}
+
+impl Records {
+    /// The newest review of each mission that somebody has flown, by the mission's id; `whose` is the name of a profile,
+    /// or nothing for flights that belong to none.
+    pub fn newest_reviews(&self, whose: Option<&str>) -> BTreeMap<String, Review> {
+        let entries = fs::read_dir(&self.folder).into_iter().flatten().flatten();
+        let mut names: Vec<_> = entries
+            .map(|entry| entry.file_name().to_string_lossy().into_owned())
+            .filter(|name| name.ends_with(REVIEW))
+            .collect();
+        // Names begin with the time of day: the newest of a mission takes the place of the others.
+        names.sort();
+        let mut newest = BTreeMap::new();
+        for name in names {
+            let text = read(&self.folder.join(name)).ok();
+            let review = text.and_then(|text| Review::read(&text).ok());
+            let Some(review) = review.filter(|it| it.profile.as_deref() == whose) else {
+                continue;
+            };
+            if let Some(mission) = review.mission.clone() {
+                newest.insert(mission, review);
+            }
+        }
+        newest
+    }
+}
+
+fn read(path: &Path) -> io::Result<String> {
+    let mut text = String::new();
+    File::open(path)?.take(LONGEST).read_to_string(&mut text)?;
+    Ok(text)
+}

@@ -1,0 +1,146 @@
+//! The review of a recorded flight.
+
+use ratatui::buffer::Buffer;
+use ratatui::text::{Line, Span};
+
+use super::mission::draw_line;
+use crate::app::State;
+use crate::app::action::{Action, ReplayAction};
+use crate::app::keymap::Place;
+use crate::app::room::mission::visible;
+use crate::app::room::review::{self, ReviewPage};
+use crate::app::state::{ReplayView, Room};
+use crate::moment::Moment;
+use crate::text;
+use crate::ui::panel::Panel;
+use crate::ui::theme::Role;
+use crate::ui::widget::map::draw as draw_map;
+use crate::ui::widget::replay::{moment_line, moment_text};
+use crate::ui::widget::{put, row_of, wrap};
+
+/// The share of the width that the moments take beside the map, and the most columns that they use.
+const LIST_SHARE: u16 = 2;
+const WIDEST_LIST: u16 = 80;
+/// Rows below the moments for the one under the cursor.
+const DETAIL_ROWS: u16 = 6;
+/// Rows of the line of pages, and one below it.
+const HEAD_ROWS: u16 = 2;
+
+pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
+    let Some(view) = state.replay() else {
+        let review = Action::Replay(ReplayAction::ReviewNewest);
+        let key = state.keymap().key(review, Place::In(Room::Debrief));
+        let none = panel.text(&text!("review-none", key = key));
+        let here = panel
+            .below(1)
+            .columns(1, panel.area.width.saturating_sub(2));
+        for (row, line) in wrap(&none, here.width()).into_iter().enumerate() {
+            let line = Line::styled(line, panel.style(Role::Muted));
+            put(buffer, here.area, row as u16, &line);
+        }
+        return;
+    };
+    let shown = state.rooms().review().page();
+    put(buffer, panel.area, 0, &pages(view, shown, panel));
+    let body = panel.below(HEAD_ROWS);
+    if shown == ReviewPage::Happened {
+        draw_moments(state, body, buffer);
+    } else {
+        draw_page(state, body, buffer);
+    }
+}
+
+/// The names of the pages, that of the one shown marked, and those that are answered.
+fn pages<'a>(view: &ReplayView, shown: ReviewPage, panel: Panel<'_>) -> Line<'a> {
+    let review = &view.review;
+    let mut spans = vec![Span::raw(" ")];
+    for (number, page) in (1..).zip(ReviewPage::ALL) {
+        let is_done = match page {
+            ReviewPage::Why => !review.why.is_empty(),
+            ReviewPage::Next => !review.next.is_empty(),
+            ReviewPage::Planned | ReviewPage::Happened | ReviewPage::Explained => false,
+        };
+        let role = if page == shown {
+            Role::Selected
+        } else if page == ReviewPage::Explained && !review.is_answered() {
+            Role::Locked
+        } else {
+            Role::Text
+        };
+        let mark = if is_done { " ✓" } else { "" };
+        let title = format!(" {number} {}{mark} ", panel.say(page.title()));
+        spans.push(Span::styled(title, panel.style(role)));
+        spans.push(Span::raw(" "));
+    }
+    Line::from(spans)
+}
+
+/// The moments, and the map at the one under the cursor.
+fn draw_moments(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
+    let width = (panel.area.width / LIST_SHARE).min(WIDEST_LIST);
+    let list = panel.columns(0, width.saturating_sub(1));
+    let map = panel.columns(width, panel.area.width - width);
+    draw_map(state, map, buffer);
+    let moments = review::moments(state);
+    let inner = list.at(list.focused(&list.say("review-moments"), true, buffer));
+    if moments.is_empty() {
+        let line = Line::styled(inner.say("review-no-moments"), inner.style(Role::Muted));
+        put(buffer, inner.area, 0, &line);
+        return;
+    }
+    let cursor = state.rooms().review().cursor().min(moments.len() - 1);
+    let (inner, detail) = (
+        inner.upper(inner.area.height.saturating_sub(DETAIL_ROWS)),
+        inner.below(inner.area.height.saturating_sub(DETAIL_ROWS)),
+    );
+    draw_detail(state, moments[cursor], detail, buffer);
+    let rows = usize::from(inner.area.height).max(1);
+    let first = (cursor + 1).saturating_sub(rows);
+    inner.mark_list(first, moments.len(), true, buffer);
+    for (row, moment) in moments.iter().skip(first).take(rows).enumerate() {
+        let here = inner.at(row_of(inner.area, row as u16));
+        let line = moment_line(moment, here.width(), here.look);
+        put(buffer, here.area, 0, &line);
+        if first + row == cursor {
+            here.mark_cursor(buffer);
+        }
+    }
+}
+
+/// All of a moment, the points that are tied to it, and the keys that add one.
+fn draw_detail(state: &State, moment: &Moment, panel: Panel<'_>, buffer: &mut Buffer) {
+    let inner = panel.at(panel.titled(&panel.say("review-moment"), buffer));
+    let how = text!(
+        "review-add-how",
+        sustain = review::key_of(state, "review sustain"),
+        improve = review::key_of(state, "review improve")
+    );
+    let points = state.replay().map(|it| it.review.points());
+    let tied = points
+        .unwrap_or_default()
+        .iter()
+        .filter(|point| point.is_at(moment.at));
+    let tied = tied.map(|point| {
+        let line = format!("{} {}", point.kind.sign(), point.text);
+        Line::styled(line, inner.style(Role::Accent))
+    });
+    let told = wrap(&moment_text(moment, inner.look), inner.width());
+    let told = told.into_iter().map(Line::from);
+    let how = Line::styled(inner.text(&how), inner.style(Role::Muted));
+    let lines: Vec<Line<'_>> = told.chain(tied).chain([how]).collect();
+    for (row, line) in lines.iter().enumerate() {
+        put(buffer, inner.area, row as u16, line);
+    }
+}
+
+fn draw_page(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
+    let lines = review::lines(state, &panel.look.locale, panel.area.width);
+    let rows = visible(lines.len(), panel.area.height);
+    let last = lines.len().saturating_sub(rows);
+    let first = state.rooms().review().scroll().min(last);
+    let column = panel.columns(1, panel.area.width.saturating_sub(2));
+    column.mark_scroll(first, lines.len(), buffer);
+    for (row, line) in lines.iter().skip(first).take(rows).enumerate() {
+        draw_line(line, column.at(row_of(column.area, row as u16)), buffer);
+    }
+}

@@ -1,0 +1,202 @@
+//! The room of the review, and the document that is made of it.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use sortie::app::effect::{Effect, FileEffect, FileKind, ReplayEffect, SessionEffect};
+use sortie::app::event::{CareerEvent, ReplayEvent};
+use sortie::app::state::{Activity, ReplayView};
+use sortie::campaign::Stake;
+use sortie::moment::{Moment, MomentKind};
+use sortie::review::{PointKind, Review};
+use sortie::text::Text;
+
+use super::check;
+use crate::fixtures;
+use crate::harness::Console;
+
+fn moment(at_s: u64, kind: MomentKind, vehicle: Option<u16>, text: &str) -> Moment {
+    Moment {
+        at: Duration::from_secs(at_s),
+        vehicles: vehicle.into_iter().collect(),
+        kind,
+        text: Text::verbatim(text),
+    }
+}
+
+/// A mission that is under review; its result is known.
+fn reviewing() -> Console {
+    let mut console = Console::new();
+    let length = Duration::from_secs(312);
+    let mut view = ReplayView::new("2026-11-20_m01".to_owned(), 1_763_647_402_000_000, length);
+    view.is_review = true;
+    view.position.is_playing = false;
+    console.hear(ReplayEvent::Opened(Box::new(view)));
+    console.start(Activity::Mission {
+        id: "m01".to_owned(),
+        title: "Air sample at the yard".into(),
+        stake: Stake::Graded,
+    });
+    console.hear(ReplayEvent::Known {
+        length,
+        moments: Arc::new(vec![
+            moment(1, MomentKind::Arming, Some(1), "armed"),
+            moment(12, MomentKind::Bookmark, None, "into the wind"),
+            moment(
+                70,
+                MomentKind::Refusal,
+                Some(2),
+                "2 goto n 900: refused: outside the fence",
+            ),
+            moment(150, MomentKind::Rule, Some(2), "flew higher than 60 m"),
+            moment(
+                290,
+                MomentKind::Objective,
+                None,
+                "objective reached: measure the air",
+            ),
+        ]),
+        report: Some(Arc::new(fixtures::report())),
+    });
+    console.vehicle(fixtures::airborne(1, 30.0, 20.0));
+    console.vehicle(fixtures::airborne(2, 60.0, 25.0));
+    console
+}
+
+/// What is stored of a review.
+fn kept(console: &Console) -> Option<Review> {
+    let kept = console
+        .effects
+        .iter()
+        .rev()
+        .find_map(|effect| match effect {
+            Effect::Replay(ReplayEffect::Keep(review)) => Some(review),
+            _ => None,
+        });
+    kept.map(|review| *review.clone())
+}
+
+#[test]
+fn a_review_asks_four_questions_before_it_explains() {
+    let mut console = reviewing();
+    check("review_planned", &console);
+    console.press("tab").press("j").press("j");
+    let shown = Effect::Replay(ReplayEffect::Show(Duration::from_secs(150)));
+    assert!(console.effects.contains(&shown), "{:?}", console.effects);
+    console
+        .press("-")
+        .write("stay below the limit")
+        .press("enter");
+    check("review_happened", &console);
+    console
+        .press("tab")
+        .press("enter")
+        .write("too high in the turns")
+        .press("enter");
+    check("review_why", &console);
+    console.press("right").press("right");
+    assert!(
+        console
+            .screen(80, 24)
+            .contains("Answer both questions first")
+    );
+    console
+        .press("left")
+        .press("enter")
+        .write("climb after the turn")
+        .press("enter");
+    let review = kept(&console).expect("it is stored");
+    check("review_next", &console);
+    console.press("right");
+    check("review_explained", &console);
+    assert_eq!(review.why, "too high in the turns");
+    let point = &review.points()[0];
+    assert_eq!(
+        (point.kind, point.at()),
+        (PointKind::Improve, Duration::from_secs(150))
+    );
+}
+
+#[test]
+fn a_bookmark_is_set_and_removed_after_the_flight() {
+    let mut console = reviewing();
+    console.give("bookmark turn");
+    let view = console.state().replay().expect("it is replayed");
+    let texts = |review: &Review| -> Vec<String> {
+        let bookmarks = review.bookmarks(&view.bookmarks()).into_iter();
+        bookmarks.map(|it| it.text.to_string()).collect()
+    };
+    assert_eq!(
+        texts(&kept(&console).expect("stored")),
+        ["turn", "into the wind"]
+    );
+    console.give("bookmark off");
+    assert_eq!(console.effects, []);
+    assert!(
+        console
+            .screen(80, 24)
+            .contains("the moment shown has no bookmark")
+    );
+}
+
+#[test]
+fn without_a_replay_the_last_flight_is_reviewed() {
+    let mut console = Console::new();
+    console.press("A");
+    assert!(console.screen(80, 24).contains("Nothing is under review."));
+    console.give("review");
+    let review = Effect::Session(SessionEffect::Replay {
+        path: None,
+        review: true,
+    });
+    assert_eq!(console.effects.last(), Some(&review));
+    console.give("review why because");
+    assert!(console.screen(80, 24).contains("nothing is under review"));
+}
+
+#[test]
+fn the_document_explains_nothing_before_the_questions_are_answered() {
+    let mut console = reviewing();
+    let document = |console: &mut Console| {
+        console.give("review export review.md");
+        match console.effects.last() {
+            Some(Effect::File(FileEffect::Write {
+                kind: FileKind::Review,
+                text,
+                ..
+            })) => text.clone(),
+            other => panic!("{other:?}"),
+        }
+    };
+    console.give("review why too fast");
+    let before = document(&mut console);
+    assert!(
+        before.contains("- 00:12 bookmark: into the wind\n"),
+        "{before}"
+    );
+    assert!(
+        !before.contains("armed") && !before.contains("COMPONENTS"),
+        "{before}"
+    );
+    console.give("review next slower");
+    insta::assert_snapshot!("review_document", document(&mut console));
+}
+
+#[test]
+fn the_next_brief_repeats_the_points_of_the_last_review() {
+    let mut console = Console::new();
+    let mut review = Review::default();
+    let text = "stay below the limit".to_owned();
+    review
+        .add(PointKind::Improve, Duration::ZERO, text)
+        .expect("there is room");
+    console.hear(CareerEvent::Reviews([("m01".to_owned(), review)].into()));
+    console.start(Activity::Mission {
+        id: "m01".to_owned(),
+        title: "Air sample at the yard".into(),
+        stake: Stake::Graded,
+    });
+    let screen = console.screen(80, 24);
+    assert!(screen.contains("From your last review"), "{screen}");
+    assert!(screen.contains("- stay below the limit"), "{screen}");
+}
