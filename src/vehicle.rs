@@ -7,6 +7,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use crate::geo::maths;
 use crate::wire::{ComponentId, MavAddress, SystemId};
 
 mod limits;
@@ -204,7 +205,10 @@ impl Vehicle {
     pub fn distance_m(&self, other: &Self) -> Option<f64> {
         let (here, there) = (self.global?, other.global?);
         let across_m = here.at_point.distance_m(there.at_point);
-        Some(across_m.hypot(here.altitude_amsl_m - there.altitude_amsl_m))
+        Some(maths::hypot(
+            across_m,
+            here.altitude_amsl_m - there.altitude_amsl_m,
+        ))
     }
 
     /// The pack that flies the vehicle.

@@ -1,6 +1,7 @@
 //! Credits and experience.
 
 use super::CareerFlight;
+use crate::geo::maths;
 
 /// What a career begins with.
 pub(super) const START_CREDITS: u32 = 500;
@@ -66,12 +67,12 @@ pub(super) fn experience(flight: &CareerFlight, best: Option<u16>, refreshes: bo
 
 /// The level that an experience makes.
 pub(super) fn level(experience: u64) -> u32 {
-    (experience as f64 / LEVEL).powf(2.0 / 3.0).floor() as u32
+    maths::powf(experience as f64 / LEVEL, 2.0 / 3.0).floor() as u32
 }
 
 /// The experience that a level needs.
 pub(super) fn level_experience(level: u32) -> u64 {
-    (LEVEL * f64::from(level).powf(1.5)).ceil() as u64
+    (LEVEL * maths::powf(f64::from(level), 1.5)).ceil() as u64
 }
 
 fn thousandths(score: u16) -> f64 {

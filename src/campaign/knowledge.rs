@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use serde::Serialize;
 
 use super::Skill;
+use crate::geo::maths;
 use crate::text;
 use crate::text::Text;
 
@@ -120,7 +121,7 @@ impl Knowledge {
             return START;
         }
         let idle_days = (day - self.last_day).max(0) as f64;
-        let left = 2f64.powf(-idle_days / self.half_life_days());
+        let left = maths::powf(2f64, -idle_days / self.half_life_days());
         FLOOR + (self.chance - FLOOR).max(0.0) * left
     }
 
@@ -144,7 +145,7 @@ impl Knowledge {
         }
         // By the formula, not by trying days: where chance(day) falls to DUE, and no later than the half-life.
         let above = (self.chance - FLOOR).max(1e-9) / (DUE - FLOOR);
-        let days = self.half_life_days() * above.log2().clamp(0.0, 1.0);
+        let days = self.half_life_days() * maths::log2(above).clamp(0.0, 1.0);
         Some(self.last_day + days.ceil() as i64)
     }
 
@@ -208,7 +209,7 @@ impl Knowledge {
     }
 
     fn half_life_days(&self) -> f64 {
-        (HALF_LIFE_DAYS * REVIEW_GROWTH.powi(self.reviews)).min(LONGEST_HALF_LIFE_DAYS)
+        (HALF_LIFE_DAYS * maths::powi(REVIEW_GROWTH, self.reviews)).min(LONGEST_HALF_LIFE_DAYS)
     }
 }
 

@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use super::modes::mode_named;
 use super::setpoint::TravelEnd;
+use crate::geo::maths;
 use crate::geo::{LatLon, wrap_180, wrap_360};
 use crate::text;
 use crate::text::Text;
@@ -222,7 +223,7 @@ fn separation(vehicle: &Vehicle, place: TravelEnd) -> Option<(f64, f64)> {
         TravelEnd::Local { ned_m } => {
             let here = vehicle.local?.ned_m.map(f64::from);
             let [north, east, down] = difference(here, ned_m);
-            Some((north.hypot(east), down.abs()))
+            Some((maths::hypot(north, east), down.abs()))
         }
     }
 }

@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::answers::Answers;
 use super::{Aim, Manoeuvre, Observed};
+use crate::geo::maths;
 use crate::geo::wrap_180;
 
 /// How far apart the points of a comparison are, seconds.
@@ -309,5 +310,5 @@ fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
 }
 
 fn length(v: [f64; 3]) -> f64 {
-    v[0].hypot(v[1]).hypot(v[2])
+    maths::hypot(maths::hypot(v[0], v[1]), v[2])
 }

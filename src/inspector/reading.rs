@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::definitions::{Definitions, FieldDefinition, FieldType};
+use crate::geo::maths;
 use crate::wire::Anatomy;
 
 /// What a frame says.
@@ -75,7 +76,7 @@ pub fn figure(value: f64, digits: i32) -> String {
     let magnitude = if value == 0.0 {
         0
     } else {
-        value.abs().log10().floor() as i32
+        maths::log10(value.abs()).floor() as i32
     };
     if !(-5..15).contains(&magnitude) {
         return format!("{value:.*e}", (digits - 1).clamp(0, 15) as usize);

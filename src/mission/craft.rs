@@ -7,6 +7,7 @@ use super::saying::TextListener;
 use super::sensor::{Probe, Sensor};
 use super::zone::ZoneKind;
 use super::{Mission, Point, TICK};
+use crate::geo::maths;
 use crate::scoring::SafetyKind;
 use crate::text;
 use crate::text::Text;
@@ -300,7 +301,7 @@ impl CraftCourse {
 
     fn turn(&mut self, global: &GlobalPosition) {
         let (east, north) = (f64::from(global.east_m_s), f64::from(global.north_m_s));
-        let speed = east.hypot(north);
+        let speed = maths::hypot(east, north);
         if speed >= Self::SLOWEST_M_S {
             *self = Self {
                 east: east / speed,

@@ -18,6 +18,7 @@ use super::sensor::{DetectorSpec, Look, Sensor, View};
 use super::world::{ObjectId, World};
 use super::{Point, TICK};
 use crate::commands::FindKind;
+use crate::geo::maths;
 use crate::hash::fnv1a;
 use crate::vehicle::VehicleId;
 
@@ -207,7 +208,7 @@ impl DetectorWatch<'_> {
             let chance = phantoms
                 .entry(contact.name.clone())
                 .or_insert_with(|| Chance::new(self.random(&[name])));
-            let exposure = -(1.0 - look.told_apart.min(SUREST)).ln();
+            let exposure = -maths::ln(1.0 - look.told_apart.min(SUREST));
             let every_s = look.every_s.unwrap_or(1.0);
             if chance.expose(exposure * TICK.as_secs_f64() / every_s) {
                 seen.push(Sighting {
@@ -261,7 +262,7 @@ struct Find {
 impl Glance {
     /// A tick of looking.
     fn take(&mut self, look: &Look, now: Duration) -> Option<Find> {
-        let exposure = -(1.0 - look.chance.min(SUREST)).ln();
+        let exposure = -maths::ln(1.0 - look.chance.min(SUREST));
         let away = now.saturating_sub(std::mem::replace(&mut self.last, now));
         if self.blind {
             return None;

@@ -11,6 +11,7 @@ use std::time::Duration;
 use super::Point;
 use super::craft::Craft;
 use super::zone::{Shadow, Shape, Zone, ZoneKind};
+use crate::geo::maths;
 use crate::session::RadioFault;
 use crate::vehicle::VehicleId;
 use crate::workshop::loss::{GROUND_ANTENNA_M, LOWEST_ANTENNA_M, free_space_db, two_ray_db};
@@ -102,12 +103,12 @@ pub(crate) fn knife_edge_db(v: f64) -> f64 {
     if v <= -0.78 {
         return 0.0;
     }
-    (6.9 + 20.0 * ((v - 0.1).hypot(1.0) + v - 0.1).log10()).max(0.0)
+    (6.9 + 20.0 * maths::log10(maths::hypot(v - 0.1, 1.0) + v - 0.1)).max(0.0)
 }
 
 /// The share of frames that is lost at a margin.
 pub(crate) fn loss(margin_db: f64) -> f64 {
-    1.0 / (1.0 + ((margin_db - HALF_LOST_DB) / LOSS_SLOPE_DB).exp())
+    1.0 / (1.0 + maths::exp((margin_db - HALF_LOST_DB) / LOSS_SLOPE_DB))
 }
 
 impl Radio {
@@ -210,8 +211,8 @@ pub(crate) fn margin_db(a: &RadioNode, b: &RadioNode, zones: &[(&Shape, ZoneKind
         a.height_m.max(LOWEST_ANTENNA_M),
         b.height_m.max(LOWEST_ANTENNA_M),
     );
-    let flat_m = (a.at[0] - b.at[0]).hypot(a.at[1] - b.at[1]);
-    let distance_m = flat_m.hypot(low - high);
+    let flat_m = maths::hypot(a.at[0] - b.at[0], a.at[1] - b.at[1]);
+    let distance_m = maths::hypot(flat_m, low - high);
     let spread_db =
         free_space_db(distance_m, model.frequency_mhz).max(two_ray_db(distance_m, low, high));
     let budget_db = model.budget_db(a.gain_dbi, b.gain_dbi);
@@ -263,7 +264,7 @@ struct Ridge<'a> {
 /// What a ridge takes from a path between two antennas, each at a point and so high: that of its highest edge above it.
 fn ridge_db(ridge: &Ridge<'_>, [a, b]: [Point; 2], heights_m: [f64; 2], wave_m: f64) -> f64 {
     let [low_m, high_m] = heights_m;
-    let flat_m = (a[0] - b[0]).hypot(a[1] - b[1]);
+    let flat_m = maths::hypot(a[0] - b[0], a[1] - b[1]);
     let mut worst = f64::NEG_INFINITY;
     for place in 1..PLACES {
         let share = f64::from(place) / f64::from(PLACES);

@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use super::Point;
 use crate::commands::FindKind;
+use crate::geo::maths;
 use crate::vehicle::VehicleId;
 
 /// A find, as it was reported.
@@ -51,5 +52,5 @@ impl Marks {
 
 /// Between two points on the ground, in metres.
 pub(crate) fn distance_m(a: Point, b: Point) -> f64 {
-    (a[0] - b[0]).hypot(a[1] - b[1])
+    maths::hypot(a[0] - b[0], a[1] - b[1])
 }

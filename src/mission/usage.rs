@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use super::TICK;
+use crate::geo::maths;
 use crate::scoring::{SwarmTimes, VehicleUse};
 use crate::vehicle::VehicleId;
 
@@ -65,7 +66,10 @@ impl VehicleUsage {
             return;
         };
         let moved = self.anchor.iter().zip(at);
-        let moved_m = moved.map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
+        let moved_m = moved
+            .map(|(a, b)| maths::powi(a - b, 2))
+            .sum::<f64>()
+            .sqrt();
         if look.busy || moved_m.is_nan() || moved_m > STILL_WITHIN_M {
             self.anchor = at;
             self.still_for = Duration::ZERO;
@@ -124,7 +128,7 @@ mod tests {
     fn a_vehicle_that_hovers_is_productive_for_a_pause_and_idle_after_half_a_minute() {
         let (mut usage, mut times) = (VehicleUsage::new(1), SwarmTimes::default());
         step(&mut usage, &mut times, 20, |t| 3.0 * t);
-        step(&mut usage, &mut times, 60, |t| 60.0 + 0.5 * t.sin());
+        step(&mut usage, &mut times, 60, |t| 60.0 + 0.5 * maths::sin(t));
         let totals = usage.totals();
         assert_eq!(totals.airborne, Duration::from_secs(80));
         let near = |time: Duration, seconds: f64| (time.as_secs_f64() - seconds).abs() < 1.5;

@@ -1,5 +1,7 @@
 //! The weather of a mission: what the file says, changed by events as the flight goes on.
 
+use crate::geo::maths;
+
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Wind {
     pub speed_m_s: f64,
@@ -10,15 +12,15 @@ pub(crate) struct Wind {
 impl Wind {
     /// How fast it carries things east and north, in m/s.
     pub fn drift_m_s(self) -> [f64; 2] {
-        let (sin, cos) = self.from_deg.to_radians().sin_cos();
+        let (sin, cos) = maths::sin_cos(self.from_deg.to_radians());
         [-self.speed_m_s * sin, -self.speed_m_s * cos]
     }
 
     /// The wind that carries things so fast east and north.
     pub fn of_drift([east_m_s, north_m_s]: [f64; 2]) -> Self {
         Self {
-            speed_m_s: east_m_s.hypot(north_m_s),
-            from_deg: (-east_m_s).atan2(-north_m_s).to_degrees(),
+            speed_m_s: maths::hypot(east_m_s, north_m_s),
+            from_deg: maths::atan2(-east_m_s, -north_m_s).to_degrees(),
         }
     }
 }

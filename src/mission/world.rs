@@ -12,6 +12,7 @@ use super::hazard::{Field, Hazard};
 use super::weather::Weather;
 use super::{Mission, Point};
 use crate::commands::FindKind;
+use crate::geo::maths;
 use crate::hash::fnv1a;
 
 /// A beam is added up in so many slices.
@@ -111,7 +112,7 @@ impl World {
     /// The share of a picture's contrast that the smoke below a camera leaves, 0 to 1.
     pub fn clear_view(&self, at: Point, height_m: f64) -> f64 {
         let smoke_g_m2 = self.column(Quantity::Particles, at, height_m) * 1e-6;
-        (-SMOKE_EXTINCTION_M2_G * smoke_g_m2).exp()
+        maths::exp(-SMOKE_EXTINCTION_M2_G * smoke_g_m2)
     }
 
     /// Everything that could be found, by hazard in the order of the file.

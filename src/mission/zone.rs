@@ -4,6 +4,7 @@ use rand::RngExt;
 
 use super::Point;
 use super::report::distance_m;
+use crate::geo::maths;
 
 /// An area with a meaning.
 #[derive(Debug, Clone, PartialEq)]
@@ -110,7 +111,9 @@ impl Shape {
     /// Whether a point lies inside (polygons by the even-odd rule).
     pub fn contains(&self, [x, y]: Point) -> bool {
         match self {
-            Self::Circle { center, radius_m } => (x - center[0]).hypot(y - center[1]) <= *radius_m,
+            Self::Circle { center, radius_m } => {
+                maths::hypot(x - center[0], y - center[1]) <= *radius_m
+            }
             Self::Polygon(corners) => {
                 let mut inside = false;
                 let mut previous = corners.last();
@@ -133,7 +136,7 @@ impl Shape {
         match self {
             _ if self.contains(at) => 0.0,
             Self::Circle { center, radius_m } => {
-                ((at[0] - center[0]).hypot(at[1] - center[1]) - radius_m).max(0.0)
+                (maths::hypot(at[0] - center[0], at[1] - center[1]) - radius_m).max(0.0)
             }
             Self::Polygon(corners) => {
                 let next = corners.iter().cycle().skip(1);
@@ -163,8 +166,8 @@ impl Shape {
                 let corner = |at: u32| {
                     let turn = f64::from(at) / f64::from(ROUND) * std::f64::consts::TAU;
                     [
-                        center[0] + radius_m * turn.sin(),
-                        center[1] + radius_m * turn.cos(),
+                        center[0] + radius_m * maths::sin(turn),
+                        center[1] + radius_m * maths::cos(turn),
                     ]
                 };
                 (0..ROUND).map(corner).collect()
@@ -201,7 +204,7 @@ fn distance_to_side_m(at: Point, from: Point, to: Point) -> f64 {
     } else {
         0.0
     };
-    (at[0] - from[0] - along * dx).hypot(at[1] - from[1] - along * dy)
+    maths::hypot(at[0] - from[0] - along * dx, at[1] - from[1] - along * dy)
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use serde::{Deserialize, Serialize};
 
+use crate::geo::maths;
 use crate::text;
 use crate::text::Text;
 
@@ -67,7 +68,7 @@ impl AlertFact {
         };
         let limit_s = self.limit.as_secs_f64().max(0.1);
         let late = (after.as_secs_f64() - limit_s) / limit_s;
-        (-late.max(0.0)).exp2()
+        maths::exp2(-late.max(0.0))
     }
 }
 

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 use strum::{IntoStaticStr, VariantArray};
 
+use crate::geo::maths;
 use crate::sim::Start;
 
 /// How vehicles stand to each other. The first one stands at the home, and all look the same way.
@@ -67,9 +68,9 @@ impl StartFormation {
                 let radius = if of < 2 {
                     0.0
                 } else {
-                    0.5 / (angle * 0.5).sin()
+                    0.5 / maths::sin(angle * 0.5)
                 };
-                let (sin, cos) = (angle * nth).sin_cos();
+                let (sin, cos) = maths::sin_cos(angle * nth);
                 (radius - radius * cos, radius * sin)
             }
             FormationShape::Wedge => {
@@ -86,7 +87,7 @@ impl StartFormation {
 
     /// Where each of so many vehicles stands, the first one at `first`.
     pub fn starts(self, of: usize, first: Start) -> Vec<Start> {
-        let (sin, cos) = first.heading_deg.to_radians().sin_cos();
+        let (sin, cos) = maths::sin_cos(first.heading_deg.to_radians());
         let start = |index: usize| {
             let Offset { forward_m, right_m } = self.place(index, of);
             let north_m = forward_m * cos - right_m * sin;

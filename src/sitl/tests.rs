@@ -4,6 +4,7 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::geo::LatLon;
+use crate::geo::maths;
 
 fn recipe() -> Recipe {
     Recipe {
@@ -312,7 +313,7 @@ fn a_formation_turns_with_its_heading() {
         // Looking east, ahead is east and right is south.
         let second = formation.starts(2, recipe().start)[1];
         let (north_m, east_m) = recipe().start.at.offset_to(second.at);
-        let off = (north_m + right_m).hypot(east_m - forward_m);
+        let off = maths::hypot(north_m + right_m, east_m - forward_m);
         assert!(off < 0.01, "{}: {north_m} {east_m}", shape.name());
     }
     let grid = StartFormation {

@@ -12,6 +12,7 @@ use glam::{DVec2, DVec3};
 use super::geometry::MovingPoint;
 use super::slots::slots;
 use crate::commands::Shape;
+use crate::geo::maths;
 
 /// Speed of a formation whose leader was told none, within what every multirotor of the field keeps up with.
 const SPEED_M_S: f64 = 5.0;
@@ -125,7 +126,7 @@ impl March {
     /// Turns into the course; false once that is done.
     fn turn(&mut self, goal: DVec3, step_s: f64, pace: f64) -> bool {
         let way = (goal - self.anchor).truncate();
-        let wanted = way.y.atan2(way.x);
+        let wanted = maths::atan2(way.y, way.x);
         let off = (wanted - self.facing_rad + PI).rem_euclid(2.0 * PI) - PI;
         let is_there = off.abs() < SAME_COURSE_RAD;
         if self.keeps_facing || is_there || way.length() < NO_TURN_M {

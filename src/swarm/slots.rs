@@ -5,6 +5,7 @@ use std::f64::consts::{FRAC_1_SQRT_2, PI, TAU};
 use glam::DVec2;
 
 use crate::commands::Shape;
+use crate::geo::maths;
 
 /// The places of so many vehicles: x metres ahead of the first, y to its right. The first is at the origin, and
 /// neighbours are `spacing_m` apart, nobody nearer.
@@ -23,7 +24,7 @@ pub(super) fn slots(shape: Shape, count: usize, spacing_m: f64) -> Vec<DVec2> {
         }
         Shape::Circle => {
             let radius = if count > 1 {
-                0.5 / (PI / count as f64).sin()
+                0.5 / maths::sin(PI / count as f64)
             } else {
                 0.0
             };

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use super::*;
 use crate::geo::Outline;
+use crate::geo::maths;
 use crate::language::{self, Context};
 use crate::ledger::{Ledger, RowState};
 use crate::session::{Report, Session, VehicleCommand};
@@ -167,7 +168,7 @@ impl Stage {
     fn distance(&self, a: VehicleId, b: VehicleId) -> f64 {
         let (a, b) = (self.place(a), self.place(b));
         (0..3)
-            .map(|axis| (a[axis] - b[axis]).powi(2))
+            .map(|axis| maths::powi(a[axis] - b[axis], 2))
             .sum::<f64>()
             .sqrt()
     }

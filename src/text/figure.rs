@@ -1,5 +1,6 @@
 //! Numbers in writing.
 
+use crate::geo::maths;
 use std::time::Duration;
 
 use chrono::DateTime;
@@ -34,7 +35,7 @@ pub fn figure(value: impl Into<f64>, decimals: usize) -> String {
 
 /// A number rounded to so many decimals, for documents; 0 for what is not finite.
 pub fn rounded(value: f64, decimals: i32) -> f64 {
-    let scale = 10f64.powi(decimals);
+    let scale = maths::powi(10f64, decimals);
     let rounded = (value * scale).round() / scale;
     // Adding zero turns -0.0, which would print its sign, into 0.0.
     if rounded.is_finite() {

@@ -6,6 +6,7 @@ use mavlink::dialects::ardupilotmega::MavSysStatusSensor;
 
 use super::{EkfFlags, FixType, Mode, Severity, SystemStatus, VehicleClass};
 use crate::geo::LatLon;
+use crate::geo::maths;
 
 /// HEARTBEAT of the autopilot.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -58,7 +59,7 @@ pub struct GlobalPosition {
 impl GlobalPosition {
     /// Horizontal speed in m/s.
     pub fn ground_speed_m_s(&self) -> f32 {
-        self.north_m_s.hypot(self.east_m_s)
+        maths::hypot_f32(self.north_m_s, self.east_m_s)
     }
 }
 

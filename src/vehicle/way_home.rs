@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use super::{Vehicle, VehicleClass, Wind};
 use crate::geo::LatLon;
+use crate::geo::maths;
 
 /// The mean current follows the measured one with this time constant: a climb of a few seconds does not count for long.
 const LOAD_TIME_S: f32 = 15.0;
@@ -68,7 +69,7 @@ impl MeanCurrent {
     pub fn after(before: Option<Self>, current_a: f32, now: Duration) -> Option<Self> {
         let mean_a = before.map_or(current_a, |before| {
             let passed_s = now.saturating_sub(before.at).as_secs_f32();
-            let weight = 1.0 - (-passed_s / LOAD_TIME_S).exp();
+            let weight = 1.0 - maths::exp_f32(-passed_s / LOAD_TIME_S);
             before.mean_a + weight * (current_a - before.mean_a)
         });
         (current_a >= IDLE_A).then_some(Self { mean_a, at: now })
@@ -128,7 +129,7 @@ impl ReturnFlight {
         let climb_s = (top_m - height_m) / CLIMB_M_S;
         let headwind_m_s = wind.map_or(0.0, |wind| {
             let off = f64::from(wind.from_deg) - from.bearing_deg(home);
-            f64::from(wind.speed_m_s) * off.to_radians().cos()
+            f64::from(wind.speed_m_s) * maths::cos(off.to_radians())
         });
         let speed_m_s = (FASTEST_M_S - headwind_m_s).clamp(SLOWEST_M_S, RETURN_SPEED_M_S);
         let airspeed_m_s = speed_m_s + headwind_m_s;

@@ -6,6 +6,7 @@ use super::design::{Design, Drive};
 use super::figures::{Air, Figures};
 use super::pack::Pack;
 use super::part::Chemistry;
+use crate::geo::maths;
 use crate::text::rounded;
 
 const GRAVITY_M_S2: f64 = 9.806_65;
@@ -59,7 +60,7 @@ fn frame(drive: &Drive<'_>, figures: &Figures, pack: &Pack) -> Value {
     json!({
         "mass": rounded(figures.mass_kg, 3),
         "diagonal_size": drive.frame.wheelbase_m,
-        "refSpd": rounded((weight_n * lean.tan() / drag_m).sqrt(), 2),
+        "refSpd": rounded((weight_n * maths::tan(lean) / drag_m).sqrt(), 2),
         "refAngle": REFERENCE_LEAN_DEG,
         "refVoltage": rounded(figures.hover_voltage_v, 2),
         "refCurrent": rounded(figures.hover_power_w / figures.hover_voltage_v, 3),

@@ -2,6 +2,7 @@
 
 use super::design::Drive;
 use super::pack::Pack;
+use crate::geo::maths;
 
 const GRAVITY_M_S2: f64 = 9.806_65;
 const INCH_M: f64 = 0.0254;
@@ -52,8 +53,9 @@ impl Drive<'_> {
         let propeller = self.propeller;
         let diameter_m = self.diameter_m();
         let turns_s =
-            (thrust_n.max(1e-6) / (propeller.thrust * density * diameter_m.powi(4))).sqrt();
-        let shaft_w = propeller.power * density * turns_s.powi(3) * diameter_m.powi(5);
+            (thrust_n.max(1e-6) / (propeller.thrust * density * maths::powi(diameter_m, 4))).sqrt();
+        let shaft_w =
+            propeller.power * density * maths::powi(turns_s, 3) * maths::powi(diameter_m, 5);
         let torque_n_m = shaft_w / (std::f64::consts::TAU * turns_s);
         let rpm = turns_s * 60.0;
         let motor = self.motor;

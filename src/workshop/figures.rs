@@ -8,6 +8,7 @@ use super::forward::Forward;
 use super::loss::{GROUND_ANTENNA_M, LOWEST_ANTENNA_M, reach_m};
 use super::pack::Pack;
 use super::part::Radio;
+use crate::geo::maths;
 
 const GRAVITY_M_S2: f64 = 9.806_65;
 /// Thrust is stated at this charge, in percent: the middle of a flight.
@@ -46,7 +47,7 @@ impl Default for Air {
 impl Air {
     /// Kilograms per cubic metre (standard atmosphere, corrected for the temperature).
     pub fn density(&self) -> f64 {
-        let standard = 1.225 * (1.0 - 2.255_77e-5 * self.altitude_m).powf(5.2559);
+        let standard = 1.225 * maths::powf(1.0 - 2.255_77e-5 * self.altitude_m, 5.2559);
         standard * 288.15 / (273.15 + self.temperature_c)
     }
 }
@@ -203,7 +204,7 @@ impl<'a> Bench<'a> {
         let weight_n = self.mass_kg() * GRAVITY_M_S2;
         let thrust_n = CONTROL_SHARE * self.max_thrust_n(MIDDLE_CHARGE);
         let share = (weight_n / thrust_n).min(1.0);
-        share.acos().to_degrees().min(MOST_LEAN_DEG)
+        maths::acos(share).to_degrees().min(MOST_LEAN_DEG)
     }
 
     fn top_speed_m_s(&self) -> f64 {

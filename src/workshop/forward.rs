@@ -2,6 +2,7 @@
 
 use super::design::Drive;
 use super::drive::Turning;
+use crate::geo::maths;
 
 const GRAVITY_M_S2: f64 = 9.806_65;
 /// Induced power of a real rotor over the ideal one.
@@ -42,14 +43,14 @@ impl Forward<'_> {
         let weight_n = self.mass_kg * GRAVITY_M_S2;
         let drag_n = 0.5 * self.density * drive.frame.drag_area_m2 * speed_m_s * speed_m_s;
         let blocked = drive.frame.download * (1.0 - speed_m_s / CLEAN_M_S).max(0.0);
-        let thrust_n = weight_n.hypot(drag_n) * (1.0 + blocked);
-        let lean = drag_n.atan2(weight_n);
+        let thrust_n = maths::hypot(weight_n, drag_n) * (1.0 + blocked);
+        let lean = maths::atan2(drag_n, weight_n);
         let area_m2 = drive.disc_area_m2();
         let hover_m_s = (thrust_n / (2.0 * self.density * area_m2)).sqrt();
-        let (across, through) = (speed_m_s * lean.cos(), speed_m_s * lean.sin());
+        let (across, through) = (speed_m_s * maths::cos(lean), speed_m_s * maths::sin(lean));
         let mut induced_m_s = hover_m_s;
         for _ in 0..ROUNDS {
-            let flow = across.hypot(through + induced_m_s);
+            let flow = maths::hypot(across, through + induced_m_s);
             induced_m_s += 0.5 * (thrust_n / (2.0 * self.density * area_m2 * flow) - induced_m_s);
         }
         let one = drive.turning(thrust_n / drive.motors(), self.density);

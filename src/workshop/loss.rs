@@ -1,6 +1,7 @@
 //! What a radio signal loses on its way, and how far a budget lets it go: the same relations in both directions.
 
 use super::part::Radio;
+use crate::geo::maths;
 
 /// Antennas are never lower than this, in metres.
 pub(crate) const LOWEST_ANTENNA_M: f64 = 0.3;
@@ -13,20 +14,24 @@ const FREE_SPACE_DB: f64 = 32.44;
 
 /// Loss over a distance in free space, in dB: `32.44 + 20 lg(km) + 20 lg(MHz)` (ITU-R P.525).
 pub(crate) fn free_space_db(distance_m: f64, frequency_mhz: f64) -> f64 {
-    FREE_SPACE_DB + 20.0 * (distance_m.max(NEAREST_M) * 1e-3).log10() + 20.0 * frequency_mhz.log10()
+    FREE_SPACE_DB
+        + 20.0 * maths::log10(distance_m.max(NEAREST_M) * 1e-3)
+        + 20.0 * maths::log10(frequency_mhz)
 }
 
 /// Loss with the wave that the ground reflects, far from the transmitter, in dB: `40 lg(m) - 20 lg(h h')`.
 pub(crate) fn two_ray_db(distance_m: f64, height_m: f64, other_m: f64) -> f64 {
-    40.0 * distance_m.max(NEAREST_M).log10() - 20.0 * (height_m * other_m).log10()
+    40.0 * maths::log10(distance_m.max(NEAREST_M)) - 20.0 * maths::log10(height_m * other_m)
 }
 
 /// The distance over which [`free_space_db`] and [`two_ray_db`] both stay within a budget, in metres.
 pub(super) fn reach_m(budget_db: f64, frequency_mhz: f64, height_m: f64, other_m: f64) -> f64 {
-    let free_m =
-        10f64.powf((budget_db - FREE_SPACE_DB - 20.0 * frequency_mhz.log10()) / 20.0) * 1e3;
-    let heights = (height_m * other_m).log10();
-    let two_ray_m = 10f64.powf((budget_db + 20.0 * heights) / 40.0);
+    let free_m = maths::powf(
+        10f64,
+        (budget_db - FREE_SPACE_DB - 20.0 * maths::log10(frequency_mhz)) / 20.0,
+    ) * 1e3;
+    let heights = maths::log10(height_m * other_m);
+    let two_ray_m = maths::powf(10f64, (budget_db + 20.0 * heights) / 40.0);
     free_m.min(two_ray_m)
 }
 

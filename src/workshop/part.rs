@@ -1,5 +1,6 @@
 //! What can be built in: one [`Part`] of the catalogue, and the [`PartSlot`]s of a drone.
 
+use crate::geo::maths;
 use crate::text;
 use crate::text::Text;
 
@@ -287,7 +288,8 @@ impl Part {
 impl Frame {
     /// The largest propellers that turn without touching each other, in inches (5 % apart), or that the frame allows.
     pub(super) fn clearance_in(&self) -> f64 {
-        let between_m = self.wheelbase_m * (std::f64::consts::PI / f64::from(self.motors)).sin();
+        let between_m =
+            self.wheelbase_m * maths::sin(std::f64::consts::PI / f64::from(self.motors));
         (between_m / 1.05 / INCH_M).min(self.largest_propeller_in)
     }
 }

@@ -7,6 +7,7 @@ use mavlink::dialects::ardupilotmega::{
 };
 use mavlink::types::CharArray;
 use sortie::geo::LatLon;
+use sortie::geo::maths;
 use sortie::sim::{Airframe, PortId, STEP, Start, Truth, World, WorldConfig};
 use sortie::wire::Encoder;
 use sortie::workshop::{Air, Design, Figures};
@@ -186,7 +187,7 @@ fn a_design_flies_as_fast_as_computed() {
             flight.run(0.1);
         }
         let [north, east, _] = flight.truth().velocity_ned_m_s;
-        let speed = north.hypot(east);
+        let speed = maths::hypot(north, east);
         compare(name, "top m/s", figures.top_speed_m_s, speed, 0.1 * speed);
     }
 }

@@ -8,6 +8,7 @@
 
 use serde::{Deserialize, Serialize};
 
+pub mod maths;
 mod outline;
 mod viewport;
 
@@ -84,21 +85,21 @@ impl LatLon {
     /// Horizontal distance in metres.
     pub fn distance_m(self, other: Self) -> f64 {
         let (north, east) = self.offset_to(other);
-        north.hypot(east)
+        maths::hypot(north, east)
     }
 
     /// Bearing towards `other`, 0 to 360 degrees clockwise from north.
     pub fn bearing_deg(self, other: Self) -> f64 {
         let (north, east) = self.offset_to(other);
-        wrap_360(east.atan2(north).to_degrees())
+        wrap_360(maths::atan2(east, north).to_degrees())
     }
 
     /// Metres per degree of latitude and of longitude here.
     fn metres_per_degree(self) -> (f64, f64) {
         let lat = self.lat_deg.clamp(-89.9, 89.9).to_radians();
-        let w2 = 1.0 - ECCENTRICITY_SQUARED * lat.sin().powi(2);
-        let meridian_m = SEMI_MAJOR_AXIS_M * (1.0 - ECCENTRICITY_SQUARED) / w2.powf(1.5);
-        let parallel_m = SEMI_MAJOR_AXIS_M / w2.sqrt() * lat.cos();
+        let w2 = 1.0 - ECCENTRICITY_SQUARED * maths::powi(maths::sin(lat), 2);
+        let meridian_m = SEMI_MAJOR_AXIS_M * (1.0 - ECCENTRICITY_SQUARED) / maths::powf(w2, 1.5);
+        let parallel_m = SEMI_MAJOR_AXIS_M / w2.sqrt() * maths::cos(lat);
         (meridian_m.to_radians(), parallel_m.to_radians())
     }
 }

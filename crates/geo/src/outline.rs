@@ -1,6 +1,7 @@
 //! Areas on the earth.
 
 use super::LatLon;
+use crate::maths;
 
 /// Corners of the polygon that stands for a circle; at any size on a screen it looks round.
 const CIRCLE_CORNERS: u32 = 48;
@@ -38,7 +39,7 @@ impl Outline {
             Self::Circle { centre, radius_m } => (0..CIRCLE_CORNERS)
                 .map(|at| {
                     let turn = f64::from(at) / f64::from(CIRCLE_CORNERS) * std::f64::consts::TAU;
-                    centre.moved(radius_m * turn.cos(), radius_m * turn.sin())
+                    centre.moved(radius_m * maths::cos(turn), radius_m * maths::sin(turn))
                 })
                 .collect(),
         }

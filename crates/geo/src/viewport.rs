@@ -5,6 +5,7 @@
 //! the same scale serves both ways, so that a place and its dot belong together exactly.
 
 use super::LatLon;
+use crate::maths;
 
 /// Dots in a cell, beside each other.
 pub const DOTS_ACROSS: u16 = 2;
@@ -31,7 +32,7 @@ impl Zoom {
     pub fn metres_per_column(self) -> f64 {
         let steps = STEPS.len() as i32;
         let at = i32::from(self.0);
-        STEPS[at.rem_euclid(steps) as usize] * 10f64.powi(at.div_euclid(steps))
+        STEPS[at.rem_euclid(steps) as usize] * maths::powi(10f64, at.div_euclid(steps))
     }
 
     /// The closest view in which a column is at least so many metres wide.
@@ -277,7 +278,7 @@ impl Extent {
 pub fn scale_bar(zoom: Zoom, most_columns: u16) -> (f64, u16) {
     let column_m = zoom.metres_per_column();
     let most_m = column_m * f64::from(most_columns.max(1));
-    let decade = 10f64.powf(most_m.log10().floor());
+    let decade = maths::powf(10f64, maths::log10(most_m).floor());
     let rounds = [10.0, 5.0, 2.0, 1.0].map(|step| step * decade);
     let fits = |length: &f64| *length <= most_m * (1.0 + 1e-9);
     let length_m = rounds.into_iter().find(fits).unwrap_or(decade);
@@ -339,7 +340,7 @@ mod tests {
             let (length_m, columns) = scale_bar(zoom, most);
             prop_assert!((1..=most).contains(&columns));
             prop_assert!(columns * 3 >= most, "{columns} of {most} is too short to read");
-            let digits = length_m / 10f64.powf(length_m.log10().floor() + 1e-12);
+            let digits = length_m / maths::powf(10f64, maths::log10(length_m).floor() + 1e-12);
             let round = [1.0, 2.0, 5.0, 10.0].iter().any(|step| (digits - step).abs() < 1e-6);
             prop_assert!(round, "{length_m}");
         }

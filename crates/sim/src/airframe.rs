@@ -18,6 +18,7 @@ pub use file::AirframeError;
 pub(super) use layout::Motor;
 
 use super::kinematics::GRAVITY_M_S2;
+use sortie_geo::maths;
 
 /// Density of the standard atmosphere at sea level, in kilograms per cubic metre.
 const SEA_LEVEL_DENSITY: f64 = 1.225;
@@ -130,7 +131,7 @@ impl Airframe {
 
     /// The drag coefficients such that the reference flight is in balance (`SIM_Frame`'s `init`).
     fn derived(figures: Figures) -> Self {
-        let (sin, cos) = figures.reference_lean_deg.to_radians().sin_cos();
+        let (sin, cos) = maths::sin_cos(figures.reference_lean_deg.to_radians());
         let density = air_density(figures.reference_altitude_m);
         let speed = figures.reference_speed_m_s;
         let weight_n = figures.mass_kg * GRAVITY_M_S2;
@@ -208,7 +209,7 @@ impl Airframe {
             return 0.0;
         }
         let inflow = inflow_m_s.max(0.0) / self.outflow_m_s;
-        let out = share * conditions.voltage_share.powi(2) / self.figures.hover_throttle;
+        let out = share * maths::powi(conditions.voltage_share, 2) / self.figures.hover_throttle;
         GRAVITY_M_S2 * conditions.air_density / self.reference_density * (out - inflow * inflow)
     }
 
@@ -271,7 +272,7 @@ impl Airframe {
         if given.min_element() > 0.0 {
             return given / self.figures.mass_kg;
         }
-        let ring = (self.figures.diagonal_m * 0.5).powi(2);
+        let ring = maths::powi(self.figures.diagonal_m * 0.5, 2);
         DVec3::new(0.25 * ring, 0.25 * ring, 0.5 * ring)
     }
 
@@ -330,7 +331,7 @@ impl Airframe {
 /// Density of the standard atmosphere (1976, troposphere) at an altitude above mean sea level.
 pub(super) fn air_density(altitude_m: f64) -> f64 {
     let warmth = 1.0 - 0.0065 / 288.15 * altitude_m.clamp(-5000.0, 11_000.0);
-    SEA_LEVEL_DENSITY * warmth.powf(4.2559)
+    SEA_LEVEL_DENSITY * maths::powf(warmth, 4.2559)
 }
 
 /// The body's axes in the world, from the direction of the nose and of the thrust: forward, right, up.

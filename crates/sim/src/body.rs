@@ -6,6 +6,7 @@ use glam::{DVec2, DVec3};
 use super::airframe::{Airframe, axes};
 use super::kinematics::{GRAVITY_M_S2, STEP_S};
 use super::upset::{Drive, Upset, WantedTurn};
+use sortie_geo::maths;
 
 /// Lag of the lean behind its demand (`ArduPilot`'s `ATC_INPUT_TC`).
 const LEAN_LAG_S: f64 = 0.15;
@@ -148,7 +149,12 @@ impl Body {
         if self.upset.is_some() || rate_deg_s == 0.0 {
             return;
         }
-        self.yaw_deg += rate_deg_s * STEP_S;
+        let turned_deg = self.yaw_deg + rate_deg_s * STEP_S;
+        // A turn that dies away soon moves the nose no more.
+        if turned_deg.to_bits() == self.yaw_deg.to_bits() {
+            return;
+        }
+        self.yaw_deg = turned_deg;
         if self.yaw_deg.abs() > 720.0 {
             self.yaw_deg = self.yaw_deg.rem_euclid(360.0);
         }
@@ -306,7 +312,7 @@ impl Body {
         drive: &Drive<'_>,
     ) -> DVec3 {
         self.lean(demand);
-        let most = GRAVITY_M_S2 * upset.lean_limit_rad(self.throttle).tan();
+        let most = GRAVITY_M_S2 * maths::tan(upset.lean_limit_rad(self.throttle));
         self.lean_m_s2 = self.lean_m_s2.clamp_length_max(most);
         let lift_m_s2 = match demand {
             Demand::Off => None,
@@ -363,8 +369,11 @@ impl Body {
         } else {
             let forward = self.lean_m_s2.dot(self.heading);
             let right = self.heading.perp_dot(self.lean_m_s2);
-            let down = forward.hypot(GRAVITY_M_S2);
-            ((right / down).atan(), -(forward / GRAVITY_M_S2).atan())
+            let down = maths::hypot(forward, GRAVITY_M_S2);
+            (
+                maths::atan(right / down),
+                -maths::atan(forward / GRAVITY_M_S2),
+            )
         };
         self.angle_rates_rad_s = ((roll - old_roll) / STEP_S, (pitch - old_pitch) / STEP_S);
         self.angles_rad = (roll, pitch);

@@ -11,7 +11,8 @@ const POSITION_P: f64 = 1.0;
 const VELOCITY_P: f64 = 2.0;
 const VELOCITY_I: f64 = 1.0;
 const VELOCITY_D: f64 = 0.5;
-const VELOCITY_D_FILTER_HZ: f64 = 5.0;
+/// Share of a new slope in the filtered one in each step: `1 - exp(-2 pi f dt)` with a filter of 5 Hz.
+const VELOCITY_D_BLEND: f64 = 0.26959730895135436;
 const HEIGHT_P: f64 = 1.0;
 const CLIMB_P: f64 = 5.0;
 /// The integrator never asks for more than this (`PSC_VELXY_IMAX`).
@@ -238,9 +239,8 @@ impl PositionControl {
         let back = square_root(off_m.length(), POSITION_P, correction_m_s2);
         let wanted = self.velocity_m_s.truncate() + off_m.normalize_or_zero() * back;
         let error = wanted - body.velocity_m_s.truncate();
-        let blend = 1.0 - (-std::f64::consts::TAU * VELOCITY_D_FILTER_HZ * STEP_S).exp();
         let slope = (error - self.last_error_m_s) / STEP_S;
-        self.slope_m_s2 += (slope - self.slope_m_s2) * blend;
+        self.slope_m_s2 += (slope - self.slope_m_s2) * VELOCITY_D_BLEND;
         self.last_error_m_s = error;
         // Where the lean is used up the integrator may turn, but not grow.
         let most = if self.saturated.dot(error) > 0.0 {

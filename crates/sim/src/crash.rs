@@ -7,6 +7,7 @@ use super::body::Body;
 use super::kinematics::{GRAVITY_M_S2, STEP_S};
 use super::mode;
 use super::reaction::Reaction;
+use sortie_geo::maths;
 
 /// A crash: more than this far off the wanted lean and leaning, slow and hardly accelerating, for so long.
 const CRASH_ERROR_DEG: f64 = 30.0;
@@ -83,10 +84,8 @@ impl CrashWatch {
         let accel = self.accel_m_s2.length();
         let error_deg = body.lean_error_rad().to_degrees();
         let (roll, pitch) = body.roll_pitch_rad();
-        let lean_deg = (roll.cos() * pitch.cos())
-            .clamp(-1.0, 1.0)
-            .acos()
-            .to_degrees();
+        let lean_deg =
+            maths::acos((maths::cos(roll) * maths::cos(pitch)).clamp(-1.0, 1.0)).to_degrees();
         let crashing = inputs.checks_crash
             && inputs.mode != mode::ACRO
             && accel < CRASH_ACCEL_M_S2
@@ -115,7 +114,7 @@ impl CrashWatch {
     fn watch_thrust(&mut self, body: &Body) -> Option<[Reaction; 2]> {
         let asked = body.lean_m_s2.length() / GRAVITY_M_S2;
         let losing = (body.saturated || body.throttle >= LOSS_THROTTLE)
-            && asked < LOSS_LEAN_DEG.to_radians().tan()
+            && asked < maths::tan(LOSS_LEAN_DEG.to_radians())
             && body.velocity_m_s.z > 0.0
             && body.lean_error_rad() < CRASH_ERROR_DEG.to_radians()
             && !self.loss_told;

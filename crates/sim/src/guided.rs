@@ -12,6 +12,7 @@ use super::task::{Attitude, Lift, Task};
 use super::vehicle::{AskedSpeeds, Vehicle};
 use super::yaw::YawDemand;
 use sortie_geo::LatLon;
+use sortie_geo::maths;
 
 /// Bits of an attitude's type mask.
 const NO_ROLL_RATE: u8 =
@@ -261,7 +262,7 @@ fn in_north_east(vehicle: &Vehicle, setpoint: &Setpoint, v: DVec3) -> DVec3 {
     if !is_body_frame(setpoint) {
         return v;
     }
-    let (sin, cos) = vehicle.plant.body.yaw_deg.to_radians().sin_cos();
+    let (sin, cos) = maths::sin_cos(vehicle.plant.body.yaw_deg.to_radians());
     DVec3::new(v.x * cos - v.y * sin, v.x * sin + v.y * cos, v.z)
 }
 

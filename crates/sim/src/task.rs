@@ -27,6 +27,7 @@ use super::kinematics::STEP_S;
 use super::radio::Sticks;
 use super::rally::Rally;
 use super::trail::Trail;
+use sortie_geo::maths;
 
 /// The widest and the fastest circle.
 const CIRCLE_MAX_M: f64 = 2000.0;
@@ -197,7 +198,7 @@ impl Task {
 
     /// A circle whose centre lies ahead of the nose.
     pub(super) fn circle(body: &Body, tuning: &FlightTuning) -> Self {
-        let (sin, cos) = body.yaw_deg.to_radians().sin_cos();
+        let (sin, cos) = maths::sin_cos(body.yaw_deg.to_radians());
         let here = body.position_m.truncate();
         Self::Circle(Circle {
             centre_m: here + DVec2::new(cos, sin) * tuning.circle_radius_m,
@@ -311,7 +312,7 @@ impl Circle {
         let spin_up = 0.5 * cockpit.limits.accel_m_s2 / radius_m.max(1.0) * STEP_S;
         self.rate_rad_s += (wanted - self.rate_rad_s).clamp(-spin_up, spin_up);
         self.angle_rad += self.rate_rad_s * STEP_S;
-        let (sin, cos) = self.angle_rad.sin_cos();
+        let (sin, cos) = maths::sin_cos(self.angle_rad);
         let outwards = DVec2::new(cos, sin) * radius_m;
         let planned = FlatMotion {
             place_m: self.centre_m + outwards,

@@ -194,6 +194,7 @@ fn nearest(one: [DVec3; 2], other: [DVec3; 2]) -> [DVec3; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use sortie_geo::maths;
 
     const RULES: TrailRules = TrailRules {
         accuracy_m: 2.0,
@@ -243,7 +244,10 @@ mod tests {
         // A spiral outwards: nothing can be left out.
         let spiral = (1..2000).map(|step| {
             let angle = f64::from(step) * 0.7;
-            (angle * 6.0 * angle.cos(), angle * 6.0 * angle.sin())
+            (
+                angle * 6.0 * maths::cos(angle),
+                angle * 6.0 * maths::sin(angle),
+            )
         });
         let (trail, reasons) = flown(spiral);
         assert_eq!(reasons, ["buffer full"]);

@@ -8,6 +8,7 @@ use super::airframe::{Airframe, Conditions};
 use super::kinematics::square_root;
 use super::kinematics::{GRAVITY_M_S2, STEP_S};
 use super::mixer::{MOTORS_MAX, Mixer};
+use sortie_geo::maths;
 
 /// Rounds of the attitude control in one step of the simulation.
 const ROUNDS: usize = 4;
@@ -121,13 +122,17 @@ impl Upset {
     /// Roll, pitch and yaw, radians.
     pub(super) fn angles_rad(&self) -> (f64, f64, f64) {
         let [forward, right, up] = self.axes();
-        let pitch = (-forward.z).clamp(-1.0, 1.0).asin();
-        (right.z.atan2(-up.z), pitch, forward.y.atan2(forward.x))
+        let pitch = maths::asin((-forward.z).clamp(-1.0, 1.0));
+        (
+            maths::atan2(right.z, -up.z),
+            pitch,
+            maths::atan2(forward.y, forward.x),
+        )
     }
 
     /// The lean that may be asked while the throttle is at `throttle`, radians.
     pub(super) fn lean_limit_rad(&mut self, throttle: f64) -> f64 {
-        let left = (throttle / LEAN_THROTTLE).clamp(0.0, 1.0).acos();
+        let left = maths::acos((throttle / LEAN_THROTTLE).clamp(0.0, 1.0));
         self.lean_max_rad += (left - self.lean_max_rad) * (STEP_S / (STEP_S + LEAN_LIMIT_S));
         self.lean_max_rad.clamp(LEAN_LEAST_RAD, 1.4)
     }
@@ -203,7 +208,7 @@ impl Upset {
     fn control(&mut self, wanted: &WantedTurn, following: DVec3, drive: &Drive<'_>) -> DVec3 {
         let up = self.attitude * DVec3::NEG_Z;
         let across = up.cross(wanted.up);
-        self.error_rad = across.length().atan2(up.dot(wanted.up));
+        self.error_rad = maths::atan2(across.length(), up.dot(wanted.up));
         let axis = across
             .try_normalize()
             .unwrap_or_else(|| self.attitude * DVec3::X);

@@ -6,6 +6,7 @@ use rand_chacha::ChaCha8Rng;
 
 use super::kinematics::STEP_S;
 use super::parameters::Parameters;
+use sortie_geo::maths;
 
 /// Gusts drift past even a vehicle that hovers in a calm; at this speed they do so at least, in metres per second.
 const DRIFT_MIN_M_S: f64 = 5.0;
@@ -60,8 +61,8 @@ struct Filter {
 impl WindRules {
     pub(super) fn read(all: &Parameters) -> Self {
         let finite = |name| all.value(name).clamp(-1e6, 1e6);
-        let (sin, cos) = finite("SIM_WIND_DIR").to_radians().sin_cos();
-        let (up, flat) = finite("SIM_WIND_DIR_Z").to_radians().sin_cos();
+        let (sin, cos) = maths::sin_cos(finite("SIM_WIND_DIR").to_radians());
+        let (up, flat) = maths::sin_cos(finite("SIM_WIND_DIR_Z").to_radians());
         let height_m = finite("SIM_WIND_T_ALT");
         Self {
             speed_m_s: all.value("SIM_WIND_SPD").clamp(0.0, 100.0),
@@ -136,7 +137,7 @@ impl Wind {
     fn gust(&mut self, height_m: f64, speed_m_s: f64, rules: &WindRules) -> DVec3 {
         let height_ft = (height_m / METRES_PER_FOOT).clamp(10.0, 1000.0);
         let shape = 0.177 + 0.000_823 * height_ft;
-        let long_m = height_ft * METRES_PER_FOOT / shape.powf(1.2);
+        let long_m = height_ft * METRES_PER_FOOT / maths::powf(shape, 1.2);
         let high_m = height_ft * METRES_PER_FOOT;
         let drift_m_s = speed_m_s.max(DRIFT_MIN_M_S);
         let (long_s, high_s) = (long_m / drift_m_s, high_m / drift_m_s);
@@ -145,7 +146,7 @@ impl Wind {
         let noise = self.noise();
         let across = self.across.step(noise, long_s);
         let noise = self.noise();
-        let vertical = self.vertical.step(noise, high_s) * shape.powf(0.4).min(1.0);
+        let vertical = self.vertical.step(noise, high_s) * maths::powf(shape, 0.4).min(1.0);
         let ahead = rules.towards.truncate().normalize_or(glam::DVec2::X);
         let flat = ahead * self.along_m_s + ahead.perp() * across;
         flat.extend(vertical) * (rules.turbulence_m_s * GUST_PER_TURBULENCE)

@@ -3,6 +3,7 @@
 use glam::DVec2;
 
 use super::kinematics::STEP_S;
+use sortie_geo::maths;
 use sortie_geo::wrap_180;
 
 /// A nose that a pilot turns, or that does not do what it should, is made to follow its setpoint with this lag.
@@ -184,5 +185,5 @@ impl YawControl {
 }
 
 fn turn_towards(from_deg: f64, way: DVec2) -> f64 {
-    wrap_180(way.y.atan2(way.x).to_degrees() - from_deg)
+    wrap_180(maths::atan2(way.y, way.x).to_degrees() - from_deg)
 }

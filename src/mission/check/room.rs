@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::{Examined, ExaminedObjective};
+use crate::geo::maths;
 use crate::mission::Point;
 use crate::mission::objective::GateRoute;
 use crate::mission::report::distance_m;
@@ -125,7 +126,7 @@ fn corners(shape: &Shape) -> Vec<Point> {
         Shape::Circle { center, radius_m } => (0..POINTS_OF_A_CIRCLE)
             .map(|step| TAU * f64::from(step) / f64::from(POINTS_OF_A_CIRCLE))
             .map(|angle| {
-                let (sin, cos) = angle.sin_cos();
+                let (sin, cos) = maths::sin_cos(angle);
                 [center[0] + radius_m * sin, center[1] + radius_m * cos]
             })
             .collect(),

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::mover::{Mover, MoverKind};
 use super::scope::Scope;
+use crate::geo::maths;
 use crate::mission::craft::{Breach, Craft};
 use crate::mission::zone::ZoneKind;
 use crate::scoring::SafetyKind;
@@ -60,7 +61,7 @@ impl Airspace {
     fn closest_m(&self, [a, b]: [VehicleId; 2], now_at: [Place; 2]) -> f64 {
         let between =
             |a: Place, b: Place| -> Place { std::array::from_fn(|axis| b[axis] - a[axis]) };
-        let length = |v: Place| v[0].hypot(v[1]).hypot(v[2]);
+        let length = |v: Place| maths::hypot(maths::hypot(v[0], v[1]), v[2]);
         let now = between(now_at[0], now_at[1]);
         let (Some(&a), Some(&b)) = (self.before.get(&a), self.before.get(&b)) else {
             return length(now);

@@ -7,6 +7,7 @@
 use std::collections::BTreeMap;
 
 use super::fault::{Broken, FaultKind};
+use crate::geo::maths;
 use crate::geo::{LatLon, METRES_PER_DEGREE};
 use crate::mission::weather::Weather;
 use crate::session::{RadioFault, Want};
@@ -92,7 +93,7 @@ impl Wishes {
 
     /// Satellite navigation shows a place that lies so far to the east and to the north.
     pub fn mislead(&mut self, [east_m, north_m]: [f64; 2], origin: LatLon) {
-        let east = east_m / (METRES_PER_DEGREE * origin.lat_deg.to_radians().cos());
+        let east = east_m / (METRES_PER_DEGREE * maths::cos(origin.lat_deg.to_radians()));
         self.0.insert(GLITCH_NORTH, north_m / METRES_PER_DEGREE);
         self.0.insert(GLITCH_EAST, east);
     }

@@ -5,6 +5,7 @@ use std::time::Duration;
 use rand::RngExt as _;
 use rand_chacha::ChaCha8Rng;
 
+use crate::geo::maths;
 use crate::mission::Point;
 use crate::mission::report::distance_m;
 
@@ -88,7 +89,7 @@ impl Mover {
         let flat = distance_m(self.at, [east_m, north_m]);
         match self.kind {
             MoverKind::Person => flat,
-            MoverKind::Aircraft | MoverKind::Intruder => flat.hypot(up_m - self.height_m),
+            MoverKind::Aircraft | MoverKind::Intruder => maths::hypot(flat, up_m - self.height_m),
         }
     }
 }

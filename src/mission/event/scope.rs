@@ -7,6 +7,7 @@ use rand::{RngExt as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 
 use super::mover::Mover;
+use crate::geo::maths;
 use crate::mission::contact::Contact;
 use crate::mission::craft::Craft;
 use crate::mission::objective::ObjectiveStanding;
@@ -109,7 +110,7 @@ impl<'a> Scope<'a> {
         let flying: Vec<_> = self.flying().filter_map(Craft::place_m).collect();
         let pairs = flying.iter().enumerate().flat_map(|(index, a)| {
             let others = flying[index + 1..].iter();
-            others.map(|b| (a[0] - b[0]).hypot(a[1] - b[1]).hypot(a[2] - b[2]))
+            others.map(|b| maths::hypot(maths::hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]))
         });
         pairs.fold(f64::INFINITY, f64::min)
     }

@@ -8,6 +8,7 @@ use rand_chacha::ChaCha8Rng;
 
 use super::placing::revealed;
 use super::{Field, Hazard, Object, ObjectClass, TruthPiece};
+use crate::geo::maths;
 use crate::mission::Point;
 use crate::mission::format::{FileTable, KindOf, list, number, point, whole};
 use crate::mission::report::distance_m;
@@ -117,7 +118,7 @@ impl Wire {
             let share = x_m / span_m;
             let place = [0, 1].map(|axis| from[axis] + (to[axis] - from[axis]) * share);
             let drop_m = drop_m(self.parameter_m, span_m, x_m);
-            let axis_deg = (to[0] - from[0]).atan2(to[1] - from[1]).to_degrees();
+            let axis_deg = maths::atan2(to[0] - from[0], to[1] - from[1]).to_degrees();
             last = (place, self.height_m - drop_m, axis_deg);
             if left_m <= span_m {
                 break;
@@ -133,8 +134,8 @@ fn drop_m(parameter_m: f64, span_m: f64, x_m: f64) -> f64 {
     if !parameter_m.is_finite() {
         return 0.0;
     }
-    let end = (span_m / 2.0 / parameter_m).cosh();
-    parameter_m * (end - ((x_m - span_m / 2.0) / parameter_m).cosh())
+    let end = maths::cosh(span_m / 2.0 / parameter_m);
+    parameter_m * (end - maths::cosh((x_m - span_m / 2.0) / parameter_m))
 }
 
 /// The parameter of the catenary with a sag in a span: `a (cosh(L / 2a) - 1) = sag`, by bisection.
@@ -143,16 +144,16 @@ fn parameter_m(span_m: f64, sag_m: f64) -> f64 {
         return f64::INFINITY;
     }
     // Logarithms of the bounds: a wire that hangs down almost straight, and one that is almost level.
-    let (mut low, mut high) = ((span_m / 1000.0).ln(), (span_m * 1e7).ln());
+    let (mut low, mut high) = (maths::ln(span_m / 1000.0), maths::ln(span_m * 1e7));
     for _ in 0..80 {
         let middle = f64::midpoint(low, high);
-        if drop_m(middle.exp(), span_m, span_m / 2.0) > sag_m {
+        if drop_m(maths::exp(middle), span_m, span_m / 2.0) > sag_m {
             low = middle;
         } else {
             high = middle;
         }
     }
-    low.exp()
+    maths::exp(low)
 }
 
 impl Hazard for PowerLine {
@@ -198,7 +199,7 @@ impl Field for Strung {
         let distances = self
             .points
             .iter()
-            .map(|&(point, wire_m)| distance_m(point, at).hypot(wire_m - height_m));
+            .map(|&(point, wire_m)| maths::hypot(distance_m(point, at), wire_m - height_m));
         distances.min_by(f64::total_cmp)
     }
 
@@ -224,7 +225,7 @@ mod tests {
             assert!(drop_m(a, span_m, 0.0).abs() < 1e-9);
             // A catenary's slope is sinh(x / a).
             let slope = (drop_m(a, span_m, 0.001) - drop_m(a, span_m, 0.0)) / 0.001;
-            assert!((slope - (span_m / 2.0 / a).sinh()).abs() < 1e-3 * slope.max(1.0));
+            assert!((slope - maths::sinh(span_m / 2.0 / a)).abs() < 1e-3 * slope.max(1.0));
         }
         // A flat one is a parabola: a = L^2 / (8 sag), a quarter of the way three quarters of the sag.
         let a = parameter_m(100.0, 0.5);

@@ -11,6 +11,7 @@ use super::dispersion::{CALM_BELOW_M_S, Stability, Terrain, calm_growth_m_s, spr
 use super::source::{Leak, LeakPlan, UG_PER_G};
 use super::wander::Wander;
 use super::{Field, Hazard, Object, Quantity, TruthPiece, TruthShape};
+use crate::geo::maths;
 use crate::mission::format::{FileTable, KindOf, number};
 use crate::mission::weather::{Weather, Wind};
 use crate::mission::{Point, TICK};
@@ -116,7 +117,7 @@ impl Hazard for PlumeHazard {
 impl Field for PlumeField {
     fn step(&mut self, _: Duration, weather: &Weather) {
         let dt_s = TICK.as_secs_f64();
-        let follows = 1.0 - (-dt_s / FOLLOWS_IN_S).exp();
+        let follows = 1.0 - maths::exp(-dt_s / FOLLOWS_IN_S);
         for (drift, now) in self.drift_m_s.iter_mut().zip(weather.wind.drift_m_s()) {
             *drift += (now - *drift) * follows;
         }
@@ -170,7 +171,7 @@ impl PlumeField {
             .map(|(_, amount)| *amount)
             .fold(f64::MIN_POSITIVE, f64::max);
         let shade = |(at, amount): (Point, f64)| {
-            let strength = 1.0 + (amount / most).log10() / DECADES;
+            let strength = 1.0 + maths::log10(amount / most) / DECADES;
             (strength >= FAINTEST).then_some(TruthPiece {
                 at,
                 shape: TruthShape::Square(SHADE_SIDE_M, strength),
@@ -197,14 +198,14 @@ impl PlumeField {
         let age_s = downwind.max(0.0) / self.wind.speed_m_s.max(CALM_BELOW_M_S);
         let age = ((age_s / TICK.as_secs_f64()) as usize).min(self.gusts.len().saturating_sub(1));
         let gust = self.gusts.get(age).copied().unwrap_or(self.gust.value);
-        (gust - 0.5 * self.intermittency.powi(2)).exp()
+        maths::exp(gust - 0.5 * maths::powi(self.intermittency, 2))
     }
 }
 
 /// How far a point lies downwind and to the side of a source.
 fn along_and_across(wind: Wind, source: Point, at: Point) -> (f64, f64) {
     let (east, north) = (at[0] - source[0], at[1] - source[1]);
-    let (sin, cos) = wind.from_deg.to_radians().sin_cos();
+    let (sin, cos) = maths::sin_cos(wind.from_deg.to_radians());
     // The wind blows away from where it comes from.
     (-(east * sin + north * cos), east * cos - north * sin)
 }
@@ -230,7 +231,7 @@ impl Plume {
             return 0.0;
         }
         let (sy, sz) = spreads_m(self.stability, self.terrain, downwind.max(NEAREST_M));
-        let bell = |offset: f64, spread: f64| (-0.5 * (offset / spread).powi(2)).exp();
+        let bell = |offset: f64, spread: f64| maths::exp(-0.5 * maths::powi(offset / spread, 2));
         let speed = wind.speed_m_s.max(CALM_BELOW_M_S);
         let vertical = bell(height_m - self.height_m, sz) + bell(height_m + self.height_m, sz);
         UG_PER_G * self.rate_g_s / (TAU * speed * sy * sz) * bell(crosswind, sy) * vertical
@@ -240,10 +241,11 @@ impl Plume {
     /// `Q / ((2 pi)^1.5 g) [1 / (R2 + a2/g2 (z-H)2) + 1 / (R2 + a2/g2 (z+H)2)]`.
     fn in_calm_ug_m3(&self, at: Point, height_m: f64) -> f64 {
         let (a, g) = calm_growth_m_s(self.stability);
-        let r2 = (at[0] - self.source[0]).powi(2) + (at[1] - self.source[1]).powi(2);
-        let term = |rise: f64| 1.0 / (r2 + (a / g * rise).powi(2)).max(NEAREST_M.powi(2));
+        let r2 = maths::powi(at[0] - self.source[0], 2) + maths::powi(at[1] - self.source[1], 2);
+        let term =
+            |rise: f64| 1.0 / (r2 + maths::powi(a / g * rise, 2)).max(maths::powi(NEAREST_M, 2));
         let both = term(height_m - self.height_m) + term(height_m + self.height_m);
-        UG_PER_G * self.rate_g_s / (TAU.powf(1.5) * g) * both
+        UG_PER_G * self.rate_g_s / (maths::powf(TAU, 1.5) * g) * both
     }
 }
 

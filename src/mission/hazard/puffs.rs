@@ -11,6 +11,7 @@ use super::dispersion::{CALM_BELOW_M_S, calm_growth_m_s, spreads_m};
 use super::plume::Plume;
 use super::source::{Leak, LeakPlan, UG_PER_G};
 use super::{Field, Hazard, Object, Quantity, TruthPiece};
+use crate::geo::maths;
 use crate::mission::format::{FileTable, KindOf, number};
 use crate::mission::weather::Weather;
 use crate::mission::{Point, TICK};
@@ -117,7 +118,7 @@ impl Field for PuffsField {
 impl Puff {
     /// Carries it on. In wind it grows as a plume does with the way it comes, in calm air with time.
     fn drift(&mut self, drift_m_s: [f64; 2], dt_s: f64, source: &Plume) {
-        let speed_m_s = drift_m_s[0].hypot(drift_m_s[1]);
+        let speed_m_s = maths::hypot(drift_m_s[0], drift_m_s[1]);
         self.at[0] += drift_m_s[0] * dt_s;
         self.at[1] += drift_m_s[1] * dt_s;
         let before = spreads_m(source.stability, source.terrain, self.travelled_m);
@@ -136,14 +137,14 @@ impl Puff {
     /// `M / ((2 pi)^1.5 sy2 sz) exp(-r2/2sy2) [exp(-(z-H)2/2sz2) + exp(-(z+H)2/2sz2)]`
     fn concentration_ug_m3(&self, at: Point, height_m: f64, source_m: f64) -> f64 {
         let (sy, sz) = self.spread_m;
-        let r2 = (at[0] - self.at[0]).powi(2) + (at[1] - self.at[1]).powi(2);
-        if r2 > (FELT_SPREADS * sy).powi(2) {
+        let r2 = maths::powi(at[0] - self.at[0], 2) + maths::powi(at[1] - self.at[1], 2);
+        if r2 > maths::powi(FELT_SPREADS * sy, 2) {
             return 0.0;
         }
-        let bell = |rise: f64| (-0.5 * (rise / sz).powi(2)).exp();
+        let bell = |rise: f64| maths::exp(-0.5 * maths::powi(rise / sz, 2));
         let vertical = bell(height_m - source_m) + bell(height_m + source_m);
-        let middle = UG_PER_G * self.mass_g / (TAU.powf(1.5) * sy * sy * sz);
-        middle * (-0.5 * r2 / (sy * sy)).exp() * vertical
+        let middle = UG_PER_G * self.mass_g / (maths::powf(TAU, 1.5) * sy * sy * sz);
+        middle * maths::exp(-0.5 * r2 / (sy * sy)) * vertical
     }
 }
 
@@ -222,7 +223,7 @@ mod tests {
         let mut field = puffs();
         run(&mut field, 10, &wind(0.0, 0.0));
         let oldest = field.puffs[0];
-        assert!(oldest.at[0].hypot(oldest.at[1]) < 1e-9);
+        assert!(maths::hypot(oldest.at[0], oldest.at[1]) < 1e-9);
         assert!((oldest.spread_m.0 - (0.5 + 0.635 * 8.0)).abs() < 1e-6);
     }
 }

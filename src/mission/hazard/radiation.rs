@@ -6,6 +6,7 @@ use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
 use super::{Field, Hazard, Object, ObjectClass, Quantity, TruthPiece, TruthShape};
+use crate::geo::maths;
 use crate::mission::Point;
 use crate::mission::format::{
     FileTable, KindOf, POINT_RANGE, list, number, point, table as table_of, word,
@@ -190,9 +191,9 @@ impl Field for RadiationField {
 impl GammaSource {
     fn dose_rate_usv_h(&self, at: Point, height_m: f64) -> f64 {
         let (per_gbq, absorbed_per_m) = self.isotope.constants();
-        let level = (at[0] - self.at[0]).hypot(at[1] - self.at[1]);
-        let r = level.hypot(height_m - self.height_m).max(NEAREST_M);
-        per_gbq * self.activity_gbq / (r * r) * (-absorbed_per_m * r).exp()
+        let level = maths::hypot(at[0] - self.at[0], at[1] - self.at[1]);
+        let r = maths::hypot(level, height_m - self.height_m).max(NEAREST_M);
+        per_gbq * self.activity_gbq / (r * r) * maths::exp(-absorbed_per_m * r)
     }
 }
 

@@ -3,20 +3,19 @@
 use std::time::Duration;
 
 use rand::RngExt;
+use rand::distr::OpenClosed01;
 use rand_chacha::ChaCha8Rng;
-use rand_distr::{Distribution, Weibull};
 
 use super::people::People;
 use super::placing::spread;
 use super::{Field, Hazard, Object, ObjectClass};
+use crate::geo::maths;
 use crate::mission::format::{
     FileTable, KindOf, LONGEST_S, number, spread as spread_values, whole,
 };
 use crate::mission::weather::Weather;
 use crate::mission::zone::Shape;
 
-/// How long people last is Weibull's with this shape: hardly anybody is lost early.
-const WEIBULL_SHAPE: f64 = 2.0;
 const MOST_PEOPLE: u32 = 100;
 
 #[derive(Debug)]
@@ -26,7 +25,8 @@ struct Survivors {
     animals: usize,
     cover: [f64; 2],
     gap_m: f64,
-    lasts: Option<Weibull<f64>>,
+    /// The scale of how long people last, in seconds; without it, for ever.
+    lasts_s: Option<f64>,
 }
 
 pub(super) const KIND: KindOf<Box<dyn Hazard>> = KindOf {
@@ -66,8 +66,14 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
         animals: animals as usize,
         cover: cover.unwrap_or_default(),
         gap_m: gap_m?,
-        lasts: lasts_s.and_then(|scale_s| Weibull::new(scale_s, WEIBULL_SHAPE).ok()),
+        lasts_s,
     }))
+}
+
+/// Weibull's distribution with shape 2: few are lost early.
+fn lasting_s(scale_s: f64, random: &mut ChaCha8Rng) -> f64 {
+    let share: f64 = random.sample(OpenClosed01);
+    scale_s * (-maths::ln(share)).sqrt()
 }
 
 impl Hazard for Survivors {
@@ -84,7 +90,7 @@ impl Hazard for Survivors {
                 ..Object::new(class, at)
             };
             if index < self.count {
-                let lasts_s = self.lasts.map(|lasts| lasts.sample(&mut random));
+                let lasts_s = self.lasts_s.map(|scale_s| lasting_s(scale_s, &mut random));
                 people.add(
                     thing(ObjectClass::Person),
                     lasts_s.map(Duration::from_secs_f64),
@@ -114,7 +120,7 @@ mod tests {
             animals: 2,
             cover: [0.1, 0.4],
             gap_m: 20.0,
-            lasts: lasts_s.and_then(|scale_s| Weibull::new(scale_s, WEIBULL_SHAPE).ok()),
+            lasts_s,
         };
         hazard.release(&Weather::CALM, ChaCha8Rng::seed_from_u64(seed))
     }
@@ -163,6 +169,9 @@ mod tests {
             lost += care.lost;
         }
         let share = 1.0 - lost as f64 / 2000.0;
-        assert!((share - (-0.5_f64).exp()).abs() < 4.0 * 0.011, "{share}");
+        assert!(
+            (share - maths::exp(-0.5_f64)).abs() < 4.0 * 0.011,
+            "{share}"
+        );
     }
 }

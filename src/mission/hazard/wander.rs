@@ -1,5 +1,6 @@
 //! A quantity that wanders about zero and forgets where it was: a first-order Gauss-Markov process.
 
+use crate::geo::maths;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
@@ -25,7 +26,7 @@ impl Wander {
 
     /// Lets time pass; exact for any step.
     pub fn step(&mut self, dt_s: f64, random: &mut ChaCha8Rng) {
-        let kept = (-dt_s / self.tau_s).exp();
+        let kept = maths::exp(-dt_s / self.tau_s);
         let push: f64 = StandardNormal.sample(random);
         self.value = kept * self.value + self.spread * (1.0 - kept * kept).sqrt() * push;
     }
@@ -53,6 +54,6 @@ mod tests {
         };
         assert!((mean_product(0).sqrt() - 2.0).abs() < 0.05);
         let share = mean_product(5) / mean_product(0);
-        assert!((share - (-1.0_f64).exp()).abs() < 0.03, "{share}");
+        assert!((share - maths::exp(-1.0_f64)).abs() < 0.03, "{share}");
     }
 }

@@ -1,4 +1,5 @@
 use super::*;
+use crate::geo::maths;
 use crate::mission::ground_truth::{Object, ObjectClass};
 use crate::mission::weather::{Light, Weather};
 
@@ -67,9 +68,9 @@ fn sure(share: f64) -> f64 {
 #[test]
 fn passes_over_a_mine_add_up_to_one_minus_the_product_of_misses() {
     // The best of the sensor times what is left at 2 m/s: 1 / (1 + e^((2 - 4) / 0.6)).
-    let one = 0.10 / (1.0 + (-2.0_f64 / 0.6).exp());
+    let one = 0.10 / (1.0 + maths::exp(-2.0_f64 / 0.6));
     for passes in [1, 4] {
-        let all = (1.0 - NEVER_SEEN) * (1.0 - (1.0 - one).powi(passes));
+        let all = (1.0 - NEVER_SEEN) * (1.0 - maths::powi(1.0 - one, passes));
         let found = share(
             passes as u32,
             "s_mag",
@@ -107,7 +108,7 @@ fn a_dwell_over_a_person_finds_as_often_as_the_looks_that_fit_into_it() {
         .detector()
         .and_then(|spec| spec.look(&view));
     let one = look.expect("it is in the picture").chance;
-    let all = 1.0 - (1.0 - one).powf(2.0 / 2.0);
+    let all = 1.0 - maths::powf(1.0 - one, 2.0 / 2.0);
     let found = share(1, "s_th160", ObjectClass::Person, 118.0, 10.0);
     assert!((found - all).abs() < sure(all), "{found}, not {all}");
 }

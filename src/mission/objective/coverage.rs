@@ -7,6 +7,7 @@
 use toml::Spanned;
 
 use super::{Demands, GroundPatch, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
+use crate::geo::maths;
 use crate::mission::craft::Craft;
 use crate::mission::format::{BetterMeasure, FileTable, KindOf, ObjectiveTarget, number};
 use crate::mission::sensor::Sensor;
@@ -252,7 +253,7 @@ impl Tracker for Sweep {
 
 /// What a search finds that covers so much without a plan: `1 - e^-C`.
 fn random_search(coverage: f64) -> f64 {
-    1.0 - (-coverage).exp()
+    1.0 - maths::exp(-coverage)
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use super::route::GateRoute;
 use super::{Demands, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
+use crate::geo::maths;
 use crate::mission::craft::Craft;
 use crate::mission::format::{BetterMeasure, FileTable, KindOf, ObjectiveTarget, number, rising};
 use crate::mission::skill::Skill;
@@ -95,7 +96,7 @@ fn position(craft: &Craft) -> Option<[f64; 3]> {
 }
 
 fn distance_m(a: &[f64; 3], b: &[f64; 3]) -> f64 {
-    (a[0] - b[0]).hypot(a[1] - b[1]).hypot(a[2] - b[2])
+    maths::hypot(maths::hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2])
 }
 
 impl FormationTracker {

@@ -6,6 +6,7 @@ use super::{
     DemandedPlaces, DemandedTime, Demands, ObjectiveKind, ObjectiveScene, ObjectiveStanding,
     Tracker,
 };
+use crate::geo::maths;
 use crate::mission::craft::Craft;
 use crate::mission::format::{FileTable, KindOf, NamedPlace, heights, number, text};
 use crate::mission::skill::Skill;
@@ -101,7 +102,7 @@ impl Hover {
         };
         let fixed = self.place.as_ref().map(|place| place.at);
         let around = fixed.or(hold.around).unwrap_or(at);
-        if (at[0] - around[0]).hypot(at[1] - around[1]) <= self.radius_m {
+        if maths::hypot(at[0] - around[0], at[1] - around[1]) <= self.radius_m {
             hold.around = Some(around);
             hold.now_s += TICK.as_secs_f64();
         } else {

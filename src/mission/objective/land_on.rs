@@ -5,6 +5,7 @@ use std::slice;
 use super::{
     DOWN_FOR, DemandedPlaces, Demands, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker,
 };
+use crate::geo::maths;
 use crate::mission::Point;
 use crate::mission::craft::Craft;
 use crate::mission::format::{FileTable, KindOf, NamedPlace, text, whole};
@@ -64,7 +65,7 @@ impl ObjectiveKind for LandOn {
 impl LandOn {
     fn is_there(&self, craft: &Craft) -> bool {
         let [east_m, north_m] = self.place.at;
-        let away_m = |at: Point| (at[0] - east_m).hypot(at[1] - north_m);
+        let away_m = |at: Point| maths::hypot(at[0] - east_m, at[1] - north_m);
         craft.is_down() && craft.at.is_some_and(|at| away_m(at) <= self.radius_m)
     }
 }

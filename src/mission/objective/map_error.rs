@@ -4,6 +4,7 @@
 //! the true ones (NRMSE). A cell that was not sampled is a blank on the map and counts as a reading of zero.
 
 use super::{ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
+use crate::geo::maths;
 use crate::mission::Point;
 use crate::mission::format::{BetterMeasure, FileTable, KindOf, ObjectiveTarget, number, text};
 use crate::mission::skill::Skill;
@@ -96,7 +97,7 @@ impl MapTracker {
             .enumerate()
             .map(|(index, truth)| {
                 let measured = survey.mean(index).filter(|_| survey.is_sampled(index));
-                (measured.unwrap_or(0.0) - truth).powi(2)
+                maths::powi(measured.unwrap_or(0.0) - truth, 2)
             })
             .sum();
         let rms = (squares / count).sqrt();

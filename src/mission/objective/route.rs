@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use rand::RngExt as _;
 
+use crate::geo::maths;
 use crate::mission::format::{FileTable, gate, list, number};
 use crate::mission::world::World;
 
@@ -65,8 +66,8 @@ impl GateRoute {
             let away_m = self.jitter_m * random.random::<f64>().sqrt();
             let angle = TAU * random.random::<f64>();
             [
-                east_m + away_m * angle.sin(),
-                north_m + away_m * angle.cos(),
+                east_m + away_m * maths::sin(angle),
+                north_m + away_m * maths::cos(angle),
                 up_m,
             ]
         };

@@ -6,6 +6,7 @@ use super::{
     DemandedPlaces, DemandedTime, Demands, ObjectiveKind, ObjectiveScene, ObjectiveStanding,
     Tracker, partial_credit,
 };
+use crate::geo::maths;
 use crate::mission::craft::Craft;
 use crate::mission::format::{FileTable, KindOf, NamedPlace, heights, list, number, text};
 use crate::mission::objective::route::GateRoute;
@@ -50,11 +51,11 @@ impl Stop {
         let Some([east_m, north_m]) = craft.at.filter(|_| craft.airborne && !craft.lost) else {
             return false;
         };
-        let level_m = (east_m - self.at[0]).hypot(north_m - self.at[1]);
+        let level_m = maths::hypot(east_m - self.at[0], north_m - self.at[1]);
         let [low, high] = self.heights_m;
         let away_m = self
             .up_m
-            .map_or(level_m, |up_m| level_m.hypot(craft.height_m - up_m));
+            .map_or(level_m, |up_m| maths::hypot(level_m, craft.height_m - up_m));
         away_m <= self.radius_m && (low..=high).contains(&craft.height_m)
     }
 }

@@ -1,5 +1,6 @@
 //! Sensors that find objects: heads that pass closely over the ground, and cameras.
 
+use crate::geo::maths;
 use crate::mission::weather::Light;
 
 /// How a sensor finds things.
@@ -95,7 +96,7 @@ impl DetectorSpec {
             Self::Ground(ground) => ground.swath_m,
             Self::Camera(camera) => {
                 let [across, along] = camera.footprint_m(height_m);
-                across.hypot(along) / 2.0
+                maths::hypot(across, along) / 2.0
             }
         }
     }
@@ -112,7 +113,7 @@ impl DetectorSpec {
 impl Camera {
     /// What it sees of the ground at a height, across and along the course: `2 h tan(FOV / 2)`.
     pub fn footprint_m(&self, height_m: f64) -> [f64; 2] {
-        let side = |angle: f64| 2.0 * height_m.max(0.0) * (angle.to_radians() / 2.0).tan();
+        let side = |angle: f64| 2.0 * height_m.max(0.0) * maths::tan(angle.to_radians() / 2.0);
         self.view_deg.map(side)
     }
 

@@ -10,6 +10,7 @@
 
 use super::detector::{Band, Camera, DetectorSpec, Ground, MineSpec};
 use crate::commands::FindKind;
+use crate::geo::maths;
 use crate::mission::ground_truth::{Object, ObjectClass};
 use crate::mission::weather::Light;
 
@@ -168,13 +169,13 @@ impl MineSpec {
     /// What height and speed leave of its probabilities.
     pub(super) fn left(&self, height_m: f64, speed_m_s: f64) -> f64 {
         let over = (speed_m_s - self.speed_m_s) / (0.15 * self.speed_m_s);
-        self.nearness(height_m) / (1.0 + over.exp())
+        self.nearness(height_m) / (1.0 + maths::exp(over))
     }
 
     /// What height leaves of them.
     fn nearness(&self, height_m: f64) -> f64 {
         let above = (height_m - self.height_m).max(0.0);
-        (-(above / self.height_scale_m).powi(2)).exp()
+        maths::exp(-maths::powi(above / self.height_scale_m, 2))
     }
 }
 
@@ -242,13 +243,14 @@ impl Camera {
     fn inspect(&self, view: &View<'_>, axis_deg: f64) -> Option<Look> {
         let reach_m = self.inspects_to_m?;
         let [east, north] = view.toward_m;
-        let distance_m = east
-            .hypot(north)
-            .hypot(view.object.height_m - view.height_m);
-        let (sin, cos) = axis_deg.to_radians().sin_cos();
+        let distance_m = maths::hypot(
+            maths::hypot(east, north),
+            view.object.height_m - view.height_m,
+        );
+        let (sin, cos) = maths::sin_cos(axis_deg.to_radians());
         // The axis runs to (sin, cos); its level normal is (cos, -sin).
         let square_m = (east * cos - north * sin).abs();
-        if square_m < distance_m * VIEW_ANGLE_DEG.to_radians().cos() {
+        if square_m < distance_m * maths::cos(VIEW_ANGLE_DEG.to_radians()) {
             return None;
         }
         let told = task_performance(NINE_IN_TEN * reach_m / distance_m.max(1.0));
@@ -294,14 +296,14 @@ impl Camera {
     fn transmission(&self, view: &View<'_>) -> f64 {
         match self.band {
             Band::Visible => view.clarity,
-            Band::Thermal => view.clarity.powf(SMOKE_IN_INFRARED),
+            Band::Thermal => maths::powf(view.clarity, SMOKE_IN_INFRARED),
         }
     }
 }
 
 /// `x^E / (1 + x^E)`, `E = 2.7 + 0.7 x`.
 fn task_performance(x: f64) -> f64 {
-    let power = x.powf(2.7 + 0.7 * x);
+    let power = maths::powf(x, 2.7 + 0.7 * x);
     if power.is_finite() {
         power / (1.0 + power)
     } else {

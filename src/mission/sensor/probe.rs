@@ -6,6 +6,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, Poisson, StandardNormal};
 
 use super::Sensor;
+use crate::geo::maths;
 use crate::mission::ground_truth::Quantity;
 
 /// How a sensor measures.
@@ -114,13 +115,13 @@ impl Probe {
     }
 
     fn settle(&mut self, reading: f64, tau_s: f64, dt_s: f64) {
-        self.settled += (reading - self.settled) * (1.0 - (-dt_s / tau_s).exp());
+        self.settled += (reading - self.settled) * (1.0 - maths::exp(-dt_s / tau_s));
     }
 
     /// `sqrt((share * reading)^2 + floor^2)` about the reading.
     fn noisy(&mut self, noise: Noise) -> f64 {
         let draw: f64 = StandardNormal.sample(&mut self.random);
-        self.settled + draw * (noise.share * self.settled).hypot(noise.floor)
+        self.settled + draw * maths::hypot(noise.share * self.settled, noise.floor)
     }
 
     fn counts(&mut self, mean: f64) -> f64 {
@@ -171,7 +172,10 @@ mod tests {
     fn mean_and_variance(values: &[f64]) -> (f64, f64) {
         let count = values.len() as f64;
         let mean = values.iter().sum::<f64>() / count;
-        let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
+        let squares: f64 = values
+            .iter()
+            .map(|value| maths::powi(value - mean, 2))
+            .sum();
         (mean, squares / count)
     }
 

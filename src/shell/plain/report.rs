@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::brief;
 use crate::app::State;
 use crate::app::state::{FlightView, Hangar, HelpLine, NoticeLine, command_help};
+use crate::geo::maths;
 use crate::language::{Channel, Report, VehicleChoice, ranges};
 use crate::ledger::{EntryId, LedgerEntry};
 use crate::mission::{ObjectiveProgress, ObjectiveState, ShownContact, Trust};
@@ -300,7 +301,7 @@ fn vehicle_text(vehicle: &Vehicle, state: &State) -> Text {
     }
     if let Some(at) = vehicle.global {
         let height = format!("{:.1}", at.altitude_m);
-        let speed = format!("{:.1}", at.north_m_s.hypot(at.east_m_s));
+        let speed = format!("{:.1}", maths::hypot_f32(at.north_m_s, at.east_m_s));
         parts.push(text!("plain-flight", height = height, speed = speed));
         if let Some(home) = vehicle.home {
             let far = format!("{:.0}", home.at_point.distance_m(at.at_point));

@@ -1,6 +1,7 @@
 //! Manoeuvres are flown as ordered.
 
 use super::*;
+use crate::geo::maths;
 
 /// Bits of luck aside: GPS, wind and control leave so much.
 const NOISE_M: f64 = 0.6;
@@ -28,7 +29,7 @@ fn four_share_a_survey_and_cover_every_point_of_it() {
     for north in (22..=138).step_by(4) {
         for east in (2..=58).step_by(4) {
             let (north, east) = (f64::from(north), f64::from(east));
-            let distance = |at: &&[f64; 3]| (at[0] - north).hypot(at[1] - east);
+            let distance = |at: &&[f64; 3]| maths::hypot(at[0] - north, at[1] - east);
             let nearest = working.iter().map(distance).fold(f64::INFINITY, f64::min);
             assert!(nearest <= 6.0 + NOISE_M, "{north} {east}: {nearest}");
         }
@@ -82,9 +83,9 @@ fn a_formation_goes_as_fast_as_its_leader_was_told_to() {
         stage.say("1 goto n 200 e 0 up 25");
         let mut fastest: f64 = 0.0;
         let arrived = stage.watch(150.0, |stage| {
-            let speed_m_s = stage.vehicles[&1]
-                .global
-                .map_or(0.0, |global| global.north_m_s.hypot(global.east_m_s));
+            let speed_m_s = stage.vehicles[&1].global.map_or(0.0, |global| {
+                maths::hypot_f32(global.north_m_s, global.east_m_s)
+            });
             fastest = fastest.max(f64::from(speed_m_s));
             stage.is_done("goto")
         });
@@ -145,7 +146,7 @@ fn searches_share_a_square_and_turn_their_sectors() {
         let done = stage.watch(400.0, |stage| {
             for id in 1..=3 {
                 let at = stage.place(id);
-                let far = (at[0] - 60.0).hypot(at[1] - 10.0);
+                let far = maths::hypot(at[0] - 60.0, at[1] - 10.0);
                 reached[usize::from(id) - 1] = reached[usize::from(id) - 1].max(far);
             }
             stage.is_done("search")

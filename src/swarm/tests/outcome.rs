@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::*;
+use crate::geo::maths;
 use crate::vehicle::GlobalPosition;
 
 #[test]
@@ -82,7 +83,7 @@ fn a_hold_ends_a_survey_where_it_is() {
     let before = stage.place(1);
     stage.run(4.0);
     let after = stage.place(1);
-    assert!((before[0] - after[0]).hypot(before[1] - after[1]) < 0.5);
+    assert!(maths::hypot(before[0] - after[0], before[1] - after[1]) < 0.5);
     assert!(stage.conductor.paths().is_empty());
 }
 

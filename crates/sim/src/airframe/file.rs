@@ -7,6 +7,7 @@ use serde_json::{Map, Value};
 use thiserror::Error;
 
 use super::{Figures, layout};
+use sortie_geo::maths;
 
 /// What is wrong with a frame file, and where.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -90,7 +91,7 @@ pub(super) fn read(text: &str) -> Result<(Figures, Vec<AirframeError>), Airframe
         }
         if inertia.min_element() > 0.0 {
             // Less than a thousandth of what the size suggests is a slip of units.
-            let least = figures.mass_kg * figures.diagonal_m.powi(2) * 1e-3;
+            let least = figures.mass_kg * maths::powi(figures.diagonal_m, 2) * 1e-3;
             figures.inertia_kg_m2 = inertia.max(DVec3::splat(least));
         }
     }
@@ -284,7 +285,7 @@ fn without_comments(text: &str) -> String {
 pub(super) mod tests {
     use std::fmt::Write as _;
 
-    use super::NUMBERS;
+    use super::{NUMBERS, maths};
 
     /// How many fields have a range.
     pub(in crate::airframe) const RANGES: usize = NUMBERS.len();
@@ -294,7 +295,7 @@ pub(super) mod tests {
     pub(in crate::airframe) fn fields_at(parts: &[f64]) -> String {
         let mut text = String::new();
         for (number, part) in NUMBERS.iter().zip(parts) {
-            let value = number.least + (number.most - number.least) * part.powi(4);
+            let value = number.least + (number.most - number.least) * maths::powi(*part, 4);
             write!(text, "\"{}\": {value:?}, ", number.name).expect("a string takes it");
         }
         text

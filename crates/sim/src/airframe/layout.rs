@@ -1,6 +1,7 @@
 //! Where the motors of the usual frames are.
 
 use glam::DVec3;
+use sortie_geo::maths;
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Motor {
@@ -69,15 +70,15 @@ pub(super) fn standard(count: usize, radius_m: f64) -> Vec<Motor> {
     };
     let rolls = angles
         .iter()
-        .map(|(angle, _)| angle.to_radians().sin().abs());
+        .map(|(angle, _)| maths::sin(angle.to_radians()).abs());
     let pitches = angles
         .iter()
-        .map(|(angle, _)| angle.to_radians().cos().abs());
+        .map(|(angle, _)| maths::cos(angle.to_radians()).abs());
     let (most_roll, most_pitch) = (rolls.fold(0.1, f64::max), pitches.fold(0.1, f64::max));
     angles
         .iter()
         .map(|&(angle, spin)| {
-            let (sin, cos) = angle.to_radians().sin_cos();
+            let (sin, cos) = maths::sin_cos(angle.to_radians());
             Motor {
                 position_m: DVec3::new(cos, sin, 0.0) * radius_m,
                 thrust: DVec3::NEG_Z,

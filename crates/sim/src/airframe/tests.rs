@@ -1,6 +1,7 @@
 use proptest::prelude::*;
 
 use super::*;
+use sortie_geo::maths;
 
 const CALM: Conditions = Conditions {
     wind_m_s: DVec3::ZERO,
@@ -44,15 +45,15 @@ fn the_reference_flight_is_in_balance() {
     for airframe in [Airframe::default(), heavy()] {
         let figures = &airframe.figures;
         let lean = figures.reference_lean_deg.to_radians();
-        let along = DVec3::new(lean.cos(), 0.0, 0.0) * figures.reference_speed_m_s;
+        let along = DVec3::new(maths::cos(lean), 0.0, 0.0) * figures.reference_speed_m_s;
         let density = air_density(figures.reference_altitude_m);
-        let thrust = GRAVITY_M_S2 / lean.cos();
+        let thrust = GRAVITY_M_S2 / maths::cos(lean);
         // SIM_Frame balances the whole form drag at the reference speed against the lean's pull.
         let form = airframe
             .form_drag(DVec3::X * figures.reference_speed_m_s, density)
             .x;
-        let inflow = along.x * lean.cos() * airframe.momentum_drag(thrust, density);
-        let pull = GRAVITY_M_S2 * lean.tan();
+        let inflow = along.x * maths::cos(lean) * airframe.momentum_drag(thrust, density);
+        let pull = GRAVITY_M_S2 * maths::tan(lean);
         assert!(
             (form + inflow - pull).abs() < 1e-9,
             "{form} {inflow} {pull}"

@@ -4,6 +4,7 @@ use super::*;
 use crate::airframe::Conditions;
 use crate::airframe::tests::any_frame;
 use crate::upset::MotorFault;
+use sortie_geo::maths;
 
 const CALM: Conditions = Conditions {
     wind_m_s: DVec3::ZERO,
@@ -131,7 +132,7 @@ fn a_wreck_tumbles_and_does_not_rise_again() {
         let up = Demand::Acceleration(DVec3::new(0.0, 0.0, -5.0));
         impact = impact.or(body.step(up, &drive(&airframe, &CALM)));
         let (roll, pitch) = body.roll_pitch_rad();
-        most_lean = most_lean.max((roll.cos() * pitch.cos()).acos());
+        most_lean = most_lean.max(maths::acos(maths::cos(roll) * maths::cos(pitch)));
     }
     assert!(impact.is_some_and(|speed| speed > 10.0), "{impact:?}");
     assert!(

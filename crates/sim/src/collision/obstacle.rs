@@ -5,6 +5,7 @@ use glam::{DVec2, DVec3};
 use super::from_start;
 use crate::Start;
 use sortie_geo::LatLon;
+use sortie_geo::maths;
 
 /// The side of the cells in which obstacles are looked up.
 const CELL_M: f64 = 16.0;
@@ -133,7 +134,7 @@ impl Obstacles {
             };
         let place = self.solids.len();
         self.solids.push(solid);
-        if (2.0 * around_m / CELL_M + 1.0).powi(2) > CELLS_MAX {
+        if maths::powi(2.0 * around_m / CELL_M + 1.0, 2) > CELLS_MAX {
             self.everywhere.push(place);
             return;
         }

@@ -7,6 +7,7 @@ use mavlink::dialects::ardupilotmega::GpsFixType;
 
 use super::faults::GpsFault;
 use sortie_geo::METRES_PER_DEGREE;
+use sortie_geo::maths;
 
 /// A receiver without a position still sees this many satellites.
 const SATELLITES_WITHOUT_FIX: u8 = 3;
@@ -89,7 +90,7 @@ impl Receiver {
     }
 
     fn sample(&mut self, now: Duration, latitude_deg: f64, fault: &GpsFault) -> Fix {
-        let east_m = METRES_PER_DEGREE * latitude_deg.to_radians().cos();
+        let east_m = METRES_PER_DEGREE * maths::cos(latitude_deg.to_radians());
         let noise_m = fault.altitude_noise_m * self.random();
         let up_m = fault.glitch.z + fault.altitude_offset_m + noise_m;
         let mut fix = Fix {

@@ -12,6 +12,7 @@ use crate::autopilot::Autopilot;
 use crate::autopilot::telemetry;
 use crate::plan::Item;
 use crate::tests::{Ground, start};
+use sortie_geo::maths;
 
 const RTL: u8 = 6;
 const LAND: u8 = 9;
@@ -197,7 +198,7 @@ fn points_outside_the_fence_are_refused() {
         ground.run(3.0);
         let at = ground.truth().position_ned_m;
         assert!(
-            at[0].hypot(at[1]) < 0.1 && (at[2] + 20.0).abs() < 0.2,
+            maths::hypot(at[0], at[1]) < 0.1 && (at[2] + 20.0).abs() < 0.2,
             "{target:?}: {at:?}"
         );
     }
@@ -350,7 +351,7 @@ fn a_return_lands_at_the_rally_point_as_the_real_one_did() {
         let truth = ground.truth();
         // Measured: landed at N -29.99, E -20.02.
         let [north_m, east_m, _] = truth.position_ned_m;
-        let off_m = (north_m - landed_at.0).hypot(east_m - landed_at.1);
+        let off_m = maths::hypot(north_m - landed_at.0, east_m - landed_at.1);
         assert!(off_m < 0.3 && !truth.armed, "{truth:?}");
         // A rally point's altitude is the least to arrive at; home's is RTL_ALT, but not over home itself.
         let least_m = if with_home > 0.0 { 10.0 } else { 18.0 };

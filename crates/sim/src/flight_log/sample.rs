@@ -5,6 +5,7 @@ use std::time::Duration;
 use crate::battery::Battery;
 use crate::body::Body;
 use crate::place::LocalDatum;
+use sortie_geo::maths;
 
 /// What is recorded at one moment, in the units of the log.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -62,7 +63,7 @@ impl LogSample {
             above_home_cm: centi(here.altitude_amsl_m - home_m) as i32,
             above_origin_cm: centi(-body.position_m.z) as i32,
             speed_cm_s: centi(velocity.truncate().length()) as u16,
-            course_cd: degrees(velocity.y.atan2(velocity.x)).rem_euclid(36_000.0) as u16,
+            course_cd: degrees(maths::atan2(velocity.y, velocity.x)).rem_euclid(36_000.0) as u16,
             down_cm_s: centi(velocity.z) as i16,
             roll_cd: degrees(roll) as i16,
             pitch_cd: degrees(pitch) as i16,

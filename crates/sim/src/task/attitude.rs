@@ -7,6 +7,7 @@ use glam::DVec2;
 use super::{Act, Cockpit};
 use crate::control::FlatMotion;
 use crate::kinematics::{GRAVITY_M_S2, STEP_S};
+use sortie_geo::maths;
 
 /// Leans beyond this are flown as this: the level part of thrust would otherwise grow without bound.
 const LEAN_MAX_RAD: f64 = 75.0 * std::f64::consts::PI / 180.0;
@@ -45,8 +46,9 @@ impl Attitude {
             return Act::Idle;
         }
         self.lean_rad = (self.lean_rad + self.rates_rad_s * STEP_S).clamp_length_max(LEAN_MAX_RAD);
-        let lean = DVec2::new(self.lean_rad.x.tan(), self.lean_rad.y.tan()) * GRAVITY_M_S2;
-        let (sin, cos) = cockpit.body.yaw_deg.to_radians().sin_cos();
+        let lean =
+            DVec2::new(maths::tan(self.lean_rad.x), maths::tan(self.lean_rad.y)) * GRAVITY_M_S2;
+        let (sin, cos) = maths::sin_cos(cockpit.body.yaw_deg.to_radians());
         let flat = DVec2::new(lean.x * cos - lean.y * sin, lean.x * sin + lean.y * cos);
         let moving = cockpit.body.velocity_m_s.truncate();
         let here = cockpit.body.position_m.truncate();

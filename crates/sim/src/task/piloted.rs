@@ -15,6 +15,7 @@ use crate::control::{FlatMotion, Limits};
 use crate::kinematics::square_root;
 use crate::kinematics::{GRAVITY_M_S2, STEP_S};
 use crate::mode;
+use sortie_geo::maths;
 
 /// Rotors that climb lose thrust to the air that streams through them, per metre per second.
 const INFLOW_PER_S: f64 = 0.27;
@@ -123,8 +124,11 @@ fn leaning(cockpit: &Cockpit<'_>, lean_max_rad: f64) -> DVec2 {
     if right == 0.0 && back == 0.0 {
         return DVec2::ZERO;
     }
-    let lean = DVec2::new(-(back * lean_max_rad).tan(), (right * lean_max_rad).tan());
-    lean.clamp_length_max(lean_max_rad.tan()) * GRAVITY_M_S2
+    let lean = DVec2::new(
+        -maths::tan(back * lean_max_rad),
+        maths::tan(right * lean_max_rad),
+    );
+    lean.clamp_length_max(maths::tan(lean_max_rad)) * GRAVITY_M_S2
 }
 
 /// A vector forward and right, turned to north and east.
@@ -132,13 +136,13 @@ fn north_east(cockpit: &Cockpit<'_>, v: DVec2) -> DVec2 {
     if v == DVec2::ZERO {
         return v;
     }
-    let (sin, cos) = cockpit.body.yaw_deg.to_radians().sin_cos();
+    let (sin, cos) = maths::sin_cos(cockpit.body.yaw_deg.to_radians());
     DVec2::new(v.x * cos - v.y * sin, v.x * sin + v.y * cos)
 }
 
 /// Turns north and east to forward and right.
 fn forward_right(cockpit: &Cockpit<'_>, v: DVec2) -> DVec2 {
-    let (sin, cos) = cockpit.body.yaw_deg.to_radians().sin_cos();
+    let (sin, cos) = maths::sin_cos(cockpit.body.yaw_deg.to_radians());
     DVec2::new(v.x * cos + v.y * sin, -v.x * sin + v.y * cos)
 }
 
@@ -227,7 +231,8 @@ fn loiter(cockpit: &mut Cockpit<'_>, climb_m_s: f64, limits: &Limits) -> Act {
     let mut accel = asked;
     if speed > 1e-6 {
         let way = velocity / speed;
-        let drag = GRAVITY_M_S2 * rules.loiter_lean_rad.tan() * speed / rules.loiter_speed_m_s;
+        let drag =
+            GRAVITY_M_S2 * maths::tan(rules.loiter_lean_rad) * speed / rules.loiter_speed_m_s;
         let slower = (speed - (drag + pilot.brake_m_s2) * STEP_S).max(0.0);
         velocity = way * slower.min(rules.loiter_speed_m_s);
         accel -= way * pilot.brake_m_s2;
@@ -266,7 +271,7 @@ fn hold_place(cockpit: &mut Cockpit<'_>, climb_m_s: f64, limits: &Limits) -> Act
         let lean_rad = (0.0215 * speed * 100.0 * (1.0 + 500.0 / (speed * 100.0 + 60.0)))
             .to_radians()
             .min(rules.hold_brake_rad);
-        let wanted = -moving.normalize_or_zero() * GRAVITY_M_S2 * lean_rad.tan();
+        let wanted = -moving.normalize_or_zero() * GRAVITY_M_S2 * maths::tan(lean_rad);
         let most = GRAVITY_M_S2 * rules.hold_brake_rad_s * STEP_S;
         pilot.lean_m_s2 += (wanted - pilot.lean_m_s2).clamp_length_max(most);
         if speed < STANDING_M_S {
@@ -320,7 +325,7 @@ fn thrust_weights(share: f64, middle: f64, hover: f64) -> f64 {
         0.5 + 0.5 * (share - middle) / (1.0 - middle)
     };
     let expo = ((0.5 - hover) / 0.375).clamp(-0.5, 1.0);
-    (input * (1.0 - expo) + expo * input.powi(3)) / hover
+    (input * (1.0 - expo) + expo * maths::powi(input, 3)) / hover
 }
 
 /// Turns the lean with the rates that the sticks ask for; let go, it comes back slowly.
@@ -334,7 +339,7 @@ fn acro(cockpit: &mut Cockpit<'_>) -> DVec2 {
     let angles = &mut cockpit.pilot.angles_rad;
     *angles += (rate - *angles * rules.acro_balance_per_s) * STEP_S;
     *angles = angles.clamp_length_max(rules.lean_max_rad);
-    DVec2::new(angles.x.tan(), angles.y.tan()) * GRAVITY_M_S2
+    DVec2::new(maths::tan(angles.x), maths::tan(angles.y)) * GRAVITY_M_S2
 }
 
 /// DRIFT leans forward with the stick, against slipping sideways, and brakes when let go.
@@ -344,7 +349,7 @@ fn drift(cockpit: &mut Cockpit<'_>) -> DVec2 {
     // 8 hundredths of a degree per centimetre per second, each way.
     let against = |speed: f64, gain: f64| {
         let lean = (-speed * gain).clamp(-DRIFT_LEAN_MAX_RAD, DRIFT_LEAN_MAX_RAD);
-        GRAVITY_M_S2 * lean.tan()
+        GRAVITY_M_S2 * maths::tan(lean)
     };
     let brake = &mut cockpit.pilot.drift_brake;
     if forward == 0.0 {

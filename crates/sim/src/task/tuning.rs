@@ -9,6 +9,7 @@ use crate::parameters::Parameters;
 use crate::radio::RadioRules;
 use crate::rally::RallyRules;
 use crate::trail::TrailRules;
+use sortie_geo::maths;
 
 /// Limits and settings of the tasks.
 #[derive(Debug, Clone, PartialEq)]
@@ -59,7 +60,8 @@ impl FlightTuning {
             accel_z_m_s2: least(cm("WPNAV_ACCEL_Z")),
             jerk_m_s3: least(all.value("PSC_JERK_XY")),
             jerk_z_m_s3: least(all.value("PSC_JERK_Z")),
-            lean_max_m_s2: GRAVITY_M_S2 * cm("ANGLE_MAX").clamp(10.0, 80.0).to_radians().tan(),
+            lean_max_m_s2: GRAVITY_M_S2
+                * maths::tan(cm("ANGLE_MAX").clamp(10.0, 80.0).to_radians()),
             return_speed_m_s: or(cm("RTL_SPEED"), speed_m_s),
             return_altitude_m: cm("RTL_ALT"),
             return_climb_min_m: cm("RTL_CLIMB_MIN").max(0.0),

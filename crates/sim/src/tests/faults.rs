@@ -4,6 +4,7 @@ use mavlink::dialects::ardupilotmega::MavMessage;
 
 use super::Ground;
 use super::timeline::Timeline;
+use sortie_geo::maths;
 
 /// 10 Hz reports, GPS samples and heartbeats make this much of a difference.
 const TOLERANCE_S: f64 = 0.35;
@@ -20,7 +21,7 @@ fn without_gps_the_vehicle_lands_and_finds_itself_again() {
     seen.ground.set("SIM_GPS_DISABLE", 1.0);
     seen.run(7.0);
     let (north, east) = seen.error_m();
-    assert!(north.hypot(east) > 0.1 && north.hypot(east) < 1.5);
+    assert!(maths::hypot(north, east) > 0.1 && maths::hypot(north, east) < 1.5);
     seen.run(35.0);
     seen.must_say(
         TOLERANCE_S,
@@ -45,7 +46,7 @@ fn without_gps_the_vehicle_lands_and_finds_itself_again() {
         .0;
     assert!((landed_s - 40.0).abs() < 2.5, "{landed_s}");
     let drift = seen.ground.truth().position_ned_m;
-    let drift_m = drift[0].hypot(drift[1]);
+    let drift_m = maths::hypot(drift[0], drift[1]);
     assert!((2.0..9.0).contains(&drift_m), "{drift_m}");
     seen.mark();
     seen.ground.set("SIM_GPS1_ENABLE", 1.0);
@@ -60,7 +61,7 @@ fn without_gps_the_vehicle_lands_and_finds_itself_again() {
         ],
     );
     let (north, east) = seen.error_m();
-    assert!(north.hypot(east) < 0.1, "{north} {east}");
+    assert!(maths::hypot(north, east) < 0.1, "{north} {east}");
 }
 
 #[test]
@@ -216,7 +217,7 @@ fn a_stuck_accelerometer_costs_a_lane_and_a_metre() {
     for _ in 0..500 {
         seen.run(0.01);
         let [north_m, east_m, _] = seen.ground.truth().position_ned_m;
-        most_m = most_m.max(north_m.hypot(east_m));
+        most_m = most_m.max(maths::hypot(north_m, east_m));
     }
     seen.must_say(
         0.1,

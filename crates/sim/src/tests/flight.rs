@@ -3,6 +3,7 @@
 use mavlink::dialects::ardupilotmega::{MavCmd, MavResult};
 
 use super::*;
+use sortie_geo::maths;
 
 /// `got` within `share` of the measured figure.
 pub(super) fn close(what: &str, got: f64, measured: f64, share: f64) {
@@ -164,7 +165,7 @@ fn a_return_takes_as_long_as_the_real_one() {
         MavResult::MAV_RESULT_ACCEPTED
     );
     let home = ground.until(60.0, |t| {
-        t.position_ned_m[0].hypot(t.position_ned_m[1]) < 3.2
+        maths::hypot(t.position_ned_m[0], t.position_ned_m[1]) < 3.2
     });
     close("over home", home, 26.8, 0.05);
     let descending = home + ground.until(60.0, |t| t.velocity_ned_m_s[2] > 0.5);
@@ -187,7 +188,7 @@ fn a_return_takes_as_long_as_the_real_one() {
     );
     assert!(texts.iter().any(|t| t == "Disarming motors"));
     let off = ground.truth().position_ned_m;
-    assert!(off[0].hypot(off[1]) < 0.3, "{off:?}");
+    assert!(maths::hypot(off[0], off[1]) < 0.3, "{off:?}");
 }
 
 #[test]
@@ -246,7 +247,7 @@ fn drag_limits_the_speed_and_the_wind_leans_the_vehicle() {
     let truth = ground.truth();
     close(
         "lean in 10 m/s of wind",
-        truth.roll_deg.hypot(truth.pitch_deg),
+        maths::hypot(truth.roll_deg, truth.pitch_deg),
         18.7,
         0.1,
     );
@@ -383,7 +384,7 @@ fn a_circle_keeps_its_radius() {
     for _ in 0..2000 {
         ground.step();
         let at = ground.truth().position_ned_m;
-        most = most.max(((at[0] - 10.0).hypot(at[1]) - 10.0).abs());
+        most = most.max((maths::hypot(at[0] - 10.0, at[1]) - 10.0).abs());
     }
     assert!(most < 1.5, "{most}");
 }
@@ -393,7 +394,7 @@ fn slanted_legs_take_as_long_as_the_real_ones() {
     let mut ground = Ground::hovering(30.0);
     let away = |t: &Truth, goal: [f64; 3]| {
         let off = [0, 1, 2].map(|axis| t.position_ned_m[axis] - goal[axis]);
-        off[0].hypot(off[1]).hypot(off[2])
+        maths::hypot(maths::hypot(off[0], off[1]), off[2])
     };
     ground.goto([100.0, 50.0, -40.0]);
     let first = ground.until(40.0, |t| away(t, [100.0, 50.0, -40.0]) < 1.0);

@@ -3,6 +3,7 @@
 use mavlink::dialects::ardupilotmega::{MavCmd, MavResult};
 
 use super::*;
+use sortie_geo::maths;
 
 const SMART_RTL: f32 = 21.0;
 const RTL: f32 = 6.0;
@@ -73,7 +74,7 @@ fn an_interrupted_return_goes_on_from_where_it_is() {
     enter(&mut ground, SMART_RTL);
     ground.until(120.0, |truth| !truth.armed);
     let [north, east, _] = ground.truth().position_ned_m;
-    assert!(north.hypot(east) < 1.5, "{north} {east}");
+    assert!(maths::hypot(north, east) < 1.5, "{north} {east}");
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use mavlink::dialects::ardupilotmega::{MavCmd, MavMessage, MavResult};
 
 use super::*;
+use sortie_geo::maths;
 
 const ALIGNED: &str = "in-flight yaw alignment complete";
 
@@ -78,7 +79,7 @@ fn fastest_to(ground: &mut Ground, north_m: f32) -> f64 {
     for _ in 0..2500 {
         ground.step();
         let [north, east, _] = ground.truth().velocity_ned_m_s;
-        fastest = fastest.max(north.hypot(east));
+        fastest = fastest.max(maths::hypot(north, east));
     }
     fastest
 }

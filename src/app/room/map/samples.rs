@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::geo::LatLon;
+use crate::geo::maths;
 use crate::text::Text;
 
 /// Sides of the squares at first, in metres.
@@ -111,7 +112,7 @@ impl SampleField {
         if most <= 0.0 {
             return 1.0;
         }
-        let decade = 10f64.powf(most.log10().floor());
+        let decade = maths::powf(10f64, maths::log10(most).floor());
         let rounds = [1.0, 2.0, 5.0].map(|step| step * decade);
         let above = rounds.into_iter().find(|top| *top >= most);
         above.unwrap_or(decade * 10.0)

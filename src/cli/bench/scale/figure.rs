@@ -2,6 +2,7 @@
 //! the number of vehicles and beside what the paper has. [`super::chart`] and [`super::svg`] draw them.
 
 use super::sample::ScaleRow;
+use crate::geo::maths;
 
 /// What the paper says of a vehicle, in percent of a core: least and most.
 pub(super) const PAPER_SIM: [f64; 2] = [0.8, 1.0];
@@ -68,7 +69,7 @@ pub(super) fn figures(rows: &[ScaleRow]) -> [Figure; 4] {
 
 /// The next 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6 or 8 times a power of ten.
 pub(super) fn rounded_up(value: f64) -> f64 {
-    let decade = 10_f64.powf(value.log10().floor());
+    let decade = maths::powf(10_f64, maths::log10(value).floor());
     let steps = [1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0];
     let fits = |step: &f64| step * decade >= value * 0.999;
     decade * steps.into_iter().find(fits).unwrap_or(10.0)

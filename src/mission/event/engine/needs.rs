@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::{Engine, Sight};
+use crate::geo::maths;
 use crate::mission::Mission;
 use crate::mission::craft::Craft;
 use crate::mission::event::demand::Wishes;
@@ -68,7 +69,7 @@ impl Engine {
                 }
                 ZoneKind::GnssGlitch { offset_m } => {
                     // It seems to be elsewhere by as much as it is misled.
-                    let leave_m = HYSTERESIS_M + offset_m[0].hypot(offset_m[1]);
+                    let leave_m = HYSTERESIS_M + maths::hypot(offset_m[0], offset_m[1]);
                     if self.gnss.holds(craft, index, zone, leave_m) {
                         wishes.mislead(offset_m, mission.origin.at);
                     }

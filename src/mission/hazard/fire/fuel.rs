@@ -1,5 +1,6 @@
 //! Fuels, and how fast a front runs through them.
 
+use crate::geo::maths;
 use crate::mission::weather::Wind;
 
 /// What covers the ground.
@@ -77,7 +78,7 @@ impl Fuel {
 
     /// How fast a front runs with the wind, in m/s: `(R0 + share U) exp(-7 (moisture - 0.05))`.
     pub fn rate_m_s(self, wind_m_s: f64, moisture: f64) -> f64 {
-        let damp = (-MOISTURE_SLOWS * (moisture - DRY)).exp();
+        let damp = maths::exp(-MOISTURE_SLOWS * (moisture - DRY));
         self.burning().map_or(0.0, |burning| {
             (burning.calm_m_s + burning.of_wind * wind_m_s) * damp
         })
@@ -102,12 +103,12 @@ impl Fuel {
 /// The share of the speed with the wind that a front has in a direction (east, north; any length).
 pub(super) fn share_of_rate(wind: Wind, [east, north]: [f64; 2]) -> f64 {
     let drift = wind.drift_m_s();
-    let length = east.hypot(north) * wind.speed_m_s;
+    let length = maths::hypot(east, north) * wind.speed_m_s;
     if length <= 0.0 {
         return 1.0;
     }
     let cos = (drift[0] * east + drift[1] * north) / length;
-    (SHAPE_PER_M_S * wind.speed_m_s * (cos - 1.0)).exp()
+    maths::exp(SHAPE_PER_M_S * wind.speed_m_s * (cos - 1.0))
 }
 
 #[cfg(test)]

@@ -9,6 +9,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
 use super::fuel::{Fuel, share_of_rate};
+use crate::geo::maths;
 use crate::mission::Point;
 use crate::mission::weather::Wind;
 
@@ -146,7 +147,7 @@ impl FireGrid {
     pub fn roughen(&mut self, random: &mut ChaCha8Rng) {
         for cell in &mut self.cells {
             let draw: f64 = StandardNormal.sample(random);
-            cell.pace = (ROUGHNESS * draw).exp();
+            cell.pace = maths::exp(ROUGHNESS * draw);
         }
     }
 
@@ -186,7 +187,7 @@ impl FireGrid {
     fn reach(&self, burning: &[usize], wind: Wind) -> std::collections::BTreeMap<usize, f64> {
         let ways = NEIGHBOURS.map(|(column, row)| [column as f64, row as f64]);
         let shares =
-            ways.map(|way| share_of_rate(wind, way) / (way[0].hypot(way[1]) * self.side_m));
+            ways.map(|way| share_of_rate(wind, way) / (maths::hypot(way[0], way[1]) * self.side_m));
         let mut reached = std::collections::BTreeMap::new();
         for &from in burning {
             for ((column, row), share) in NEIGHBOURS.into_iter().zip(shares) {
@@ -238,7 +239,7 @@ impl FireGrid {
             let [near, far] = EMBERS_FLY_M;
             let flown_m = near + (far - near) * random.random::<f64>();
             let aside_deg = EMBERS_SPREAD_DEG * (2.0 * random.random::<f64>() - 1.0);
-            let (sin, cos) = (wind.from_deg + aside_deg).to_radians().sin_cos();
+            let (sin, cos) = maths::sin_cos((wind.from_deg + aside_deg).to_radians());
             let at = self.centre(from);
             down.extend(self.index([at[0] - flown_m * sin, at[1] - flown_m * cos]));
         }

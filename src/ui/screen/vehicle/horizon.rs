@@ -4,6 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
 
 use crate::config::Symbols;
+use crate::geo::maths;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::vehicle::Attitude;
@@ -38,7 +39,7 @@ impl View {
     fn new(attitude: &Attitude, rows: u16) -> Self {
         let half_height = f64::from(rows) / 2.0;
         Self {
-            roll: f64::from(attitude.roll_deg).to_radians().sin_cos(),
+            roll: maths::sin_cos(f64::from(attitude.roll_deg).to_radians()),
             pitch_deg: f64::from(attitude.pitch_deg),
             degrees_per_row: HALF_VIEW_DEG / half_height.max(0.5),
             half_height,

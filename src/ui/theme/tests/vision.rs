@@ -3,6 +3,7 @@
 use ratatui::style::{Color, Style};
 
 use super::{MEANINGS, Role, Theme};
+use crate::geo::maths;
 
 type Rgb = [f64; 3];
 
@@ -56,7 +57,7 @@ fn linear(colour: Color) -> Rgb {
         if value <= 0.04045 {
             value / 12.92
         } else {
-            ((value + 0.055) / 1.055).powf(2.4)
+            maths::powf((value + 0.055) / 1.055, 2.4)
         }
     })
 }
@@ -76,7 +77,7 @@ fn lab(rgb: Rgb) -> Rgb {
     let xyz = times(&XYZ, rgb);
     let f = |t: f64| {
         if t > 216.0 / 24_389.0 {
-            t.cbrt()
+            maths::cbrt(t)
         } else {
             (24_389.0 / 27.0 * t + 16.0) / 116.0
         }
@@ -89,7 +90,10 @@ fn lab(rgb: Rgb) -> Rgb {
 fn distance(eyes: &[Rgb; 3], a: Color, b: Color) -> f64 {
     let seen = |colour| lab(times(eyes, linear(colour)).map(|value| value.clamp(0.0, 1.0)));
     let (a, b) = (seen(a), seen(b));
-    (0..3).map(|at| (a[at] - b[at]).powi(2)).sum::<f64>().sqrt()
+    (0..3)
+        .map(|at| maths::powi(a[at] - b[at], 2))
+        .sum::<f64>()
+        .sqrt()
 }
 
 /// The contrast ratio of WCAG 2.2: 1 to 21.

@@ -5,6 +5,7 @@ use super::labels::Label;
 use crate::app::State;
 use crate::app::room::map::leg;
 use crate::config::Symbols;
+use crate::geo::maths;
 use crate::geo::{Dot, Viewport};
 use crate::ui::look::{Badge, Look};
 use crate::vehicle::{Vehicle, VehicleId};
@@ -99,7 +100,7 @@ fn along(dots: &[Dot]) -> Vec<Dot> {
     let mut found = Vec::new();
     let mut left = NUMBER_EVERY / 2.0;
     for pair in dots.windows(2) {
-        let length = (pair[1].x - pair[0].x).hypot(pair[1].y - pair[0].y);
+        let length = maths::hypot(pair[1].x - pair[0].x, pair[1].y - pair[0].y);
         if !length.is_finite() || length > FAR {
             continue;
         }

@@ -12,6 +12,7 @@ use super::{boot_ms, boot_us, health, sensors};
 use crate::autopilot::Autopilot;
 use crate::estimator::FLAGS_GOOD;
 use crate::kinematics::GRAVITY_M_S2;
+use sortie_geo::maths;
 use sortie_geo::wrap_360;
 
 /// The earth's magnetic field at the place of the measurements, in the vehicle's axes facing north, milligauss.
@@ -119,7 +120,7 @@ pub(super) fn scaled_imu(autopilot: &Autopilot) -> MavMessage {
 
 /// There is a third compass but no third inertial sensor.
 pub(super) fn scaled_imu3(autopilot: &Autopilot) -> MavMessage {
-    let (sin, cos) = autopilot.vehicle.plant.body.yaw_deg.to_radians().sin_cos();
+    let (sin, cos) = maths::sin_cos(autopilot.vehicle.plant.body.yaw_deg.to_radians());
     let [north, east, down] = FIELD_MGAUSS.map(f64::from);
     MavMessage::SCALED_IMU3(SCALED_IMU3_DATA {
         time_boot_ms: boot_ms(autopilot),
@@ -258,7 +259,7 @@ pub(super) fn high_latency2(autopilot: &Autopilot) -> MavMessage {
         mavtype: MavType::MAV_TYPE_QUADROTOR,
         autopilot: MavAutopilot::MAV_AUTOPILOT_ARDUPILOTMEGA,
         heading,
-        target_heading: (wrap_360(way.y.atan2(way.x).to_degrees()) / 2.0) as u8,
+        target_heading: (wrap_360(maths::atan2(way.y, way.x).to_degrees()) / 2.0) as u8,
         throttle: (body.throttle * 100.0) as u8,
         airspeed: speed,
         groundspeed: speed,

@@ -11,6 +11,7 @@ use crate::autopilot::Autopilot;
 use crate::mask::{POSITION_ONLY, VELOCITY_ONLY};
 use crate::mode;
 use crate::task::Task;
+use sortie_geo::maths;
 use sortie_geo::{wrap_180, wrap_360};
 
 /// The vehicle also sets the bits that have no meaning.
@@ -123,7 +124,7 @@ pub(super) fn nav_controller_output(autopilot: &Autopilot) -> MavMessage {
     let bearing = if way.truncate() == glam::DVec2::ZERO {
         0.0
     } else {
-        wrap_180(way.y.atan2(way.x).to_degrees())
+        wrap_180(maths::atan2(way.y, way.x).to_degrees())
     };
     let alt_error = if autopilot.vehicle.plant.body.on_ground {
         0.0

@@ -10,6 +10,7 @@ use glam::DVec3;
 use super::{boot_ms, boot_us};
 use crate::autopilot::Autopilot;
 use crate::kinematics::GRAVITY_M_S2;
+use sortie_geo::maths;
 use sortie_geo::wrap_360;
 
 pub(super) fn gps_raw_int(autopilot: &Autopilot) -> MavMessage {
@@ -21,7 +22,7 @@ pub(super) fn gps_raw_int(autopilot: &Autopilot) -> MavMessage {
     let (lat, lon) = here.at.to_e7();
     let v = autopilot.vehicle.plant.body.velocity_m_s + velocity_m_s;
     let seen = kind != GpsFixType::GPS_FIX_TYPE_NO_GPS;
-    let course = wrap_360(v.y.atan2(v.x).to_degrees());
+    let course = wrap_360(maths::atan2(v.y, v.x).to_degrees());
     MavMessage::GPS_RAW_INT(GPS_RAW_INT_DATA {
         time_usec: boot_us(autopilot),
         lat: if seen { lat } else { 0 },
@@ -118,7 +119,7 @@ pub(super) fn scaled_imu2(autopilot: &Autopilot) -> MavMessage {
 pub(super) fn scaled_pressure(autopilot: &Autopilot) -> MavMessage {
     let altitude_m = autopilot.vehicle.truly_here().altitude_amsl_m
         + autopilot.vehicle.estimator.barometer_offset_m();
-    let pressure = 1013.25 * (1.0 - 2.255_77e-5 * altitude_m).max(0.0).powf(5.2559);
+    let pressure = 1013.25 * maths::powf((1.0 - 2.255_77e-5 * altitude_m).max(0.0), 5.2559);
     MavMessage::SCALED_PRESSURE(SCALED_PRESSURE_DATA {
         time_boot_ms: boot_ms(autopilot),
         press_abs: pressure as f32,

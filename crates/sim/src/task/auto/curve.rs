@@ -3,6 +3,7 @@
 //! Its jerk rises and falls as a raised cosine. Such a profile is the sum of a few smoothed steps of jerk, and every
 //! smoothed step has a closed form, so that no table of segments is needed.
 
+use sortie_geo::maths;
 use std::f64::consts::PI;
 
 /// Steps of a halving search: enough for a hundredth of a millimetre.
@@ -83,7 +84,7 @@ impl Ramp {
             (jerk, rise, peak / jerk, change / peak)
         } else if from_m_s.min(to_m_s) < SAME_SPEED_M_S {
             let rise = rise
-                .min((change * PI / (4.0 * snap)).cbrt())
+                .min(maths::cbrt(change * PI / (4.0 * snap)))
                 .min((bounds.accel_m_s2 * PI / (2.0 * snap)).sqrt());
             let jerk = 2.0 * snap * rise / PI;
             (jerk, rise, rise, (change / (jerk * rise)).max(2.0 * rise))
@@ -135,11 +136,11 @@ impl CurveStep {
         }
         let (first, second, third) = if t < self.rise_s {
             let beta = PI / self.rise_s;
-            let (sin, cos) = (beta * t).sin_cos();
+            let (sin, cos) = maths::sin_cos(beta * t);
             (
                 t / 2.0 - sin / (2.0 * beta),
                 t * t / 4.0 + (cos - 1.0) / (2.0 * beta * beta),
-                t * t * t / 12.0 - t / (2.0 * beta * beta) + sin / (2.0 * beta.powi(3)),
+                t * t * t / 12.0 - t / (2.0 * beta * beta) + sin / (2.0 * maths::powi(beta, 3)),
             )
         } else {
             // A step smoothed by a half sine is, behind it, a step at its middle spread by its variance.
@@ -148,7 +149,7 @@ impl CurveStep {
             (
                 late,
                 f64::midpoint(late * late, spread),
-                (late.powi(3) + 3.0 * late * spread) / 6.0,
+                (maths::powi(late, 3) + 3.0 * late * spread) / 6.0,
             )
         };
         sum.accel_m_s2 += self.jerk_m_s3 * first;

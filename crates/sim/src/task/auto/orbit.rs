@@ -7,6 +7,7 @@ use crate::control::FlatMotion;
 use crate::kinematics::STEP_S;
 use crate::parameters::Parameters;
 use crate::yaw::YawDemand;
+use sortie_geo::maths;
 
 /// A circle turns up within a second, but at least at this rate (degrees per second squared).
 const LEAST_SPIN_UP_DEG_S2: f64 = 2.0;
@@ -57,7 +58,7 @@ impl Orbit {
     /// Begins where the vehicle is.
     pub(crate) fn begin(&mut self, from_m: DVec3) {
         let outwards = self.outwards(from_m);
-        self.angle_rad = outwards.y.atan2(outwards.x);
+        self.angle_rad = maths::atan2(outwards.y, outwards.x);
     }
 
     /// What the nose does: it looks at the centre, and on the spot it turns.
@@ -97,7 +98,7 @@ impl Orbit {
         self.rate_rad_s += (wanted - self.rate_rad_s).clamp(-spin_up, spin_up);
         self.angle_rad += self.rate_rad_s * STEP_S;
         self.turned_rad += self.rate_rad_s * STEP_S;
-        let (sin, cos) = self.angle_rad.sin_cos();
+        let (sin, cos) = maths::sin_cos(self.angle_rad);
         let outwards = DVec2::new(cos, sin) * self.radius_m;
         let planned = FlatMotion {
             place_m: self.centre_m.truncate() + outwards,

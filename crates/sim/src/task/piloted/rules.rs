@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use crate::kinematics::GRAVITY_M_S2;
 use crate::parameters::Parameters;
+use sortie_geo::maths;
 
 /// What the sticks mean, from `LOIT_*`, `PILOT_*`, `PHLD_*`, `ACRO_*`, `ANGLE_MAX`.
 #[derive(Debug, Clone, PartialEq)]
@@ -60,7 +61,7 @@ impl PilotRules {
                 lean_max_rad * 2.0 / 3.0
             },
             loiter_speed_m_s: cm("LOIT_SPEED").max(0.2),
-            loiter_accel_m_s2: cm("LOIT_ACC_MAX").min(GRAVITY_M_S2 * lean_max_rad.tan()),
+            loiter_accel_m_s2: cm("LOIT_ACC_MAX").min(GRAVITY_M_S2 * maths::tan(lean_max_rad)),
             brake_accel_m_s2: cm("LOIT_BRK_ACCEL"),
             brake_jerk_m_s3: cm("LOIT_BRK_JERK"),
             brake_delay: Duration::from_secs_f64(all.value("LOIT_BRK_DELAY").clamp(0.0, 1e4)),
