@@ -1,6 +1,6 @@
 //! The command line: what scripts rely on. Errors go to standard error.
 
-use std::fs::{self, File};
+use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -10,7 +10,7 @@ use clap::{Parser, Subcommand};
 
 use crate::language::parse_ranges;
 use crate::link::Address;
-use crate::store::StoreError;
+use crate::store::{self, StoreError};
 use settings::{CliSettings, Common};
 
 /// Prints a line on standard output; unlike `println!` it reports a full disk or a closed pipe as an error.
@@ -299,7 +299,7 @@ fn start_log(settings: &CliSettings) -> Result<(), Failure> {
         Some(folder) if Some(folder) == state => fs::create_dir_all(folder),
         _ => Ok(()),
     };
-    let file = made.and_then(|()| File::create(path)).map_err(|error| {
+    let file = made.and_then(|()| create_log(path)).map_err(|error| {
         Failure::Invalid(format!("sortie: cannot write the log {path}: {error}"))
     })?;
     tracing_subscriber::fmt()
@@ -308,6 +308,13 @@ fn start_log(settings: &CliSettings) -> Result<(), Failure> {
         .with_env_filter(tracing_subscriber::EnvFilter::new(&log.level))
         .init();
     Ok(())
+}
+
+/// Creates the log, or empties it, but never through a link that another user has laid.
+fn create_log(path: &str) -> io::Result<File> {
+    let mut options = OpenOptions::new();
+    options.create(true).write(true).truncate(true);
+    store::open_own(&mut options, Path::new(path))
 }
 
 /// Vehicles as a line names them.

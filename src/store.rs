@@ -19,6 +19,7 @@ mod append;
 mod folders;
 mod history;
 mod journal;
+mod links;
 mod output;
 mod profiles;
 mod records;
@@ -31,6 +32,7 @@ mod tests;
 pub use folders::Folders;
 pub use history::History;
 pub use journal::{Landing, Recovery, day_of, open_profiles, recover};
+pub use links::open_own;
 pub use output::{write, write_output};
 pub use profiles::{
     MendedRows, PastRun, Profile, ProfileError, ProfileFile, ProfileSettings, Profiles, Rescue,

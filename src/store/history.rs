@@ -5,6 +5,8 @@ use std::io::{self, Write as _};
 use std::os::unix::fs::{DirBuilderExt as _, OpenOptionsExt as _};
 use std::path::{Path, PathBuf};
 
+use super::links;
+
 /// Lines that are kept.
 const HISTORY_KEPT: usize = 200;
 /// A file longer than this is no history of ours; it is left alone.
@@ -70,9 +72,8 @@ impl History {
         private.create(true).append(true).mode(0o600);
         // One write, so that lines of several consoles do not mix.
         self.folder()?;
-        private
-            .open(&self.path)?
-            .write_all(format!("{line}\n").as_bytes())
+        let mut file = links::open_own(&mut private, &self.path)?;
+        file.write_all(format!("{line}\n").as_bytes())
     }
 
     fn replace(&self, lines: &[String]) -> io::Result<()> {
@@ -81,7 +82,7 @@ impl History {
         private.create(true).write(true).truncate(true).mode(0o600);
         let mut text = lines.join("\n");
         text.push('\n');
-        private.open(&new)?.write_all(text.as_bytes())?;
+        links::open_own(&mut private, &new)?.write_all(text.as_bytes())?;
         fs::rename(new, &self.path)
     }
 
@@ -102,7 +103,7 @@ fn is_plain(line: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use std::os::unix::fs::PermissionsExt as _;
+    use std::os::unix::fs::{PermissionsExt as _, lchown, symlink};
 
     use super::*;
 
@@ -132,6 +133,23 @@ mod tests {
         assert_eq!(lines.last().map(String::as_str), Some("altitude 400"));
         let text = fs::read_to_string(&history.path).expect("read");
         assert_eq!(text.lines().count(), HISTORY_KEPT);
+    }
+
+    #[test]
+    fn a_link_of_another_user_is_not_followed() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let target = folder.path().join("target");
+        fs::write(&target, "kept").expect("written");
+        let history = History::within(folder.path());
+        symlink(&target, &history.path).expect("linked");
+        history.add("rtl").expect("the user's own link is followed");
+        assert_eq!(fs::read_to_string(&target).expect("there"), "keptrtl\n");
+        // Only the superuser can give a link away.
+        if lchown(&history.path, Some(65_533), None).is_err() {
+            return;
+        }
+        assert!(history.add("land").is_err());
+        assert_eq!(fs::read_to_string(&target).expect("there"), "keptrtl\n");
     }
 
     #[test]

@@ -6,7 +6,7 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
-use super::StoreError;
+use super::{StoreError, links};
 use crate::config::Readers;
 
 /// The path that stands for standard output.
@@ -33,7 +33,7 @@ pub fn write(path: &Path, text: &str, replace: bool) -> Result<(), StoreError> {
 fn write_with_mode(path: &Path, text: &str, replace: bool, mode: u32) -> Result<(), StoreError> {
     let written = match present(path) {
         Ok(Some(found)) if found.is_dir() => Err(io::ErrorKind::IsADirectory.into()),
-        Ok(Some(found)) if !found.is_file() || is_open_file(path) => append(path, text),
+        Ok(Some(found)) if !found.is_file() || links::is_open_file(path) => append(path, text),
         Ok(Some(_)) if !replace => Err(io::ErrorKind::AlreadyExists.into()),
         Ok(Some(found)) => replace_file(path, text, &found),
         Ok(None) if replace => put_file(path, text, mode),
@@ -80,13 +80,6 @@ fn present(path: &Path) -> io::Result<Option<Metadata>> {
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
         Err(error) => Err(error),
     }
-}
-
-/// Whether a path names a file that is open already, such as `/dev/stdout`: a new file in its place would not be read.
-fn is_open_file(path: &Path) -> bool {
-    let is_descriptor = path.parent().is_some_and(|folder| folder.ends_with("fd"));
-    let is_standard = path == Path::new("/dev/stdout") || path == Path::new("/dev/stderr");
-    is_standard || (is_descriptor && (path.starts_with("/dev") || path.starts_with("/proc")))
 }
 
 #[cfg(unix)]

@@ -8,6 +8,8 @@ use std::io;
 use std::os::unix::fs::{DirBuilderExt as _, OpenOptionsExt as _, PermissionsExt as _};
 use std::path::Path;
 
+use super::links;
+
 /// The bits of a folder that is shared: set-group-ID, and the group may read and enter it.
 const SHARED_FOLDER: u32 = 0o2050;
 /// The bit of a file in such a folder.
@@ -58,7 +60,7 @@ pub(super) fn folder_within(above: &Path, path: &Path) -> io::Result<()> {
 /// # Errors
 /// It cannot be opened.
 pub(super) fn open(options: &mut OpenOptions, path: &Path) -> io::Result<File> {
-    let file = options.mode(0o600).open(path)?;
+    let file = links::open_own(options.mode(0o600), path)?;
     let folder = path.parent().filter(|it| !it.as_os_str().is_empty());
     if is_shared(folder.unwrap_or(Path::new("."))) {
         allow(path, SHARED_FILE)?;
