@@ -137,6 +137,11 @@ impl Text {
         Self(content)
     }
 
+    /// Whether it is foreign, not a message of the program's own.
+    pub fn is_verbatim(&self) -> bool {
+        matches!(self.0, TextContent::Verbatim(_))
+    }
+
     /// Several texts in a row.
     pub fn joined(separator: &'static str, parts: Vec<Self>) -> Self {
         Self(TextContent::Joined { separator, parts })

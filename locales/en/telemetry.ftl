@@ -16,9 +16,10 @@ heard-fence-high = fence breached (too high)
 heard-fence-boundary = fence breached (boundary)
 heard-fence-back = back inside the fence
 heard-two-vehicles = two vehicles answer as system id { $system }: give one another SYSID_THISMAV
-heard-two-places = system id { $system } comes from two places: { $used } (used), { $ignored } (ignored). Two vehicles? Give one another SYSID_THISMAV and reboot it
+heard-two-places = two senders use system id { $system }: { $used } (used), { $ignored } (ignored). If they are two vehicles, give one another SYSID_THISMAV and reboot it
+heard-flood = too many texts at once: the rest is not listed, the room "messages" has it
 heard-from-peer = { $link } (from { $peer })
-heard-by-another-link = is heard by { $link } now, no longer by { $before }
+heard-by-another-link = now received over { $link }, no longer over { $before }
 
 fix-no-gps = no gps
 fix-none = no fix

@@ -16,7 +16,8 @@ heard-fence-high = геозону порушено (зависоко)
 heard-fence-boundary = геозону порушено (межа)
 heard-fence-back = знову в межах геозони
 heard-two-vehicles = два апарати відповідають за номером системи { $system }: задайте одному інший SYSID_THISMAV
-heard-two-places = номер системи { $system } надходить із двох місць: { $used } (у роботі), { $ignored } (без уваги). Два апарати? Задайте одному інший SYSID_THISMAV і перезапустіть його
+heard-two-places = номер системи { $system } мають два відправники: { $used } (у роботі), { $ignored } (без уваги). Якщо це два апарати, задайте одному інший SYSID_THISMAV і перезапустіть його
+heard-flood = забагато текстів одразу: решти в переліку немає, вона на екрані «повідомлення»
 heard-from-peer = { $link } (від { $peer })
 heard-by-another-link = тепер на зв'язку через { $link }, більше не через { $before }
 

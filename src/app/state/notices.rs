@@ -1,14 +1,20 @@
 //! The notices that are shown, newest last, equal ones of a moment folded into one line.
 
-use std::collections::{BTreeSet, VecDeque};
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::time::Duration;
 
 use crate::notice::Notice;
-use crate::vehicle::VehicleId;
+use crate::text::{Text, text};
+use crate::vehicle::{Severity, VehicleId};
 
 pub const LINES_KEPT: usize = 1000;
 /// How long after its first notice a line takes in equal ones.
 const FOLD_TIME: Duration = Duration::from_secs(10);
+
+/// Lines that texts of one vehicle may take in [`FOLD_TIME`]: as many as it sends when it starts.
+const TEXTS_OF_ONE: usize = 10;
+/// Lines that texts of all vehicles together may take in [`FOLD_TIME`].
+const TEXTS_OF_ALL: usize = 30;
 
 /// Lines that are looked through for an equal one, so that a flood of different ones costs little.
 const LINES_SEARCHED: usize = 50;
@@ -22,12 +28,31 @@ pub struct NoticeLine {
     pub count: u32,
     /// The vehicles they were about.
     pub vehicles: BTreeSet<VehicleId>,
+    /// When the last of them came.
+    last: Duration,
+}
+
+impl NoticeLine {
+    /// Whether it is a text that a vehicle has sent, or stands for many of them.
+    pub fn is_of_vehicle(&self) -> bool {
+        is_vehicle_text(&self.notice) || self.notice.text == unlisted()
+    }
+
+    fn count(&mut self, notice: &Notice) {
+        self.count += 1;
+        self.vehicles.extend(notice.vehicle);
+        self.last = notice.at;
+    }
 }
 
 /// The list of notices.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct NoticeLog {
     lines: VecDeque<NoticeLine>,
+    /// When each vehicle sent its newest [`TEXTS_OF_ONE`] texts, oldest first.
+    texts: BTreeMap<VehicleId, VecDeque<Duration>>,
+    /// When texts of vehicles were listed in the last [`FOLD_TIME`], oldest first.
+    listed: VecDeque<Duration>,
     /// Notices that the shell could not deliver in time.
     pub(in crate::app) dropped: u64,
 }
@@ -42,17 +67,67 @@ impl NoticeLog {
     /// something else since: the order of what one vehicle says stays readable. The line keeps its time and place.
     pub fn push(&mut self, notice: Notice) {
         if let Some(line) = self.open_line(&notice) {
-            line.count += 1;
-            line.vehicles.extend(notice.vehicle);
-            return;
+            line.count(&notice);
+        } else if self.is_flooded(&notice) {
+            self.count_unlisted(notice);
+        } else {
+            self.list(notice);
         }
+    }
+
+    fn list(&mut self, notice: Notice) {
         self.lines.push_back(NoticeLine {
             count: 1,
             vehicles: notice.vehicle.into_iter().collect(),
+            last: notice.at,
             notice,
         });
         if self.lines.len() > LINES_KEPT {
             self.lines.pop_front();
+        }
+    }
+
+    /// Whether a notice is one text too many of its vehicle, or of all vehicles, so that the console's own notices would
+    /// be lost among them.
+    fn is_flooded(&mut self, notice: &Notice) -> bool {
+        let Some(vehicle) = notice.vehicle.filter(|_| is_vehicle_text(notice)) else {
+            return false;
+        };
+        let is_over = |at: &Duration| notice.at.saturating_sub(*at) > FOLD_TIME;
+        while self.listed.front().is_some_and(is_over) {
+            self.listed.pop_front();
+        }
+        let own = self.texts.entry(vehicle).or_default();
+        while own.front().is_some_and(is_over) {
+            own.pop_front();
+        }
+        let is_flood = own.len() >= TEXTS_OF_ONE || self.listed.len() >= TEXTS_OF_ALL;
+        own.push_back(notice.at);
+        if own.len() > TEXTS_OF_ONE {
+            own.pop_front();
+        }
+        if !is_flood {
+            self.listed.push_back(notice.at);
+        }
+        is_flood
+    }
+
+    /// Counts a text in the line of those that are not listed, which stays open as long as the flood lasts.
+    fn count_unlisted(&mut self, notice: Notice) {
+        let unlisted = unlisted();
+        let mut newest_first = self.lines.iter_mut().rev().take(LINES_SEARCHED);
+        let open = newest_first.find(|line| {
+            let is_open = notice.at.saturating_sub(line.last) <= FOLD_TIME;
+            is_open && line.notice.text == unlisted
+        });
+        match open {
+            Some(line) => line.count(&notice),
+            None => self.list(Notice {
+                severity: Severity::Warning,
+                kind: None,
+                text: unlisted,
+                ..notice
+            }),
         }
     }
 
@@ -83,10 +158,19 @@ impl NoticeLog {
     }
 }
 
+/// Whether a notice repeats a text that a vehicle has sent.
+fn is_vehicle_text(notice: &Notice) -> bool {
+    notice.vehicle.is_some() && notice.text.is_verbatim()
+}
+
+/// What stands for texts of vehicles that are too many to be listed.
+fn unlisted() -> Text {
+    text!("heard-flood")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::vehicle::Severity;
 
     fn notice(vehicle: VehicleId, text: &str) -> Notice {
         Notice {
@@ -140,10 +224,55 @@ mod tests {
     }
 
     #[test]
+    fn a_flood_of_texts_takes_few_lines_as_long_as_it_lasts() {
+        let mut log = NoticeLog::default();
+        let own = Notice {
+            vehicle: None,
+            ..notice(1, "the console's own")
+        };
+        log.push(own);
+        for number in 0..3000_u64 {
+            log.push(Notice {
+                at: Duration::from_millis(number * 10),
+                ..notice(1 + (number % 3) as VehicleId, &format!("text {number}"))
+            });
+        }
+        let lines: Vec<_> = log.lines().collect();
+        assert_eq!(lines[0].notice.text.to_string(), "the console's own");
+        let unlisted: Vec<_> = lines
+            .iter()
+            .filter(|it| it.notice.text == unlisted())
+            .collect();
+        assert_eq!(lines.len(), 1 + 3 * TEXTS_OF_ONE + 1, "{lines:?}");
+        assert_eq!(unlisted.len(), 1, "one flood, one line");
+        assert_eq!(unlisted[0].count as usize, 3000 - 3 * TEXTS_OF_ONE);
+        assert_eq!(unlisted[0].vehicles.len(), 3);
+    }
+
+    #[test]
+    fn many_vehicles_together_are_a_flood_and_a_start_is_none() {
+        let mut log = NoticeLog::default();
+        for vehicle in 1..=200 {
+            log.push(notice(vehicle, &format!("text {vehicle}")));
+        }
+        assert_eq!(log.lines().len(), TEXTS_OF_ALL + 1);
+        let mut start = NoticeLog::default();
+        for number in 0..TEXTS_OF_ONE {
+            start.push(notice(1, &format!("text {number}")));
+        }
+        assert_eq!(start.lines().len(), TEXTS_OF_ONE);
+        assert!(start.lines().all(|line| line.notice.text != unlisted()));
+    }
+
+    #[test]
     fn the_list_stays_bounded() {
         let mut log = NoticeLog::default();
         for number in 0..LINES_KEPT + 5 {
-            log.push(notice(1, &number.to_string()));
+            let own = Notice {
+                vehicle: None,
+                ..notice(1, &number.to_string())
+            };
+            log.push(own);
         }
         assert_eq!(log.lines().len(), LINES_KEPT);
         assert_eq!(

@@ -1,5 +1,7 @@
 //! The notice pane, newest last.
 
+use std::time::Duration;
+
 use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};
 
@@ -19,24 +21,46 @@ const SEVERITY_WIDTH: usize = 5;
 /// Lines that a notice may take that is no error.
 const MOST_LINES: usize = 2;
 
-/// Draws the newest notices that fit.
+/// How long a notice of the console is kept in view among texts that vehicles send.
+const KEPT_IN_VIEW: Duration = Duration::from_secs(30);
+
+/// Draws the newest notices that fit. Texts of vehicles leave half of the pane to the console's own while these are new.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let inner = panel.titled(&panel.say("fly-notices"), buffer);
     let rows = usize::from(inner.height);
     let width = usize::from(inner.width);
     let mut blocks: Vec<Vec<Line<'_>>> = Vec::new();
     let mut used = 0;
+    let mut texts_left = rows_for_texts(state, rows);
     for notice in state.notices().lines().rev() {
+        if notice.is_of_vehicle() && texts_left == 0 {
+            continue;
+        }
         let mut block = lines(notice, state.session(), width, MOST_LINES, panel.look);
         if used + block.len() > rows && used > 0 {
             break;
         }
         block.truncate(rows);
         used += block.len();
+        if notice.is_of_vehicle() {
+            texts_left = texts_left.saturating_sub(block.len());
+        }
         blocks.push(block);
     }
     for (row, line) in blocks.iter().rev().flatten().enumerate() {
         put(buffer, inner, row as u16, line);
+    }
+}
+
+/// Rows that texts of vehicles may take.
+fn rows_for_texts(state: &State, rows: usize) -> usize {
+    let now = state.now();
+    let is_new = |line: &&NoticeLine| now.saturating_sub(line.notice.at) <= KEPT_IN_VIEW;
+    let mut newest = state.notices().lines().rev().take_while(is_new);
+    if newest.any(|line| !line.is_of_vehicle()) {
+        rows.div_ceil(2)
+    } else {
+        rows
     }
 }
 

@@ -150,7 +150,7 @@ fn the_commands_and_the_notices_can_be_looked_back_through() {
     for number in 0..60 {
         console.give(&format!("1 param get P{number}_"));
         console.row(1, RowState::Refused, Some("no such parameter"));
-        console.notice(Severity::Info, Some(1), &format!("said {number}_"));
+        console.notice(Severity::Info, None, &format!("said {number}_"));
     }
     for (key, word) in [("c", "get P"), ("n", "said ")] {
         let sees = |console: &Console, number: u32| {
