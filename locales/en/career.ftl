@@ -1,6 +1,6 @@
 # Profiles and progress on the command line.
 mastery-unknown = not tried
-mastery-learning = on the way
+mastery-learning = learning
 mastery-mastered = mastered
 mastery-due = due for review
 lack-chance = { $percent } %
@@ -25,8 +25,8 @@ part-for-sale = { $part }: { $price } credits, `sortie profile buy { $id }`
 part-locked = { $part }: on sale after { $mission }
 parts-missing = { $design } has parts that { $profile } may not use yet
 
-profile-created = profile { $name } made; fly with `--profile { $name }`
-profile-none = no profiles yet; `sortie profile create NAME` makes one
+profile-created = profile { $name } created; fly with `--profile { $name }`
+profile-none = no profiles yet; `sortie profile create NAME` creates one
 profile-choose = no profile chosen; profiles: { $known }. Use --profile NAME, or set `profile` in the configuration
 profile-delete = { $name } has { $flights } flights. --yes deletes them all; `sortie profile export { $name }` keeps a copy
 profile-deleted = profile { $name } deleted
@@ -39,9 +39,9 @@ import-unfit = its report does not fit together: { $fault }
 import-fleet = its designs cannot fly this mission
 profile-bought = { $part } is licensed for { $price } credits; { $left } left
 profile-not-stored = the flight is not stored: { $fault }
-profile-record = with a profile, runs are recorded in the folder of its data, and tries are counted: leave out --record and --try
-profiles-damaged = { $path } holds something that sortie did not write: { $fault }
-profiles-recovered = a finished flight of { $profile } had not been stored and is now: { $mission }, { $score } points
+profile-record = with a profile, sortie records runs in the profile's data folder and counts the tries: leave out --record and --try
+profiles-damaged = { $path } contains data that sortie did not write: { $fault }
+profiles-recovered = a finished flight of { $profile } was missing and is stored now: { $mission }, { $score } points
 profiles-left-exam = { $profile }: exam { $mission } was left early; it counts with { $score } points
 
 progress-title = Progress of { $name }

@@ -5,10 +5,10 @@ ask-leave = LEAVE the session
 ask-start = START another session
 ask-restart = RESTART the mission
 ask-abandon = ABANDON the mission
-ask-abandon-reason = the debrief counts what has been reached so far
+ask-abandon-reason = the debrief counts what you have reached so far
 ask-mission-lost = the mission is not over; it would not count
-ask-given-up = the mission is not over; it ends here as given up, and what you have flown counts as a try
-ask-exam-ends = the exam is not over; it ends here, and what you have flown counts
+ask-given-up = the mission is not over; leaving gives it up, and the flight counts as a try
+ask-exam-ends = the exam is not over; leaving ends it, and the flight counts
 ask-armed = { $count ->
     [one] 1 vehicle is armed
    *[other] { $count } vehicles are armed
@@ -27,12 +27,12 @@ palette-to = to { $vehicles }
 palette-to-cursor = to { $vehicles } (under the cursor)
 palette-to-selected = to { $vehicles } (selected)
 palette-sends = { $key } sends to { $vehicles }
-palette-asks = { $key } asks before it sends to { $vehicles }
+palette-asks = { $key } sends to { $vehicles } once you confirm
 
 prompt-connect = connect to
 
 help-commands = commands: [targets] verb [arguments]
-help-console = the console itself
+help-console = commands of the console
 
 mission-none = no mission is being flown
 debrief-none = No debrief yet: it opens when a mission is over.
@@ -46,14 +46,14 @@ help-none = nothing found in the help
 help-targets = targets: 3  1-4,7  @group  all; none means the selection
 
 small-needs = sortie needs { $columns }x{ $rows }, this terminal is { $now_columns }x{ $now_rows }
-small-keys = Until it is larger only { $key } works: it leaves the program.
+small-keys = Enlarge the terminal, or press { $key } to leave the program.
 
 prompt-connect-tcp = ArduPilot SITL, one vehicle per port
 prompt-connect-udpin = listen; vehicles send here
 prompt-connect-udp = send to a vehicle or a router
 prompt-connect-serial = an autopilot or a radio on a cable
 prompt-connect-file = a recording
-prompt-connect-several = several addresses: blanks between them.  { $submit } connects, { $escape } closes
+prompt-connect-several = several addresses: separate them with blanks.  { $submit } connects, { $escape } closes
 
 session-free = free flight
 class-copter = copter
@@ -74,7 +74,7 @@ order-question = { $count ->
 order-no-vehicle = no vehicle { $vehicle }
 order-none = `{ $verb }` sends no command
 order-wait = `wait` is for pilot scripts
-order-wait-help = the console never waits: give the next command when you see fit
+order-wait-help = in the console, give the next command when you are ready
 macro-line = line { $number } of the macro `{ $name }`, `{ $line }`: { $fault }
 macro-endless = the macro was stopped after { $count } lines: does it call itself?
 
@@ -87,7 +87,7 @@ console-kind-theme = theme
 
 setting-theme = colours
 setting-lang = language: English, українська; a profile remembers it
-setting-symbols = what curves and maps are drawn with
+setting-symbols = characters for curves and maps
 setting-fps = frames per second at most
 setting-bell = ring the bell for serious alerts
 setting-notify = desktop notifications for serious alerts

@@ -38,7 +38,7 @@ debrief-good = good
 debrief-by-hand = Flown by hand
 debrief-by-script = Flown by a script: practice
 debrief-by-bundled-pilot = Flown by a pilot script that comes with sortie: practice
-debrief-other-revision = The mission is not of the course's revision (r{ $revision } of { $mission } was flown): the scores cannot be compared.
+debrief-other-revision = This flight used another revision of the mission than the course has (r{ $revision } of { $mission }): the scores cannot be compared.
 debrief-altered-mission = The mission file differs from { $mission } r{ $revision } of the course: the scores cannot be compared.
 debrief-try = Try { $attempt }   Hints { $count } (x{ $factor })
 debrief-predicted-right = You predicted { $predicted }: exactly that.
@@ -55,8 +55,8 @@ debrief-alert-none = { $alert } -> not answered (limit { $limit } s)   late
 
 debrief-swarm = SWARM   (shown, not scored)
 debrief-fan-out = At this pace you keep { $handled } drones busy; you flew { $flown }.
-debrief-swarm-times = left alone a drone is busy { $neglect } s; a command takes you { $interaction } s; a drone waits { $wait } s
-debrief-swarm-habits = turned to others { $switches } times a minute; { $group } % of commands to several at once
+debrief-swarm-times = left alone, a drone stays busy for { $neglect } s; a command takes you { $interaction } s; a drone waits { $wait } s
+debrief-swarm-habits = attention moved { $switches } times a minute; { $group } % of commands to several drones at once
 debrief-use = in the air { $airborne } s, with a task { $percent } %, idle { $idle } s
 debrief-use-none = never flown
 

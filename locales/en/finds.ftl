@@ -15,7 +15,7 @@ contact-leak = leak
 contact-source = source
 contact-peak = peak
 contact-found = { $contact }: { $kind }?  n { $north } e { $east }  { $sensor }
-contact-confirmed = { $contact }: { $kind }, the { $sensor } sees it too
+contact-confirmed = { $contact }: { $kind }, confirmed by the { $sensor }
 contact-harmless = { $contact }: harmless
 
 # Reports of finds.
@@ -25,13 +25,13 @@ detect-quality = recall { $recall }, precision { $precision }
 detect-target = F{ $beta } { $target }, within { $radius } m
 detect-target-cost = F{ $beta } { $target }, within { $radius } m; a false report costs { $cost } finds
 detect-advice-missed = missed: { $missed }, wrong reports: { $wrong }. Look again, lower and slower, and confirm before you report
-detect-advice-wrong = wrong reports: { $wrong }. Confirm with another sensor, or from nearer, before you report
+detect-advice-wrong = wrong reports: { $wrong }. Confirm with another sensor, or from closer, before you report
 
 # Passing over a zone.
 coverage-result = { $swept } % swept (random search: { $random } %)
 coverage-outlook = { $swept } % swept
 coverage-target = { $target } % swept
-coverage-advice = Set the distance between lines to the width of the sensor's strip: { $left } % was not swept, although the way flown would cover { $coverage } times the zone.
+coverage-advice = Fly lines as far apart as the sensor's strip is wide: { $left } % was not swept, although your path was long enough to cover the zone { $coverage } times.
 
 # Keeping a distance.
 standoff-result = { $share } % kept, { $near } s near, { $close } s too close
@@ -43,9 +43,9 @@ deliver-kits = { $done } helped, { $lost } too late
 deliver-nodes = { $done } placed
 deliver-kits-target = { $target } people
 deliver-nodes-target = { $target } nodes
-deliver-kits-advice = Find people sooner and drop the kit within 8 m of them: { $lost } could not wait.
+deliver-kits-advice = Find people sooner and drop the kit within 8 m of them: { $lost } got help too late.
 deliver-nodes-advice = Drop the nodes within 6 m of their places.
-people-kit-reached = a person { $distance } m away has it
+people-kit-reached = delivered to a person { $distance } m away
 people-kit-lost = no one within { $distance } m
 people-node-placed = the node is in its place
 people-node-lost = no place for a node within { $distance } m

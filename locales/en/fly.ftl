@@ -12,7 +12,7 @@ fly-by = by { $column }
 fly-selected = selected { $count }: { $vehicles }
 fly-selected-hidden = selected { $count } ({ $hidden } hidden): { $vehicles }
 fly-sorted = ordered by { $column }; { $key } reverses the order
-fly-sorted-reversed = ordered by { $column }, the largest first
+fly-sorted-reversed = ordered by { $column }, largest first
 fly-no-column = unknown column `{ $word }`
 fly-columns-are = columns: { $columns }
 fly-no-group = no group `{ $name }`
@@ -142,9 +142,9 @@ header-links = { $up }/{ $all } links up
 header-links-short = links { $up }/{ $all }
 
 footer-vehicles = vehicles
-footer-list = { $submit } selects   { $commands } commands them   { $escape } clears
-footer-deaf = keys work in a moment
-footer-paste-lines = nothing was pasted: it has { $count } lines, and the command line takes one at a time
+footer-list = { $submit } selects   { $commands } write a command   { $escape } clears
+footer-deaf = keys are ignored for a moment
+footer-paste-lines = nothing was pasted: the text has { $count } lines, and the command line takes one
 footer-paste-dropped = nothing was pasted: open the command line with { $key } first
 
 hint-move = move

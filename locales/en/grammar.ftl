@@ -26,7 +26,7 @@ grammar-no-group = no group `@{ $group }`
 grammar-group-empty = the group `@{ $group }` is empty
 grammar-no-groups = there are no groups here
 grammar-there-are = known: { $names }
-grammar-empty-part = a vehicle is missing beside the comma: write numbers and ranges as in `1-4,7`
+grammar-empty-part = a number is missing next to the comma: write numbers and ranges as in `1-4,7`
 grammar-backwards = `{ $range }` is reversed: use `{ $turned }`
 grammar-no-targets = `{ $word }` names no vehicles: write a number, a range such as `1-4`, `@group` or `all`
 grammar-no-vehicle-number = `{ $word }` is not the number of a vehicle: they are numbered from 1 to { $highest }
@@ -54,11 +54,11 @@ grammar-no-mav-cmd = unknown MAV_CMD `{ $word }`
 grammar-no-mav-cmd-number = { $word } is not a MAV_CMD: the highest is 65535
 
 grammar-by-how-much = by how much? write `by n 10`, `by e -5`, `by up 2`
-grammar-keep-or-face = the nose can keep its heading or face another, not both
-grammar-heading-range = a heading runs from 0 to 360; use `by` to turn the other way
+grammar-keep-or-face = keep the heading or face another one, not both
+grammar-heading-range = a heading is 0 to 360; use `by` to turn the other way
 grammar-which-way = which way? write `n`, `e`, `d` or `up` and a speed
 grammar-down-or-up = it can go `d` or `up`, not both
-grammar-small-circle = a circle needs a radius of 1 m at least
+grammar-small-circle = the radius must be at least 1 m
 grammar-four-parameters = four parameters are needed
 grammar-unknown-word = unknown
 
@@ -72,12 +72,12 @@ grammar-every-vehicle = every vehicle
 grammar-vehicle = vehicle
 
 grammar-none-there = none
-grammar-no-name = `{ $word }` is not known here
+grammar-no-name = unknown name `{ $word }`
 grammar-no-vehicles = `{ $word }` names no vehicles: write numbers, `@group`, `all`, `none`, `filter` or `invert`
 grammar-largest-first = largest first
-grammar-no-targets-here = `{ $verb }` is for the console itself: it takes no vehicles before it
-grammar-only-plain = `{ $verb }` is for the console without a screen: here the rooms show it
-grammar-only-console = `{ $verb }` is for the console: a script cannot use it
+grammar-no-targets-here = `{ $verb }` is a command of the console: it takes no vehicles
+grammar-only-plain = `{ $verb }` works in the plain console only: here the rooms show it
+grammar-only-console = `{ $verb }` works in the console only: a script cannot use it
 
 grammar-script-selection = a script has no selection
 grammar-say-who = name the vehicles, as in `{ $line }`

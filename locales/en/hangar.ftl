@@ -1,7 +1,7 @@
 # The hangar: ArduPilot SITL processes.
 
 hangar-unknown = no instance { $id }
-hangar-taken = instance { $id } runs already: stop it first, or choose another number
+hangar-taken = instance { $id } is running already: stop it first, or choose another number
 hangar-full = { $limit } instances are running, which is the limit: stop some, or raise the limit
 hangar-no-program = no { $program } was found: name one with --arducopter or SORTIE_ARDUCOPTER, or put it on the PATH
 hangar-attached = another program is attached to instance { $id }
@@ -9,8 +9,8 @@ hangar-host = cannot start instance { $id }: { $what }: { $error }
 hangar-closing = the hangar is closing
 hangar-cannot-open = cannot open the hangar in { $folder }: { $error }
 
-hangar-none = No processes simulate these vehicles. `sortie fly --backend ardupilot` starts ArduPilot's SITL for each of them and shows here how far it is.
-hangar-opening = the hangar is being opened ...
+hangar-none = No processes simulate these vehicles. `sortie fly --backend ardupilot` starts ArduPilot SITL for each vehicle; this room then shows the processes.
+hangar-opening = opening the hangar ...
 hangar-ready = { $ready } of { $count } ready
 hangar-host-title = host
 hangar-stage = stage
@@ -18,46 +18,46 @@ hangar-pid = pid
 hangar-restarts = starts
 hangar-memory = memory
 hangar-processor = core
-hangar-stage-queued = waits for its turn
-hangar-stage-process = runs
+hangar-stage-queued = queued
+hangar-stage-process = running
 hangar-stage-heartbeat = heartbeat
 hangar-stage-fetching = parameters { $received }/{ $count }
-hangar-stage-parameters = waits for a position
+hangar-stage-parameters = needs a position
 hangar-stage-position = position, last checks
 hangar-stage-ready = ready
-hangar-stage-stopping = is being ended
+hangar-stage-stopping = stopping
 hangar-stage-crashed = CRASHED
 hangar-stage-ended = ended
 hangar-vehicle = vehicle { $vehicle }
 hangar-fault = CRASHED: { $reason }
-hangar-fault-what = { $restart } starts it again, on its pad. { $stop } ends it for good.
-hangar-no-output = in { $folder }; it has printed nothing yet
-hangar-output = in { $folder }; printed last:
+hangar-fault-what = { $restart } restarts it on its pad. { $stop } stops it for good.
+hangar-no-output = in { $folder }; nothing printed yet
+hangar-output = in { $folder }; last output:
 hangar-output-of = vehicle { $vehicle }: output
 hangar-key-output = output
-hangar-key-restart = start again
-hangar-key-stop = end
+hangar-key-restart = restart
+hangar-key-stop = stop
 hangar-key-leave = leave
 hangar-all-ready = { $count ->
     [one] the vehicle is ready to arm
    *[other] all { $count } vehicles are ready to arm
 }
 hangar-ready-again = is ready to arm again
-hangar-restarted = its process is started again ({ $count })
+hangar-restarted = its process was restarted ({ $count })
 hangar-crash = its process has crashed: { $reason }
 hangar-crash-said = its process has crashed: { $reason }: { $line }
-hangar-crash-again = { $key }, then { $again } starts it again (`hangar restart { $vehicle }`)
+hangar-crash-again = { $key }, then { $again } restarts it (`hangar restart { $vehicle }`)
 hangar-no-process = no process of vehicle { $vehicle }
 hangar-ask-armed = it is armed; if it is flying, it will crash
-hangar-ask-restart = Start vehicle { $vehicle } again?
-hangar-ask-stop = End the process of vehicle { $vehicle }?
-hangar-restarting = vehicle { $vehicle } is started again
-hangar-stopping = the process of vehicle { $vehicle } is ended
-hangar-not-begun = the mission begins when all vehicles are ready: { $key } shows how far they are
+hangar-ask-restart = Restart vehicle { $vehicle }?
+hangar-ask-stop = Stop the process of vehicle { $vehicle }?
+hangar-restarting = restarting vehicle { $vehicle }
+hangar-stopping = stopping the process of vehicle { $vehicle }
+hangar-not-begun = the mission begins when all vehicles are ready: { $key } shows their progress
 hangar-failed = the vehicles could not be started: { $reason }
 hangar-plain-stages = starting: { $stages }
 hangar-plain-stage = { $vehicles } { $stage }
-hangar-plain-given-up = the vehicles do not start: the flight ends here
+hangar-plain-given-up = the vehicles did not start: the flight ends here
 hangar-plain-none = no processes simulate these vehicles
 hangar-here = here
 

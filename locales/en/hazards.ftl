@@ -1,4 +1,4 @@
-# What continuous hazards are measured with, what is let go of over them, and the objectives about them.
+# Continuous hazards: sensors that measure them, loads dropped on them, and their objectives.
 
 mission-sensor-monoxide = CO
 mission-sensor-methane = CH4
@@ -10,20 +10,20 @@ load-spray = spray
 load-kit = kits
 load-node = nodes
 load-dropped = { $what }; { $left } left
-load-nothing = it hit nothing that counts
+load-nothing = no target hit
 load-empty = no { $load } left: land on a pad for 20 s
-load-served = loads on board again
+load-served = loads refilled
 load-shut = its sprayer is shut
 load-spray-left = { $left } s left
-load-on-ground = it stands on the ground
+load-on-ground = it is on the ground
 load-too-high = { $height } m is too high: { $limit } m at most
 load-sample = { $sensor } { $value } { $unit }
 load-sample-speed = samples are taken at { $limit } m/s at most
 
 # What loads do to a fire.
-fire-put-out = the fire is out there
-fire-goes-on = the fire goes on there
-fire-wetted = the ground is wet there
+fire-put-out = the fire there is out
+fire-goes-on = the fire there still burns
+fire-wetted = the ground there is wet
 fire-none-there = nothing burns there
 
 # Finding where something is.
@@ -34,29 +34,29 @@ locate-wrong = { $count ->
     [one] 1 wrong report
    *[other] { $count } wrong reports
 }
-locate-quality = report what you are sure of only, and fly over it slowly before you do
+locate-quality = report only what you are sure of, and fly over it slowly first
 locate-target = { $count } within { $within } m
-locate-advice = Cross it from two sides, fly slowly where the sensor shows the most, and report the place: mark peak.
+locate-advice = Cross it from two sides, fly slowly where the reading is highest, and report the place: `mark peak`.
 
 # The edge of a fire.
 perimeter-none = no map yet
 perimeter-next = map in { $seconds } s
 perimeter-target = { $fit } at { $times } s
-perimeter-advice = see the whole edge shortly before the map is taken, the front with the wind last
+perimeter-advice = scan the whole edge shortly before the map is taken; leave the downwind front for last
 
 # Fire and what it must not reach.
-protect-safe = nothing of it burnt
-protect-still = nothing of it burns, the fire goes on
+protect-safe = nothing burnt
+protect-still = nothing burnt so far
 protect-burnt = { $lost } of { $all } cells burnt
 protect-target = nothing burns
-protect-advice = Wet the ground in the way of the front from road to road before it comes, then put out what gets over.
-contain-hits = { $good } of { $all } where they helped
+protect-advice = Wet the ground ahead of the front, from road to road, before the fire arrives; then put out what crosses the line.
+contain-hits = { $good } of { $all } useful
 contain-share = { $percent } % of what would have burnt
 contain-target = { $percent } %
 contain-quality = drop and spray over flames and dry fuel only, slowly and low
-contain-advice = Begin with the side that runs with the wind: the fire doubles every minute.
+contain-advice = Begin with the front that runs downwind: the fire doubles every minute.
 
 # Radiation that vehicles gather.
-dose-most = { $dose } uSv at most
+dose-most = highest dose { $dose } uSv
 dose-target = { $limit } uSv
 dose-advice = Stay high and keep moving: the dose falls with the square of the distance and with the time.

@@ -1,7 +1,7 @@
 # The home screen.
 
 home-missions = missions
-home-others = without a task
+home-others = without a mission
 home-free = Free flight
 home-ardupilot = Free flight on ArduPilot
 home-ardupilot-about = Free flight with real ArduPilot autopilots (SITL), one process per drone. They can be armed after a few seconds.
@@ -18,7 +18,7 @@ home-free-deed = starts
 home-connect-deed = asks for the address
 home-quit-deed = leaves
 home-over = { $session } is over: { $key } shows its debrief
-home-running = { $session } goes on: { $key } returns to it
+home-running = { $session } is still running: { $key } returns to it
 home-connect-empty = write an address, such as tcp:127.0.0.1:5760
 home-starting-mission = starting the mission ...
 home-starting-simulator = starting the simulator ...
@@ -29,7 +29,7 @@ home-tier-1 = one skill each
 home-tier-2 = several skills
 home-tier-3 = everything together
 home-drill = { $title }, { $seconds } s
-home-no-drill = there is no drill for it
+home-no-drill = this mission has no drill
 home-best = Best so far: { $score } points, { $medal }.
 home-site = area and par
 home-par = par

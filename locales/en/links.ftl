@@ -1,7 +1,7 @@
 # The room "links".
 
 links-none = no link: connect to vehicles, or start a flight
-links-ailing = link doctor: { $finding } ({ $key } says what to try)
+links-ailing = link doctor: { $finding } ({ $key } shows what to try)
 links-address = address
 links-in = in B/s
 links-out = out B/s

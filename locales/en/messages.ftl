@@ -3,7 +3,7 @@
 
 messages-fields = fields
 messages-hint = Choose a message in the tree. { $open } opens a branch, { $fields } goes to the fields, { $graph } draws a field as a graph, { $bytes } shows bytes, { $filter } filters, { $sort } sorts, { $pause } pauses, { $fold } closes or opens all systems.
-messages-none = nothing has come by any link yet
+messages-none = no link has received a message yet
 messages-none-found = no message matches
 messages-paused = PAUSED
 messages-by-number = messages by number
@@ -23,11 +23,11 @@ messages-figures = { $hz } Hz  { $bytes } B/s  count { $count }  age { $age }
 messages-dress = v{ $version } { $signed }, { $length } B, no. { $sequence }, { $way }
 messages-unknown = unknown ({ $value })
 messages-more = { $count } more
-messages-unknown-id = This id is in no dialect that is known here; its checksum cannot be verified.
-messages-other-layout = The checksum is wrong for this message as it is known here: another layout, or a damaged frame.
+messages-unknown-id = This id is in no dialect that sortie knows; its checksum cannot be verified.
+messages-other-layout = The checksum does not match this message as sortie knows it: another layout, or a damaged frame.
 messages-extent = now { $now }  { $seconds } s: { $low } to { $high }
 messages-not-drawn = { $count } not drawn
-messages-uncounted = frames of more kinds than fit here (often noise): { $count }
+messages-uncounted = frames of further kinds, not listed (often noise): { $count }
 messages-choose-field = choose a field first: { $key } goes to the fields
 messages-no-number = { $field } is text and has no graph
 

@@ -24,9 +24,9 @@ mission-cells-advice = Sample { $cells } too: { $dwell } s each, at most { $spee
 mission-map-none = no map
 mission-map-error = error { $error }
 mission-map-quality = map error { $error }
-mission-map-slower = fly slower at { $height } m, right through the middle of each cell, and stay longer in it
-mission-map-blank = sample { $cell } too, a blank counts as clean air; { $how }
-mission-map-advice = Map every cell at { $height } m with readings that have settled: fly slower, turn outside.
+mission-map-slower = fly slower at { $height } m through the middle of each cell, and stay in it longer
+mission-map-blank = sample { $cell } too, a blank cell counts as clean air; { $how }
+mission-map-advice = Map every cell at { $height } m with settled readings: fly slower, and turn outside the area.
 
 # Coming home. Advice at the first place begins a sentence.
 mission-recover-target = { $radius } m, { $percent } %
@@ -67,8 +67,8 @@ mission-battery-low = battery low
 
 # Translations in mission files.
 mission-untranslated = no `{ $key }`: Ukrainian shows the English text
-mission-english-only = in English only: `title_uk`, `brief_uk`, `text_uk` beside the English texts translate them
-mission-translation-empty = `{ $key }` is empty: leave it out, and the English text is shown
+mission-english-only = in English only: add `title_uk`, `brief_uk`, `text_uk` beside the English texts
+mission-translation-empty = `{ $key }` is empty: remove it to show the English text
 
 # The mission pane.
 mission-pane = mission  { $elapsed } of { $limit }  score { $score }
@@ -97,7 +97,7 @@ mission-rule-height-is = at most { $height } m above the pads
 mission-rule-battery = battery
 mission-rule-battery-is = land with { $percent } % or more
 mission-rule-wind = wind
-mission-rule-wind-is = { $speed } m/s from { $direction } deg
+mission-rule-wind-is = { $speed } m/s from { $direction }°
 mission-rule-calm = calm
 mission-rule-drones = drones
 mission-rule-sensors = sensors
@@ -120,7 +120,7 @@ deed-launched = only possible before takeoff
 deed-no-position = its position is unknown
 deed-other-kind = this mission asks for no reports of `{ $kind }`; report { $kinds }
 deed-no-contacts = all such contacts have been reported already
-deed-no-mark = no report within 15 m of there
+deed-no-mark = no report within 15 m of that place
 deed-marked-before = reported already
 deed-marked = { $count } reported
 deed-no-load = no load for that on board
@@ -135,7 +135,7 @@ mission-hint-given = { $percent ->
 mission-goal-time = done within { $seconds } s
 mission-goal-time-result = { $seconds } s
 mission-goal-battery = land with { $percent } % battery
-mission-goal-battery-result = { $percent } % left at the least
+mission-goal-battery-result = lowest charge { $percent } %
 mission-goal-battery-unknown = battery not known
 mission-goal-safety = break no rule
 mission-goal-safety-result = { $count ->
@@ -162,13 +162,13 @@ pause-refuses = the mission is paused: continue first, then give the command
 pause-refuses-help = `continue` or { $key } goes on; then give the command
 speedup-is = { $rate }x: time passes faster until something happens; { $key } ends it
 speedup-idle = { $rate }x: time passes faster, but no command is under way; { $key } ends it
-speedup-usual = { $rate }x: time passes as usual
+speedup-usual = { $rate }x: usual speed
 speedup-back = back to real time: { $reason }
 speedup-back-to = back to { $rate }x: { $reason }
 speedup-done = { $verb } of { $vehicle } done
 speedup-row = { $verb } of { $vehicle }: { $state }
 speedup-alert = alert { $alert }, vehicle { $vehicle }
-speedup-same = time passes { $rate }x already
+speedup-same = { $rate }x already
 speedup-limit = { $most }x already: faster is not allowed here
 speedup-nothing = nothing to speed up: no flight is under way
 speedup-not-processes = ArduPilot keeps its own time: choose its pace at the start with --speedup
@@ -182,10 +182,10 @@ speedup-too-little = too slow: { $least }x at least
 mission-launch = before launch
 mission-pledge = your plan
 mission-prediction = your score
-mission-prediction-none = { $key } predicts it, such as `predict 800`: the debrief compares
+mission-prediction-none = { $key } predicts it, as in `predict 800`; the debrief compares
 mission-prediction-is = { $points } predicted
 mission-goal = your goal
-mission-goal-none = { $key } sets one, such as `goal time 200s`: score, time, battery, safety, commands, attention
+mission-goal-none = { $key } sets one, as in `goal time 200s`: score, time, battery, safety, commands, attention
 mission-reading = the clock
 mission-reading-first = it starts when you leave the brief
 mission-reading-is = running; { $key } pauses it while you read
@@ -213,7 +213,7 @@ mission-try-unfinished = not finished
 mission-next-hint = hint
 mission-hint-price = { $percent ->
     [0] { $key } asks for the next one, level { $level }: it is free
-   *[other] { $key } asks for the next one, level { $level }: it takes { $percent } % of the score
+   *[other] { $key } asks for the next one, level { $level }: it costs { $percent } % of the score
 }
 mission-hint-of = hint { $level }: { $hint }
 mission-rule-carries = drone { $vehicles }

@@ -48,7 +48,7 @@ outcome-not-heard = not sent: no such vehicle is heard
 outcome-task-busy = not sent: the vehicle's task is overloaded
 
 # What was awaited in the telemetry; goes into outcome-not-seen and its like.
-effect-nothing = nothing to see
+effect-nothing = an effect
 effect-armed = armed
 effect-disarmed = disarmed
 effect-mode = mode { $mode }
@@ -56,8 +56,8 @@ effect-still = standing still
 effect-landed = on the ground
 effect-altitude = { $metres } m above home, within { $tolerance } m
 effect-place = within { $metres } m of the target
-effect-heading = heading { $degrees } deg
-effect-velocity = flying with that velocity
+effect-heading = heading { $degrees }°
+effect-velocity = flying at that velocity
 effect-home = home moved
 effect-servo = output { $output } at { $pulse } us
 effect-rebooted = rebooted

@@ -1,21 +1,21 @@
 # Parameters: the room, files, and what is wrong with a value.
 
-action-changed-parameters = fewer lines: changed ones, or those of the file
+action-changed-parameters = show only changed ones, or those of the file
 action-save-parameters = save the parameters to a file
-action-load-parameters = load a file: first see what differs
+action-load-parameters = load a file and see what differs
 action-compare-parameters = compare with a file or another vehicle
-action-apply-parameters = set what is marked
+action-apply-parameters = set the marked parameters
 action-fetch-parameters = ask the vehicle for all parameters again
 
 parameters-not-finite = not sent: { $name } takes finite numbers only
 parameters-not-whole = not sent: { $name } takes whole numbers only ({ $kind })
 parameters-out-of-range = not sent: { $name } takes { $least } to { $greatest } only ({ $kind })
-parameters-inexact = not sent: MAVLink would carry { $nearest } instead, so { $name } cannot be set to that exactly
+parameters-inexact = not sent: { $name } cannot be set to exactly that; MAVLink would carry { $nearest }
 parameters-no-number = `{ $value }` is not a number
 
 parameters-file-twice = { $name } is set to { $value } on line { $line } already
 parameters-file-no-value = { $name } has no value
-parameters-file-more = nothing more is expected after the value
+parameters-file-more = unexpected text after the value
 parameters-file-name = `{ $name }` is not a parameter: names have 1 to 16 letters, digits and `_`
 parameters-file-too-large = { $value } is too large for a vehicle
 parameters-file-help = write NAME,VALUE on a line, and comments after a #
@@ -27,12 +27,12 @@ parameters-file-faulty = { $path }:{ $line }:{ $column }: { $fault } { $count ->
 parameters-title = vehicle { $vehicle }
 parameters-title-compared = vehicle { $vehicle } beside { $other }
 parameters-of-vehicle = vehicle { $vehicle }
-parameters-no-vehicle = No vehicle is heard yet: its parameters come here.
+parameters-no-vehicle = No vehicle yet: this room shows the parameters of vehicles that are heard.
 parameters-asking = asking the vehicle for its parameters ...
 parameters-coming = { $received } of { $count }
 parameters-repeating = { $received } of { $count }; no answer, asked again ({ $tries })
-parameters-link-lost = { $received } of { $count }; link lost: goes on when it is back
-parameters-stalled = { $received } of { $count } came, then no answer: { $key } asks again
+parameters-link-lost = { $received } of { $count }; link lost: continues when it is back
+parameters-stalled = { $received } of { $count } received, then no answer: { $key } asks again
 parameters-complete = { $count ->
     [one] { $count } parameter
    *[other] { $count } parameters
@@ -43,11 +43,11 @@ parameters-filter = /{ $filter }: { $count }
 parameters-only-changed = only changed
 parameters-setting = setting: { $count } left
 parameters-sets-on = sets on { $vehicles }
-parameters-none-yet = nothing has come yet
+parameters-none-yet = nothing received yet
 parameters-none-fit = no parameter matches: { $key } shows all
-parameters-none-differ-yet = nothing differs in what has come so far
-parameters-none-differ = nothing differs: { $key } shows all
-parameters-none-changed = nothing has changed: { $key } shows all
+parameters-none-differ-yet = no differences so far
+parameters-none-differ = no differences: { $key } shows all
+parameters-none-changed = no changes: { $key } shows all
 
 parameters-column-name = NAME
 parameters-column-value = VALUE
@@ -57,12 +57,12 @@ parameters-column-other = OTHER
 parameters-column-state = STATE
 
 parameters-asked = { $value } { $state }
-parameters-state-waiting = waits
+parameters-state-waiting = waiting
 parameters-state-sent = sent
 parameters-state-confirmed = confirmed
 parameters-state-refused = refused
-parameters-state-unanswered = not answered
-parameters-state-replaced = dropped
+parameters-state-unanswered = no answer
+parameters-state-replaced = replaced
 parameters-differs = differs
 parameters-own = this vehicle's own
 parameters-missing = not on this vehicle
@@ -76,24 +76,24 @@ parameters-set-done = { $failed ->
 }
 parameters-stopped = stopped: { $count } not set
 parameters-nothing-compared = nothing to set: load a file (l) or compare (d) first
-parameters-nothing-marked = nothing is marked that could be set
+parameters-nothing-marked = no marked parameter can be set
 parameters-ask-apply = SET { $count ->
     [one] { $count } parameter
    *[other] { $count } parameters
 } on { $vehicles }
-parameters-ask-apply-reason = each is a command of its own with its outcome in the list
-parameters-nothing-to-save = no parameters have come yet
-parameters-not-complete = vehicle { $vehicle } has sent { $received } of { $count } parameters: wait until all are there
-parameters-no-path = write the name of a file
-parameters-same-vehicle = vehicle { $vehicle } is the one that is shown: name another
+parameters-ask-apply-reason = each is sent as its own command; the list shows the outcomes
+parameters-nothing-to-save = no parameters received yet
+parameters-not-complete = vehicle { $vehicle } has sent { $received } of { $count } parameters: wait for the rest
+parameters-no-path = write a file name
+parameters-same-vehicle = vehicle { $vehicle } is already shown: name another
 parameters-no-such-vehicle = no vehicle { $vehicle }
 parameters-saved = saved to { $path }
 parameters-ask-replace = REPLACE { $path }
 parameters-ask-replace-reason = a file of this name exists already
 
-prompt-filter-advice = several words must all occur; { $submit } or { $escape } goes back to the list
+prompt-filter-advice = all words must match; { $submit } or { $escape } goes back to the list
 prompt-parameter = { $name } on { $vehicles }
-prompt-parameter-advice = { $submit } sets it, { $escape } leaves it as it is
+prompt-parameter-advice = { $submit } sets it, { $escape } leaves it unchanged
 prompt-save-parameters = save parameters to
 prompt-save-advice = a path; ~/ is your home folder. sortie asks before it replaces a file
 prompt-load-parameters = load parameters from

@@ -21,7 +21,7 @@ scoring-missed-capped = missed: { $objectives }, which is mandatory: no more tha
 scoring-needs-objectives = needs { $percent } % of the objectives
 scoring-seconds = s
 scoring-watt-hours = Wh
-scoring-inside-par = { $by } { $unit } inside par
+scoring-inside-par = { $by } { $unit } under par
 scoring-over-par = { $by } { $unit } over par
 scoring-no-rule-broken = no rule broken
 scoring-rules-broken = { $worst }; other rules broken: { $more }
@@ -41,12 +41,12 @@ scoring-improve-quality-how = Bring the quality from { $from } to { $to } ({ $no
 scoring-be-faster = Save { $seconds } s to reach par.
 scoring-use-less = Save { $energy } Wh to reach par.
 scoring-advice-commands = Avoid refused commands: read why before you give one again.
-scoring-advice-mandatory = Reach every mandatory objective, the score is capped without it: { $objectives }.
+scoring-advice-mandatory = Reach every mandatory objective; without it the score is capped: { $objectives }.
 scoring-advice-geofence = Stay inside the fence: check a goto's numbers against the map before you send it.
-scoring-advice-height = Stay below the mission's highest height; it is in the brief.
+scoring-advice-height = Stay below the height limit; the brief states it.
 scoring-advice-crash = Bring the vehicle down with rtl or land and wait for the disarm.
 scoring-advice-motors = Never stop motors in the air; rtl or land end a flight.
-scoring-advice-force = Arm without force: wait until the checks before arming pass.
+scoring-advice-force = Arm without force: wait until the arming checks pass.
 scoring-advice-reserve = Turn home earlier: land above the battery reserve.
 scoring-advice-land = Land every drone before the mission ends.
 scoring-advice-pad = Land on the pad: rtl flies there by itself.
@@ -70,16 +70,16 @@ scoring-idle = drone { $vehicle } idle in the air { $time }
 scoring-never-idle = none of { $count } idled
 scoring-advice-unused = Fly drone { $vehicle } too: give it a part of the task.
 scoring-advice-idle = Give drone { $vehicle } its next task before it is done: it waited { $time } in the air.
-scoring-advice-slack = Keep every drone in the air as long as the others, with the next task given before the last is done.
+scoring-advice-slack = Keep all drones busy for equally long: give each its next task before the last one is done.
 
 # Hints.
 scoring-advice-hints = { $count ->
-    [one] Fly the same without { $count } hint.
-   *[other] Fly the same without the { $count } hints.
+    [one] Fly it again without the hint.
+   *[other] Fly it again without the { $count } hints.
 }
 
 # Rules of the air.
-scoring-advice-no-fly = Plan around no-fly zones, also those that appear: stop first, then fly out the shortest way.
+scoring-advice-no-fly = Plan around no-fly zones. If one appears around a drone, stop first, then leave it by the shortest way.
 scoring-advice-separation = Keep vehicles apart: give each its own height or its own area before they cross.
-scoring-advice-aircraft = Clear the way of aircraft at once: descend or land, and wait until they have passed.
+scoring-advice-aircraft = Keep clear of aircraft: descend or land at once, and wait until they have passed.
 scoring-advice-people = Stop when people come near, and fly high over those who stay.

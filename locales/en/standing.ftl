@@ -1,4 +1,4 @@
-# Who trains here, how far they have come, and what comes next.
+# The profile of the trainee, the progress so far, and what comes next.
 
 room-standing = standing
 action-standing = show your progress: skills, scores, credits
@@ -6,7 +6,7 @@ action-daily = fly the mission with the seed of the day
 action-exam = fly the mission's exam
 action-practise = fly the mission for practice, with a seed
 action-profiles = choose a profile
-action-aids = change how much advice comes by itself
+action-aids = change how much advice you get
 keys-list = lists to choose from
 hint-trainee = profile
 hint-mission = mission
@@ -81,16 +81,16 @@ profiles-title = profiles
 profiles-now = (now)
 profiles-new = new profile ...
 profiles-guest = Guest (flights are not kept)
-profiles-keys = { $scroll } move   { $submit } takes   { $escape } back
-profiles-in-flight = a mission is under way: end it first, its result belongs to the present profile
+profiles-keys = { $scroll } move   { $submit } choose   { $escape } back
+profiles-in-flight = a mission is under way: end it first; its result belongs to the current profile
 profiles-nameless = type a name
 prompt-profile = your name
 prompt-profile-advice = flights, credits and designs are stored under it on this machine only
 prompt-seed = seed for practice
-prompt-seed-advice = a number; the same seed is the same flight. { $submit } alone takes that of --seed, or 1. Practice earns nothing
+prompt-seed-advice = a number; equal seeds give equal flights. { $submit } alone takes that of --seed, or 1. Practice earns nothing
 
 # Own progress.
-standing-no-profile = Guests have no record. Press { $key } to choose a profile or to make one; then this room shows skills, scores, credits and experience over time.
+standing-no-profile = Guests have no record. Press { $key } to choose or create a profile; then this room shows skills, scores, credits and experience over time.
 standing-choose-first = choose a profile first, with { $key }
 standing-level = level { $level }
 standing-experience = { $experience }/{ $needed } xp
@@ -106,7 +106,7 @@ standing-next = next
 standing-review = review { $when }
 standing-why = why: { $skill }
 standing-lacks = for mastery: { $lacks }
-standing-why-nothing = nothing seen of it yet: fly a mission that trains it
+standing-why-nothing = no evidence yet: fly a mission that trains it
 standing-moved = { $mission }: { $what } { $percent } %, { $when }
 standing-scores = scores by mission
 standing-scores-nothing = no flights yet
@@ -124,9 +124,9 @@ days-today = today
 days-ahead = in { $count } d
 days-ago = { $count } d ago
 
-# How much advice comes by itself.
+# How much advice the console gives unasked.
 aids-full-about = advice: full; every hint and all feedback
-aids-fading-about = advice: fading; hints go as the skills of the mission grow
+aids-fading-about = advice: fading; fewer hints as your skills grow
 aids-none-about = advice: none; only hints that you ask for
 
 debrief-career = CAREER

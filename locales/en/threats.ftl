@@ -28,4 +28,4 @@ link-target = { $margin } dB for { $percent } %
 link-kept = { $percent } % of { $seconds } s
 link-none = no time on task
 link-more = { $seconds } s more
-link-advice = Keep a relay in sight of both the ground station and the vehicle behind: above the ridge, before the vehicle goes in.
+link-advice = Place a relay above the ridge, in sight of both the ground station and the vehicle, before the vehicle flies behind the ridge.

@@ -16,22 +16,22 @@ transport-without-address = { $host } has no address
 transport-no-udp-socket = cannot open a UDP socket: { $error }
 transport-udp-failed = the UDP socket failed: { $error }
 transport-cannot-send = cannot send to { $address }: { $error }
-transport-port-in-use = port { $port } on { $host } is in use: end the program that has it, or choose another port
+transport-port-in-use = port { $port } on { $host } is in use: end the program that uses it, or choose another port
 transport-not-here = { $host } is not an address of this machine: listen on 127.0.0.1 or 0.0.0.0
 transport-cannot-listen = cannot listen on port { $port } of { $host }: { $error }
 transport-no-clients = cannot accept clients: { $error }
 transport-no-serial = cannot open { $path } at { $baud } baud: { $error }
 transport-without-serial = cannot open { $path }: this program was built without serial ports; build it with --features serial
 transport-closed = closed by the other end
-transport-takes-nothing = it takes no more data
+transport-takes-nothing = the other end accepts no more data
 transport-silent = nothing was heard for { $seconds } s
-transport-pipe-gone = the pipe's other end is gone: { $reason }
-transport-fleet-busy = no requests are taken now: the session is ending or overloaded
+transport-pipe-gone = the other end is gone: { $reason }
+transport-fleet-busy = requests are not accepted now: the session is ending or overloaded
 
 transport-no-file = cannot open { $path }: { $error }
 transport-damage = { $count ->
-    [one] the recording is damaged at byte { $byte }: { $bytes } bytes were passed over
-   *[other] the recording is damaged in { $count } places, first at byte { $byte }: { $bytes } bytes were passed over
+    [one] the recording is damaged at byte { $byte }: { $bytes } bytes were skipped
+   *[other] the recording is damaged in { $count } places, first at byte { $byte }: { $bytes } bytes were skipped
 }
 transport-faults = { $first }; and { $second }
 transport-no-tlog = { $faults }; no record was found in it: is it a tlog?

@@ -3,26 +3,26 @@
 verb-arm = start the motors
 verb-disarm = stop the motors on the ground; refused in flight
 verb-kill = stop the motors at once; in flight the vehicle falls
-verb-mode = change the flight mode; its name alone does it too. LOITER and the like sink with the throttle stick down
+verb-mode = change the flight mode; the mode's name alone works too. LOITER and similar modes sink with the throttle stick down
 verb-takeoff = climb straight up, armed and in GUIDED
 verb-land = land where it is
 verb-rtl = return to launch and land there
 verb-hold = stop and stay: pauses GUIDED and AUTO, brakes in other modes
 verb-resume = go on after a hold in GUIDED or AUTO
 verb-goto = fly to a place in GUIDED: metres from the vehicle's own origin, metres from where it is, or a point
-verb-altitude = climb or descend where it is, in GUIDED
-verb-speed = change the speed, in GUIDED on the way to a place: the end of a takeoff, or another kind of target, restores the usual speed. A speed given in the hover after a takeoff holds only until the first target: give it again after the first `goto`
-verb-yaw = turn the nose: to a heading, or `by` so much (clockwise positive)
-verb-velocity = fly with a velocity in GUIDED for so long, 0.2 to 600 s, then stop
+verb-altitude = climb or descend in place, in GUIDED
+verb-speed = change the speed in GUIDED on the way to a place. The end of a takeoff, or another kind of target, restores the usual speed; a speed given in the hover after takeoff holds only until the first target: give it again after the first `goto`
+verb-yaw = turn the nose to a heading, or `by` an angle (clockwise positive)
+verb-velocity = fly at a velocity in GUIDED for 0.2 to 600 s, then stop
 verb-orbit = circle around a point; a negative radius turns the other way
 verb-survey = cover an area with parallel lines, each vehicle its share
-verb-search = search around a place: a square that grows, or sectors through it
+verb-search = search around a place: an expanding square, or sectors
 verb-formation = form up around the first vehicle, which leads: `goto` to it moves all, `speed` to it sets their speed
 verb-follow = fly behind another vehicle, one after the other
 verb-spread = move apart
 verb-roi = point nose and camera at a place, until `roi off`
-verb-home = set home: where it is, or a point with its height above sea level
-verb-wait = hold a script for a time, or until something is true of all targets; goes on after 60 s unless a timeout is given
+verb-home = set home: the vehicle's position, or a point with its height above sea level
+verb-wait = hold a script for a time, or until a condition holds for all targets; after 60 s it goes on, unless a timeout is given
 verb-servo = set a servo output
 verb-relay = switch a relay; with `to`, stand in a chain between home and a far place or vehicle
 verb-reboot = reboot the autopilot; refused while armed
@@ -48,14 +48,14 @@ argument-place = a named place or degrees
 argument-above-home = above home
 argument-swarm-height = above home; that of the first vehicle if left out
 argument-line-spacing = between two lines; as wide as the sensor sees if left out
-argument-line-course = which way the lines run
+argument-line-course = direction of the lines
 argument-around = around a place
 argument-opposite-corner = the opposite corner
 argument-circle-radius = of the circle
 argument-area = an area of the mission
 argument-shape = shape
 argument-neighbour-spacing = between neighbours
-argument-formation-face = which way it faces all the time; into its course if left out
+argument-formation-face = fixed heading of the formation; along its course if left out
 argument-formation-off = end it; the vehicles stay where they are
 argument-leader = vehicle to follow
 argument-follow-distance = between one and the next, 15 m if left out
@@ -65,7 +65,7 @@ argument-pattern = pattern
 argument-search-radius = how far from the place
 argument-relay-to = a chain of vehicles to there
 argument-relay-vehicle = wherever it goes
-argument-keep = the nose stays as it is
+argument-keep = keep the present heading
 argument-face = where the nose points
 argument-axis = over ground by default
 argument-heading = clockwise from north
@@ -89,9 +89,9 @@ argument-parameter-set = write it
 argument-parameter-value = the new value
 argument-mav-frame = MAV_FRAME
 argument-timeout = how long to wait, 60 s by default
-argument-contacts = every contact that has none yet
+argument-contacts = every contact without a report
 argument-pause = how long
-argument-speedup = simulated seconds per second, as 4
+argument-speedup = simulated seconds per second, such as 4
 argument-in-mode = in this mode
 argument-altitude-or-distance = above home, to home
 argument-ground-speed = over ground
@@ -100,7 +100,7 @@ argument-satellites = satellites in use
 argument-reading = what the first sensor of the vehicle shows, in its unit
 argument-contact-count = contacts of all vehicles together
 
-# What a mission understands
+# Commands of a mission
 verb-mark = report a find
 verb-unmark = take a report back
 verb-sample = take a sample here
@@ -115,9 +115,9 @@ argument-points = points of 1000
 argument-goal-time = to be done within
 argument-goal-battery = battery to land with
 argument-goal-score = points to reach
-argument-goal-component = where nothing is to go wrong
+argument-goal-component = the component to keep faultless
 
-# What is said to the console itself.
+# Commands of the console itself.
 verb-show = go to a room
 verb-select = select vehicles: 1-4,7  @red  all  none  filter  invert
 verb-group = name a group of vehicles @NAME
@@ -156,7 +156,7 @@ argument-alert = kind of alert
 argument-file = name of a file
 argument-file-or-vehicle = name of a file, or number of a vehicle
 
-# What else people call a verb: the command line finds it by these words, too.
+# Synonyms: the command line finds a verb by these words, too.
 words-arm = motors on, start the motors
 words-disarm = motors off
 words-kill = emergency stop

@@ -1,4 +1,4 @@
-# The drone constructor: slots, parts, and what speaks against a design.
+# The drone constructor: slots, parts, and problems of a design.
 slot-frame = frame
 slot-motor = motors
 slot-propeller = propellers
@@ -81,12 +81,12 @@ s_node = sensor node
 s_spray = sprayer with a tank
 s_relay = relay antenna
 
-design-schema = schema { $found } is not known to this version, which reads schema { $known }
-design-name = a name is one line of 1 to { $most } letters
+design-schema = unknown schema { $found }: this version reads schema { $known }
+design-name = a name is one line of 1 to { $most } characters
 design-part = no part `{ $part }` for the slot { $slot }
 design-slot = `{ $part }` does not go into `{ $slot }` but into `{ $other }`
 design-batteries = batteries in parallel must all be of one kind
-design-full = `{ $part }` is one too many: `{ $slot }` takes { $most }, and only loads and batteries twice
+design-full = `{ $part }` is one too many: `{ $slot }` takes { $most }, and only loads and batteries may repeat
 
 finding-missing = no { $slot } yet
 finding-propeller = propellers of { $diameter } in touch each other: this frame takes { $most } in
@@ -94,9 +94,9 @@ finding-motor-cells = the battery has { $cells } cells, the motors take { $fewes
 finding-esc-cells = the battery has { $cells } cells, the speed controllers take { $most } at most
 finding-esc-current = speed controllers of { $current } A, motors peak at { $peak } A: { $wanted } A would be safe
 finding-thrust = thrust is { $ratio } times the weight of { $mass } kg: it cannot hold its place in wind (1.3 is the least, 1.8 is good)
-finding-weak = thrust is { $ratio } times the weight: fine in calm air, gusts and climbs use it all up (1.8 is good)
-finding-collapse = the battery's voltage breaks down in the hover
-finding-current = the hover draws { $current } A, the battery gives { $most } A: its voltage breaks down
+finding-weak = thrust is { $ratio } times the weight: enough in calm air, but gusts and climbs need all of it (1.8 is good)
+finding-collapse = the battery's voltage collapses in the hover
+finding-current = the hover draws { $current } A, the battery gives { $most } A: its voltage collapses
 finding-hover-current = the hover draws { $current } A, more than half of the { $most } A that the battery gives: voltage will sag
 finding-sag = below { $charge } % charge the voltage is too low for the hover: land by { $land } %
 finding-power-cells = the battery has { $cells } cells, the power module takes { $most } at most
@@ -110,12 +110,12 @@ measure-hover-power = hover power
 measure-hover-current = hover current
 measure-hover-time = hover time
 measure-energy = battery
-measure-endurance-speed = longest at
+measure-endurance-speed = best endurance
 measure-longest = longest flight
-measure-range-speed = farthest at
+measure-range-speed = best range
 measure-range = farthest flight
 measure-top-speed = top speed
-measure-radio = radio reach
+measure-radio = radio range
 measure-spare = spare lift
 
 workshop-parts = parts
@@ -124,5 +124,5 @@ workshop-findings = problems
 workshop-none = none: it will fly
 workshop-polar = power by speed
 workshop-slot = unknown slot `{ $slot }`; slots: { $known }
-workshop-incomplete = { $name } lacks parts of its drive: nothing to export
+workshop-incomplete = { $name } lacks parts of its drive and cannot be exported
 workshop-exported = written: { $files }

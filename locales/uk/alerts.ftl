@@ -16,9 +16,9 @@ alert-ekf-height = висота
 alert-ekf-compass = компас
 alert-battery-critical = АКУМ. { $percent } %
 alert-battery-low = заряд низький { $percent } %
-alert-turn-back = час додому: { $needed } із { $left } %
+alert-turn-back = час додому: треба { $needed } із { $left } %
 alert-out-of-reach = ДОДОМУ НЕ ДОЛЕТИТЬ
-alert-fence = за межами зони
+alert-fence = поза геозоною
 alert-vibration = вібрація { $level }
 alert-prearm = не готовий до зльоту
 
@@ -39,7 +39,7 @@ alert-of-many = { $count ->
 }
 alert-with-vehicles = { $what }: { $vehicles }
 alert-and-more = { $first } (+{ $count })
-alert-acknowledge-hint = { $key } бере до відома
+alert-acknowledge-hint = { $key } підтверджує
 alert-header = { $count ->
     [one] { $count } тривога
     [few] { $count } тривоги
@@ -47,14 +47,14 @@ alert-header = { $count ->
 }
 
 alert-acknowledged = { $count ->
-    [0] немає чого брати до відома
-    [one] { $count } тривогу взято до відома: вона лишається в таблиці, доки не мине
-    [few] { $count } тривоги взято до відома: вони лишаються в таблиці, доки не минуть
-   *[many] { $count } тривог взято до відома: вони лишаються в таблиці, доки не минуть
+    [0] немає чого підтверджувати
+    [one] { $count } тривогу підтверджено: вона лишається в таблиці, доки не мине
+    [few] { $count } тривоги підтверджено: вони лишаються в таблиці, доки не минуть
+   *[many] { $count } тривог підтверджено: вони лишаються в таблиці, доки не минуть
 }
 alert-muted = тривоги без звуку: { $kind }
 alert-unmuted = тривоги виду { $kind } знову подають сигнал
 alert-muted-list = без звуку: { $kinds }
 alert-muted-none = усі тривоги подають сигнал
-alert-no-kind = немає виду тривог `{ $word }`
+alert-no-kind = невідомий вид тривог `{ $word }`
 alert-kinds-are = види: { $kinds }

@@ -4,14 +4,14 @@ mission-gates = { $count ->
    *[other] { $count } воріт
 }
 mission-gates-of = { $passed }/{ $count } воріт
-mission-gates-advice = Далі пролетіть крізь { $gate }: не далі ніж за { $radius } m від середини, за порядком воріт.
+mission-gates-advice = Далі пролетіть крізь { $gate }: не далі ніж за { $radius } m від середини, дотримуючись порядку воріт.
 mission-visit = { $count ->
     [one] { $count } місце
     [few] { $count } місця
    *[many] { $count } місць
 }
 mission-visit-of = { $passed }/{ $count } місць
-mission-visit-advice = Відвідайте ще { $place }: не далі ніж за { $radius } m від нього, протягом { $dwell } s.
+mission-visit-advice = Відвідайте ще { $place }: протримайтеся { $dwell } s не далі ніж за { $radius } m від нього.
 mission-hover = { $time } s
 mission-hover-of = { $held }/{ $time } s
 mission-hover-advice = Висіть на місці { $time } s без перерви: не далі ніж за { $radius } m від однієї точки, на висоті від { $low } до { $high } m.
@@ -20,7 +20,7 @@ mission-formation = { $count ->
    *[other] { $count } воріт, { $percent } %
 }
 mission-formation-of = { $passed }/{ $count } воріт, { $percent } %
-mission-formation-advice = Проведіть середину рою крізь { $gate }, тримаючи весь час від { $low } до { $high } m від кожного апарата до найближчого сусіда.
+mission-formation-advice = Проведіть середину рою крізь { $gate }; увесь час тримайте від { $low } до { $high } m між кожним апаратом і його найближчим сусідом.
 mission-arm-within = { $time } s
 mission-armed-after = активовано за { $time } s
 mission-not-armed = не активовано

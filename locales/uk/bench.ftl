@@ -1,8 +1,8 @@
 # Кімната майстерні: верстак, проєкти, порівняння, місця флоту.
 room-workshop = майстерня
-action-workshop = майстерня, де складають дрони
+action-workshop = складати дрони
 action-other-pane = перейти до іншого списку
-action-take-out = вийняти деталь, проєкт, вибір
+action-take-out = вийняти деталь або скасувати вибір
 action-buy-part = купити право на деталь
 action-undo = скасувати останню зміну
 action-redo = повторити скасоване
@@ -14,12 +14,12 @@ action-copy-design = зберегти копію проєкту
 action-rename-design = дати проєкту іншу назву
 action-export-design = записати проєкт у файл
 action-import-design = прочитати проєкт із файлу
-action-next-view = показники, потужність, вантаж або завдання
+action-next-view = показати показники, потужність, вантаж, завдання
 action-mission-before = складати для попереднього завдання
 action-mission-after = складати для наступного завдання
 action-seats = показати місця флоту або знову верстак
 action-all-seats = обрати проєкт для всіх місць
-action-fly-fleet = летіти завдання цими дронами
+action-fly-fleet = виконати завдання цими дронами
 
 bench-hint-lists = списки
 bench-hint-put-in = вставити
@@ -41,7 +41,7 @@ bench-hint-delete = видалити
 bench-hint-other = інший
 bench-hint-assign = цей проєкт на місце
 bench-hint-all = на всі місця
-bench-hint-lend = знову позичені
+bench-hint-lend = позичені дрони
 bench-hint-fly = летіти
 
 bench-not-saved = не збережено
@@ -58,25 +58,25 @@ bench-on-board = { $count ->
     [one] на борту
    *[other] на борту { $count }
 }
-bench-radio = дальність за енергетичним бюджетом: запас на завмирання 20 dB, висота 50 m
+bench-radio = дальність за бюджетом радіолінії: запас на завмирання 20 dB, висота 50 m
 bench-part-for-sale = { $part }: ще не ваше, { $key } купує за { $price } cr
 bench-part-locked = { $part }: продається після завдання «{ $mission }»
 bench-figures-change = із цією деталлю (▲ краще, ▼ гірше)
 bench-payload = час зависання за вантажем
-bench-payload-about = до тяги 1.3 ваги; ще { $spare } kg лишають 1.8 ваги
-bench-polar-about = найдовше в повітрі за { $longest } m/s, найдалі за { $farthest } m/s
-bench-no-curve = крива буде, коли є рама, мотори, пропелери, регулятори й акумулятор
+bench-payload-about = до тяги в 1.3 ваги; ще з { $spare } kg тяга становить 1.8 ваги
+bench-polar-about = найдовший політ за { $longest } m/s, найдальший за { $farthest } m/s
+bench-no-curve = кривої ще немає: потрібні рама, двигуни, пропелери, регулятори й акумулятор
 
 bench-no-mission = завдання не обрано
 bench-choose-mission = [ і ] обирають завдання, для якого складати.
-bench-mission-flown = завдання вже летить
+bench-mission-flown = завдання вже виконується
 bench-seats = { $count ->
     [one] { $count } дрон
     [few] { $count } дрони
    *[many] { $count } дронів
 }
 bench-budget = флот коштує { $cost } з { $budget } cr
-bench-no-budget = флот коштує { $cost } cr, без обмеження
+bench-no-budget = флот коштує { $cost } cr; обмеження немає
 bench-fleet = флот для «{ $mission }»
 bench-fleet-about = на верстаку: { $name }
 bench-lent = позичає завдання
@@ -90,9 +90,9 @@ bench-over-budget = флот коштує { $cost } cr, бюджет { $budget }
 bench-designs = проєкти
 bench-no-designs = проєктів ще немає
 bench-own = ваш
-bench-stock = від sortie
-bench-not-own = це проєкт від sortie: скопіюйте, щоб змінити
-bench-comparison = від іншого проєкту до того, що на верстаку (▲ краще, ▼ гірше)
+bench-stock = вбудований
+bench-not-own = це вбудований проєкт: скопіюйте його, щоб змінити
+bench-comparison = зміни від іншого проєкту до того, що на верстаку (▲ краще, ▼ гірше)
 bench-compared = проєкт
 bench-differs = інакше
 bench-choose-compared = оберіть проєкт і натисніть { $key }, щоб порівняти
@@ -108,17 +108,17 @@ bench-name-taken = проєкт { $name } уже є
 bench-ask-buy = купити право на { $part } за { $price } cr
 bench-ask-buy-reason = у вас { $credits } cr, лишиться { $left } cr
 bench-ask-replace = замінити { $name } на верстаку
-bench-ask-replace-reason = зміни не збережено ({ $key } повертає його)
+bench-ask-replace-reason = зміни не збережено ({ $key } повертає їх)
 bench-ask-overwrite = замінити ваш проєкт { $name }
-bench-ask-overwrite-reason = є інший із такою назвою
+bench-ask-overwrite-reason = проєкт із такою назвою вже є
 bench-ask-delete = видалити ваш проєкт { $name }
-bench-ask-delete-reason = те, що на верстаку, лишається там
+bench-ask-delete-reason = копія на верстаку лишається
 bench-ask-quit-reason = { $name } на верстаку не збережено
 
 prompt-save-design = зберегти проєкт як
 prompt-copy-design = зберегти копію { $name } як
-prompt-rename-design = інша назва для { $name }
+prompt-rename-design = нова назва для { $name }
 prompt-export-design = записати проєкт у файл
 prompt-import-design = прочитати проєкт із файлу
-prompt-design-advice = ваша назва; з'явиться у списку проєктів
+prompt-design-advice = будь-яка назва; вона з'явиться у списку проєктів
 prompt-import-advice = шлях до файлу проєкту; ~/ — домашня тека

@@ -1,10 +1,10 @@
 # Помилки у файлах налаштувань, клавіш і тем.
 
-config-unknown = немає налаштування `{ $name }`
+config-unknown = невідоме налаштування `{ $name }`
 config-wrong = для `{ $name }` потрібно { $expected }
 config-wrong-word = для { $name } потрібно { $expected }, а не `{ $word }`
 config-section = `{ $name }` — це розділ: напишіть [{ $name }] окремим рядком, а його налаштування нижче
-config-log-level = рівні журналу незрозумілі: { $error }
+config-log-level = невідомі рівні журналу: { $error }
 config-expected-word = одне зі слів: { $choices }
 config-expected-text = текст у лапках
 config-expected-number = ціле число від { $least } до { $most }
@@ -14,27 +14,27 @@ config-expected-lines = рядок мови команд у лапках або 
 
 config-faulty = пропущено: { $fault }
 
-keymap-no-key = немає клавіші `{ $key }`
-keymap-same-key = термінал надсилає те саме для `{ $key }` і для { $other }
-keymap-no-context = немає контексту `{ $name }`
+keymap-no-key = невідома клавіша `{ $key }`
+keymap-same-key = термінали надсилають той самий код для `{ $key }` і { $other }
+keymap-no-context = невідомий контекст `{ $name }`
 keymap-context = `{ $name }` — це контекст: напишіть [{ $name }] окремим рядком, а його клавіші нижче
 keymap-twice = `{ $key }` уже зайнято в цьому контексті, у рядку { $line }
-keymap-shadows = `{ $key }` уже зайнято для всіх екранів, у рядку { $line }
+keymap-shadows = `{ $key }` зайнято в розділі `[anywhere]`, у рядку { $line }
 keymap-shadows-advice = оберіть для одного з них іншу клавішу
-keymap-meaning = потрібна назва дії або рядок мови команд у лапках, або false
-keymap-no-action = немає ні дії, ні команди `{ $name }`
+keymap-meaning = потрібна назва дії або рядок команд у лапках, або false
+keymap-no-action = невідома дія чи команда `{ $name }`
 keymap-only-actions = клавішам контексту `{ $name }` можна надати лише дії
-keymap-is-text = `{ $key }` там — літера самого рядка
+keymap-is-text = `{ $key }` у цьому контексті вписує літеру
 
 history-unreadable = не вдалося прочитати історію команд із { $path }: { $error }
-mission-twice = два завдання мають id `{ $id }`: виконується { $flown }, пропущено { $other }
+mission-twice = два завдання мають id `{ $id }`: використано { $flown }, пропущено { $other }
 
-theme-unknown = немає теми `{ $name }`
+theme-unknown = невідома тема `{ $name }`
 theme-inherits-itself = тема `{ $name }` успадковує саму себе
 theme-circle = теми успадковують одна одну по колу: { $circle }
-theme-faulty-parent = у самій темі `{ $name }` є помилка
-theme-unknown-role = немає ролі `{ $name }`
-theme-roles-are = є такі ролі: { $roles }
+theme-faulty-parent = батьківська тема `{ $name }` має помилки
+theme-unknown-role = невідома роль `{ $name }`
+theme-roles-are = ролі: { $roles }
 theme-role-table = `{ $name }` має бути таблицею кольорів
 theme-role-table-advice = напишіть { $example }
 theme-no-style = для ролі `{ $name }` не задано вигляду

@@ -5,10 +5,10 @@ ask-leave = ЗАВЕРШИТИ сеанс
 ask-start = ПОЧАТИ інший сеанс
 ask-restart = ПОЧАТИ завдання СПОЧАТКУ
 ask-abandon = ПРИПИНИТИ завдання
-ask-abandon-reason = у розборі буде враховано досягнуте досі
+ask-abandon-reason = розбір урахує досягнуте досі
 ask-mission-lost = завдання не завершено, його не буде зараховано
-ask-given-up = завдання не завершено; воно закінчиться тут як припинене, і виконане буде зараховано як спробу
-ask-exam-ends = іспит ще не завершено; він закінчиться тут, і зараховано буде те, що виконано
+ask-given-up = завдання не завершено; вихід припиняє його, і політ зараховується як спроба
+ask-exam-ends = іспит не завершено; вихід закінчує його, і політ зараховується
 ask-armed = { $count ->
     [one] { $count } апарат з активними двигунами
     [few] { $count } апарати з активними двигунами
@@ -28,33 +28,33 @@ palette-to = для { $vehicles }
 palette-to-cursor = для { $vehicles } (під курсором)
 palette-to-selected = для { $vehicles } (вибрані)
 palette-sends = { $key } надсилає для { $vehicles }
-palette-asks = { $key } перепитує, перш ніж надіслати для { $vehicles }
+palette-asks = { $key } надсилає для { $vehicles } після підтвердження
 
 prompt-connect = під'єднатися до
 
 help-commands = команди: [цілі] дієслово [аргументи]
-help-console = сама консоль
+help-console = команди консолі
 
 mission-none = зараз немає завдання
 debrief-none = Розбору ще немає: він відкриється після завдання.
 
 ask-sure = ви певні?
 ask-taken-back = скасовано, нічого не зроблено   { $submit } або { $escape }: назад
-ask-else = будь-що інше: ні
+ask-else = будь-яка інша: ні
 
 help-title = довідка   { $scroll } гортати   { $section } розділ   { $search } шукати   { $key } закрити
 help-none = у довідці нічого не знайдено
-help-targets = цілі: 3  1-4,7  @group  all; без цілей - вибрані апарати
+help-targets = цілі: 3  1-4,7  @group  all; без цілей — вибрані апарати
 
 small-needs = sortie потребує { $columns }x{ $rows }, а термінал має { $now_columns }x{ $now_rows }
-small-keys = Поки він не стане більшим, діє лише { $key }: вихід із програми.
+small-keys = Збільште термінал або вийдіть із програми: { $key }.
 
 prompt-connect-tcp = ArduPilot SITL, порт на кожен апарат
 prompt-connect-udpin = слухати; апарати надсилають сюди
 prompt-connect-udp = надсилати апарату або маршрутизатору
 prompt-connect-serial = автопілот або радіомодем на кабелі
 prompt-connect-file = запис польоту
-prompt-connect-several = кілька адрес: через пробіл.  { $submit } під'єднує, { $escape } закриває
+prompt-connect-several = кілька адрес: розділіть їх пробілами.  { $submit } під'єднує, { $escape } закриває
 
 session-free = вільний політ
 class-copter = коптер
@@ -63,7 +63,7 @@ class-rover = ровер
 class-sub = підводний
 class-vehicle = апарат
 
-ids-wrong = `{ $word }` - не апарат: пишіть 3, 3-9 або 1,4-6
+ids-wrong = `{ $word }` — не апарат: пишіть 3, 3-9 або 1,4-6
 group-empty = немає апаратів для цієї групи
 group-is = @{ $name } тепер { $members }
 group-unknown = немає групи `{ $name }`
@@ -74,8 +74,8 @@ order-question = { $count ->
 }
 order-no-vehicle = немає апарата { $vehicle }
 order-none = `{ $verb }` не надсилає команд
-order-wait = `wait` — лише для сценаріїв пілота
-order-wait-help = консоль ніколи не чекає: дайте наступну команду, коли вважатимете за потрібне
+order-wait = `wait` — лише для скриптів пілота
+order-wait-help = у консолі дайте наступну команду, коли будете готові
 macro-line = рядок { $number } макросу `{ $name }`, `{ $line }`: { $fault }
 macro-endless = макрос зупинено після { $count } рядків: чи не викликає він сам себе?
 
@@ -88,8 +88,8 @@ console-kind-theme = тема
 
 setting-theme = кольори
 setting-lang = мова: English, українська; профіль її запам'ятовує
-setting-symbols = чим малювати криві й карти
+setting-symbols = знаки для кривих і карт
 setting-fps = найбільше кадрів за секунду
 setting-bell = дзвінок для серйозних тривог
 setting-notify = сповіщення на робочому столі для серйозних тривог
-setting-lang-ascii = екран показує лише латинські літери: спершу змініть символи
+setting-lang-ascii = екран показує лише ASCII: спершу задайте символи block або braille

@@ -15,8 +15,8 @@ contact-leak = витік
 contact-source = джерело
 contact-peak = пік
 contact-found = { $contact }: { $kind }?  n { $north } e { $east }  { $sensor }
-contact-confirmed = { $contact }: { $kind }, видно й на іншому датчику: { $sensor }
-contact-harmless = { $contact }: небезпеки немає
+contact-confirmed = { $contact }: { $kind }, підтверджує { $sensor }
+contact-harmless = { $contact }: безпечне
 
 # Повідомлення про знахідки.
 detect-result = F{ $beta } { $score }: знайдено { $found }/{ $there }, хибних { $wrong }, повторних { $repeated }
@@ -31,7 +31,7 @@ detect-advice-wrong = помилкових повідомлень { $wrong }: с
 coverage-result = обстежено { $swept } % (випадковий пошук: { $random } %)
 coverage-outlook = обстежено { $swept } %
 coverage-target = обстежити { $target } %
-coverage-advice = Ведіть смуги з кроком у ширину захвату датчика: не обстежено { $left } %, хоча пройденого шляху вистачило б на { $coverage } зони.
+coverage-advice = Ведіть лінії через ширину смуги датчика: не обстежено { $left } %, хоча пройденого шляху вистачило б на { $coverage } таких зон.
 
 # Дотримання відстані.
 standoff-result = дотримано { $share } %, поруч { $near } s, заблизько { $close } s
@@ -42,10 +42,10 @@ standoff-advice = Летіть уздовж споруди за { $nearest }-{ $
 deliver-kits = допомогли: { $done }, запізно: { $lost }
 deliver-nodes = установлено: { $done }
 deliver-kits-target = допомогти людям: { $target }
-deliver-nodes-target = установити датчиків: { $target }
-deliver-kits-advice = Знаходьте людей швидше й скидайте набір не далі як за 8 m від них: не дочекалися { $lost }.
-deliver-nodes-advice = Скидайте датчики не далі як за 6 m від їхніх місць.
-people-kit-reached = набір у людини за { $distance } m
+deliver-nodes-target = установити вузлів: { $target }
+deliver-kits-advice = Знаходьте людей швидше й скидайте набір не далі як за 8 m від них: запізно { $lost }.
+deliver-nodes-advice = Скидайте вузли не далі як за 6 m від їхніх місць.
+people-kit-reached = доставлено людині за { $distance } m
 people-kit-lost = у межах { $distance } m нікого немає
-people-node-placed = датчик на своєму місці
-people-node-lost = у межах { $distance } m місця для датчика немає
+people-node-placed = вузол на своєму місці
+people-node-lost = у межах { $distance } m місця для вузла немає

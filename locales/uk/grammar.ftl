@@ -26,8 +26,8 @@ grammar-no-group = немає групи `@{ $group }`
 grammar-group-empty = група `@{ $group }` порожня
 grammar-no-groups = груп тут немає
 grammar-there-are = відомі: { $names }
-grammar-empty-part = біля коми бракує апарата: пишіть номери та діапазони так: `1-4,7`
-grammar-backwards = `{ $range }` задом наперед: пишіть `{ $turned }`
+grammar-empty-part = біля коми бракує номера: пишіть номери та діапазони так: `1-4,7`
+grammar-backwards = діапазон `{ $range }` у зворотному порядку: пишіть `{ $turned }`
 grammar-no-targets = `{ $word }` не називає апаратів: пишіть номер, діапазон на зразок `1-4`, `@групу` або `all`
 grammar-no-vehicle-number = { $word } не може бути апаратом: їхні номери від 1 до { $highest }
 grammar-no-vehicle = немає апарата { $vehicle }, є лише { $known }
@@ -54,7 +54,7 @@ grammar-no-mav-cmd = невідома MAV_CMD `{ $word }`
 grammar-no-mav-cmd-number = { $word } не номер MAV_CMD: найбільший — 65535
 
 grammar-by-how-much = на скільки? Пишіть `by n 10`, `by e -5`, `by up 2`
-grammar-keep-or-face = ніс або зберігає курс, або повертається на інший, не те й те разом
+grammar-keep-or-face = можна або зберегти курс, або взяти інший, не те й те разом
 grammar-heading-range = курс буває від 0 до 360; щоб повернути в інший бік, пишіть `by`
 grammar-which-way = куди? Пишіть `n`, `e`, `d` або `up` і швидкість
 grammar-down-or-up = можна або `d`, або `up`, не те й те разом
@@ -72,12 +72,12 @@ grammar-every-vehicle = усі апарати
 grammar-vehicle = апарат
 
 grammar-none-there = таких немає
-grammar-no-name = `{ $word }` тут невідоме
+grammar-no-name = невідома назва `{ $word }`
 grammar-no-vehicles = `{ $word }` не називає апаратів: пишіть номери, `@групу`, `all`, `none`, `filter` або `invert`
 grammar-largest-first = спершу найбільші
-grammar-no-targets-here = `{ $verb }` — команда самій консолі: апаратів перед нею не пишуть
-grammar-only-plain = `{ $verb }` є лише в консолі без екрана: тут це показують кімнати
-grammar-only-console = `{ $verb }` є лише в консолі: у сценарії її не вживають
+grammar-no-targets-here = `{ $verb }` — команда консолі: апаратів перед нею не пишуть
+grammar-only-plain = `{ $verb }` діє лише в консолі без екрана: тут це показують екрани
+grammar-only-console = `{ $verb }` діє лише в консолі: у скрипті її не вживають
 
 grammar-script-selection = у скрипті немає вибраних апаратів
 grammar-say-who = назвіть апарати, як-от `{ $line }`

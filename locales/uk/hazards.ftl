@@ -10,15 +10,15 @@ load-spray = розчин
 load-kit = набори
 load-node = вузли
 load-dropped = { $what }; лишилося { $left }
-load-nothing = вантаж упав там, де це нічого не дає
+load-nothing = мимо цілі
 load-empty = { $load }: нічого не лишилося, сядьте на майданчик на 20 s
 load-served = вантаж поповнено
-load-shut = його розпилювач закрито
+load-shut = розпилювач закрито
 load-spray-left = лишилося { $left } s
-load-on-ground = він стоїть на землі
-load-too-high = { $height } m - це зависоко: щонайбільше { $limit } m
+load-on-ground = апарат стоїть на землі
+load-too-high = { $height } m — це зависоко: щонайбільше { $limit } m
 load-sample = { $sensor } { $value } { $unit }
-load-sample-speed = проби беруть на швидкості щонайбільше { $limit } m/s
+load-sample-speed = проби беруть на швидкості не більш як { $limit } m/s
 
 # What loads do to a fire.
 fire-put-out = там вогонь погашено
@@ -31,19 +31,19 @@ locate-reports = повідомлено: { $count }
 locate-off = похибка { $distance } m
 locate-missed = не знайдено
 locate-wrong = хибних: { $count }
-locate-quality = повідомляйте лише те, в чому певні, а перед тим повільно пролетіть над тим місцем
+locate-quality = повідомляйте лише про те, у чому впевнені, і спершу повільно пролетіть над тим місцем
 locate-target = { $count } з точністю { $within } m
-locate-advice = Перетніть хмару з двох боків, летіть повільно там, де покази найбільші, і повідомте місце: mark peak.
+locate-advice = Перетніть хмару з двох боків, летіть повільно там, де покази найбільші, і повідомте про місце: `mark peak`.
 
 # The edge of a fire.
 perimeter-none = карти ще немає
 perimeter-next = карта за { $seconds } s
 perimeter-target = { $fit } на { $times } s
-perimeter-advice = огляньте весь край незадовго до зняття карти, фронт за вітром - останнім
+perimeter-advice = огляньте весь край незадовго до зняття карти; фронт за вітром лишіть наостанок
 
 # Fire and what it must not reach.
-protect-safe = не згоріло нічого
-protect-still = нічого не горить, пожежа триває
+protect-safe = нічого не згоріло
+protect-still = поки нічого не згоріло
 protect-burnt = згоріло клітинок: { $lost } з { $all }
 protect-target = нічого не горить
 protect-advice = Змочіть землю на шляху фронту від дороги до дороги, поки він не дійшов, а далі гасіть те, що прорвалося.
@@ -51,9 +51,9 @@ contain-hits = з користю: { $good } з { $all }
 contain-share = { $percent } % того, що згоріло б
 contain-target = { $percent } %
 contain-quality = скидайте й розпилюйте лише над полум'ям і сухим паливом, повільно й низько
-contain-advice = Почніть із боку, куди дме вітер: пожежа подвоюється щохвилини.
+contain-advice = Почніть із фронту, що йде за вітром: пожежа подвоюється щохвилини.
 
 # Radiation that vehicles gather.
-dose-most = щонайбільше { $dose } мкЗв
-dose-target = { $limit } мкЗв
+dose-most = найбільша доза { $dose } uSv
+dose-target = { $limit } uSv
 dose-advice = Тримайтеся вище й не зупиняйтеся: доза падає з квадратом відстані та з часом.

@@ -1,7 +1,7 @@
 # Кімната «зв'язок».
 
 links-none = каналів немає: під'єднайтеся до апаратів або почніть політ
-links-ailing = лікар зв'язку: { $finding } ({ $key } підкаже, що спробувати)
+links-ailing = лікар зв'язку: { $finding } ({ $key } показує, що спробувати)
 links-address = адреса
 links-in = прийом B/s
 links-out = перед. B/s
@@ -23,7 +23,7 @@ links-dropped = пропущено
 links-dropped-figures = хибна CRC { $crc }, шум { $skipped } B, невідомі номери { $unknown }, не розібрано { $undecoded }
 links-missing = не дійшло
 links-others = інше
-links-other-figures = співрозмовників { $peers }, перез'єднань { $reconnects }, не надіслано { $unsent }
+links-other-figures = вузлів { $peers }, перез'єднань { $reconnects }, не надіслано { $unsent }
 links-history = { $way }, { $seconds } s, макс. { $most }
 
 links-key-command = команда

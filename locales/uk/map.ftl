@@ -28,10 +28,10 @@ map-legend-home = дім
 map-legend-trail = пройдений шлях
 map-legend-target = до цілі (x)
 map-legend-task = район завдання
-map-legend-fence = межа польотів
+map-legend-fence = геозона
 map-legend-keep-out = заборонена зона
-map-legend-plan = маршрут, точка w3
-map-legend-rally = запасна точка (R1)
+map-legend-plan = план, точка w3
+map-legend-rally = точка збору (R1)
 map-legend-course = маневр, місце p3
 map-legend-ruler = лінійка
 
@@ -50,7 +50,7 @@ action-next-sensor = показати виміри наступного датч
 # Пояснення позначок: щонайбільше 24 колонки.
 map-legend-seen = контакт, один датчик
 map-legend-confirmed = контакт, два датчики
-map-legend-reported = про це доповіли
+map-legend-reported = повідомлено
 map-legend-no-fly = заборонена зона (x)
 map-legend-jamming = немає супутників (~)
 map-legend-people = унизу люди (&)

@@ -2,7 +2,7 @@
 
 
 messages-fields = поля
-messages-hint = Виберіть повідомлення в дереві. { $open } розгортає гілку, { $fields } переходить до полів, { $graph } малює графік поля, { $bytes } показує байти, { $filter } фільтрує, { $sort } упорядковує, { $pause } зупиняє картину, { $fold } згортає чи розгортає всі системи.
+messages-hint = Виберіть повідомлення в дереві. { $open } розгортає гілку, { $fields } переходить до полів, { $graph } малює графік поля, { $bytes } показує байти, { $filter } фільтрує, { $sort } упорядковує, { $pause } ставить на паузу, { $fold } згортає чи розгортає всі системи.
 messages-none = жодним каналом ще нічого не надійшло
 messages-none-found = жодне повідомлення не підходить
 messages-paused = ПАУЗА
@@ -23,11 +23,11 @@ messages-figures = { $hz } Hz  { $bytes } B/s  { $count } шт.  вік { $age }
 messages-dress = v{ $version } { $signed }, { $length } B, № { $sequence }, { $way }
 messages-unknown = невідомо ({ $value })
 messages-more = ще { $count }
-messages-unknown-id = Такого номера немає в жодному відомому тут діалекті; контрольну суму перевірити не можна.
-messages-other-layout = Контрольна сума не збігається з відомою тут будовою повідомлення: будова інша, або кадр пошкоджено.
+messages-unknown-id = Такого номера немає в жодному діалекті, відомому sortie; контрольну суму перевірити не можна.
+messages-other-layout = Контрольна сума не збігається з будовою повідомлення, відомою sortie: будова інша, або кадр пошкоджено.
 messages-extent = зараз { $now }  { $seconds } s: { $low } – { $high }
 messages-not-drawn = не намальовано: { $count }
-messages-uncounted = кадри інших видів, для яких забракло місця (часто це шум): { $count }
+messages-uncounted = кадри інших видів, тут не показані (часто це шум): { $count }
 messages-choose-field = спершу виберіть поле: { $key } переходить до полів
 messages-no-number = { $field } є текстом, графіка не буде
 

@@ -26,7 +26,7 @@ outcome-verb-refused = { $verb } відхилено: { $reason }
 outcome-superseded = замінено на { $by }
 outcome-the-reboot = перезапуск
 outcome-answer-lost = видно в телеметрії, відповідь загубилася
-outcome-fell-silent = почато виконання, а далі тиша
+outcome-fell-silent = виконання почалося, але далі звітів немає
 outcome-no-answer = { $tries ->
     [one] немає відповіді на { $tries } спробу за { $seconds } s
     [few] немає відповіді на { $tries } спроби за { $seconds } s
@@ -53,7 +53,7 @@ outcome-not-heard = не надіслано: такого апарата не ч
 outcome-task-busy = не надіслано: обробку цього апарата перевантажено
 
 # Чого чекали в телеметрії; стоїть в outcome-not-seen і подібних.
-effect-nothing = нічого
+effect-nothing = ефект
 effect-armed = двигуни активовано
 effect-disarmed = двигуни деактивовано
 effect-mode = режим { $mode }
@@ -61,7 +61,7 @@ effect-still = зупинка на місці
 effect-landed = на землі
 effect-altitude = { $metres } m над домом, ±{ $tolerance } m
 effect-place = до цілі менше ніж { $metres } m
-effect-heading = курс { $degrees } deg
+effect-heading = курс { $degrees }°
 effect-velocity = політ із такою швидкістю
 effect-home = новий дім
 effect-servo = вихід { $output } на { $pulse } us

@@ -1,21 +1,21 @@
 # Параметри: екран, файли та вади значень.
 
-action-changed-parameters = менше рядків: лише змінені чи лише з файлу
+action-changed-parameters = показати лише змінені або лише з файлу
 action-save-parameters = зберегти параметри у файл
-action-load-parameters = завантажити файл: спершу показати відмінності
+action-load-parameters = завантажити файл і показати відмінності
 action-compare-parameters = порівняти з файлом або іншим апаратом
-action-apply-parameters = встановити позначене
+action-apply-parameters = встановити позначені параметри
 action-fetch-parameters = запитати в апарата всі параметри ще раз
 
 parameters-not-finite = не надіслано: { $name } приймає лише скінченні числа
 parameters-not-whole = не надіслано: { $name } приймає лише цілі числа ({ $kind })
 parameters-out-of-range = не надіслано: { $name } приймає лише від { $least } до { $greatest } ({ $kind })
-parameters-inexact = не надіслано: MAVLink передав би { $nearest }, тож встановити { $name } саме так неможливо
+parameters-inexact = не надіслано: { $name } не можна встановити саме так; MAVLink передав би { $nearest }
 parameters-no-number = `{ $value }` — не число
 
 parameters-file-twice = { $name } уже має значення { $value } у рядку { $line }
 parameters-file-no-value = { $name } не має значення
-parameters-file-more = після значення більше нічого не має бути
+parameters-file-more = зайвий текст після значення
 parameters-file-name = `{ $name }` — не параметр: назва має від 1 до 16 літер, цифр і `_`
 parameters-file-too-large = { $value } — завелике число для апарата
 parameters-file-help = пишіть НАЗВА,ЗНАЧЕННЯ в рядку, а коментарі — після #
@@ -28,12 +28,12 @@ parameters-file-faulty = { $path }:{ $line }:{ $column }: { $fault } { $count ->
 parameters-title = апарат { $vehicle }
 parameters-title-compared = апарат { $vehicle } порівняно з: { $other }
 parameters-of-vehicle = апарат { $vehicle }
-parameters-no-vehicle = Жодного апарата ще не чути: його параметри з'являться тут.
-parameters-asking = запитуємо в апарата параметри ...
+parameters-no-vehicle = Апаратів ще немає: тут з'являться параметри тих, що вийдуть на зв'язок.
+parameters-asking = запит параметрів апарата ...
 parameters-coming = { $received } з { $count }
 parameters-repeating = { $received } з { $count }; відповіді немає, запит повторено ({ $tries })
-parameters-link-lost = { $received } з { $count }; зв'язок втрачено: продовжимо, коли відновиться
-parameters-stalled = надійшло { $received } з { $count }, далі відповіді немає: { $key } запитує ще раз
+parameters-link-lost = { $received } з { $count }; зв'язок втрачено: продовження, коли він відновиться
+parameters-stalled = отримано { $received } з { $count }, далі відповіді немає: { $key } запитує ще раз
 parameters-complete = { $count ->
     [one] { $count } параметр
     [few] { $count } параметри
@@ -43,11 +43,11 @@ parameters-marked = відмінностей: { $count }, позначено: { 
 parameters-hidden = лише на цьому апараті: { $count } (o)
 parameters-filter = /{ $filter }: { $count }
 parameters-only-changed = лише змінені
-parameters-setting = встановлюємо: лишилося { $count }
+parameters-setting = встановлення: лишилося { $count }
 parameters-sets-on = встановлює на { $vehicles }
 parameters-none-yet = ще нічого не надійшло
 parameters-none-fit = жоден параметр не відповідає: { $key } показує всі
-parameters-none-differ-yet = у тому, що вже надійшло, відмінностей немає
+parameters-none-differ-yet = поки що відмінностей немає
 parameters-none-differ = відмінностей немає: { $key } показує всі
 parameters-none-changed = нічого не змінено: { $key } показує всі
 
@@ -64,7 +64,7 @@ parameters-state-sent = надіслано
 parameters-state-confirmed = підтверджено
 parameters-state-refused = відхилено
 parameters-state-unanswered = без відповіді
-parameters-state-replaced = відкинуто
+parameters-state-replaced = замінено
 parameters-differs = відрізняється
 parameters-own = власне цього апарата
 parameters-missing = немає на цьому апараті
@@ -78,29 +78,29 @@ parameters-set-done = { $failed ->
 }
 parameters-stopped = зупинено: не записано { $count }
 parameters-nothing-compared = нема чого встановлювати: спершу завантажте файл (l) або порівняйте (d)
-parameters-nothing-marked = не позначено нічого, що можна встановити
+parameters-nothing-marked = жоден позначений параметр встановити не можна
 parameters-ask-apply = ВСТАНОВИТИ { $count ->
     [one] { $count } параметр
     [few] { $count } параметри
    *[many] { $count } параметрів
 } на { $vehicles }
-parameters-ask-apply-reason = кожен — окрема команда, її наслідок видно у списку
+parameters-ask-apply-reason = кожен надсилається окремою командою; наслідки видно у списку
 parameters-nothing-to-save = параметри ще не надійшли
-parameters-not-complete = апарат { $vehicle } надіслав { $received } з { $count } параметрів: зачекайте, доки надійдуть усі
-parameters-no-path = напишіть назву файлу
-parameters-same-vehicle = апарат { $vehicle } саме й показано: назвіть інший
+parameters-not-complete = апарат { $vehicle } надіслав { $received } з { $count } параметрів: дочекайтеся решти
+parameters-no-path = впишіть назву файлу
+parameters-same-vehicle = апарат { $vehicle } уже показано: назвіть інший
 parameters-no-such-vehicle = апарата { $vehicle } немає
 parameters-saved = збережено у { $path }
 parameters-ask-replace = ЗАМІНИТИ { $path }
 parameters-ask-replace-reason = файл із такою назвою вже є
 
-prompt-filter-advice = якщо слів кілька, мають траплятися всі; { $submit } або { $escape } — назад до списку
+prompt-filter-advice = мають траплятися всі слова; { $submit } або { $escape } повертає до списку
 prompt-parameter = { $name } на { $vehicles }
-prompt-parameter-advice = { $submit } встановлює, { $escape } лишає як є
+prompt-parameter-advice = { $submit } встановлює, { $escape } лишає без змін
 prompt-save-parameters = зберегти параметри у файл
 prompt-save-advice = шлях; ~/ — домашня тека. Перед заміною файла sortie запитає
 prompt-load-parameters = завантажити параметри з файлу
-prompt-load-advice = спершу побачите відмінності, лише потім щось встановлюється
+prompt-load-advice = перш ніж щось установити, ви побачите відмінності
 prompt-compare-parameters = порівняти з
 prompt-compare-advice = файл або номер іншого апарата
 
@@ -114,6 +114,6 @@ parameters-hint-vehicle = апарат
 parameters-hint-help = довідка
 parameters-hint-mark = позначити
 parameters-hint-mark-all = усі, решту
-parameters-hint-extra = решта
+parameters-hint-extra = лише тут
 parameters-hint-apply = встановити позначене
 parameters-hint-close = назад

@@ -13,9 +13,9 @@ plain-times = { $count ->
    *[other] { $count } разів
 }
 plain-hint = підказка: { $hint }
-plain-objective-open = ціль не досягнута: { $objective }
-plain-objective-met = ціль досягнута: { $objective }
-plain-objective-missed = ціль не виконана: { $objective }
+plain-objective-open = ціль не досягнуто: { $objective }
+plain-objective-met = ціль досягнуто: { $objective }
+plain-objective-missed = ціль пропущено: { $objective }
 plain-score = результат поки що: { $score } з 1000
 plain-time-left = лишилося часу: { $seconds } s
 plain-vehicle = апарат { $vehicle }: { $state }
@@ -25,7 +25,7 @@ plain-flight = висота { $height } m, швидкість { $speed } m/s
 plain-home = { $distance } m від дому
 plain-battery = акумулятор { $percent } %
 plain-link = { $name }: { $state }, повідомлень за секунду: прийнято { $received }, надіслано { $sent }, утрачено { $lost }
-plain-before-launch = до зльоту: `1 predict 800` - скільки балів ви чекаєте, `1 goal time 200s` - ваша мета; у польоті допоможуть `objectives`, `contacts`, `hint`, `pause`, `continue`
+plain-before-launch = до зльоту: `1 predict 800` називає бали, яких ви чекаєте, `1 goal time 200s` ставить мету; у польоті допоможуть `objectives`, `contacts`, `hint`, `pause`, `continue`
 plain-asked = ціль: { $title }, { $target }, балів { $points }
 plain-asked-required = обов'язкова ціль: { $title }, { $target }, балів { $points }
 plain-limits = щонайбільше { $seconds } s, норма { $par } s; золото від { $gold }, срібло від { $silver }, бронза від { $bronze }

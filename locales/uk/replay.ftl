@@ -3,52 +3,52 @@ replay-badge = ПЕРЕГЛЯД
 replay-stopped = зупинено
 replay-gap = { $time } нічого не записано
 replay-moments = Моменти
-replay-none = нічого не переглядається: введіть `replay ФАЙЛ`
+replay-none = перегляд не триває: введіть `replay ФАЙЛ`
 replay-refuses = під час перегляду команди не надсилаються: цей політ завершено
 replay-refuses-help = щоб літати, вийдіть із перегляду
 replay-rate = перегляд x{ $rate }
 replay-no-file = немає файлу { $file }
 replay-no-frames = { $file } не належить до жодного запису: бракує його .tlog
 replay-no-tlog = { $file } не містить кадрів MAVLink: це не tlog
-bookmark-nothing = нема чого позначати закладкою: польоту немає
+bookmark-nothing = закладку ставити ніде: польоту немає
 bookmark-not-recorded = цей політ не записується, тож закладку поставити не можна
 bookmark-set = закладку поставлено
 seek-unreadable = потрібен час, наприклад 12:30, +30, -10 або `end`
 loop-unreadable = потрібні два моменти, ранніший перший: 1:10 1:40
 argument-seek = 12:30, +30, -10 або `end`
-argument-loop = від якого часу до якого
+argument-loop = початок і кінець відрізка
 hint-play = пуск
-hint-ten-seconds = 10 с
+hint-ten-seconds = 10 s
 hint-moments = моменти
 hint-moment-list = список
 keys-replay = Під час перегляду
-moment-armed = увімкнено мотори
-moment-disarmed = вимкнено мотори
+moment-armed = двигуни активовано
+moment-disarmed = двигуни деактивовано
 moment-mode = режим { $mode }
 moment-refused = { $line }: { $outcome }
 moment-refused-why = { $line }: { $outcome }: { $why }
-moment-objective = мету досягнуто: { $objective }
-moment-near = зблизилися до { $metres } м
+moment-objective = ціль досягнуто: { $objective }
+moment-near = зблизилися до { $metres } m
 moment-kind-bookmark = закладка
 moment-kind-refusal = відмова
 moment-kind-alert = тривога
 moment-kind-mode = режим
-moment-kind-arming = мотори
-moment-kind-objective = мета
+moment-kind-arming = двигуни
+moment-kind-objective = ціль
 moment-kind-separation = відстань
 verb-replay = переглянути записаний політ: запис або tlog
 verb-seek = перейти до часу запису
 verb-loop = повторювати відрізок запису
-verb-stopat = зупиняти перегляд на таких моментах
+verb-stopat = зупиняти перегляд на моментах цих видів
 verb-bookmark = поставити закладку на цей момент
 action-play-replay = запустити або зупинити перегляд
-action-replay-back = на 10 с назад
-action-replay-forward = на 10 с уперед
-action-frame-back = попередній кадр
-action-frame-forward = наступний кадр
-action-previous-moment = попередній момент
-action-next-moment = наступний момент
-action-show-moments = список моментів запису
+action-replay-back = перейти на 10 s назад
+action-replay-forward = перейти на 10 s уперед
+action-frame-back = показати попередній кадр
+action-frame-forward = показати наступний кадр
+action-previous-moment = перейти до попереднього моменту
+action-next-moment = перейти до наступного моменту
+action-show-moments = показати список моментів запису
 export-exists = { $path } уже існує: вкажіть інший шлях
 export-unwritable = не вдалося записати { $path }: { $error }
 export-done = записано: { $path }
@@ -56,7 +56,7 @@ records-total = { $count ->
     [one] { $count } запис
     [few] { $count } записи
    *[other] { $count } записів
-}, { $size } МіБ; зберігаються найновіші { $most }, щонайбільше { $space } МіБ
+}, { $size } MiB; зберігаються найновіші { $most }, щонайбільше { $space } MiB
 records-no-number = немає запису { $number }: номери показує `sortie records list`
 records-number = №
 records-began = початок (UTC)
@@ -71,11 +71,11 @@ records-vehicles = апарати
 records-what = що
 records-in-use = { $name } ще записується
 records-confirm = { $count ->
-    [one] Буде вилучено { $count } запис: додайте --yes
-    [few] Буде вилучено { $count } записи: додайте --yes
-   *[other] Буде вилучено { $count } записів: додайте --yes
+    [one] буде видалено { $count } запис: додайте --yes
+    [few] буде видалено { $count } записи: додайте --yes
+   *[other] буде видалено { $count } записів: додайте --yes
 }
-records-deleted = вилучено: { $name }
+records-deleted = видалено: { $name }
 action-replay-newest = переглянути останній записаний політ
 hint-replay = перегляд
 records-none = ще нічого не записано: спершу політайте або вкажіть файл

@@ -20,7 +20,7 @@ scoring-all-met = { $count ->
    *[many] досягнуто всіх цілей: { $count }
 }
 scoring-missed = не досягнуто: { $objectives }
-scoring-missed-capped = не досягнуто обов'язкового: { $objectives }; не більше { $most }
+scoring-missed-capped = не досягнуто обов'язкової цілі: { $objectives }; не більше { $most }
 scoring-needs-objectives = зараховується, коли досягнуто { $percent } % цілей
 scoring-seconds = s
 scoring-watt-hours = Wh
@@ -45,12 +45,12 @@ scoring-twice = повторних { $count }
 # Що дало б більше.
 scoring-improve-quality = Підвищте якість з { $from } до { $to } ({ $now }).
 scoring-improve-quality-how = Підвищте якість з { $from } до { $to } ({ $now }): { $how }.
-scoring-be-faster = До норми часу бракує { $seconds } s.
-scoring-use-less = До норми енергії зекономте { $energy } Wh.
-scoring-advice-commands = Давайте лише команди, які можна виконати, і по одному разу: спершу прочитайте причину відмови.
-scoring-advice-mandatory = Досягніть усього обов'язкового, без цього бал обмежено: { $objectives }.
+scoring-be-faster = Зекономте { $seconds } s, щоб укластися в норму.
+scoring-use-less = Зекономте { $energy } Wh, щоб укластися в норму.
+scoring-advice-commands = Уникайте відмов: прочитайте причину, перш ніж повторити команду.
+scoring-advice-mandatory = Досягніть усіх обов'язкових цілей, без цього бал обмежено: { $objectives }.
 scoring-advice-geofence = Не вилітайте за геозону: перш ніж надіслати, звірте числа в goto з картою.
-scoring-advice-height = Не піднімайтеся вище за найбільшу висоту завдання; її вказано в інструктажі.
+scoring-advice-height = Тримайтеся нижче за обмеження висоти; його вказано в інструктажі.
 scoring-advice-crash = Садіть апарат командою rtl або land і чекайте, доки двигуни деактивуються.
 scoring-advice-motors = Ніколи не зупиняйте двигунів у повітрі; політ завершують rtl або land.
 scoring-advice-force = Не активуйте двигунів примусово: зачекайте, доки пройдуть передпольотні перевірки.
@@ -74,19 +74,19 @@ scoring-advice-alerts = Відповідайте на тривоги вчасн�
 scoring-none-flown = жоден дрон не літав
 scoring-never-flown = не літав дрон { $vehicles }
 scoring-idle = дрон { $vehicle } простояв у повітрі { $time }
-scoring-never-idle = ніхто не простоював, дронів: { $count }
+scoring-never-idle = простою не було, дронів: { $count }
 scoring-advice-unused = Підніміть і дрон { $vehicle }: дайте йому частину роботи.
 scoring-advice-idle = Давайте дрону { $vehicle } наступне завдання, доки він не скінчив попереднє: він чекав у повітрі { $time }.
-scoring-advice-slack = Тримайте всі дрони в повітрі однаково довго й давайте наступне завдання, доки не скінчено попереднє.
+scoring-advice-slack = Завантажуйте всі дрони однаково довго: давайте наступне завдання, доки не скінчено попереднє.
 
 # Підказки.
 scoring-advice-hints = { $count ->
-    [one] Виконайте те саме без { $count } підказки.
-   *[many] Виконайте те саме без { $count } підказок.
+    [one] Виконайте це ще раз без підказки.
+   *[many] Виконайте це ще раз без підказок ({ $count }).
 }
 
 # Rules of the air.
-scoring-advice-no-fly = Оминайте зони, де літати заборонено, зокрема нові: спершу зупиніться, потім виходьте найкоротшим шляхом.
+scoring-advice-no-fly = Оминайте заборонені зони. Якщо така з'явилася навколо дрона, спершу зупиніться, потім вийдіть найкоротшим шляхом.
 scoring-advice-separation = Тримайте дрони нарізно: дайте кожному свою висоту або свою ділянку, перш ніж їхні шляхи перетнуться.
-scoring-advice-aircraft = Негайно звільняйте шлях літакам: знизьтеся або сядьте й чекайте, доки вони пролетять.
+scoring-advice-aircraft = Звільняйте шлях літакам: одразу знизьтеся або сядьте й чекайте, доки вони пролетять.
 scoring-advice-people = Зупиняйтеся, коли наближаються люди, і пролітайте високо над тими, хто залишається.

@@ -1,12 +1,12 @@
-# Хто тут тренується, чого досяг і що далі.
+# Профіль, поступ і що далі.
 
 room-standing = поступ
-action-standing = власний поступ: навички, бали, кредити
+action-standing = показати поступ: навички, бали, кредити
 action-daily = виконати завдання з варіантом дня
 action-exam = скласти іспит із завдання
-action-practise = виконати завдання для вправи, з варіантом
-action-profiles = вибрати, хто тренується
-action-aids = змінити, скільки порад з'являється самих
+action-practise = тренуватися на вибраному варіанті
+action-profiles = вибрати профіль
+action-aids = змінити кількість порад
 keys-list = переліки для вибору
 hint-trainee = профіль
 hint-mission = завдання
@@ -29,7 +29,7 @@ home-sign-locked = закрито
 home-daily = варіант дня
 home-exam = іспит
 home-practise = тренування
-home-seed-none = варіант - ціле число від 0
+home-seed-none = варіант — ціле число від 0
 ask-exam = РОЗПОЧАТИ іспит
 ask-exam-reason = спільний варіант, реальний час, без підказок і пауз; результат враховується
 
@@ -52,8 +52,8 @@ fact-review = час повторити
 fact-trains = тренує, %
 fact-skill = { $skill } { $percent }
 fact-skill-new = { $skill } (не пробували)
-fact-skill-mastered = { $skill } { $percent } (засвоєно)
-fact-pays = платить
+fact-skill-mastered = { $skill } { $percent } (опановано)
+fact-pays = винагорода
 fact-pays-first = до { $credits } cr за перше проходження
 fact-pays-nothing = без кредитів
 fact-pays-left = ще { $left } з { $credits } cr за кращі бали
@@ -70,15 +70,15 @@ profiles-now = (зараз)
 profiles-new = новий профіль ...
 profiles-guest = Гість (польоти не зберігаються)
 profiles-keys = { $scroll } рух   { $submit } вибрати   { $escape } назад
-profiles-in-flight = завдання триває: спершу завершіть його, результат належить теперішньому профілю
+profiles-in-flight = завдання триває: спершу завершіть його; результат належить поточному профілю
 profiles-nameless = впишіть ім'я
 prompt-profile = ваше ім'я
 prompt-profile-advice = під ним зберігаються польоти, кредити й проєкти, лише на цій машині
-prompt-seed = варіант для вправи
-prompt-seed-advice = число; той самий варіант - той самий політ. Сам { $submit } бере варіант з командного рядка або 1. Тренування нічого не платить
+prompt-seed = варіант для тренування
+prompt-seed-advice = число; однакові варіанти дають однакові польоти. Сам { $submit } бере варіант із `--seed` або 1. Тренування не дає кредитів
 
 # Власний поступ.
-standing-no-profile = Профілю не вибрано. Натисніть { $key }, щоб вибрати або створити профіль; тоді тут будуть навички, бали, кредити й досвід у часі.
+standing-no-profile = У гостя немає поступу. Натисніть { $key }, щоб вибрати або створити профіль; тоді тут будуть навички, бали, кредити й досвід у часі.
 standing-choose-first = спершу оберіть профіль: { $key }
 standing-level = рівень { $level }
 standing-experience = досвід { $experience }/{ $needed }
@@ -86,12 +86,12 @@ standing-credits = { $credits } cr
 standing-licence = ліцензія { $count }
 standing-flights = польотів { $count }
 standing-aids-key = змінює
-standing-skills = навички: наскільки ймовірно засвоєні
+standing-skills = навички: імовірність, що їх опановано
 standing-next = далі
 standing-review = повторити { $when }
 standing-why = чому: { $skill }
 standing-lacks = щоб опанувати, треба: { $lacks }
-standing-why-nothing = її ще не видно: виконайте завдання, що її тренує
+standing-why-nothing = свідчень ще немає: виконайте завдання, що її тренує
 standing-moved = { $mission }: { $what } { $percent } %, { $when }
 standing-scores = бали за завданнями
 standing-scores-nothing = польотів ще немає
@@ -103,12 +103,12 @@ standing-curve = { $what }: зараз { $now }
 standing-curve-credits = кредити
 standing-curve-experience = досвід
 days-today = сьогодні
-days-ahead = за { $count } д
-days-ago = { $count } д тому
+days-ahead = за { $count } дн.
+days-ago = { $count } дн. тому
 
-# Скільки порад з'являється самих по собі.
+# Скільки порад консоль дає без запиту.
 aids-full-about = поради: усі підказки та відгуки
-aids-fading-about = поради: згасають, коли зростають навички завдання
+aids-fading-about = поради: дедалі менше, що більше зростають навички
 aids-none-about = поради: лише підказки, про які ви просите
 
 debrief-career = КАР'ЄРА

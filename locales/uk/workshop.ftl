@@ -1,6 +1,6 @@
 # Конструктор дронів: місця, деталі та що не так із проєктом.
 slot-frame = рама
-slot-motor = мотори
+slot-motor = двигуни
 slot-propeller = пропелери
 slot-esc = регулятори
 slot-battery = акумулятор
@@ -10,7 +10,7 @@ slot-power = модуль живлення
 slot-radio = радіо
 slot-payload = корисне навантаження
 
-part-motor = мотор { $size }, { $kv } rpm/V
+part-motor = двигун { $size }, { $kv } rpm/V
 part-propeller = { $size } дюйма
 part-propeller-plastic = { $size } дюйма, пластик
 part-propeller-carbon = { $size } дюйма, карбон
@@ -81,26 +81,26 @@ s_node = сенсорний вузол
 s_spray = обприскувач із баком
 s_relay = антена ретранслятора
 
-design-schema = схема { $found } цій версії невідома, вона читає схему { $known }
-design-name = назва — один рядок від 1 до { $most } літер
+design-schema = невідома схема { $found }: ця версія читає схему { $known }
+design-name = назва — один рядок від 1 до { $most } знаків
 design-part = немає деталі `{ $part }` для місця «{ $slot }»
 design-slot = `{ $part }` іде не в `{ $slot }`, а в `{ $other }`
 design-batteries = паралельні акумулятори мають бути однакові
-design-full = `{ $part }` вже зайва: `{ $slot }` вміщує { $most }, а двічі — лише вантажі й акумулятори
+design-full = `{ $part }` вже зайва: `{ $slot }` вміщує { $most }, повторюватися можуть лише вантажі й акумулятори
 
 finding-missing = ще немає: { $slot }
 finding-propeller = пропелери { $diameter } дюйма зачепляться: ця рама вміщує { $most }
-finding-motor-cells = в акумуляторі { $cells } банок, мотори беруть від { $fewest } до { $most }
-finding-esc-cells = в акумуляторі { $cells } банок, регулятори тримають { $most }
-finding-esc-current = регулятори на { $current } A, мотори беруть до { $peak } A: безпечно було б { $wanted } A
+finding-motor-cells = в акумуляторі { $cells } банок, двигуни приймають від { $fewest } до { $most }
+finding-esc-cells = в акумуляторі { $cells } банок, регулятори витримують щонайбільше { $most }
+finding-esc-current = регулятори на { $current } A, двигуни беруть до { $peak } A: безпечно було б { $wanted } A
 finding-thrust = тяга { $ratio } ваги за маси { $mass } kg: не втримає місця на вітрі (найменше 1.3, добре 1.8)
-finding-weak = тяга { $ratio } ваги: у штиль гаразд, пориви та підйом забирають її всю (добре 1.8)
-finding-collapse = напруга акумулятора падає вже у зависанні
+finding-weak = тяга { $ratio } ваги: у штиль досить, але пориви та набір висоти забирають її всю (добре 1.8)
+finding-collapse = напруга акумулятора падає вже в зависанні
 finding-current = зависання бере { $current } A, акумулятор дає { $most } A: напруга впаде
 finding-hover-current = зависання бере { $current } A, більше половини з { $most } A, які дає акумулятор: напруга просяде
 finding-sag = нижче { $charge } % заряду напруги не вистачить для зависання: сідайте до { $land } %
-finding-power-cells = в акумуляторі { $cells } банок, модуль живлення тримає { $most }
-finding-power-current = зависання бере { $current } A, модуль живлення тримає { $most } A
+finding-power-cells = в акумуляторі { $cells } банок, модуль живлення витримує щонайбільше { $most }
+finding-power-current = зависання бере { $current } A, модуль живлення витримує щонайбільше { $most } A
 
 measure-mass = маса
 measure-cost = ціна
@@ -124,5 +124,5 @@ workshop-findings = вади
 workshop-none = немає: літатиме
 workshop-polar = потужність за швидкістю
 workshop-slot = невідоме місце `{ $slot }`; місця: { $known }
-workshop-incomplete = у { $name } бракує деталей приводу: нема чого вивантажити
+workshop-incomplete = у { $name } бракує деталей приводу: експортувати не можна
 workshop-exported = записано: { $files }

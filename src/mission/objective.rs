@@ -225,7 +225,11 @@ impl CountTarget {
 impl FileTable<'_> {
     /// How near to a place counts, by the key `radius`.
     fn need_radius(&mut self) -> Option<f64> {
-        self.need("radius", number(0.5, 1000.0, "m"), "how near counts")
+        self.need(
+            "radius",
+            number(0.5, 1000.0, "m"),
+            "greatest distance that counts",
+        )
     }
 }
 

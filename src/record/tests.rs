@@ -48,8 +48,8 @@ fn what_was_cut_off_or_goes_back_in_time_ends_a_journal() {
 #[test]
 fn what_is_no_journal_is_refused_with_the_reason() {
     for (text, reason) in [
-        ("", "no journal"),
-        ("{\"sortie_run\":1}\n", "no journal"),
+        ("", "not the journal"),
+        ("{\"sortie_run\":1}\n", "not the journal"),
         ("{\"sortie_flight\":2}\n", "version 2"),
         ("{\"sortie_flight\":1}\n", "missing field"),
     ] {

@@ -174,7 +174,7 @@ fn a_drill_is_flown_by_its_number() {
     let folder = folder_with(&[]);
     let flown = sortie_in(folder.path(), &["fly", "d03", "--plain", "--seed", "1"]);
     let said = text(&flown.stdout);
-    assert!(said.starts_with("Drill: up the wind\n"), "{said}");
+    assert!(said.starts_with("Drill: upwind\n"), "{said}");
     // Nobody says anything to it, so that it is not passed.
     assert_eq!(flown.status.code(), Some(1), "{}", text(&flown.stderr));
 }

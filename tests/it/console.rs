@@ -197,7 +197,7 @@ fn keys_meant_for_the_flight_do_not_close_the_debrief() {
         .hear(SessionEvent::MissionEnded(Box::new(fixtures::report())));
     assert!(console.press("h").effects.is_empty());
     assert!(console.state().room() == Room::Debrief);
-    let footer = "keys work in a moment";
+    let footer = "keys are ignored for a moment";
     assert!(console.screen(80, 24).contains(footer));
     let before = console.state().revision();
     console.hear(Event::Tick {

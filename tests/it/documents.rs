@@ -135,9 +135,9 @@ fn begins_with_a_verb(line: &str) -> bool {
     })
 }
 
-/// The lines of the console in a document: those of its tables of lines, and those that begin with a colon.
+/// The lines of the console in a document: those of its tables of commands, and those that begin with a colon.
 fn console_lines(document: &Document) -> Vec<String> {
-    let rows = document.rows_below("line").into_iter();
+    let rows = document.rows_below("command").into_iter();
     let lines = rows.filter(|row| !row[0].starts_with("sortie"));
     let fences = document.fences("");
     let typed = fences.iter().flat_map(|fence| fence.text.lines());

@@ -325,7 +325,7 @@ async fn two_vehicles_with_one_system_id_are_named() {
             console
                 .notices
                 .iter()
-                .any(|text| text.contains("system id 1 comes from two places"))
+                .any(|text| text.contains("two senders use system id 1"))
         })
         .await;
     assert_eq!(console.vehicles.len(), 1);
@@ -369,7 +369,7 @@ async fn a_vehicle_that_another_sender_takes_over_is_named_with_both_addresses()
     let (mut console, first, port) = hearing_by_udp().await;
     let second = UdpSocket::bind("127.0.0.1:0").await.expect("a port");
     let [before, now] = [&first, &second].map(|socket| socket.local_addr().expect("bound"));
-    let names = format!("(from {now}) now, no longer by ");
+    let names = format!("(from {now}), no longer over ");
     let is_told = |console: &Console| {
         let mut notices = console.notices.iter();
         notices.any(|text| text.contains(&names) && text.contains(&format!("(from {before})")))

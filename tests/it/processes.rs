@@ -97,7 +97,7 @@ fn a_vehicle_whose_process_is_killed_in_flight_is_started_again_and_flies() {
         .see("all takeoff 15  2 vehicles: 2 effect seen");
     kill(pids[1]);
     terminal.see("SITL DOWN").see("crashed");
-    terminal.press("G").see("CRASHED").see("r starts it again");
+    terminal.press("G").see("CRASHED").see("r restarts it");
     terminal
         .press("r")
         .see("2 of 2 ready")
@@ -125,7 +125,7 @@ fn a_vehicle_whose_process_is_killed_in_flight_is_started_again_and_flies() {
 fn nothing_outlives_a_console_that_is_killed() {
     let stand_in = StandIn::new(Behaviour::NeverReady);
     let mut terminal = fly(&stand_in, &["--vehicles", "3"], (80, 24));
-    terminal.see("0 of 3 ready").see("waits for a position");
+    terminal.see("0 of 3 ready").see("needs a position");
     let pids = all_children(terminal.process_id(), 3);
     kill(terminal.process_id());
     wait_until_gone(&pids);

@@ -275,7 +275,7 @@ fn a_truncated_file_is_told_set_aside_and_restored_with_all_that_was_recorded() 
         told.contains("damaged") && told.contains("restored"),
         "{told}"
     );
-    assert!(told.contains("had not been stored"), "{told}");
+    assert!(told.contains("was missing and is stored now"), "{told}");
     assert_eq!(json(&text(&output.stdout))["flights"], 2);
     assert_eq!(flights(data), 2, "and only once");
 }
@@ -339,6 +339,6 @@ fn on_a_full_disk_the_score_is_said_and_the_flight_is_made_up_for() {
     drop(other);
     let told = sortie(data, &["profile", "list"]);
     let told = text(&told.stderr);
-    assert!(told.contains("had not been stored and is now"), "{told}");
+    assert!(told.contains("was missing and is stored now"), "{told}");
     assert_eq!(flights(data), 1);
 }

@@ -76,7 +76,11 @@ fn a_disk_that_fills_up_costs_the_rest_of_the_record_and_nothing_else() {
             let name = file.to_string_lossy();
             let again = run(folder.path(), "", &["debrief", &name]);
             assert_eq!(again.status.code(), Some(1));
-            assert!(said(&again).contains("has no end"), "{}", said(&again));
+            assert!(
+                said(&again).contains("stops before the end"),
+                "{}",
+                said(&again)
+            );
         }
     }
 }
@@ -129,9 +133,12 @@ fn what_is_no_run_is_refused_with_its_name_and_the_reason() {
     let hole = File::options().write(true).open(&huge).expect("there");
     hole.set_len(65 * 1024 * 1024).expect("a hole");
     for (path, reason) in [
-        (file("empty", b""), "no recorded run"),
-        (file("zeros", &[0; 4096]), "no recorded run"),
-        (file("text", b"schema = 1\nid = \"x\"\n"), "no recorded run"),
+        (file("empty", b""), "not a recorded run"),
+        (file("zeros", &[0; 4096]), "not a recorded run"),
+        (
+            file("text", b"schema = 1\nid = \"x\"\n"),
+            "not a recorded run",
+        ),
         (file("newer", b"{\"sortie_run\":2}\n"), "version 2"),
         (
             file("head", b"{\"sortie_run\":1}\n"),
@@ -183,7 +190,11 @@ fn a_console_that_is_killed_leaves_a_record_to_be_read() {
     assert!(record.ends_with('\n'), "only whole lines");
     let again = run(data.path(), "", &["debrief"]);
     assert_eq!(again.status.code(), Some(1), "{}", said(&again));
-    assert!(said(&again).contains("has no end"), "{}", said(&again));
+    assert!(
+        said(&again).contains("stops before the end"),
+        "{}",
+        said(&again)
+    );
     let page = String::from_utf8_lossy(&again.stdout).into_owned();
     assert!(
         page.contains("01-air-sample") && page.contains("FLYING"),

@@ -433,9 +433,9 @@ fn two_missions_with_one_id_are_told() {
         ],
     );
     let said = text(&output.stderr);
-    let expected = "two missions have the id `01-air-sample`: 01-air-sample.toml is flown, ";
+    let expected = "two missions have the id `01-air-sample`: 01-air-sample.toml is used, ";
     assert!(
-        said.contains(expected) && said.contains("99-copy.toml is left out"),
+        said.contains(expected) && said.contains("99-copy.toml is ignored"),
         "{said}"
     );
     let mut terminal = console(home.path(), &[], &[]);

@@ -6,6 +6,7 @@ use nucleo_matcher::pattern::{CaseMatching, Normalization, Pattern};
 use nucleo_matcher::{Config, Matcher, Utf32Str};
 
 use crate::app::State;
+use crate::app::room::Room;
 use crate::language::{self, Completion};
 use crate::text;
 use crate::text::Text;
@@ -92,10 +93,12 @@ pub fn lines(state: &State, written: &str) -> Vec<Completion> {
         .collect()
 }
 
-/// What people also call the verb that a line begins with, in the language of the screens.
+/// What people also call the verb that a line begins with, or the room that it leads to, in the language of the screens.
 fn synonyms(line: &str) -> Option<Text> {
-    let verb = language::row(line.split(' ').next()?)?.name();
+    let mut words = line.split(' ');
+    let verb = language::row(words.next()?)?.name();
     Some(match verb {
+        "show" => Room::named(words.next()?)?.title(),
         "arm" => text!("words-arm"),
         "disarm" => text!("words-disarm"),
         "kill" => text!("words-kill"),

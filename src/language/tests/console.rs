@@ -178,7 +178,7 @@ fn what_cannot_be_named_now_says_why() {
 fn a_verb_is_refused_where_it_may_not_be_said() {
     for (channel, line, said) in [
         (Channel::Script, "theme dark", "a script cannot use it"),
-        (Channel::Screen, "status", "without a screen"),
+        (Channel::Screen, "status", "plain console only"),
         (Channel::Screen, "wait 5s", "pilot scripts"),
     ] {
         let fault = on(channel, true, |context| parse(line, context)).expect_err(line);

@@ -44,8 +44,8 @@ fn the_exact_word_that_is_wrong_is_named() {
         ("0 arm", "0", "numbered from 1 to 9999", ""),
         ("1,300 arm", "300", "no vehicle 300, only 1-8", ""),
         ("1-99 arm", "1-99", "no vehicle 9, only 1-8", ""),
-        ("1,,2 arm", "", "a vehicle is missing beside the comma", ""),
-        ("1, arm", "", "a vehicle is missing beside the comma", ""),
+        ("1,,2 arm", "", "a number is missing next to the comma", ""),
+        ("1, arm", "", "a number is missing next to the comma", ""),
         ("1,x arm", "x", "`x` names no vehicles", ""),
         (
             "@rad arm",

@@ -73,17 +73,17 @@ pub(super) fn action(table: &mut FileTable<'_>) -> Option<Action> {
 }
 
 fn say(table: &mut FileTable<'_>) -> Option<Action> {
-    table.need_text("say", "what is said").map(Action::Say)
+    table.need_text("say", "the message").map(Action::Say)
 }
 
 fn fail(table: &mut FileTable<'_>) -> Option<Action> {
-    table.need_text("fail", "why").map(Action::Fail)
+    table.need_text("fail", "reason").map(Action::Fail)
 }
 
 fn alert(table: &mut FileTable<'_>) -> Option<Action> {
-    let level = table.need("alert", word(&LEVELS), "how much it matters");
-    let text = table.need_text("text", "what it says");
-    let ok = table.may("ok", condition(), "what answers it");
+    let level = table.need("alert", word(&LEVELS), "level of the alert");
+    let text = table.need_text("text", "text of the alert");
+    let ok = table.may("ok", condition(), "condition that answers it");
     let within = table.may(
         "within",
         seconds(1.0, 3600.0),
@@ -104,15 +104,14 @@ fn alert(table: &mut FileTable<'_>) -> Option<Action> {
 
 fn set(table: &mut FileTable<'_>) -> Option<Action> {
     let quantity_form = named("quantity", Element::names, Element::named);
-    let quantity = table.need("set", quantity_form, "what of the weather");
-    let to = table.need("to", number(-40.0, 360.0, ""), "its new value");
-    let ramp = table.or(
-        "ramp",
+    let quantity = table.need("set", quantity_form, "quantity that changes");
+    let to = table.need("to", number(-40.0, 360.0, ""), "new value");
+    let ramp = table.or("ramp", time(), Duration::ZERO, "time over which it changes");
+    let lasts = table.may(
+        "for",
         time(),
-        Duration::ZERO,
-        "little by little within this",
+        "time until the old value returns; without it, permanent",
     );
-    let lasts = table.may("for", time(), "then it is as before; without it, for good");
     let ((element, range), to) = (quantity?, to?);
     if !range.contains(&to) {
         let (low, high) = (range.start(), range.end());
@@ -130,8 +129,8 @@ fn set(table: &mut FileTable<'_>) -> Option<Action> {
 }
 
 fn zone(table: &mut FileTable<'_>) -> Option<Action> {
-    let id = table.need("zone", text("id of a zone"), "which one");
-    let active = table.need("active", flag(), "whether it is there");
+    let id = table.need("zone", text("id of a zone"), "zone to switch");
+    let active = table.need("active", flag(), "`true` switches it on");
     let id = id?;
     let Draft { zones, faults, .. } = table.draft();
     let found = zones.iter().position(|zone| zone.id == *id.get_ref());
@@ -156,22 +155,18 @@ fn spawn(table: &mut FileTable<'_>) -> Option<Action> {
         |name| MOVERS.iter().find(|(known, ..)| *known == name),
     );
     let mover = table.need("spawn", mover_form, "`person`, `aircraft` or `intruder`");
-    let id = table.may(
-        "id",
-        text(""),
-        "what conditions call it; without it, its kind",
-    );
-    let path = table.need("path", list(point(), 2, MOST_POINTS), "from point to point");
-    let speed_m_s = table.need("speed", number(0.1, 300.0, "m/s"), "along the path");
+    let id = table.may("id", text(""), "name for conditions; without it, its kind");
+    let path = table.need("path", list(point(), 2, MOST_POINTS), "points of the path");
+    let speed_m_s = table.need("speed", number(0.1, 300.0, "m/s"), "speed along the path");
     let height_m = table.may(
         "height",
         number(0.0, 5000.0, "m"),
-        "how high it moves; without it 0, 80 or 30 by kind",
+        "height; without it 0, 80 or 30 by kind",
     );
     let keep_out_m = table.may(
         "keep_out",
         number(0.0, 1000.0, "m"),
-        "how far vehicles have to stay away; without it 15, 60 or 15 by kind",
+        "distance that vehicles must keep; without it 15, 60 or 15 by kind",
     );
     let jitter = number(0.0, 1000.0, "m");
     let jitter_m = table.or(
@@ -202,14 +197,18 @@ fn fault(table: &mut FileTable<'_>) -> Option<Action> {
                 .find(|(known, ..)| *known == name)
         },
     );
-    let kind = table.need("fault", kind_form, "what breaks");
-    let victim = table.need("vehicle", VictimValue, "which one");
+    let kind = table.need("fault", kind_form, "kind of fault");
+    let victim = table.need("vehicle", VictimValue, "vehicle concerned");
     let to = table.may(
         "to",
         number(-1e6, 1e6, ""),
-        "how bad, in the unit of the fault; without it as usual",
+        "severity, in the unit of the fault; without it, the default",
     );
-    let lasts = table.may("for", time(), "then it works again; without it, for good");
+    let lasts = table.may(
+        "for",
+        time(),
+        "time until it works again; without it, permanent",
+    );
     let (_, kind, usual, range) = kind?;
     if let Some(to) = to.filter(|to| !range.contains(to)) {
         let (low, high) = (range.start(), range.end());
@@ -258,6 +257,6 @@ impl FileValue for VictimValue {
 }
 
 fn event(table: &mut FileTable<'_>) -> Option<Action> {
-    let id = table.need("event", text("id of an event"), "which one")?;
+    let id = table.need("event", text("id of an event"), "event to trigger")?;
     known_event(table.draft(), &id).map(Action::Event)
 }

@@ -36,21 +36,25 @@ pub(super) fn advice(table: &mut FileTable<'_>) -> Option<OneAdvice> {
     let phase = table.may(
         "phase",
         word(&Phase::WORDS),
-        "with this alone it shows by itself: on the ground, when armed, in the air, when all but the landing is done",
+        "with this key alone the hint shows by itself: on the ground, when armed, in the air, when only the landing is left",
     );
     let level = table.may(
         "level",
         whole(1, 3, ""),
-        "it has to be asked for (`1 hint`) and costs: 1 (a question to think about) 2 %, 2 (where to look) 5 %, \
+        "the hint has to be asked for (`1 hint`) and costs: 1 (a question to think about) 2 %, 2 (where to look) 5 %, \
          3 (how to do it) 10 % of the score, 30 % at most; on the first try only 3 costs, and nothing does in missions \
          of tier 0; the mildest is given first",
     );
     let objective_form = text("id of an objective");
-    let objective = table.may("objective", objective_form, "it is given until this is met");
+    let objective = table.may(
+        "objective",
+        objective_form,
+        "the hint is given until this is met",
+    );
     let english = table.need(
         "text",
         text(""),
-        "what it says; `{next_cell}` becomes the next cell to sample",
+        "text of the hint; `{next_cell}` becomes the next cell to sample",
     );
     let ukrainian = table.may("text_uk", text(""), "the same in Ukrainian");
     let no_cells = table.draft().surveys.is_empty() && table.draft().faults.is_empty();

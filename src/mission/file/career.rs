@@ -25,7 +25,7 @@ const MEDALS: [(&str, Medal); 3] = [
 /// What has to be shown before.
 pub(super) fn requires(table: &mut FileTable<'_>) -> Option<Requires> {
     let missions_form = list(mission_id(), 0, usize::MAX);
-    let missions = table.may("missions", missions_form, "those that have to be passed");
+    let missions = table.may("missions", missions_form, "missions that must be passed");
     let medals_form = map("mission", word(&MEDALS));
     let medals = table.may(
         "medals",
@@ -36,7 +36,7 @@ pub(super) fn requires(table: &mut FileTable<'_>) -> Option<Requires> {
     let skills = table.may(
         "skills",
         skills_form,
-        "how likely a skill has to be mastered",
+        "required probability that a skill is mastered",
     );
     let (missions, medals) = (missions.unwrap_or_default(), medals.unwrap_or_default());
     let skills = skills.unwrap_or_default();
@@ -69,16 +69,21 @@ pub(super) fn requires(table: &mut FileTable<'_>) -> Option<Requires> {
 /// What passing it brings.
 pub(super) fn rewards(table: &mut FileTable<'_>) -> Option<Rewards> {
     let credits_form = whole(0, MOST_CREDITS, "");
-    let credits = table.or("credits", credits_form, 0, "for a perfect first pass");
+    let credits = table.or(
+        "credits",
+        credits_form,
+        0,
+        "credits for a perfect first pass",
+    );
     let tier = whole(0, HIGHEST_TIER, "");
     let xp_tier = table.may(
         "xp_tier",
         tier,
-        "that experience is counted with; without it, `tier`",
+        "tier by which experience is counted; without it, `tier`",
     );
     let unlock_form = list(text("`part:ID`, `mission:ID`, `threat:ID`"), 0, MOST_NAMES);
     let unlock = table
-        .may("unlock", unlock_form, "what becomes available")
+        .may("unlock", unlock_form, "what passing makes available")
         .unwrap_or_default();
     let own = table.draft().tier;
     let unlocked = unlock.iter().filter_map(|name| unlocked(table, name));

@@ -26,13 +26,13 @@ struct WrittenTrigger {
 }
 
 pub(super) fn event(table: &mut FileTable<'_>) -> Option<Event> {
-    let id = table.need("id", text(""), "other events and conditions name it");
+    let id = table.need("id", text(""), "name for other events and conditions");
     if let Some(id) = &id {
         table.draft().add_id("events", id);
     }
-    let title = table.may_text("title", "what an instructor reads; without it, the id");
+    let title = table.may_text("title", "title shown to instructors; without it, the id");
     let trigger = WrittenTrigger::of(table).trigger(table);
-    let once = table.or("once", flag(), true, "whether it happens once at most");
+    let once = table.or("once", flag(), true, "whether it happens only once");
     let jitter = table.or(
         "jitter",
         time(),
@@ -44,13 +44,13 @@ pub(super) fn event(table: &mut FileTable<'_>) -> Option<Event> {
         "p",
         chance_form,
         1.0,
-        "how likely it happens when its time has come",
+        "probability that it happens when its time has come",
     );
     let actions_form = list(table_of(action::action), 1, MOST_ACTIONS);
     let actions = table.need(
         "do",
         actions_form,
-        "what happens: actions, each with one of the keys below",
+        "actions, each with one of the keys below",
     );
     let id = id?.into_inner();
     Some(Event {
@@ -67,22 +67,22 @@ pub(super) fn event(table: &mut FileTable<'_>) -> Option<Event> {
 impl WrittenTrigger {
     fn of(table: &mut FileTable<'_>) -> Self {
         Self {
-            at: table.may("at", time(), "when: at this mission time"),
+            at: table.may("at", time(), "the event happens at this mission time"),
             when: table.may(
                 "when",
                 condition(),
-                "when: as it begins to hold (looked at twice a second)",
+                "it happens when this becomes true (checked twice a second)",
             ),
             after: table.may(
                 "after",
                 text("id of an event"),
-                "when: after this other event",
+                "it happens after this event",
             ),
-            delay: table.or("delay", time(), Duration::ZERO, "so long after it"),
+            delay: table.or("delay", time(), Duration::ZERO, "delay after that event"),
             by: table.may(
                 "by",
                 word(&[("instructor", ())]),
-                "when: an instructor says so",
+                "it happens when an instructor triggers it",
             ),
         }
     }

@@ -13,7 +13,7 @@ use crate::mission::{Outlay, Point};
 
 /// More than a console can fly.
 const MOST_VEHICLES: u32 = 250;
-/// Pieces of one load, or seconds of the sprayer, on one vehicle.
+/// Pieces of one load, or seconds of spray, on one vehicle.
 const MOST_LOAD: u32 = 1000;
 /// More than any fleet costs.
 const MOST_CREDITS: u32 = 1_000_000;
@@ -47,16 +47,16 @@ pub(super) fn fleet(table: &mut FileTable<'_>) -> Option<FleetSection> {
     let vehicles = table.need(
         "max_vehicles",
         whole(1, MOST_VEHICLES, ""),
-        "how many fly it",
+        "number of vehicles",
     );
     let pads_form = list(point(), 0, usize::MAX);
-    let pads = table.need("pads", pads_form, "where each stands, one per vehicle");
+    let pads = table.need("pads", pads_form, "start positions, one per vehicle");
     let common = Carried {
         sensors: table
-            .may("sensors", sensors(), "what every vehicle carries")
+            .may("sensors", sensors(), "sensors on every vehicle")
             .unwrap_or_default(),
         loads: table
-            .may("loads", table_of(loads), "what every vehicle can let go of")
+            .may("loads", table_of(loads), "loads on every vehicle")
             .unwrap_or_default(),
     };
     let own_form = list(table_of(vehicle), 0, usize::MAX);
@@ -99,7 +99,7 @@ fn outlay(table: &mut FileTable<'_>, pads: Option<usize>) -> Outlay {
     let budget = table.may(
         "budget",
         whole(1, MOST_CREDITS, "credits"),
-        "what all that is flown may cost; enough for the cheapest fleet",
+        "maximum cost of the fleet; must suffice for the cheapest one",
     );
     let loaners = table
         .may(
@@ -122,8 +122,12 @@ fn sensors() -> ListValue<NamedValue<&'static Sensor>> {
 }
 
 fn vehicle(table: &mut FileTable<'_>) -> Option<Carried> {
-    let sensors = table.may("sensors", sensors(), "more than all have");
-    let loads = table.may("loads", table_of(loads), "in the place of the fleet's");
+    let sensors = table.may("sensors", sensors(), "additional sensors of this vehicle");
+    let loads = table.may(
+        "loads",
+        table_of(loads),
+        "loads of this vehicle instead of the fleet's",
+    );
     Some(Carried {
         sensors: sensors.unwrap_or_default(),
         loads: loads.unwrap_or_default(),
@@ -133,7 +137,7 @@ fn vehicle(table: &mut FileTable<'_>) -> Option<Carried> {
 fn loads(table: &mut FileTable<'_>) -> Option<BTreeMap<Load, u32>> {
     let keys = [
         (Load::Ball, "extinguishing balls"),
-        (Load::Spray, "seconds of the sprayer"),
+        (Load::Spray, "seconds of spray"),
         (Load::Kit, "kits for people"),
         (Load::Node, "sensor nodes"),
     ];

@@ -27,14 +27,14 @@ impl FileHead {
     pub fn need(table: &mut FileTable<'_>) -> Option<Self> {
         let schema = table.need("schema", SchemaVersion, "version of the format");
         let id_form = mission_id();
-        let id = table.need("id", id_form, "a shipped file is called after it");
+        let id = table.need("id", id_form, "a shipped file has this name");
         let rev = table.need(
             "rev",
             whole(0, u32::MAX, ""),
-            "results are compared only within one; raise it when a change makes the mission harder or easier",
+            "results are compared within one revision only; raise it when a change makes the mission harder or easier",
         );
         let title = title(table);
-        let brief = table.need_text("brief", "what the trainee is told before launch");
+        let brief = table.need_text("brief", "text shown before launch");
         let tier = table.or(
             "tier",
             whole(0, 255, ""),
@@ -50,11 +50,11 @@ impl FileHead {
             table.may(key, names, about).unwrap_or_default()
         };
         let tags = names("tags", "subjects, for lists");
-        let authors = names("authors", "who wrote it");
+        let authors = names("authors", "names of the authors");
         let drill_of = table.may(
             "drill_of",
             mission_id(),
-            "id of the mission that this is a short exercise for",
+            "id of the mission that this drill prepares for",
         );
         if drill_of.is_some() && drill_of == id {
             table.fault_of("drill_of", "a mission is no drill of itself");
@@ -80,7 +80,7 @@ fn title(table: &mut FileTable<'_>) -> Option<Text> {
     const FORM: &str = "1 to 60 characters";
     let fits = |title: &str| !title.is_empty() && is_short(title);
     let english_form = text_by(FORM, fits, "`title` must have 1 to 60 characters");
-    let english = table.need("title", english_form, "for people");
+    let english = table.need("title", english_form, "title shown to trainees");
     let ukrainian_form = text_by(FORM, fits, "`title_uk` must have 1 to 60 characters");
     let ukrainian = table.may("title_uk", ukrainian_form, "the same in Ukrainian");
     let faults = &mut table.draft().faults;

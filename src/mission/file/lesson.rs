@@ -8,21 +8,21 @@ pub(super) fn step(table: &mut FileTable<'_>) -> Option<LessonStep> {
     let when = table.may(
         "when",
         condition(),
-        "what it is made for, a condition as in events; without it, whatever is so",
+        "condition for showing the step, as in events; without it, always",
     );
     let until = table.may(
         "until",
         condition(),
-        "what it leads to: of the steps whose `when` holds and whose `until` does not, the first is shown",
+        "condition that completes the step: the first step whose `when` holds and whose `until` does not is shown",
     );
     let english = table.need(
         "text",
         text(""),
-        "what to do now; `{key}` becomes the key in force",
+        "instruction; `{key}` becomes the key in force",
     );
     let ukrainian = table.may("text_uk", text(""), "the same in Ukrainian");
     let key_form = text("an action of the keymap such as `map`, or a verb such as `takeoff`");
-    let key = table.may("key", key_form, "what the key leads to");
+    let key = table.may("key", key_form, "action or verb whose key is named");
     if !table.is_written("when") && !table.is_written("until") {
         table.fault("a step without `when` and `until` would be shown for ever");
     }

@@ -5,18 +5,14 @@ use crate::mission::objective::{self, Objective};
 
 pub(super) fn objective(table: &mut FileTable<'_>) -> Option<Objective> {
     let id = table.need_id("objectives");
-    let title = table.need_text("title", "for people");
+    let title = table.need_text("title", "title shown to trainees");
     let value_form = number(0.1, 1000.0, "");
-    let value = table.need(
-        "value",
-        value_form,
-        "its share of the points for objectives",
-    );
+    let value = table.need("value", value_form, "weight among the objectives");
     let mandatory = table.or(
         "mandatory",
         flag(),
         false,
-        "whether the mission fails without it; at least one must be",
+        "whether the mission fails without it; at least one objective must be mandatory",
     );
     let (_, kind) = table.need_kind("objective", objective::KINDS)?;
     table.draft().surveys.extend(kind.survey().cloned());

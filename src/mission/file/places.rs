@@ -14,9 +14,9 @@ pub(super) fn place(table: &mut FileTable<'_>) -> Option<NamedPlace> {
     let id = table.need(
         "id",
         id_form,
-        "lines and objectives name it: `goto tower up 20`",
+        "name for commands and objectives: `goto tower up 20`",
     );
-    let at = table.need("at", point(), "where");
+    let at = table.need("at", point(), "position");
     let id = id?;
     if is_taken(id.get_ref()) {
         let fault = "`pad`, `pad1`, `c1`, `fire1`, `gate1`, `peak`, `peak1` and `next` are names of the flight's own places";

@@ -7,11 +7,11 @@ use crate::mission::radio::{Model, Radio, Set};
 /// The radio that all vehicles carry.
 pub(super) fn radio(table: &mut FileTable<'_>) -> Option<Radio> {
     let model_form = named("radio", radio_names, Model::by_id);
-    let model = table.need("model", model_form, "that of every vehicle");
+    let model = table.need("model", model_form, "radio of every vehicle");
     let station = table.may(
         "station",
         point(),
-        "where the ground station is; without it, at the first pad",
+        "position of the ground station; without it, the first pad",
     );
     let antenna = number(0.5, 100.0, "m");
     let antenna_m = table.or(
@@ -23,7 +23,7 @@ pub(super) fn radio(table: &mut FileTable<'_>) -> Option<Radio> {
     let relays = table.may(
         "relays",
         flag(),
-        "whether vehicles in the air pass on what others send; without it, as the model does",
+        "whether vehicles in the air relay messages; without it, as the model does",
     );
     let set = Set::of(model?);
     let first_pad = table.draft().pads.first().copied();

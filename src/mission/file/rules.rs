@@ -37,32 +37,30 @@ pub(super) fn rules(table: &mut FileTable<'_>) -> Option<RuleSet> {
     let height = number(1.0, 10_000.0, "m");
     let charge = number(0.0, 100.0, "%");
     Some(RuleSet {
-        max_height_m: table.or("max_agl", height, usual.max_height_m, "highest height"),
+        max_height_m: table.or("max_agl", height, usual.max_height_m, "maximum height above the pads"),
         land_reserve_percent: table.or(
             "land_reserve_pct",
             charge,
             usual.land_reserve_percent,
-            "battery to land with",
+            "minimum charge at landing",
         ),
         separation_m: table.may(
             "min_separation",
             number(0.0, 1000.0, "m"),
-            "how far apart vehicles in the air must be, 2 m without it; if written, also what surveys, formations \
-             and the like keep (2 m at least), which is 5 m otherwise",
+            "minimum distance between vehicles in the air, 2 m without it; if written, surveys, formations and similar verbs keep it too (2 m at least) instead of 5 m",
         ),
-        pausable: table.or("pause", flag(), usual.pausable, "whether it may be paused"),
+        pausable: table.or("pause", flag(), usual.pausable, "whether pausing is allowed"),
         most_speedup: table.or(
             "speedup",
             number(1.0, 100.0, ""),
             usual.most_speedup,
-            "how many times as fast time may pass in flight at most; 1 forbids it",
+            "maximum speed-up in flight; 1 forbids it",
         ),
         open_parameters: table
             .may(
                 "parameters",
                 list(text("name of a parameter"), 1, 64),
-                "parameters that may be set although they change the simulation, battery, fence or failsafes, which a flight \
-             that counts refuses otherwise",
+                "parameters of the simulation, battery, fence or failsafes that may be set in a flight that counts",
             )
             .unwrap_or_default()
             .into_iter()

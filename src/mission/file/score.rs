@@ -27,18 +27,17 @@ pub(super) fn rules(table: &mut FileTable<'_>) -> Option<ScoreRules> {
     let weights = table.may(
         "weights",
         table_of(weights),
-        "of the components, which sum to 1; without it .35, .15, .10, .05, .20, .05, .05 and .05",
+        "weights of the components, with a sum of 1; without it .35, .15, .10, .05, .20, .05, .05 and .05",
     );
     let par = table.need(
         "par",
         table_of(par),
-        "what gets all points. Fly the reference script and take 1.35 (tier 0), 1.25 or 1.15 (tier 2 and 3) times \
-         what it needs",
+        "values that earn all points. Fly the reference script and take 1.35 (tier 0), 1.25 or 1.15 (tier 2 and 3) times its values",
     );
     let medals = table.may(
         "medals",
         table_of(medals),
-        "points needed, without it 850, 700 and 550; every medal needs the mandatory objectives",
+        "points for each medal, without it 850, 700 and 550; every medal needs the mandatory objectives",
     );
     let gates_form = list(
         text("`NAME >= NUMBER`, with `>=`, `<=` or `==`"),
@@ -48,7 +47,7 @@ pub(super) fn rules(table: &mut FileTable<'_>) -> Option<ScoreRules> {
     let gates = table.may(
         "gold_requires",
         gates_form,
-        "what gold needs besides: of a component (0 to 1), `crashes`, or an objective's measure (cells, vehicles, \
+        "further conditions for gold: a component (0 to 1), `crashes`, or an objective's measure (cells, vehicles, \
          shares)",
     ).unwrap_or_default();
     let gold_requires = gates
@@ -59,7 +58,7 @@ pub(super) fn rules(table: &mut FileTable<'_>) -> Option<ScoreRules> {
         "free_refusals",
         whole(0, 10, "refusals"),
         0,
-        "how many refused commands cost nothing, because the lesson asks for them",
+        "number of refused commands that cost nothing, because the lesson asks for them",
     );
     let par = par?;
     Some(ScoreRules {
@@ -74,9 +73,13 @@ pub(super) fn rules(table: &mut FileTable<'_>) -> Option<ScoreRules> {
 }
 
 fn par(table: &mut FileTable<'_>) -> Option<Par> {
-    let time = table.need("time", seconds(1.0, LONGEST_S), "below the time limit");
+    let time = table.need(
+        "time",
+        seconds(1.0, LONGEST_S),
+        "par time, below the time limit",
+    );
     let energy = number(0.01, 1e6, "Wh");
-    let energy_wh = table.need("energy_wh", energy, "of all vehicles");
+    let energy_wh = table.need("energy_wh", energy, "par energy of all vehicles");
     let limit = table.draft().time_limit;
     if time.zip(limit).is_some_and(|(time, limit)| time >= limit) {
         table.fault_of("time", "the par time must be shorter than `time_limit`");
@@ -115,20 +118,22 @@ fn about(component: Component) -> &'static str {
         Component::Objective => {
             "the objectives by `value`; .5 at most where a mandatory one was missed"
         }
-        Component::Quality => "of the product; where there is none, the others take its weight",
+        Component::Quality => {
+            "quality of the product; without a product the others take its weight"
+        }
         Component::Time => {
             "1 up to `par.time`, 0 at the time limit; 0 under 60 % of the objectives"
         }
         Component::Energy => {
             "1 up to `par.energy_wh`, 0 at 1.6 times; 0 under 80 % of the objectives"
         }
-        Component::Safety => "1 less what rules cost that were broken",
+        Component::Safety => "1 less the cost of broken rules",
         Component::Command => "few refused, repeated and unanswered commands",
         Component::Attention => {
             "alerts with `ok` that were answered in time, by level 1, 2 or 4 times; no such alert, no weight"
         }
         Component::Utilisation => {
-            "vehicles in the air with something to do; of a single one it counts for safety"
+            "vehicles in the air with a task; with a single vehicle the weight goes to safety"
         }
     }
 }
@@ -147,7 +152,7 @@ fn weights(table: &mut FileTable<'_>) -> Option<Weights> {
 fn medals(table: &mut FileTable<'_>) -> Option<Medals> {
     let form = whole(0, 1000, "points");
     let mut points = |medal| {
-        let needed = table.need(medal, form, "for this medal");
+        let needed = table.need(medal, form, "points for this medal");
         needed.and_then(|points| u16::try_from(points).ok())
     };
     let (gold, silver, bronze) = (points("gold"), points("silver"), points("bronze"));

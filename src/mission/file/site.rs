@@ -16,7 +16,7 @@ pub(super) struct MissionSite {
 pub(super) fn site(table: &mut FileTable<'_>) -> Option<MissionSite> {
     let limit = seconds(10.0, LONGEST_S);
     let time_limit = table.need("time_limit", limit, "mission time allowed");
-    let origin = table.need("origin", table_of(origin), "where `[0, 0]` is");
+    let origin = table.need("origin", table_of(origin), "position of `[0, 0]`");
     table.draft().time_limit = time_limit;
     Some(MissionSite {
         time_limit: time_limit?,
@@ -29,7 +29,7 @@ fn origin(table: &mut FileTable<'_>) -> Option<Origin> {
     let lon = table.need("lon", number(-180.0, 180.0, "degrees"), "longitude");
     let altitude_amsl_m = table.need("alt", number(-500.0, 9000.0, "m"), "height above the sea");
     let heading = number(0.0, 360.0, "degrees");
-    let heading_deg = table.or("heading", heading, 0.0, "where parked vehicles look");
+    let heading_deg = table.or("heading", heading, 0.0, "heading of parked vehicles");
     Some(Origin {
         at: LatLon::new(lat?, lon?),
         altitude_amsl_m: altitude_amsl_m?,
@@ -47,12 +47,12 @@ pub(super) fn weather(table: &mut FileTable<'_>) -> Option<Weather> {
         "how much the wind swings about its mean (standard deviation)",
     );
     let temperature = number(-40.0, 60.0, "degrees Celsius");
-    let temperature_c = table.or("temp_c", temperature, calm.temperature_c, "of the air");
+    let temperature_c = table.or("temp_c", temperature, calm.temperature_c, "air temperature");
     let light = table.or(
         "light",
         word(&Light::WORDS),
         calm.light,
-        "what cameras see; see the sensors",
+        "light for cameras; see the sensors",
     );
     Some(Weather {
         wind: wind.unwrap_or(calm.wind),
@@ -66,9 +66,13 @@ fn wind(table: &mut FileTable<'_>) -> Option<Wind> {
     let speed_m_s = table.need(
         "speed",
         number(0.0, 60.0, "m/s"),
-        "for vehicles it dies down below 5 m, with the root of the height",
+        "for vehicles below 5 m it falls with the square root of the height",
     );
-    let from_deg = table.need("dir", number(0.0, 360.0, "degrees"), "where it comes from");
+    let from_deg = table.need(
+        "dir",
+        number(0.0, 360.0, "degrees"),
+        "direction that it comes from",
+    );
     Some(Wind {
         speed_m_s: speed_m_s?,
         from_deg: from_deg?,

@@ -15,13 +15,12 @@ pub(super) fn zone(table: &mut FileTable<'_>) -> Option<Zone> {
         "active",
         flag(),
         true,
-        "with `false` it is not there until an event switches it on",
+        "`false`: off until an event switches it on",
     );
     let jitter_m = table.may(
         "jitter",
         number(0.0, 1000.0, "m"),
-        "the seed moves it by up to this to the east and to the north; not of `task` and `geofence`, which \
-         objectives and hazards are made for",
+        "the seed moves the zone by up to this on each axis; not for `task` and `geofence`",
     );
     let (_, kind) = table.need_kind("zone", ZONE_KINDS)?;
     if jitter_m.is_some() && is_fixed(kind) {
@@ -46,7 +45,7 @@ fn is_fixed(kind: ZoneKind) -> bool {
 /// The shape of a zone: `polygon`, or `center` and `radius`.
 fn shape(table: &mut FileTable<'_>) -> Option<Shape> {
     let corners_form = list(point(), 3, MOST_CORNERS);
-    let corners = table.may("polygon", corners_form, "its corners; or else:");
+    let corners = table.may("polygon", corners_form, "corners, instead of a circle");
     let center = table.may("center", point(), "of a circle");
     let radius_m = table.may("radius", number(0.1, POINT_RANGE, "m"), "of a circle");
     let is_circle = table.is_written("center") || table.is_written("radius");
@@ -115,14 +114,14 @@ const ZONE_KINDS: &[KindOf<ZoneKind>] = &[
 fn geofence(table: &mut FileTable<'_>) -> Option<ZoneKind> {
     let ceiling = number(1.0, HIGHEST_M, "m");
     Some(ZoneKind::Geofence {
-        ceiling_m: table.may("ceiling", ceiling, "not to be flown above"),
+        ceiling_m: table.may("ceiling", ceiling, "maximum height"),
     })
 }
 
 fn no_fly(table: &mut FileTable<'_>) -> Option<ZoneKind> {
     let height = number(0.0, HIGHEST_M, "m");
-    let floor_m = table.or("floor", height, 0.0, "free below");
-    let ceiling_m = table.or("ceiling", height, HIGHEST_M, "free above");
+    let floor_m = table.or("floor", height, 0.0, "flying below is allowed");
+    let ceiling_m = table.or("ceiling", height, HIGHEST_M, "flying above is allowed");
     if floor_m >= ceiling_m {
         table.fault("the `floor` must lie below the `ceiling`");
     }
@@ -136,30 +135,30 @@ fn gnss_jam(table: &mut FileTable<'_>) -> Option<ZoneKind> {
             "edge",
             edge,
             0.0,
-            "around it, where satellites go one by one",
+            "width of the rim in which satellites are lost one by one",
         ),
     })
 }
 
 fn gnss_glitch(table: &mut FileTable<'_>) -> Option<ZoneKind> {
-    let offset_m = table.need("offset", point(), "how far off the place is that is shown");
+    let offset_m = table.need("offset", point(), "error of the position shown");
     Some(ZoneKind::GnssGlitch {
         offset_m: offset_m?,
     })
 }
 
 fn people(table: &mut FileTable<'_>) -> Option<ZoneKind> {
-    let below_m = table.need("below", number(1.0, 1000.0, "m"), "not to be flown lower");
+    let below_m = table.need("below", number(1.0, 1000.0, "m"), "minimum height above it");
     Some(ZoneKind::People { below_m: below_m? })
 }
 
 fn radio_jam(table: &mut FileTable<'_>) -> Option<ZoneKind> {
-    let noise_db = table.need("noise", number(0.0, 100.0, "dB"), "how much more there is");
+    let noise_db = table.need("noise", number(0.0, 100.0, "dB"), "added noise");
     let edge_m = table.or(
         "edge",
         number(0.0, 1000.0, "m"),
         0.0,
-        "around it, where it fades",
+        "width of the rim in which it fades",
     );
     Some(ZoneKind::RadioJam {
         noise_db: noise_db?,
@@ -168,12 +167,12 @@ fn radio_jam(table: &mut FileTable<'_>) -> Option<ZoneKind> {
 }
 
 fn comm_shadow(table: &mut FileTable<'_>) -> Option<ZoneKind> {
-    let height_m = table.may("height", number(1.0, 5000.0, "m"), "of a ridge");
+    let height_m = table.may("height", number(1.0, 5000.0, "m"), "height of a ridge");
     let loss = number(0.0, 200.0, "dB");
     let loss_db = table.may(
         "loss",
         loss,
-        "what walls and trees take from all who are inside",
+        "loss by walls and trees for all vehicles inside",
     );
     match (height_m, loss_db) {
         (Some(height_m), None) => Some(ZoneKind::CommShadow(Shadow::Ridge { height_m })),

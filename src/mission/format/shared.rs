@@ -34,7 +34,11 @@ pub(in crate::mission) struct CountTarget {
 impl FileTable<'_> {
     /// A task zone by the key `zone`.
     pub fn need_task_zone(&mut self) -> Option<Zone> {
-        let name = self.need("zone", value::text("id of a task zone"), "where")?;
+        let name = self.need(
+            "zone",
+            value::text("id of a task zone"),
+            "the zone concerned",
+        )?;
         self.draft().task_zone(&name)
     }
 
@@ -68,9 +72,9 @@ impl FileTable<'_> {
     ) -> Option<ObjectiveTarget> {
         let [low, high] = range;
         let asked = value::number(low, high, "");
-        let met_at = self.need("target", asked, "what is asked for");
+        let met_at = self.need("target", asked, "result that earns all points");
         let from = value::number(0.0, high, "");
-        let partial_from = self.need("partial_from", from, "where points begin");
+        let partial_from = self.need("partial_from", from, "result from which points count");
         let target = ObjectiveTarget {
             met_at: met_at?,
             partial_from: partial_from?,
@@ -94,9 +98,9 @@ impl FileTable<'_> {
     /// How many pieces are asked for, and from how many on a part of it counts.
     pub fn need_count(&mut self, least: u32, most: u32, unit: &'static str) -> Option<CountTarget> {
         let asked = value::whole(least, most, unit);
-        let needed = self.need("target", asked, "what is asked for");
+        let needed = self.need("target", asked, "result that earns all points");
         let from = value::whole(0, most, unit);
-        let partial_from = self.or("partial_from", from, 0, "where points begin");
+        let partial_from = self.or("partial_from", from, 0, "result from which points count");
         let met_at = needed?;
         if met_at <= partial_from {
             self.fault_of("target", "`target` must be above `partial_from`");

@@ -222,7 +222,7 @@ impl FileTable<'_> {
 
     /// The id of a table of a section, in which it must be the only one.
     pub fn need_id(&mut self, section: &'static str) -> Option<()> {
-        let written = self.need("id", value::id(), "what other tables call it")?;
+        let written = self.need("id", value::id(), "name by which other tables refer to it")?;
         self.draft.add_id(section, &written);
         self.id = written.into_inner();
         Some(())

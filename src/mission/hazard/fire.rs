@@ -88,34 +88,34 @@ pub(super) const KIND: KindOf<Box<dyn Hazard>> = KindOf {
 };
 
 fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
-    let area = table.need("area", area(), "at most 10000 cells");
+    let area = table.need("area", area(), "burnable area, at most 10000 cells");
     let side_m = table.need("cell", number(1.0, 100.0, "m"), "side of a cell");
     let fuel = table.or(
         "fuel",
         word(&Fuel::WORDS),
         Fuel::Grass,
-        "what covers the ground; with 5 m/s of wind grass runs 0.55 m/s, shrub 0.33, timber 0.08; `bare` stops it",
+        "fuel on the ground; in a wind of 5 m/s fire spreads at 0.55 m/s in grass, 0.33 in shrub, 0.08 in timber; `bare` stops it",
     );
     let patches_form = list(table_of(read_patch), 0, usize::MAX);
     let patches = table.may(
         "patches",
         patches_form,
-        "on top of that, later ones over earlier ones",
+        "areas with other fuel; later ones cover earlier ones",
     );
     let moisture = table.or(
         "moisture",
         number(0.0, 1.0, ""),
         0.05,
-        "share of water; 0.15 halves the speed",
+        "share of water in the fuel; 0.15 halves the speed",
     );
     let embers = table.or(
         "embers",
         number(0.0, 1000.0, ""),
         1.0,
-        "how many times more embers than usual",
+        "factor on the usual number of embers",
     );
     let ignitions_form = list(table_of(read_ignition), 1, usize::MAX);
-    let ignitions = table.need("ignitions", ignitions_form, "where it begins");
+    let ignitions = table.need("ignitions", ignitions_form, "places where it begins");
     let jitter = number(0.0, POINT_RANGE, "m");
     let jitter_m = table.or(
         "jitter",
@@ -134,8 +134,8 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
 }
 
 fn read_patch(table: &mut FileTable<'_>) -> Option<FuelPatch> {
-    let area = table.need("area", area(), "where");
-    let fuel = table.need("fuel", word(&Fuel::WORDS), "what covers it");
+    let area = table.need("area", area(), "area of the patch");
+    let fuel = table.need("fuel", word(&Fuel::WORDS), "fuel of the patch");
     Some(FuelPatch {
         area: area?,
         fuel: fuel?,
@@ -143,9 +143,14 @@ fn read_patch(table: &mut FileTable<'_>) -> Option<FuelPatch> {
 }
 
 fn read_ignition(table: &mut FileTable<'_>) -> Option<Ignition> {
-    let at = table.need("at", point(), "where");
-    let time = table.or("time", time(), Duration::ZERO, "when");
-    let radius_m = table.or("radius", number(0.0, 1000.0, "m"), 0.0, "how far around it");
+    let at = table.need("at", point(), "position");
+    let time = table.or("time", time(), Duration::ZERO, "mission time");
+    let radius_m = table.or(
+        "radius",
+        number(0.0, 1000.0, "m"),
+        0.0,
+        "radius that burns at once",
+    );
     Some(Ignition {
         at: at?,
         time,

@@ -40,7 +40,11 @@ pub(super) const KIND: KindOf<Box<dyn Hazard>> = KindOf {
 
 fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
     let zone = table.need_task_zone();
-    let houses = table.need("houses", whole(1, MOST_HOUSES, ""), "with a roof each");
+    let houses = table.need(
+        "houses",
+        whole(1, MOST_HOUSES, ""),
+        "number of houses, each with a roof",
+    );
     let people = table.need("people", whole(1, MOST_HOUSES, ""), "on roofs of their own");
     let animals = table.or(
         "animals",
@@ -51,14 +55,22 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
     let gap_m = table.need(
         "min_gap",
         number(0.0, 1000.0, "m"),
-        "how far apart the houses are",
+        "minimum distance between houses",
     );
     let roofs = spread_values("[low, high]", number(-20.0, 100.0, "m"));
-    let roofs_m = table.need("roofs", roofs, "their heights, above `level`");
-    let level_m = table.need("level", number(-20.0, 100.0, "m"), "of the water at first");
-    let rise_m_min = table.need("rise", number(0.0, 60.0, "m a minute"), "of the water");
+    let roofs_m = table.need("roofs", roofs, "heights of the roofs, above `level`");
+    let level_m = table.need(
+        "level",
+        number(-20.0, 100.0, "m"),
+        "height of the water at the start",
+    );
+    let rise_m_min = table.need(
+        "rise",
+        number(0.0, 60.0, "m a minute"),
+        "speed at which the water rises",
+    );
     let nodes_form = list(point(), 0, usize::MAX);
-    let nodes = table.may("nodes", nodes_form, "where gauges belong");
+    let nodes = table.may("nodes", nodes_form, "places for gauges");
     let (houses, people, roofs_m, level_m) = (houses?, people?, roofs_m?, level_m?);
     if level_m >= roofs_m[0] {
         let fault = "`roofs` must be [low, high], above `level` and up to 100 m";

@@ -50,20 +50,29 @@ pub(super) const KIND: KindOf<Box<dyn Hazard>> = KindOf {
 };
 
 fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
-    let pylons = table.need("pylons", list(point(), 2, MOST_PYLONS), "5 m apart or more");
-    let height_m = table.need("height", number(2.0, 200.0, "m"), "of the pylons");
+    let pylons = table.need(
+        "pylons",
+        list(point(), 2, MOST_PYLONS),
+        "positions, at least 5 m apart",
+    );
+    let height_m = table.need("height", number(2.0, 200.0, "m"), "height of the pylons");
     let sag_m = table.need(
         "sag",
         number(0.0, 200.0, "m"),
-        "of a span of mean length, less than `height`",
+        "sag of a span of mean length, less than `height`",
     );
-    let defects = table.need("defects", whole(1, MOST_DEFECTS, ""), "what is to be found");
+    let defects = table.need("defects", whole(1, MOST_DEFECTS, ""), "number of defects");
     let stains_form = whole(0, MOST_DEFECTS, "");
-    let stains = table.or("stains", stains_form, 0, "what looks like defects from far");
+    let stains = table.or(
+        "stains",
+        stains_form,
+        0,
+        "stains that look like defects from afar",
+    );
     let gap_m = table.need(
         "min_gap",
         number(0.0, 1000.0, "m"),
-        "how far apart they are; all of them together may take half of the line",
+        "minimum distance between them; together they may take half of the line",
     );
     let (pylons, height_m, sag_m) = (pylons?, height_m?, sag_m?);
     let mut spans = pylons.windows(2);

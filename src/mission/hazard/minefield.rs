@@ -32,11 +32,15 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
     let mines = table.need(
         "count",
         table_of(read_mines),
-        "one mine at least, 2000 objects at most",
+        "numbers of mines, at least one; at most 2000 objects",
     );
     let scrap = whole(0, 2000, "pieces");
-    let clutter = table.or("clutter", scrap, 0, "scrap that looks like mines");
-    let gap_m = table.need("min_gap", number(0.0, 100.0, "m"), "how far apart they lie");
+    let clutter = table.or("clutter", scrap, 0, "scrap metal that looks like mines");
+    let gap_m = table.need(
+        "min_gap",
+        number(0.0, 100.0, "m"),
+        "minimum distance between objects",
+    );
     let (zone, mines, gap_m) = (zone?, mines?, gap_m?);
     let counts = [
         mines[0],
@@ -74,12 +78,18 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
 fn read_mines(table: &mut FileTable<'_>) -> Option<[(ObjectClass, u32); 3]> {
     let mut count = |key, about| table.or(key, whole(0, 2000, ""), 0, about);
     Some([
-        (ObjectClass::MetalMine, count("metal", "with much metal")),
+        (
+            ObjectClass::MetalMine,
+            count("metal", "mines with much metal"),
+        ),
         (
             ObjectClass::MinimumMetalMine,
-            count("min_metal", "with hardly any metal"),
+            count("min_metal", "mines with very little metal"),
         ),
-        (ObjectClass::SurfaceMine, count("surface", "lying open")),
+        (
+            ObjectClass::SurfaceMine,
+            count("surface", "mines on the surface"),
+        ),
     ])
 }
 

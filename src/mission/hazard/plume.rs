@@ -80,13 +80,13 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
         "meander",
         number(0.0, 60.0, "degrees"),
         0.0,
-        "how far its axis swings, standard deviation",
+        "swing of its axis, standard deviation",
     );
     let intermittency = table.or(
         "intermittency",
         number(0.0, 2.0, ""),
         0.0,
-        "its gusts: standard deviation of the logarithm of the reading; 0.5 is hard",
+        "strength of its gusts: standard deviation of the logarithm of the reading; 0.5 is hard",
     );
     Some(Box::new(PlumeHazard {
         leak: leak?,

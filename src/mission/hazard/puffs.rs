@@ -56,7 +56,7 @@ pub(super) const KIND: KindOf<Box<dyn Hazard>> = KindOf {
 
 fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
     let leak = LeakPlan::need(table);
-    let every_s = table.or("every", number(0.2, 60.0, "s"), 2.0, "from puff to puff");
+    let every_s = table.or("every", number(0.2, 60.0, "s"), 2.0, "time between puffs");
     Some(Box::new(PuffsHazard {
         leak: leak?,
         every_s,

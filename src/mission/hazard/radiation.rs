@@ -88,14 +88,14 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
     let walls = table.may(
         "walls",
         list(table_of(read_wall), 0, MOST_PARTS),
-        "straight and upright",
+        "straight, vertical walls",
     );
     let background = number(0.0, 1000.0, "uSv/h");
     let background_usv_h = table.or(
         "background",
         background,
         BACKGROUND_USV_H,
-        "what there is everywhere",
+        "dose rate without any source",
     );
     let jitter = number(0.0, POINT_RANGE, "m");
     let jitter_m = table.or(
@@ -113,10 +113,19 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
 }
 
 fn read_source(table: &mut FileTable<'_>) -> Option<GammaSource> {
-    let at = table.need("at", point(), "where");
-    let height_m = table.or("height", number(0.0, 500.0, "m"), 0.0, "how high");
-    let isotope = table.need("isotope", word(&Isotope::WORDS), "what shines");
-    let activity_gbq = table.need("activity_gbq", number(1e-6, 1e6, "GBq"), "how much of it");
+    let at = table.need("at", point(), "position");
+    let height_m = table.or(
+        "height",
+        number(0.0, 500.0, "m"),
+        0.0,
+        "height of the source",
+    );
+    let isotope = table.need("isotope", word(&Isotope::WORDS), "isotope of the source");
+    let activity_gbq = table.need(
+        "activity_gbq",
+        number(1e-6, 1e6, "GBq"),
+        "activity of the source",
+    );
     Some(GammaSource {
         at: at?,
         height_m,
@@ -128,11 +137,11 @@ fn read_source(table: &mut FileTable<'_>) -> Option<GammaSource> {
 fn read_wall(table: &mut FileTable<'_>) -> Option<Wall> {
     let from = table.need("from", point(), "one end");
     let to = table.need("to", point(), "the other end");
-    let height_m = table.need("height", number(0.1, 500.0, "m"), "how high");
+    let height_m = table.need("height", number(0.1, 500.0, "m"), "height of the wall");
     let passes = table.need(
         "passes",
         number(0.0, 1.0, ""),
-        "the share that gets through",
+        "share of the radiation that gets through",
     );
     Some(Wall {
         from: from?,

@@ -61,25 +61,25 @@ struct Jitter {
 impl LeakPlan {
     /// Reads the keys of what lets something out.
     pub fn need(table: &mut FileTable<'_>) -> Option<Self> {
-        let source = table.need("source", point(), "where it comes out");
-        let height_m = table.need("height", number(0.0, 500.0, "m"), "how high");
-        let rate_g_s = table.need("rate", number(1e-6, 1e6, "g/s"), "how much");
+        let source = table.need("source", point(), "position of the leak");
+        let height_m = table.need("height", number(0.0, 500.0, "m"), "height of the leak");
+        let rate_g_s = table.need("rate", number(1e-6, 1e6, "g/s"), "amount released");
         let stability = table.need(
             "stability",
             word(&Stability::WORDS),
-            "of the air: `A` very unstable (sun, spreads fast) to `F` stable (clear night, stays narrow); `D` neutral",
+            "stability of the air: `A` very unstable (sun, spreads fast) to `F` stable (clear night, stays narrow); `D` neutral",
         );
         let terrain = table.or(
             "terrain",
             word(&Terrain::WORDS),
             Terrain::Open,
-            "built-over ground spreads more",
+            "`urban` ground spreads the plume more",
         );
         let substance = table.or(
             "substance",
             word(&Substance::WORDS),
             Substance::Vapour,
-            "what `s_voc`, `s_gas4`, `s_tdlas` and `s_pm25` measure, in this order",
+            "measured by `s_voc`, `s_gas4`, `s_tdlas` and `s_pm25`, in this order",
         );
         let jitter = table.may("jitter", table_of(read_jitter), "what the seed changes");
         Some(Self {
@@ -116,9 +116,13 @@ fn read_jitter(table: &mut FileTable<'_>) -> Option<Jitter> {
     let position_m = table.need(
         "position",
         position,
-        "the source, on each axis, by up to this",
+        "greatest shift of the source on each axis",
     );
-    let rate = table.need("rate", number(0.0, 0.9, ""), "by up to this share of it");
+    let rate = table.need(
+        "rate",
+        number(0.0, 0.9, ""),
+        "greatest relative change of the rate",
+    );
     Some(Jitter {
         position_m: position_m?,
         rate: rate?,

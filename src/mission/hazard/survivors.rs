@@ -37,28 +37,28 @@ pub(super) const KIND: KindOf<Box<dyn Hazard>> = KindOf {
 
 fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
     let zone = table.need_task_zone();
-    let count = table.need("count", whole(1, MOST_PEOPLE, ""), "people");
+    let count = table.need("count", whole(1, MOST_PEOPLE, ""), "number of people");
     let animals = table.or(
         "animals",
         whole(0, MOST_PEOPLE, ""),
         0,
-        "what looks like people from far",
+        "animals that look like people from afar",
     );
     let cover_form = spread_values("[low, high]", number(0.0, 0.95, ""));
     let cover = table.may(
         "cover",
         cover_form,
-        "the share that trees hide; without it, nothing",
+        "share hidden by trees; without it, none",
     );
     let gap_m = table.need(
         "min_gap",
         number(0.0, 1000.0, "m"),
-        "how far apart they are",
+        "minimum distance between them",
     );
     let lasts_s = table.may(
         "lasts",
         number(10.0, LONGEST_S, "s"),
-        "how long people last; few are lost early (Weibull, shape 2, this scale); without it, for ever",
+        "how long people survive (Weibull distribution, shape 2, this scale: few die early); without it, for ever",
     );
     Some(Box::new(Survivors {
         shape: zone?.shape,

@@ -58,7 +58,7 @@ pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
 
 fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     let zone = table.need_task_zone();
-    let sensors = table.need_sensors("that find things; the fleet must carry them");
+    let sensors = table.need_sensors("sensors that find things; the fleet must carry them");
     let cell = number(0.2, 1000.0, "m");
     let side_m = table.need("cell", cell, "side of a cell");
     let target = table.need_target([0.01, 1.0], BetterMeasure::Higher);

@@ -42,8 +42,8 @@ pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
 };
 
 fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
-    let hazard = table.need_hazard("hazard", "with the people or the places");
-    let what = table.need("load", word(&What::WORDS), "what is brought");
+    let hazard = table.need_hazard("hazard", "hazard with the people or the places");
+    let what = table.need("load", word(&What::WORDS), "load to deliver");
     let target = table.need_count(0, 1000, "pieces");
     Some(Box::new(Deliver {
         hazard: hazard?,

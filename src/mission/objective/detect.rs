@@ -59,14 +59,14 @@ pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
 };
 
 fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
-    let hazard = table.need_hazard("hazard", "what is to be reported");
+    let hazard = table.need_hazard("hazard", "hazard whose objects are to be reported");
     let beta = table.need(
         "beta",
         number(0.1, 10.0, ""),
-        "2: a miss is much worse than a false alarm; 1: alike",
+        "2: a miss is much worse than a false alarm; 1: both are equally bad",
     );
     let radius = number(0.1, 1000.0, "m");
-    let radius_m = table.need("radius", radius, "how near a report counts");
+    let radius_m = table.need("radius", radius, "greatest distance of a right report");
     let budget = table.or(
         "budget",
         number(1.0, 100.0, ""),
@@ -77,7 +77,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
         "false_cost",
         number(0.0, 10.0, ""),
         0.0,
-        "what a report of nothing takes away, in finds",
+        "cost of a false report, in finds",
     );
     let target = table.need_target([0.01, 1.0], BetterMeasure::Higher);
     Some(Box::new(Detect {

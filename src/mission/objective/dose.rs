@@ -32,7 +32,11 @@ pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
 };
 
 fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
-    let limit_usv = table.need("limit_usv", number(1e-3, 1e6, "uSv"), "the most for each");
+    let limit_usv = table.need(
+        "limit_usv",
+        number(1e-3, 1e6, "uSv"),
+        "greatest dose of a vehicle",
+    );
     Some(Box::new(Dose {
         limit_usv: limit_usv?,
     }))

@@ -46,7 +46,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     let spacing_m = table.need(
         "spacing",
         rising("[least, most]", number(0.5, 1000.0, "m")),
-        "to the nearest other vehicle",
+        "distance to the nearest other vehicle",
     );
     let target = table.need_target([0.01, 1.0], BetterMeasure::Higher);
     if table.draft().pads.len() == 1 {

@@ -44,13 +44,13 @@ pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
 };
 
 fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
-    let heights_m = table.need("heights", heights(), "where");
+    let heights_m = table.need("heights", heights(), "heights that count");
     let radius_m = table.need_radius();
-    let time_s = table.need("time", number(0.5, 3600.0, "s"), "without a break");
+    let time_s = table.need("time", number(0.5, 3600.0, "s"), "time without a break");
     let place_name = table.may(
         "place",
         text("id of a place"),
-        "where; without it, anywhere",
+        "place of the hover; without it, anywhere",
     );
     let place = match place_name {
         Some(name) => Some(table.draft().named_place(&name)?),

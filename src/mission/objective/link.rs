@@ -31,9 +31,9 @@ pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
 
 fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     let zone = table.need_task_zone();
-    let margin_db = table.need("margin", number(-20.0, 60.0, "dB"), "how well");
+    let margin_db = table.need("margin", number(-20.0, 60.0, "dB"), "minimum link margin");
     let time = seconds(1.0, LONGEST_S);
-    let needed = table.need("time", time, "of all vehicles in the zone together");
+    let needed = table.need("time", time, "time in the zone, all vehicles together");
     let target = table.need_target([0.01, 1.0], BetterMeasure::Higher);
     Some(Box::new(LinkObjective {
         margin_db: margin_db?,
@@ -71,7 +71,7 @@ impl ObjectiveKind for LinkObjective {
 #[derive(Debug)]
 struct LinkTracker {
     link: LinkObjective,
-    /// Time of all vehicles in the zone together, and that of those who were heard well.
+    /// Time of all vehicles in the zone together, and of it the time with a good link.
     inside: Duration,
     heard: Duration,
 }

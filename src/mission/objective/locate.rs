@@ -52,10 +52,10 @@ pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
 };
 
 fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
-    let hazard = table.need_hazard("of", "what is to be located");
+    let hazard = table.need_hazard("of", "hazard whose sources are to be located");
     let within = number(0.1, 10_000.0, "m");
-    let within_m = table.need("within", within, "how near a report must be");
-    let partial_to_m = table.need("partial_to", within, "how near is worth something");
+    let within_m = table.need("within", within, "greatest distance of a right report");
+    let partial_to_m = table.need("partial_to", within, "distance at which points end");
     if partial_to_m <= within_m && partial_to_m.is_some() {
         table.fault_of("partial_to", "`partial_to` must be above `within`");
     }

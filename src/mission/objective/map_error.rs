@@ -41,8 +41,12 @@ pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
 };
 
 fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
-    let of = table.need("of", text("id of an earlier `sample_cells`"), "the survey");
-    let height_m = table.need("height", number(0.0, 1000.0, "m"), "of the map");
+    let of = table.need(
+        "of",
+        text("id of an earlier `sample_cells`"),
+        "survey that the map is made from",
+    );
+    let height_m = table.need("height", number(0.0, 1000.0, "m"), "height of the map");
     let target = table.need_target([0.0, 10.0], BetterMeasure::Lower);
     Some(Box::new(MapError {
         of: table.draft().survey(&of?)?,

@@ -46,14 +46,18 @@ pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
 fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     let hazard = table.need_hazard("of", "a fire");
     let sensor = table.need_sensor("sensor", "a camera");
-    let times = table.need("times", list(seconds(1.0, LONGEST_S), 1, 1000), "rising");
+    let times = table.need(
+        "times",
+        list(seconds(1.0, LONGEST_S), 1, 1000),
+        "mission times, rising",
+    );
     let share = number(0.01, 1.0, "");
-    let met_at = table.need("target", share, "what is asked for");
+    let met_at = table.need("target", share, "result that earns all points");
     let partial_from = table.or(
         "partial_from",
         number(0.0, 1.0, ""),
         0.0,
-        "where points begin",
+        "result from which points count",
     );
     if met_at.is_some_and(|met_at| partial_from >= met_at) {
         table.fault_of(

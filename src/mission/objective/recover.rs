@@ -25,9 +25,9 @@ pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
 
 fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     let radius = number(0.5, 1000.0, "m");
-    let radius_m = table.need("radius", radius, "how near to a pad counts");
+    let radius_m = table.need("radius", radius, "greatest distance from a pad");
     let charge = number(0.0, 100.0, "%");
-    let battery_percent = table.need("battery_pct", charge, "what the battery must have left");
+    let battery_percent = table.need("battery_pct", charge, "minimum charge after landing");
     Some(Box::new(Recover {
         radius_m: radius_m?,
         battery_percent: battery_percent?,

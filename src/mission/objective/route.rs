@@ -22,7 +22,7 @@ pub(crate) struct GateRoute {
 impl GateRoute {
     /// Reads the keys of a route.
     pub(super) fn need(table: &mut FileTable<'_>) -> Option<Self> {
-        let gates = table.need("gates", list(gate(), 1, MOST_GATES), "in their order");
+        let gates = table.need("gates", list(gate(), 1, MOST_GATES), "gates in their order");
         let radius_m = table.need_radius();
         let jitter_m = table.or(
             "jitter",

@@ -27,11 +27,15 @@ pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
 
 fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     let zone = table.need_task_zone();
-    let sensor = table.need_sensor("sensor", "one that measures");
+    let sensor = table.need_sensor("sensor", "sensor that measures");
     let side_m = table.need("cell", number(1.0, 1000.0, "m"), "side of a cell");
-    let dwell_s = table.need("dwell", number(0.1, 600.0, "s"), "in each cell");
-    let max_speed_m_s = table.need("max_speed", number(0.1, 100.0, "m/s"), "while sampling");
-    let heights_m = table.need("heights", heights(), "where");
+    let dwell_s = table.need("dwell", number(0.1, 600.0, "s"), "time in each cell");
+    let max_speed_m_s = table.need(
+        "max_speed",
+        number(0.1, 100.0, "m/s"),
+        "maximum speed while sampling",
+    );
+    let heights_m = table.need("heights", heights(), "heights for sampling");
     let target = table.need_count(1, 10_000, "cells");
     let cells = match (&zone, side_m) {
         (Some(zone), Some(side_m)) => grid(&zone.shape, side_m, table),

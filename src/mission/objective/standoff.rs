@@ -34,12 +34,16 @@ pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
 };
 
 fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
-    let hazard = table.need_hazard("hazard", "a line");
+    let hazard = table.need_hazard("hazard", "a power line");
     let range = rising("[nearest, farthest]", number(0.0, 1000.0, "m"));
-    let range_m = table.need("range", range, "the right distance, up to `near`");
-    let near_m = table.need("near", number(1.0, 1000.0, "m"), "how near time counts");
+    let range_m = table.need("range", range, "the right distance, at most `near`");
+    let near_m = table.need(
+        "near",
+        number(1.0, 1000.0, "m"),
+        "distance within which time counts",
+    );
     let time = seconds(1.0, LONGEST_S);
-    let least = table.need("time", time, "the least to spend there");
+    let least = table.need("time", time, "minimum time within `near`");
     let target = table.need_target([0.01, 1.0], BetterMeasure::Higher);
     let (range_m, near_m) = (range_m?, near_m?);
     if range_m[1] > near_m {

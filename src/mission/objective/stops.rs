@@ -82,10 +82,10 @@ pub(super) const VISIT: KindOf<Box<dyn ObjectiveKind>> = KindOf {
 
 fn read_visit(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     let places_form = list(text("id of a place"), 1, MOST_PLACES);
-    let places = table.need("places", places_form, "each once");
+    let places = table.need("places", places_form, "places, each named once");
     let radius_m = table.need_radius();
-    let dwell_s = table.or("dwell", number(0.0, 600.0, "s"), 0.0, "how long to stay");
-    let heights_m = table.may("heights", heights(), "where; without it, at any height");
+    let dwell_s = table.or("dwell", number(0.0, 600.0, "s"), 0.0, "time to stay");
+    let heights_m = table.may("heights", heights(), "heights that count; without it, any");
     let (places, radius_m) = (places?, radius_m?);
     let mut named = BTreeSet::new();
     let mut found = Vec::new();

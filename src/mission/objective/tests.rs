@@ -174,6 +174,6 @@ fn the_dose_is_the_dose_rate_over_time() {
     );
     let mut pilot = Pilot::flying(mission(&file), 2);
     pilot.wait(60.0);
-    let expected = format!("{:.2} uSv at most", rate * 60.0 / 3600.0);
+    let expected = format!("highest dose {:.2} uSv", rate * 60.0 / 3600.0);
     assert_eq!(pilot.report().objectives[1].result.to_string(), expected);
 }

@@ -84,8 +84,8 @@ fn a_damaged_line_is_named_and_ends_the_record() {
 #[test]
 fn what_is_no_record_is_refused_with_the_reason() {
     for (text, reason) in [
-        ("", "no recorded run"),
-        ("schema = 1\n", "no recorded run"),
+        ("", "not a recorded run"),
+        ("schema = 1\n", "not a recorded run"),
         ("{\"sortie_run\":99}\n", "version 99"),
         ("{\"sortie_run\":1}\n", "first line"),
     ] {

@@ -231,7 +231,7 @@ fn what_cannot_be_inherited_is_pointed_at() {
         ("self", "self.toml:1:12: the theme `self` inherits itself"),
         (
             "child",
-            "child.toml:1:12: the theme `wrong` is faulty itself (wrong.toml:3:1: unknown role `okk`",
+            "child.toml:1:12: the parent theme `wrong` has faults (wrong.toml:3:1: unknown role `okk`",
         ),
         (
             "slip",

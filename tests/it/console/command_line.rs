@@ -200,7 +200,7 @@ fn a_complete_line_says_to_whom_it_goes() {
     assert!(
         console
             .screen(80, 24)
-            .contains("Enter asks before it sends to 2-3")
+            .contains("Enter sends to 2-3 once you confirm")
     );
 }
 
@@ -313,7 +313,7 @@ fn lines_are_never_glued_together_by_a_paste() {
         console.press(":");
         console.hear(TerminalEvent::Paste(pasted.to_owned()));
         assert_eq!(palette_line(&console), "", "{pasted:?}");
-        let told = "nothing was pasted: it has 2 lines";
+        let told = "nothing was pasted: the text has 2 lines";
         assert!(console.screen(120, 40).contains(told), "{pasted:?}");
         console.hear(TerminalEvent::Paste("all arm\r\n".to_owned()));
         assert_eq!(palette_line(&console), "all arm");

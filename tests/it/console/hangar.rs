@@ -216,7 +216,7 @@ fn a_crash_is_told_with_the_last_line_and_leads_to_its_restart() {
         &mut console,
         vec![instance(1, SitlStage::Ready), again(SitlStage::Process)],
     );
-    assert_eq!(last_notice(&console).2, "its process is started again (1)");
+    assert_eq!(last_notice(&console).2, "its process was restarted (1)");
     hear(
         &mut console,
         vec![instance(1, SitlStage::Ready), again(SitlStage::Ready)],
@@ -248,7 +248,7 @@ fn a_crash_tells_what_happens_next() {
 #[test]
 fn why_the_vehicles_could_not_be_started_stays_on_the_screen() {
     let mut console = starting(Activity::Free, 2);
-    assert!(console.screen(80, 24).contains("is being opened"));
+    assert!(console.screen(80, 24).contains("opening the hangar"));
     let reason = "hangar 127.0.0.1:5999: it cannot be reached: is `sortie hangar` running there? \
                   From another host: `ssh -L PORT:127.0.0.1:PORT HOST`";
     console.hear(ProcessEvent::NotLaunched(reason.into()));
@@ -256,7 +256,7 @@ fn why_the_vehicles_could_not_be_started_stays_on_the_screen() {
     let mut console = starting(Activity::Free, 2);
     console.hear(ProcessEvent::NotLaunched(reason.into()));
     let screen = console.screen(80, 24);
-    assert!(!screen.contains("is being opened"), "{screen}");
+    assert!(!screen.contains("opening the hangar"), "{screen}");
     assert!(screen.contains("PORT HOST`"), "{screen}");
 }
 

@@ -161,14 +161,14 @@ fn a_new_value_goes_the_way_of_every_command_and_shows_what_became_of_it() {
         Some("2-3 param set WPNAV_SPEED 640")
     );
     console.press("o");
-    assert!(console.screen(80, 24).contains("640 waits"));
+    assert!(console.screen(80, 24).contains("640 waiting"));
     row(&mut console, 0, 2, RowState::Sent);
     assert!(console.screen(80, 24).contains("640 sent"));
     row(&mut console, 0, 2, RowState::Done);
     row(&mut console, 0, 3, RowState::TimedOut);
     let screen = console.screen(80, 24);
     assert!(screen.contains("640 confirmed"), "{screen}");
-    assert!(screen.contains("640 not answered"), "{screen}");
+    assert!(screen.contains("640 no answer"), "{screen}");
 }
 
 #[test]
@@ -208,7 +208,7 @@ fn a_list_is_saved_when_it_is_whole_and_never_over_another_file_unasked() {
         panic!("the line stays");
     };
     let fault = palette.fault().expect("a fault");
-    assert_eq!(fault.message.to_string(), "no parameters have come yet");
+    assert_eq!(fault.message.to_string(), "no parameters received yet");
     console.press("esc");
     arrives(&mut console, 1, list(1.0, 1000.0));
     console
@@ -358,9 +358,9 @@ fn what_was_confirmed_before_a_reboot_is_not_confirmed_after_it() {
     assert!(names(&console).is_empty(), "what has not come may be equal");
     let screen = console.screen(80, 24);
     assert!(!screen.contains("confirmed"), "{screen}");
-    assert!(screen.contains("in what has come so far"), "{screen}");
+    assert!(screen.contains("no differences so far"), "{screen}");
     console.press("a");
-    let wait = "vehicle 1 has sent 1 of 10 parameters: wait until all are there";
+    let wait = "vehicle 1 has sent 1 of 10 parameters: wait for the rest";
     assert_eq!(said(&console), wait);
     console.press("s").press("ctrl-u").write("x").press("enter");
     assert!(console.effects.is_empty(), "half a list is not saved");

@@ -348,7 +348,7 @@ fn the_room_of_the_mission_tells_what_the_next_hint_takes() {
     console.press("B");
     let text = drawn(&console, Symbols::Ascii, Language::English, size);
     assert!(text.contains("hint 1: look upwind"), "{text}");
-    assert!(text.contains("level 2: it takes 5 %"), "{text}");
+    assert!(text.contains("level 2: it costs 5 %"), "{text}");
     let mut progress = progress();
     progress.clues.next = Some((2, 0.0));
     console.hear(SessionEvent::Mission(Box::new(progress)));

@@ -265,7 +265,7 @@ fn what_no_dialect_knows_is_shown_by_its_number_and_bytes() {
     console.press("end");
     shows(
         &console,
-        &["#61232", "no dialect that is", "000 fd 02", "AB"],
+        &["#61232", "no dialect that sortie", "000 fd 02", "AB"],
     );
 }
 

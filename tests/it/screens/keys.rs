@@ -132,7 +132,7 @@ fn the_keys_of_a_list_of_vehicles_are_those_of_the_room() {
         console.press("2");
         let footer = footer(&console);
         assert!(
-            footer.contains(&format!("{commands} commands them")),
+            footer.contains(&format!("{commands} write a command")),
             "{footer}"
         );
     }

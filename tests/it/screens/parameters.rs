@@ -114,7 +114,7 @@ fn a_list_that_is_coming() {
     );
     let stalled = hear(Fetching::Stalled);
     assert!(
-        stalled.contains("500 of 1382 came, then no answer: r asks again"),
+        stalled.contains("500 of 1382 received, then no answer: r asks again"),
         "{stalled}"
     );
     console.vehicle(lost);
@@ -130,7 +130,7 @@ fn a_list_that_is_coming() {
         snapshot,
     });
     let screen = console.screen(80, 24);
-    let told = "500 of 1382; link lost: goes on when it is back";
+    let told = "500 of 1382; link lost: continues when it is back";
     assert!(screen.contains(told), "{screen}");
 }
 

@@ -74,7 +74,7 @@ fn faults_are_told_at_their_place_and_leave_the_rest_alone() {
         ("[fly]\n\"f55\" = \"invert\"\n", "2:1: unknown key `f55`"),
         (
             "[fly]\n\"ctrl-m\" = \"invert\"\n",
-            "2:1: a terminal sends the same for `ctrl-m` and for enter",
+            "2:1: terminals send the same code for `ctrl-m` and enter",
         ),
         (
             "[fly]\nx = \"inver\"\n",
@@ -83,25 +83,22 @@ fn faults_are_told_at_their_place_and_leave_the_rest_alone() {
         ("[fly]\nx = \"all takeof 20\"\n", "2:10: "),
         ("[fly]\nx = \"all takeof ...\"\n", "2:10: "),
         ("[fly]\nx = \"takeoff 20 30\"\n", "2:17: "),
-        (
-            "[fly]\nx = \"theme drak\"\n",
-            "2:12: `drak` is not known here",
-        ),
+        ("[fly]\nx = \"theme drak\"\n", "2:12: unknown name `drak`"),
         (
             "[fly]\nx = true\n",
-            "2:5: expected the name of an action or a line",
+            "2:5: expected the name of an action or a command line",
         ),
         (
             "[fly]\nx = [\"rtl\"]\n",
-            "2:5: expected the name of an action or a line",
+            "2:5: expected the name of an action or a command line",
         ),
         (
             "[fly]\nctrl-a = \"invert\"\nCtrl-A = \"select-all\"\n",
-            "3:1: `Ctrl-A` is used in this context already, in line 2",
+            "3:1: `Ctrl-A` is already used in this context, on line 2",
         ),
         (
             "[map]\nx = \"invert\"\n[anywhere]\nx = \"help\"\n",
-            "2:1: `x` is used under [anywhere], in line 4 (give one of them another key)",
+            "2:1: `x` is used under [anywhere], on line 4 (give one of them another key)",
         ),
         (
             "[fly]\nx = \"invert\"\nx = \"help\"\n",
