@@ -15,7 +15,7 @@ use crate::parameters::ParameterList;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{VehicleClass, VehicleId};
-use crate::verb::Verb;
+use crate::verb::{CountsAs, Verb};
 
 mod argument;
 mod choice;
@@ -128,8 +128,9 @@ impl Statement {
         let Meaning::Act(act) = self.meaning else {
             return Err(text!("order-none", verb = self.verb.name));
         };
-        // The ledger has to say who got it, also after the selection has changed.
+        // The ledger has to say who got it, also after the selection has changed. A word to the mission is to no vehicle.
         let line = match self.targets {
+            Targets::Selection if self.verb.counts_as == CountsAs::Word => self.line,
             Targets::Selection => format!("{} {}", Targets::Ids(targets.clone()), self.line),
             Targets::All | Targets::Ids(_) | Targets::Group(_) => self.line,
         };

@@ -26,6 +26,7 @@ palette-grammar = [targets] verb [arguments]: { $complete } completes, { $older 
 palette-to = to { $vehicles }
 palette-to-cursor = to { $vehicles } (under the cursor)
 palette-to-selected = to { $vehicles } (selected)
+palette-confirms = { $key } confirms
 palette-sends = { $key } sends to { $vehicles }
 palette-asks = { $key } sends to { $vehicles } once you confirm
 

@@ -14,7 +14,7 @@ mission-sensor-gas = gas
 mission-sensor-particles = PM2.5
 
 # Cells of a survey.
-mission-cell-sampled = cell { $cell } sampled  { $count }/{ $all }
+mission-cell-sampled = cell { $cell } sampled: { $count }/{ $all }
 mission-cells = { $count } cells
 mission-cells-of = { $sampled }/{ $count } cells
 mission-cells-more = { $cells } and { $more } more

@@ -30,6 +30,13 @@ scoring-commands-clean = { $count ->
     [one] { $count } command, not rejected
    *[other] { $count } commands, none rejected
 }
+scoring-commands-forgiven = { $count ->
+    [one] 1 command
+   *[other] { $count } commands
+}, { $forgiven ->
+    [one] 1 refusal
+   *[other] { $forgiven } refusals
+} forgiven
 scoring-commands-faulty = { $faults } of { $count } commands (per drone)
 scoring-rejected = { $count } rejected
 scoring-unsafe = { $count } unsafe

@@ -58,7 +58,7 @@ fact-passed = passed, { $score } points, { $medal }, { $count ->
    *[other] { $count } flights
 }
 fact-next = next
-fact-next-is = trains { $skill }
+fact-next-is = this one: it trains { $skill }
 fact-next-drill = its drill trains { $skill }
 fact-review = due
 fact-trains = trains, %

@@ -27,6 +27,7 @@ palette-grammar = [цілі] дієслово [аргументи]: { $complete 
 palette-to = для { $vehicles }
 palette-to-cursor = для { $vehicles } (під курсором)
 palette-to-selected = для { $vehicles } (вибрані)
+palette-confirms = { $key } підтверджує
 palette-sends = { $key } надсилає для { $vehicles }
 palette-asks = { $key } надсилає для { $vehicles } після підтвердження
 

@@ -14,7 +14,7 @@ mission-sensor-gas = газ
 mission-sensor-particles = PM2.5
 
 # Клітинки обстеження.
-mission-cell-sampled = клітинку { $cell } обстежено  { $count }/{ $all }
+mission-cell-sampled = клітинку { $cell } обстежено: { $count }/{ $all }
 mission-cells = { $count ->
     [one] { $count } клітинка
     [few] { $count } клітинки

@@ -18,6 +18,7 @@ loop-unreadable = потрібні два моменти, ранніший пе�
 argument-seek = 12:30, +30, -10 або `end`
 argument-loop = початок і кінець відрізка
 hint-play = пуск
+hint-stop = стоп
 hint-ten-seconds = 10 s
 hint-moments = моменти
 hint-moment-list = список

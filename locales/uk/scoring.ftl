@@ -34,6 +34,7 @@ scoring-commands-clean = { $count ->
     [few] { $count } команди, без відмов
    *[many] { $count } команд, без відмов
 }
+scoring-commands-forgiven = команд: { $count }, пробачено відмов: { $forgiven }
 scoring-commands-faulty = { $count ->
     [one] { $faults } з { $count } команди (по дронах)
    *[many] { $faults } з { $count } команд (по дронах)

@@ -226,10 +226,11 @@ impl MissionCourse {
             .offers
             .iter()
             .filter(|offer| !matches!(self.stage(offer, standing, day), MissionStage::Locked(_)))
+            .filter(|offer| is_advisable(offer, standing))
             .collect();
         let is_known = |offer: &Offer| standing.has_passed(&offer.id);
         let advice = |may_be_known: &dyn Fn(bool) -> bool| {
-            skills.iter().find_map(|&(is_fresh, chance, skill)| {
+            let best = skills.iter().filter_map(|&(is_fresh, chance, skill)| {
                 let trains = open.iter().copied().filter(|offer| {
                     offer.skills.contains(&skill) && (may_be_known(!is_fresh) || !is_known(offer))
                 });
@@ -238,11 +239,26 @@ impl MissionCourse {
                     let is_drill = offer.drill_of.is_some();
                     (is_known(offer), is_drill != (chance < SHAKY), offer.tier)
                 });
-                best.map(|offer| (skill, offer))
-            })
+                best.map(|offer| (is_fresh, chance, skill, offer))
+            });
+            // Of skills that are equally shaky, the one with the easiest mission.
+            let first = best.min_by(|(fresh, chance, _, offer), (fresh_b, chance_b, _, other)| {
+                let easier = || offer.tier.cmp(&other.tier);
+                fresh
+                    .cmp(fresh_b)
+                    .then(chance.total_cmp(chance_b))
+                    .then_with(easier)
+            });
+            first.map(|(.., skill, offer)| (skill, offer))
         };
         advice(&|is_due| is_due).or_else(|| advice(&|_| true))
     }
+}
+
+/// Whether the advice may name it: a drill is for those who have tried the mission.
+fn is_advisable(offer: &Offer, standing: &CareerStanding) -> bool {
+    let of = offer.drill_of.as_deref();
+    of.is_none_or(|mission| standing.best(mission).is_some())
 }
 
 /// Below this, a skill is better drilled than used.

@@ -251,12 +251,10 @@ impl RecordsCommands {
         ];
         let mut table = TextTable::new(&self.locale, &columns);
         for record in records {
-            let length = record.duration_s.map_or_else(String::new, |seconds| {
-                clock(std::time::Duration::from_secs_f64(seconds))
-            });
-            let profile = match (&record.profile, record.being_recorded) {
-                (_, true) => self.locale.text(&text!("records-now")),
-                (profile, false) => profile.clone().unwrap_or_default(),
+            let length = match record.duration_s {
+                _ if record.being_recorded => self.locale.text(&text!("records-now")),
+                Some(seconds) => clock(std::time::Duration::from_secs_f64(seconds)),
+                None => String::new(),
             };
             table.push(vec![
                 record.number.to_string(),
@@ -264,7 +262,7 @@ impl RecordsCommands {
                 record.subject.clone(),
                 length,
                 format!("{} MiB", mebibytes(record.bytes)),
-                profile,
+                record.profile.clone().unwrap_or_default(),
             ]);
         }
         table

@@ -18,9 +18,9 @@ pub(crate) struct Feedback {
 }
 
 impl Feedback {
-    /// Takes in what was said in a step.
+    /// Takes in what was said in a step. What only informs, such as one sample of many, does not matter.
     pub fn hear(&mut self, notices: &[Notice], now: Duration) {
-        for notice in notices {
+        for notice in notices.iter().filter(|it| it.severity <= Severity::Notice) {
             if notice.severity <= Severity::Critical {
                 self.shown = Some((now, notice.text.clone()));
                 self.waiting = None;
@@ -55,14 +55,15 @@ mod tests {
     fn a_new_item_waits_for_its_turn_unless_it_is_critical() {
         let mut feedback = Feedback::default();
         for (at_s, said, shown) in [
-            (0, Some((Severity::Info, "cell A1")), "cell A1"),
-            (1, Some((Severity::Warning, "fence")), "cell A1"),
-            (2, Some((Severity::Info, "cell A2")), "cell A1"),
+            (0, Some((Severity::Notice, "map")), "map"),
+            (1, Some((Severity::Warning, "fence")), "map"),
+            (2, Some((Severity::Notice, "contact")), "map"),
             (5, None, "fence"),
-            (6, Some((Severity::Info, "cell A3")), "fence"),
+            (6, Some((Severity::Notice, "home")), "fence"),
             (7, Some((Severity::Critical, "person")), "person"),
             (20, None, "person"),
-            (21, Some((Severity::Info, "cell A4")), "cell A4"),
+            (21, Some((Severity::Info, "cell A4")), "person"),
+            (30, Some((Severity::Notice, "gate")), "gate"),
         ] {
             let now = Duration::from_secs(at_s);
             let notice = said.map(|(severity, text)| Notice {

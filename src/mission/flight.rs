@@ -13,7 +13,7 @@ use super::objective::{ObjectiveScene, ObjectiveStanding};
 use super::record::Recorder;
 use super::survey::Surveys;
 use super::world::World;
-use super::{Mission, Stake, TICK, lesson};
+use super::{Hint, Mission, Stake, TICK, lesson};
 use crate::alert::AlertKind;
 use crate::commands::{Command, ParameterCommand};
 use crate::ledger::Ledger;
@@ -78,6 +78,8 @@ pub struct Flight {
     clues: CluesGiven,
     /// The step of the lesson that is to be shown, by its place.
     lesson_step: Option<usize>,
+    /// Of each hint that shows by itself, whether what it leads to is so.
+    reached_hints: Vec<bool>,
     pledge: Pledge,
     journal: FlightJournal,
     recorder: Option<Box<Recorder>>,
@@ -105,6 +107,7 @@ impl Flight {
             threats: Threats::new(&mission, seed),
             clues: CluesGiven::default(),
             lesson_step: None,
+            reached_hints: Vec::new(),
             pledge: Pledge::default(),
             journal: FlightJournal::default(),
             recorder: None,
@@ -313,6 +316,9 @@ impl Flight {
             .step(&self.mission, weather, &sight, &mut self.journal);
         let lesson = &self.mission.lesson;
         self.lesson_step = lesson::step_now(lesson, self.threats.engine(), weather, &sight);
+        let scope = self.threats.engine().scope(weather, &sight);
+        let is_reached = |hint: &Hint| hint.until.as_ref().is_some_and(|it| it.holds(&scope));
+        self.reached_hints = self.mission.hints.iter().map(is_reached).collect();
     }
 
     /// Says which objectives have been met, or are open again.

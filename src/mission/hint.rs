@@ -1,12 +1,15 @@
 //! Hints: those that show by themselves in a phase of the flight, and those that the trainee asks for at a price.
 
+use super::event::expression::Expression;
 use crate::text::Text;
 
 /// Advice that fits a phase of the flight, shown by itself.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Hint {
     /// When it is shown.
     pub phase: Phase,
+    /// What it leads to: it is shown until that holds.
+    pub(crate) until: Option<Expression>,
     /// What it says; `{next_cell}` stands for the next cell to sample.
     pub text: Text,
 }

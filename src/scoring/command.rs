@@ -25,6 +25,8 @@ pub struct CommandTally {
     pub empty: u32,
     /// Refused, or never answered by a vehicle whose link was up.
     pub rejected: u32,
+    /// Refused, which the lesson asks for: it costs nothing.
+    pub forgiven: u32,
     /// Those that set something at risk ([`Risk`]).
     pub dangerous: u32,
     /// Given twice within 2 s.
@@ -43,8 +45,10 @@ impl CommandTally {
     /// The same without so many refusals.
     #[must_use]
     pub fn forgiving(self, refusals: u32) -> Self {
+        let forgiven = self.rejected.min(refusals);
         Self {
-            rejected: self.rejected.saturating_sub(refusals),
+            rejected: self.rejected - forgiven,
+            forgiven,
             ..self
         }
     }
@@ -72,6 +76,11 @@ impl CommandTally {
         }
         let words = match (counted, faults.is_empty()) {
             (0, true) => text!("scoring-no-commands"),
+            (_, true) if self.forgiven > 0 => text!(
+                "scoring-commands-forgiven",
+                count = self.given,
+                forgiven = self.forgiven
+            ),
             (_, true) => text!("scoring-commands-clean", count = self.given),
             _ => text!(
                 "scoring-commands-faulty",

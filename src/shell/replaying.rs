@@ -1,15 +1,16 @@
 //! Recordings that are replayed.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use super::Console;
+use super::career::Careers;
 use crate::app::effect::ReplayEffect;
 use crate::app::event::{CareerEvent, Event, LinkEvent};
 use crate::app::room::messages;
 use crate::record::Happening;
 use crate::replay::Replay;
-use crate::store::{Records, user_path};
+use crate::store::user_path;
 use crate::text;
 use crate::text::Text;
 
@@ -17,21 +18,30 @@ use crate::text::Text;
 const LOOK_EVERY: Duration = Duration::from_millis(250);
 
 impl Console {
-    /// Replays a recording in place of what runs, or begins with its review.
+    /// Replays a recording in place of what runs, or begins with its review: that of a path, else that of the session that
+    /// is there, else the newest of the trainee.
     pub(super) fn replay(&mut self, path: Option<&str>, review: bool) -> Result<(), Text> {
         if let Some(path) = path {
             let path = user_path(path);
             return self.open_replay(Path::new(&path), review);
         }
-        let records = self.options.preferences.records.clone();
-        if records.as_ref().and_then(Records::newest).is_none() {
-            return Err(text!("records-none"));
-        }
-        // The newest may be the one that is being recorded: it ends first.
+        let path = match &self.running {
+            Some(running) => running.record().map(Path::to_owned),
+            None => self.newest_record(),
+        };
+        let path = path.ok_or_else(|| text!("records-none"))?;
+        // What is still being recorded ends first.
         self.end_session();
-        let newest = records.as_ref().and_then(Records::newest);
-        let path = newest.ok_or_else(|| text!("records-none"))?;
         self.open_replay(&path, review)
+    }
+
+    fn newest_record(&self) -> Option<PathBuf> {
+        let trainee = self.careers.as_ref().and_then(Careers::name);
+        self.options
+            .preferences
+            .records
+            .as_ref()?
+            .newest_of(trainee)
     }
 
     pub(super) fn open_replay(&mut self, path: &Path, review: bool) -> Result<(), Text> {
@@ -92,7 +102,7 @@ impl Console {
         let Some(running) = &self.running else {
             return;
         };
-        if !running.is_recorded() {
+        if running.record().is_none() {
             self.post(Event::Failed(text!("bookmark-not-recorded")));
             return;
         }
@@ -110,6 +120,7 @@ mod tests {
     use crate::app::event::TerminalEvent;
     use crate::language::SeekTarget;
     use crate::mission::Mission;
+    use crate::record::{Head, Subject};
     use crate::shell::pace::TICK;
     use crate::shell::{ConsoleOptions, Opening};
     use crate::store::{RecordLimits, Records, Runs};
@@ -178,8 +189,12 @@ mod tests {
             .clone()
             .expect("a debrief");
 
+        // Another console records a flight that is newer.
+        let records = Records::within(data.path(), limits);
+        let head = Head::new(Subject::Free, 4_000_000_000_000_000);
+        let other = records.begin(&head, None, "2999-01-01T00:00:00Z", Vec::new);
+        drop(other.expect("a record"));
         say(&mut console, "replay").await;
-        console.replay(None, false).expect("it was recorded");
         console.take_in().await;
         let replay = console.replaying.as_mut().expect("it runs");
         replay.wait_for_index();

@@ -162,11 +162,9 @@ impl RunningSession {
         collected
     }
 
-    /// Whether it is recorded.
-    pub fn is_recorded(&self) -> bool {
-        self.recorder
-            .as_ref()
-            .is_some_and(FlightRecorder::is_recording)
+    /// Where its frames are recorded, if they are.
+    pub fn record(&self) -> Option<&std::path::Path> {
+        self.recorder.as_ref()?.frames()
     }
 
     /// Notes in the session's record that something happened.

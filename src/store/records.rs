@@ -210,6 +210,16 @@ impl Records {
         self.list().into_iter().rev().find_map(|it| it.frames)
     }
 
+    /// The same of the records of a profile, or of those without one.
+    pub fn newest_of(&self, profile: Option<&str>) -> Option<PathBuf> {
+        let is_theirs = |files: &RecordFiles| {
+            let head = files.head();
+            head.is_ok_and(|head| head.profile.as_deref() == profile)
+        };
+        let mut newest_first = self.list().into_iter().rev();
+        newest_first.find_map(|it| it.frames.clone().filter(|_| is_theirs(&it)))
+    }
+
     /// Begins a record; makes room for it. Its stem is that of a run, or made of the time of day `when` (as
     /// [`utc`](super::utc) writes it) and the subject. What it is to write is fetched from `source`.
     ///
@@ -228,18 +238,16 @@ impl Records {
         self.make_room();
         let (mut journal, stem) = self.create_journal(head, stem, when)?;
         journal.append(head.to_line().as_bytes())?;
-        let frames = AppendFile::create(self.folder.join(format!("{stem}{FRAMES}")))?;
-        let frames = frames.ok_or_else(|| {
-            let path = self.folder.join(format!("{stem}{FRAMES}"));
-            unwritable(&path, io::ErrorKind::AlreadyExists.into())
-        })?;
+        let path = self.folder.join(format!("{stem}{FRAMES}"));
+        let frames = AppendFile::create(path.clone())?
+            .ok_or_else(|| unwritable(&path, io::ErrorKind::AlreadyExists.into()))?;
         let writer = RecordWriter {
             frames,
             journal,
             source: Box::new(source),
             most_bytes: self.limits.bytes / 2,
         };
-        Recording::start(writer, stem).map_err(|error| unwritable(&self.folder, error))
+        Recording::start(writer, stem, path).map_err(|error| unwritable(&self.folder, error))
     }
 
     fn create_journal(
@@ -283,6 +291,7 @@ impl Records {
 #[derive(Debug)]
 pub struct Recording {
     stem: String,
+    frames: PathBuf,
     shared: Arc<Shared>,
     thread: Option<JoinHandle<()>>,
 }
@@ -323,7 +332,7 @@ impl Shared {
 }
 
 impl Recording {
-    fn start(writer: RecordWriter, stem: String) -> io::Result<Self> {
+    fn start(writer: RecordWriter, stem: String, frames: PathBuf) -> io::Result<Self> {
         let shared = Arc::new(Shared::default());
         let theirs = Arc::clone(&shared);
         let thread = std::thread::Builder::new()
@@ -331,6 +340,7 @@ impl Recording {
             .spawn(move || writer.run(&theirs))?;
         Ok(Self {
             stem,
+            frames,
             shared,
             thread: Some(thread),
         })
@@ -339,6 +349,11 @@ impl Recording {
     /// What its files are called without their endings.
     pub fn stem(&self) -> &str {
         &self.stem
+    }
+
+    /// Where its frames are written.
+    pub fn frames(&self) -> &Path {
+        &self.frames
     }
 
     /// Adds a line to the journal, whose times never go back.

@@ -79,7 +79,8 @@ pub fn lines(state: &State, written: &str) -> Vec<Completion> {
             (near <= farthest).then_some((near, score, (line, hint)))
         })
         .collect();
-    if scored.iter().any(|(near, ..)| *near != Nearness::Scattered) {
+    let is_exact = language::row(wanted).is_some();
+    if is_exact || scored.iter().any(|(near, ..)| *near != Nearness::Scattered) {
         scored.retain(|(near, ..)| *near != Nearness::Scattered);
     }
     scored.sort_by_key(|(near, score, _)| (*near, Reverse(*score)));

@@ -15,7 +15,7 @@ use crate::operator::{first_word, order_of};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
-use crate::verb::Danger;
+use crate::verb::{CountsAs, Danger};
 
 /// Up to so many targets are named one by one.
 const NAMED_TARGETS: usize = 12;
@@ -116,6 +116,10 @@ fn is_question(act: &Act) -> bool {
 
 /// What Enter does with an order.
 pub fn announced(state: &State, order: &Order) -> Text {
+    if order.verb.counts_as == CountsAs::Word {
+        let key = state.keymap.key(Action::Submit, Place::Prompt);
+        return text!("palette-confirms", key = key);
+    }
     let targets = ranges(order.targets.iter().copied());
     let key = state.keymap.key(Action::Submit, Place::Prompt);
     match order.verb.danger {

@@ -16,6 +16,7 @@ use crate::language::{self, Completion, VehicleChoice, ranges, words};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
+use crate::verb::CountsAs;
 
 /// Lines that one macro may lead to; one that calls itself would never end.
 const MACRO_LINES: usize = 100;
@@ -240,9 +241,16 @@ pub fn is_to_console(state: &State, line: &str) -> bool {
     said.is_ok_and(|row| !row.scope.takes_targets())
 }
 
+/// Whether a line, as far as it has been written, is a word to the mission, which no vehicle hears.
+fn is_to_mission(state: &State, line: &str) -> bool {
+    let said = state.with_context(|context| language::said(line, context));
+    said.is_ok_and(|row| row.scope.takes_targets() && row.verb.counts_as == CountsAs::Word)
+}
+
 /// To whom a line goes as far as it has been written: it should never be a guess.
 fn recipients(state: &State, line: &str) -> Text {
-    if is_to_console(state, line) || state.session.vehicles.is_empty() {
+    let is_to_none = is_to_console(state, line) || is_to_mission(state, line);
+    if is_to_none || state.session.vehicles.is_empty() {
         return Text::default();
     }
     if let Some(targets) = words(line).first().filter(|word| word.is_targets()) {

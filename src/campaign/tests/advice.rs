@@ -41,3 +41,30 @@ fn a_new_mission_is_advised_before_another_try_at_a_known_one() {
         "the least likely skill"
     );
 }
+
+#[test]
+fn a_drill_is_advised_once_its_mission_was_tried_and_easy_missions_come_first() {
+    let trains = |id: &str, skill, tier, drill_of: Option<&str>| Offer {
+        skills: vec![skill],
+        tier,
+        drill_of: drill_of.map(str::to_owned),
+        ..offer(id, 1, &[], &[])
+    };
+    let course = MissionCourse::new([
+        trains("relay", Skill::K5, 2, None),
+        trains("plume", Skill::K6, 1, None),
+        trains("drill", Skill::K6, 0, Some("plume")),
+    ]);
+    let next = |entries: &[CareerEntry]| {
+        let standing = standing(entries);
+        let (_, offer) = course.next(&standing, 1).expect("something");
+        offer.id.clone()
+    };
+    assert_eq!(next(&[]), "plume");
+    let failed = CareerFlight {
+        passed: false,
+        evidence: Vec::new(),
+        ..flight(&course, "plume", 100, 1)
+    };
+    assert_eq!(next(&[CareerEntry::Flight(failed)]), "drill");
+}

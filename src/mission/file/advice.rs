@@ -1,5 +1,6 @@
 //! `[[hints]]`: advice that is shown by itself, or given when it is asked for.
 
+use super::events::condition;
 use crate::mission::format::{FileTable, text, whole, word};
 use crate::mission::{Clue, Hint, NEXT_CELL, Phase};
 
@@ -51,6 +52,12 @@ pub(super) fn advice(table: &mut FileTable<'_>) -> Option<OneAdvice> {
         objective_form,
         "the hint is given until this is met",
     );
+    let until = table.may(
+        "until",
+        condition(),
+        "a condition as in events: of the hints of a phase that show by themselves, the first whose `until` does not hold \
+         is shown",
+    );
     let english = table.need(
         "text",
         text(""),
@@ -81,8 +88,14 @@ pub(super) fn advice(table: &mut FileTable<'_>) -> Option<OneAdvice> {
             table.fault_of("text", fault);
             return None;
         };
-        return Some(OneAdvice::Shown(Hint { phase, text }));
+        return Some(OneAdvice::Shown(Hint { phase, until, text }));
     };
+    if until.is_some() {
+        table.fault_of(
+            "until",
+            "a hint that has to be asked for has an `objective` instead",
+        );
+    }
     if let Some(id) = &objective {
         table.draft().check_declared("objective", id);
     }

@@ -121,7 +121,9 @@ impl Flight {
         if phase == Phase::Done && self.is_down_again() && self.ended.is_none() {
             return Some(text!("mission-landed"));
         }
-        let found = self.mission.hints.iter().find(|hint| hint.phase == phase)?;
+        let is_reached = |at: usize| self.reached_hints.get(at).copied().unwrap_or_default();
+        let mut hints = self.mission.hints.iter().enumerate();
+        let (_, found) = hints.find(|(at, hint)| hint.phase == phase && !is_reached(*at))?;
         self.ended.is_none().then(|| self.filled(&found.text))
     }
 

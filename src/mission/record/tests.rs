@@ -201,7 +201,7 @@ fn what_goes_back_in_time_or_comes_after_the_end_is_damage() {
         assert!(damage.contains(&format!("line {damaged} ")), "{damage}");
         assert_eq!(stored.end().is_some(), is_whole);
         let again = stored.rescore().expect("a good mission").report;
-        assert_eq!(again.score == report.score, is_whole);
+        assert_eq!(again == report, is_whole);
     }
 }
 

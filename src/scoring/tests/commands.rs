@@ -35,6 +35,7 @@ fn commands_are_counted_per_vehicle_and_repetitions_once() {
         accepted: 3,
         empty: 1,
         rejected: 1,
+        forgiven: 0,
         dangerous: 1,
         duplicates: 1,
     };

@@ -88,7 +88,7 @@ prop_compose! {
             elapsed: Duration::from_secs(elapsed_s),
             energy_wh: energy,
             safety: breaches.iter().map(|&(kind, s)| event(BROKEN[kind], s)).collect(),
-            commands: CommandTally { given: accepted + empty + rejected + dangerous + duplicates, accepted, empty, rejected, dangerous, duplicates },
+            commands: CommandTally { given: accepted + empty + rejected + dangerous + duplicates, accepted, empty, rejected, forgiven: 0, dangerous, duplicates },
             alerts,
             vehicles: usage.len(),
             usage,

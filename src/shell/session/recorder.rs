@@ -1,5 +1,6 @@
 //! The record of a session: its frames, and what happens beside them.
 
+use std::path::Path;
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
 use crate::app::event::{Started, VehicleEvent};
@@ -86,9 +87,9 @@ impl FlightRecorder {
         }
     }
 
-    /// Whether files are written.
-    pub fn is_recording(&self) -> bool {
-        self.recording.is_some()
+    /// Where frames are written, if they are.
+    pub fn frames(&self) -> Option<&Path> {
+        self.recording.as_ref().map(Recording::frames)
     }
 
     /// Why nothing is recorded any more, once.

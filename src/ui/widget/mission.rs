@@ -9,13 +9,13 @@ use unicode_width::UnicodeWidthStr as _;
 
 use crate::app::State;
 use crate::commands::Goal;
-use crate::mission::{Cell, ObjectiveProgress, ObjectiveState, Progress, Trust};
+use crate::mission::{Cell, ObjectiveState, Progress, Trust};
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{below, clip, clock, columns, put, upper, wrap};
+use crate::ui::widget::{aligned, below, clip, clock, columns, put, upper, wrap};
 use crate::vehicle::Vehicle;
 
 /// Columns between two readings.
@@ -30,7 +30,8 @@ pub fn height(progress: &Progress, width: u16, look: &Look) -> u16 {
     let grid = Grid::of(&progress.cells).map_or(0, |grid| grid.rows());
     let hint = hint_lines(progress, usize::from(width), look).len();
     let readings = readings(progress, usize::from(width), look).len();
-    (1 + progress.objectives.len() + readings + counts(progress).len() + grid + hint) as u16
+    let objectives = objective_lines(progress, width.into(), true, look).len();
+    (1 + objectives + readings + counts(progress).len() + grid + hint) as u16
 }
 
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
@@ -46,10 +47,8 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     );
     let mut rest = panel.titled(&panel.text(&title), buffer);
     let width = usize::from(rest.width);
-    let objectives = progress
-        .objectives
-        .iter()
-        .map(|objective| objective_line(objective, width, panel.look));
+    let is_roomy = panel.area.height >= height(progress, panel.area.width, panel.look);
+    let objectives = objective_lines(progress, width, is_roomy, panel.look).into_iter();
     let readings = readings(progress, width, panel.look);
     let counts = counts(progress).into_iter().map(|text| {
         let words = clip(&panel.text(&text), width);
@@ -136,20 +135,38 @@ fn counts(progress: &Progress) -> Vec<Text> {
     contacts.into_iter().chain(marks).chain(said).collect()
 }
 
-fn objective_line(objective: &ObjectiveProgress, width: usize, look: &Look) -> Line<'static> {
-    let (mark, role) = match objective.state {
-        ObjectiveState::Open => ("[ ]", Role::Text),
-        ObjectiveState::Met => ("[x]", Role::Ok),
-        ObjectiveState::Missed => ("[!]", Role::Danger),
-    };
-    let detail = look.text(&objective.detail);
-    let room = width.saturating_sub(mark.len() + 2 + detail.width());
-    let title = clip(&look.text(&objective.title), room);
-    let gap = " ".repeat(room.saturating_sub(title.width()));
-    Line::from(vec![
-        Span::styled(format!("{mark} {title}{gap} "), look.style(role)),
-        Span::styled(detail, look.style(Role::Muted)),
-    ])
+/// A line for each objective. Where name and result do not fit into one, a result that was reached is left out; any other
+/// stands below its name if there are rows for it, else the name is cut.
+fn objective_lines(
+    progress: &Progress,
+    width: usize,
+    is_roomy: bool,
+    look: &Look,
+) -> Vec<Line<'static>> {
+    let mut lines = Vec::new();
+    for objective in &progress.objectives {
+        let (mark, role) = match objective.state {
+            ObjectiveState::Open => ("[ ]", Role::Text),
+            ObjectiveState::Met => ("[x]", Role::Ok),
+            ObjectiveState::Missed => ("[!]", Role::Danger),
+        };
+        let title = format!("{mark} {}", look.text(&objective.title));
+        let detail = look.text(&objective.detail);
+        let left = |room| Span::styled(aligned(&title, room, false), look.style(role));
+        let right = Span::styled(detail.clone(), look.style(Role::Muted));
+        let room = width.saturating_sub(detail.width() + 1);
+        let is_met = objective.state == ObjectiveState::Met;
+        if title.width() <= room || !(is_roomy || is_met) {
+            lines.push(Line::from(vec![left(room), " ".into(), right]));
+        } else if is_met {
+            lines.push(Line::from(left(width)));
+        } else {
+            let below = " ".repeat(width.saturating_sub(detail.width()));
+            lines.push(Line::from(left(width)));
+            lines.push(Line::from(vec![below.into(), right]));
+        }
+    }
+    lines
 }
 
 /// What the sensors show and what is left of the loads, as many to a line as fit.

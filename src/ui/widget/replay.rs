@@ -81,8 +81,10 @@ fn hints<'a>(state: &State, room: usize, look: &Look) -> Vec<Span<'a>> {
         NextMoment, PlayReplay, PreviousMoment, ReplayBack, ReplayForward, ShowMoments,
     };
 
+    let is_playing = state.replay().is_some_and(|view| view.position.is_playing);
+    let play = if is_playing { "hint-stop" } else { "hint-play" };
     let rows: [(&[ReplayAction], &str); 4] = [
-        (&[PlayReplay], "hint-play"),
+        (&[PlayReplay], play),
         (&[ReplayBack, ReplayForward], "hint-ten-seconds"),
         (&[PreviousMoment, NextMoment], "hint-moments"),
         (&[ShowMoments], "hint-moment-list"),

@@ -62,16 +62,15 @@ fn draw_text(text: &str, groups: &[Vec<Line<'_>>], area: Rect, buffer: &mut Buff
     let rows = usize::from(area.height);
     let below_rows: usize = groups.iter().map(|group| group.len() + 1).sum();
     let room = rows.saturating_sub(below_rows).max(LEAST_TEXT);
-    let mut lines = wrap(&reflow(text), usize::from(area.width));
-    if lines.len() > room {
-        lines.truncate(room);
-        if let Some(last) = lines.last_mut() {
-            *last = clip(&format!("{last} …"), usize::from(area.width));
-        }
-    }
+    let lines = cut_after_sentence(wrap(&reflow(text), usize::from(area.width)), room);
     let mut row = lines.len() as u16;
     for (at, line) in lines.into_iter().enumerate() {
-        put(buffer, area, at as u16, &Line::raw(line));
+        put(
+            buffer,
+            area,
+            at as u16,
+            &Line::raw(clip(&line, area.width.into())),
+        );
     }
     let Some((last, before)) = groups.split_last() else {
         return;
@@ -83,6 +82,29 @@ fn draw_text(text: &str, groups: &[Vec<Line<'_>>], area: Rect, buffer: &mut Buff
         row += 1 + group.len() as u16;
     }
     draw_lines(last, below(area, (row + 1).min(bottom)), buffer);
+}
+
+/// As many lines as there is room for, with a mark where they are cut: after a whole sentence, unless that would cost more
+/// than a third of them.
+fn cut_after_sentence(mut lines: Vec<String>, room: usize) -> Vec<String> {
+    if lines.len() <= room {
+        return lines;
+    }
+    lines.truncate(room);
+    let ends = lines.iter().enumerate().rev().find_map(|(at, line)| {
+        let end = line
+            .rfind(". ")
+            .or(line.ends_with('.').then_some(line.len() - 1));
+        end.map(|end| (at, end + 1))
+    });
+    if let Some((at, end)) = ends.filter(|(at, _)| at + 1 > room - room / 3) {
+        lines.truncate(at + 1);
+        lines[at].truncate(end);
+    }
+    if let Some(last) = lines.last_mut() {
+        last.push_str(" …");
+    }
+    lines
 }
 
 /// Draws lines, with a mark at the end of the last one where not all fit.

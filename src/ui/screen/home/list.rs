@@ -124,6 +124,16 @@ impl Sign {
         }
     }
 
+    /// The sign in a word, for missions that were not flown yet.
+    fn word(self, look: &Look) -> Option<String> {
+        let id = match self {
+            Self::Locked => "home-locked",
+            Self::Next => "home-is-next",
+            Self::Due | Self::Passed | Self::Open => return None,
+        };
+        Some(format!(" {:>8}", look.say(id)))
+    }
+
     fn role(self) -> Role {
         match self {
             Self::Next => Role::Accent,
@@ -144,43 +154,37 @@ fn item_line(
     columns: usize,
 ) -> (String, Role) {
     let cursor = if under_cursor { '>' } else { ' ' };
-    let (sign, best) = match (item, state.career()) {
+    let (sign, score) = match (item, state.career()) {
         (HomeItem::Mission(at), Some(career)) => {
             let id = &state.missions()[at].id;
-            let sign = Sign::of(career, id);
-            (Some(sign), career_best(career, id, sign, look))
+            (Some(Sign::of(career, id)), career_best(career, id))
         }
         (HomeItem::Mission(at), None) => (None, recorded_best(state, &state.missions()[at].id)),
-        _ => (None, String::new()),
+        _ => (None, None),
     };
     let mark = sign.map_or(' ', Sign::symbol);
+    // The sign says the same as its word: a name is worth more.
+    let word = sign.and_then(|sign| sign.word(look));
+    let word = word.filter(|word| 3 + width(word) + width(text) <= columns);
+    let best = score.or(word).unwrap_or_default();
     let room = columns.saturating_sub(3 + width(&best));
     let role = sign.map_or(Role::Text, Sign::role);
     let name = aligned(text, room, false);
     (format!("{cursor}{mark}{name}{best}"), role)
 }
 
-/// The best score of the flights that count, with its medal in stars; before the first one, the sign in a word.
-fn career_best(career: &Career, mission: &str, sign: Sign, look: &Look) -> String {
-    let best = career.standing.best(mission);
-    if let Some((best, score)) = best.and_then(|best| Some((best, best.score?))) {
-        return format!(" {score:>4} {:<3}", stars(best.medal));
-    }
-    match sign {
-        Sign::Locked => format!(" {:>8}", look.say("home-locked")),
-        Sign::Next => format!(" {:>8}", look.say("home-is-next")),
-        Sign::Due | Sign::Passed | Sign::Open => String::new(),
-    }
+/// The best score of the flights that count, with its medal in stars.
+fn career_best(career: &Career, mission: &str) -> Option<String> {
+    let best = career.standing.best(mission)?;
+    let score = best.score?;
+    Some(format!(" {score:>4} {:<3}", stars(best.medal)))
 }
 
 /// The best recorded score where nobody's career is kept.
-fn recorded_best(state: &State, mission: &str) -> String {
-    let Some(best) = state.best_try(mission) else {
-        return String::new();
-    };
-    best.score.map_or(String::new(), |score| {
-        format!(" {score:>4} {:<3}", stars(best.medal))
-    })
+fn recorded_best(state: &State, mission: &str) -> Option<String> {
+    let best = state.best_try(mission)?;
+    let score = best.score?;
+    Some(format!(" {score:>4} {:<3}", stars(best.medal)))
 }
 
 /// The lines of the list: items with their number, headings and blanks without.

@@ -38,6 +38,29 @@ const GATE: Sign = ('G', Role::Info, "truth-gate");
 const PAD: Sign = ('H', Role::Title, "map-legend-home");
 const SIGNS: [Sign; 8] = [FOUND, MISSED, OVER, UNASKED, DECOY, FALSE, GATE, PAD];
 
+/// A sign in its place.
+struct SignAt {
+    sign: Sign,
+    /// Which of several it is, where their order matters.
+    number: Option<usize>,
+    at: [f64; 2],
+}
+
+impl SignAt {
+    fn new(sign: Sign, at: [f64; 2]) -> Self {
+        Self {
+            sign,
+            number: None,
+            at,
+        }
+    }
+
+    fn text(&self) -> String {
+        let number = self.number.map(|number| number.to_string());
+        format!("{}{}", self.sign.0, number.unwrap_or_default())
+    }
+}
+
 /// Draws the map as a pane with a title; the signs that are on it are explained below it.
 pub fn draw(truth: &TruthReport, panel: Panel<'_>, buffer: &mut Buffer) {
     let inner = panel.titled(&panel.say("truth-title"), buffer);
@@ -73,10 +96,13 @@ pub fn draw(truth: &TruthReport, panel: Panel<'_>, buffer: &mut Buffer) {
         }
     }
     canvas.draw(panel.at(canvas_area), buffer);
-    for ((sign, role, _), at) in labels {
-        if let Some((column, row)) = view.cell(place(at)) {
-            let cell = Rect::new(canvas_area.x + column, canvas_area.y + row, 1, 1);
-            stamp(&sign.to_string(), panel.style(role), panel.at(cell), buffer);
+    for label in labels {
+        if let Some((column, row)) = view.cell(place(label.at)) {
+            let text = label.text();
+            let room = canvas_area.width.saturating_sub(column);
+            let columns = (text.len() as u16).min(room);
+            let cells = Rect::new(canvas_area.x + column, canvas_area.y + row, columns, 1);
+            stamp(&text, panel.style(label.sign.1), panel.at(cells), buffer);
         }
     }
     draw_scale(panel.look, &view, canvas_area, buffer);
@@ -107,9 +133,12 @@ fn places(truth: &TruthReport) -> impl Iterator<Item = LatLon> {
 }
 
 /// The signs with their places, the most important last.
-fn labels(truth: &TruthReport) -> Vec<(Sign, [f64; 2])> {
-    let pads = truth.pads.iter().map(|&at| (PAD, at));
-    let gates = truth.gates.iter().map(|&at| (GATE, at));
+fn labels(truth: &TruthReport) -> Vec<SignAt> {
+    let pads = truth.pads.iter().map(|&at| SignAt::new(PAD, at));
+    let gates = (1..).zip(&truth.gates).map(|(number, &at)| SignAt {
+        number: Some(number),
+        ..SignAt::new(GATE, at)
+    });
     let sign = |object: &ObjectReport| match (object.kind, object.found) {
         (ObjectKind::Decoy, _) => DECOY,
         (ObjectKind::Find(_), true) => FOUND,
@@ -117,15 +146,16 @@ fn labels(truth: &TruthReport) -> Vec<(Sign, [f64; 2])> {
         _ if !object.sought => UNASKED,
         _ => MISSED,
     };
-    let objects = truth.objects.iter().map(|object| (sign(object), object.at));
+    let objects = truth.objects.iter();
+    let objects = objects.map(|object| SignAt::new(sign(object), object.at));
     let wrong = truth
         .marks
         .iter()
         .filter(|mark| !mark.right)
-        .map(|mark| (FALSE, mark.at));
-    let mut labels: Vec<(Sign, [f64; 2])> = pads.chain(gates).chain(objects).chain(wrong).collect();
+        .map(|mark| SignAt::new(FALSE, mark.at));
+    let mut labels: Vec<SignAt> = pads.chain(gates).chain(objects).chain(wrong).collect();
     // What was missed shows also where it shares its cell with something else.
-    labels.sort_by_key(|(sign, _)| *sign == MISSED);
+    labels.sort_by_key(|label| label.sign == MISSED);
     labels
 }
 
@@ -160,15 +190,10 @@ fn shade(square: &SquareReport, look: &Look, view: &Viewport, area: Rect, buffer
 }
 
 /// The signs that are on the map, with what they mean and how many there are, in as many lines as that takes.
-fn legend(
-    truth: &TruthReport,
-    labels: &[(Sign, [f64; 2])],
-    look: &Look,
-    width: usize,
-) -> Vec<Line<'static>> {
+fn legend(truth: &TruthReport, labels: &[SignAt], look: &Look, width: usize) -> Vec<Line<'static>> {
     let mut words = Vec::new();
     for sign in SIGNS {
-        let count = labels.iter().filter(|(known, _)| *known == sign).count();
+        let count = labels.iter().filter(|label| label.sign == sign).count();
         if count > 0 {
             words.push(format!("{} {} {count}", sign.0, look.say(sign.2)));
         }
