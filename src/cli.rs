@@ -54,6 +54,7 @@ mod settings;
 mod sim;
 mod table;
 mod trainee;
+mod verify;
 mod workshop;
 
 /// What the exit codes mean.
@@ -116,6 +117,8 @@ enum CliCommand {
     Records(records::RecordsArguments),
     /// Flies a mission by a pilot script, without a console; prints the debrief.
     Run(run::RunArguments),
+    /// Flies a recorded flight again in the embedded simulator and says whether the record follows from it.
+    Verify(verify::VerifyArguments),
     /// Scores a recorded run again and prints its debrief.
     Debrief(debrief::DebriefArguments),
     /// Serves the embedded simulator to any ground station.
@@ -248,6 +251,10 @@ fn dispatch(
         Some(CliCommand::Run(options)) => {
             settings.complain();
             run::run(&options, &settings)
+        }
+        Some(CliCommand::Verify(options)) => {
+            settings.complain();
+            verify::verify(&options, &settings)
         }
         Some(CliCommand::Debrief(options)) => {
             settings.complain();

@@ -43,7 +43,8 @@ mod tlog;
 
 pub use address::{Address, AddressError};
 pub use simulator::{
-    Endpoint, Simulator, SimulatorError, SimulatorPace, StartedSimulator, step_on_threads,
+    Endpoint, InputSink, Simulator, SimulatorError, SimulatorPace, StartedSimulator,
+    step_on_threads,
 };
 pub use sink::{FrameSink, WaitingFrames};
 pub use tap::Tap;

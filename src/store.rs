@@ -39,7 +39,7 @@ pub use profiles::{
     RunEntry,
 };
 pub use records::{RecordFiles, RecordLimits, Recording, RecordingFault, Records};
-pub use runs::{RunFile, Runs, read_run, utc};
+pub use runs::{InputsFile, RunFile, Runs, read_run, utc};
 pub use sharing::share_with_group;
 pub use source::{Source, StoreError, read, user_path};
 

@@ -167,9 +167,9 @@ pub(super) fn records(
     }
 }
 
-struct RecordsCommands {
-    records: Records,
-    locale: Locale,
+pub(super) struct RecordsCommands {
+    pub(super) records: Records,
+    pub(super) locale: Locale,
 }
 
 impl RecordsCommands {
@@ -179,7 +179,7 @@ impl RecordsCommands {
     }
 
     /// The record of a number of the list, or of a file.
-    fn find(&self, named: &str) -> Result<RecordFiles, Failure> {
+    pub(super) fn find(&self, named: &str) -> Result<RecordFiles, Failure> {
         match named.parse() {
             Ok(number) => self.numbered_as(number),
             Err(_) => Ok(RecordFiles::beside(Path::new(named))),
@@ -299,7 +299,7 @@ impl RecordsCommands {
             return Ok(ExitCode::SUCCESS);
         }
         say!("{}", self.table(&[record]).plain().trim_end())?;
-        for path in [&files.frames, &files.journal, &files.run]
+        for path in [&files.frames, &files.journal, &files.run, &files.inputs]
             .into_iter()
             .flatten()
         {

@@ -316,7 +316,7 @@ fn fly_embedded(
     recorder: &mut RunRecorder<'_>,
 ) -> Report {
     let started = Instant::now();
-    recorder.prepare(exercise.flight_mut());
+    recorder.prepare_embedded(&mut exercise);
     while !exercise.is_over() {
         exercise.step();
         if let Speedup::Times(times) = speedup {
@@ -327,9 +327,12 @@ fn fly_embedded(
             recorder.tell(notice);
         }
         recorder.keep(exercise.flight_mut());
+        recorder.keep_inputs(&mut exercise);
     }
+    exercise.close_inputs();
     let report = exercise.close();
     recorder.keep(exercise.flight_mut());
+    recorder.keep_inputs(&mut exercise);
     report
 }
 

@@ -6,6 +6,7 @@ use std::time::Duration;
 use super::{Exercise, FlightDriver, FlightPace};
 use crate::language::Script;
 use crate::mission::{Flight, Mission};
+use crate::record::{InputLog, InputsHead};
 use crate::sim::{Airframe, PortId, World};
 
 /// The embedded simulator, stepped together with the mission: a flight takes no longer than its computation.
@@ -14,6 +15,9 @@ pub struct LockStep {
     world: World,
     ports: Vec<PortId>,
     bytes: Vec<u8>,
+    head: InputsHead,
+    /// What enters the world, where that is recorded.
+    inputs: Option<InputLog>,
 }
 
 impl Exercise {
@@ -26,6 +30,7 @@ impl Exercise {
         airframes: Vec<Arc<Airframe>>,
     ) -> Self {
         let mut config = mission.world(seed);
+        let head = InputsHead::of(&config, &airframes);
         if !airframes.is_empty() {
             config.airframes = airframes;
         }
@@ -35,15 +40,39 @@ impl Exercise {
             ports: (0..vehicles).map(|index| world.connect(index)).collect(),
             world,
             bytes: Vec::new(),
+            head,
+            inputs: None,
         };
         let mut driver = FlightDriver::new(Flight::new(mission, seed), FlightPace::LockStep);
         driver.begin_when_heard(Duration::ZERO, true);
         Self::on(link, driver, script, vehicles)
     }
 
+    /// Records what enters the simulated vehicles; to be called before the first step.
+    pub fn record_inputs(&mut self) {
+        let LockStep {
+            world, ports, head, ..
+        } = &mut self.link;
+        self.link.inputs = Some(InputLog::begin(head, world, ports));
+    }
+
+    /// What was recorded of the inputs since the last call: whole lines.
+    pub fn take_inputs(&mut self) -> String {
+        let inputs = self.link.inputs.as_mut();
+        inputs.map_or_else(String::new, InputLog::take)
+    }
+
+    /// Ends the record of the inputs.
+    pub fn close_inputs(&mut self) {
+        let LockStep { world, inputs, .. } = &mut self.link;
+        if let Some(inputs) = inputs {
+            inputs.end(world);
+        }
+    }
+
     /// Advances by one step of the simulator.
     pub fn step(&mut self) {
-        self.link.world.step();
+        self.link.step();
         let now = self.link.world.now();
         for index in 0..self.seats.len() {
             self.exchange(index, now);
@@ -72,6 +101,13 @@ impl Exercise {
 }
 
 impl LockStep {
+    fn step(&mut self) {
+        self.world.step();
+        if let Some(inputs) = &mut self.inputs {
+            inputs.follow(&mut self.world);
+        }
+    }
+
     /// A vehicle's connection. Of one that has rebooted it is made again, as a real one would be.
     fn open_port(&mut self, index: usize) -> PortId {
         let port = &mut self.ports[index];

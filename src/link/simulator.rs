@@ -16,14 +16,18 @@ use tokio::time::{Instant, MissedTickBehavior, interval};
 use tokio_util::sync::CancellationToken;
 
 use super::connect::resolve;
+use crate::record::InputsHead;
 use crate::sim::{STEP, World};
 use crate::text::Text;
 
+mod inputs;
 mod listen;
 #[cfg(test)]
 mod tests;
 mod transport;
 
+pub use inputs::InputSink;
+use inputs::WorldRecord;
 use listen::open_servers;
 use transport::{PipeTransport, Transports, UdpTransport};
 
@@ -180,9 +184,23 @@ impl Simulator {
     /// A port that cannot be listened on, an address that cannot be sent to, or an impossible speedup; nothing
     /// runs then.
     pub async fn start(
+        world: World,
+        pace: impl Into<PaceFeed>,
+        endpoints: &[Endpoint],
+        cancel: CancellationToken,
+    ) -> Result<StartedSimulator, SimulatorError> {
+        Self::start_recorded(world, pace, endpoints, None, cancel).await
+    }
+
+    /// [`start`](Self::start), where what enters the vehicles may be taken down in a sink, after a head.
+    ///
+    /// # Errors
+    /// As [`start`](Self::start).
+    pub async fn start_recorded(
         mut world: World,
         pace: impl Into<PaceFeed>,
         endpoints: &[Endpoint],
+        record: Option<(InputsHead, InputSink)>,
         cancel: CancellationToken,
     ) -> Result<StartedSimulator, SimulatorError> {
         let pace = pace.into();
@@ -190,6 +208,7 @@ impl Simulator {
         if !(speedup > 0.0 && speedup <= SPEEDUP_MAX) {
             return Err(SimulatorError::Speedup(speedup));
         }
+        let record = record.map(|(head, sink)| WorldRecord::begin(&head, sink, &mut world));
         let mut opened = OpenedEndpoint::default();
         for endpoint in endpoints {
             opened.open(endpoint, &mut world).await?;
@@ -207,6 +226,7 @@ impl Simulator {
             world,
             transports,
             count,
+            record,
         };
         let task = tokio::spawn(unconstrained(running.run(pace, cancel)));
         Ok(StartedSimulator {
@@ -318,6 +338,8 @@ struct SteppedWorld {
     transports: Transports,
     count: watch::Sender<usize>,
     threads: usize,
+    /// Takes down what enters it.
+    record: Option<WorldRecord>,
 }
 
 impl SteppedWorld {
@@ -328,7 +350,7 @@ impl SteppedWorld {
         let mut owed = Duration::ZERO;
         loop {
             tokio::select! {
-                () = cancel.cancelled() => return,
+                () = cancel.cancelled() => return self.end(),
                 _ = wake.tick() => {}
             }
             let now = Instant::now();
@@ -343,23 +365,46 @@ impl SteppedWorld {
             let pace = wanted.unwrap_or(given.speedup).min(SPEEDUP_MAX);
             owed += (now - last).min(CATCH_UP).mul_f64(pace);
             last = now;
+            if let Some(record) = &mut self.record {
+                record.note_pace(&self.world, pace);
+            }
             self.transports.read(&mut self.world);
             let mut steps = 0;
             while owed >= STEP {
                 owed -= STEP;
-                step_on_threads(&mut self.world, self.threads);
+                self.step();
                 steps += 1;
                 if steps % STEPS_PER_ROUND == 0 {
-                    self.transports.write(&mut self.world);
+                    self.write();
                     yield_now().await;
                     if cancel.is_cancelled() {
-                        return;
+                        return self.end();
                     }
                     self.transports.read(&mut self.world);
                 }
             }
-            self.transports.write(&mut self.world);
+            self.write();
             self.count_connections();
+        }
+    }
+
+    fn step(&mut self) {
+        step_on_threads(&mut self.world, self.threads);
+        if let Some(record) = &mut self.record {
+            record.follow(&mut self.world);
+        }
+    }
+
+    fn write(&mut self) {
+        if let Some(record) = &mut self.record {
+            record.publish(&self.world);
+        }
+        self.transports.write(&mut self.world);
+    }
+
+    fn end(&mut self) {
+        if let Some(record) = &mut self.record {
+            record.end(&mut self.world);
         }
     }
 

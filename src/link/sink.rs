@@ -3,12 +3,10 @@
 use std::fmt;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use crate::wire::Anatomy;
+use crate::wire::{Anatomy, is_secret};
 
 /// What waits for the recorder at most; beyond that frames are left out, and counted.
 const MOST_WAITING: usize = 32 * 1024 * 1024;
-/// What carries secrets: `SETUP_SIGNING` a key, `WIFI_CONFIG_AP` a password.
-const SECRET: [u32; 2] = [256, 299];
 
 /// Takes frames down as the entries of a tlog, in the order of their time. All clones are one sink.
 #[derive(Clone)]
@@ -50,7 +48,7 @@ impl FrameSink {
 
     /// Takes a frame down, unless it carries a secret.
     pub fn note(&self, frame: &[u8]) {
-        if Anatomy::of(frame).is_some_and(|it| SECRET.contains(&it.id)) {
+        if Anatomy::of(frame).is_some_and(|it| is_secret(it.id)) {
             return;
         }
         let mut waiting = self.waiting();

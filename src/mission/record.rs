@@ -26,10 +26,12 @@ use crate::workshop::Design;
 mod line;
 mod observed;
 mod replay;
+mod verification;
 
 use line::{RecordChange, RecordLine};
 use observed::{ObservedVehicle, WatchedVehicle};
 pub use replay::{Reenactment, Rescored, Stored};
+pub use verification::{Difference, Verification, refly};
 
 /// The version of the format.
 const VERSION: u32 = 1;
@@ -143,6 +145,8 @@ pub(super) struct Recorder {
     newest: Option<EntryId>,
     revision: Option<u64>,
     stepped: Option<Duration>,
+    /// How many steps the simulator has made by now, where its time is not the mission's.
+    simulated: Option<u64>,
     /// Whether the newest step has a line.
     is_step_written: bool,
 }
@@ -156,6 +160,7 @@ impl Recorder {
             newest: None,
             revision: None,
             stepped: None,
+            simulated: None,
             is_step_written: true,
         };
         recorder.write(head);
@@ -165,6 +170,11 @@ impl Recorder {
     /// The lines since the last call.
     pub fn take(&mut self) -> String {
         std::mem::take(&mut self.written)
+    }
+
+    /// Says how many steps the simulator has made by now, where its time is not the mission's.
+    pub fn note_simulated(&mut self, steps: u64) {
+        self.simulated = Some(steps);
     }
 
     pub fn step(&mut self, now: Duration, vehicles: &Vehicles, ledger: &Ledger) {
@@ -177,7 +187,8 @@ impl Recorder {
         self.is_step_written = !is_next || change != RecordChange::default();
         if self.is_step_written {
             let t = now.as_millis() as u64;
-            self.write(&RecordLine::Tick { t, change });
+            let s = self.simulated;
+            self.write(&RecordLine::Tick { t, s, change });
         }
     }
 
@@ -186,7 +197,8 @@ impl Recorder {
         if !std::mem::replace(&mut self.is_step_written, true) {
             let t = self.stepped.unwrap_or_default().as_millis() as u64;
             let change = RecordChange::default();
-            self.write(&RecordLine::Tick { t, change });
+            let s = self.simulated;
+            self.write(&RecordLine::Tick { t, s, change });
         }
         self.write(line);
     }

@@ -185,7 +185,9 @@ impl RunningSession {
 
     /// What is to be said of the record.
     fn hear_recorder(&mut self, now: Duration) -> Option<Event> {
-        let text = self.recorder.as_mut()?.take_fault()?;
+        let recorder = self.recorder.as_mut()?;
+        recorder.pass_inputs();
+        let text = recorder.take_fault()?;
         Some(Event::Notice(Notice {
             at: now,
             vehicle: None,

@@ -25,6 +25,8 @@ const JOURNAL: &str = ".flight.jsonl";
 const REVIEW: &str = ".review.json";
 /// How the record of a mission's run ends, which `runs` keeps.
 const RUN: &str = ".run.jsonl";
+/// How the file of what entered simulated vehicles ends.
+const INPUTS: &str = super::runs::INPUTS;
 /// How often what has happened is written.
 const WRITE_EVERY: Duration = Duration::from_millis(250);
 /// A head is no longer than this.
@@ -69,6 +71,8 @@ pub struct RecordFiles {
     pub run: Option<PathBuf>,
     /// Where the review is, or would be.
     pub review: PathBuf,
+    /// What entered its simulated vehicles.
+    pub inputs: Option<PathBuf>,
     /// Bytes of frames and journal.
     pub bytes: u64,
 }
@@ -77,7 +81,7 @@ impl RecordFiles {
     /// The files that lie beside one of them. A file with another ending is taken for frames.
     pub fn beside(path: &Path) -> Self {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
-        let stem = [JOURNAL, RUN, FRAMES]
+        let stem = [JOURNAL, RUN, INPUTS, FRAMES]
             .iter()
             .find_map(|ending| name.strip_suffix(ending));
         let Some(stem) = stem else {
@@ -93,7 +97,7 @@ impl RecordFiles {
             review: path.with_file_name(format!("{stem}{REVIEW}")),
             ..Self::default()
         };
-        for ending in [FRAMES, JOURNAL, RUN] {
+        for ending in [FRAMES, JOURNAL, RUN, INPUTS] {
             let path = path.with_file_name(format!("{stem}{ending}"));
             if path.is_file() {
                 files.add(path, ending);
@@ -107,6 +111,7 @@ impl RecordFiles {
         let place = match ending {
             FRAMES => &mut self.frames,
             JOURNAL => &mut self.journal,
+            INPUTS => &mut self.inputs,
             _ => {
                 self.run = Some(path);
                 return;
@@ -154,7 +159,12 @@ impl RecordFiles {
     /// One of them cannot be removed.
     pub fn delete(&self) -> Result<(), StoreError> {
         // The journal goes last: without it, the others could not be found again.
-        for path in [&self.frames, &self.journal].into_iter().flatten() {
+        // Without a run, nothing is left that the inputs could prove.
+        let inputs = self.inputs.as_ref().filter(|_| self.run.is_none());
+        for path in [self.frames.as_ref(), inputs, self.journal.as_ref()]
+            .into_iter()
+            .flatten()
+        {
             fs::remove_file(path).map_err(|error| unwritable(path, error))?;
         }
         Ok(())
@@ -189,7 +199,7 @@ impl Records {
         let entries = fs::read_dir(&self.folder).into_iter().flatten().flatten();
         for entry in entries {
             let name = entry.file_name().to_string_lossy().into_owned();
-            let mut endings = [JOURNAL, RUN, FRAMES].into_iter();
+            let mut endings = [JOURNAL, RUN, INPUTS, FRAMES].into_iter();
             let known = |ending| Some((name.strip_suffix(ending)?, ending));
             let Some((stem, ending)) = endings.find_map(known) else {
                 continue;
@@ -244,6 +254,7 @@ impl Records {
         let writer = RecordWriter {
             frames,
             journal,
+            inputs: None,
             source: Box::new(source),
             most_bytes: self.limits.bytes / 2,
         };
@@ -306,6 +317,8 @@ struct Shared {
 struct RecordingState {
     /// Lines of the journal that wait.
     lines: String,
+    /// Lines of what entered simulated vehicles that wait.
+    inputs: String,
     /// The time of the last one.
     last_at: Duration,
     is_over: bool,
@@ -366,6 +379,14 @@ impl Recording {
         }
     }
 
+    /// Adds lines about what entered simulated vehicles.
+    pub fn note_inputs(&self, lines: &str) {
+        let mut state = self.shared.state();
+        if !state.has_stopped {
+            state.inputs.push_str(lines);
+        }
+    }
+
     /// Adds that the session was ended as usual, at the time of the last line.
     pub fn note_end(&self) {
         let mut state = self.shared.state();
@@ -400,6 +421,8 @@ impl Drop for Recording {
 struct RecordWriter {
     frames: AppendFile,
     journal: AppendFile,
+    /// What entered simulated vehicles: made when there is something.
+    inputs: Option<AppendFile>,
     source: Box<dyn FnMut() -> Vec<u8> + Send>,
     most_bytes: u64,
 }
@@ -408,16 +431,17 @@ impl RecordWriter {
     /// Writes what has happened until the record is over or cannot be written.
     fn run(mut self, shared: &Shared) {
         loop {
-            let (lines, is_over) = {
+            let (lines, inputs, is_over) = {
                 let state = shared.state();
                 let wait = |state: &mut RecordingState| !state.is_over;
                 let waited = shared.changed.wait_timeout_while(state, WRITE_EVERY, wait);
                 let (mut state, _) = waited.unwrap_or_else(PoisonError::into_inner);
-                (std::mem::take(&mut state.lines), state.is_over)
+                let lines = std::mem::take(&mut state.lines);
+                (lines, std::mem::take(&mut state.inputs), state.is_over)
             };
-            let outcome = self.write(&lines);
+            let outcome = self.write(&lines).and_then(|()| self.write_inputs(&inputs));
             let mut state = shared.state();
-            state.bytes = self.frames.len() + self.journal.len();
+            state.bytes = self.len();
             if let Err(fault) = outcome {
                 state.fault = Some(fault);
                 state.has_stopped = true;
@@ -429,10 +453,34 @@ impl RecordWriter {
         }
     }
 
+    /// Bytes written so far.
+    fn len(&self) -> u64 {
+        let inputs = self.inputs.as_ref().map_or(0, AppendFile::len);
+        self.frames.len() + self.journal.len() + inputs
+    }
+
+    fn write_inputs(&mut self, lines: &str) -> Result<(), RecordingFault> {
+        if lines.is_empty() {
+            return Ok(());
+        }
+        if self.inputs.is_none() {
+            let name = self.journal.path().to_string_lossy().into_owned();
+            let stem = name.strip_suffix(JOURNAL).unwrap_or(&name);
+            let made = AppendFile::create(PathBuf::from(format!("{stem}{INPUTS}")));
+            self.inputs = made.map_err(RecordingFault::Unwritable)?;
+        }
+        let Some(inputs) = &mut self.inputs else {
+            return Ok(());
+        };
+        inputs
+            .append(lines.as_bytes())
+            .map_err(RecordingFault::Unwritable)
+    }
+
     fn write(&mut self, lines: &str) -> Result<(), RecordingFault> {
         // Frames first: a journal may lack its last lines, but names no frame that is not there.
         let frames = (self.source)();
-        let len = self.frames.len() + self.journal.len() + frames.len() as u64;
+        let len = self.len() + frames.len() as u64;
         let is_full = len > self.most_bytes;
         let written = if is_full {
             Ok(())

@@ -23,6 +23,8 @@ use crate::scoring::TryReport;
 const MOMENT: &str = "%Y-%m-%dT%H:%M:%SZ";
 /// How a run's file ends.
 pub(super) const ENDING: &str = ".run.jsonl";
+/// How the file of what entered its simulated vehicles ends.
+pub(super) const INPUTS: &str = ".inputs.jsonl";
 /// How its name begins, with any digits.
 const STAMP: &str = "0000-00-00T00-00-00Z_";
 /// Runs that are kept; the oldest go first.
@@ -164,10 +166,12 @@ impl Runs {
     fn make_room(&self) {
         let mut bytes = 0;
         for (newer, path) in self.files().into_iter().rev().enumerate() {
-            bytes += fs::metadata(&path).map_or(0, |file| file.len());
+            let len = |path: &Path| fs::metadata(path).map_or(0, |file| file.len());
+            bytes += len(&path) + len(&inputs_of(&path));
             let is_too_much = newer + 1 >= RUNS_KEPT || bytes > BYTES_KEPT;
             if newer > 0 && is_too_much {
                 // What cannot be removed stays; the new run is worth more than the order.
+                drop(fs::remove_file(inputs_of(&path)));
                 drop(fs::remove_file(path));
             }
         }
@@ -189,6 +193,7 @@ impl RunFile {
 
     /// Removes the file. Where it cannot be, it stays a flight without an end, which counts for nothing.
     pub fn discard(self) {
+        drop(fs::remove_file(inputs_of(self.path())));
         drop(fs::remove_file(self.path()));
     }
 
@@ -196,6 +201,40 @@ impl RunFile {
     pub fn id(&self) -> &str {
         run_id(self.0.path())
     }
+}
+
+/// The file of what enters the simulated vehicles of a run, while it is flown.
+#[derive(Debug)]
+pub struct InputsFile(AppendFile);
+
+impl RunFile {
+    /// Begins the file of what enters the run's simulated vehicles, beside the run's.
+    ///
+    /// # Errors
+    /// It cannot be created.
+    pub fn begin_inputs(&self) -> Result<InputsFile, StoreError> {
+        let path = inputs_of(self.path());
+        let file = AppendFile::create(path.clone())?.map(InputsFile);
+        file.ok_or_else(|| StoreError::Unwritable {
+            path,
+            error: io::ErrorKind::AlreadyExists.into(),
+        })
+    }
+}
+
+impl InputsFile {
+    /// Adds whole lines.
+    ///
+    /// # Errors
+    /// The disk is full or gone.
+    pub fn append(&mut self, lines: &str) -> Result<(), StoreError> {
+        self.0.append(lines.as_bytes())
+    }
+}
+
+/// The file of what entered a run's simulated vehicles, by the run's file.
+fn inputs_of(run: &Path) -> PathBuf {
+    run.with_file_name(format!("{}{INPUTS}", run_id(run)))
 }
 
 /// The id of a run by its file.

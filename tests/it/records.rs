@@ -201,3 +201,53 @@ fn a_console_that_is_killed_leaves_a_record_to_be_read() {
         "{page}"
     );
 }
+
+#[test]
+fn a_record_is_verified_as_long_as_it_is_not_edited() {
+    let data = tempfile::tempdir().expect("a temporary folder");
+    let into = data.path().join("runs").to_string_lossy().into_owned();
+    let flown = run(
+        data.path(),
+        "",
+        &[&FLIGHT[..], &["--record", &into]].concat(),
+    );
+    assert_eq!(flown.status.code(), Some(0), "{}", said(&flown));
+    let file = runs(Path::new(&into)).remove(0);
+    let name = file.to_string_lossy().into_owned();
+    let verify = |code: i32| {
+        let output = run(data.path(), "", &["verify", &name, "--json"]);
+        assert_eq!(output.status.code(), Some(code), "{}", said(&output));
+        let document: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+        document
+    };
+    let good = verify(0);
+    assert_eq!(good["verdict"], "verified");
+    assert_eq!(
+        (&good["score"], &good["flown_by"]),
+        (&good["recorded_score"], &"bundled".into())
+    );
+    let record = fs::read_to_string(&file).expect("there");
+    // Each row: what is edited, and the verdict.
+    for (from, to, verdict) in [
+        ("weights = {", "weights = { ", "other_mission"),
+        ("\"seed\":1,", "\"seed\":2,", "differs"),
+        (
+            "{\"tick\":{\"t\":40000,",
+            "{\"tick\":{\"t\":39900,",
+            "differs",
+        ),
+        (
+            "\"flown_by\":\"bundled-pilot\"",
+            "\"flown_by\":\"hand\"",
+            "verified",
+        ),
+    ] {
+        assert!(record.contains(from), "{from}");
+        fs::write(&file, record.replacen(from, to, 1)).expect("it is written");
+        let code = i32::from(verdict != "verified");
+        assert_eq!(verify(code)["verdict"], verdict, "{from}");
+    }
+    fs::write(&file, &record).expect("it is written");
+    fs::remove_file(name.replace(".run.", ".inputs.")).expect("it was there");
+    assert_eq!(verify(1)["verdict"], "rescored");
+}

@@ -70,6 +70,22 @@ impl Autopilot {
         }
     }
 
+    /// The vehicle, and the state of everything else that decides.
+    pub(super) fn state(&self) -> (&Vehicle, [&dyn std::fmt::Debug; 6]) {
+        let Self {
+            vehicle,
+            auto_plan,
+            failsafe,
+            crash,
+            counters,
+            workbench,
+            reboot_at,
+        } = self;
+        let watches: [&dyn std::fmt::Debug; 6] =
+            [auto_plan, failsafe, crash, counters, workbench, reboot_at];
+        (vehicle, watches)
+    }
+
     /// The same vehicle, which takes as long to boot as a real one.
     pub(super) fn booting_realistically(mut self) -> Self {
         self.vehicle.boot = Boot::new(true);

@@ -51,7 +51,8 @@
 //!   parts in order. Its `telemetry` reports.
 //! - Ground stations: `commands`, `guided` (setpoints) and `transfer` (lists, files, logs) are what they ask for;
 //!   `inbound` understands it. `schedule`, `signing`, `link` and `port` are the way there; `slot` is a vehicle with its
-//!   connections, `truth` what really becomes of it. `collision` is between bodies.
+//!   connections, `truth` what really becomes of it. `collision` is between bodies. `input` is what enters a world,
+//!   and `fingerprint` a number for a vehicle's state: to fly a flight again, and to see that it is the same.
 
 #![warn(missing_docs)]
 
@@ -72,10 +73,12 @@ mod crash;
 mod estimator;
 mod failsafe;
 mod fence;
+mod fingerprint;
 mod flight_log;
 mod frame;
 mod guided;
 mod inbound;
+mod input;
 mod kinematics;
 mod link;
 mod mask;
@@ -118,6 +121,7 @@ use self::autopilot::Autopilot;
 use self::collision::Collisions;
 pub use self::collision::{Collision, Met, Obstacle, Placement, Shape};
 pub use self::config::{Serial, Start, WorldConfig};
+pub use self::input::{Input, InputKind};
 pub use self::parameters::{AliasSense, other_name};
 use self::slot::VehicleSlot;
 pub use self::truth::Truth;
@@ -136,6 +140,23 @@ pub struct PortId {
     number: u64,
 }
 
+impl PortId {
+    /// The connection with a number, to a vehicle: of another world that has the same inputs.
+    pub fn numbered(vehicle: usize, number: u64) -> Self {
+        Self { vehicle, number }
+    }
+
+    /// The vehicle, counted from 0.
+    pub fn vehicle(self) -> usize {
+        self.vehicle
+    }
+
+    /// The number of the connection: the world counts them from 0, over all vehicles.
+    pub fn number(self) -> u64 {
+        self.number
+    }
+}
+
 /// Vehicles and the ground stations on them.
 #[derive(Debug)]
 pub struct World {
@@ -144,6 +165,8 @@ pub struct World {
     connections: usize,
     steps: u64,
     collisions: Collisions,
+    /// What has entered since it was last taken, where that is kept.
+    inputs: Option<Vec<Input>>,
 }
 
 impl World {
@@ -171,6 +194,69 @@ impl World {
             connections: 0,
             steps: 0,
             collisions: Collisions::new(config.starts.first().copied(), &config.obstacles),
+            inputs: None,
+        }
+    }
+
+    /// Keeps what enters from now on, for [`take_inputs`](Self::take_inputs).
+    pub fn keep_inputs(&mut self) {
+        self.inputs.get_or_insert_default();
+    }
+
+    /// Removes and returns what has entered since the last call, in order, where that is kept.
+    pub fn take_inputs(&mut self) -> Vec<Input> {
+        self.inputs.as_mut().map(std::mem::take).unwrap_or_default()
+    }
+
+    /// Has the same enter as once entered another world. A world with the same configuration, the same inputs after
+    /// the same steps, and whose outputs are taken after each step, flies the same. Returns whether it can be: there
+    /// is such a vehicle, and the connection has that number here as well.
+    pub fn enter(&mut self, input: &Input) -> bool {
+        let port = PortId {
+            vehicle: input.vehicle,
+            number: input.connection,
+        };
+        if input.vehicle >= self.slots.len() {
+            return false;
+        }
+        match &input.what {
+            InputKind::Connected(serial) => return self.connect_to(input.vehicle, *serial) == port,
+            InputKind::Disconnected => self.disconnect(port),
+            InputKind::Bytes(bytes) => self.receive(port, bytes),
+        }
+        true
+    }
+
+    /// How many steps the world has made.
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// A number for the whole state of a vehicle, counted from 0: vehicles that differ in anything that decides what
+    /// they do next have different numbers, but for a chance of one in 2^64.
+    ///
+    /// # Panics
+    /// If there is no such vehicle ([`vehicles`](Self::vehicles) tells how many there are).
+    pub fn fingerprint(&self, vehicle: usize) -> u64 {
+        self.slots[vehicle].fingerprint()
+    }
+
+    /// The value of a parameter of a vehicle, counted from 0; 0 if there is no such parameter.
+    ///
+    /// # Panics
+    /// If there is no such vehicle ([`vehicles`](Self::vehicles) tells how many there are).
+    pub fn parameter(&self, vehicle: usize, name: &str) -> f64 {
+        self.slots[vehicle].autopilot.vehicle.parameters.value(name)
+    }
+
+    fn keep(&mut self, port: PortId, what: impl FnOnce() -> InputKind) {
+        if let Some(inputs) = &mut self.inputs {
+            inputs.push(Input {
+                step: self.steps,
+                vehicle: port.vehicle,
+                connection: port.number,
+                what: what(),
+            });
         }
     }
 
@@ -207,11 +293,14 @@ impl World {
             slot.connect(number, serial);
             self.connections += 1;
         }
-        PortId { vehicle, number }
+        let port = PortId { vehicle, number };
+        self.keep(port, || InputKind::Connected(serial));
+        port
     }
 
     /// Detaches a ground station. The vehicle flies on.
     pub fn disconnect(&mut self, port: PortId) {
+        self.keep(port, || InputKind::Disconnected);
         let slot = self.slots.get_mut(port.vehicle);
         if slot.is_some_and(|slot| slot.disconnect(port.number)) {
             self.connections -= 1;
@@ -233,6 +322,7 @@ impl World {
     /// Hands bytes to the vehicle. It handles them at once: the answers are ready for
     /// [`take_output`](Self::take_output).
     pub fn receive(&mut self, port: PortId, bytes: &[u8]) {
+        self.keep(port, || InputKind::Bytes(bytes.to_vec()));
         if let Some(slot) = self.slots.get_mut(port.vehicle) {
             slot.receive(port.number, bytes);
         }

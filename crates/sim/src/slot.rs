@@ -14,9 +14,9 @@ use super::transfer::Transfers;
 #[derive(Debug)]
 pub(super) struct VehicleSlot {
     pub(super) autopilot: Autopilot,
-    serials: Serials,
+    pub(super) serials: Serials,
     /// Under the numbers that the world gave them.
-    ports: Vec<(u64, Port)>,
+    pub(super) ports: Vec<(u64, Port)>,
 }
 
 impl VehicleSlot {

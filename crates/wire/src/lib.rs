@@ -46,6 +46,14 @@ pub const GROUND_STATION_SYSTEM: SystemId = 255;
 /// The component id of a ground station's mission planner (`MAV_COMP_ID_MISSIONPLANNER`).
 pub const GROUND_STATION_COMPONENT: ComponentId = 190;
 
+/// What carries secrets: `SETUP_SIGNING` a key, `WIFI_CONFIG_AP` a password.
+const SECRET: [u32; 2] = [256, 299];
+
+/// Whether messages with an id carry secrets, which are no part of any record.
+pub fn is_secret(id: u32) -> bool {
+    SECRET.contains(&id)
+}
+
 /// What makes a vehicle take this program for a ground station. ArduPilot sends nothing but heartbeats
 /// until it has heard one.
 pub fn ground_station_heartbeat() -> Outgoing {

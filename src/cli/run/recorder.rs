@@ -2,10 +2,11 @@
 
 use std::time::{Duration, SystemTime};
 
+use crate::exercise::Exercise;
 use crate::mission::Flight;
 use crate::mission::record::Occasion;
 use crate::notice::Notice;
-use crate::store::{Landing, RunFile, Runs, StoreError};
+use crate::store::{InputsFile, Landing, RunFile, Runs, StoreError};
 use crate::text;
 use crate::text::{Locale, Text};
 
@@ -31,6 +32,8 @@ pub(super) struct RunRecorder<'a> {
     /// The unique name of the run.
     id: String,
     file: Option<RunFile>,
+    /// Where what enters simulated vehicles is recorded.
+    inputs: Option<InputsFile>,
     /// What is not written yet.
     piece: String,
 }
@@ -47,6 +50,7 @@ impl<'a> RunRecorder<'a> {
             plan,
             locale,
             file: None,
+            inputs: None,
             piece: String::new(),
         };
         match begun {
@@ -67,6 +71,34 @@ impl<'a> RunRecorder<'a> {
         flight.set_stake(self.plan.occasion.stake);
         if self.file.is_some() {
             flight.start_record(&self.plan.occasion);
+        }
+    }
+
+    /// Makes a flight in the embedded simulator ready for it.
+    pub fn prepare_embedded(&mut self, exercise: &mut Exercise) {
+        self.prepare(exercise.flight_mut());
+        match self.file.as_ref().map(RunFile::begin_inputs) {
+            Some(Ok(file)) => {
+                self.inputs = Some(file);
+                exercise.record_inputs();
+            }
+            Some(Err(error)) => self.complain(&error),
+            None => {}
+        }
+    }
+
+    /// Writes what has entered the simulated vehicles, as often as the run is written, and as long as it is.
+    pub fn keep_inputs(&mut self, exercise: &mut Exercise) {
+        if self.file.is_none() {
+            self.inputs = None;
+        }
+        let Some(file) = self.inputs.as_mut().filter(|_| self.piece.is_empty()) else {
+            return;
+        };
+        let lines = exercise.take_inputs();
+        if let Err(error) = file.append(&lines) {
+            self.inputs = None;
+            self.complain(&error);
         }
     }
 

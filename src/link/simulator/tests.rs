@@ -1,6 +1,7 @@
 //! The simulator's server, over pipes under a paused clock and over real sockets.
 
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 use mavlink::dialects::ardupilotmega::{COMMAND_LONG_DATA, MavCmd, MavMessage};
 use tokio::net::TcpListener;
@@ -10,10 +11,12 @@ use super::*;
 use crate::geo::LatLon;
 use crate::link::tests::{Rig, is_heartbeat};
 use crate::link::{LinkState, To, Transport};
-use crate::sim::{Start, WorldConfig};
+use crate::mission::record::refly;
+use crate::record::StoredInputs;
+use crate::sim::{Airframe, Start, WorldConfig};
 use crate::wire::{Content, Outgoing};
 
-fn world(vehicles: usize) -> World {
+fn config(vehicles: usize) -> WorldConfig {
     let first = Start {
         at: LatLon {
             lat_deg: 50.0,
@@ -22,7 +25,11 @@ fn world(vehicles: usize) -> World {
         altitude_amsl_m: 100.0,
         heading_deg: 0.0,
     };
-    World::new(&WorldConfig::row(vehicles, first))
+    WorldConfig::row(vehicles, first)
+}
+
+fn world(vehicles: usize) -> World {
+    World::new(&config(vehicles))
 }
 
 async fn start(vehicles: usize, speedup: f64, endpoint: Endpoint) -> StartedSimulator {
@@ -282,4 +289,38 @@ async fn another_pace_holds_from_then_on() {
     });
     let count = heartbeats(&mut rig, Duration::from_secs(10)).await;
     assert!((38..=42).contains(&count), "{count}");
+}
+
+/// A vehicle that reboots drops its connection, and another is made.
+#[tokio::test(start_paused = true)]
+async fn what_has_entered_a_simulator_flies_it_again() {
+    let head = InputsHead::of(&config(2), &[] as &[Arc<Airframe>]);
+    let (sink, cancel) = (InputSink::default(), CancellationToken::new());
+    let record = Some((head, sink.clone()));
+    let pipes = [Endpoint::Pipes];
+    let started = Simulator::start_recorded(world(2), 3.0, &pipes, record, cancel.clone()).await;
+    let mut started = started.expect("the simulator starts");
+    let mut rig = Rig::over(Transport::Pipe(started.pipes.remove(0)));
+    heartbeats(&mut rig, Duration::from_secs(3)).await;
+    assert!(rig.link.send(To::Everyone, all_streams(1)));
+    heartbeats(&mut rig, Duration::from_secs(3)).await;
+    assert!(rig.link.send(To::Everyone, reboot(1)));
+    heartbeats(&mut rig, Duration::from_secs(4)).await;
+    cancel.cancel();
+    started.task.await.expect("no panic");
+    let written = sink.take();
+    let inputs = StoredInputs::read(&written).expect("a log");
+    assert!(
+        inputs.is_whole() && inputs.lasts() > Duration::from_secs(25),
+        "{written}"
+    );
+    assert_eq!(written.matches("\"on\"").count(), 3, "{written}");
+    assert_eq!(refly(&mut config(2), &inputs), None);
+    let line = written
+        .lines()
+        .find(|line| line.contains("420000"))
+        .expect("the request");
+    let lacking = StoredInputs::read(&written.replace(&format!("{line}\n"), "")).expect("a log");
+    let difference = refly(&mut config(2), &lacking).expect("it lacks the request");
+    assert_eq!(difference.vehicle, Some(1));
 }

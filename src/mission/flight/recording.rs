@@ -14,6 +14,14 @@ impl Flight {
         self.recorder = Some(Box::new(Recorder::new(&head)));
     }
 
+    /// Says how many steps the simulator of its vehicles has made by now: where that goes by a clock of its own, the
+    /// record tells which of its steps was seen in which of the mission's.
+    pub fn note_simulated(&mut self, steps: u64) {
+        if let Some(recorder) = &mut self.recorder {
+            recorder.note_simulated(steps);
+        }
+    }
+
     /// What was recorded since the last call: whole lines.
     pub fn take_record(&mut self) -> String {
         let recorder = self.recorder.as_mut();

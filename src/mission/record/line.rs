@@ -1,11 +1,14 @@
 //! The lines of a record after its head.
 
+use std::time::Duration;
+
 use serde::{Deserialize, Serialize};
 
 use super::End;
 use super::observed::ObservedVehicle;
 use crate::commands::Deed;
 use crate::record::{EntryLine, RowLine};
+use crate::sim::STEP;
 use crate::vehicle::VehicleId;
 
 /// One line after the head.
@@ -16,6 +19,9 @@ pub(super) enum RecordLine {
     Tick {
         /// Mission time in ms.
         t: u64,
+        /// How many steps the simulator had made by then, where its time is not the mission's.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        s: Option<u64>,
         #[serde(flatten)]
         change: RecordChange,
     },
@@ -45,7 +51,33 @@ pub(super) enum RecordLine {
     },
 }
 
+/// What a line says was shown of vehicles.
+pub(super) struct ShownVehicles<'a> {
+    /// The mission's time.
+    pub(super) mission: Duration,
+    /// The simulator's time, where it is another.
+    pub(super) simulated: Option<Duration>,
+    pub(super) vehicles: &'a [ObservedVehicle],
+}
+
 impl RecordLine {
+    /// What it says was shown of vehicles, where it is a step.
+    pub(super) fn shown(&self) -> Option<ShownVehicles<'_>> {
+        match self {
+            Self::Tick { t, s, change } => Some(ShownVehicles {
+                mission: Duration::from_millis(*t),
+                simulated: s.map(|steps| STEP * u32::try_from(steps).unwrap_or(u32::MAX)),
+                vehicles: &change.v,
+            }),
+            Self::Act { .. }
+            | Self::Lose { .. }
+            | Self::Inject { .. }
+            | Self::Pause { .. }
+            | Self::Abandon
+            | Self::End { .. } => None,
+        }
+    }
+
     /// Its mission time in ms, where it has one.
     pub(super) fn time(&self) -> Option<u64> {
         match self {

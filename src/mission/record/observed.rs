@@ -6,6 +6,8 @@ use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::geo::LatLon;
 use crate::mission::saying::TextListener;
+use crate::text;
+use crate::text::Text;
 use crate::vehicle::{
     Battery, Ekf, EkfFlags, GlobalPosition, Health, Heartbeat, LandedState, Mode, Severity,
     StatusText, SystemStatus, TEXTS_KEPT, Unheard, Vehicle, VehicleClass, VehicleId,
@@ -72,20 +74,7 @@ pub(super) struct WatchedVehicle {
 impl WatchedVehicle {
     /// What is new about the vehicle since the last call; `None` where nothing is.
     pub fn changes(&mut self, id: VehicleId, vehicle: &Vehicle) -> Option<ObservedVehicle> {
-        let now = ObservedVehicle {
-            id,
-            lost: Some(vehicle.link.lost),
-            mode: vehicle.heartbeat.map(|heartbeat| {
-                let mode = heartbeat.mode;
-                (mode.class, mode.number, heartbeat.armed)
-            }),
-            landed: Some(vehicle.landed),
-            ready: Some(vehicle.ready_to_arm()),
-            at: Some(vehicle.global.map(position)),
-            unheard: Some(vehicle.unheard.map(unheard)),
-            battery: vehicle.battery().map(battery),
-            said: Vec::new(),
-        };
+        let now = ObservedVehicle::of(id, vehicle);
         let said = self
             .listener
             .listen(vehicle)
@@ -119,6 +108,77 @@ impl WatchedVehicle {
 }
 
 impl ObservedVehicle {
+    /// All that is known of a vehicle now; what it has said is left out.
+    pub fn of(id: VehicleId, vehicle: &Vehicle) -> Self {
+        Self {
+            id,
+            lost: Some(vehicle.link.lost),
+            mode: vehicle.heartbeat.map(|heartbeat| {
+                let mode = heartbeat.mode;
+                (mode.class, mode.number, heartbeat.armed)
+            }),
+            landed: Some(vehicle.landed),
+            ready: Some(vehicle.ready_to_arm()),
+            at: Some(vehicle.global.map(position)),
+            unheard: Some(vehicle.unheard.map(unheard)),
+            battery: vehicle.battery().map(battery),
+            said: Vec::new(),
+        }
+    }
+
+    /// Takes over what has changed.
+    pub fn update(&mut self, changes: &Self) {
+        let Self {
+            id: _,
+            lost,
+            mode,
+            landed,
+            ready,
+            at,
+            unheard,
+            battery,
+            said: _,
+        } = changes;
+        self.lost = lost.or(self.lost);
+        self.mode = mode.or(self.mode);
+        self.landed = landed.or(self.landed);
+        self.ready = ready.or(self.ready);
+        self.at = at.or(self.at);
+        self.unheard = unheard.or(self.unheard);
+        self.battery = battery.or(self.battery);
+    }
+
+    /// What it said.
+    pub fn said(&self) -> &[String] {
+        &self.said
+    }
+
+    /// What of this a vehicle has not shown, if it was `known` to be so and so one after the other. Whether the link was
+    /// lost is the console's own judgement.
+    pub fn unseen<'a>(&self, known: impl Iterator<Item = &'a Self> + Clone) -> Option<Text> {
+        let lacks = |is_so: &dyn Fn(&Self) -> bool| !known.clone().any(is_so);
+        let unheard = self.unheard.flatten();
+        let is_unheard = |it: &Self| {
+            let at = it.at.flatten();
+            at.map(|(lat, lon, _, up, ..)| (lat, lon, up)) == unheard
+        };
+        if self.at.is_some() && lacks(&|it| it.at == self.at)
+            || unheard.is_some() && lacks(&is_unheard)
+        {
+            return Some(text!("verify-other-position"));
+        }
+        if self.mode.is_some() && lacks(&|it| it.mode == self.mode) {
+            return Some(text!("verify-other-mode"));
+        }
+        if self.landed.is_some() && lacks(&|it| it.landed == self.landed)
+            || self.ready.is_some() && lacks(&|it| it.ready == self.ready)
+        {
+            return Some(text!("verify-other-condition"));
+        }
+        let is_other = self.battery.is_some() && lacks(&|it| it.battery == self.battery);
+        is_other.then(|| text!("verify-other-battery"))
+    }
+
     pub fn id(&self) -> VehicleId {
         self.id
     }

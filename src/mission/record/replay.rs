@@ -6,13 +6,14 @@ use std::time::Duration;
 
 use super::{End, Head, RecordChange, RecordLine, VERSION};
 use crate::diagnostic::Diagnostic;
-use crate::ledger::{EntryId, Given, Ledger, RowUpdate};
+use crate::ledger::{EntryId, Given, Ledger, RowState, RowUpdate};
 use crate::mission::{Flight, Mission, Stake, TICK};
 use crate::notice::Notice;
 use crate::scoring::{FlightBackend, Report};
+use crate::session::Want;
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::Vehicles;
+use crate::vehicle::{VehicleId, Vehicles};
 use crate::workshop::Design;
 
 /// A record as it was read.
@@ -21,7 +22,7 @@ pub struct Stored {
     pub head: Head,
     /// What is wrong with the rest of the file: up to where it could be read.
     pub damage: Option<Text>,
-    lines: Arc<Vec<RecordLine>>,
+    pub(super) lines: Arc<Vec<RecordLine>>,
 }
 
 /// A record scored again.
@@ -201,9 +202,24 @@ impl Reenactment {
         }
     }
 
+    /// What the mission has demanded of vehicles since the last call.
+    pub(super) fn take_wants(&mut self) -> impl Iterator<Item = (VehicleId, Want)> + use<> {
+        let demands = self.flight.take_demands();
+        demands
+            .into_iter()
+            .map(|demand| (demand.vehicle, demand.want))
+    }
+
+    /// How often commands to a vehicle were sent whose rows stand so.
+    pub(super) fn tries_of(&self, vehicle: VehicleId, states: &[RowState]) -> u32 {
+        let rows = self.ledger.entries().flat_map(|entry| &entry.rows);
+        let counted = rows.filter(|row| row.vehicle == vehicle && states.contains(&row.state));
+        counted.map(|row| u32::from(row.tries)).sum()
+    }
+
     fn take(&mut self, line: &RecordLine) {
         match line {
-            RecordLine::Tick { t, change } => {
+            RecordLine::Tick { t, change, .. } => {
                 let at = Duration::from_millis(*t);
                 self.pass(at);
                 self.change(change, at);

@@ -9,6 +9,7 @@ use super::{RunningSession, recorder};
 use crate::app::event::{Event, SessionEvent};
 use crate::app::state::{FlightView, Hangar, SitlStage};
 use crate::exercise::{FlightDriver, FlightPace, PacedClock};
+use crate::link::InputSink;
 use crate::mission::record::Occasion;
 use crate::mission::{Clock, Demand, Flight, Mission, Pledge, Stake};
 use crate::notice::Notice;
@@ -24,6 +25,8 @@ pub(super) struct MissionRun {
     logbook: Option<Logbook>,
     /// What its vehicles are.
     backend: FlightBackend,
+    /// Where what enters its simulated vehicles is taken down.
+    inputs: Option<InputSink>,
     /// What the mission demands of vehicles that have not been told yet, oldest first.
     wanted: VecDeque<Demand>,
     /// The vehicles whose processes have ended.
@@ -54,10 +57,13 @@ impl MissionRun {
     }
 
     /// A mission with the embedded simulator, so many simulated seconds per second.
-    pub fn embedded(flight: Flight, speedup: f64) -> Self {
+    pub fn embedded(flight: Flight, speedup: f64, inputs: Option<InputSink>) -> Self {
         let clock = PacedClock::new(speedup, Duration::ZERO);
         let driver = FlightDriver::new(flight, FlightPace::Scaled(clock));
-        Self::new(driver, FlightBackend::Embedded)
+        Self {
+            inputs,
+            ..Self::new(driver, FlightBackend::Embedded)
+        }
     }
 
     /// A mission with vehicles that have to be started first.
@@ -71,6 +77,7 @@ impl MissionRun {
             driver,
             logbook: None,
             backend,
+            inputs: None,
             wanted: VecDeque::new(),
             lost: BTreeSet::new(),
             ended: false,
@@ -111,6 +118,9 @@ impl MissionRun {
         }
         let until = self.time(now, shown);
         let mut events = self.note_losses(now, shown);
+        if let Some(inputs) = &self.inputs {
+            self.driver.flight_mut().note_simulated(inputs.steps());
+        }
         while let Some(tick) = self.driver.tick(until) {
             let flight = self.driver.flight_mut();
             let said = flight.step(tick, shown.vehicles(), shown.ledger());

@@ -6,7 +6,7 @@ use std::time::{Duration, SystemTime, UNIX_EPOCH};
 use crate::app::event::{Started, VehicleEvent};
 use crate::app::state::Activity;
 use crate::fleet::FleetClock;
-use crate::link::FrameSink;
+use crate::link::{FrameSink, InputSink};
 use crate::record::{Happening, Head, JournalLine, LossLine, RowLine, Subject};
 use crate::session::Want;
 use crate::store::{Recording, RecordingFault, Records, utc};
@@ -17,6 +17,8 @@ use crate::vehicle::VehicleId;
 /// Records a session. Its clock is the session's, which stands still in a pause.
 pub(super) struct FlightRecorder {
     sink: FrameSink,
+    /// Where what enters simulated vehicles waits.
+    inputs: InputSink,
     began_unix_us: u64,
     /// When it began, on the program's clock.
     began_at: Duration,
@@ -37,6 +39,7 @@ impl FlightRecorder {
         let stamp = move || began_unix_us + micros(clock.now().saturating_sub(began_at));
         Self {
             sink: FrameSink::new(stamp),
+            inputs: InputSink::default(),
             began_unix_us,
             began_at,
             recording: None,
@@ -48,6 +51,18 @@ impl FlightRecorder {
     /// Where frames are taken down.
     pub fn sink(&self) -> FrameSink {
         self.sink.clone()
+    }
+
+    /// Where what enters simulated vehicles is taken down.
+    pub fn inputs(&self) -> InputSink {
+        self.inputs.clone()
+    }
+
+    /// Hands over what has entered simulated vehicles.
+    pub fn pass_inputs(&self) {
+        if let Some(recording) = &self.recording {
+            recording.note_inputs(&self.inputs.take());
+        }
     }
 
     /// Begins the files of a session that has started; those of a mission are called like its run.
@@ -82,6 +97,7 @@ impl FlightRecorder {
 
     /// Notes that the session was ended as usual.
     pub fn end(&self) {
+        self.pass_inputs();
         if let Some(recording) = &self.recording {
             recording.note_end();
         }
@@ -111,6 +127,7 @@ impl FlightRecorder {
 
     fn stop(&mut self, fault: Text) {
         self.sink.close();
+        self.inputs.close();
         self.fault = Some(fault);
     }
 }

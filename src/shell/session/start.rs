@@ -23,6 +23,7 @@ use crate::link::{Address, Endpoint, Simulator, SimulatorPace, Transport};
 use crate::mission::record::Occasion;
 use crate::mission::{Flight, Mission, Stake};
 use crate::operator::Operator;
+use crate::record::InputsHead;
 use crate::scoring::TryReport;
 use crate::sim::{Start, World, WorldConfig};
 use crate::store::{Records, Runs};
@@ -173,7 +174,10 @@ impl RunningSession {
         self.simulate(config, backend, before).await?;
         let mut mission_run = match self.processes {
             Some(_) => MissionRun::of_processes(flight, backend.speedup),
-            None => MissionRun::embedded(flight, backend.speedup),
+            None => {
+                let inputs = self.recorder.as_ref().map(FlightRecorder::inputs);
+                MissionRun::embedded(flight, backend.speedup, inputs)
+            }
         };
         if let Some(runs) = &backend.runs {
             mission_run.record(runs, backend.occasion.clone(), backend.earlier.clone());
@@ -212,12 +216,16 @@ impl RunningSession {
             self.processes = Some(processes);
             return Ok(());
         }
+        let record = self.recorder.as_ref().map(|recorder| {
+            let head = InputsHead::of(&world, &simulation.airframes);
+            (head, recorder.inputs())
+        });
         let world = World::new(&simulation.of(world));
         // One in-memory pipe per vehicle, no port that others could reach.
         let endpoints = [Endpoint::Pipes];
         let cancel = self.cancel.clone();
         let pace = self.pace.subscribe();
-        let simulator = Simulator::start(world, pace, &endpoints, cancel).await?;
+        let simulator = Simulator::start_recorded(world, pace, &endpoints, record, cancel).await?;
         for pipe in simulator.pipes {
             self.fleet.connect(Transport::Pipe(pipe))?;
         }

@@ -18,7 +18,7 @@ pub(crate) struct Plant {
     pub(crate) battery: Battery,
     pub(crate) wind: Wind,
     /// Density of the air at the start.
-    start_density: f64,
+    pub(crate) start_density: f64,
 }
 
 impl Plant {

@@ -84,7 +84,7 @@ fn lost(events: &[Event]) -> Vec<VehicleId> {
 
 #[test]
 fn a_mission_begins_when_its_vehicles_are_heard_so_that_each_has_its_own_seat() {
-    let mut run = MissionRun::embedded(flight(), 2.0);
+    let mut run = MissionRun::embedded(flight(), 2.0, None);
     run.fly(s(5), &shown(&[2]));
     run.fly(s(7), &shown(&[2, 3]));
     assert_eq!(run.driver.flight().progress().elapsed, Duration::ZERO);
@@ -98,7 +98,7 @@ fn a_mission_begins_when_its_vehicles_are_heard_so_that_each_has_its_own_seat() 
 
 #[test]
 fn a_vehicle_that_is_never_heard_does_not_hold_a_mission_up_for_ever() {
-    let mut run = MissionRun::embedded(flight(), 1.0);
+    let mut run = MissionRun::embedded(flight(), 1.0, None);
     run.fly(s(5), &shown(&[1, 2]));
     run.fly(s(14), &shown(&[1, 2]));
     assert_eq!(run.driver.flight().progress().elapsed, Duration::ZERO);

@@ -1,0 +1,109 @@
+//! A number for a vehicle's whole state, to tell whether two flights are the same.
+
+use std::fmt::{self, Debug, Write as _};
+
+use super::autopilot::Autopilot;
+use super::port::Serials;
+use super::slot::VehicleSlot;
+use super::vehicle::{Plant, Vehicle};
+
+/// 64-bit FNV-1a over what the state looks like as text: numbers are written with all their digits.
+struct Fingerprint(u64);
+
+impl Fingerprint {
+    fn add(&mut self, part: &dyn Debug) {
+        // Nothing can fail: nothing is stored.
+        let _ = write!(self, "{part:?};");
+    }
+}
+
+impl fmt::Write for Fingerprint {
+    fn write_str(&mut self, text: &str) -> fmt::Result {
+        for &byte in text.as_bytes() {
+            self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+        }
+        Ok(())
+    }
+}
+
+impl VehicleSlot {
+    /// The fingerprint of everything that decides what the vehicle does next. Left out are what follows from it
+    /// (the tuning), what does not change (the airframe), what only reports (logs, buffers of the ports) and the
+    /// signing key, which may be no part of a record.
+    pub(super) fn fingerprint(&self) -> u64 {
+        let mut print = Fingerprint(0xcbf2_9ce4_8422_2325);
+        let Self {
+            autopilot,
+            serials,
+            ports: _,
+        } = self;
+        let Serials {
+            links,
+            signing: _,
+            transfers,
+        } = serials;
+        print.add(links);
+        print.add(transfers);
+        autopilot.add_to(&mut |part| print.add(part));
+        print.0
+    }
+}
+
+impl Autopilot {
+    /// Shows the parts of its state one after the other.
+    fn add_to(&self, add: &mut dyn FnMut(&dyn Debug)) {
+        let (vehicle, watches) = self.state();
+        for part in watches {
+            add(part);
+        }
+        vehicle.add_to(add);
+    }
+}
+
+impl Vehicle {
+    fn add_to(&self, add: &mut dyn FnMut(&dyn Debug)) {
+        let Self {
+            system,
+            board_id,
+            parameters,
+            tuning: _,
+            plant,
+            estimator,
+            datum,
+            flight,
+            safety,
+            fence,
+            plans,
+            radio,
+            servos_us,
+            boot,
+            log: _,
+            outbox,
+            steps,
+        } = self;
+        plant.add_to(add);
+        let parts: [&dyn Debug; 14] = [
+            system, board_id, parameters, estimator, datum, flight, safety, fence, plans, radio,
+            servos_us, boot, outbox, steps,
+        ];
+        for part in parts {
+            add(part);
+        }
+    }
+}
+
+impl Plant {
+    fn add_to(&self, add: &mut dyn FnMut(&dyn Debug)) {
+        let Self {
+            airframe: _,
+            body,
+            battery,
+            wind,
+            start_density,
+        } = self;
+        let parts: [&dyn Debug; 4] = [body, battery, wind, start_density];
+        for part in parts {
+            add(part);
+        }
+    }
+}

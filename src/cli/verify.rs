@@ -1,0 +1,262 @@
+//! `sortie verify`: a record is flown again, and compared with what it says.
+
+use std::path::Path;
+use std::process::ExitCode;
+
+use clap::Args;
+use serde::Serialize;
+
+use super::records::RecordsCommands;
+use super::settings::CliSettings;
+use super::{Failure, fly};
+use crate::mission::record::{Difference, Rescored, Stored, refly};
+use crate::record::{Head, StoredInputs, Subject};
+use crate::scoring::{FlightBackend, FlownBy, MissionFile};
+use crate::store::{self, RecordFiles, read_run};
+use crate::text;
+use crate::text::{Locale, Text, clock, figure};
+use crate::vehicle::VehicleId;
+
+/// Options of `sortie verify`.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    sortie verify                              the newest record of the console\n  \
+    sortie verify 3 --json\n  \
+    sortie verify runs/2026-11-20T14-03-22Z_01-air-sample_4711-00.run.jsonl")]
+pub(super) struct VerifyArguments {
+    /// The number in the list of `sortie records list`, or a file of the record.
+    #[arg(default_value = "1")]
+    record: String,
+    /// One JSON document instead of words.
+    #[arg(long)]
+    json: bool,
+}
+
+/// What became of it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+enum Verdict {
+    /// Flown again, the flight is what the record says.
+    Verified,
+    /// It is not.
+    Differs,
+    /// It is not, and another program has flown it.
+    OtherProgram,
+    /// The text of the mission is not that of this program's mission of that name.
+    OtherMission,
+    /// It cannot be flown again: its score follows from its telemetry, or does not.
+    Rescored,
+}
+
+/// The result as a document, with units in the names.
+#[derive(Debug, Serialize)]
+struct VerifyDocument {
+    verdict: Verdict,
+    /// What follows from the record; nothing where there is no mission.
+    score: Option<u16>,
+    /// What the record says.
+    recorded_score: Option<u16>,
+    /// Where flight and record first differ, in simulated seconds.
+    at_s: Option<f64>,
+    vehicle: Option<VehicleId>,
+    /// In which way they differ, in English.
+    what: Option<String>,
+    flown_by: Option<FlyingHand>,
+    /// The program that flew it.
+    program: String,
+    /// By which key the record is signed.
+    signed: Option<String>,
+    /// Which desk has witnessed the flight.
+    witnessed: Option<String>,
+    #[serde(skip)]
+    words: Text,
+    #[serde(skip)]
+    is_good: bool,
+}
+
+/// What gave the commands.
+#[derive(Debug, Clone, Copy, Serialize)]
+#[serde(rename_all = "snake_case")]
+enum FlyingHand {
+    Hand,
+    Script,
+    Bundled,
+}
+
+impl From<FlownBy> for FlyingHand {
+    fn from(flown_by: FlownBy) -> Self {
+        match flown_by {
+            FlownBy::Hand => Self::Hand,
+            FlownBy::Script => Self::Script,
+            FlownBy::BundledPilot => Self::Bundled,
+        }
+    }
+}
+
+/// Verifies a record. The exit code tells whether its score can be relied on.
+pub(super) fn verify(
+    options: &VerifyArguments,
+    settings: &CliSettings,
+) -> Result<ExitCode, Failure> {
+    let locale = Locale::new(settings.language());
+    let files = find(&options.record, settings, &locale)?;
+    let invalid = |fault: Text| {
+        let named = Text::joined(": ", vec![files.stem.as_str().into(), fault]);
+        Failure::Invalid(format!("sortie: {}", locale.text(&named)))
+    };
+    let document = judge(&files).map_err(invalid)?;
+    if options.json {
+        say!("{}", serde_json::to_string_pretty(&document)?)?;
+    } else {
+        say!("{}", locale.text(&document.words))?;
+    }
+    Ok(ExitCode::from(u8::from(!document.is_good)))
+}
+
+fn find(named: &str, settings: &CliSettings, locale: &Locale) -> Result<RecordFiles, Failure> {
+    if named.parse::<usize>().is_err() {
+        return Ok(RecordFiles::beside(Path::new(named)));
+    }
+    let records = fly::records(settings).ok_or_else(|| {
+        Failure::Failed(anyhow::anyhow!(
+            "there is no folder for records: give --data, or a file"
+        ))
+    })?;
+    let locale = locale.clone();
+    RecordsCommands { records, locale }.find(named)
+}
+
+fn judge(files: &RecordFiles) -> Result<VerifyDocument, Text> {
+    let read = |path: &Path| read_run(path).map_err(|error| Text::verbatim(error.to_string()));
+    let inputs = files.inputs.as_deref().map(read).transpose()?;
+    let inputs = inputs.as_deref().map(StoredInputs::read).transpose()?;
+    match files.run.as_deref() {
+        Some(run) => judge_run(&Stored::read(&read(run)?)?, inputs.as_ref()),
+        None => judge_free(files.head().ok().as_ref(), inputs.as_ref()),
+    }
+}
+
+/// A flight without a mission: nothing but the flight itself can be compared.
+fn judge_free(head: Option<&Head>, inputs: Option<&StoredInputs>) -> Result<VerifyDocument, Text> {
+    let is_free = head.is_none_or(|head| head.subject == Subject::Free);
+    let (Some(inputs), true) = (inputs, is_free) else {
+        return Err(text!("verify-no-inputs"));
+    };
+    let difference = refly(&mut inputs.head.world(), inputs);
+    let program = inputs.head.program.clone();
+    Ok(match difference {
+        None => VerifyDocument {
+            words: text!("verify-verified-flight", length = clock(inputs.lasts())),
+            is_good: true,
+            ..VerifyDocument::new(Verdict::Verified, program)
+        },
+        Some(difference) => VerifyDocument::differing(difference, program),
+    })
+}
+
+fn judge_run(stored: &Stored, inputs: Option<&StoredInputs>) -> Result<VerifyDocument, Text> {
+    let head = &stored.head;
+    let mission = head.flown()?;
+    let program = head.program.clone();
+    let is_known = match store::mission_file(&mission) {
+        MissionFile::Course | MissionFile::Own => true,
+        MissionFile::OtherRevision | MissionFile::Altered => false,
+    };
+    let document = if !is_known {
+        let hash = format!("{:016x}", crate::hash::fnv1a(head.source.as_bytes()));
+        VerifyDocument {
+            words: text!(
+                "verify-other-mission",
+                mission = mission.id.as_str(),
+                hash = hash
+            ),
+            ..VerifyDocument::new(Verdict::OtherMission, program)
+        }
+    } else if let (Some(inputs), FlightBackend::Embedded) = (inputs, head.backend) {
+        let verification = stored.verify(inputs)?;
+        match verification.difference {
+            None => VerifyDocument {
+                words: text!(
+                    "verify-verified",
+                    score = verification.rescored.report.score
+                ),
+                is_good: true,
+                ..VerifyDocument::new(Verdict::Verified, program)
+            },
+            Some(difference) => VerifyDocument::differing(difference, program),
+        }
+    } else {
+        rescored(&stored.rescore()?, head.backend, program)
+    };
+    Ok(VerifyDocument {
+        score: Some(stored.rescore()?.report.score),
+        recorded_score: stored.end().map(|end| end.score),
+        flown_by: head.flown_by.map(FlyingHand::from),
+        ..document
+    })
+}
+
+/// A flight that cannot be flown again: of ArduPilot, or without its inputs.
+fn rescored(rescored: &Rescored, backend: FlightBackend, program: String) -> VerifyDocument {
+    let score = rescored.report.score;
+    let is_same = rescored.before.is_some_and(|before| before.score == score);
+    let words = match (backend, is_same) {
+        (FlightBackend::Embedded, _) => text!("verify-inputs-missing", score = score),
+        (FlightBackend::ArduPilot, true) => text!("verify-rescored", score = score),
+        (FlightBackend::ArduPilot, false) => text!("verify-rescored-other", score = score),
+    };
+    VerifyDocument {
+        words,
+        is_good: is_same && backend == FlightBackend::ArduPilot,
+        ..VerifyDocument::new(Verdict::Rescored, program)
+    }
+}
+
+impl VerifyDocument {
+    fn new(verdict: Verdict, program: String) -> Self {
+        Self {
+            verdict,
+            score: None,
+            recorded_score: None,
+            at_s: None,
+            vehicle: None,
+            what: None,
+            flown_by: None,
+            program,
+            signed: None,
+            witnessed: None,
+            words: Text::default(),
+            is_good: false,
+        }
+    }
+
+    fn differing(difference: Difference, program: String) -> Self {
+        let Difference { at, vehicle, what } = difference;
+        let seconds = figure(at.as_secs_f64(), 2);
+        let whose = match vehicle {
+            Some(vehicle) => text!("verify-of-vehicle", vehicle = vehicle, what = &what),
+            None => what.clone(),
+        };
+        let (verdict, words) = if program == env!("SORTIE_VERSION") {
+            (
+                Verdict::Differs,
+                text!("verify-differs", seconds = seconds, what = whose),
+            )
+        } else {
+            let text = text!(
+                "verify-other-program",
+                program = program.as_str(),
+                seconds = seconds,
+                what = whose
+            );
+            (Verdict::OtherProgram, text)
+        };
+        Self {
+            at_s: Some(at.as_secs_f64()),
+            vehicle,
+            what: Some(what.to_string()),
+            words,
+            ..Self::new(verdict, program)
+        }
+    }
+}

@@ -1,0 +1,308 @@
+//! Flying a record again in the embedded simulator, from what entered its vehicles.
+//!
+//! The simulated vehicles get the same frames after the same steps. What the record says must then follow: each
+//! fingerprint of their state, everything the mission was shown of them, refusals of commands, and the score.
+
+use std::collections::BTreeMap;
+use std::time::Duration;
+
+use super::line::ShownVehicles;
+use super::observed::ObservedVehicle;
+use super::{End, Reenactment, Rescored, Stored};
+use crate::ledger::RowState;
+use crate::mission::TICK;
+use crate::record::StoredInputs;
+use crate::session::Want;
+use crate::sim::{STEP, WorldConfig};
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::VehicleId;
+
+mod reflight;
+#[cfg(test)]
+mod tests;
+
+pub use reflight::Difference;
+use reflight::{LATE_AT_MOST, Reflight, SHOWN_WITHIN, differs};
+
+/// The mission's clock is so far ahead of the simulator's step that was noted with it at most.
+const NOTED_WITHIN: Duration = Duration::from_millis(100);
+/// A parameter that the mission demands is set so much later at most.
+const SET_WITHIN: Duration = Duration::from_secs(10);
+
+/// What came of flying a record again.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Verification {
+    /// Where the flight first differs from its record; `None` where it does not.
+    pub difference: Option<Difference>,
+    /// The score that follows from the record.
+    pub rescored: Rescored,
+}
+
+impl Stored {
+    /// Flies the record again from what entered its simulated vehicles.
+    ///
+    /// # Errors
+    /// This program cannot read the mission in it.
+    pub fn verify(&self, inputs: &StoredInputs) -> Result<Verification, Text> {
+        let mission = self.head.flown()?;
+        let mut config = mission.world(self.head.seed);
+        let rescored = self.rescore()?;
+        let mut check = match Reflight::new(&mut config, inputs) {
+            Ok(reflight) => RecordCheck::new(self.reenact()?, reflight),
+            Err(what) => {
+                return Ok(Verification {
+                    difference: Some(differs(Duration::ZERO, None, what)),
+                    rescored,
+                });
+            }
+        };
+        let difference = check
+            .run(self)
+            .and_then(|()| check.compare_end(self, &rescored))
+            .err();
+        Ok(Verification {
+            difference,
+            rescored,
+        })
+    }
+}
+
+/// Flies a flight without a mission again; where it differs from its log.
+pub fn refly(config: &mut WorldConfig, inputs: &StoredInputs) -> Option<Difference> {
+    match Reflight::new(config, inputs) {
+        Ok(mut reflight) => {
+            // A log that was cut off is compared as far as it goes.
+            reflight.damage.take_if(|_| inputs.is_cut());
+            reflight.finish().err()
+        }
+        Err(what) => Some(differs(Duration::ZERO, None, what)),
+    }
+}
+
+/// Compares a record with its flight, step by step.
+struct RecordCheck {
+    reenactment: Reenactment,
+    reflight: Reflight,
+    /// What the record says of the vehicles by now.
+    recorded: BTreeMap<VehicleId, ObservedVehicle>,
+    /// Whose radio is bad, and until when the effects of one that was may be seen.
+    muffled: BTreeMap<VehicleId, Duration>,
+    /// What the mission has demanded of simulators last.
+    wanted: BTreeMap<(VehicleId, &'static str), WantedParameter>,
+    /// Whether the simulator had a clock of its own.
+    is_paced: bool,
+    /// Mission time of the last step that was compared.
+    ticked: Duration,
+    /// Simulated time of the last line that was compared.
+    seen_to: Duration,
+}
+
+/// A value that a parameter of a simulator is to have, and since when.
+struct WantedParameter {
+    value: f64,
+    at: Duration,
+}
+
+impl RecordCheck {
+    fn new(reenactment: Reenactment, reflight: Reflight) -> Self {
+        Self {
+            reenactment,
+            reflight,
+            recorded: BTreeMap::new(),
+            muffled: BTreeMap::new(),
+            wanted: BTreeMap::new(),
+            is_paced: false,
+            ticked: Duration::ZERO,
+            seen_to: Duration::ZERO,
+        }
+    }
+
+    /// Follows the lines of a record.
+    fn run(&mut self, stored: &Stored) -> Result<(), Difference> {
+        for line in stored.lines.iter() {
+            match line.shown() {
+                Some(shown) => self.take(&shown)?,
+                // Up to its end, steps without a line have shown nothing new.
+                None if line.end().is_some() && !self.is_paced => {
+                    let end = Duration::from_millis(line.time().unwrap_or_default());
+                    self.pass(end + TICK)?;
+                }
+                None => {}
+            }
+        }
+        // A console ends the log with the session, which outlasts the mission.
+        let cut = self.reflight.cut_after;
+        if self.is_paced && cut.is_some_and(|cut| cut >= self.seen_to) {
+            self.reflight.damage = None;
+        }
+        self.reflight.finish()?;
+        match &stored.damage {
+            Some(damage) => Err(self.reflight.differs(None, damage.clone())),
+            None => Ok(()),
+        }
+    }
+
+    /// Compares what a line says was shown.
+    fn take(&mut self, shown: &ShownVehicles<'_>) -> Result<(), Difference> {
+        let at = shown.simulated.unwrap_or(shown.mission);
+        self.is_paced = shown.simulated.is_some();
+        let (back, ahead) = if self.is_paced {
+            // Steps without a line may have made a radio bad.
+            self.follow(shown.mission.saturating_sub(TICK), at);
+            let late = |real: Duration| real.mul_f64(self.reflight.pace).min(LATE_AT_MOST);
+            (late(SHOWN_WITHIN), late(NOTED_WITHIN))
+        } else {
+            self.pass(shown.mission)?;
+            (Duration::ZERO, Duration::ZERO)
+        };
+        let until = at + ahead;
+        self.reflight.fly_to(steps(until))?;
+        for change in shown.vehicles {
+            let known = self.recorded.entry(change.id());
+            known.or_insert_with(|| change.clone()).update(change);
+            self.compare(change, at.saturating_sub(LATE_AT_MOST), until)?;
+        }
+        self.compare_all(at, at.saturating_sub(back), until)?;
+        (self.ticked, self.seen_to) = (shown.mission, at);
+        self.follow(shown.mission, at);
+        Ok(())
+    }
+
+    /// Steps before a mission time that have no line: nothing was new in them. The simulator's time is the mission's.
+    fn pass(&mut self, until: Duration) -> Result<(), Difference> {
+        while self.ticked + TICK < until {
+            self.ticked += TICK;
+            let at = self.ticked;
+            self.reflight.fly_to(steps(at))?;
+            self.compare_all(at, at, at)?;
+            self.follow(at, at);
+        }
+        Ok(())
+    }
+
+    /// Compares everything that is recorded of the vehicles whose radio is good.
+    fn compare_all(&self, at: Duration, from: Duration, to: Duration) -> Result<(), Difference> {
+        for (id, recorded) in &self.recorded {
+            if !self.muffled.get(id).is_some_and(|until| *until >= at) {
+                self.compare(recorded, from, to)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Notes what the mission demands: radios that are bad or good, and parameters of the simulator.
+    fn follow(&mut self, mission: Duration, at: Duration) {
+        drop(self.reenactment.advance(mission));
+        for (vehicle, want) in self.reenactment.take_wants() {
+            match want {
+                Want::Radio(fault) => {
+                    let is_bad = fault.loss > 0.0 || !fault.delay.is_zero();
+                    let until = if is_bad {
+                        Duration::MAX
+                    } else {
+                        at + LATE_AT_MOST
+                    };
+                    self.muffled.insert(vehicle, until);
+                }
+                Want::Parameter { name, value } => {
+                    self.wanted
+                        .insert((vehicle, name), WantedParameter { value, at });
+                }
+            }
+        }
+    }
+
+    /// Whether the simulator was set as the mission demands: its weather and its faults.
+    fn compare_wanted(&self) -> Result<(), Difference> {
+        let settled = self.seen_to.saturating_sub(SET_WITHIN);
+        for ((id, name), wanted) in self
+            .wanted
+            .iter()
+            .filter(|(_, wanted)| wanted.at <= settled)
+        {
+            let mut witnesses = self.reflight.witnesses.iter();
+            let Some(vehicle) = witnesses.position(|it| it.session.vehicle().id == *id) else {
+                continue;
+            };
+            let is_set = self.reflight.world.parameter(vehicle, name);
+            if (is_set - wanted.value).abs() > 1e-5 * wanted.value.abs().max(1.0) {
+                let what = text!("verify-other-parameter", name = *name);
+                return Err(self.reflight.differs(Some(*id), what));
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether the vehicle has shown itself so at some time between two moments.
+    fn compare(
+        &self,
+        recorded: &ObservedVehicle,
+        from: Duration,
+        to: Duration,
+    ) -> Result<(), Difference> {
+        let id = recorded.id();
+        let mut witnesses = self.reflight.witnesses.iter();
+        let witness = witnesses.find(|witness| witness.session.vehicle().id == id);
+        let witness = witness.ok_or_else(|| differs(to, Some(id), text!("verify-no-vehicle")))?;
+        let mut said = recorded.said().iter();
+        if !said.all(|text| witness.has_said(text, from)) {
+            return Err(differs(to, Some(id), text!("verify-other-text")));
+        }
+        match recorded.unseen(witness.known(from, to)) {
+            Some(what) => Err(differs(to, Some(id), what)),
+            None => Ok(()),
+        }
+    }
+
+    /// Whether the refusals and the score follow from the flight.
+    fn compare_end(&mut self, stored: &Stored, rescored: &Rescored) -> Result<(), Difference> {
+        self.compare_wanted()?;
+        drop(self.reenactment.advance(Duration::MAX));
+        for witness in &self.reflight.witnesses {
+            let id = witness.session.vehicle().id;
+            let admitted = self.reenactment.tries_of(
+                id,
+                &[
+                    RowState::Refused,
+                    RowState::Superseded,
+                    RowState::Overtaken,
+                    RowState::TimedOut,
+                    RowState::NoEffect,
+                ],
+            );
+            if witness.refusals > admitted && !self.muffled.contains_key(&id) {
+                let what = text!(
+                    "verify-refusals",
+                    refused = witness.refusals,
+                    admitted = admitted
+                );
+                return Err(self.reflight.differs(Some(id), what));
+            }
+        }
+        let report = &rescored.report;
+        let again = End {
+            score: report.score,
+            medal: report.medal,
+            passed: report.passed,
+            sim_time_s: report.sim_time_s,
+        };
+        match stored.end() {
+            Some(end) if *end == again => Ok(()),
+            Some(end) => {
+                let what = text!(
+                    "verify-other-score",
+                    recorded = end.score,
+                    score = again.score
+                );
+                Err(self.reflight.differs(None, what))
+            }
+            None => Err(self.reflight.differs(None, text!("record-no-end"))),
+        }
+    }
+}
+
+/// How many steps the simulator has made at a time.
+fn steps(at: Duration) -> u64 {
+    (at.as_nanos() / STEP.as_nanos()) as u64
+}

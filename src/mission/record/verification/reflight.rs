@@ -1,0 +1,262 @@
+//! The simulated vehicles of a record, flown again.
+
+use std::collections::{BTreeMap, VecDeque};
+use std::sync::Arc;
+use std::time::Duration;
+
+use mavlink::dialects::ardupilotmega::{MavCmd, MavMessage, MavResult};
+
+use crate::mission::is_due;
+use crate::mission::record::observed::ObservedVehicle;
+use crate::mission::saying::TextListener;
+use crate::record::{Entered, InputLine, StoredInputs, fingerprint};
+use crate::session::Session;
+use crate::sim::{Airframe, PortId, World, WorldConfig};
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::VehicleId;
+use crate::wire::{AUTOPILOT_COMPONENT, Content, Decoder, Frame, SystemId};
+
+/// In a console, what a vehicle has said is shown so much later at most.
+pub(super) const SHOWN_WITHIN: Duration = Duration::from_millis(2500);
+/// What is shown of a vehicle behind a bad radio is no older than this when it is new.
+pub(super) const LATE_AT_MOST: Duration = Duration::from_secs(30);
+/// How often sessions look at their deadlines.
+const SESSION_POLL: Duration = Duration::from_millis(50);
+
+/// Where a record and its flight differ.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Difference {
+    /// Simulated time.
+    pub at: Duration,
+    /// The vehicle, where it is about one.
+    pub vehicle: Option<VehicleId>,
+    /// In which way.
+    pub what: Text,
+}
+
+/// A difference at a simulated time.
+pub(super) fn differs(at: Duration, vehicle: Option<VehicleId>, what: Text) -> Difference {
+    Difference { at, vehicle, what }
+}
+
+/// The simulated vehicles of a record, flown again.
+pub(super) struct Reflight {
+    pub(super) world: World,
+    lines: Vec<InputLine>,
+    pub(super) damage: Option<Text>,
+    /// Whether nothing is wrong with the log but that it has no end, and how far it goes.
+    pub(super) cut_after: Option<Duration>,
+    /// How much faster than the clock on the wall time passes.
+    pub(super) pace: f64,
+    next: usize,
+    connections: BTreeMap<u64, (PortId, Decoder)>,
+    pub(super) witnesses: Vec<Witness>,
+    bytes: Vec<u8>,
+}
+
+impl Reflight {
+    /// Vehicles as the log says; in words why they cannot be.
+    pub(super) fn new(config: &mut WorldConfig, inputs: &StoredInputs) -> Result<Self, Text> {
+        if !inputs.head.fits(config) {
+            return Err(text!("verify-other-start"));
+        }
+        let files = inputs.head.airframes.iter();
+        let own = files.map(|file| Airframe::from_json(&file.to_string()));
+        let own: Vec<Arc<Airframe>> = own
+            .map(|read| read.map(|(airframe, _)| Arc::new(airframe)))
+            .collect::<Result<_, _>>()
+            .map_err(|error| Text::verbatim(error.to_string()))?;
+        if !own.is_empty() {
+            config.airframes = own;
+        }
+        let world = World::new(config);
+        let systems = (1..=SystemId::MAX).take(world.vehicles());
+        Ok(Self {
+            witnesses: systems.map(Witness::new).collect(),
+            world,
+            lines: inputs.lines.clone(),
+            damage: inputs.damage.clone(),
+            cut_after: inputs.is_cut().then(|| inputs.lasts()),
+            pace: 1.0,
+            next: 0,
+            connections: BTreeMap::new(),
+            bytes: Vec::new(),
+        })
+    }
+
+    /// Flies on up to a step.
+    pub(super) fn fly_to(&mut self, step: u64) -> Result<(), Difference> {
+        while self.world.steps() < step {
+            self.enter()?;
+            self.world.step();
+            self.hear();
+        }
+        Ok(())
+    }
+
+    /// Flies on to the end of the log.
+    pub(super) fn finish(&mut self) -> Result<(), Difference> {
+        let last = self.lines.last().map_or(0, |line| line.s);
+        self.fly_to(last)?;
+        self.enter()?;
+        match self.damage.take() {
+            Some(damage) => Err(self.differs(None, damage)),
+            None => Ok(()),
+        }
+    }
+
+    /// Has enter what the log says for this moment.
+    fn enter(&mut self) -> Result<(), Difference> {
+        while let Some(line) = self.lines.get(self.next)
+            && line.s == self.world.steps()
+        {
+            if let Entered::State(prints) = &line.what {
+                self.compare(prints)?;
+            }
+            let unfit = || self.differs(None, text!("verify-unfit-input"));
+            let inputs = line.inputs().ok_or_else(unfit)?;
+            for input in inputs {
+                if !self.world.enter(&input) {
+                    return Err(self.differs(None, text!("verify-unfit-input")));
+                }
+            }
+            self.connect();
+            self.next += 1;
+        }
+        Ok(())
+    }
+
+    /// Listens by a connection that was just made, and no longer by one that was ended.
+    fn connect(&mut self) {
+        match self.lines[self.next].what {
+            Entered::On(vehicle, connection, _) => {
+                let port = PortId::numbered(vehicle, connection);
+                self.connections.insert(connection, (port, Decoder::new()));
+            }
+            Entered::Off(_, connection) => drop(self.connections.remove(&connection)),
+            Entered::Pace(pace) => self.pace = pace.max(1.0),
+            Entered::In(_) | Entered::State(_) | Entered::End => {}
+        }
+    }
+
+    fn compare(&self, prints: &[String]) -> Result<(), Difference> {
+        if prints.len() != self.world.vehicles() {
+            return Err(self.differs(None, text!("verify-other-state")));
+        }
+        for (vehicle, print) in prints.iter().enumerate() {
+            if *print != fingerprint(&self.world, vehicle) {
+                let id = self.witnesses[vehicle].session.vehicle().id;
+                return Err(self.differs(Some(id), text!("verify-other-state")));
+            }
+        }
+        Ok(())
+    }
+
+    fn hear(&mut self) {
+        let now = self.world.now();
+        for (port, decoder) in self.connections.values_mut() {
+            self.bytes.clear();
+            self.world.take_output(*port, &mut self.bytes);
+            decoder.push(&self.bytes);
+            let witness = &mut self.witnesses[port.vehicle()];
+            while let Some(frame) = decoder.next_frame() {
+                witness.hear(&frame, now);
+            }
+        }
+        for witness in &mut self.witnesses {
+            witness.pass(now);
+        }
+    }
+
+    pub(super) fn differs(&self, vehicle: Option<VehicleId>, what: Text) -> Difference {
+        differs(self.world.now(), vehicle, what)
+    }
+}
+
+/// What a vehicle that is flown again has said.
+pub(super) struct Witness {
+    pub(super) session: Session,
+    /// What was known of it, from when on.
+    shown: VecDeque<(Duration, ObservedVehicle)>,
+    listener: TextListener,
+    /// What it has written, and when.
+    texts: VecDeque<(Duration, String)>,
+    /// Refusals of commands that were orders.
+    pub(super) refusals: u32,
+}
+
+impl Witness {
+    fn new(system: SystemId) -> Self {
+        Self {
+            session: Session::new(system, AUTOPILOT_COMPONENT, Duration::ZERO),
+            shown: VecDeque::new(),
+            listener: TextListener::default(),
+            texts: VecDeque::new(),
+            refusals: 0,
+        }
+    }
+
+    fn hear(&mut self, frame: &Frame, now: Duration) {
+        if let Content::Message(MavMessage::COMMAND_ACK(ack)) = &frame.content {
+            let is_refused = !matches!(
+                ack.result,
+                MavResult::MAV_RESULT_ACCEPTED | MavResult::MAV_RESULT_IN_PROGRESS
+            );
+            self.refusals += u32::from(is_refused && is_order(ack.command));
+        }
+        self.session.receive(frame, now);
+    }
+
+    fn pass(&mut self, now: Duration) {
+        if is_due(now, SESSION_POLL) {
+            self.session.poll(now);
+        }
+        drop(self.session.take_outgoing());
+        drop(self.session.take_reports());
+        let vehicle = self.session.vehicle();
+        let known = ObservedVehicle::of(vehicle.id, vehicle);
+        if self.shown.back().is_none_or(|(_, last)| *last != known) {
+            self.shown.push_back((now, known));
+        }
+        let said = self.listener.listen(vehicle).iter();
+        self.texts.extend(said.map(|text| (now, text.text.clone())));
+        let old = now.saturating_sub(LATE_AT_MOST + SHOWN_WITHIN);
+        while self.shown.get(1).is_some_and(|(since, _)| *since < old) {
+            self.shown.pop_front();
+        }
+        while self.texts.front().is_some_and(|(at, _)| *at < old) {
+            self.texts.pop_front();
+        }
+    }
+
+    /// Whether it has written a text since then.
+    pub(super) fn has_said(&self, text: &str, since: Duration) -> bool {
+        let mut texts = self.texts.iter();
+        texts.any(|(at, said)| *at >= since && said == text)
+    }
+
+    /// What was known of it at some time from one moment to another.
+    pub(super) fn known(
+        &self,
+        from: Duration,
+        to: Duration,
+    ) -> impl Iterator<Item = &ObservedVehicle> + Clone {
+        let until = self.shown.iter().map(|(since, _)| *since).skip(1);
+        let until = until.chain([Duration::MAX]);
+        let known = self.shown.iter().zip(until);
+        known
+            .filter(move |((since, _), until)| *since <= to && *until > from)
+            .map(|((_, known), _)| known)
+    }
+}
+
+/// Whether a command is an order: others a console gives by itself, and nobody is told when they are refused.
+fn is_order(command: MavCmd) -> bool {
+    !matches!(
+        command,
+        MavCmd::MAV_CMD_SET_MESSAGE_INTERVAL
+            | MavCmd::MAV_CMD_REQUEST_MESSAGE
+            | MavCmd::MAV_CMD_DO_CHANGE_SPEED
+    )
+}

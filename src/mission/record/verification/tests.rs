@@ -1,0 +1,182 @@
+//! The golden record, and forgeries of it.
+
+use proptest::prelude::*;
+
+use super::*;
+
+const RUN: &str = include_str!("../../../../tests/data/golden/eight.run.jsonl");
+const INPUTS: &str = include_str!("../../../../tests/data/golden/eight.inputs.jsonl");
+const SCORE: &str = "\"score\":";
+/// How a command of the ground station begins after the length, flags and number of its frame.
+const COMMAND: &str = "ffbe4c0000";
+
+/// What comes of a record with these files: in words where it differs.
+fn verified(run: &str, inputs: &str) -> Result<(), String> {
+    let stored = Stored::read(run).map_err(|fault| fault.to_string())?;
+    let inputs = StoredInputs::read(inputs).map_err(|fault| fault.to_string())?;
+    let verification = stored.verify(&inputs).map_err(|fault| fault.to_string())?;
+    match verification.difference {
+        None => Ok(()),
+        Some(Difference { at, vehicle, what }) => {
+            let vehicle =
+                vehicle.map_or_else(String::new, |vehicle| format!("vehicle {vehicle}: "));
+            Err(format!("{:.2} s: {vehicle}{what}", at.as_secs_f64()))
+        }
+    }
+}
+
+/// The golden record with one line replaced: the first that has all of these in it.
+fn with_line(text: &str, has: &[&str], replace: impl Fn(&str) -> String) -> String {
+    let line = text
+        .lines()
+        .find(|line| has.iter().all(|part| line.contains(part)))
+        .expect("the golden record has such a line");
+    let forged = replace(line);
+    assert_ne!(line, forged);
+    text.replacen(&format!("{line}\n"), &forged, 1)
+}
+
+fn edited(from: &'static str, to: &'static str) -> impl Fn(&str) -> String {
+    move |line| format!("{}\n", line.replacen(from, to, 1))
+}
+
+fn removed(_: &str) -> String {
+    String::new()
+}
+
+#[track_caller]
+fn assert_named(run: &str, inputs: &str, named: &str) {
+    let said = verified(run, inputs).expect_err(named);
+    assert!(said.contains(named), "{said}");
+}
+
+/// Eight drones in wind, with a bad motor, a bad link and no satellite navigation: flown by another build of the
+/// program, and verified by this one.
+#[test]
+fn the_golden_record_is_verified() {
+    assert_eq!(verified(RUN, INPUTS), Ok(()));
+}
+
+#[test]
+fn an_edited_score_is_named() {
+    let forged = with_line(RUN, &["\"end\":", SCORE], |line| {
+        let at = line.find(SCORE).expect("it is there") + SCORE.len();
+        format!("{}1000{}\n", &line[..at], &line[at + 3..])
+    });
+    assert_named(&forged, INPUTS, "1000 points are recorded");
+}
+
+#[test]
+fn an_edited_or_missing_input_is_named() {
+    let frame = |line: &str| {
+        // A bit of a command: the frame's checksum no longer holds.
+        let at = line.find(COMMAND).expect("a command") + 20;
+        let digit = if &line[at..=at] == "0" { "1" } else { "0" };
+        format!("{}{digit}{}\n", &line[..at], &line[at + 1..])
+    };
+    let forged = with_line(INPUTS, &[COMMAND], frame);
+    assert_named(RUN, &forged, "is another");
+    let forged = with_line(INPUTS, &[COMMAND], removed);
+    assert_named(RUN, &forged, "is another");
+}
+
+#[test]
+fn an_edited_state_is_named_with_its_vehicle() {
+    let forged = with_line(INPUTS, &["\"s\":2000,", "\"state\":"], |line| {
+        let (first, rest) = line.split_once("[\"").expect("a list");
+        format!("{first}[\"{:016x}{}\n", 7, &rest[16..])
+    });
+    assert_named(RUN, &forged, "20.00 s: vehicle 1: the state");
+}
+
+#[test]
+fn swapped_vehicles_are_named() {
+    let swap = |text: &str| {
+        let marked = text
+            .replace("\"id\":1,", "\"id\":#,")
+            .replace("\"id\":2,", "\"id\":1,");
+        marked.replace("\"id\":#,", "\"id\":2,")
+    };
+    let ticks = RUN.lines().map(|line| {
+        let line = if line.starts_with("{\"tick\"") {
+            swap(line)
+        } else {
+            line.to_owned()
+        };
+        line + "\n"
+    });
+    assert_named(&ticks.collect::<String>(), INPUTS, "is another");
+}
+
+#[test]
+fn another_seed_is_named() {
+    let forged = with_line(RUN, &["sortie_run"], edited("\"seed\":1", "\"seed\":2"));
+    assert_named(&forged, INPUTS, "another seed");
+    let seed = with_line(
+        INPUTS,
+        &["sortie_inputs"],
+        edited("\"seed\":1", "\"seed\":2"),
+    );
+    assert_named(&forged, &seed, "is another");
+}
+
+#[test]
+fn another_mission_text_is_named() {
+    let calm = with_line(RUN, &["sortie_run"], edited("speed = 6", "speed = 0"));
+    assert_named(
+        &calm,
+        INPUTS,
+        "SIM_WIND_SPD is not what the mission demands",
+    );
+    let moved = with_line(RUN, &["sortie_run"], edited("lat = 50.45", "lat = 50.46"));
+    assert_named(&moved, INPUTS, "other places");
+}
+
+#[test]
+fn shortened_records_are_named() {
+    let half = |text: &str| {
+        let lines = text.lines().count() / 2;
+        let kept = text.lines().take(lines).map(|line| format!("{line}\n"));
+        kept.collect::<String>()
+    };
+    assert_named(&half(RUN), INPUTS, "no end");
+    assert_named(RUN, &half(INPUTS), "is another");
+    let end = with_line(INPUTS, &["\"end\""], removed);
+    assert_named(RUN, &end, "no end");
+}
+
+/// Whatever telemetry is moved or taken away: the drones that are flown again are elsewhere.
+#[test]
+fn moved_and_missing_telemetry_is_named() {
+    let moved = with_line(RUN, &["\"t\":30000,", "\"at\":["], |line| {
+        let at = line.find("\"at\":[").expect("a position") + 6;
+        format!("{}9{}\n", &line[..at], &line[at + 1..])
+    });
+    assert_named(&moved, INPUTS, "30.00 s: vehicle 1: the recorded position");
+    let missing = with_line(RUN, &["\"t\":30000,"], removed);
+    assert_named(&missing, INPUTS, "is another");
+}
+
+#[test]
+fn a_refusal_that_is_left_out_is_named() {
+    let forged = RUN.replace("\"state\":\"refused\"", "\"state\":\"done\"");
+    assert_ne!(forged, RUN);
+    assert_named(&forged, INPUTS, "refused");
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(6))]
+
+    /// Digits that are changed anywhere never bring the program down.
+    #[test]
+    fn mutated_records_are_judged_without_a_panic(at in 0.0..1.0f64, byte in b'0'..b'9', of_inputs: bool) {
+        let text = if of_inputs { INPUTS } else { RUN };
+        let mut bytes = text.as_bytes().to_vec();
+        let place = (at * bytes.len() as f64) as usize;
+        prop_assume!(bytes[place].is_ascii_digit() && bytes[place] != byte);
+        bytes[place] = byte;
+        let forged = String::from_utf8(bytes).expect("ASCII stays ASCII");
+        let (run, inputs) = if of_inputs { (RUN, forged.as_str()) } else { (forged.as_str(), INPUTS) };
+        drop(verified(run, inputs));
+    }
+}

@@ -1,0 +1,365 @@
+//! What entered the simulated vehicles of a flight: with it, the flight can be flown again.
+//!
+//! The file begins with an [`InputsHead`]. Each line after it belongs to a step of the simulator: the frames that
+//! reached its vehicles after it, connections made and ended, every 10 s a fingerprint of each vehicle's state, and at
+//! last the end. Frames that set keys are left out; they change nothing in how a vehicle flies.
+
+use std::collections::BTreeMap;
+use std::time::Duration;
+
+use serde::{Deserialize, Serialize};
+
+use super::line::written;
+use crate::geo::LatLon;
+use crate::sim::{Airframe, Input, InputKind, PortId, STEP, Serial, Start, World, WorldConfig};
+use crate::text;
+use crate::text::Text;
+use crate::wire::{Decoder, is_secret};
+
+/// The version of the format.
+const VERSION: u32 = 1;
+/// Steps from one fingerprint to the next: 10 s.
+const FINGERPRINT_STEPS: u64 = 1000;
+/// The longest flight, in steps: a day. A line that names a later step is damage.
+const LONGEST_STEPS: u64 = 24 * 60 * 60 * 100;
+
+/// What was simulated: the first line.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct InputsHead {
+    /// The version of the format.
+    pub sortie_inputs: u32,
+    /// The program that simulated it.
+    pub program: String,
+    /// Seed of everything random in the simulator.
+    pub seed: u64,
+    /// Where each vehicle stood: latitude and longitude in degrees, altitude in metres above sea level, heading in
+    /// degrees; as text, which keeps all digits.
+    pub starts: Vec<[String; 4]>,
+    /// The frame files of airframes that the mission does not give, as JSON.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub airframes: Vec<serde_json::Value>,
+}
+
+impl InputsHead {
+    /// That of a world; `airframes` are those that its mission does not give.
+    pub fn of(world: &WorldConfig, airframes: &[impl AsRef<Airframe>]) -> Self {
+        let files = airframes.iter().map(|airframe| airframe.as_ref().file());
+        Self {
+            sortie_inputs: VERSION,
+            program: env!("SORTIE_VERSION").to_owned(),
+            seed: world.seed,
+            starts: world.starts.iter().map(numbers).collect(),
+            airframes: files.flatten().cloned().collect(),
+        }
+    }
+
+    /// A world that begins like this; the airframes of the head come later.
+    pub fn world(&self) -> WorldConfig {
+        let start = |[lat, lon, altitude, heading]: &[String; 4]| {
+            let number = |text: &String| text.parse().unwrap_or_default();
+            Start {
+                at: LatLon::new(number(lat), number(lon)),
+                altitude_amsl_m: number(altitude),
+                heading_deg: number(heading),
+            }
+        };
+        WorldConfig {
+            starts: self.starts.iter().map(start).collect(),
+            airframes: Vec::new(),
+            seed: self.seed,
+            obstacles: Vec::new(),
+            realistic_boot: false,
+        }
+    }
+
+    /// Whether a world begins with the same seed and its vehicles at the same places.
+    pub fn fits(&self, world: &WorldConfig) -> bool {
+        self.seed == world.seed
+            && self.starts == world.starts.iter().map(numbers).collect::<Vec<_>>()
+    }
+}
+
+fn numbers(start: &Start) -> [String; 4] {
+    let Start {
+        at,
+        altitude_amsl_m,
+        heading_deg,
+    } = *start;
+    [at.lat_deg, at.lon_deg, altitude_amsl_m, heading_deg].map(|number| number.to_string())
+}
+
+/// A line after the head.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct InputLine {
+    /// The steps that the simulator had made before.
+    pub s: u64,
+    #[serde(flatten)]
+    pub what: Entered,
+}
+
+/// What happened to the simulated vehicles.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Entered {
+    /// A connection was made: vehicle counted from 0, number of the connection, serial port.
+    On(usize, u64, u8),
+    /// A connection was ended: vehicle and number.
+    Off(usize, u64),
+    /// Frames reached vehicles.
+    In(Vec<Frames>),
+    /// Time passes so many times as fast as the clock on the wall from now on.
+    Pace(f64),
+    /// The fingerprint of each vehicle's state, in hexadecimal.
+    State(Vec<String>),
+    /// The flight was over.
+    End,
+}
+
+/// Frames that came by a connection: vehicle, number of the connection, and the bytes in hexadecimal.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Frames(pub usize, pub u64, pub String);
+
+/// Takes down what enters a world.
+#[derive(Debug)]
+pub struct InputLog {
+    written: String,
+    /// Of each connection: frames are taken down when they are whole, as the vehicle takes them in.
+    decoders: BTreeMap<u64, Decoder>,
+    /// The pace that was noted last.
+    pace: Option<f64>,
+}
+
+impl InputLog {
+    /// Begins the log of a world before its first step, with the connections that are made already, all of them to
+    /// serial 0.
+    pub fn begin(head: &InputsHead, world: &mut World, connected: &[PortId]) -> Self {
+        world.keep_inputs();
+        let mut log = Self {
+            written: written(head),
+            decoders: BTreeMap::new(),
+            pace: None,
+        };
+        for port in connected {
+            log.note(0, Entered::On(port.vehicle(), port.number(), 0));
+        }
+        log
+    }
+
+    /// Takes down what has entered; to be called after each step.
+    pub fn follow(&mut self, world: &mut World) {
+        self.take_inputs(world);
+        if world.steps().is_multiple_of(FINGERPRINT_STEPS) {
+            self.note_state(world);
+        }
+    }
+
+    /// Notes the pace at which time passes, where it is another.
+    pub fn note_pace(&mut self, world: &World, speedup: f64) {
+        if self.pace.replace(speedup) != Some(speedup) {
+            self.note(world.steps(), Entered::Pace(speedup));
+        }
+    }
+
+    /// Ends the log.
+    pub fn end(&mut self, world: &mut World) {
+        self.take_inputs(world);
+        self.note_state(world);
+        self.note(world.steps(), Entered::End);
+    }
+
+    /// The lines since the last call.
+    pub fn take(&mut self) -> String {
+        std::mem::take(&mut self.written)
+    }
+
+    fn take_inputs(&mut self, world: &mut World) {
+        let mut step = 0;
+        let mut frames = Vec::new();
+        for input in world.take_inputs() {
+            if !frames.is_empty()
+                && (input.step != step || !matches!(input.what, InputKind::Bytes(_)))
+            {
+                self.note(step, Entered::In(std::mem::take(&mut frames)));
+            }
+            step = input.step;
+            let (vehicle, connection) = (input.vehicle, input.connection);
+            match input.what {
+                InputKind::Connected(serial) => {
+                    self.note(step, Entered::On(vehicle, connection, serial.index() as u8));
+                }
+                InputKind::Disconnected => {
+                    self.decoders.remove(&connection);
+                    self.note(step, Entered::Off(vehicle, connection));
+                }
+                InputKind::Bytes(bytes) => {
+                    let hex = self.whole_frames(connection, &bytes);
+                    frames.extend((!hex.is_empty()).then_some(Frames(vehicle, connection, hex)));
+                }
+            }
+        }
+        if !frames.is_empty() {
+            self.note(step, Entered::In(frames));
+        }
+    }
+
+    /// The frames that bytes of a connection make whole.
+    fn whole_frames(&mut self, connection: u64, bytes: &[u8]) -> String {
+        let decoder = self.decoders.entry(connection).or_default();
+        decoder.push(bytes);
+        let mut hex = String::new();
+        while let Some(frame) = decoder.next_frame() {
+            if !is_secret(frame.content.id()) {
+                push_hex(&mut hex, decoder.bytes_of(&frame));
+            }
+        }
+        hex
+    }
+
+    fn note_state(&mut self, world: &World) {
+        let prints = (0..world.vehicles()).map(|vehicle| fingerprint(world, vehicle));
+        self.note(world.steps(), Entered::State(prints.collect()));
+    }
+
+    fn note(&mut self, s: u64, what: Entered) {
+        self.written.push_str(&written(&InputLine { s, what }));
+    }
+}
+
+/// The fingerprint of a vehicle as it is written.
+pub fn fingerprint(world: &World, vehicle: usize) -> String {
+    format!("{:016x}", world.fingerprint(vehicle))
+}
+
+/// A log of inputs as it was read.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StoredInputs {
+    pub head: InputsHead,
+    /// What entered, in order.
+    pub lines: Vec<InputLine>,
+    /// What is wrong with the rest of the file: up to where it could be read.
+    pub damage: Option<Text>,
+    /// Whether that is more than a missing end.
+    is_damaged: bool,
+}
+
+impl StoredInputs {
+    /// Reads a log. What is damaged, goes back in time or follows the end ends it.
+    ///
+    /// # Errors
+    /// It is no log of inputs, or one of another version; in words.
+    pub fn read(text: &str) -> Result<Self, Text> {
+        let mut all = text.split_inclusive('\n');
+        let head: InputsHead = serde_json::from_str(all.next().unwrap_or_default())
+            .map_err(|error| text!("record-head", error = error.to_string()))?;
+        if head.sortie_inputs != VERSION {
+            return Err(text!(
+                "record-version",
+                version = head.sortie_inputs,
+                known = VERSION
+            ));
+        }
+        let mut stored = Self {
+            head,
+            lines: Vec::new(),
+            damage: None,
+            is_damaged: false,
+        };
+        let mut since = 0;
+        for (index, line) in all.enumerate() {
+            let line = serde_json::from_str(line).ok();
+            let line = line.filter(|line: &InputLine| {
+                (since..=LONGEST_STEPS).contains(&line.s) && !stored.is_whole()
+            });
+            let Some(line) = line else {
+                stored.damage = Some(text!("verify-damaged", line = index + 2));
+                stored.is_damaged = true;
+                break;
+            };
+            since = line.s;
+            stored.lines.push(line);
+        }
+        if stored.damage.is_none() && !stored.is_whole() {
+            stored.damage = Some(text!("verify-no-end"));
+        }
+        Ok(stored)
+    }
+
+    /// Whether it goes to the end of the flight.
+    pub fn is_whole(&self) -> bool {
+        matches!(self.lines.last(), Some(line) if line.what == Entered::End)
+    }
+
+    /// Whether it was not damaged, only cut off.
+    pub fn is_cut(&self) -> bool {
+        !self.is_whole() && !self.is_damaged
+    }
+
+    /// How far it goes.
+    pub fn lasts(&self) -> Duration {
+        self.lines.last().map_or(Duration::ZERO, InputLine::at)
+    }
+}
+
+impl InputLine {
+    /// The simulated time of it.
+    pub fn at(&self) -> Duration {
+        STEP * u32::try_from(self.s).unwrap_or(u32::MAX)
+    }
+
+    /// What it has enter a world; `None` where it is nothing that can enter one.
+    pub fn inputs(&self) -> Option<Vec<Input>> {
+        let input = |vehicle, connection, what| Input {
+            step: self.s,
+            vehicle,
+            connection,
+            what,
+        };
+        match &self.what {
+            Entered::On(vehicle, connection, serial) => {
+                let serial = *Serial::ALL.get(usize::from(*serial))?;
+                Some(vec![input(
+                    *vehicle,
+                    *connection,
+                    InputKind::Connected(serial),
+                )])
+            }
+            Entered::Off(vehicle, connection) => {
+                Some(vec![input(*vehicle, *connection, InputKind::Disconnected)])
+            }
+            Entered::In(frames) => frames
+                .iter()
+                .map(|Frames(vehicle, connection, hex)| {
+                    Some(input(
+                        *vehicle,
+                        *connection,
+                        InputKind::Bytes(from_hex(hex)?),
+                    ))
+                })
+                .collect(),
+            Entered::Pace(_) | Entered::State(_) | Entered::End => Some(Vec::new()),
+        }
+    }
+}
+
+fn push_hex(hex: &mut String, bytes: &[u8]) {
+    for byte in bytes {
+        for nibble in [byte >> 4, byte & 15] {
+            hex.extend(char::from_digit(u32::from(nibble), 16));
+        }
+    }
+}
+
+fn from_hex(hex: &str) -> Option<Vec<u8>> {
+    let digits: Option<Vec<u8>> = hex
+        .chars()
+        .map(|digit| Some(digit.to_digit(16)? as u8))
+        .collect();
+    let digits = digits?;
+    let is_even = digits.len().is_multiple_of(2);
+    is_even.then(|| {
+        digits
+            .chunks_exact(2)
+            .map(|pair| pair[0] << 4 | pair[1])
+            .collect()
+    })
+}
