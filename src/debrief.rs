@@ -23,7 +23,8 @@ mod tries;
 pub use line::{DebriefLine, DebriefTone};
 pub use timeline::{TimelineMark, strip};
 
-use layout::{clock, fit, pieces, right};
+pub use layout::fit;
+use layout::{clock, pieces, right};
 
 /// Columns of the page.
 const WIDTH: usize = 80;

@@ -28,6 +28,7 @@ mod lock_step;
 mod orders;
 mod paced_clock;
 mod playthrough;
+mod scripted;
 mod streams;
 #[cfg(test)]
 mod tests;
@@ -36,6 +37,7 @@ pub use driver::{FlightDriver, FlightPace};
 pub use lock_step::LockStep;
 pub use paced_clock::PacedClock;
 pub use playthrough::{Playthrough, PlaythroughFlight};
+pub use scripted::{fly_compared, read_script};
 pub use streams::LiveStreams;
 
 /// How often sessions look at their deadlines.

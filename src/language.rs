@@ -42,8 +42,8 @@ pub use argument::{Argument, Kind, Unit};
 pub use choice::VehicleChoice;
 pub use complete::{Completion, begun, complete, hint, lines};
 pub use console::{
-    AlertLine, ConsoleLine, ParametersLine, ProcessDeed, ReplayLine, Report, ReviewLine,
-    SeekTarget, TableLine,
+    AlertLine, ConsoleLine, GhostLine, GhostSource, ParametersLine, ProcessDeed, ReplayLine,
+    Report, ReviewLine, SeekTarget, TableLine,
 };
 pub use ids::{parse_ranges, ranges};
 pub use lexer::{Word, comment_start, words};

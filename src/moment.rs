@@ -99,3 +99,39 @@ impl MomentKind {
         name.parse().ok()
     }
 }
+
+/// What the times of two flights are laid upon each other by. The names are those of the command line.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, EnumString, IntoStaticStr, VariantNames)]
+#[strum(serialize_all = "kebab-case")]
+pub enum Alignment {
+    /// The beginning of the mission.
+    #[default]
+    Start,
+    /// The first takeoff.
+    Takeoff,
+    /// The first objective that was reached.
+    Objective,
+    /// The first alert.
+    Alert,
+    /// The first command that was refused.
+    Refusal,
+}
+
+impl Alignment {
+    /// The names of all of them.
+    pub const NAMES: &'static [&'static str] = Self::VARIANTS;
+
+    pub fn name(self) -> &'static str {
+        self.into()
+    }
+
+    /// That of a name.
+    pub fn named(name: &str) -> Option<Self> {
+        name.parse().ok()
+    }
+
+    /// What it is called.
+    pub fn text(self) -> Text {
+        Text::new(format!("alignment-{}", self.name()), Vec::new())
+    }
+}

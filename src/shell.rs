@@ -28,6 +28,7 @@ mod career;
 mod drive;
 mod effects;
 mod files;
+mod ghost;
 mod missions;
 mod options;
 mod orders;
@@ -188,6 +189,8 @@ struct Console {
     over: bool,
     /// Whether the terminal has gone away, or the program is told to end: the trainee has not left the flight.
     is_cut_off: bool,
+    /// Another flight of the mission that is being read or flown.
+    ghost: Option<ghost::GhostWork>,
 }
 
 impl Console {
@@ -236,6 +239,7 @@ impl Console {
             inbox: VecDeque::new(),
             over: false,
             is_cut_off: false,
+            ghost: None,
         };
         console.open_careers(course);
         console
@@ -323,6 +327,7 @@ impl Console {
         let wall = self.clock.wall();
         self.feed(Event::Tick { now, wall }).await;
         self.go_on_replaying(wall).await;
+        self.take_ghost();
         let Some(running) = &mut self.running else {
             return;
         };

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use crate::campaign::{Aids, Stake};
 use crate::commands::Order;
-use crate::language::{ProcessDeed, SeekTarget};
+use crate::language::{GhostSource, ProcessDeed, SeekTarget};
 use crate::ledger::EntryId;
 use crate::moment::MomentKind;
 use crate::review::Review;
@@ -184,6 +184,8 @@ pub enum SessionEffect {
     Inject(String),
     /// Set a bookmark with a text at this moment.
     Bookmark(String),
+    /// Fetch another flight of the mission, to be shown beside this one.
+    Ghost(GhostSource),
     /// Stop simulated time, and every deadline with it.
     Pause,
     /// Let simulated time go on.

@@ -10,7 +10,7 @@ use super::action::Action;
 use super::effect::{FileKind, PaceChange};
 use super::room::messages::LinkTraffic;
 use super::snapshot::FlightSnapshot;
-use super::state::{Activity, Career, Instance, LinkSummary, ReplayPosition, ReplayView};
+use super::state::{Activity, Career, Ghost, Instance, LinkSummary, ReplayPosition, ReplayView};
 use crate::campaign::Reward;
 use crate::doctor::LinkFinding;
 use crate::geo::LatLon;
@@ -158,6 +158,8 @@ pub enum SessionEvent {
     Mission(Box<Progress>),
     /// The mission is over.
     MissionEnded(Box<Report>),
+    /// Another flight of the mission is there, to be shown beside this one.
+    Ghost(Box<Ghost>),
 }
 
 /// The course of a replay. What was heard and happened comes as the events of then.

@@ -23,6 +23,7 @@ mod career;
 mod column;
 mod filter;
 mod flight_view;
+mod ghost;
 mod hangar;
 mod heights;
 mod help;
@@ -48,6 +49,7 @@ pub use career::Career;
 pub use column::SortKey;
 pub use filter::VehicleFilter;
 pub use flight_view::{Activity, FlightView, TimeFlow};
+pub use ghost::Ghost;
 pub use hangar::{Hangar, Instance, SitlStage};
 pub use heights::Heights;
 pub use help::{HelpLine, HelpPage, SHORT_USAGE, command_help, help_lines};
@@ -75,6 +77,8 @@ pub struct State<R> {
     pub(in crate::app) now: Duration,
     /// The recording that is replayed, if one is.
     pub(in crate::app) replay: Option<ReplayView>,
+    /// Another flight of the mission, shown beside this one.
+    pub(in crate::app) ghost: Option<Ghost>,
     /// The room that is shown.
     pub(in crate::app) room: Room,
     /// What every room remembers.
@@ -159,6 +163,7 @@ impl<R: Default> State<R> {
         let mut state = Self {
             now: Duration::ZERO,
             replay: None,
+            ghost: None,
             room: Room::Home,
             rooms: R::default(),
             typed: String::new(),
@@ -250,6 +255,17 @@ impl<R> State<R> {
     /// The key of an action in the room that is shown, for messages.
     pub fn key(&self, action: Action) -> Text {
         self.keymap.key(action, Place::In(self.room))
+    }
+
+    /// Another flight of the mission, shown beside this one.
+    pub fn ghost(&self) -> Option<&Ghost> {
+        self.ghost.as_ref()
+    }
+
+    /// The time of the other flight that is shown beside this one, if one is and has begun.
+    pub fn ghost_time(&self) -> Option<Duration> {
+        let elapsed = self.session.mission.as_ref()?.elapsed;
+        self.ghost.as_ref()?.time(elapsed)
     }
 
     /// Asks a question that `y` answers with yes.

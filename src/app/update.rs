@@ -16,6 +16,7 @@ mod batch;
 mod console_line;
 mod files;
 mod forget;
+mod ghost;
 mod hangar;
 mod keys;
 mod links;
@@ -175,6 +176,7 @@ fn session(state: &mut State, event: SessionEvent) {
         SessionEvent::Speedup(change) => pace::changed(state, change),
         SessionEvent::Mission(progress) => telemetry::progress(state, *progress),
         SessionEvent::MissionEnded(report) => telemetry::ended(state, report),
+        SessionEvent::Ghost(other) => ghost::arrived(state, *other),
     }
 }
 

@@ -17,17 +17,15 @@ use super::settings::CliSettings;
 use super::{Failure, parse_speedup, trainee};
 use crate::campaign::{Attempt, AttemptMeans, AttemptTerms, Stake};
 use crate::debrief;
-use crate::diagnostic::Diagnostic;
-use crate::exercise::Exercise;
+use crate::exercise::{Exercise, read_script};
 use crate::hangar::VehicleBackend;
-use crate::language::{Context, Script};
+use crate::language::Script;
 use crate::mission::record::Occasion;
 use crate::mission::{Mission, Report};
 use crate::scoring::FlownBy;
 use crate::store::{self, Runs, Source, StoreError, day_of, utc};
 use crate::text;
 use crate::text::Locale;
-use crate::vehicle::VehicleId;
 
 mod ardupilot;
 mod career;
@@ -365,25 +363,6 @@ pub(in crate::cli) fn load_script(
 fn script_of(pilot: &Source, mission: &Mission) -> Result<Script, Failure> {
     read_script(&pilot.text, mission)
         .map_err(|faults| FileFault::Inside(pilot.clone(), faults).failure())
-}
-
-/// A pilot script for a mission: only its vehicles and its places are known.
-///
-/// # Errors
-/// What is wrong with it.
-pub(in crate::cli) fn read_script(
-    text: &str,
-    mission: &Mission,
-) -> Result<Script, Vec<Diagnostic>> {
-    let vehicles: Vec<VehicleId> = (1..=mission.vehicles as VehicleId).collect();
-    let (places, areas) = (mission.places_to_name(), mission.named_areas());
-    let context = Context {
-        places: Some(&places),
-        areas: Some(&areas),
-        vehicles: &vehicles,
-        ..Context::default()
-    };
-    Script::parse(text, &context)
 }
 
 fn invalid(error: &StoreError) -> Failure {

@@ -11,7 +11,7 @@ pub(super) fn clock(seconds: f64) -> String {
 }
 
 /// Text of exactly `width` columns: padded, or cut with a mark.
-pub(super) fn fit(text: &str, width: usize) -> String {
+pub fn fit(text: &str, width: usize) -> String {
     let text = sanitised(text);
     let used = text.width();
     if used <= width {

@@ -5,7 +5,7 @@ use std::time::Duration;
 use super::VehicleChoice;
 use crate::alert::AlertKind;
 use crate::config::{Column, LiveSetting, TableSort};
-use crate::moment::MomentKind;
+use crate::moment::{Alignment, MomentKind};
 use crate::vehicle::VehicleId;
 
 /// A line that the console carries out itself: no vehicle hears of it.
@@ -66,6 +66,8 @@ pub enum ConsoleLine {
     Unbookmark,
     /// Something about the review of what is replayed.
     Review(ReviewLine),
+    /// Something about another flight beside this one.
+    Ghost(GhostLine),
     /// Give the mission up and show its debrief.
     Abandon,
     /// The same mission again.
@@ -161,6 +163,28 @@ pub enum ReviewLine {
     Remove(usize),
     /// Write the review as Markdown into this file.
     Export(String),
+}
+
+/// What a line says about another flight that is shown beside this one.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum GhostLine {
+    /// Show this flight.
+    Show(GhostSource),
+    /// Lay its times upon this one's by something that happened in both.
+    AlignedBy(Alignment),
+    /// Show it no longer.
+    Off,
+}
+
+/// Another flight of the same mission.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum GhostSource {
+    /// The best one of the trainee's own.
+    Best,
+    /// That of the reference pilot, flown now.
+    Reference,
+    /// That of a record, by one of its files.
+    File(String),
 }
 
 /// Where in a recording to go.

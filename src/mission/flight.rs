@@ -229,6 +229,11 @@ impl Flight {
         self.ended
     }
 
+    /// What decides what the mission leaves to chance.
+    pub fn seed(&self) -> u64 {
+        self.seed
+    }
+
     /// The mission that is flown.
     pub fn mission(&self) -> &Arc<Mission> {
         &self.mission

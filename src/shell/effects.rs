@@ -69,6 +69,7 @@ impl Console {
                 self.bookmark(text);
                 Ok(())
             }
+            SessionEffect::Ghost(source) => self.fetch_ghost(source),
             SessionEffect::Restart { alike } => self.start_again(alike).await,
             SessionEffect::Forget(vehicles) => {
                 if let Some(running) = &mut self.running {

@@ -6,6 +6,7 @@ use std::time::Duration;
 use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
+use super::ghost::ShownMission;
 use crate::app::event::{Event, VehicleEvent};
 use crate::app::room::messages::Wanted;
 use crate::exercise::PacedClock;
@@ -70,6 +71,16 @@ impl RunningSession {
     /// What the session was to be, for starting it again.
     pub fn plan(&self) -> SessionPlan {
         self.plan.clone()
+    }
+
+    /// The mission that is flown, if one is.
+    pub fn shown_mission(&self) -> Option<ShownMission> {
+        let run = self.mission_run.as_ref()?;
+        Some(ShownMission {
+            mission: Arc::clone(run.flight().mission()),
+            seed: run.flight().seed(),
+            run: run.run_id().map(str::to_owned),
+        })
     }
 
     /// Asks vehicles for all their parameters. Those that cannot be asked now are asked again at a later tick.

@@ -139,6 +139,29 @@ impl Runs {
         tries
     }
 
+    /// The run with the highest score of a profile, or of nobody's career, at a revision of a mission; practice and the run
+    /// called `except` are left out.
+    pub fn best(
+        &self,
+        whose: Option<&str>,
+        mission: &str,
+        revision: u32,
+        except: Option<&str>,
+    ) -> Option<PathBuf> {
+        let files = self.files().into_iter();
+        let others = files.filter(|path| Some(run_id(path)) != except);
+        let scored = others.filter_map(|path| {
+            let (head, end) = outline(&path).ok()?;
+            let is_meant = head.profile.as_deref() == whose
+                && head.mission == mission
+                && head.revision == revision;
+            let one = as_try(&head, end.as_ref());
+            let score = one.score.filter(|_| is_meant && !one.is_practice)?;
+            Some((score, path))
+        });
+        scored.max_by_key(|(score, _)| *score).map(|(_, path)| path)
+    }
+
     /// The run that began last.
     pub fn newest(&self) -> Option<PathBuf> {
         self.files().pop()

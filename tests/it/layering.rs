@@ -25,7 +25,7 @@ const PURE: &[&[&str]] = &[
     &["record"],
     &["sitl"],
     &["fidelity", "mission", "scoring", "debrief"],
-    &["campaign", "review"],
+    &["campaign", "comparison", "review"],
     &["operator"],
     &["exercise"],
 ];

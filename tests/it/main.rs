@@ -6,6 +6,7 @@ mod budgets;
 mod catalogue;
 mod clients;
 mod command_line;
+mod comparisons;
 mod console;
 mod designs;
 mod determinism;

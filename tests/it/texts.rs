@@ -8,7 +8,7 @@ use fluent_syntax::ast::{Entry, Expression, InlineExpression, Pattern, PatternEl
 use sortie::app::action::Action;
 use sortie::app::state::Room;
 use sortie::language::rows;
-use sortie::moment::MomentKind;
+use sortie::moment::{Alignment, MomentKind};
 use sortie::text::{Language, Locale, messages};
 
 /// The variables of each message of a language, by id.
@@ -163,6 +163,11 @@ fn from_tables() -> BTreeSet<String> {
             MomentKind::NAMES
                 .iter()
                 .map(|name| format!("moment-kind-{name}")),
+        )
+        .chain(
+            Alignment::NAMES
+                .iter()
+                .map(|name| format!("alignment-{name}")),
         )
         .chain(meanings.filter(|id| !id.is_empty()))
         .collect()

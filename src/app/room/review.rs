@@ -13,10 +13,13 @@ use crate::app::keymap::{
 use crate::moment::Moment;
 use crate::text::{Locale, Text};
 
+mod compared;
 mod page;
 
 /// Rows of the screen that are no part of a page: header, pages, footer.
 const OTHER_ROWS: u16 = 4;
+/// The share of the rows that the curves of two flights take.
+const CURVE_SHARE: u16 = 3;
 /// Pages wider than this are hard to read.
 const WIDEST: u16 = 100;
 
@@ -34,15 +37,18 @@ pub enum ReviewPage {
     Next,
     /// What moved the score.
     Explained,
+    /// What another flight did otherwise, and what that cost.
+    Compared,
 }
 
 impl ReviewPage {
-    pub const ALL: [Self; 5] = [
+    pub const ALL: [Self; 6] = [
         Self::Planned,
         Self::Happened,
         Self::Why,
         Self::Next,
         Self::Explained,
+        Self::Compared,
     ];
 
     /// The message that is its title.
@@ -53,6 +59,7 @@ impl ReviewPage {
             Self::Why => "review-why",
             Self::Next => "review-next",
             Self::Explained => "review-explained",
+            Self::Compared => "review-compared",
         }
     }
 
@@ -110,6 +117,13 @@ pub fn key_of(state: &State, words: &'static str) -> Text {
     state.keymap.key(meaning, Place::In(Room::Review))
 }
 
+/// Rows of the curves of both flights, on a page of so many rows.
+pub fn curve_rows(state: &State, rows: u16) -> u16 {
+    let has_both = state.ghost.as_ref().is_some_and(|it| it.own.is_some());
+    let is_shown = has_both && state.rooms.review.page == ReviewPage::Compared;
+    if is_shown { rows / CURVE_SHARE } else { 0 }
+}
+
 /// The lines of the page that is shown, for a screen of this width; none of the page that has the map.
 pub fn lines(state: &State, locale: &Locale, width: u16) -> Vec<PageLine> {
     page::lines(state, locale, width.min(WIDEST).saturating_sub(2))
@@ -154,6 +168,7 @@ impl RoomModel for Review {
         writes('-', "review improve "),
         writes('x', "review remove "),
         writes('e', "review export "),
+        writes('g', "ghost "),
         does(key('q'), Action::Leave),
     ];
 
@@ -161,7 +176,7 @@ impl RoomModel for Review {
         match state.rooms.review.page {
             ReviewPage::Happened => HAPPENED_HINTS,
             ReviewPage::Why | ReviewPage::Next => ANSWER_HINTS,
-            ReviewPage::Planned | ReviewPage::Explained => PAGE_HINTS,
+            ReviewPage::Planned | ReviewPage::Explained | ReviewPage::Compared => PAGE_HINTS,
         }
     }
 
@@ -186,7 +201,9 @@ impl RoomModel for Review {
             ReviewPage::Why => format!("review why {}", review.why),
             ReviewPage::Next => format!("review next {}", review.next),
             ReviewPage::Happened => return Some(show_moment(state)),
-            ReviewPage::Planned | ReviewPage::Explained => return Some(Vec::new()),
+            ReviewPage::Planned | ReviewPage::Explained | ReviewPage::Compared => {
+                return Some(Vec::new());
+            }
         };
         Some(vec![RoomRequest::Write(line)])
     }
@@ -224,9 +241,11 @@ fn turn(state: &mut State, page: ReviewPage) -> Vec<RoomRequest> {
     (room.page, room.scroll) = (page, 0);
     match page {
         ReviewPage::Happened => show_moment(state),
-        ReviewPage::Planned | ReviewPage::Why | ReviewPage::Next | ReviewPage::Explained => {
-            Vec::new()
-        }
+        ReviewPage::Planned
+        | ReviewPage::Why
+        | ReviewPage::Next
+        | ReviewPage::Explained
+        | ReviewPage::Compared => Vec::new(),
     }
 }
 
@@ -239,7 +258,8 @@ fn walk(state: &mut State, step: Step) -> Vec<RoomRequest> {
     }
     let (width, height) = state.size;
     let count = lines(state, &state.locale, width).len();
-    let positions = positions(count, height.saturating_sub(OTHER_ROWS));
+    let rows = height.saturating_sub(OTHER_ROWS);
+    let positions = positions(count, rows - curve_rows(state, rows));
     state.rooms.review.scroll = step.apply(room.scroll.min(positions - 1), positions);
     Vec::new()
 }

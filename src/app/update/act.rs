@@ -130,6 +130,7 @@ pub fn leave(state: &mut State) -> Effects {
 pub fn go_home(state: &mut State) {
     state.session = FlightView::default();
     state.replay = None;
+    state.ghost = None;
     let debrief = state.rooms.debrief.take();
     state.rooms.forget_session();
     state.rooms.debrief = debrief;

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{act, alert_line, forget, macros, mission, pace, replay, review};
+use super::{act, alert_line, forget, ghost, macros, mission, pace, replay, review};
 use crate::app::State;
 use crate::app::effect::{CareerEffect, Effect, Effects, SessionEffect, TerminalEffect};
 use crate::app::room::{Room, fly, hangar, parameters};
@@ -78,6 +78,7 @@ fn obey(state: &mut State, own: ConsoleLine) -> Result<Effects, Text> {
         ConsoleLine::Bookmark(text) => return replay::bookmark(state, text),
         ConsoleLine::Unbookmark => return replay::unbookmark(state),
         ConsoleLine::Review(line) => return review::carry_out(state, line),
+        ConsoleLine::Ghost(line) => return ghost::carry_out(state, line),
         ConsoleLine::Abandon => return Ok(mission::abandon(state)),
         ConsoleLine::Restart => return Ok(mission::restart(state, false)),
         ConsoleLine::Leave => return Ok(act::leave(state)),

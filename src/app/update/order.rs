@@ -193,6 +193,7 @@ fn announce(state: &mut State, effect: &SessionEffect) {
         | SessionEffect::Speedup(_)
         | SessionEffect::Replay { .. }
         | SessionEffect::Bookmark(_)
+        | SessionEffect::Ghost(_)
         | SessionEffect::Abandon => {}
     }
 }

@@ -149,6 +149,7 @@ pub fn started(state: &mut State, started: Started) {
         session.groups = std::mem::take(&mut state.session.groups);
     }
     state.session = session;
+    state.ghost = None;
     state.rooms.forget_session();
     map::began(state);
     state.typed.clear();

@@ -10,7 +10,7 @@ use crate::store;
 /// What is wrong with a script, among the files that were named.
 pub(super) fn faults(script: &Path, text: &str, named: &[PathBuf]) -> Option<Vec<Diagnostic>> {
     if let Some(mission) = mission_of(script, named) {
-        return crate::cli::run::read_script(text, &mission).err();
+        return crate::exercise::read_script(text, &mission).err();
     }
     // Which mission it will fly, nobody has said: its places may have any name.
     let context = Context {

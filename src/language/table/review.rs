@@ -1,12 +1,13 @@
-//! The verb of the after-action review: its answers and its points.
+//! Verbs of the after-action review: its answers and points, and another flight to compare with.
 
 use super::{Built, console};
 use crate::language::argument::{Argument, Arguments, Kind, Unit};
-use crate::language::console::{ConsoleLine, ReviewLine};
+use crate::language::console::{ConsoleLine, GhostLine, GhostSource, ReviewLine};
 use crate::language::verb::{Form, Scope, VerbRow};
+use crate::moment::Alignment;
 use crate::verb::Verb;
 
-pub(super) static ROWS: &[VerbRow] = &[REVIEW];
+pub(super) static ROWS: &[VerbRow] = &[REVIEW, GHOST];
 
 /// The number of a point, from 1.
 const POINT: Kind = Kind::Whole(Unit::None, 1.0, 6.0);
@@ -63,6 +64,52 @@ const REVIEW: VerbRow = VerbRow {
         ),
     ],
 };
+
+const GHOST: VerbRow = VerbRow {
+    verb: Verb::unsent("ghost"),
+    scope: Scope::Screen,
+    aliases: &[],
+    examples: &[
+        "ghost best",
+        "ghost reference",
+        "ghost by takeoff",
+        "ghost off",
+    ],
+    forms: &[
+        Form::new(&[Argument::flag("best", "argument-ghost-best")], |_| {
+            ghost(GhostLine::Show(GhostSource::Best))
+        }),
+        Form::new(
+            &[Argument::flag("reference", "argument-ghost-reference")],
+            |_| ghost(GhostLine::Show(GhostSource::Reference)),
+        ),
+        Form::new(&[Argument::flag("off", "")], |_| ghost(GhostLine::Off)),
+        Form::new(
+            &[Argument::keyed(
+                "by",
+                "moment",
+                Kind::Choice(Alignment::NAMES),
+                "argument-ghost-by",
+            )],
+            |given| {
+                let name = given.required_word("moment")?;
+                let alignment = Alignment::named(name).unwrap_or_default();
+                ghost(GhostLine::AlignedBy(alignment))
+            },
+        ),
+        Form::new(
+            &[Argument::value("file", Kind::Rest, "argument-file")],
+            |given| {
+                let path = given.required_word("file")?.trim().to_owned();
+                ghost(GhostLine::Show(GhostSource::File(path)))
+            },
+        ),
+    ],
+};
+
+fn ghost(line: GhostLine) -> Built {
+    console(ConsoleLine::Ghost(line))
+}
 
 fn review(line: ReviewLine) -> Built {
     console(ConsoleLine::Review(line))

@@ -194,6 +194,11 @@ impl Reenactment {
         &self.flight
     }
 
+    /// The vehicles as the mission saw them last.
+    pub fn vehicles(&self) -> &Vehicles {
+        &self.vehicles
+    }
+
     /// The report, as if the flight had ended here.
     pub fn report(&self) -> Report {
         Report {

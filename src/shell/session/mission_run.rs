@@ -56,6 +56,10 @@ impl MissionRun {
         self.driver.flight_mut()
     }
 
+    pub fn flight(&self) -> &Flight {
+        self.driver.flight()
+    }
+
     /// A mission with the embedded simulator, so many simulated seconds per second.
     pub fn embedded(flight: Flight, speedup: f64, inputs: Option<InputSink>) -> Self {
         let clock = PacedClock::new(speedup, Duration::ZERO);

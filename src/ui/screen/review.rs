@@ -18,6 +18,8 @@ use crate::ui::widget::map::draw as draw_map;
 use crate::ui::widget::replay::{moment_line, moment_text};
 use crate::ui::widget::{put, row_of, wrap};
 
+mod curves;
+
 /// The share of the width that the moments take beside the map, and the most columns that they use.
 const LIST_SHARE: u16 = 2;
 const WIDEST_LIST: u16 = 80;
@@ -58,7 +60,10 @@ fn pages<'a>(view: &ReplayView, shown: ReviewPage, panel: Panel<'_>) -> Line<'a>
         let is_done = match page {
             ReviewPage::Why => !review.why.is_empty(),
             ReviewPage::Next => !review.next.is_empty(),
-            ReviewPage::Planned | ReviewPage::Happened | ReviewPage::Explained => false,
+            ReviewPage::Planned
+            | ReviewPage::Happened
+            | ReviewPage::Explained
+            | ReviewPage::Compared => false,
         };
         let role = if page == shown {
             Role::Selected
@@ -134,6 +139,14 @@ fn draw_detail(state: &State, moment: &Moment, panel: Panel<'_>, buffer: &mut Bu
 }
 
 fn draw_page(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
+    let curves = review::curve_rows(state, panel.area.height);
+    let rows = panel.area.height - curves;
+    if let Some(ghost) = state.ghost()
+        && let Some(own) = ghost.own.as_deref().filter(|_| curves > 0)
+    {
+        curves::draw(ghost, own, panel.below(rows), buffer);
+    }
+    let panel = panel.upper(rows);
     let lines = review::lines(state, &panel.look.locale, panel.area.width);
     let rows = visible(lines.len(), panel.area.height);
     let last = lines.len().saturating_sub(rows);

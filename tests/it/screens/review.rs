@@ -4,14 +4,16 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use sortie::app::effect::{Effect, FileEffect, FileKind, ReplayEffect, SessionEffect};
-use sortie::app::event::{CareerEvent, ReplayEvent};
-use sortie::app::state::{Activity, ReplayView};
+use sortie::app::event::{CareerEvent, ReplayEvent, SessionEvent};
+use sortie::app::state::{Activity, Ghost, ReplayView};
 use sortie::campaign::Stake;
+use sortie::language::GhostSource;
 use sortie::moment::{Moment, MomentKind};
 use sortie::review::{PointKind, Review};
 use sortie::text::Text;
 
 use super::check;
+use crate::comparisons;
 use crate::fixtures;
 use crate::harness::Console;
 
@@ -115,6 +117,66 @@ fn a_review_asks_four_questions_before_it_explains() {
         (point.kind, point.at()),
         (PointKind::Improve, Duration::from_secs(150))
     );
+}
+
+#[test]
+fn another_flight_is_compared_and_drawn_on_the_map() {
+    let mut console = reviewing();
+    console.give("ghost reference");
+    let fetched = Effect::Session(SessionEffect::Ghost(GhostSource::Reference));
+    assert_eq!(console.effects.last(), Some(&fetched));
+    let ghost = Ghost::new(
+        Arc::new(comparisons::reference()),
+        Some(Arc::new(comparisons::short())),
+    );
+    console.hear(SessionEvent::Ghost(Box::new(ghost)));
+    console.press("left");
+    assert!(console.screen(80, 24).contains("Planned"));
+    for _ in 0..5 {
+        console.press("right");
+    }
+    check("review_compared", &console);
+    console.give("ghost by takeoff");
+    assert!(
+        console
+            .screen(80, 24)
+            .contains("aligned by the first takeoff")
+    );
+    console.give("ghost off");
+    assert!(console.screen(80, 24).contains("Compare this flight"));
+}
+
+#[test]
+fn a_flight_that_counts_has_no_ghost_of_another_pilot() {
+    for (stake, line, said) in [
+        (
+            Stake::Graded,
+            "ghost reference",
+            "without the ghost of another pilot",
+        ),
+        (
+            Stake::Graded,
+            "ghost 1.run.jsonl",
+            "without the ghost of another pilot",
+        ),
+        (Stake::Graded, "ghost best", "fetching"),
+        (Stake::Practice, "ghost reference", "fetching"),
+        (
+            Stake::Exam,
+            "ghost best",
+            "an exam is flown without a ghost",
+        ),
+    ] {
+        let mut console = Console::new();
+        console.start(Activity::Mission {
+            id: "m01".to_owned(),
+            title: "Air sample at the yard".into(),
+            stake,
+        });
+        console.press("F").give(line);
+        let screen = console.screen(120, 40);
+        assert!(screen.contains(said), "{stake:?} {line}\n{screen}");
+    }
 }
 
 #[test]

@@ -29,20 +29,21 @@ pub(super) fn lines(state: &State, locale: &Locale, width: u16) -> Vec<PageLine>
         ReviewPage::Why => page.why(),
         ReviewPage::Next => page.next(),
         ReviewPage::Explained => page.explained(),
+        ReviewPage::Compared => page.compared(),
     }
     page.lines
 }
 
-struct Page<'a> {
-    state: &'a State,
+pub(super) struct Page<'a> {
+    pub state: &'a State,
     view: &'a ReplayView,
-    locale: &'a Locale,
-    width: usize,
+    pub locale: &'a Locale,
+    pub width: usize,
     lines: Vec<PageLine>,
 }
 
 impl Page<'_> {
-    fn add(&mut self, tone: Tone, text: impl Into<String>) {
+    pub fn add(&mut self, tone: Tone, text: impl Into<String>) {
         let text = text.into();
         self.lines.push(PageLine { tone, text });
     }
@@ -60,7 +61,7 @@ impl Page<'_> {
         }
     }
 
-    fn say(&mut self, tone: Tone, text: &Text) {
+    pub fn say(&mut self, tone: Tone, text: &Text) {
         let words = self.locale.text(text);
         self.paragraph(tone, &words);
     }

@@ -62,6 +62,7 @@ pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mu
     for sketch in sketches(state) {
         draw_sketch(&sketch, view, &mut canvas, &mut labels);
     }
+    ways::draw_ghost(state, view, &mut canvas, &mut labels);
     ways::draw_trails(state, look, view, &mut canvas, &mut labels);
     ways::draw_targets(state, view, &mut canvas, &mut labels);
     draw_homes(state, look, view, &mut labels);

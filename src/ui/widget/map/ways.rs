@@ -8,6 +8,7 @@ use crate::config::Symbols;
 use crate::geo::maths;
 use crate::geo::{Dot, Viewport};
 use crate::ui::look::{Badge, Look};
+use crate::ui::theme::Role;
 use crate::vehicle::{Vehicle, VehicleId};
 
 /// Larger swarms show the trails and targets only of the vehicles that commands go to.
@@ -81,6 +82,29 @@ pub fn draw_targets(state: &State, view: &Viewport, canvas: &mut Canvas, labels:
             role: stroke.role,
         }));
     }
+}
+
+/// The other flight that is shown beside this one: its ways so far, and its vehicles with a `g` before their numbers.
+pub fn draw_ghost(state: &State, view: &Viewport, canvas: &mut Canvas, labels: &mut Vec<Label>) {
+    let (Some(ghost), Some(time)) = (state.ghost(), state.ghost_time()) else {
+        return;
+    };
+    let stroke = Stroke::dotted(Role::Muted);
+    if !state.rooms().map().hides_trails() {
+        for way in ghost.other.ways(time) {
+            for pair in way.windows(2) {
+                canvas.line(view.dot(pair[0]), view.dot(pair[1]), stroke);
+            }
+        }
+    }
+    let places = ghost.other.at(time);
+    labels.extend(places.filter_map(|(vehicle, point)| {
+        Some(Label {
+            cell: view.cell(point.place)?,
+            text: format!("g{vehicle}"),
+            role: Role::Muted,
+        })
+    }));
 }
 
 /// The vehicles whose ways are drawn.

@@ -1,0 +1,91 @@
+//! The page of two flights: what differed, in a table.
+
+use super::key_of;
+use super::page::Page;
+use crate::app::room::mission::Tone;
+use crate::comparison::{ComparedFlight, Difference, differences};
+use crate::debrief::fit;
+use crate::text;
+use crate::text::{Text, clock};
+
+/// Columns of the time and of the points; the rest is shared out.
+const TIME: usize = 6;
+const POINTS: usize = 8;
+/// The share of the rest that says what differed, of so many.
+const WHAT: usize = 2;
+const SHARES: usize = 5;
+
+impl Page<'_> {
+    pub(super) fn compared(&mut self) {
+        let Some(ghost) = &self.state.ghost else {
+            let key = key_of(self.state, "ghost");
+            return self.say(Tone::Hint, &text!("compare-how", key = key));
+        };
+        let Some(own) = ghost.own.clone() else {
+            return self.say(Tone::Muted, &text!("compare-in-flight"));
+        };
+        let other = &ghost.other;
+        let alignment = text!("compare-aligned", moment = ghost.alignment().text());
+        self.say(Tone::Muted, &alignment);
+        self.heads(&own, other);
+        let differences = differences(&own, other);
+        if differences.is_empty() {
+            self.say(Tone::Muted, &text!("compare-same"));
+        }
+        for difference in differences {
+            self.difference(&difference);
+        }
+    }
+
+    /// Whose flights they were, and what they earned.
+    fn heads(&mut self, own: &ComparedFlight, other: &ComparedFlight) {
+        let [mine, theirs] = [own, other].map(|it| self.locale.text(&it.name));
+        self.row(Tone::Hint, ["", "", &mine, &theirs, ""]);
+        let (score, their_score) = (own.report.score, other.report.score);
+        let gain = i32::from(score) - i32::from(their_score);
+        let cells = [
+            "",
+            &self.locale.say("compare-score"),
+            &score.to_string(),
+            &their_score.to_string(),
+            &format!("{gain:+}"),
+        ];
+        self.row(Tone::Hint, cells);
+    }
+
+    fn difference(&mut self, difference: &Difference) {
+        let say = |text: &Text| self.locale.text(text);
+        let time = difference.at.map_or_else(String::new, clock);
+        let points = match difference.points {
+            Some(points) => format!("{points:+.1}"),
+            None => String::new(),
+        };
+        let tone = match difference.points {
+            Some(points) if points < 0.0 => Tone::Missed,
+            Some(points) if points > 0.0 => Tone::Met,
+            Some(_) | None => Tone::Plain,
+        };
+        let (what, own, other) = (
+            say(&difference.what),
+            say(&difference.own),
+            say(&difference.other),
+        );
+        self.row(tone, [&time, &what, &own, &other, &points]);
+    }
+
+    /// A row of the table: time, what, this flight, the other one, points.
+    fn row(&mut self, tone: Tone, cells: [&str; 5]) {
+        let rest = self.width.saturating_sub(TIME + POINTS + 4);
+        let what = rest * WHAT / SHARES;
+        let side = (rest - what) / 2;
+        let [time, about, own, other, points] = cells;
+        let line = format!(
+            "{} {} {} {} {points:>POINTS$}",
+            fit(time, TIME),
+            fit(about, what),
+            fit(own, side),
+            fit(other, side)
+        );
+        self.add(tone, line.trim_end());
+    }
+}

@@ -1,0 +1,70 @@
+//! Another flight of the mission beside the one that is flown or replayed.
+
+use crate::app::State;
+use crate::app::effect::{Effect, Effects, SessionEffect};
+use crate::app::state::{Activity, Ghost};
+use crate::language::{GhostLine, GhostSource};
+use crate::mission::Stake;
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::Severity;
+
+/// Carries out a line about the other flight.
+///
+/// # Errors
+/// There is no mission to compare, the flight must not have one beside it, or there is none.
+pub fn carry_out(state: &mut State, line: GhostLine) -> Result<Effects, Text> {
+    match line {
+        GhostLine::Show(source) => {
+            admit(state, &source)?;
+            state.say(Severity::Notice, text!("ghost-fetching"));
+            return Ok(Effects::from(Effect::Session(SessionEffect::Ghost(source))));
+        }
+        GhostLine::AlignedBy(alignment) => {
+            let ghost = state.ghost.as_mut().ok_or_else(|| text!("ghost-none"))?;
+            if !ghost.align(alignment) {
+                return Err(text!("ghost-not-in-both", moment = alignment.text()));
+            }
+            state.say(
+                Severity::Notice,
+                text!("ghost-aligned", moment = alignment.text()),
+            );
+        }
+        GhostLine::Off => {
+            state.ghost.take().ok_or_else(|| text!("ghost-none"))?;
+            state.say(Severity::Notice, text!("ghost-off"));
+        }
+    }
+    Ok(Effects::none())
+}
+
+/// Whether a flight may be shown beside this one: that of another pilot gives the solution away where a flight counts.
+fn admit(state: &State, source: &GhostSource) -> Result<(), Text> {
+    let Some(Activity::Mission { stake, .. }) = &state.session.activity else {
+        return Err(text!("ghost-no-mission"));
+    };
+    if state.replay.is_some() {
+        return Ok(());
+    }
+    match (stake, source) {
+        (Stake::Exam, _) => Err(text!("ghost-in-exam")),
+        (Stake::Practice, _) | (Stake::Graded | Stake::Daily, GhostSource::Best) => Ok(()),
+        (Stake::Graded | Stake::Daily, GhostSource::Reference | GhostSource::File(_)) => {
+            Err(text!("ghost-practice-only"))
+        }
+    }
+}
+
+/// Shows the other flight from now on.
+pub fn arrived(state: &mut State, ghost: Ghost) {
+    let report = &ghost.other.report;
+    let text = text!(
+        "ghost-shown",
+        name = ghost.other.name.clone(),
+        score = report.score,
+        seed = report.seed.to_string()
+    );
+    state.ghost = Some(ghost);
+    state.say(Severity::Notice, text);
+    state.touch();
+}

@@ -1,0 +1,180 @@
+//! Two flights of a mission beside each other: where the vehicles of the other one were at each time, what differed
+//! first, and what it cost.
+//!
+//! Times are those of the mission's own clock, so that flights compare whatever the pace they were flown at. A flight is
+//! known from its record, or from a pilot script that has just flown it; both know the same.
+
+use std::collections::BTreeMap;
+use std::time::Duration;
+
+use crate::geo::LatLon;
+use crate::mission::record::Stored;
+use crate::mission::{Flight, Progress};
+use crate::moment::Alignment;
+use crate::scoring::{EventKind, Report};
+use crate::text::Text;
+use crate::vehicle::{VehicleId, Vehicles};
+
+mod difference;
+
+pub use difference::{Difference, differences};
+
+/// The distance between the points of a track.
+pub const SAMPLE_EVERY: Duration = Duration::from_secs(1);
+
+/// A flight as far as it is compared.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ComparedFlight {
+    /// Whose flight it was: a profile, a pilot, or the name of a record.
+    pub name: Text,
+    pub report: Report,
+    /// Where each vehicle was, a point per second from the start on.
+    tracks: BTreeMap<VehicleId, Vec<Option<TrackPoint>>>,
+    /// When each objective was reached first, in the mission's order.
+    reached: Vec<Option<Duration>>,
+    /// When the first vehicle was in the air.
+    takeoff: Option<Duration>,
+    /// How long it lasted.
+    pub length: Duration,
+}
+
+/// Where a vehicle was at one time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TrackPoint {
+    pub place: LatLon,
+    /// Height above home in metres.
+    pub height_m: f64,
+    /// What the battery had left, in percent, where that was known.
+    pub battery_percent: Option<f64>,
+    pub is_airborne: bool,
+}
+
+impl ComparedFlight {
+    /// The flight of a record, as far as it goes.
+    ///
+    /// # Errors
+    /// This program cannot read the mission in it; in words.
+    pub fn of_record(stored: &Stored, name: Text) -> Result<Self, Text> {
+        let mut flight = stored.reenact()?;
+        let mut course = FlightCourse::default();
+        while !flight.is_over() && flight.flight().outcome().is_none() {
+            drop(flight.advance(course.next()));
+            course.note(flight.vehicles(), flight.flight());
+        }
+        drop(flight.advance(Duration::MAX));
+        Ok(course.finish(name, flight.report()))
+    }
+
+    /// Where its vehicles were at a time of the mission; nothing before its start and after its end.
+    pub fn at(&self, time: Duration) -> impl Iterator<Item = (VehicleId, TrackPoint)> {
+        let second = sample_of(time);
+        self.tracks.iter().filter_map(move |(&vehicle, track)| {
+            let point = track.get(second).copied().flatten()?;
+            Some((vehicle, point))
+        })
+    }
+
+    /// The ways of its vehicles in the air up to a time of the mission.
+    pub fn ways(&self, until: Duration) -> impl Iterator<Item = Vec<LatLon>> {
+        let count = sample_of(until).saturating_add(1);
+        self.tracks.values().map(move |track| {
+            let points = track.iter().take(count).flatten();
+            let flown = points.filter(|it| it.is_airborne).map(|it| it.place);
+            flown.collect()
+        })
+    }
+
+    /// How high the highest vehicle was at a time of the mission, in metres above home.
+    pub fn height_m(&self, time: Duration) -> Option<f64> {
+        let heights = self.at(time).map(|(_, point)| point.height_m);
+        heights.max_by(f64::total_cmp)
+    }
+
+    /// What the emptiest battery had left at a time of the mission, in percent.
+    pub fn battery_percent(&self, time: Duration) -> Option<f64> {
+        let left = self.at(time).filter_map(|(_, it)| it.battery_percent);
+        left.min_by(f64::total_cmp)
+    }
+
+    /// When it was where another flight is laid upon it; `None` where that never happened.
+    pub fn anchor(&self, alignment: Alignment) -> Option<Duration> {
+        match alignment {
+            Alignment::Start => Some(Duration::ZERO),
+            Alignment::Takeoff => self.takeoff,
+            Alignment::Objective => self.reached.iter().flatten().min().copied(),
+            Alignment::Alert => self.first(EventKind::Alert),
+            Alignment::Refusal => self.first(EventKind::Rejected),
+        }
+    }
+
+    fn first(&self, kind: EventKind) -> Option<Duration> {
+        let mut events = self.report.events.iter();
+        let first = events.find(|it| it.kind == kind)?;
+        Duration::try_from_secs_f64(first.at_s).ok()
+    }
+}
+
+/// Which point of a track shows a time.
+fn sample_of(time: Duration) -> usize {
+    let sample = time.as_millis() / SAMPLE_EVERY.as_millis();
+    usize::try_from(sample).unwrap_or(usize::MAX)
+}
+
+/// The course of a flight, noted while it is flown.
+#[derive(Debug, Default)]
+pub struct FlightCourse {
+    samples: u32,
+    tracks: BTreeMap<VehicleId, Vec<Option<TrackPoint>>>,
+    reached: Vec<Option<Duration>>,
+    takeoff: Option<Duration>,
+}
+
+impl FlightCourse {
+    /// The mission time at which it is to be noted next.
+    pub fn next(&self) -> Duration {
+        SAMPLE_EVERY * self.samples
+    }
+
+    /// Notes how the flight stands at the time that [`next`](Self::next) has named.
+    pub fn note(&mut self, vehicles: &Vehicles, flight: &Flight) {
+        let now = self.next();
+        for (&id, vehicle) in vehicles {
+            let track = self.tracks.entry(id).or_default();
+            track.resize(self.samples as usize, None);
+            let is_airborne = vehicle.airborne();
+            let battery = vehicle.battery().and_then(|it| it.remaining_percent);
+            track.push(vehicle.global.map(|global| TrackPoint {
+                place: global.at_point,
+                height_m: global.altitude_m,
+                battery_percent: battery.map(f64::from),
+                is_airborne,
+            }));
+            if is_airborne {
+                self.takeoff.get_or_insert(now);
+            }
+        }
+        self.note_objectives(&flight.progress(), now);
+        self.samples += 1;
+    }
+
+    fn note_objectives(&mut self, progress: &Progress, now: Duration) {
+        self.reached.resize(progress.objectives.len(), None);
+        for (objective, reached) in progress.objectives.iter().zip(&mut self.reached) {
+            if objective.is_reached() {
+                reached.get_or_insert(now);
+            }
+        }
+    }
+
+    /// The flight with its result.
+    pub fn finish(self, name: Text, report: Report) -> ComparedFlight {
+        ComparedFlight {
+            name,
+            length: Duration::try_from_secs_f64(report.sim_time_s).unwrap_or_default(),
+            report,
+            tracks: self.tracks,
+            reached: self.reached,
+            takeoff: self.takeoff,
+        }
+    }
+}

@@ -1,0 +1,205 @@
+//! What differs between two flights of a mission.
+
+use std::time::Duration;
+
+use super::ComparedFlight;
+use crate::ledger::RowState;
+use crate::scoring::{EventKind, LedgerReport, Report};
+use crate::text;
+use crate::text::{Text, clock, rounded};
+
+/// Something that one flight did otherwise than the other.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Difference {
+    /// When it shows first, by the mission's clock; `None` for what is only known at the end.
+    pub at: Option<Duration>,
+    /// What it is about.
+    pub what: Text,
+    /// How it was in the flight that is looked at.
+    pub own: Text,
+    /// How it was in the other one.
+    pub other: Text,
+    /// How many points of the score more it brought than in the other flight; `None` where it has none of its own.
+    pub points: Option<f64>,
+}
+
+/// Times that differ by less are the same.
+const SAME_TIME: Duration = Duration::from_secs(2);
+/// Points that differ by less are the same.
+const SAME_POINTS: f64 = 0.5;
+
+/// What differed between two flights: first what shows during them, by its time, then what moved the score, the dearest
+/// first.
+pub fn differences(own: &ComparedFlight, other: &ComparedFlight) -> Vec<Difference> {
+    let mut timed: Vec<Difference> = objectives(own, other);
+    timed.extend(times(text!("compare-takeoff"), own.takeoff, other.takeoff));
+    timed.extend(commands(&own.report, &other.report));
+    timed.extend(alerts(&own.report, &other.report));
+    timed.extend(counts(&own.report, &other.report));
+    timed.sort_by_key(|it| it.at);
+    let mut scored = components(&own.report, &other.report);
+    scored.sort_by(|a, b| cost(a).total_cmp(&cost(b)));
+    timed.extend(scored);
+    timed
+}
+
+fn cost(difference: &Difference) -> f64 {
+    difference.points.unwrap_or_default()
+}
+
+fn time(at: Option<Duration>) -> Text {
+    at.map_or_else(|| text!("compare-never"), |at| clock(at).into())
+}
+
+/// The same thing at two times, where they differ.
+fn times(what: Text, own: Option<Duration>, other: Option<Duration>) -> Option<Difference> {
+    let is_same = match (own, other) {
+        (Some(own), Some(other)) => own.abs_diff(other) < SAME_TIME,
+        (None, None) => true,
+        (Some(_), None) | (None, Some(_)) => false,
+    };
+    (!is_same).then(|| Difference {
+        at: own.into_iter().chain(other).min(),
+        what,
+        own: time(own),
+        other: time(other),
+        points: None,
+    })
+}
+
+/// When which objective was reached, and what it brought.
+fn objectives(own: &ComparedFlight, other: &ComparedFlight) -> Vec<Difference> {
+    let reports = own.report.objectives.iter().zip(&other.report.objectives);
+    let reached = own.reached.iter().zip(&other.reached);
+    let both = reports.zip(reached);
+    both.filter_map(|((mine, theirs), (&reached, &their_reached))| {
+        let points = rounded(mine.points - theirs.points, 1);
+        if mine.met != theirs.met {
+            return Some(Difference {
+                at: reached.into_iter().chain(their_reached).min(),
+                what: mine.title.clone(),
+                own: mine.result.clone(),
+                other: theirs.result.clone(),
+                points: Some(points),
+            });
+        }
+        let difference = times(mine.title.clone(), reached, their_reached)?;
+        let points = (points.abs() >= SAME_POINTS).then_some(points);
+        Some(Difference {
+            points,
+            ..difference
+        })
+    })
+    .collect()
+}
+
+/// The first command that was not the same.
+fn commands(own: &Report, other: &Report) -> Option<Difference> {
+    let (mine, theirs) = (&own.ledger, &other.ledger);
+    let is_same = |at: &usize| match (mine.get(*at), theirs.get(*at)) {
+        (Some(mine), Some(theirs)) => mine.line == theirs.line,
+        _ => false,
+    };
+    let first = (0..).find(|at| !is_same(at))?;
+    let (mine, theirs) = (mine.get(first), theirs.get(first));
+    let line = |entry: Option<&LedgerReport>| match entry {
+        Some(entry) => Text::verbatim(entry.line.clone()),
+        None => text!("compare-nothing"),
+    };
+    let when = mine.into_iter().chain(theirs).map(|it| it.at_s);
+    let at = when.min_by(f64::total_cmp)?;
+    Some(Difference {
+        at: Duration::try_from_secs_f64(at).ok(),
+        what: text!("compare-first-command"),
+        own: line(mine),
+        other: line(theirs),
+        points: None,
+    })
+}
+
+/// How soon alerts were answered on the average, and how many were not.
+fn alerts(own: &Report, other: &Report) -> Option<Difference> {
+    let answered = |report: &Report| {
+        let late = report.alerts.iter().filter(|it| !it.in_time).count();
+        text!(
+            "compare-alerts-late",
+            late = late,
+            count = report.alerts.len()
+        )
+    };
+    let (mine, theirs) = (answered(own), answered(other));
+    let first = own.alerts.iter().chain(&other.alerts).map(|it| it.at_s);
+    let at = first.min_by(f64::total_cmp);
+    (mine != theirs).then(|| Difference {
+        at: at.and_then(|at| Duration::try_from_secs_f64(at).ok()),
+        what: text!("compare-alerts"),
+        own: mine,
+        other: theirs,
+        points: None,
+    })
+}
+
+/// How often commands were refused and rules were broken.
+fn counts(own: &Report, other: &Report) -> Vec<Difference> {
+    let refused = |report: &Report| {
+        let entries = report.ledger.iter();
+        entries
+            .filter(|it| it.rows.iter().any(|row| row.state == RowState::Refused))
+            .count()
+    };
+    let broken = |report: &Report| {
+        let events = report.events.iter();
+        events.filter(|it| it.kind == EventKind::Rule).count()
+    };
+    let first = |kind: EventKind| {
+        let events = own.events.iter().chain(&other.events);
+        let times = events.filter(|it| it.kind == kind).map(|it| it.at_s);
+        let first = times.min_by(f64::total_cmp);
+        first.and_then(|at| Duration::try_from_secs_f64(at).ok())
+    };
+    let counted = [
+        (
+            text!("compare-refused"),
+            EventKind::Rejected,
+            refused(own),
+            refused(other),
+        ),
+        (
+            text!("compare-broken"),
+            EventKind::Rule,
+            broken(own),
+            broken(other),
+        ),
+    ];
+    let differ = counted
+        .into_iter()
+        .filter(|(_, _, mine, theirs)| mine != theirs);
+    differ
+        .map(|(what, kind, mine, theirs)| Difference {
+            at: first(kind),
+            what,
+            own: mine.to_string().into(),
+            other: theirs.to_string().into(),
+            points: None,
+        })
+        .collect()
+}
+
+/// What moved the score.
+fn components(own: &Report, other: &Report) -> Vec<Difference> {
+    let both = own.components.iter().filter_map(|mine| {
+        let theirs = other.components.iter().find(|it| it.name == mine.name)?;
+        Some((mine, theirs))
+    });
+    both.filter_map(|(mine, theirs)| {
+        let points = rounded(mine.points - theirs.points, 1);
+        (points.abs() >= SAME_POINTS).then(|| Difference {
+            at: None,
+            what: mine.name.clone(),
+            own: format!("{:.1}", mine.points).into(),
+            other: format!("{:.1}", theirs.points).into(),
+            points: Some(points),
+        })
+    })
+    .collect()
+}

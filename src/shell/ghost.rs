@@ -1,0 +1,143 @@
+//! Other flights of a mission, read or flown in a thread of their own.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::thread::JoinHandle;
+
+use super::Console;
+use crate::app::event::{Event, SessionEvent};
+use crate::app::state::Ghost;
+use crate::comparison::ComparedFlight;
+use crate::exercise::{fly_compared, read_script};
+use crate::language::GhostSource;
+use crate::mission::Mission;
+use crate::mission::record::Stored;
+use crate::store::{self, RecordFiles, read_run, user_path};
+use crate::text;
+use crate::text::Text;
+
+/// Work on a ghost that is under way.
+pub(super) type GhostWork = JoinHandle<Result<Ghost, Text>>;
+
+/// The mission that is flown or replayed.
+#[derive(Debug)]
+pub(super) struct ShownMission {
+    pub mission: Arc<Mission>,
+    pub seed: u64,
+    /// What its run is called, if it is recorded.
+    pub run: Option<String>,
+}
+
+/// What another flight is made from.
+enum GhostPlan {
+    Record(PathBuf),
+    Reference(Box<ShownMission>),
+}
+
+impl Console {
+    /// Begins to fetch another flight of the mission; [`take_ghost`](Self::take_ghost) shows it.
+    ///
+    /// # Errors
+    /// There is no such flight; in words.
+    pub(super) fn fetch_ghost(&mut self, source: GhostSource) -> Result<(), Text> {
+        let shown = self
+            .shown_mission()
+            .ok_or_else(|| text!("ghost-no-mission"))?;
+        let own = self
+            .replaying
+            .as_ref()
+            .and_then(|it| it.film().run().cloned());
+        let id = shown.mission.id.clone();
+        let plan = match source {
+            GhostSource::File(path) => {
+                let files = RecordFiles::beside(Path::new(&user_path(&path)));
+                let run = files
+                    .run
+                    .ok_or_else(|| text!("ghost-no-run", file = path))?;
+                GhostPlan::Record(run)
+            }
+            GhostSource::Best => GhostPlan::Record(self.best_run(&shown)?),
+            GhostSource::Reference => GhostPlan::Reference(Box::new(shown)),
+        };
+        let work = move || {
+            let other = plan.flight()?;
+            if other.report.mission != id {
+                let other = other.report.mission;
+                return Err(text!("ghost-other-mission", other = other, mission = id));
+            }
+            let own = own.map(|own| ComparedFlight::of_record(&own, text!("compare-own")));
+            Ok(Ghost::new(Arc::new(other), own.transpose()?.map(Arc::new)))
+        };
+        let thread = std::thread::Builder::new().name("ghost".to_owned());
+        let work = thread.spawn(work);
+        self.ghost = Some(work.map_err(|error| Text::verbatim(error.to_string()))?);
+        Ok(())
+    }
+
+    /// Shows the other flight once it is there.
+    pub(super) fn take_ghost(&mut self) {
+        let Some(work) = self.ghost.take_if(|it| it.is_finished()) else {
+            return;
+        };
+        let event = match work.join() {
+            Ok(Ok(ghost)) => SessionEvent::Ghost(Box::new(ghost)).into(),
+            Ok(Err(fault)) => Event::Failed(fault),
+            Err(_) => Event::Failed(text!("ghost-broken")),
+        };
+        self.post(event);
+    }
+
+    fn shown_mission(&self) -> Option<ShownMission> {
+        if let Some(running) = &self.running {
+            return running.shown_mission();
+        }
+        let film = self.replaying.as_ref()?.film();
+        let run = film.run()?;
+        Some(ShownMission {
+            mission: Arc::new(run.head.flown().ok()?),
+            seed: run.head.seed,
+            run: Some(film.name()),
+        })
+    }
+
+    /// The record of the best flight of the mission, other than the one that is shown.
+    fn best_run(&self, shown: &ShownMission) -> Result<PathBuf, Text> {
+        let runs = self.options.preferences.runs.as_ref();
+        let mission = &shown.mission;
+        let best = runs.and_then(|runs| {
+            runs.best(
+                self.trainee(),
+                &mission.id,
+                mission.rev,
+                shown.run.as_deref(),
+            )
+        });
+        best.ok_or_else(|| text!("ghost-no-best"))
+    }
+}
+
+impl GhostPlan {
+    fn flight(self) -> Result<ComparedFlight, Text> {
+        match self {
+            Self::Record(path) => {
+                let unreadable = |error: std::io::Error| {
+                    let (path, error) = (path.display().to_string(), error.to_string());
+                    text!("transport-no-file", path = path, error = error)
+                };
+                let stored = Stored::read(&read_run(&path).map_err(unreadable)?)?;
+                let whose = stored.head.profile.clone();
+                let name = Text::verbatim(whose.unwrap_or_else(|| stored.head.when.clone()));
+                ComparedFlight::of_record(&stored, name)
+            }
+            Self::Reference(shown) => {
+                let id = &shown.mission.id;
+                let pilot = store::pilot(id).map_err(|_| text!("ghost-no-pilot", mission = id))?;
+                let script = read_script(&pilot.text, &shown.mission)
+                    .map_err(|_| text!("ghost-no-pilot", mission = id))?;
+                let name = text!("compare-reference");
+                let ShownMission { mission, seed, .. } = *shown;
+                Ok(fly_compared(mission, seed, script, name))
+            }
+        }
+    }
+}
