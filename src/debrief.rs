@@ -1,6 +1,6 @@
 //! The debrief: a report as plain text for people, 80 columns wide at most.
 //!
-//! Every loss of points names what moved it; improvements stand by the size of their gain.
+//! Every loss of points names what moved it; improvements stand by the size of their gain, as `scoring` orders them (`scoring::advice`).
 
 use std::fmt::Write as _;
 

@@ -40,7 +40,8 @@ pub enum RowState {
     TimedOut,
     /// A later command took its place.
     Superseded,
-    /// Something else took the vehicle: another ground station, a failsafe, a pilot's stick.
+    /// Something else took the vehicle: another ground station, a failsafe, a pilot's stick. The vehicle's mode and
+    /// arming tell it ([`Claim`](crate::commands::Claim)); a takeover that changes neither goes unnoticed.
     Overtaken,
 }
 

@@ -16,7 +16,7 @@
 //! | input and output | [`fleet`] | a task for each vehicle, and the hub that finds it |
 //! | | [`hangar`] | SITL processes: started here, or by a service over HTTP |
 //! | | [`link`] | transports, reconnection, traffic meters; the embedded simulator as a server |
-//! | | [`store`] | files: missions, pilots, designs, themes, settings, profiles, runs |
+//! | | [`store`] | files: missions, pilots, designs, themes, settings, profiles, runs, records |
 //! | pure | [`exercise`] | when a mission begins and by whose clock its time passes (in the console, too); a mission flown by a pilot script |
 //! | | [`operator`] | from a line to the vehicles, and back to the ledger |
 //! | | [`campaign`] | a career: what is unlocked, earned and owned, how surely each skill is mastered, and what a try counts for |
@@ -27,9 +27,9 @@
 //! | | [`scoring`] | marks, medals, and the report of a flight |
 //! | | [`fidelity`] | the simulator beside recordings of the real vehicle |
 //! | | [`sitl`] | the command line and the files of one SITL process |
-//! | | [`record`] | what a flight leaves beside the frames of its links: the journal and its marks |
+//! | | [`record`] | what a session leaves beside the frames of its links: the journal (a mission's own record is in [`mission`]) |
 //! | | [`swarm`] | manoeuvres of several vehicles |
-//! | | [`session`] | the conversation with one vehicle: commands, sent again as their verb says, and when they end; plans, parameters; when it counts as lost |
+//! | | [`session`] | the conversation with one vehicle: commands, sent again as their verb says, and when they end or are overtaken; plans, parameters; when it counts as lost |
 //! | | [`language`] | the grammar, and the one table of verbs: to vehicles, to the mission, to the console; with each one's values: retries, danger, precedence, what `wait arrived` waits for |
 //! | | [`commands`] | typed commands: when one is refused, how it is encoded, and what telemetry shows that it is done |
 //! | | [`messages`] | telemetry: a handler for each kind of message |

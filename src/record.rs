@@ -3,8 +3,10 @@
 //! A record is a set of files with one stem. `STEM.tlog` holds the frames of all links in both directions, as other
 //! ground stations write and read them. `STEM.flight.jsonl` holds the [`Head`] and then a [`JournalLine`] for each
 //! command and what became of it, each bookmark, and whatever else happened beside the links. A mission's own record,
-//! from which it is scored again, is `STEM.run.jsonl` ([`mission::record`](crate::mission::record)). What entered simulated vehicles, with which the flight can
-//! be flown again, is `STEM.inputs.jsonl` ([`InputsHead`], [`InputLine`]).
+//! from which it is scored again, is `STEM.run.jsonl` ([`mission::record`](crate::mission::record)). What entered
+//! simulated vehicles, with which the flight can be flown again, is `STEM.inputs.jsonl` ([`InputsHead`],
+//! [`InputLine`]). The console writes the journal through `shell::session::recorder`, and the run record through its
+//! `logbook`.
 //!
 //! Times count from the beginning of the record, without the pauses in which everything stood still.
 

@@ -18,7 +18,7 @@ use crate::app::room::messages::{LinkTraffic, Wanted};
 use crate::app::state::{ReplayPosition, ReplayView};
 use crate::config::Config;
 use crate::language::SeekTarget;
-use crate::moment::Moment;
+use crate::moment::{Moment, MomentKind};
 use crate::notice::Notice;
 use crate::review::Review;
 use crate::scoring::Report;
@@ -142,9 +142,15 @@ impl Replay {
         match effect {
             ReplayEffect::Play(plays) => {
                 self.position.is_playing = plays;
+                self.position.is_backwards = false;
                 if plays && self.is_at_end() {
                     self.goal = Duration::ZERO;
                 }
+            }
+            ReplayEffect::Rewind => {
+                self.position.is_playing = true;
+                self.position.is_backwards = true;
+                self.goal = now;
             }
             ReplayEffect::Rate(rate) => self.position.rate = rate,
             ReplayEffect::Seek(target) => {
@@ -152,6 +158,10 @@ impl Replay {
                     SeekTarget::At(at) => at,
                     SeekTarget::Later(by) => now.saturating_add(by),
                     SeekTarget::Earlier(by) => now.saturating_sub(by),
+                    SeekTarget::Next(kind) => self.near_moment(true, Some(kind)).unwrap_or(now),
+                    SeekTarget::Previous(kind) => {
+                        self.near_moment(false, Some(kind)).unwrap_or(now)
+                    }
                     SeekTarget::End => self.length(),
                 }
                 .min(self.length());
@@ -164,7 +174,9 @@ impl Replay {
                     now.saturating_sub(FRAME)
                 };
             }
-            ReplayEffect::Moment { forward } => self.go_to_moment(forward),
+            ReplayEffect::Moment { forward } => {
+                self.goal = self.near_moment(forward, None).unwrap_or(self.goal);
+            }
             ReplayEffect::Show(at) => self.goal = showing(at).min(self.length()),
             ReplayEffect::Loop(stretch) => {
                 self.position.looped = stretch;
@@ -260,39 +272,63 @@ impl Replay {
 
     fn play(&mut self, passed: Duration) {
         let before = self.goal;
-        self.goal += passed;
-        if let Some((from, to)) = self.position.looped
-            && self.goal >= to
-        {
-            self.goal = from;
-            return;
+        let is_backwards = self.position.is_backwards;
+        self.goal = if is_backwards {
+            before.saturating_sub(passed)
+        } else {
+            before + passed
+        };
+        if let Some((from, to)) = self.position.looped {
+            if is_backwards && self.goal <= from {
+                self.goal = to;
+                return;
+            }
+            if !is_backwards && self.goal >= to {
+                self.goal = from;
+                return;
+            }
         }
-        let stops = &self.position.stops;
-        let mut passed = self.moments.iter();
-        let stop =
-            passed.find(|it| it.at > before && it.at <= self.goal && stops.contains(&it.kind));
-        if let Some(stop) = stop.map(|it| it.at) {
+        if let Some(stop) = self.stop_between(before, self.goal) {
             self.goal = showing(stop);
             self.position.is_playing = false;
         }
-        if self.goal >= self.length() {
-            self.goal = self.length();
+        let is_at_edge = if is_backwards {
+            self.goal.is_zero()
+        } else {
+            self.goal >= self.length()
+        };
+        if is_at_edge {
+            self.goal = self.goal.min(self.length());
             self.position.is_playing = false;
         }
     }
 
-    fn go_to_moment(&mut self, forward: bool) {
+    /// The first moment that it is to stop at on the way from one time to another, either way.
+    fn stop_between(&self, from: Duration, to: Duration) -> Option<Duration> {
+        let stops = |it: &&Moment| self.position.stops.contains(&it.kind);
+        let times = self.moments.iter().filter(stops).map(|it| it.at);
+        if from <= to {
+            times.filter(|&at| at > from && at <= to).min()
+        } else {
+            // What is shown at the start was stopped at before.
+            times
+                .filter(|&at| showing(at) < from && showing(at) >= to)
+                .max()
+        }
+    }
+
+    /// The frame that shows the next or the previous moment, of a kind or of any.
+    fn near_moment(&self, forward: bool, kind: Option<MomentKind>) -> Option<Duration> {
         let now = self.stage.now();
-        let moments = &self.moments;
+        let is_meant = |it: &&Moment| kind.is_none_or(|kind| it.kind == kind);
+        let mut moments = self.moments.iter().filter(is_meant);
         // What has just been reached is not the one before: who presses the key again wants to go further back.
         let found = if forward {
-            moments.iter().find(|it| it.at >= now + FRAME)
+            moments.find(|it| it.at >= now + FRAME)
         } else {
-            moments.iter().rev().find(|it| it.at + FRAME * 2 <= now)
+            moments.rfind(|it| it.at + FRAME * 2 <= now)
         };
-        if let Some(moment) = found {
-            self.goal = showing(moment.at).min(self.length());
-        }
+        found.map(|it| showing(it.at).min(self.length()))
     }
 
     /// Goes to where it is to be, as far as there is time for it now.

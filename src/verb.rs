@@ -54,7 +54,7 @@ pub struct Retry {
     pub tries: u8,
     /// The time between two.
     pub every: Duration,
-    /// When to give up, counted from the first.
+    /// When to give up, counted from when the order was given.
     pub deadline: Duration,
 }
 

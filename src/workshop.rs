@@ -27,6 +27,6 @@ pub use airframe::Airframe;
 pub use catalogue::{part, parts, parts_for};
 pub use check::{DesignFinding, FindingKind, FindingSeverity};
 pub use design::{Design, DesignError};
-pub use figures::{Air, Figures, Link};
+pub use figures::{Air, Figures, GOOD_THRUST, LEAST_THRUST, Link};
 pub use measure::{Better, Measure, Sheet};
 pub use part::{Part, PartSlot, Radio};

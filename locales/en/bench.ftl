@@ -63,7 +63,7 @@ bench-part-for-sale = { $part }: not yours yet, { $key } buys it for { $price } 
 bench-part-locked = { $part }: on sale once "{ $mission }" is passed
 bench-figures-change = with this part (▲ better, ▼ worse)
 bench-payload = hover time by payload
-bench-payload-about = up to a thrust of 1.3 times the weight; with { $spare } kg more it is 1.8 times
+bench-payload-about = up to a thrust of { $least } times the weight; with { $spare } kg more it is { $good } times
 bench-polar-about = best endurance at { $longest } m/s, best range at { $farthest } m/s
 bench-no-curve = no curve yet: needs frame, motors, propellers, speed controllers and a battery
 

@@ -224,6 +224,8 @@ pub enum StartAction {
 pub enum ReplayAction {
     /// Play, or stand still.
     PlayReplay,
+    /// Play backwards.
+    Rewind,
     /// Ten seconds back.
     ReplayBack,
     /// Ten seconds on.

@@ -208,6 +208,8 @@ pub enum SessionEffect {
 pub enum ReplayEffect {
     /// Play, or stand still.
     Play(bool),
+    /// Play backwards.
+    Rewind,
     /// Play so many times as fast as it was recorded.
     Rate(f64),
     Seek(SeekTarget),

@@ -100,7 +100,8 @@ fn commands(own: &Report, other: &Report) -> Option<Difference> {
         (Some(mine), Some(theirs)) => mine.line == theirs.line,
         _ => false,
     };
-    let first = (0..).find(|at| !is_same(at))?;
+    let longest = mine.len().max(theirs.len());
+    let first = (0..longest).find(|at| !is_same(at))?;
     let (mine, theirs) = (mine.get(first), theirs.get(first));
     let line = |entry: Option<&LedgerReport>| match entry {
         Some(entry) => Text::verbatim(entry.line.clone()),

@@ -42,6 +42,7 @@ pub enum Column {
     Gps,
     /// How much of what it sends arrives.
     Link,
+    /// Distance to home.
     Home,
     /// The newest command and its state.
     Command,
@@ -162,10 +163,10 @@ impl<'de> Deserialize<'de> for Column {
 /// Nothing is written for the usual order.
 impl Serialize for TableSort {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match *self {
-            Self::BY_ID => serializer.serialize_str(""),
-            sort => serializer.serialize_str(&sort.name()),
+        if *self == Self::default() {
+            return serializer.serialize_str("");
         }
+        serializer.serialize_str(&self.name())
     }
 }
 
@@ -173,7 +174,7 @@ impl<'de> Deserialize<'de> for TableSort {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let word = String::deserialize(deserializer)?;
         if word.is_empty() {
-            return Ok(Self::BY_ID);
+            return Ok(Self::default());
         }
         Self::read(&word).map_err(|fault| D::Error::custom(fault.message))
     }

@@ -144,6 +144,8 @@ pub enum ReplayLine {
     Loop(Option<(Duration, Duration)>),
     /// Stop at moments of these kinds; none plays through.
     StopAt(Vec<MomentKind>),
+    /// Play backwards.
+    Rewind,
 }
 
 /// What a line says about the review of a recorded flight.
@@ -196,6 +198,10 @@ pub enum SeekTarget {
     Later(Duration),
     /// So much earlier.
     Earlier(Duration),
+    /// The next moment of a kind.
+    Next(MomentKind),
+    /// The previous moment of a kind.
+    Previous(MomentKind),
     End,
 }
 

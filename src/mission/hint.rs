@@ -45,7 +45,7 @@ impl Phase {
     }
 }
 
-/// Advice that has to be asked for, and costs points by its level from the second try on.
+/// Advice that has to be asked for. What it costs by its level and by the try, `clues` in `flight` decides.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Clue {
     /// 1: a question or a principle; 2: where to look; 3: how to do it, step by step.

@@ -13,7 +13,7 @@ use super::{Mission, Point};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
-use crate::workshop::{Air, Design, Figures, Part, part};
+use crate::workshop::{Air, Design, Figures, GOOD_THRUST, LEAST_THRUST, Part, part};
 
 /// Ways are not straight, and wind and headings are not known: what reaches this much farther is enough.
 const REACH: f64 = 1.3;
@@ -22,8 +22,8 @@ const USUAL_HEIGHT_M: f64 = 20.0;
 /// In more wind than this, gusts want the thrust of [`GUSTY_THRUST`].
 const CALM_M_S: f64 = 3.0;
 /// Thrust over weight that holds a position, and that holds it in gusts without saturating motors.
-const CALM_THRUST: f64 = 1.3;
-const GUSTY_THRUST: f64 = 1.8;
+const CALM_THRUST: f64 = LEAST_THRUST;
+const GUSTY_THRUST: f64 = GOOD_THRUST;
 
 /// What some seats of a mission need of their drones.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,5 +1,4 @@
-//! The flight recorder: everything that a flight was shown and asked, as lines of JSON, from which it can be scored
-//! again.
+//! The run record: everything that a mission was shown and asked, as lines of JSON, from which it can be scored again.
 //!
 //! The first line is the [`Head`]: the mission's own text, the seed, the try. Then come ticks in which something
 //! changed (vehicles and rows of the ledger), deeds, and what else befell the flight, in their order. The last line is

@@ -387,3 +387,37 @@ fn a_recording_is_exported_in_every_format_and_replaces_nothing() {
     assert!(topics.contains("/vehicle/1/location"), "{topics:?}");
     assert!(topics.contains("/mavlink/2/1/HEARTBEAT"), "{topics:?}");
 }
+
+#[test]
+fn it_plays_backwards_and_stops_at_what_comes_up() {
+    let recorded = record();
+    let (mut replay, mut observer) = watched(&recorded);
+    replay.wait_for_index();
+    seek(&mut replay, &mut observer, s(20));
+    drop(replay.steer(ReplayEffect::StopAt(vec![MomentKind::Refusal])));
+    drop(replay.steer(ReplayEffect::Rewind));
+    let mut now = Duration::ZERO;
+    let mut seen = Vec::new();
+    while replay.position.is_playing {
+        drop(replay.tick(now));
+        seen.push(replay.now());
+        now += FRAME;
+    }
+    assert!(
+        seen.is_sorted_by(|earlier, later| earlier >= later),
+        "{seen:?}"
+    );
+    assert_eq!(replay.now(), s(7) + FRAME, "the refusal can be seen");
+    drop(replay.steer(ReplayEffect::StopAt(Vec::new())));
+    drop(replay.steer(ReplayEffect::Rewind));
+    while replay.position.is_playing {
+        drop(replay.tick(now));
+        now += FRAME;
+    }
+    assert_eq!(replay.now(), Duration::ZERO);
+    drop(replay.steer(ReplayEffect::Seek(SeekTarget::Next(MomentKind::Refusal))));
+    while !replay.is_there() {
+        drop(replay.tick(now));
+    }
+    assert_eq!(replay.now(), s(7) + FRAME);
+}

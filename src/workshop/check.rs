@@ -1,15 +1,11 @@
 //! What speaks against a design, and why.
 
 use super::design::Design;
-use super::figures::{Air, Figures};
+use super::figures::{Air, Figures, GOOD_THRUST, LEAST_THRUST};
 use super::part::{PartSlot, Spec};
 use crate::text;
 use crate::text::Text;
 
-/// Less thrust over weight than this cannot hold a position in wind.
-const LEAST_THRUST: f64 = 1.3;
-/// Less than this saturates its motors in gusts.
-const GOOD_THRUST: f64 = 1.8;
 /// A speed controller should bear this much more than the motor's peak.
 const ESC_ROOM: f64 = 1.2;
 /// A hover should take no more than this share of what the battery gives.
@@ -222,13 +218,23 @@ impl Found {
             self.add(
                 FindingKind::Thrust,
                 PartSlot::Motor,
-                text!("finding-thrust", ratio = hundredths(ratio), mass = mass),
+                text!(
+                    "finding-thrust",
+                    ratio = hundredths(ratio),
+                    mass = mass,
+                    least = LEAST_THRUST.to_string(),
+                    good = GOOD_THRUST.to_string()
+                ),
             );
         } else if ratio < GOOD_THRUST {
             self.add(
                 FindingKind::Weak,
                 PartSlot::Motor,
-                text!("finding-weak", ratio = hundredths(ratio)),
+                text!(
+                    "finding-weak",
+                    ratio = hundredths(ratio),
+                    good = GOOD_THRUST.to_string()
+                ),
             );
         }
         let most_a = figures.max_current_a;

@@ -10,6 +10,11 @@ use super::pack::Pack;
 use super::part::Radio;
 use crate::geo::maths;
 
+/// With less thrust over weight than this a drone cannot hold its position in wind.
+pub const LEAST_THRUST: f64 = 1.3;
+/// With less than this, gusts saturate its motors.
+pub const GOOD_THRUST: f64 = 1.8;
+
 const GRAVITY_M_S2: f64 = 9.806_65;
 /// Thrust is stated at this charge, in percent: the middle of a flight.
 const MIDDLE_CHARGE: f64 = 60.0;
@@ -99,7 +104,7 @@ pub struct Figures {
     pub energy_wh: f64,
     /// The largest current of a climb at full thrust and what the battery gives for long, in amperes.
     pub max_current_a: f64,
-    /// What could be added until the thrust is 1.8 times the weight, in kilograms; negative: too heavy already.
+    /// What could be added until the thrust is [`GOOD_THRUST`] times the weight, in kilograms; negative: too heavy already.
     pub spare_kg: f64,
 }
 
@@ -132,13 +137,14 @@ impl Design {
             .collect()
     }
 
-    /// Hover time in seconds over payload added, in kilograms, up to a thrust of 1.3 times the weight.
+    /// Hover time in seconds over payload added, in kilograms, up to a thrust of [`LEAST_THRUST`] times the weight.
     pub fn endurance_by_payload(&self, air: Air) -> Vec<(f64, f64)> {
         let Some(drive) = self.drive() else {
             return Vec::new();
         };
         let bench = Bench::new(self, &drive, air);
-        let most_kg = bench.max_thrust_n(MIDDLE_CHARGE) / (1.3 * GRAVITY_M_S2) - bench.mass_kg();
+        let most_kg =
+            bench.max_thrust_n(MIDDLE_CHARGE) / (LEAST_THRUST * GRAVITY_M_S2) - bench.mass_kg();
         let steps = 20;
         (0..=steps)
             .map(|step| most_kg.max(0.0) * f64::from(step) / f64::from(steps))
@@ -266,7 +272,7 @@ impl<'a> Bench<'a> {
             capacity_ah: self.pack.capacity_ah,
             energy_wh: self.pack.energy_wh(),
             max_current_a: self.pack.max_current_a,
-            spare_kg: max_thrust_n / (1.8 * GRAVITY_M_S2) - self.mass_kg(),
+            spare_kg: max_thrust_n / (GOOD_THRUST * GRAVITY_M_S2) - self.mass_kg(),
         }
     }
 }

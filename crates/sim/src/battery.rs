@@ -1,5 +1,8 @@
 //! The battery, after `ArduPilot`'s `SIM_Battery`: the resting voltage follows a lithium polymer curve, the load pulls
 //! it down. Without a capacity it never runs down.
+//!
+//! Thrust falls with the square of the voltage: a copter sinks once that square, as a share of the full voltage's, is less than the
+//! throttle of its hover (`Airframe::motor_thrust`).
 
 use super::airframe::Airframe;
 use super::kinematics::STEP_S;

@@ -12,7 +12,7 @@ const VELOCITY_P: f64 = 2.0;
 const VELOCITY_I: f64 = 1.0;
 const VELOCITY_D: f64 = 0.5;
 /// Share of a new slope in the filtered one in each step: `1 - exp(-2 pi f dt)` with a filter of 5 Hz.
-const VELOCITY_D_BLEND: f64 = 0.26959730895135436;
+const VELOCITY_D_BLEND: f64 = 0.269_597_308_951_354_36;
 const HEIGHT_P: f64 = 1.0;
 const CLIMB_P: f64 = 5.0;
 /// The integrator never asks for more than this (`PSC_VELXY_IMAX`).

@@ -76,6 +76,10 @@ const MOVES: &[KeyRow] = &[
 /// The keys that steer a replay.
 const REPLAY: &[KeyRow] = &[
     does(key(' '), Action::Replay(ReplayAction::PlayReplay)),
+    does(
+        Press::Plain(KeyCode::Backspace),
+        Action::Replay(ReplayAction::Rewind),
+    ),
     does(key('('), Action::Replay(ReplayAction::ReplayBack)),
     does(key(')'), Action::Replay(ReplayAction::ReplayForward)),
     does(key(','), Action::Replay(ReplayAction::FrameBack)),

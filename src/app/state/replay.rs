@@ -40,6 +40,8 @@ pub struct ReplayPosition {
     /// How many times as fast as it was recorded it is played.
     pub rate: f64,
     pub is_playing: bool,
+    /// Whether it plays backwards.
+    pub is_backwards: bool,
     /// The stretch that is played over and over.
     pub looped: Option<(Duration, Duration)>,
     /// The kinds of moments that it stops at.
@@ -55,6 +57,7 @@ impl Default for ReplayPosition {
             indexed: Duration::ZERO,
             rate: 1.0,
             is_playing: true,
+            is_backwards: false,
             looped: None,
             stops: Vec::new(),
             gap: None,

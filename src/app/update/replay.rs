@@ -63,6 +63,7 @@ pub fn act(state: &mut State, action: ReplayAction) -> Effects {
     };
     let effect = match action {
         ReplayAction::PlayReplay => ReplayEffect::Play(!view.position.is_playing),
+        ReplayAction::Rewind => ReplayEffect::Rewind,
         ReplayAction::ReplayBack => ReplayEffect::Seek(SeekTarget::Earlier(KEY_STEP)),
         ReplayAction::ReplayForward => ReplayEffect::Seek(SeekTarget::Later(KEY_STEP)),
         ReplayAction::FrameBack => ReplayEffect::Step { forward: false },
@@ -104,6 +105,7 @@ pub fn carry_out(state: &mut State, line: ReplayLine) -> Effects {
         ReplayLine::Seek(target) => ReplayEffect::Seek(target),
         ReplayLine::Loop(stretch) => ReplayEffect::Loop(stretch),
         ReplayLine::StopAt(kinds) => ReplayEffect::StopAt(kinds),
+        ReplayLine::Rewind => ReplayEffect::Rewind,
     };
     if state.replay.is_none() {
         return refuse(state);

@@ -10,7 +10,7 @@ use crate::moment::MomentKind;
 use crate::text;
 use crate::verb::Verb;
 
-pub(super) static ROWS: &[VerbRow] = &[REPLAY, SEEK, LOOP, STOP_AT, BOOKMARK];
+pub(super) static ROWS: &[VerbRow] = &[REPLAY, SEEK, REWIND, LOOP, STOP_AT, BOOKMARK];
 
 /// A verb that is said to the console and is understood by its examples.
 const fn said(
@@ -44,7 +44,13 @@ const REPLAY: VerbRow = said(
 const SEEK: VerbRow = said(
     "seek",
     Scope::Screen,
-    &["seek 12:30", "seek +30", "seek -5", "seek end"],
+    &[
+        "seek 12:30",
+        "seek +30",
+        "seek -5",
+        "seek end",
+        "seek next refusal",
+    ],
     &[Form::new(
         &[Argument::value("time", Kind::Rest, "argument-seek")],
         |given| {
@@ -53,6 +59,15 @@ const SEEK: VerbRow = said(
             console(ConsoleLine::Replay(ReplayLine::Seek(target)))
         },
     )],
+);
+
+const REWIND: VerbRow = said(
+    "rewind",
+    Scope::Screen,
+    &["rewind"],
+    &[Form::new(&[], |_| {
+        console(ConsoleLine::Replay(ReplayLine::Rewind))
+    })],
 );
 
 const LOOP: VerbRow = said(
@@ -120,6 +135,12 @@ fn built_loop(given: &Arguments) -> Built {
 
 fn seek_target(word: &str) -> Option<SeekTarget> {
     let word = word.trim();
+    let words: Vec<&str> = word.split_whitespace().collect();
+    match words[..] {
+        ["next", kind] => return MomentKind::named(kind).map(SeekTarget::Next),
+        ["previous", kind] => return MomentKind::named(kind).map(SeekTarget::Previous),
+        _ => {}
+    }
     if let Some(rest) = word.strip_prefix('+') {
         return time(rest).map(SeekTarget::Later);
     }
@@ -180,6 +201,9 @@ mod tests {
             Some(SeekTarget::Earlier(Duration::from_secs(5)))
         );
         assert_eq!(seek_target("end"), Some(SeekTarget::End));
+        let refusal = SeekTarget::Previous(MomentKind::Refusal);
+        assert_eq!(seek_target("previous refusal"), Some(refusal));
+        assert_eq!(seek_target("next meal"), None);
         assert_eq!(seek_target("soon"), None);
     }
 }

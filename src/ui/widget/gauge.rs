@@ -6,7 +6,7 @@ use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::vehicle::{HomeReach, LinkQuality};
 
-/// Below these shares of its charge a battery is low, and nearly empty.
+/// At these shares of its charge and below, a battery is low, and nearly empty.
 const LOW_PERCENT: u8 = 25;
 const EMPTY_PERCENT: u8 = 10;
 /// Of a good link so much is heard at least.

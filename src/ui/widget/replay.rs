@@ -28,7 +28,8 @@ pub fn badge(view: &ReplayView, look: &Look) -> String {
     let name = look.say("replay-badge");
     if position.is_playing {
         let rate = rate(position.rate);
-        format!(" {name} x{rate} ")
+        let way = if position.is_backwards { "-" } else { "" };
+        format!(" {name} x{way}{rate} ")
     } else {
         format!(" {name} {} ", look.say("replay-stopped"))
     }
@@ -54,7 +55,11 @@ pub fn time_of_day(view: &ReplayView, is_short: bool) -> String {
 pub fn bar<'a>(state: &State, view: &ReplayView, panel: Panel<'_>) -> Line<'a> {
     let look = panel.look;
     let position = &view.position;
-    let sign = if position.is_playing { "▶" } else { "■" };
+    let sign = match (position.is_playing, position.is_backwards) {
+        (true, false) => "▶",
+        (true, true) => "◀",
+        (false, _) => "■",
+    };
     let (at, length) = (clock(position.at), clock(view.length));
     let gap = position
         .gap

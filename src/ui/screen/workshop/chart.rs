@@ -11,6 +11,7 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::curve::{self, Curve, steps};
 use crate::ui::widget::{aligned, below, columns, put, upper, wrap};
+use crate::workshop::{GOOD_THRUST, LEAST_THRUST};
 
 /// Columns of the figures beside the curve.
 const LABELS: u16 = 7;
@@ -69,7 +70,9 @@ fn about(state: &State, is_payload: bool) -> Text {
     if is_payload {
         text!(
             "bench-payload-about",
-            spare = format!("{:.2}", figures.spare_kg)
+            spare = format!("{:.2}", figures.spare_kg),
+            least = LEAST_THRUST.to_string(),
+            good = GOOD_THRUST.to_string()
         )
     } else {
         text!(
