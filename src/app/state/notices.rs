@@ -69,7 +69,7 @@ impl NoticeLog {
         if let Some(line) = self.open_line(&notice) {
             line.count(&notice);
         } else if self.is_flooded(&notice) {
-            self.count_unlisted(notice);
+            self.count_unlisted(&notice);
         } else {
             self.list(notice);
         }
@@ -113,7 +113,7 @@ impl NoticeLog {
     }
 
     /// Counts a text in the line of those that are not listed, which stays open as long as the flood lasts.
-    fn count_unlisted(&mut self, notice: Notice) {
+    fn count_unlisted(&mut self, notice: &Notice) {
         let unlisted = unlisted();
         let mut newest_first = self.lines.iter_mut().rev().take(LINES_SEARCHED);
         let open = newest_first.find(|line| {
@@ -121,12 +121,12 @@ impl NoticeLog {
             is_open && line.notice.text == unlisted
         });
         match open {
-            Some(line) => line.count(&notice),
+            Some(line) => line.count(notice),
             None => self.list(Notice {
                 severity: Severity::Warning,
                 kind: None,
                 text: unlisted,
-                ..notice
+                ..notice.clone()
             }),
         }
     }
