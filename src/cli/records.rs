@@ -66,7 +66,7 @@ enum RecordsCommand {
         /// The numbers in the list.
         #[arg(required = true, value_name = "NUMBER")]
         records: Vec<usize>,
-        /// Confirm.
+        /// Delete them: without it, they are only counted.
         #[arg(long)]
         yes: bool,
     },
@@ -153,6 +153,7 @@ pub(super) fn records(
     })?;
     let commands = RecordsCommands {
         locale: Locale::new(settings.language()),
+        config: settings.config.clone(),
         records,
     };
     match &arguments.command {
@@ -170,6 +171,8 @@ pub(super) fn records(
 pub(super) struct RecordsCommands {
     pub(super) records: Records,
     pub(super) locale: Locale,
+    /// The user's, which decides for example which alerts a replay raises.
+    pub(super) config: Config,
 }
 
 impl RecordsCommands {
@@ -278,7 +281,7 @@ impl RecordsCommands {
                 file = files.stem.as_str()
             )));
         };
-        Replay::read_through(frames, &Config::default()).map_err(invalid)
+        Replay::read_through(frames, &self.config).map_err(invalid)
     }
 
     fn show(&self, named: &str, json: bool) -> Result<ExitCode, Failure> {

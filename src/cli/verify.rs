@@ -122,8 +122,12 @@ fn find(named: &str, settings: &CliSettings, locale: &Locale) -> Result<RecordFi
             "there is no folder for records: give --data, or a file"
         ))
     })?;
-    let locale = locale.clone();
-    RecordsCommands { records, locale }.find(named)
+    let commands = RecordsCommands {
+        records,
+        locale: locale.clone(),
+        config: settings.config.clone(),
+    };
+    commands.find(named)
 }
 
 fn judge(files: &RecordFiles) -> Result<VerifyDocument, Text> {

@@ -1,5 +1,6 @@
 //! Recordings as files that other programs open: all vehicles and all messages at once.
 
+use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -29,7 +30,7 @@ pub enum ExportFormat {
     Mcap,
 }
 
-/// Writes a recording as a file, or as a folder of tables. Nothing that exists is replaced.
+/// Writes a recording as a file, or as a folder of tables: whole, or not at all. Nothing that exists is replaced.
 ///
 /// # Errors
 /// It cannot be read or written, or there is something at the path already; in words.
@@ -47,8 +48,12 @@ pub fn export(
         return Err(text!("export-exists", path = to.display().to_string()));
     }
     match format {
-        ExportFormat::Csv => tables::write(film, to).map_err(|error| unwritable(&error)),
-        ExportFormat::Mcap => mcap::write(film, to).map_err(|error| unwritable(&error)),
+        ExportFormat::Csv => {
+            whole(to, |part| tables::write(film, part)).map_err(|error| unwritable(&error))
+        }
+        ExportFormat::Mcap => {
+            whole(to, |part| mcap::write(film, part)).map_err(|error| unwritable(&error))
+        }
         ExportFormat::Kml | ExportFormat::Gpx | ExportFormat::GeoJson => {
             let tracks = track::tracks(film)?;
             let text = match format {
@@ -62,6 +67,23 @@ pub fn export(
             crate::store::write(to, &text, false).map_err(|error| Text::from(&error))
         }
     }
+}
+
+/// Lets a file or a folder be written under another name beside its own, which it gets once it is whole.
+fn whole(to: &Path, write: impl FnOnce(&Path) -> io::Result<()>) -> io::Result<()> {
+    let name = to.file_name().ok_or(io::ErrorKind::InvalidInput)?;
+    let name = name.to_string_lossy();
+    let part = to.with_file_name(format!(".{name}.{}.part", std::process::id()));
+    let written = write(&part).and_then(|()| fs::rename(&part, to));
+    if written.is_err() {
+        // What cannot be removed either is on a disk that is gone.
+        drop(if part.is_dir() {
+            fs::remove_dir_all(&part)
+        } else {
+            fs::remove_file(&part)
+        });
+    }
+    written
 }
 
 /// The records of a recording; damage is passed over.

@@ -50,6 +50,28 @@ const FLIGHT: [&str; 6] = [
 ];
 
 #[test]
+fn an_export_that_does_not_fit_leaves_nothing() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let data = folder.path();
+    let tlog = Path::new("tests/data/recordings").join("flight.tlog");
+    for (format, name) in [("csv", "tables"), ("mcap", "flight.mcap")] {
+        let into = data.join(name);
+        let (tlog, into) = (tlog.to_string_lossy(), into.to_string_lossy());
+        let line = [
+            "records", "export", &tlog, "--format", format, "--output", &into,
+        ];
+        let failed = run(data, "trap '' XFSZ; ulimit -f 8;", &line);
+        assert_eq!(failed.status.code(), Some(1), "{}", said(&failed));
+        let left: Vec<_> = fs::read_dir(data).expect("there").flatten().collect();
+        let is_left = |it: &&fs::DirEntry| it.file_name().to_string_lossy().contains(name);
+        assert!(!left.iter().any(|it| is_left(&it)), "{left:?}");
+        let written = run(data, "", &line);
+        assert_eq!(written.status.code(), Some(0), "{}", said(&written));
+        assert!(Path::new(&*into).exists());
+    }
+}
+
+#[test]
 fn a_disk_that_fills_up_costs_the_rest_of_the_record_and_nothing_else() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let whole = run(folder.path(), "", &FLIGHT);
