@@ -80,6 +80,7 @@ order-wait-help = у консолі дайте наступну команду, 
 macro-line = рядок { $number } макросу `{ $name }`, `{ $line }`: { $fault }
 macro-endless = макрос зупинено після { $count } рядків: чи не викликає він сам себе?
 
+palette-layout = ті самі клавіші латиницею
 palette-given-before = попередній рядок
 palette-selects = вибрати для наступних команд
 

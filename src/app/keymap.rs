@@ -16,6 +16,7 @@ mod press;
 mod show;
 
 pub use hint::{HintKeys, KeyHint, hint, hint_words};
+pub use layout::latin;
 pub use press::Press;
 
 /// Where a binding holds.

@@ -9,7 +9,7 @@ use super::{keys, offer, order};
 use crate::app::State;
 use crate::app::action::{Action, LineAction};
 use crate::app::effect::Effects;
-use crate::app::keymap::Place;
+use crate::app::keymap::{Place, latin};
 use crate::app::state::{Overlay, Palette};
 use crate::diagnostic::Diagnostic;
 use crate::language::{self, Completion, VehicleChoice, ranges, words};
@@ -74,9 +74,24 @@ pub fn edited(state: &mut State, mut palette: Palette) {
         let offered: Vec<Completion> = offered.into_iter().filter(is_new).collect();
         found.extend(offered);
     }
+    if cursor == line.len() {
+        let latin = in_latin(state, &line).map(|text| Completion {
+            text,
+            hint: text!("palette-layout"),
+            replaces: 0..line.len(),
+        });
+        found.splice(0..0, latin);
+    }
     palette.completions = found;
     palette.before_tab = line;
     state.overlay = Some(Overlay::Palette(palette));
+}
+
+/// A line that was typed in the Ukrainian layout, as the same keys give it in the Latin one, if that can be sent.
+fn in_latin(state: &State, line: &str) -> Option<String> {
+    let letters = line.chars().map(|letter| latin(letter).unwrap_or(letter));
+    let typed = letters.collect::<String>();
+    (typed != line && order::read(state, &typed).is_ok()).then_some(typed)
 }
 
 /// What the line means so far: to whom it goes, how its verb is written, which word is wrong, what Enter would do.
@@ -185,13 +200,18 @@ fn submit(state: &mut State, palette: Palette) -> Effects {
             effects
         }
         Err(fault) => {
-            // The line stays as it was written, with the wrong word marked.
-            let palette = Palette {
-                fault: Some(fault),
-                ..palette
-            };
             state.pending.clear();
-            state.overlay = Some(Overlay::Palette(palette));
+            match in_latin(state, &line) {
+                // What would be sent is shown first.
+                Some(latin) => open(state, latin),
+                // The line stays as it was written, with the wrong word marked.
+                None => {
+                    state.overlay = Some(Overlay::Palette(Palette {
+                        fault: Some(fault),
+                        ..palette
+                    }));
+                }
+            }
             Effects::none()
         }
     }

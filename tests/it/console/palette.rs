@@ -51,6 +51,23 @@ fn rooms_missions_settings_and_old_lines_are_found_by_any_of_their_words() {
 }
 
 #[test]
+fn a_line_typed_in_the_ukrainian_layout_is_offered_and_shown_before_it_is_sent() {
+    let mut console = Console::flying(1);
+    console.press(":").write("пгшвув");
+    assert_eq!(offered(&console), ["guided"]);
+    let effects = console.press("enter").effects.clone();
+    assert!(effects.is_empty(), "{effects:?}");
+    assert_eq!(palette_line(&console), "guided");
+    assert!(!console.press("enter").effects.is_empty());
+    console.press(":").write("ефлущаа 20");
+    console.press("tab");
+    assert_eq!(palette_line(&console), "takeoff 20 ");
+    // What is no line in any layout stays as it was written.
+    console.press("ctrl-u").write("пгшвувв").press("enter");
+    assert_eq!(palette_line(&console), "пгшвувв");
+}
+
+#[test]
 fn what_a_line_means_is_searched_in_the_language_of_the_screens() {
     let mut console = Console::flying(1);
     console.give("set lang uk").press(":").write("карта");
