@@ -61,7 +61,7 @@ impl AlertKind {
         self.into()
     }
 
-    /// The kind of a name that somebody has written.
+    /// The kind with this name.
     ///
     /// # Errors
     /// There is no such kind; the place is the whole word.

@@ -49,7 +49,7 @@ pub struct Setup {
     pub missions: Vec<MissionListing>,
     /// The tries at current revisions of missions, by mission id, oldest first.
     pub tries: BTreeMap<String, Vec<TryReport>>,
-    /// The designs that everybody has.
+    /// The designs that come with the program.
     pub stock: Vec<Design>,
     /// Earlier lines of the command line, oldest first.
     pub history: Vec<String>,

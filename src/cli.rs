@@ -151,7 +151,7 @@ enum CliCommand {
                             sortie completions zsh > ~/.zfunc/_sortie\n  \
                             sortie completions fish > ~/.config/fish/completions/sortie.fish")]
     Completions {
-        /// The shell.
+        /// The shell to write completions for.
         shell: clap_complete::Shell,
     },
     /// Prints the manual page: this command line, and the language of commands.

@@ -68,7 +68,7 @@ pub struct ResultsConfig {
 #[serde(rename_all = "lowercase")]
 #[strum(serialize_all = "lowercase")]
 pub enum Readers {
-    /// The trainee alone.
+    /// The trainee alone may read them.
     #[default]
     Owner,
     /// The group of their folder, too.
@@ -176,7 +176,7 @@ pub struct HangarConfig {
 #[serde(rename_all = "lowercase")]
 #[strum(serialize_all = "lowercase")]
 pub enum Restart {
-    /// It stays down until somebody asks.
+    /// It stays down until a restart is requested.
     #[default]
     Never,
     /// It is started again, later and later, until it has failed five times in a row.

@@ -124,7 +124,7 @@ impl Diagnostic {
     }
 }
 
-/// More faults of one file than this help nobody to mend it.
+/// Faults of one file that are listed at most.
 const MOST_SHOWN: usize = 50;
 
 /// The faults of a file that are worth showing, the first ones, and a line that says how many more there are.

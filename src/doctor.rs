@@ -35,7 +35,7 @@ pub enum Way {
     Udp,
     UdpIn,
     Serial,
-    /// A recording: nobody can answer.
+    /// A recording: there can be no answers.
     File,
     Pipe,
 }
@@ -66,7 +66,7 @@ pub enum HeartbeatRole {
     Silent,
 }
 
-/// Somebody who is heard on a link.
+/// A sender that is heard on a link.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sender {
     /// Who it is, and by which peer it comes.

@@ -67,9 +67,9 @@ const REQUESTS_KEPT: usize = 16;
 /// How an instance is doing.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct Instance {
-    /// Its number.
+    /// The number of the instance.
     pub id: InstanceId,
-    /// The vehicle.
+    /// The kind of vehicle.
     pub kind: SitlKind,
     /// Its MAVLink system id.
     pub system: u8,
@@ -81,7 +81,7 @@ pub struct Instance {
     pub pid: Option<u32>,
     /// How often it was started again.
     pub restarts: u32,
-    /// Whether somebody is attached to it.
+    /// Whether a program is attached to it.
     pub attached: bool,
     /// Resident memory in bytes.
     pub memory_bytes: u64,
@@ -99,7 +99,7 @@ pub struct Instance {
     pub last_output: Vec<String>,
     /// Its folder on the host.
     pub folder: String,
-    /// The TCP port on loopback that gives its MAVLink to anybody on the host, if a service has opened one.
+    /// The TCP port on loopback that gives its MAVLink to all programs of the host, if a service has opened one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub port: Option<u16>,
 }
@@ -108,7 +108,7 @@ pub struct Instance {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 #[schema(as = Limits)]
 pub struct HangarLimits {
-    /// Instances at once.
+    /// The most instances at once.
     pub instances: u16,
     /// Address space of one instance, in mebibytes.
     pub memory_mib: u64,
@@ -157,7 +157,7 @@ enum InstanceRequest {
     Attach(oneshot::Sender<Option<DuplexStream>>),
 }
 
-/// The instances by number, as everybody may see them.
+/// The public state of the instances, by number.
 pub type Instances = Arc<BTreeMap<InstanceId, Instance>>;
 
 /// What the hangar's handle and its instances' tasks share.
@@ -277,7 +277,7 @@ impl Hangar {
     /// The bytes of an instance's serial 0. They go on when the instance is started again.
     ///
     /// # Errors
-    /// There is no such instance, or somebody is attached to it.
+    /// There is no such instance, or a program is attached to it.
     pub async fn attach(&self, id: InstanceId) -> Result<DuplexStream, HangarRefusal> {
         let (answer, pipe) = oneshot::channel();
         self.ask(id, InstanceRequest::Attach(answer)).await?;

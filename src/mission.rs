@@ -135,7 +135,7 @@ pub struct Mission {
     pub rewards: Rewards,
     /// What its fleet may cost.
     pub outlay: Outlay,
-    /// Whether it may stand still while somebody thinks.
+    /// Whether pausing is allowed.
     pub pausable: bool,
     /// Whether hints can be asked for; an exam gives none.
     pub gives_hints: bool,

@@ -16,7 +16,7 @@ pub struct Notice {
     pub vehicle: Option<VehicleId>,
     /// How serious it is.
     pub severity: Severity,
-    /// Which alert it is about, where whoever made it knows.
+    /// The alert that it is about, where known.
     pub kind: Option<AlertKind>,
     /// What is said; foreign words in it are free of control characters.
     pub text: Text,

@@ -18,7 +18,7 @@ pub use sortie_sim::{AliasSense, other_name};
 /// How far the download of a vehicle's list has come.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Fetching {
-    /// Nobody has asked for it.
+    /// The list was not requested yet.
     #[default]
     NotAsked,
     /// It is coming; what is missing is asked for again.

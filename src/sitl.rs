@@ -99,7 +99,7 @@ pub struct Recipe {
 /// How the instance's serial 0 is reached.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SerialEndpoint {
-    /// It connects to this address, and nobody can connect to it: all its other serial ports are closed.
+    /// It connects to this address and accepts no connection: all its other serial ports are closed.
     Outwards(SocketAddr),
     /// It listens as SITL usually does, on port 5760 + 10 * this number and 2 and 3 above, and boots once somebody
     /// has connected.

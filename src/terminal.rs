@@ -159,7 +159,7 @@ impl Screen {
         self.pace.slow_bytes_per_s()
     }
 
-    /// Whether the terminal has yet to answer; what it says would be taken as keys by whoever comes after us.
+    /// Whether the terminal has yet to answer; its answer would be taken as keys by the next program.
     pub fn expects_answer(&self) -> bool {
         self.pace.expects_answer()
     }

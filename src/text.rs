@@ -69,7 +69,7 @@ enum TextContent {
         separator: &'static str,
         parts: Vec<Text>,
     },
-    /// What somebody wrote in several languages; English comes first.
+    /// A text written in several languages; English comes first.
     Written(Vec<(Language, String)>),
 }
 
@@ -111,7 +111,7 @@ impl Text {
         Self(TextContent::Verbatim(text.into()))
     }
 
-    /// What somebody wrote in English, and in other languages as far as they did.
+    /// A text written in English and possibly in other languages.
     pub fn written(
         english: impl Into<String>,
         others: impl IntoIterator<Item = (Language, String)>,

@@ -44,8 +44,8 @@ mission-recover-earlier = { $place ->
    *[later] come home before { $least } %: you had { $percent } %
 }
 mission-recover-closer = { $place ->
-    [first] Land within { $radius } m of a pad: you were { $distance } m away, rtl lands there
-   *[later] land within { $radius } m of a pad: you were { $distance } m away, rtl lands there
+    [first] Land within { $radius } m of a pad: you were { $distance } m away; rtl lands there
+   *[later] land within { $radius } m of a pad: you were { $distance } m away; rtl lands there
 }
 mission-recover-disarm = { $place ->
     [first] Land and disarm before the time is up: rtl does both

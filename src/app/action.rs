@@ -226,13 +226,13 @@ pub enum ReplayAction {
     PlayReplay,
     /// Play backwards.
     Rewind,
-    /// Ten seconds back.
+    /// Go ten seconds back in the replay.
     ReplayBack,
-    /// Ten seconds on.
+    /// Go ten seconds on in the replay.
     ReplayForward,
-    /// One frame back.
+    /// Show the frame before.
     FrameBack,
-    /// One frame on.
+    /// Show the next frame.
     FrameForward,
     /// To the moment before.
     PreviousMoment,

@@ -50,7 +50,7 @@ pub enum Event {
     Replay(ReplayEvent),
     /// The profile in use, or what belongs to it, changed.
     Career(CareerEvent),
-    /// A file was read or written.
+    /// A file was read or written by the shell.
     File(FileEvent),
     /// Something to tell, for the log of notices.
     Notice(Notice),
@@ -108,7 +108,7 @@ pub enum VehicleEvent {
         verb: &'static Verb,
         /// What it sets at risk.
         risk: Risk,
-        /// Its targets.
+        /// The vehicles that it goes to.
         vehicles: Vec<VehicleId>,
     },
     /// An order advanced with one vehicle.

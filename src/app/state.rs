@@ -110,12 +110,12 @@ pub struct State<R> {
     pub(in crate::app) career: Option<Career>,
     /// What the last flight brought to it; nothing once another session has started.
     pub(in crate::app) reward: Option<Reward>,
-    /// The names of everybody who has a profile here.
+    /// The names of all profiles.
     pub(in crate::app) profiles: Vec<String>,
     /// The drones that were chosen for missions, by the mission's id: one for all seats or one each. Where there are
     /// none, the mission lends its own.
     pub(in crate::app) fleets: BTreeMap<String, Vec<Design>>,
-    /// The designs that everybody has.
+    /// The designs that come with the program.
     pub(in crate::app) stock: Vec<Design>,
     /// The names of the themes on offer.
     pub(in crate::app) themes: Vec<String>,

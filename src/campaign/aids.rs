@@ -6,7 +6,7 @@ use strum::{EnumString, IntoStaticStr, VariantArray};
 use crate::text;
 use crate::text::Text;
 
-/// A hint of the level fades out once the skill is this likely; whoever has reached the last needs none.
+/// A hint of the level fades out once the skill is this likely; above the last of these, no hint is needed.
 const FADES_AT: [f64; 3] = [0.40, 0.65, 0.85];
 
 /// A level of difficulty: it changes what helps, never the physics and never the score.

@@ -10,7 +10,7 @@ use crate::text;
 use crate::text::Text;
 use crate::workshop::{Design, Part};
 
-/// The seed of the first try where nobody chooses one and no flights are kept.
+/// The seed of the first try without a chosen seed and without a profile.
 const FIRST_SEED: u64 = 1;
 /// Fresh seeds are below this: small enough to be typed.
 const FRESH_SEEDS: u64 = 1_000_000;

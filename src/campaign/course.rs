@@ -160,7 +160,7 @@ impl MissionCourse {
         self.offers.iter().find(|offer| offer.id == id)
     }
 
-    /// Where somebody stands with a mission on a day. A drill is open with the mission that it is for.
+    /// A trainee's standing with a mission on a day. A drill is open with the mission that it is for.
     pub fn stage(&self, offer: &Offer, standing: &CareerStanding, day: i64) -> MissionStage {
         if let Some(best) = standing
             .best(&offer.id)

@@ -19,7 +19,7 @@ const REPEAT: f64 = 0.25;
 /// Level n needs `LEVEL * n^1.5`.
 const LEVEL: f64 = 250.0;
 
-/// The parts that everybody may use from the start: a small quad that carries a particle counter.
+/// The parts that every trainee may use from the start: a small quad that carries a particle counter.
 pub const STARTER_PARTS: [&str; 10] = [
     "fr_450q",
     "m2212_920",

@@ -49,7 +49,7 @@ pub struct Knowledge {
     was_mastered: bool,
 }
 
-/// Where somebody stands with a skill.
+/// A trainee's standing in a skill.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Mastery {

@@ -1,4 +1,4 @@
-//! Whether an entry of a history can have happened: what comes out of files may have been written by anybody.
+//! Whether an entry of a history can have happened: files may have been edited by hand.
 
 use std::fmt::Debug;
 use std::ops::RangeInclusive;

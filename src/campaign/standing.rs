@@ -24,7 +24,7 @@ pub struct CareerStanding {
     flights: u32,
 }
 
-/// The best of somebody's flights of one mission; practice does not count.
+/// A trainee's best flight of one mission; practice does not count.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Best {
     /// How many graded flights there were.

@@ -18,7 +18,7 @@ mod replay;
 mod scale;
 mod sim;
 
-/// What to measure.
+/// The measurement to make.
 #[derive(Debug, Subcommand)]
 pub(super) enum BenchCommand {
     /// The course played through by the reference pilots: scores, credits, level, licence and skills, flight by flight.

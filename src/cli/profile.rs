@@ -24,7 +24,7 @@ pub(super) struct ProfileArguments {
 
 #[derive(Debug, Subcommand)]
 enum ProfileCommand {
-    /// Makes a profile.
+    /// Makes a new profile.
     #[command(
         after_help = "Examples:\n  sortie profile create anna\n  sortie profile create 'Anna K.'"
     )]
@@ -32,7 +32,7 @@ enum ProfileCommand {
         /// The trainee's name: one line of at most 40 letters.
         name: String,
     },
-    /// Lists the profiles.
+    /// Lists all profiles with their progress.
     #[command(
         after_help = "Examples:\n  sortie profile list\n  sortie profile list --json --data /srv/course"
     )]
@@ -77,9 +77,9 @@ enum ProfileCommand {
                             sortie profile export anna --output anna.json\n  \
                             sortie profile delete anna --yes")]
     Delete {
-        /// The profile.
+        /// The name of the profile.
         name: String,
-        /// Do not ask.
+        /// Delete without asking first.
         #[arg(long)]
         yes: bool,
     },

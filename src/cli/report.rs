@@ -35,11 +35,11 @@ pub(super) struct ReportArguments {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Format {
-    /// Markdown.
+    /// Markdown with tables.
     Md,
     /// Comma-separated values: one table.
     Csv,
-    /// One JSON document.
+    /// One JSON document with everything.
     Json,
 }
 
@@ -49,7 +49,7 @@ enum Which {
     Missions,
     /// Where each skill stands.
     Skills,
-    /// Every flight.
+    /// A row for every flight.
     Runs,
 }
 

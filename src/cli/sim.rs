@@ -55,7 +55,7 @@ pub(super) struct SimArguments {
     frames: Vec<PathBuf>,
 }
 
-/// `HOST:PORT`.
+/// An address as `HOST:PORT`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct HostPort {
     host: String,

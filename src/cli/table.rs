@@ -31,7 +31,7 @@ impl TextTable {
         }
     }
 
-    /// Adds a row. What would do something to a terminal is replaced.
+    /// Adds a row. Control characters are replaced.
     pub fn push(&mut self, row: Vec<String>) {
         self.rows
             .push(row.into_iter().map(|it| sanitised(&it)).collect());

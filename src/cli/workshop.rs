@@ -51,7 +51,7 @@ enum WorkshopCommand {
     Compare {
         /// A design file, or the name of a design.
         before: String,
-        /// Another one.
+        /// The design to compare it with.
         after: String,
         #[command(flatten)]
         air: AirArguments,

@@ -29,7 +29,7 @@ pub enum Manoeuvre {
         /// Which way it faces, degrees clockwise from north; `None` turns it into the course.
         face_deg: Option<f64>,
     },
-    /// End a formation: everybody stays where it is.
+    /// End a formation: all members stay where they are.
     Disband,
     /// Fly behind another vehicle, one after the other.
     Follow {
@@ -39,7 +39,7 @@ pub enum Manoeuvre {
         /// Height of the first of them above home; `None` begins one step above the leader.
         up_m: Option<f64>,
     },
-    /// Move apart until nobody has a neighbour nearer than this.
+    /// Move apart until no vehicle has a neighbour nearer than this.
     Spread { spacing_m: f64 },
     /// Search around a place.
     Search {
@@ -56,7 +56,7 @@ pub enum Manoeuvre {
     },
     /// Stand in a chain between home and something far away, so that messages can be handed on.
     Chain {
-        /// The far end; nobody of the chain stands there.
+        /// The far end, where no vehicle of the chain stands.
         to: FarEnd,
         /// Height above home; `None` is that of the first vehicle.
         up_m: Option<f64>,

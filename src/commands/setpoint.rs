@@ -245,7 +245,7 @@ pub(super) fn place(message: Result<Outgoing, Text>, vehicle: &Vehicle) -> Resul
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Setpoint {
     pub at_point: LatLon,
-    /// Metres above home.
+    /// Height above home in metres.
     pub altitude_m: f64,
     /// How that place moves: north, east, down in m/s; `None` where it does not.
     pub velocity_m_s: Option<[f64; 3]>,

@@ -20,7 +20,7 @@ pub type WordCheck<'a> = &'a dyn Fn(&str, &str) -> Result<(), Diagnostic>;
 /// Where a value came from.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Origin {
-    /// Nobody has set it.
+    /// Not set anywhere: the default.
     Default,
     File {
         name: String,

@@ -32,7 +32,7 @@ pub enum Column {
     Armed,
     /// On the ground or in the air.
     State,
-    /// Metres above home.
+    /// Height above home in metres.
     #[strum(serialize = "alt")]
     Altitude,
     Speed,
@@ -98,7 +98,7 @@ impl Column {
         Text::new(format!("column-{}", self.name()), Vec::new())
     }
 
-    /// The column of a name that somebody has written.
+    /// The column with this name.
     ///
     /// # Errors
     /// There is no such column; the place is the whole word.
@@ -112,7 +112,7 @@ impl Column {
 }
 
 impl TableSort {
-    /// By number, as long as nobody wants anything else.
+    /// By number; the default.
     pub const BY_ID: Self = Self {
         column: Column::Id,
         reversed: false,

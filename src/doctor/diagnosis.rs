@@ -96,7 +96,7 @@ pub enum Cause {
     Damaged(u8),
     /// This share of the frames does not arrive, in percent.
     Lossy(u8),
-    /// A recording is played: nobody answers.
+    /// A recording is played: there are no answers.
     Recording,
     /// It is too early to say anything.
     Listening,
@@ -234,7 +234,7 @@ fn nobody(chart: &Chart) -> Cause {
     }
 }
 
-/// Somebody is heard who is no vehicle.
+/// A sender is heard that is not a vehicle.
 fn strangers(chart: &Chart) -> Cause {
     let senders = chart.senders();
     let is_us = |sender: &Sender| sender.ids() == (GROUND_STATION_SYSTEM, GROUND_STATION_COMPONENT);

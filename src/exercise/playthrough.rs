@@ -22,7 +22,7 @@ const TIRED_FOR: usize = 2;
 /// Credits that are kept when parts are bought.
 const RESERVE_CREDITS: u32 = 200;
 
-/// Somebody who flies as the pilot scripts do, what the campaign advises, and buys what it puts on sale.
+/// A trainee who flies as the pilot scripts do, what the campaign advises, and buys what it puts on sale.
 pub struct Playthrough {
     course: MissionCourse,
     pilots: BTreeMap<String, (Arc<Mission>, Script)>,

@@ -59,7 +59,7 @@ impl Process {
         self.world.now().mul_f64(self.pace)
     }
 
-    /// Lets the simulator run for a time of its own while nobody listens to it.
+    /// Lets the simulator run for a time without a listener.
     fn run(&mut self, time: Duration) -> Vec<u8> {
         let until = self.world.now() + time;
         while self.world.now() < until {

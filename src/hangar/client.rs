@@ -48,7 +48,7 @@ pub enum ClientError {
         /// How long was waited.
         seconds: u64,
     },
-    /// Somebody answers who is no hangar.
+    /// The answer is not that of a hangar.
     #[error("{address} answers, but it is not a sortie hangar ({why})")]
     NotAHangar {
         address: HangarAddress,

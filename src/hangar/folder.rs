@@ -173,7 +173,7 @@ impl Run {
     }
 }
 
-/// Makes a folder into which nobody else can look.
+/// Makes a folder that only its owner can read.
 fn make(path: &Path, with_parents: bool) -> io::Result<()> {
     fs::DirBuilder::new()
         .mode(0o700)

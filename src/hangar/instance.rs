@@ -35,7 +35,7 @@ struct InstanceTask {
     shown: Instance,
     order: LaunchOrder,
     speedup: f64,
-    /// How long it may be without anybody attached.
+    /// How long it may be without an attached program.
     idle: Option<Duration>,
     unattended_since: Moment,
     restarts: Restarts,

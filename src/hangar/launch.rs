@@ -27,14 +27,14 @@ const MOST_PARAMETERS: usize = 2000;
 /// More than any name of a model.
 const MODEL_LEN: usize = 64;
 
-/// What to start.
+/// A SITL process to start.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Launch {
     /// The instance's number; the lowest free one by default.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub id: Option<InstanceId>,
-    /// The vehicle.
+    /// The kind of vehicle.
     #[serde(default)]
     pub kind: SitlKind,
     /// SITL's name of a model; by default what suits the kind and the airframe.
@@ -43,7 +43,7 @@ pub struct Launch {
     /// A frame file of ArduPilot's SITL.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub frame: Option<serde_json::Value>,
-    /// Where it stands.
+    /// The position and heading of its pad.
     #[serde(default)]
     pub home: LaunchHome,
     /// The MAVLink system id, 1 to 254; the instance's number by default, or the lowest free one where that cannot be.

@@ -38,7 +38,7 @@ pub struct Named {
     pub by: String,
 }
 
-/// Where programs that nobody has named are looked for.
+/// Where programs are looked for that were not named.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Places {
     pub path: Option<OsString>,

@@ -27,7 +27,7 @@ pub enum HangarRefusal {
     /// The request makes no sense.
     #[error("{0}")]
     Invalid(String),
-    /// Somebody is attached to the instance already.
+    /// A program is attached to the instance already.
     #[error("another client is attached to instance {0} already")]
     Attached(InstanceId),
     /// The host does not allow it.

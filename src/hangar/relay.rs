@@ -25,7 +25,7 @@ pub(super) enum Passed {
     InstanceGone,
     /// The one who is attached has said something.
     Attached,
-    /// Nobody is attached any more.
+    /// No program is attached any more.
     AttachedGone,
 }
 

@@ -26,7 +26,7 @@ impl Restarts {
         }
     }
 
-    /// Somebody has asked for a new start: it may fail anew.
+    /// A restart was requested: it may fail anew.
     pub fn forgive(&mut self) {
         self.failures = 0;
     }

@@ -61,7 +61,7 @@ pub fn owner(peer: SocketAddr, local: SocketAddr) -> Option<u32> {
 /// How a service is set up.
 #[derive(Debug, Clone)]
 pub struct ServiceSetup {
-    /// What lets everybody in.
+    /// Lets all clients in.
     pub token: HangarToken,
     /// Whether the token is asked for also on loopback, of programs of the same user.
     pub require_token: bool,
@@ -115,9 +115,9 @@ impl Default for ServiceBounds {
 /// A program that can be started.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 pub struct Program {
-    /// The vehicle.
+    /// The kind of vehicle.
     pub kind: SitlKind,
-    /// The file.
+    /// The path of the program.
     pub file: String,
     /// What it says that it is.
     pub identity: String,

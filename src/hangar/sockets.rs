@@ -14,11 +14,11 @@ use super::process;
 pub enum Protocol {
     /// A listening TCP socket.
     Tcp,
-    /// A UDP socket that hears whoever sends to it.
+    /// A UDP socket that receives from any sender.
     Udp,
 }
 
-/// A socket that somebody could talk to.
+/// A socket that others can send to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 pub struct ListeningSocket {
     pub protocol: Protocol,
@@ -45,7 +45,7 @@ const OPEN: [(&str, Protocol, &str); 4] = [
     ("udp6", Protocol::Udp, "07"),
 ];
 
-/// The sockets of this host that somebody could talk to; none where there is no `/proc`.
+/// The sockets of this host that others can send to; none where there is no `/proc`.
 pub fn open() -> Vec<ListeningSocket> {
     let mut all = Vec::new();
     for (file, protocol, state) in OPEN {

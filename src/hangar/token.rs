@@ -12,7 +12,7 @@ use subtle::ConstantTimeEq as _;
 
 /// Random bytes in a token; it is written with two hexadecimal digits for each.
 const LEN: usize = 32;
-/// Read and write for the owner, nothing for anybody else.
+/// Read and write for the owner alone.
 const PRIVATE: u32 = 0o600;
 /// Every permission of people other than the owner.
 const OTHERS: u32 = 0o077;
@@ -38,7 +38,7 @@ pub enum TokenError {
         "the token file {path} can be read by others (mode {mode:04o}): remove it so that a new token is made, or `chmod 600 {path}` if nobody has read it"
     )]
     Readable { path: PathBuf, mode: u32 },
-    /// The file belongs to somebody else.
+    /// The file belongs to another user.
     #[error("the token file {path} belongs to another user: name another with --token-file")]
     Foreign { path: PathBuf },
     /// There is something else in the file.

@@ -217,12 +217,12 @@ impl Census {
         tally.is_verified || tally.count >= KEEPS_COMING || self.sources.contains_key(&key.source)
     }
 
-    /// Everybody whose frames were verified, received and sent.
+    /// All sources with verified frames, received and sent.
     pub fn sources(&self) -> impl Iterator<Item = FrameSource> {
         self.sources.keys().copied()
     }
 
-    /// When a source last sent something that only somebody sends who hears us.
+    /// When a source last sent an answer to our frames.
     pub fn answered_at(&self, source: FrameSource) -> Option<Duration> {
         self.sources.get(&source)?.answered_at
     }

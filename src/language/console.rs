@@ -194,9 +194,9 @@ pub enum GhostSource {
 pub enum SeekTarget {
     /// A time from the beginning.
     At(Duration),
-    /// So much later.
+    /// Later than now by this much.
     Later(Duration),
-    /// So much earlier.
+    /// Earlier than now by this much.
     Earlier(Duration),
     /// The next moment of a kind.
     Next(MomentKind),

@@ -23,7 +23,7 @@ pub enum NameList {
 /// A name that may stand in a line.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Named {
-    /// What is typed.
+    /// The name as it is typed.
     pub name: String,
     /// What it stands for.
     pub meaning: Text,
@@ -32,7 +32,7 @@ pub struct Named {
 /// What a list holds now.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Listed {
-    /// Nobody knows yet: every name will do.
+    /// Not known yet: every name is accepted.
     Anything,
     /// One of these names.
     Names(Vec<Named>),

@@ -51,7 +51,7 @@ static TABLE: [&[VerbRow]; 10] = [
     session::ROWS,
 ];
 
-/// A motor that starts late can hurt somebody: give up soon.
+/// A motor that starts late can hurt a person: give up soon.
 const AT_ONCE: Retry = Retry::new(3, 1000, 3500);
 /// What is harmless when it arrives a little late.
 const CHANGE: Retry = Retry::new(5, 1000, 8000);

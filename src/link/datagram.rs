@@ -212,7 +212,7 @@ impl Peers {
         peer
     }
 
-    /// Makes room for one more, unless everybody is in use.
+    /// Makes room for one more, unless all are in use.
     fn has_room(&mut self, now: Instant) -> bool {
         if self.all.len() < PEER_CAP {
             return true;

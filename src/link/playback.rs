@@ -175,7 +175,7 @@ impl PlaybackPace {
     }
 }
 
-/// Reads a file in chunks until its end or until nobody listens.
+/// Reads a file in chunks until its end or until the receiver is gone.
 fn read_ahead(path: &Path, chunks: &mpsc::Sender<PlaybackChunk>) {
     let file = match File::open(path) {
         Ok(file) => file,

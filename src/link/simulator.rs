@@ -131,7 +131,7 @@ impl From<SimulatorError> for Text {
 pub struct SimulatorPace {
     /// Simulated seconds per second.
     pub speedup: f64,
-    /// While this is true, nothing moves and nobody is served.
+    /// While this is true, nothing moves and no client is served.
     pub held: bool,
 }
 

@@ -177,7 +177,7 @@ impl<W: Write> TlogWriter<W> {
         self.output.write_all(frame)
     }
 
-    /// The output.
+    /// Gives back what it writes to.
     pub fn into_inner(self) -> W {
         self.output
     }

@@ -81,7 +81,7 @@ impl Contacts {
         &self.0
     }
 
-    /// Those that nobody has reported and that are not known to be harmless, for reporting them.
+    /// Those not yet reported and not known to be harmless, for reporting them.
     pub fn unreported(&mut self) -> impl Iterator<Item = &mut Contact> {
         let open = |contact: &&mut Contact| !contact.reported && !contact.harmless;
         self.0.iter_mut().filter(open)

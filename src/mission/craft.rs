@@ -57,7 +57,7 @@ pub(crate) struct Craft {
     pub sensors: Vec<&'static Sensor>,
     /// Those of them that measure.
     pub probes: Vec<Probe>,
-    /// Where it is and how high while nobody hears it.
+    /// Position and height of a vehicle that is not heard.
     unheard: Option<(Point, f64)>,
     /// Energy reading at the beginning and now, in Wh.
     energy_wh: Option<(f64, f64)>,

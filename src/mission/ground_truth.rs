@@ -64,7 +64,7 @@ pub(crate) enum ObjectClass {
     SurfaceMine,
     /// Scrap: what detectors take for a mine.
     Clutter,
-    /// Somebody who needs help.
+    /// A person who needs help.
     Person,
     /// What a thermal camera takes for a person.
     Animal,

@@ -120,7 +120,7 @@ pub(crate) trait Tracker: Debug + Send + Sync {
     /// How the objective stands.
     fn standing(&self, scene: &ObjectiveScene<'_>) -> ObjectiveStanding;
 
-    /// Where it asked for a look that nobody has had.
+    /// Where a look was needed and never made.
     fn gaps(&self) -> Vec<GroundPatch> {
         Vec::new()
     }
@@ -158,7 +158,7 @@ pub(crate) struct ObjectiveScene<'a> {
 }
 
 impl<'a> ObjectiveScene<'a> {
-    /// What there is to see before anybody has come.
+    /// What is visible before the first visit.
     pub fn empty(world: &'a World) -> Self {
         Self {
             now: Duration::ZERO,

@@ -69,7 +69,7 @@ pub struct Progress {
     pub margins_db: BTreeMap<VehicleId, f64>,
 }
 
-/// Somebody or something that moves through the mission.
+/// A person, an aircraft or a drone that moves through the mission.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MovingThing {
     /// What conditions of the mission call it.
@@ -146,7 +146,7 @@ pub struct ShownContact {
     pub kind: FindKind,
     /// Where it is believed to be.
     pub at: LatLon,
-    /// How far anybody trusts it.
+    /// How far it is confirmed.
     pub trust: Trust,
 }
 

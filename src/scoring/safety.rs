@@ -43,9 +43,9 @@ pub enum SafetyKind {
     Collision,
     /// Too near to an aircraft with people on board.
     Bubble,
-    /// Too low over people, or too near to somebody.
+    /// Too low over people, or too near to a person.
     People,
-    /// Somebody was hurt: the mission has failed.
+    /// A person was hurt: the mission has failed.
     Injury,
     /// An aircraft was hit: the mission has failed.
     AircraftHit,

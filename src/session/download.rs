@@ -70,7 +70,7 @@ pub(super) struct Download {
 }
 
 impl Download {
-    /// One that nobody has asked for yet.
+    /// One that was not requested yet.
     pub fn new() -> Self {
         Self {
             phase: Phase::Idle,

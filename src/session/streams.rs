@@ -1,4 +1,4 @@
-//! Asks a vehicle for the telemetry that is shown, without fighting anybody else over the rates.
+//! Asks a vehicle for the telemetry that is shown, without competing with other ground stations for the rates.
 //!
 //! What arrives is counted. A message that comes often enough is left alone, whoever asked for it; one that
 //! comes too seldom is asked for, a few times at most: if another ground station keeps setting it back,

@@ -168,7 +168,7 @@ impl Console {
         self.show_reviews();
     }
 
-    /// The tries that belong to nobody's career.
+    /// The tries without a profile.
     fn tries_of_guests(&self) -> Tries {
         let runs = self.options.preferences.runs.as_ref();
         runs.map_or_else(Tries::new, |runs| runs.all_tries(None))

@@ -24,7 +24,7 @@ pub fn current(mut tries: Tries, missions: &[MissionListing]) -> Tries {
     tries
 }
 
-/// The designs that everybody has.
+/// The designs that come with the program.
 pub fn stock() -> Vec<Design> {
     let sources = store::designs();
     let designs = sources.iter().map(|source| Design::from_toml(&source.text));

@@ -136,7 +136,7 @@ mod tests {
         }
     }
 
-    /// Mission time.
+    /// Mission time so far.
     fn elapsed(console: &Console) -> Duration {
         let progress = console.app.state().session().mission();
         progress.map_or(Duration::ZERO, |progress| progress.elapsed)

@@ -42,7 +42,7 @@ const LANDING_PATIENCE: Duration = Duration::from_secs(10);
 /// passed, or else whether all lines from a pipe were carried out.
 ///
 /// # Errors
-/// The session could not be started, or nobody reads what is written.
+/// The session could not be started, or the output is closed.
 pub async fn run(options: ConsoleOptions) -> anyhow::Result<bool> {
     let is_person = options.flown_by == FlownBy::Hand;
     let mut signals = Signals::new()?;

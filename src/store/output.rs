@@ -173,7 +173,7 @@ struct Part {
 }
 
 impl Part {
-    /// Writes the text.
+    /// Writes the text to a new file beside the target.
     fn write(target: &Path, text: &str, mode: PartMode<'_>) -> io::Result<Self> {
         let Some(name) = target.file_name() else {
             return Err(io::ErrorKind::IsADirectory.into());

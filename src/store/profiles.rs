@@ -51,7 +51,7 @@ pub struct Profiles {
     is_read_only: bool,
 }
 
-/// Somebody who trains here.
+/// A profile: the career of one trainee.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Profile {
     key: i64,
@@ -62,7 +62,7 @@ pub struct Profile {
     pub settings: ProfileSettings,
 }
 
-/// What somebody has chosen for themselves.
+/// Settings of a trainee.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct ProfileSettings {
@@ -185,7 +185,7 @@ impl Profiles {
         version.map_err(|error| self.fault(error))
     }
 
-    /// Everybody, by name.
+    /// All profiles, by name.
     ///
     /// # Errors
     /// The database cannot be read.
@@ -246,7 +246,7 @@ impl Profiles {
         removed.map(drop).map_err(|error| self.fault(error))
     }
 
-    /// Remembers what somebody has chosen.
+    /// Stores the settings of a trainee.
     ///
     /// # Errors
     /// The database cannot be written.

@@ -61,7 +61,7 @@ pub struct Records {
 /// The files of one record; `None` for each one that is missing.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct RecordFiles {
-    /// What they are called without their endings.
+    /// Their common name without endings.
     pub stem: String,
     /// The frames of its links.
     pub frames: Option<PathBuf>,

@@ -58,7 +58,7 @@ impl Runs {
         }
     }
 
-    /// The runs in a folder of somebody's own, which need not exist; nothing in it is removed.
+    /// The runs in a folder that the user named, which need not exist; nothing in it is removed.
     pub fn at(folder: impl Into<PathBuf>) -> Self {
         Self {
             folder: folder.into(),

@@ -49,7 +49,7 @@ pub(super) struct WorldView<'a> {
     pub rules: Rules,
 }
 
-/// What is done once everybody is there.
+/// The work that begins once all members are there.
 #[derive(Debug, Clone)]
 pub(super) enum Work {
     /// Each flies its course and is done at its end. Lanes are pairs of points, and others can take them over.
@@ -133,7 +133,7 @@ impl ActiveManoeuvre {
         self.tell(view, outcome);
     }
 
-    /// The next phase begins when everybody has come to the end of this one.
+    /// The next phase begins when all members have finished this one.
     fn move_on(&mut self, view: &WorldView<'_>) {
         let there = |member: &Member| {
             let aim = self.aim(member, 0).at;
@@ -160,7 +160,7 @@ impl ActiveManoeuvre {
         self.site.point(view.vehicles.get(&id)?)
     }
 
-    /// Says where everybody is to be.
+    /// Says where each member is to be.
     fn steer(&mut self, view: &WorldView<'_>, outcome: &mut StepOutcome) {
         for index in 0..self.members.len() {
             let member = &self.members[index];
@@ -203,7 +203,7 @@ impl ActiveManoeuvre {
         }
     }
 
-    /// Somebody from outside who is in the way of a member, with where that member is.
+    /// A vehicle from outside that is in the way of a member, with the member's position.
     fn obstacle(
         &self,
         id: VehicleId,
@@ -301,7 +301,7 @@ impl ActiveManoeuvre {
         self.members.iter().enumerate().map(path).collect()
     }
 
-    /// The lanes that nobody has finished, of a survey.
+    /// The unfinished lanes of a survey.
     fn lanes_left(&self) -> Vec<Lane> {
         let lanes = self.members.iter().flat_map(|member| {
             let first = member.next / 2;

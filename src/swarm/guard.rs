@@ -9,7 +9,7 @@ use super::geometry::MovingPoint;
 
 /// How far ahead is looked.
 const AHEAD_S: f64 = 3.0;
-/// Somebody who stands still is taken to begin moving this fast.
+/// A vehicle that stands still is assumed to begin moving this fast.
 const LEAST_SPEED_M_S: f64 = 2.0;
 /// Nearer than this to its aim a vehicle does not move any more.
 const THERE_M: f64 = 1.0;

@@ -38,7 +38,7 @@ impl Lane {
 pub(super) enum NoLanes {
     /// It has no extent.
     Empty,
-    /// It takes more lines than anybody can mean.
+    /// It takes too many lines.
     TooMany(usize),
 }
 

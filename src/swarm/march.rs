@@ -29,7 +29,7 @@ const LAG_RANGE_M: f64 = 4.0;
 const NO_TURN_M: f64 = 2.0;
 /// Courses that agree so well are the same.
 const SAME_COURSE_RAD: f64 = 0.01;
-/// Longer pauses between two steps are cut: nobody flies blindly.
+/// Longer pauses between two steps are cut, so that no vehicle flies blindly.
 const LONGEST_STEP_S: f64 = 0.5;
 
 /// A formation and where it is.
@@ -86,7 +86,7 @@ impl March {
         self.stepped = None;
     }
 
-    /// All places of the shape as it stands, before anybody has one.
+    /// All places of the shape as it stands, before they are given to vehicles.
     pub fn places(&self, count: usize) -> Vec<DVec3> {
         let slots = slots(self.shape, count, self.spacing_m);
         slots.into_iter().map(|slot| self.at(slot)).collect()

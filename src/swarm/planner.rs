@@ -116,7 +116,7 @@ impl<'a> Planner<'a> {
         });
     }
 
-    /// Plans it; `None` when nobody can do it, and the rows say why.
+    /// Plans it; `None` when no vehicle can do it, and the rows say why.
     pub fn make(&mut self) -> Option<ActiveManoeuvre> {
         if self.team.is_empty() {
             return None;

@@ -8,7 +8,7 @@ use crate::commands::Shape;
 use crate::geo::maths;
 
 /// The places of so many vehicles: x metres ahead of the first, y to its right. The first is at the origin, and
-/// neighbours are `spacing_m` apart, nobody nearer.
+/// neighbours are `spacing_m` apart, none nearer.
 pub(super) fn slots(shape: Shape, count: usize, spacing_m: f64) -> Vec<DVec2> {
     let unit = |index: usize| match shape {
         Shape::Line => DVec2::new(0.0, in_turn(index)),

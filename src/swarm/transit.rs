@@ -128,7 +128,7 @@ pub(super) fn heights(legs: &[Leg], others: &[DVec3], clearance: Clearance) -> O
     Some(heights)
 }
 
-/// Whether everybody may go straight to its end at once.
+/// Whether all members may go straight to their ends at once.
 pub(super) fn are_apart(legs: &[Leg], others: &[DVec3], clearance: Clearance) -> bool {
     legs.iter().enumerate().all(|(index, leg)| {
         let apart = |other: &Leg| !leg.comes_near(other, clearance);

@@ -12,7 +12,7 @@ use super::input::{Input, Parser};
 
 /// How long the rest of a sequence may take; after that its beginning was the Esc key.
 const SEQUENCE_PATIENCE: Duration = Duration::from_millis(50);
-/// Pieces of input that may wait; whoever types faster waits.
+/// Pieces of input that may wait; faster input is held back.
 const PIECES: usize = 16;
 
 /// The input of the terminal. Dropping it leaves its thread in its last read, which ends with the program.

@@ -92,7 +92,7 @@ impl Pace {
         self.interval = Duration::from_secs(1) / u32::from(frames_per_s.max(1));
     }
 
-    /// The pace of a screen that nobody reads.
+    /// The pace of a screen whose output is not read.
     pub fn unread() -> Self {
         Self {
             interval: Duration::ZERO,

@@ -90,7 +90,7 @@ pub fn stars(medal: Option<Medal>) -> &'static str {
     }
 }
 
-/// How the state of a command looks.
+/// The style of a command's state.
 pub fn row_role(state: RowState) -> Role {
     match state {
         RowState::Done => Role::Ok,

@@ -52,7 +52,7 @@ pub struct Plans {
     pub rally: Stored<RallyPlan>,
 }
 
-/// One list as far as it is known here.
+/// One list, as far as it has been read.
 #[derive(Debug, Clone, Default)]
 pub struct Stored<T> {
     /// What was read last; it stays while a newer version is on its way.

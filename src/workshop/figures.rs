@@ -18,7 +18,7 @@ pub const GOOD_THRUST: f64 = 1.8;
 const GRAVITY_M_S2: f64 = 9.806_65;
 /// Thrust is stated at this charge, in percent: the middle of a flight.
 const MIDDLE_CHARGE: f64 = 60.0;
-/// Nobody leans farther; a drone with little thrust less, for a tenth of it is kept for control.
+/// The greatest lean; a drone with little thrust less, for a tenth of it is kept for control.
 const MOST_LEAN_DEG: f64 = 35.0;
 const CONTROL_SHARE: f64 = 0.9;
 /// Speeds that are tried, in steps of half a metre per second.

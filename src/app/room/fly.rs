@@ -13,7 +13,7 @@ use crate::config::{Column, TableSort};
 use crate::text;
 use crate::vehicle::{Severity, VehicleId};
 
-/// The order changes at most so often, or nobody could follow a row.
+/// The shortest time between changes of the order, so that the eye can follow a row.
 const RESORT_EVERY: Duration = Duration::from_secs(1);
 /// What the key for the order goes through where no columns have been chosen.
 const SORTS: &[Column] = &[

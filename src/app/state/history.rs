@@ -202,7 +202,7 @@ impl Histories {
         self.by_vehicle.get(&vehicle)
     }
 
-    /// Forgets a vehicle.
+    /// Drops the samples of a vehicle.
     pub fn forget(&mut self, vehicle: VehicleId) {
         self.by_vehicle.remove(&vehicle);
     }

@@ -5,16 +5,16 @@ use super::State;
 /// One line of the list of profiles.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Trainee {
-    /// Somebody who has a profile.
+    /// A trainee with a profile.
     Known(String),
-    /// Somebody who is to have one.
+    /// The entry that makes a new profile.
     New,
-    /// Somebody whose flights are not kept.
+    /// A guest, whose flights are not kept.
     Guest,
 }
 
 impl<R> State<R> {
-    /// Everybody who could train here, in the order of the list.
+    /// The choices of the list, in its order.
     pub fn trainees(&self) -> Vec<Trainee> {
         let known = self.profiles.iter().cloned().map(Trainee::Known);
         known.chain([Trainee::New, Trainee::Guest]).collect()

@@ -19,7 +19,7 @@ pub struct ReplayView {
     pub began_unix_us: u64,
     /// How long it is.
     pub length: Duration,
-    /// Where it stands.
+    /// The place in the recording, and the pace.
     pub position: ReplayPosition,
     /// The moments that have been found so far, earliest first.
     pub moments: Arc<Vec<Moment>>,

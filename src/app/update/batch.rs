@@ -59,7 +59,7 @@ pub fn advance(state: &mut State) -> Effects {
 /// Gives a `param set` without a question.
 ///
 /// # Errors
-/// There is nobody to give it to.
+/// There is no vehicle for it.
 pub fn give(state: &mut State, line: &str) -> Result<Effects, Text> {
     let order = order::prepare(state, line).map_err(|fault| fault.message)?;
     Ok(Effects::from(order::send(state, order).effect))

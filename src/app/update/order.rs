@@ -22,7 +22,7 @@ const NAMED_TARGETS: usize = 12;
 
 /// A line of the command line, understood.
 pub enum Given {
-    /// To the console itself.
+    /// A line to the console itself.
     Own(ConsoleLine),
     /// To vehicles or the mission.
     Order(Order),

@@ -57,7 +57,7 @@ pub fn pass(state: &mut State, now: Duration) {
     }
 }
 
-/// A snapshot that arrives after its session has ended belongs to nobody.
+/// A snapshot that arrives after its session has ended is dropped.
 pub fn vehicle(state: &mut State, vehicle: Arc<Vehicle>) {
     let session = &mut state.session;
     let is_known = |known: &Arc<Vehicle>| Arc::ptr_eq(known, &vehicle);

@@ -21,7 +21,7 @@ pub(in crate::cli) struct CampaignArguments {
     /// The seed of the first flight; each one has the next.
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Flights at most.
+    /// The most flights to fly.
     #[arg(long, default_value_t = 120)]
     flights: usize,
     /// One JSON document instead of the table.

@@ -27,7 +27,7 @@ use crate::store;
     sortie hangar command --frame hexa.json --param RTL_ALT=3000\n  \
     sortie hangar command --kind rover --connect-out 127.0.0.1:5760")]
 pub(super) struct CommandArguments {
-    /// The vehicle.
+    /// The kind of vehicle.
     #[arg(long, value_enum, default_value = "copter")]
     kind: KindWord,
     /// SITL's name of a model: quad (which means plus), x, hexa; by default what suits the kind and the frame.
@@ -49,13 +49,13 @@ pub(super) struct CommandArguments {
     /// Simulated seconds per second.
     #[arg(long, value_name = "X", default_value_t = 1.0, value_parser = parse_speedup)]
     speedup: f64,
-    /// How many vehicles.
+    /// The number of vehicles.
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=254))]
     vehicles: u8,
     /// How they stand, the first one at the home and all looking its way.
     #[arg(long, value_enum, default_value = "row")]
     formation: ShapeWord,
-    /// Metres between neighbours.
+    /// Metres between neighbours of the formation.
     #[arg(long, value_name = "METRES", default_value_t = 5.0, value_parser = parse_spacing)]
     spacing: f64,
     /// A parameter; give the option once for each. Names that the vehicle does not know are left out by it without a

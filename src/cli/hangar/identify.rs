@@ -1,4 +1,4 @@
-//! `sortie hangar identify`: what the programs of SITL are.
+//! `sortie hangar identify`: which SITL programs are there, and their versions.
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;

@@ -36,7 +36,7 @@ pub(super) struct ServeArguments {
     /// Where to listen; with port 0 the system chooses one, which is printed.
     #[arg(long, value_name = "HOST:PORT", default_value_t = format!("127.0.0.1:{PORT}"), value_parser = parse_listen)]
     listen: String,
-    /// Instances at once.
+    /// The most instances at once.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=254))]
     instances: Option<u16>,
     /// Address space of one instance, in mebibytes.

@@ -32,7 +32,7 @@ const PIECE_LEN: usize = 4096;
 /// Starts the vehicles, flies, and ends them, whatever happens.
 ///
 /// # Errors
-/// They cannot be started, do not get ready, or somebody interrupts.
+/// They cannot be started, do not get ready, or the user interrupts.
 pub(super) fn fly(
     source: &SitlSource,
     launches: Vec<Launch>,

@@ -42,7 +42,7 @@ struct Ours {
     life: String,
     /// Whether the service was heard to have it: what is not there before that may still come.
     is_known: bool,
-    /// Whether it has gone, and its number may be somebody else's.
+    /// Whether it has gone, and its number may be in use again.
     is_gone: bool,
     tunnel: CancellationToken,
 }

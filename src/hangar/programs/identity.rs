@@ -30,7 +30,7 @@ const TAIL_LEN: usize = 400;
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct ProgramIdentity {
     pub kind: SitlKind,
-    /// The version, `4.6.0-dev`.
+    /// The version, such as `4.6.0-dev`.
     pub version: String,
     /// The commit that it was built from, shortened.
     pub hash: String,

@@ -16,13 +16,13 @@ use utoipa::ToSchema;
 use super::{ServiceProblem, ServiceState};
 use crate::hangar::{Instance, InstanceId, Instances};
 
-/// How things are when somebody begins to follow.
+/// The state when a client begins to follow.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
 #[schema(as = Snapshot)]
 pub struct InstanceSnapshot {
     /// Names this run of the service.
     pub life: String,
-    /// The instances.
+    /// All instances and their state.
     pub vehicles: Vec<Instance>,
 }
 

@@ -12,7 +12,7 @@ use crate::hangar::HangarRefusal;
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 #[schema(as = Problem)]
 pub struct ServiceProblem {
-    /// The HTTP status.
+    /// The status of the HTTP answer.
     #[serde(skip)]
     pub(super) status: StatusCode,
     /// What is wrong, and where.

@@ -36,7 +36,7 @@ pub(super) fn check(examined: &mut Examined<'_>) {
     }
 }
 
-/// A polygon whose sides cross has an inside that nobody meant.
+/// A polygon whose sides cross has an unintended inside.
 fn shape(examined: &mut Examined<'_>, zone: &Zone, written: &WrittenValue) {
     let Shape::Polygon(corners) = &zone.shape else {
         return;

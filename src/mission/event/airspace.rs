@@ -15,7 +15,7 @@ use crate::vehicle::VehicleId;
 const TOUCH_M: f64 = 0.5;
 /// An aircraft is larger.
 const AIRCRAFT_M: f64 = 5.0;
-/// A vehicle this near to somebody, and as low as this, hurts them.
+/// A vehicle this near to a person, and as low as this, injures the person.
 const HURTS_WITHIN_M: f64 = 1.0;
 const HURTS_BELOW_M: f64 = 2.5;
 /// Those who fly higher than this do not disturb people who come by.
@@ -123,7 +123,7 @@ fn in_zones([east_m, north_m, up_m]: Place, scope: &Scope<'_>) -> Vec<Breach> {
     inside.filter_map(breach).collect()
 }
 
-/// What a vehicle at a place does to somebody who comes by.
+/// The effect of a vehicle at a place on a passing mover.
 fn near(mover: &Mover, place: Place) -> Option<Breach> {
     let distance_m = mover.distance_m(place);
     let distance = format!("{distance_m:.0}");

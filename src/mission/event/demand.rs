@@ -153,7 +153,7 @@ impl Demands {
         self.wished.insert(vehicle, wishes);
     }
 
-    /// A vehicle's radio should be like this now.
+    /// The state that a vehicle's radio should have now.
     pub fn radio(&mut self, vehicle: VehicleId, fault: RadioFault) {
         let known = self.radio.get(&vehicle).copied().unwrap_or_default();
         if known.differs(fault) {

@@ -9,7 +9,7 @@ use crate::geo::maths;
 use crate::mission::Point;
 use crate::mission::report::distance_m;
 
-/// Somebody or something that an event brings.
+/// A person, an aircraft or a drone that an event brings.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Spawn {
     /// What conditions call it.
@@ -30,11 +30,11 @@ pub enum MoverKind {
     Person,
     /// An aircraft with people on board.
     Aircraft,
-    /// A drone of somebody else's.
+    /// A drone that is not part of the mission.
     Intruder,
 }
 
-/// Somebody or something on the way.
+/// A mover on its path.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Mover {
     pub id: String,

@@ -54,7 +54,7 @@ pub(crate) struct Scope<'a> {
     pub chance: (u64, u64),
 }
 
-/// Where somebody should keep away from.
+/// The area to keep away from.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Spot {
     /// The zone of this place in the file.
@@ -152,7 +152,7 @@ impl<'a> Scope<'a> {
         self.flying().filter_map(|craft| self.mode(craft.id))
     }
 
-    /// Whether everybody in the air either stands still or keeps this far away.
+    /// Whether every vehicle in the air either stands still or keeps this far away.
     pub fn is_paused_or_clear(&self, spot: &Spot, metres: f64) -> bool {
         self.flying().all(|craft| {
             let near = craft.truly_at().is_some_and(|at| match spot {

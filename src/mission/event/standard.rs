@@ -33,7 +33,7 @@ pub(crate) enum Standard {
     BatteryCold,
     /// A battery with a dead cell.
     BatteryCell,
-    /// Somebody walks over the place of work.
+    /// A person walks through the working area.
     Person,
     /// An aircraft flies over it.
     Aircraft,

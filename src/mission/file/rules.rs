@@ -8,7 +8,7 @@ const USUAL_MAX_HEIGHT_M: f64 = 120.0;
 const USUAL_RESERVE_PERCENT: f64 = 20.0;
 const USUAL_SPEEDUP: f64 = 8.0;
 
-/// What everybody has to keep to.
+/// The rules for all vehicles.
 pub(super) struct RuleSet {
     pub max_height_m: f64,
     pub land_reserve_percent: f64,

@@ -9,7 +9,7 @@ use crate::mission::contact::Contacts;
 use crate::mission::objective::Tracker;
 use crate::vehicle::VehicleId;
 
-/// Contacts that a script may name before anybody has found them.
+/// Contacts that a script may name before they are found.
 const NAMED_CONTACTS: usize = 200;
 /// Where a sensor has shown the most.
 const PEAK: &str = "peak";

@@ -12,7 +12,7 @@ use crate::scoring::{
 };
 use crate::text::rounded;
 
-/// A report of what nobody asked for is right this near to it.
+/// A report of what the mission does not ask for is right this near to it.
 const UNASKED_WITHIN_M: f64 = 15.0;
 impl Flight {
     /// The truth as it is now.
@@ -99,7 +99,7 @@ impl Flight {
         of_hazard.max_by(|a, b| a.within_m.total_cmp(&b.within_m))
     }
 
-    /// Where nobody has looked, and the cells that nobody has sampled.
+    /// The ground not covered, and the cells not sampled.
     fn gaps(&self) -> Vec<SquareReport> {
         let gap = |at: Point, side_m: f64| SquareReport {
             at: tenths(at),

@@ -52,7 +52,7 @@ pub(super) struct AskedKey {
 
 #[derive(Debug)]
 enum TableContent<'a> {
-    /// What nobody has asked for yet.
+    /// The keys that were not read yet.
     Written(DeTable<'a>),
     /// What is left once it is known that the rest cannot be understood.
     Abandoned,
@@ -60,7 +60,7 @@ enum TableContent<'a> {
 }
 
 impl FileTable<'_> {
-    /// Reads a table; keys that nobody asks for are faults.
+    /// Reads a table; keys that are not read are faults.
     pub fn read<T>(
         reader: Reader<T>,
         written: Spanned<DeValue<'_>>,

@@ -68,7 +68,7 @@ struct Blaze {
 #[derive(Debug)]
 pub(crate) struct Fire {
     blaze: Blaze,
-    /// The same fire if nobody did anything about it.
+    /// The same fire without intervention.
     untouched: Blaze,
     ignitions: Vec<Ignition>,
     since_step: Duration,
@@ -313,7 +313,7 @@ impl Fire {
         &self.blaze.grid
     }
 
-    /// The ground as it would burn if nobody did anything.
+    /// The ground as it would burn without intervention.
     pub fn untouched(&self) -> &FireGrid {
         &self.untouched.grid
     }

@@ -28,10 +28,10 @@ pub(super) struct People {
     now: Duration,
 }
 
-/// What becomes of somebody.
+/// The fate of a person.
 #[derive(Debug, Clone, Copy)]
 struct Fate {
-    /// Until when help is of use; `None` for somebody who can wait.
+    /// Until when help is of use; `None` for a person who can wait.
     until: Option<Duration>,
     helped: bool,
 }
@@ -49,7 +49,7 @@ pub(crate) struct Care {
 }
 
 impl People {
-    /// Nobody yet, and places where nodes are wanted.
+    /// No people yet, and places for nodes.
     pub fn new(nodes: Vec<Point>) -> Self {
         Self {
             nodes: nodes.into_iter().map(|at| (at, false)).collect(),
@@ -57,7 +57,7 @@ impl People {
         }
     }
 
-    /// Adds somebody; must come before anything else is added.
+    /// Adds a person; must come before anything else is added.
     pub fn add(&mut self, person: Object, until: Option<Duration>) {
         self.objects.push(person);
         let helped = false;

@@ -191,7 +191,7 @@ impl Detect {
         }
     }
 
-    /// Whether everybody is down, and nothing has been reported for a while.
+    /// Whether all vehicles are down, and nothing has been reported for a while.
     fn is_final(scene: &ObjectiveScene<'_>) -> bool {
         let last = scene.marks.iter().map(|mark| mark.when).max();
         let quiet = last.is_some_and(|last| scene.now.saturating_sub(last) >= FINAL_AFTER);

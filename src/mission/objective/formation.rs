@@ -100,7 +100,7 @@ fn distance_m(a: &[f64; 3], b: &[f64; 3]) -> f64 {
 }
 
 impl FormationTracker {
-    /// Whether everybody's nearest neighbour is as far away as it should be.
+    /// Whether the nearest neighbour of every vehicle is at the right distance.
     fn is_kept(&self, all: &[[f64; 3]]) -> bool {
         let [low, high] = self.keep.spacing_m;
         all.iter().enumerate().all(|(own, at)| {

@@ -1,4 +1,4 @@
-//! `protect`: a zone must not burn. `contain`: less must burn than if nobody did anything.
+//! `protect`: a zone must not burn. `contain`: less must burn than without intervention.
 
 use super::{
     DemandedEquipment, Demands, Equipment, ObjectiveKind, ObjectiveScene, ObjectiveStanding,

@@ -173,7 +173,7 @@ impl ObjectiveKind for Visit {
 #[derive(Debug)]
 struct Stops {
     places: Vec<Stop>,
-    /// For how long somebody has been at each.
+    /// How long a vehicle has been at each.
     stayed_s: Vec<f64>,
     passed: Vec<bool>,
     ordered: bool,

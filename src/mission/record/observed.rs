@@ -58,7 +58,7 @@ type ModeLine = (VehicleClass, u32, bool);
 /// Latitude and longitude in 1e-7 degrees, height above sea level and above home in mm, velocity north, east and down
 /// in cm/s.
 type PositionLine = (i32, i32, i64, i64, i32, i32, i32);
-/// Where it is while nobody hears it: latitude and longitude in 1e-7 degrees, height above home in mm.
+/// Position of a vehicle that is not heard: latitude and longitude in 1e-7 degrees, height above home in mm.
 type UnheardLine = (i32, i32, i64);
 /// Voltage in mV, charge in mAh, energy in hJ, percent.
 type BatteryLine = (Option<i64>, Option<i64>, Option<i64>, Option<u8>);
@@ -262,7 +262,7 @@ fn said<'de, D: Deserializer<'de>, T: Deserialize<'de>>(
     Option::deserialize(deserializer).map(Some)
 }
 
-/// What a vehicle that can be armed says of itself, and nothing more.
+/// Reports of a vehicle that can be armed, and nothing more.
 fn checked(now: Duration) -> Health {
     Health {
         present: Health::PREARM,

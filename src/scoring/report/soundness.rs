@@ -1,4 +1,4 @@
-//! Whether a report's figures fit together: what comes out of files may have been written by anybody.
+//! Whether a report's figures fit together: files may have been edited by hand.
 
 use super::{ComponentReport, ObjectiveReport, Report};
 use crate::scoring::Component;
@@ -72,7 +72,7 @@ impl Report {
 }
 
 impl ComponentReport {
-    /// Whether it is that of a component; stored names are English.
+    /// Whether a name is that of a component; stored names are English.
     pub fn is(&self, component: Component) -> bool {
         self.name.to_string() == component.title().to_string()
     }

@@ -174,7 +174,7 @@ impl Careers {
         Some(error.text())
     }
 
-    /// Whether somebody else has written since the last call.
+    /// Whether another program has written since the last call.
     pub fn has_changed_elsewhere(&mut self) -> bool {
         let now = self.profiles.changes_elsewhere().ok();
         std::mem::replace(&mut self.seen, now) != now

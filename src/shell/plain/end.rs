@@ -95,7 +95,7 @@ pub(super) fn has_failures(ledger: &Ledger) -> bool {
     rows.any(|row| row.state.is_failure())
 }
 
-/// Whether a mission is about to end by itself: all of it is reached, and everybody is down.
+/// Whether a mission is about to end by itself: all objectives are met, and all vehicles are down.
 pub(super) fn is_as_good_as_passed(state: &State) -> bool {
     let session = state.session();
     let mission = session.mission();

@@ -12,7 +12,7 @@ const LINES_AHEAD: usize = 16;
 pub(super) enum PlainLine {
     /// A line of text.
     Read(String),
-    /// A line that is not UTF-8, with marks where it is not: nobody knows what was meant.
+    /// A line that is not UTF-8, with marks where it is not.
     Garbled(String),
 }
 

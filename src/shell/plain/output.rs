@@ -83,10 +83,10 @@ impl PlainOutput {
         self.prompted = false;
     }
 
-    /// Whether somebody still reads.
+    /// Whether the output is still open.
     ///
     /// # Errors
-    /// Nobody does.
+    /// The output is closed.
     pub fn check(&self) -> anyhow::Result<()> {
         match self.outcome.try_recv() {
             Ok(outcome) => Ok(outcome?),
@@ -97,7 +97,7 @@ impl PlainOutput {
     /// Writes what is left; not for long if the program has been told to end.
     ///
     /// # Errors
-    /// Nobody reads.
+    /// The output is closed.
     pub fn finish(self, told_to_end: bool) -> anyhow::Result<()> {
         if self.prompted {
             // Whoever comes after us begins on a line of its own.

@@ -34,7 +34,7 @@ impl SessionLinks {
         self.heard.push(LinkHeard::new());
     }
 
-    /// All of them, in their order.
+    /// All links, in their order.
     pub fn all(&self) -> &[watch::Receiver<LinkStatus>] {
         &self.all
     }

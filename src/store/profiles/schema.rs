@@ -57,7 +57,7 @@ pub(super) struct DocumentColumn {
     pub notation: Notation,
 }
 
-/// All of them.
+/// All columns that hold JSON documents.
 pub(super) const DOCUMENTS: [DocumentColumn; 3] = [
     DocumentColumn {
         table: "entries",

@@ -123,7 +123,7 @@ impl ActiveManoeuvre {
         }
     }
 
-    /// There is no safe way to go on: everybody stays where it is.
+    /// There is no safe way to go on: all members stay where they are.
     fn give_up(&mut self, view: &WorldView<'_>, outcome: &mut StepOutcome) {
         let reason = text!("swarm-no-way");
         let ids: Vec<VehicleId> = self.members.iter().map(|member| member.id).collect();

@@ -73,11 +73,11 @@ impl Member {
 /// How far a manoeuvre has come.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(in crate::swarm) enum Phase {
-    /// Everybody goes to its height on the spot.
+    /// Each member goes to its height on the spot.
     Rise,
-    /// Everybody crosses at its height.
+    /// Each member crosses at its height.
     Cross,
-    /// Everybody goes to where its work begins.
+    /// Each member goes to where its work begins.
     Sink,
     Work,
 }

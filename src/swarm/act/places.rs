@@ -9,7 +9,7 @@ use crate::swarm::lanes::{Lane, Start, shares};
 use crate::swarm::transit::{Leg, are_apart, heights};
 use crate::vehicle::VehicleId;
 
-/// Everybody where it is, to stay on the spot at a height.
+/// Each member where it is, to stay on the spot at a height.
 pub(in crate::swarm) fn members(team: &[(VehicleId, DVec3)], up_m: f64) -> Vec<Member> {
     let member = |&(id, at): &(VehicleId, DVec3)| Member::new(id, at, at.truncate().extend(up_m));
     team.iter().map(member).collect()
@@ -95,7 +95,7 @@ pub(in crate::swarm) fn take_places(act: &mut ActiveManoeuvre, view: &WorldView<
     route(act, view)
 }
 
-/// Takes note of where everybody is now.
+/// Notes where each member is now.
 fn see(act: &mut ActiveManoeuvre, view: &WorldView<'_>) {
     for member in &mut act.members {
         let vehicle = view.vehicles.get(&member.id);

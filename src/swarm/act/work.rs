@@ -92,7 +92,7 @@ impl ActiveManoeuvre {
         }
     }
 
-    /// Says how far everybody is.
+    /// Reports the progress of each member.
     pub(super) fn tell(&mut self, view: &WorldView<'_>, outcome: &mut StepOutcome) {
         let all_in_place = self.phase == Phase::Work
             && self.members.iter().enumerate().all(|(index, member)| {

@@ -39,7 +39,7 @@ pub fn height(state: &State, look: &Look, width: u16) -> usize {
     rows + 2
 }
 
-/// What there is to know while nobody has been heard: how the links are doing.
+/// What is shown before a vehicle is heard: the state of the links.
 fn waiting_lines(state: &State, look: &Look, width: u16) -> Vec<(String, Role)> {
     let waiting = format!("  {}", look.say("fly-waiting"));
     let mut lines = vec![(waiting, Role::Muted)];

@@ -175,7 +175,7 @@ pub fn read(state: &mut State, path: &str, content: &str) {
     }
 }
 
-/// The design of a name: an own one before one that everybody has.
+/// The design of a name: an own one before a built-in one.
 fn named<'a>(state: &'a State, name: &str) -> Option<&'a Design> {
     let mut all = shelf::stored(state).into_iter();
     all.find(|it| it.design.name == name).map(|it| it.design)

@@ -1,4 +1,4 @@
-//! All designs: the trainee's own, and those that everybody has.
+//! All designs: the trainee's own, and the built-in ones.
 
 use super::{Page, air};
 use crate::app::State;

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use crate::diagnostic::Diagnostic;
 
-/// A longer expression is none that somebody has written.
+/// The longest expression that is read.
 pub(in crate::mission) const LONGEST: usize = 1000;
 
 #[derive(Debug, Clone, PartialEq)]

@@ -180,7 +180,7 @@ fn career_best(career: &Career, mission: &str) -> Option<String> {
     Some(format!(" {score:>4} {:<3}", stars(best.medal)))
 }
 
-/// The best recorded score where nobody's career is kept.
+/// The best recorded score without a profile.
 fn recorded_best(state: &State, mission: &str) -> Option<String> {
     let best = state.best_try(mission)?;
     let score = best.score?;

@@ -209,7 +209,7 @@ fn words(value: &FieldReading, look: &Look) -> (String, Role) {
     (parts.join(" "), Role::Text)
 }
 
-/// A message that nobody can read: why not, and its bytes.
+/// A message that cannot be decoded: the reason, and its bytes.
 fn draw_undecoded(
     reading: &MessageReading,
     tally: &MessageTally,

@@ -56,7 +56,7 @@ pub fn draw_scale(field: &SampleField, panel: Panel<'_>, buffer: &mut Buffer) {
     labels::stamp_right(&Line::from(spans), panel, buffer);
 }
 
-/// The shade for a share of the most; none for nothing.
+/// The shade for a share of the maximum; none for zero.
 pub fn shade(share: f64, symbols: Symbols) -> Option<char> {
     let shades = shades(symbols);
     let level = (share.clamp(0.0, 1.0) * shades.len() as f64).ceil() as usize;
