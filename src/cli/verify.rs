@@ -124,7 +124,7 @@ fn find(named: &str, settings: &CliSettings, locale: &Locale) -> Result<RecordFi
     })?;
     let commands = RecordsCommands {
         records,
-        locale: locale.clone(),
+        locale: *locale,
         config: settings.config.clone(),
     };
     commands.find(named)

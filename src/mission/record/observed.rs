@@ -155,7 +155,7 @@ impl ObservedVehicle {
 
     /// What of this a vehicle has not shown, if it was `known` to be so and so one after the other. Whether the link was
     /// lost is the console's own judgement.
-    pub fn unseen<'a>(&self, known: impl Iterator<Item = &'a Self> + Clone) -> Option<Text> {
+    pub fn unseen<'a>(&self, known: &(impl Iterator<Item = &'a Self> + Clone)) -> Option<Text> {
         let lacks = |is_so: &dyn Fn(&Self) -> bool| !known.clone().any(is_so);
         let unheard = self.unheard.flatten();
         let is_unheard = |it: &Self| {

@@ -184,7 +184,7 @@ impl RecordCheck {
     /// Compares everything that is recorded of the vehicles whose radio is good.
     fn compare_all(&self, at: Duration, from: Duration, to: Duration) -> Result<(), Difference> {
         for (id, recorded) in &self.recorded {
-            if !self.muffled.get(id).is_some_and(|until| *until >= at) {
+            if self.muffled.get(id).is_none_or(|until| *until < at) {
                 self.compare(recorded, from, to)?;
             }
         }
@@ -249,7 +249,7 @@ impl RecordCheck {
         if !said.all(|text| witness.has_said(text, from)) {
             return Err(differs(to, Some(id), text!("verify-other-text")));
         }
-        match recorded.unseen(witness.known(from, to)) {
+        match recorded.unseen(&witness.known(from, to)) {
             Some(what) => Err(differs(to, Some(id), what)),
             None => Ok(()),
         }

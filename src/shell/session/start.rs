@@ -172,12 +172,11 @@ impl RunningSession {
         let flight = Flight::new(Arc::clone(&mission), backend.seed);
         let config = mission.world(backend.seed);
         self.simulate(config, backend, before).await?;
-        let mut mission_run = match self.processes {
-            Some(_) => MissionRun::of_processes(flight, backend.speedup),
-            None => {
-                let inputs = self.recorder.as_ref().map(FlightRecorder::inputs);
-                MissionRun::embedded(flight, backend.speedup, inputs)
-            }
+        let mut mission_run = if self.processes.is_some() {
+            MissionRun::of_processes(flight, backend.speedup)
+        } else {
+            let inputs = self.recorder.as_ref().map(FlightRecorder::inputs);
+            MissionRun::embedded(flight, backend.speedup, inputs)
         };
         if let Some(runs) = &backend.runs {
             mission_run.record(runs, backend.occasion.clone(), backend.earlier.clone());

@@ -169,7 +169,7 @@ proptest! {
 
     /// Digits that are changed anywhere never bring the program down.
     #[test]
-    fn mutated_records_are_judged_without_a_panic(at in 0.0..1.0f64, byte in b'0'..b'9', of_inputs: bool) {
+    fn mutated_records_are_judged_without_a_panic(at in 0.0..1.0f64, byte in b'0'..=b'9', of_inputs: bool) {
         let text = if of_inputs { INPUTS } else { RUN };
         let mut bytes = text.as_bytes().to_vec();
         let place = (at * bytes.len() as f64) as usize;
