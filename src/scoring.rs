@@ -21,7 +21,7 @@ mod utilisation;
 pub use advice::{Improvement, improvements};
 pub use attention::{AlertFact, AlertLevel, attention_value};
 pub use command::{CommandEvent, CommandLog, CommandTally};
-pub use component::{Component, ComponentScore, Weights};
+pub use component::{Component, ComponentScore, ENERGY_NEEDS_OBJECTIVES, Weights};
 pub use gate::Gate;
 pub use hints::HintsUsed;
 pub use report::{

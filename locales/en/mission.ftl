@@ -74,7 +74,7 @@ mission-translation-empty = `{ $key }` is empty: remove it to show the English t
 mission-pane = mission  { $elapsed } of { $limit }  score { $score }
 mission-hint = hint: { $hint }
 mission-landed = Landed. The flight ends when all reports are in and final: report what is missing, or wait.
-mission-grounded = a failsafe has landed { $vehicle } ({ $reason }): take off again if the battery lasts, or end with `abandon`: what you have reached counts
+mission-grounded = a failsafe has landed { $vehicle } ({ $reason }): take off again if the battery lasts; `abandon` ends the mission without points
 mission-lesson = now: { $step }
 mission-more-cells = more cells on a larger screen
 # At most 6 columns.

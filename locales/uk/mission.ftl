@@ -81,7 +81,7 @@ mission-translation-empty = `{ $key }` порожній: приберіть йо
 mission-pane = завдання  { $elapsed } з { $limit }  бали { $score }
 mission-hint = підказка: { $hint }
 mission-landed = Посадку виконано. Політ завершиться, коли всі повідомлення будуть остаточні: додайте, чого бракує, або зачекайте.
-mission-grounded = FAILSAFE ({ $reason }) посадив { $vehicle }: злітайте знову, якщо вистачить заряду, або завершіть командою `abandon` — досягнуте зараховується
+mission-grounded = FAILSAFE ({ $reason }) посадив { $vehicle }: злітайте знову, якщо вистачить заряду, або завершіть командою `abandon`, без балів
 mission-lesson = зараз: { $step }
 mission-more-cells = решта клітинок на більшому екрані
 # Щонайбільше 6 колонок.

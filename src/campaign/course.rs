@@ -229,27 +229,28 @@ impl MissionCourse {
             .filter(|offer| is_advisable(offer, standing))
             .collect();
         let is_known = |offer: &Offer| standing.has_passed(&offer.id);
+        let tier = |offer: &Offer| {
+            let mission = offer.drill_of.as_deref().and_then(|of| self.offer(of));
+            mission.unwrap_or(offer).tier
+        };
         let advice = |may_be_known: &dyn Fn(bool) -> bool| {
             let best = skills.iter().filter_map(|&(is_fresh, chance, skill)| {
                 let trains = open.iter().copied().filter(|offer| {
-                    offer.skills.contains(&skill) && (may_be_known(!is_fresh) || !is_known(offer))
+                    offer.skills.contains(&skill)
+                        && (may_be_known(!is_fresh) || !is_known(offer))
+                        && (offer.drill_of.is_none() || chance < SHAKY)
                 });
                 // A new mission before a known one; among equals the easiest.
                 let best = trains.min_by_key(|offer| {
                     let is_drill = offer.drill_of.is_some();
-                    (is_known(offer), is_drill != (chance < SHAKY), offer.tier)
+                    (is_known(offer), is_drill != (chance < SHAKY), tier(offer))
                 });
-                best.map(|offer| (is_fresh, chance, skill, offer))
+                best.map(|offer| (is_fresh, skill, offer))
             });
-            // Of skills that are equally shaky, the one with the easiest mission.
-            let first = best.min_by(|(fresh, chance, _, offer), (fresh_b, chance_b, _, other)| {
-                let easier = || offer.tier.cmp(&other.tier);
-                fresh
-                    .cmp(fresh_b)
-                    .then(chance.total_cmp(chance_b))
-                    .then_with(easier)
-            });
-            first.map(|(.., skill, offer)| (skill, offer))
+            // What is due first, then what is new and easiest; of equals the skill that is the shakiest.
+            let first =
+                best.min_by_key(|(is_fresh, _, offer)| (*is_fresh, is_known(offer), tier(offer)));
+            first.map(|(_, skill, offer)| (skill, offer))
         };
         advice(&|is_due| is_due).or_else(|| advice(&|_| true))
     }

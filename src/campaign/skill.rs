@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::CareerFlight;
 use crate::mission::{Mission, Skill, Trying};
-use crate::scoring::{Component, Report};
+use crate::scoring::{Component, ENERGY_NEEDS_OBJECTIVES, Report};
 use crate::text;
 use crate::text::Text;
 
@@ -84,6 +84,9 @@ impl Evidence {
         }
         let skills: BTreeMap<&str, Option<Skill>> = mission.objective_skills().collect();
         let has_flown = report.usage.iter().any(|used| used.airborne_s > 0.0);
+        let mut parts = report.components.iter();
+        let reached = parts.find(|it| it.is(Component::Objective));
+        let reached = reached.map_or(0.0, |it| it.value);
         let objectives = report.objectives.iter().filter_map(|objective| {
             let skill = skills.get(objective.id.as_str()).copied().flatten()?;
             let share = objective.points / objective.points_max.max(f64::EPSILON);
@@ -100,8 +103,18 @@ impl Evidence {
         let components = report.components.iter().filter_map(|shown| {
             let component = Component::ALL.into_iter().find(|it| shown.is(*it))?;
             let skill = shown_by(component)?;
-            // A component without weight had nothing to judge, and neither had one of a flight that never began.
-            let is_shown = has_flown || component == Component::Command;
+            // A component without weight had nothing to judge, and neither had one of a flight that never began; energy is
+            // not judged at all where too little was reached.
+            let is_shown = match component {
+                Component::Command => true,
+                Component::Energy => has_flown && reached >= ENERGY_NEEDS_OBJECTIVES,
+                Component::Objective
+                | Component::Quality
+                | Component::Time
+                | Component::Safety
+                | Component::Attention
+                | Component::Utilisation => has_flown,
+            };
             (is_shown && shown.weight > 0.0)
                 .then(|| Self::new(skill, shown.value, shown.name.clone()))
         });
@@ -145,6 +158,19 @@ mod tests {
             evidence.iter().any(|it| Some(&it.what) == title.as_ref())
         };
         assert!(is_of("hover") && !is_of("gates"), "{evidence:?}");
+    }
+
+    #[test]
+    fn energy_is_not_judged_where_too_little_was_reached() {
+        let mut pilot = Pilot::new(1);
+        pilot.take_off(20.0);
+        pilot.land();
+        pilot.flight.abandon();
+        let shown = shown(&pilot.report(), pilot.flight.mission());
+        assert!(
+            shown.iter().all(|(skill, _)| *skill != Skill::K4),
+            "{shown:?}"
+        );
     }
 
     #[test]

@@ -9,7 +9,7 @@ use crate::text::Text;
 /// Time is worth nothing to a flight that reached less of its objectives than this (no credit for quitting early).
 const TIME_NEEDS_OBJECTIVES: f64 = 0.6;
 /// The same for energy.
-const ENERGY_NEEDS_OBJECTIVES: f64 = 0.8;
+pub const ENERGY_NEEDS_OBJECTIVES: f64 = 0.8;
 /// A missed mandatory objective caps the objectives' component here.
 const MISSED_MANDATORY_CAP: f64 = 0.5;
 
