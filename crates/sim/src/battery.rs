@@ -1,8 +1,5 @@
 //! The battery, after `ArduPilot`'s `SIM_Battery`: the resting voltage follows a lithium polymer curve, the load pulls
 //! it down. Without a capacity it never runs down.
-//!
-//! Thrust falls with the square of the voltage: a copter sinks once that square, as a share of the full voltage's, is less than the
-//! throttle of its hover (`Airframe::motor_thrust`).
 
 use super::airframe::Airframe;
 use super::kinematics::STEP_S;
@@ -125,22 +122,31 @@ impl Battery {
 
 /// The voltage without load.
 fn resting_v(charge_percent: f64, airframe: &Airframe) -> f64 {
-    let cell_v = between(charge_percent, |(volts, charge)| (charge, volts));
+    let cell_v = between(
+        charge_percent,
+        CELL.iter().map(|&(volts, charge)| (charge, volts)),
+    );
     airframe.full_voltage_v() * cell_v.unwrap_or(0.001) / CELL_FULL_V
 }
 
 /// The charge of a cell of that voltage.
 fn charge_percent(cell_v: f64) -> f64 {
-    between(cell_v, |row| row).unwrap_or(0.0).min(100.0)
+    between(cell_v, CELL.iter().copied())
+        .unwrap_or(0.0)
+        .min(100.0)
 }
 
-/// The value at a place in the falling table [`CELL`], whose rows are read as place and value; `None` below its end.
-fn between(at: f64, row: impl Fn((f64, f64)) -> (f64, f64)) -> Option<f64> {
-    let below = CELL.partition_point(|&entry| at < row(entry).0).max(1);
-    let (place_above, value_above) = row(CELL[below - 1]);
-    let (place, value) = row(*CELL.get(below)?);
-    let share = (at - place) / (place_above - place);
-    Some(value + share * (value_above - value))
+/// The second number of a falling table at a place in its first; `None` below its end.
+fn between(at: f64, table: impl Iterator<Item = (f64, f64)>) -> Option<f64> {
+    let mut above: Option<(f64, f64)> = None;
+    for (place, value) in table {
+        if let Some((place_above, value_above)) = above.filter(|_| at >= place) {
+            let share = (at - place) / (place_above - place);
+            return Some(value + share * (value_above - value));
+        }
+        above = Some((place, value));
+    }
+    None
 }
 
 #[cfg(test)]
