@@ -57,7 +57,8 @@ impl ComparedFlight {
     pub fn of_record(stored: &Stored, name: Text) -> Result<Self, Text> {
         let mut flight = stored.reenact()?;
         let mut course = FlightCourse::default();
-        while !flight.is_over() && flight.flight().outcome().is_none() {
+        let limit = flight.flight().mission().time_limit;
+        while !flight.is_over() && flight.flight().outcome().is_none() && course.next() <= limit {
             drop(flight.advance(course.next()));
             course.note(flight.vehicles(), flight.flight());
         }

@@ -22,7 +22,7 @@ use crate::moment::{Moment, MomentKind};
 use crate::notice::Notice;
 use crate::review::Review;
 use crate::scoring::Report;
-use crate::store::StoreError;
+use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
 
@@ -98,6 +98,7 @@ impl Replay {
         let mut view = ReplayView::new(film.name(), film.began_unix_us(), film.length());
         view.review = film.review().clone();
         view.is_review = is_review;
+        view.moments = Arc::new(view.review.bookmarks(&film.bookmarks()));
         let mut events = begin(view, started);
         events.extend(film.damage().map(warning));
         let replay = Self {
@@ -153,19 +154,10 @@ impl Replay {
                 self.goal = now;
             }
             ReplayEffect::Rate(rate) => self.position.rate = rate,
-            ReplayEffect::Seek(target) => {
-                self.goal = match target {
-                    SeekTarget::At(at) => at,
-                    SeekTarget::Later(by) => now.saturating_add(by),
-                    SeekTarget::Earlier(by) => now.saturating_sub(by),
-                    SeekTarget::Next(kind) => self.near_moment(true, Some(kind)).unwrap_or(now),
-                    SeekTarget::Previous(kind) => {
-                        self.near_moment(false, Some(kind)).unwrap_or(now)
-                    }
-                    SeekTarget::End => self.length(),
-                }
-                .min(self.length());
-            }
+            ReplayEffect::Seek(target) => match self.target(target) {
+                Some(goal) => self.goal = goal.min(self.length()),
+                None => return vec![Event::Failed(text!("seek-none"))],
+            },
             ReplayEffect::Step { forward } => {
                 self.position.is_playing = false;
                 self.goal = if forward {
@@ -179,19 +171,34 @@ impl Replay {
             }
             ReplayEffect::Show(at) => self.goal = showing(at).min(self.length()),
             ReplayEffect::Loop(stretch) => {
-                self.position.looped = stretch;
-                if let Some((from, _)) = stretch {
-                    self.goal = from.min(self.length());
+                let length = self.length();
+                let within = |(from, to): (Duration, Duration)| (from.min(length), to.min(length));
+                self.position.looped = stretch.map(within);
+                if let Some((from, _)) = self.position.looped {
+                    self.goal = from;
                 }
             }
             ReplayEffect::StopAt(kinds) => self.position.stops = kinds,
             ReplayEffect::Keep(review) => {
-                if let Err(error) = self.keep(*review) {
-                    return vec![Event::Failed(Text::from(&error))];
+                if let Err(fault) = self.keep(*review) {
+                    return vec![Event::Failed(fault)];
                 }
             }
         }
         self.approach()
+    }
+
+    /// The time of a target; `None` where there is no such moment.
+    fn target(&self, target: SeekTarget) -> Option<Duration> {
+        let now = self.stage.now();
+        match target {
+            SeekTarget::At(at) => Some(at),
+            SeekTarget::Later(by) => Some(now.saturating_add(by)),
+            SeekTarget::Earlier(by) => Some(now.saturating_sub(by)),
+            SeekTarget::Next(kind) => self.near_moment(true, Some(kind)),
+            SeekTarget::Previous(kind) => self.near_moment(false, Some(kind)),
+            SeekTarget::End => Some(self.length()),
+        }
     }
 
     /// A look at the messages, if one is wanted.
@@ -242,10 +249,15 @@ impl Replay {
 
     /// Stores what its user has made of it, beside the recording. It holds for this replay also where it cannot be
     /// written.
-    fn keep(&mut self, review: Review) -> Result<(), StoreError> {
+    fn keep(&mut self, review: Review) -> Result<(), Text> {
         self.review = review;
         self.merged = None;
-        self.film.files().write_review(&self.review)
+        // What could not be read is not replaced: it may be of a later version.
+        if let Some(fault) = self.film.review_fault() {
+            return Err(text!("review-not-kept", fault = fault.clone()));
+        }
+        let written = self.film.files().write_review(&self.review);
+        written.map_err(|error| Text::from(&error))
     }
 
     /// Brings moments and bookmarks together where either have changed; returns whether they had.

@@ -78,5 +78,5 @@ records-deleted = deleted: { $name }
 action-replay-newest = replay the flight that was recorded last
 hint-replay = replay
 records-none = nothing is recorded yet: fly first, or name a file
-verb-rewind = plays the recording backwards
+verb-rewind = play the recording backwards
 action-rewind = play the replay backwards

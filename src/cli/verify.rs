@@ -115,7 +115,12 @@ pub(super) fn verify(
 
 fn find(named: &str, settings: &CliSettings, locale: &Locale) -> Result<RecordFiles, Failure> {
     if named.parse::<usize>().is_err() {
-        return Ok(RecordFiles::beside(Path::new(named)));
+        let path = Path::new(named);
+        if !path.is_file() {
+            let text = text!("verify-no-file", file = named);
+            return Err(Failure::Invalid(format!("sortie: {}", locale.text(&text))));
+        }
+        return Ok(RecordFiles::beside(path));
     }
     let records = fly::records(settings).ok_or_else(|| {
         Failure::Failed(anyhow::anyhow!(

@@ -14,7 +14,7 @@ use crate::geo::LatLon;
 use crate::sim::{Airframe, Input, InputKind, PortId, STEP, Serial, Start, World, WorldConfig};
 use crate::text;
 use crate::text::Text;
-use crate::wire::{Decoder, is_secret};
+use crate::wire::{Decoder, SystemId, is_secret};
 
 /// The version of the format.
 const VERSION: u32 = 1;
@@ -257,6 +257,9 @@ impl StoredInputs {
                 version = head.sortie_inputs,
                 known = VERSION
             ));
+        }
+        if head.starts.len() > usize::from(SystemId::MAX) {
+            return Err(text!("verify-too-many", count = head.starts.len()));
         }
         let mut stored = Self {
             head,

@@ -116,6 +116,11 @@ impl Film {
         journal.into_iter().chain(self.review_fault.clone())
     }
 
+    /// Why the review beside it could not be read.
+    pub fn review_fault(&self) -> Option<&Text> {
+        self.review_fault.as_ref()
+    }
+
     /// What was made of it before, or an empty review.
     pub fn review(&self) -> &Review {
         &self.review

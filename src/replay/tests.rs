@@ -421,3 +421,29 @@ fn it_plays_backwards_and_stops_at_what_comes_up() {
     }
     assert_eq!(replay.now(), s(7) + FRAME);
 }
+
+#[test]
+fn a_review_that_cannot_be_read_is_not_replaced() {
+    let recorded = record();
+    let path = recorded.frames.with_extension("review.json");
+    std::fs::write(&path, "{\"sortie_review\": 9}").expect("written");
+    let (mut replay, _) = watched(&recorded);
+    let review = Box::new(crate::review::Review::default());
+    let said = replay.steer(ReplayEffect::Keep(review));
+    assert!(matches!(&said[..], [Event::Failed(_)]), "{said:?}");
+    let left = std::fs::read_to_string(&path).expect("it is there");
+    assert!(left.contains('9'), "{left}");
+}
+
+#[test]
+fn a_stretch_ends_with_the_recording() {
+    let recorded = record();
+    let (mut replay, _) = watched(&recorded);
+    replay.wait_for_index();
+    let length = replay.length();
+    drop(replay.steer(ReplayEffect::Loop(Some((s(10), s(9999))))));
+    assert_eq!(replay.position.looped, Some((s(10), length)));
+    let none = SeekTarget::Next(MomentKind::Rule);
+    let said = replay.steer(ReplayEffect::Seek(none));
+    assert!(matches!(&said[..], [Event::Failed(_)]), "{said:?}");
+}

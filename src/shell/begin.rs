@@ -122,6 +122,8 @@ impl Console {
     pub(super) fn end_session(&mut self) {
         self.go_on();
         self.replaying = None;
+        // It was meant for the flight that ends.
+        self.ghost = None;
         self.end_flight();
         if let Some(running) = self.running.take() {
             self.ending = running.ending();

@@ -69,6 +69,9 @@ impl Console {
             Ok(Ghost::new(Arc::new(other), own.transpose()?.map(Arc::new)))
         };
         let thread = std::thread::Builder::new().name("ghost".to_owned());
+        if self.ghost.as_ref().is_some_and(|it| !it.is_finished()) {
+            return Err(text!("ghost-busy"));
+        }
         let work = thread.spawn(work);
         self.ghost = Some(work.map_err(|error| Text::verbatim(error.to_string()))?);
         Ok(())

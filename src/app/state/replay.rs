@@ -88,6 +88,18 @@ impl ReplayView {
             .collect()
     }
 
+    /// Has the moments be those with the bookmarks of the review.
+    pub fn take_bookmarks(&mut self) {
+        let bookmarks = self.review.bookmarks(&self.bookmarks());
+        let others = self
+            .moments
+            .iter()
+            .filter(|it| it.kind != MomentKind::Bookmark);
+        let mut all: Vec<Moment> = others.cloned().chain(bookmarks).collect();
+        all.sort_by_key(|it| it.at);
+        self.moments = Arc::new(all);
+    }
+
     /// When the bookmark was set that the frame now shown has, if it has one.
     pub fn bookmark_here(&self) -> Option<Duration> {
         let at = self.position.at;

@@ -166,7 +166,8 @@ pub fn unbookmark(state: &mut State) -> Result<Effects, Text> {
 }
 
 /// Has what its user makes of a replay stored.
-pub fn keep(view: &ReplayView) -> Effects {
+pub fn keep(view: &mut ReplayView) -> Effects {
+    view.take_bookmarks();
     let review = Box::new(view.review.clone());
     Effects::from(Effect::Replay(ReplayEffect::Keep(review)))
 }

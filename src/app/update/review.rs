@@ -56,9 +56,15 @@ fn pointed(state: &State) -> Duration {
     let room = &state.rooms.review;
     let chosen = match room.page {
         ReviewPage::Happened if state.room == Room::Review => {
-            moments(state).get(room.cursor).map(|it| it.at)
+            let moments = moments(state);
+            moments.get(room.cursor).or(moments.last()).map(|it| it.at)
         }
-        _ => None,
+        ReviewPage::Planned
+        | ReviewPage::Happened
+        | ReviewPage::Why
+        | ReviewPage::Next
+        | ReviewPage::Explained
+        | ReviewPage::Compared => None,
     };
     let view = state.replay.as_ref();
     chosen

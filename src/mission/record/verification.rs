@@ -10,7 +10,7 @@ use super::line::ShownVehicles;
 use super::observed::ObservedVehicle;
 use super::{End, Reenactment, Rescored, Stored};
 use crate::ledger::RowState;
-use crate::mission::TICK;
+use crate::mission::{Stake, TICK};
 use crate::record::StoredInputs;
 use crate::session::Want;
 use crate::sim::{STEP, WorldConfig};
@@ -48,6 +48,14 @@ impl Stored {
         let mission = self.head.flown()?;
         let mut config = mission.world(self.head.seed);
         let rescored = self.rescore()?;
+        // Other airframes than the mission's own are practice: a flight that counts has none.
+        if !inputs.head.airframes.is_empty() && self.head.stake != Stake::Practice {
+            let what = text!("verify-own-airframes");
+            return Ok(Verification {
+                difference: Some(differs(Duration::ZERO, None, what)),
+                rescored,
+            });
+        }
         let mut check = match Reflight::new(&mut config, inputs) {
             Ok(reflight) => RecordCheck::new(self.reenact()?, reflight),
             Err(what) => {
@@ -90,12 +98,40 @@ struct RecordCheck {
     muffled: BTreeMap<VehicleId, Duration>,
     /// What the mission has demanded of simulators last.
     wanted: BTreeMap<(VehicleId, &'static str), WantedParameter>,
-    /// Whether the simulator had a clock of its own.
-    is_paced: bool,
+    /// How the first line was timed, once there was one.
+    clock: Option<RecordClock>,
     /// Mission time of the last step that was compared.
     ticked: Duration,
     /// Simulated time of the last line that was compared.
     seen_to: Duration,
+}
+
+/// How a record is timed: by its first line.
+#[derive(Clone, Copy)]
+struct RecordClock {
+    /// Whether the simulator had a clock of its own.
+    is_paced: bool,
+    /// The mission's time and the simulator's in that line.
+    mission: Duration,
+    simulated: Duration,
+}
+
+impl RecordClock {
+    fn of(shown: &ShownVehicles<'_>) -> Self {
+        Self {
+            is_paced: shown.simulated.is_some(),
+            mission: shown.mission,
+            simulated: shown.simulated.unwrap_or(shown.mission),
+        }
+    }
+
+    /// How far the mission's clock and the simulator's have come apart by a line.
+    fn drift(&self, shown: &ShownVehicles<'_>) -> Duration {
+        let now = Self::of(shown);
+        let mission = now.mission.saturating_sub(self.mission);
+        let simulated = now.simulated.saturating_sub(self.simulated);
+        mission.abs_diff(simulated)
+    }
 }
 
 /// A value that a parameter of a simulator is to have, and since when.
@@ -112,7 +148,7 @@ impl RecordCheck {
             recorded: BTreeMap::new(),
             muffled: BTreeMap::new(),
             wanted: BTreeMap::new(),
-            is_paced: false,
+            clock: None,
             ticked: Duration::ZERO,
             seen_to: Duration::ZERO,
         }
@@ -124,16 +160,16 @@ impl RecordCheck {
             match line.shown() {
                 Some(shown) => self.take(&shown)?,
                 // Up to its end, steps without a line have shown nothing new.
-                None if line.end().is_some() && !self.is_paced => {
+                None if line.end().is_some() && !self.is_paced() => {
                     let end = Duration::from_millis(line.time().unwrap_or_default());
                     self.pass(end + TICK)?;
                 }
                 None => {}
             }
         }
-        // A console ends the log with the session, which outlasts the mission.
-        let cut = self.reflight.cut_after;
-        if self.is_paced && cut.is_some_and(|cut| cut >= self.seen_to) {
+        // A console's log may end before its last line is written. What the record shows was compared to its end all
+        // the same: an input that is missing would have shown.
+        if self.is_paced() && self.reflight.is_cut {
             self.reflight.damage = None;
         }
         self.reflight.finish()?;
@@ -146,12 +182,17 @@ impl RecordCheck {
     /// Compares what a line says was shown.
     fn take(&mut self, shown: &ShownVehicles<'_>) -> Result<(), Difference> {
         let at = shown.simulated.unwrap_or(shown.mission);
-        self.is_paced = shown.simulated.is_some();
-        let (back, ahead) = if self.is_paced {
+        let clock = *self.clock.get_or_insert(RecordClock::of(shown));
+        let late = |real: Duration| real.mul_f64(self.reflight.pace).min(LATE_AT_MOST);
+        let (back, ahead) = (late(SHOWN_WITHIN), late(NOTED_WITHIN));
+        if clock.is_paced != shown.simulated.is_some() || clock.drift(shown) > back {
+            return Err(differs(at, None, text!("verify-other-clock")));
+        }
+        let (back, ahead) = if clock.is_paced {
             // Steps without a line may have made a radio bad.
             self.follow(shown.mission.saturating_sub(TICK), at);
-            let late = |real: Duration| real.mul_f64(self.reflight.pace).min(LATE_AT_MOST);
-            (late(SHOWN_WITHIN), late(NOTED_WITHIN))
+            self.wait(at, back, ahead)?;
+            (back, ahead)
         } else {
             self.pass(shown.mission)?;
             (Duration::ZERO, Duration::ZERO)
@@ -166,6 +207,24 @@ impl RecordCheck {
         self.compare_all(at, at.saturating_sub(back), until)?;
         (self.ticked, self.seen_to) = (shown.mission, at);
         self.follow(shown.mission, at);
+        Ok(())
+    }
+
+    fn is_paced(&self) -> bool {
+        self.clock.is_some_and(|clock| clock.is_paced)
+    }
+
+    /// The time up to a line, on the simulator's own clock: nothing new was shown in it.
+    fn wait(&mut self, until: Duration, back: Duration, ahead: Duration) -> Result<(), Difference> {
+        if self.recorded.is_empty() {
+            return Ok(());
+        }
+        let mut at = self.seen_to + TICK;
+        while at < until {
+            self.reflight.fly_to(steps(at + ahead))?;
+            self.compare_all(at, at.saturating_sub(back), at + ahead)?;
+            at += TICK;
+        }
         Ok(())
     }
 

@@ -11,7 +11,7 @@ use crate::mission::record::observed::ObservedVehicle;
 use crate::mission::saying::TextListener;
 use crate::record::{Entered, InputLine, StoredInputs, fingerprint};
 use crate::session::Session;
-use crate::sim::{Airframe, PortId, World, WorldConfig};
+use crate::sim::{Airframe, PortId, STEP, World, WorldConfig};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
@@ -21,6 +21,8 @@ use crate::wire::{AUTOPILOT_COMPONENT, Content, Decoder, Frame, SystemId};
 pub(super) const SHOWN_WITHIN: Duration = Duration::from_millis(2500);
 /// What is shown of a vehicle behind a bad radio is no older than this when it is new.
 pub(super) const LATE_AT_MOST: Duration = Duration::from_secs(30);
+/// No session passes faster.
+const FASTEST: f64 = 100.0;
 /// How often sessions look at their deadlines.
 const SESSION_POLL: Duration = Duration::from_millis(50);
 
@@ -45,8 +47,8 @@ pub(super) struct Reflight {
     pub(super) world: World,
     lines: Vec<InputLine>,
     pub(super) damage: Option<Text>,
-    /// Whether nothing is wrong with the log but that it has no end, and how far it goes.
-    pub(super) cut_after: Option<Duration>,
+    /// Whether nothing is wrong with the log but that it has no end.
+    pub(super) is_cut: bool,
     /// How much faster than the clock on the wall time passes.
     pub(super) pace: f64,
     next: usize,
@@ -77,7 +79,7 @@ impl Reflight {
             world,
             lines: inputs.lines.clone(),
             damage: inputs.damage.clone(),
-            cut_after: inputs.is_cut().then(|| inputs.lasts()),
+            is_cut: inputs.is_cut(),
             pace: 1.0,
             next: 0,
             connections: BTreeMap::new(),
@@ -85,8 +87,13 @@ impl Reflight {
         })
     }
 
-    /// Flies on up to a step.
+    /// Flies on up to a step, which the log has to cover.
     pub(super) fn fly_to(&mut self, step: u64) -> Result<(), Difference> {
+        let last = self.lines.last().map_or(0, |line| line.s);
+        let beyond = LATE_AT_MOST.as_nanos() / STEP.as_nanos();
+        if u128::from(step) > u128::from(last) + beyond {
+            return Err(self.differs(None, text!("verify-beyond-inputs")));
+        }
         while self.world.steps() < step {
             self.enter()?;
             self.world.step();
@@ -135,7 +142,7 @@ impl Reflight {
                 self.connections.insert(connection, (port, Decoder::new()));
             }
             Entered::Off(_, connection) => drop(self.connections.remove(&connection)),
-            Entered::Pace(pace) => self.pace = pace.max(1.0),
+            Entered::Pace(pace) => self.pace = pace.clamp(1.0, FASTEST),
             Entered::In(_) | Entered::State(_) | Entered::End => {}
         }
     }

@@ -75,9 +75,9 @@ fn an_edited_or_missing_input_is_named() {
         format!("{}{digit}{}\n", &line[..at], &line[at + 1..])
     };
     let forged = with_line(INPUTS, &[COMMAND], frame);
-    assert_named(RUN, &forged, "is another");
+    assert_named(RUN, &forged, "does not match");
     let forged = with_line(INPUTS, &[COMMAND], removed);
-    assert_named(RUN, &forged, "is another");
+    assert_named(RUN, &forged, "does not match");
 }
 
 #[test]
@@ -105,7 +105,7 @@ fn swapped_vehicles_are_named() {
         };
         line + "\n"
     });
-    assert_named(&ticks.collect::<String>(), INPUTS, "is another");
+    assert_named(&ticks.collect::<String>(), INPUTS, "does not match");
 }
 
 #[test]
@@ -117,7 +117,7 @@ fn another_seed_is_named() {
         &["sortie_inputs"],
         edited("\"seed\":1", "\"seed\":2"),
     );
-    assert_named(&forged, &seed, "is another");
+    assert_named(&forged, &seed, "does not match");
 }
 
 #[test]
@@ -139,8 +139,8 @@ fn shortened_records_are_named() {
         let kept = text.lines().take(lines).map(|line| format!("{line}\n"));
         kept.collect::<String>()
     };
-    assert_named(&half(RUN), INPUTS, "no end");
-    assert_named(RUN, &half(INPUTS), "is another");
+    assert_named(&half(RUN), INPUTS, "stops before the end");
+    assert_named(RUN, &half(INPUTS), "does not match");
     let end = with_line(INPUTS, &["\"end\""], removed);
     assert_named(RUN, &end, "no end");
 }
@@ -154,7 +154,7 @@ fn moved_and_missing_telemetry_is_named() {
     });
     assert_named(&moved, INPUTS, "30.00 s: vehicle 1: the recorded position");
     let missing = with_line(RUN, &["\"t\":30000,"], removed);
-    assert_named(&missing, INPUTS, "is another");
+    assert_named(&missing, INPUTS, "does not match");
 }
 
 #[test]
@@ -162,6 +162,36 @@ fn a_refusal_that_is_left_out_is_named() {
     let forged = RUN.replace("\"state\":\"refused\"", "\"state\":\"done\"");
     assert_ne!(forged, RUN);
     assert_named(&forged, INPUTS, "refused");
+}
+
+#[test]
+fn clocks_and_airframes_that_cannot_be_are_named() {
+    // A line with a clock of the simulator's own among lines without one.
+    let mixed = with_line(
+        RUN,
+        &["\"t\":30000,"],
+        edited("\"t\":30000,", "\"t\":30000,\"s\":3000,"),
+    );
+    assert_named(&mixed, INPUTS, "clock");
+    let late = with_line(RUN, &["\"score\""], |line| {
+        let at = line.find("\"t\":").expect("a time") + 4;
+        let digits = line[at..]
+            .find(|c: char| !c.is_ascii_digit())
+            .expect("an end");
+        format!("{}10000000000000{}\n", &line[..at], &line[at + digits..])
+    });
+    assert_named(&late, INPUTS, "");
+    let start = "[\"50\",\"30\",\"100\",\"0\"],";
+    let crowd = INPUTS.replacen(
+        "\"starts\":[",
+        &format!("\"starts\":[{}", start.repeat(300)),
+        1,
+    );
+    let refused = StoredInputs::read(&crowd).expect_err("there are too many");
+    assert!(refused.to_string().contains("more vehicles"), "{refused}");
+    let own = INPUTS.replacen("\"starts\"", "\"airframes\":[{}],\"starts\"", 1);
+    let graded = RUN.replacen("\"program\":", "\"stake\":\"graded\",\"program\":", 1);
+    assert_named(&graded, &own, "airframes");
 }
 
 proptest! {
