@@ -107,11 +107,11 @@ pub enum Alignment {
     /// The beginning of the mission.
     #[default]
     Start,
-    /// The first takeoff.
+    /// The takeoff of the first vehicle.
     Takeoff,
     /// The first objective that was reached.
     Objective,
-    /// The first alert.
+    /// The first alert of the mission.
     Alert,
     /// The first command that was refused.
     Refusal,

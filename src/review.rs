@@ -22,7 +22,7 @@ pub use markdown::{ReviewedFlight, markdown};
 const VERSION: u32 = 1;
 /// Points of one kind at most: more of them are not remembered.
 pub const MOST_POINTS: usize = 3;
-/// Bookmarks at most.
+/// A review holds no more bookmarks than this.
 const MOST_BOOKMARKS: usize = 1000;
 
 /// A review: what is stored beside a record.
@@ -134,7 +134,7 @@ impl Review {
         }
     }
 
-    /// Reads a review.
+    /// Reads a review from the text of its file.
     ///
     /// # Errors
     /// It is none, or one of a later version; in words.

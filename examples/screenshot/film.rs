@@ -17,8 +17,7 @@ use sortie::app::state::{Activity, LinkSummary};
 use sortie::app::{App, Setup};
 use sortie::campaign::Stake;
 use sortie::diagnostic::Diagnostic;
-use sortie::exercise::Exercise;
-use sortie::language::{Context, Script};
+use sortie::exercise::{Exercise, read_script};
 use sortie::ledger::{EntryId, LedgerEntry, LedgerRow, RowUpdate};
 use sortie::mission::Mission;
 use sortie::ui::{self, Look, Role};
@@ -73,7 +72,7 @@ impl Film {
         let source = fs::read_to_string(root.join(format!("missions/{MISSION}.toml")))?;
         let mission = Arc::new(Mission::parse(&source).map_err(first_fault)?);
         let pilot = fs::read_to_string(root.join(format!("missions/pilots/{MISSION}.pilot")))?;
-        let script = script(&pilot, &mission)?;
+        let script = read_script(&pilot, &mission).map_err(first_fault)?;
         let mut film = Self {
             exercise: Exercise::new(Arc::clone(&mission), SEED, script, Vec::new()),
             app: App::new(Setup::default()),
@@ -192,18 +191,6 @@ fn update(entry: EntryId, row: LedgerRow) -> RowUpdate {
         at: row.changed_at,
         explanation: row.explanation,
     }
-}
-
-fn script(source: &str, mission: &Mission) -> anyhow::Result<Script> {
-    let vehicles: Vec<_> = (1..).take(mission.vehicles).collect();
-    let (places, areas) = (mission.places_to_name(), mission.named_areas());
-    let context = Context {
-        places: Some(&places),
-        areas: Some(&areas),
-        vehicles: &vehicles,
-        ..Context::default()
-    };
-    Script::parse(source, &context).map_err(first_fault)
 }
 
 fn first_fault(faults: Vec<Diagnostic>) -> anyhow::Error {

@@ -224,7 +224,7 @@ pub enum StartAction {
 pub enum ReplayAction {
     /// Play, or stand still.
     PlayReplay,
-    /// Play backwards.
+    /// Play from here back to the beginning.
     Rewind,
     /// Go ten seconds back in the replay.
     ReplayBack,

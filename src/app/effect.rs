@@ -208,7 +208,7 @@ pub enum SessionEffect {
 pub enum ReplayEffect {
     /// Play, or stand still.
     Play(bool),
-    /// Play backwards.
+    /// Play from here back to the beginning.
     Rewind,
     /// Play so many times as fast as it was recorded.
     Rate(f64),

@@ -144,7 +144,7 @@ pub enum ReplayLine {
     Loop(Option<(Duration, Duration)>),
     /// Stop at moments of these kinds; none plays through.
     StopAt(Vec<MomentKind>),
-    /// Play backwards.
+    /// Play from here back to the beginning.
     Rewind,
 }
 

@@ -102,7 +102,7 @@ impl Runs {
         ))
     }
 
-    /// The tries of a profile, or of nobody's career, at a revision of a mission, oldest first: those that compare with
+    /// The tries of a profile, or those without a profile, at a revision of a mission, oldest first: those that compare with
     /// each other. Only the first and the last line of each file are read; one that cannot be read is left out.
     pub fn tries_at(&self, whose: Option<&str>, mission: &str, revision: u32) -> Vec<TryReport> {
         let part = format!("_{mission}_");
@@ -139,8 +139,8 @@ impl Runs {
         tries
     }
 
-    /// The run with the highest score of a profile, or of nobody's career, at a revision of a mission; practice and the run
-    /// called `except` are left out.
+    /// The run with the highest score at a revision of a mission, of one profile; `whose` is its name, or `None` for runs
+    /// without a profile. Practice and the run called `except` are left out.
     pub fn best(
         &self,
         whose: Option<&str>,

@@ -53,16 +53,17 @@ pub fn happened(state: &mut State, event: ReplayEvent) {
 
 /// Does what a key says.
 pub fn act(state: &mut State, action: ReplayAction) -> Effects {
-    match action {
+    let replay = state.replay.as_ref();
+    let is_playing = replay.is_some_and(|it| it.position.is_playing);
+    let effect = match action {
         ReplayAction::ReplayNewest => return open(state, None, false),
         ReplayAction::ReviewNewest => return open(state, None, true),
-        _ => {}
-    }
-    let Some(view) = &state.replay else {
-        return refuse(state);
-    };
-    let effect = match action {
-        ReplayAction::PlayReplay => ReplayEffect::Play(!view.position.is_playing),
+        ReplayAction::ShowMoments if replay.is_some() => {
+            act::look_back(state, Log::Moments);
+            return Effects::none();
+        }
+        ReplayAction::ShowMoments => return refuse(state),
+        ReplayAction::PlayReplay => ReplayEffect::Play(!is_playing),
         ReplayAction::Rewind => ReplayEffect::Rewind,
         ReplayAction::ReplayBack => ReplayEffect::Seek(SeekTarget::Earlier(KEY_STEP)),
         ReplayAction::ReplayForward => ReplayEffect::Seek(SeekTarget::Later(KEY_STEP)),
@@ -70,12 +71,10 @@ pub fn act(state: &mut State, action: ReplayAction) -> Effects {
         ReplayAction::FrameForward => ReplayEffect::Step { forward: true },
         ReplayAction::PreviousMoment => ReplayEffect::Moment { forward: false },
         ReplayAction::NextMoment => ReplayEffect::Moment { forward: true },
-        ReplayAction::ShowMoments => {
-            act::look_back(state, Log::Moments);
-            return Effects::none();
-        }
-        ReplayAction::ReplayNewest | ReplayAction::ReviewNewest => return Effects::none(),
     };
+    if replay.is_none() {
+        return refuse(state);
+    }
     Effects::from(Effect::Replay(effect))
 }
 

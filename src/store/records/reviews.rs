@@ -41,11 +41,24 @@ impl RecordFiles {
         };
         write().map_err(|error| unwritable(&self.review, error))
     }
+
+    /// Removes its review, where there is one.
+    ///
+    /// # Errors
+    /// It cannot be removed.
+    pub fn delete_review(&self) -> Result<(), StoreError> {
+        match fs::remove_file(&self.review) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => {
+                Err(unwritable(&self.review, error))
+            }
+            Ok(()) | Err(_) => Ok(()),
+        }
+    }
 }
 
 impl Records {
-    /// The newest review of each mission that somebody has flown, by the mission's id; `whose` is the name of a profile,
-    /// or nothing for flights that belong to none.
+    /// The newest review of each mission, by the mission's id, of the flights of one profile; `whose` is its name, or
+    /// `None` for flights without a profile.
     pub fn newest_reviews(&self, whose: Option<&str>) -> BTreeMap<String, Review> {
         let entries = fs::read_dir(&self.folder).into_iter().flatten().flatten();
         let mut names: Vec<_> = entries

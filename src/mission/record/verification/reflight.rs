@@ -258,7 +258,7 @@ impl Witness {
     }
 }
 
-/// Whether a command is an order: others a console gives by itself, and nobody is told when they are refused.
+/// Whether a command is an order. A console also sends commands by itself; their refusals are in no ledger.
 fn is_order(command: MavCmd) -> bool {
     !matches!(
         command,

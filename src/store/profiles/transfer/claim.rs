@@ -74,7 +74,7 @@ impl Claims<'_> {
     /// What an entry counts for.
     ///
     /// # Errors
-    /// Why it counts for nothing.
+    /// The reason why the import leaves the flight out.
     fn entry(
         &mut self,
         row: &EntryDocument,
