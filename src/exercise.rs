@@ -11,16 +11,17 @@ use std::time::Duration;
 
 use crate::geo::{LatLon, Outline};
 use crate::language::{Pilot, PilotEvent, Script, Seen};
-use crate::ledger::Ledger;
+use crate::ledger::{Ledger, RowUpdate};
 use crate::mission::{Flight, Report as MissionReport, is_due};
 use crate::notice::Notice;
 use crate::operator::Operator;
+use crate::record::{FlightLog, Happening, NoticeLine, RowLine};
 use crate::session::{Report, Session};
 use crate::text;
 use crate::vehicle::{Severity, VehicleId, Vehicles};
 use crate::wire::{
     AUTOPILOT_COMPONENT, Decoder, Encoder, GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM,
-    SystemId, ground_station_heartbeat,
+    Outgoing, SystemId, ground_station_heartbeat,
 };
 
 mod driver;
@@ -61,6 +62,8 @@ pub struct Exercise<L = LockStep> {
     notices: Vec<Notice>,
     /// For how long the sessions had talked when the mission began.
     prelude: Duration,
+    /// What is recorded of it, if anything is.
+    log: Option<FlightLog>,
 }
 
 /// The ground station's end of one vehicle's link.
@@ -84,35 +87,45 @@ impl ExerciseSeat {
     }
 
     /// Takes in the next message of the bytes that have come, if one is complete.
-    fn hear(&mut self, now: Duration) -> bool {
+    fn hear(&mut self, now: Duration, log: Option<&mut FlightLog>) -> bool {
         let Some(frame) = self.decoder.next_frame() else {
             return false;
         };
+        if let Some(log) = log {
+            log.note_frame(now, self.decoder.bytes_of(&frame));
+        }
         self.session.receive(&frame, now);
         true
     }
 
     /// Does what is due in a step of session time.
-    fn poll(&mut self, now: Duration) {
+    fn poll(&mut self, now: Duration, log: Option<&mut FlightLog>) {
         if is_due(now, SESSION_POLL) {
             self.session.poll(now);
         }
         if is_due(now, HEARTBEAT_EVERY) {
-            self.send_heartbeat();
+            self.send_heartbeat(now, log);
         }
     }
 
-    fn send_heartbeat(&mut self) {
+    fn send_heartbeat(&mut self, now: Duration, log: Option<&mut FlightLog>) {
         if !self.session.is_cut() {
-            self.encoder
-                .encode(&ground_station_heartbeat(), &mut self.outgoing);
+            self.push(&ground_station_heartbeat(), now, log);
         }
     }
 
     /// Encodes what the session has to send.
-    fn send(&mut self) {
+    fn send(&mut self, now: Duration, mut log: Option<&mut FlightLog>) {
         for message in self.session.take_outgoing() {
-            self.encoder.encode(&message, &mut self.outgoing);
+            self.push(&message, now, log.as_deref_mut());
+        }
+    }
+
+    fn push(&mut self, message: &Outgoing, now: Duration, log: Option<&mut FlightLog>) {
+        let begin = self.outgoing.len();
+        self.encoder.encode(message, &mut self.outgoing);
+        if let Some(log) = log {
+            log.note_frame(now, &self.outgoing[begin..]);
         }
     }
 }
@@ -136,6 +149,7 @@ impl<L> Exercise<L> {
             driver,
             notices: Vec::new(),
             prelude: Duration::ZERO,
+            log: None,
         }
     }
 
@@ -179,18 +193,55 @@ impl<L> Exercise<L> {
         self.driver.flight().report(&self.ledger)
     }
 
+    /// Records the flight from now on; `began_unix_us` is the time of day, in microseconds since 1970 (UTC).
+    pub fn record(&mut self, began_unix_us: u64) {
+        self.log = Some(FlightLog::new(began_unix_us));
+    }
+
+    /// Records the flight no more.
+    pub fn stop_recording(&mut self) {
+        self.log = None;
+    }
+
+    /// What waits to be written, while the flight is recorded.
+    pub fn log_mut(&mut self) -> Option<&mut FlightLog> {
+        self.log.as_mut()
+    }
+
+    /// The places that commands can name.
+    pub fn places(&self) -> &BTreeMap<String, LatLon> {
+        &self.places
+    }
+
     /// Removes and returns the notices so far, oldest first, on mission time.
     pub fn take_notices(&mut self) -> Vec<Notice> {
         std::mem::take(&mut self.notices)
     }
 
     /// Takes down what became of a vehicle's commands, and what is to be heard of it.
-    fn take_reports(&mut self, index: usize) {
+    fn take_reports(&mut self, index: usize, now: Duration) {
         for report in self.seats[index].session.take_reports() {
             match report {
-                Report::Row(update) => self.ledger.apply(&update),
+                Report::Row(update) => self.advance_row(&update, now),
                 Report::Notice(notice) => self.notices.push(since(self.prelude, notice)),
             }
+        }
+    }
+
+    fn advance_row(&mut self, update: &RowUpdate, now: Duration) {
+        self.ledger.apply(update);
+        self.note_down(now, || Happening::Row(RowLine::of(update)));
+    }
+
+    /// Tells of something that no vehicle says, at a session time.
+    fn tell(&mut self, notice: Notice, now: Duration) {
+        self.note_down(now, || Happening::Notice(NoticeLine::of(&notice)));
+        self.notices.push(notice);
+    }
+
+    fn note_down(&mut self, now: Duration, what: impl FnOnce() -> Happening) {
+        if let Some(log) = &mut self.log {
+            log.note(now, what());
         }
     }
 
@@ -213,13 +264,10 @@ impl<L> Exercise<L> {
         for event in self.pilot.step(now, seen) {
             match event {
                 PilotEvent::Do(statement) => self.carry_out(&statement, now),
-                PilotEvent::WaitTimedOut { line, text } => self.notices.push(Notice {
-                    at: tick,
-                    vehicle: None,
-                    severity: Severity::Warning,
-                    kind: None,
-                    text: text!("grammar-wait-timed-out", line = line, wait = text),
-                }),
+                PilotEvent::WaitTimedOut { line, text } => {
+                    let text = text!("grammar-wait-timed-out", line = line, wait = text);
+                    self.tell(Notice::general(tick, Severity::Warning, text), now);
+                }
                 PilotEvent::Finished => {}
             }
         }
@@ -231,7 +279,13 @@ impl<L> Exercise<L> {
             if let Some(session) = session(&mut self.seats, demand.vehicle) {
                 session.carry_out(demand.want);
             }
+            let radio = Happening::of_demand(demand.vehicle, demand.want);
+            if let (Some(log), Some(radio)) = (&mut self.log, radio) {
+                log.note(now, radio);
+            }
         }
+        let ms = tick.as_millis() as u64;
+        self.note_down(now, || Happening::Mission { ms });
     }
 
     fn take_snapshots(&mut self) {

@@ -22,6 +22,19 @@ pub struct Notice {
     pub text: Text,
 }
 
+impl Notice {
+    /// One that is about no vehicle and no alert.
+    pub fn general(at: Duration, severity: Severity, text: Text) -> Self {
+        Self {
+            at,
+            vehicle: None,
+            severity,
+            kind: None,
+            text,
+        }
+    }
+}
+
 /// Makes foreign text safe to show in a line: control characters (escape sequences begin with one) and
 /// bidirectional overrides become `?`, and trailing blanks go.
 pub fn sanitised(text: &str) -> String {

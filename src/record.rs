@@ -6,7 +6,7 @@
 //! from which it is scored again, is `STEM.run.jsonl` ([`mission::record`](crate::mission::record)). What entered
 //! simulated vehicles, with which the flight can be flown again, is `STEM.inputs.jsonl` ([`InputsHead`],
 //! [`InputLine`]). The console writes the journal through `shell::session::recorder`, and the run record through its
-//! `logbook`.
+//! `logbook`; a pilot script's flight keeps both in a [`FlightLog`].
 //!
 //! Times count from the beginning of the record, without the pauses in which everything stood still.
 
@@ -20,9 +20,11 @@ use crate::moment::{Moment, MomentKind};
 use crate::text;
 use crate::text::Text;
 
+mod flight_log;
 mod inputs;
 mod line;
 
+pub use flight_log::{FlightLog, push_frame};
 pub use inputs::{Entered, Frames, InputLine, InputLog, InputsHead, StoredInputs, fingerprint};
 pub use line::{EntryLine, Happening, JournalLine, LossLine, NoticeLine, RowLine};
 

@@ -393,13 +393,7 @@ impl Replay {
 
 /// What is wrong with a recording, for the notices.
 fn warning(text: Text) -> Event {
-    Event::Notice(Notice {
-        at: Duration::ZERO,
-        vehicle: None,
-        severity: Severity::Warning,
-        kind: None,
-        text,
-    })
+    Event::Notice(Notice::general(Duration::ZERO, Severity::Warning, text))
 }
 
 /// The frame that shows what happened at a time: a frame has what came before its end.

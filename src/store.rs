@@ -38,8 +38,10 @@ pub use profiles::{
     MendedRows, PastRun, Profile, ProfileError, ProfileFile, ProfileSettings, Profiles, Rescue,
     RunEntry,
 };
-pub use records::{RecordFiles, RecordLimits, Recording, RecordingFault, Records};
-pub use runs::{InputsFile, RunFile, Runs, read_run, utc};
+pub use records::{
+    RecordFiles, RecordLimits, RecordPiece, RecordWriter, Recording, RecordingFault, Records,
+};
+pub use runs::{RunFile, Runs, read_run, utc};
 pub use sharing::share_with_group;
 pub use source::{Source, StoreError, read, user_path};
 

@@ -14,7 +14,7 @@ use crate::hangar::VehicleBackend;
 use crate::link::Address;
 use crate::scoring::FlownBy;
 use crate::shell::{self, ConsoleOptions, Opening, Preferences};
-use crate::store::{History, RecordLimits, Records, Runs};
+use crate::store::{History, Runs};
 use crate::terminal::Environment;
 use crate::text;
 use crate::text::{Locale, Text};
@@ -161,7 +161,9 @@ pub(super) fn options(opening: Opening, settings: CliSettings) -> Result<Console
         preferences: Preferences {
             history: folders.map(|folders| History::within(&folders.state)),
             runs: settings.data.as_deref().map(Runs::within),
-            records: records(&settings).filter(|_| settings.config.records.enabled),
+            records: settings
+                .records()
+                .filter(|_| settings.config.records.enabled),
             data: settings.data.clone(),
             profile: settings.config.profile.clone(),
             warnings: settings.warnings(),
@@ -171,17 +173,6 @@ pub(super) fn options(opening: Opening, settings: CliSettings) -> Result<Console
             themes: settings.themes,
         },
     })
-}
-
-/// Where flights are recorded, and how much of them is kept.
-pub(super) fn records(settings: &CliSettings) -> Option<Records> {
-    let set = &settings.config.records;
-    let limits = RecordLimits {
-        count: set.count as usize,
-        bytes: set.space * 1024 * 1024,
-    };
-    let data = settings.data.as_deref()?;
-    Some(Records::within(data, limits))
 }
 
 pub(super) fn open(options: ConsoleOptions, plain: bool) -> Result<ExitCode, Failure> {

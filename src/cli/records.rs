@@ -6,9 +6,9 @@ use std::process::ExitCode;
 use clap::{Args, Subcommand, ValueEnum};
 use serde::Serialize;
 
+use super::Failure;
 use super::settings::CliSettings;
 use super::table::{Side, TextTable};
-use super::{Failure, fly};
 use crate::config::Config;
 use crate::moment::Moment;
 use crate::replay::{ExportFormat, Film, Replay, export};
@@ -146,7 +146,7 @@ pub(super) fn records(
     arguments: &RecordsArguments,
     settings: &CliSettings,
 ) -> Result<ExitCode, Failure> {
-    let records = fly::records(settings).ok_or_else(|| {
+    let records = settings.records().ok_or_else(|| {
         Failure::Failed(anyhow::anyhow!(
             "there is no folder for records: give --data"
         ))

@@ -32,7 +32,7 @@ pub(super) fn replay(
 }
 
 fn newest(settings: &CliSettings) -> Result<PathBuf, Failure> {
-    let newest = fly::records(settings).and_then(|it| it.newest());
+    let newest = settings.records().and_then(|it| it.newest());
     newest.ok_or_else(|| {
         let text = "sortie: nothing is recorded yet: fly first, or give a file";
         Failure::Invalid(text.to_owned())

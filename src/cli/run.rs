@@ -23,7 +23,7 @@ use crate::language::Script;
 use crate::mission::record::Occasion;
 use crate::mission::{Mission, Report};
 use crate::scoring::FlownBy;
-use crate::store::{self, Runs, Source, StoreError, day_of, utc};
+use crate::store::{self, Records, Runs, Source, StoreError, day_of, utc};
 use crate::text;
 use crate::text::Locale;
 
@@ -78,8 +78,8 @@ pub(super) struct RunArguments {
     /// --profile, tries are counted.
     #[arg(long = "try", value_name = "NUMBER", value_parser = clap::value_parser!(u32).range(1..=9999))]
     attempt: Option<u32>,
-    /// Record the run in this folder, for `sortie debrief`; what is in it stays. With --profile, runs are recorded in the
-    /// folder of its data.
+    /// Record the run in this folder instead of that of the data; what is in it stays. With --profile, runs are recorded
+    /// in the folder of its data.
     #[arg(long, value_name = "DIR")]
     record: Option<PathBuf>,
     /// Leave out how long it took, so that equal runs print equal bytes.
@@ -173,6 +173,7 @@ pub(super) fn run(options: &RunArguments, settings: &CliSettings) -> Result<Exit
         backend: &backend,
         flown_by,
         trainee: trainee.as_ref(),
+        settings,
         locale: &locale,
     };
     let (flown, attempt) = request.agree(mission)?;
@@ -213,6 +214,7 @@ struct RunRequest<'a, 'l> {
     backend: &'a VehicleBackend,
     flown_by: FlownBy,
     trainee: Option<&'a RunTrainee<'l>>,
+    settings: &'a CliSettings,
     locale: &'l Locale,
 }
 
@@ -252,17 +254,24 @@ impl<'l> RunRequest<'_, 'l> {
 
     /// What tells and records the run: as which try, and where.
     fn recorder(&self, mission: &Mission, attempt: Attempt) -> Result<RunRecorder<'l>, Failure> {
-        let (number, runs) = match self.trainee {
-            Some(trainee) => (trainee.attempt(mission)?, Some(trainee.runs().clone())),
-            None => (
-                self.options.attempt.unwrap_or(1),
-                self.options.record.as_ref().map(Runs::at),
-            ),
+        let number = match self.trainee {
+            Some(trainee) => trainee.attempt(mission)?,
+            None => self.options.attempt.unwrap_or(1),
+        };
+        let is_recorded = self.settings.config.records.enabled;
+        let (runs, records) = match (&self.options.record, self.trainee) {
+            (Some(folder), _) => (Some(Runs::at(folder)), Some(Records::at(folder))),
+            (None, Some(trainee)) => (Some(trainee.runs().clone()), self.settings.records()),
+            (None, None) => {
+                let data = self.settings.data.as_deref().filter(|_| is_recorded);
+                (data.map(Runs::within), self.settings.records())
+            }
         };
         let plan = RecordingPlan {
             is_heard: !self.options.json,
             attempt: number,
             runs,
+            records: records.filter(|_| is_recorded),
             occasion: Occasion {
                 when: utc(SystemTime::now()),
                 backend: self.backend.kind(),
@@ -302,7 +311,7 @@ impl RunFlight {
         let speedup = speedup.of_sitl(mission.vehicles);
         let launches = backend.launches(mission.world(seed), speedup);
         let mut live = Exercise::live(mission, seed, script, speedup);
-        recorder.prepare(live.flight_mut());
+        recorder.prepare(&mut live);
         ardupilot::fly(source, launches, live, recorder)
     }
 }
@@ -324,13 +333,13 @@ fn fly_embedded(
         for notice in exercise.take_notices() {
             recorder.tell(notice);
         }
-        recorder.keep(exercise.flight_mut());
-        recorder.keep_inputs(&mut exercise);
+        recorder.take_inputs(&mut exercise);
+        recorder.keep(&mut exercise);
     }
     exercise.close_inputs();
     let report = exercise.close();
-    recorder.keep(exercise.flight_mut());
-    recorder.keep_inputs(&mut exercise);
+    recorder.take_inputs(&mut exercise);
+    recorder.finish(&mut exercise);
     report
 }
 

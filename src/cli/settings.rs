@@ -16,7 +16,7 @@ use crate::app::lines;
 use crate::config::{Config, Layers, Origin, Readers};
 use crate::diagnostic::Diagnostic;
 use crate::language::parse_ranges;
-use crate::store::{self, Folders, Source};
+use crate::store::{self, Folders, RecordLimits, Records, Source};
 use crate::text;
 use crate::text::{Language, Text};
 use crate::ui::{Theme, ThemeError, ThemeFile, Themes};
@@ -128,6 +128,16 @@ pub(super) fn theme_names(themes: &Themes) -> Vec<String> {
 }
 
 impl CliSettings {
+    /// Where flights are recorded, and how much of them is kept; `None` without a folder for data.
+    pub fn records(&self) -> Option<Records> {
+        let set = &self.config.records;
+        let limits = RecordLimits {
+            count: set.count as usize,
+            bytes: set.space * 1024 * 1024,
+        };
+        Some(Records::within(self.data.as_deref()?, limits))
+    }
+
     /// What the administrator has set. A fault there is told, and keeps nobody from flying.
     fn read_system_files(&mut self) {
         let files: Vec<PathBuf> = self

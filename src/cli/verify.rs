@@ -6,9 +6,9 @@ use std::process::ExitCode;
 use clap::Args;
 use serde::Serialize;
 
+use super::Failure;
 use super::records::RecordsCommands;
 use super::settings::CliSettings;
-use super::{Failure, fly};
 use crate::mission::record::{Difference, Rescored, Stored, refly};
 use crate::record::{Head, StoredInputs, Subject};
 use crate::scoring::{FlightBackend, FlownBy, MissionFile};
@@ -122,7 +122,7 @@ fn find(named: &str, settings: &CliSettings, locale: &Locale) -> Result<RecordFi
         }
         return Ok(RecordFiles::beside(path));
     }
-    let records = fly::records(settings).ok_or_else(|| {
+    let records = settings.records().ok_or_else(|| {
         Failure::Failed(anyhow::anyhow!(
             "there is no folder for records: give --data, or a file"
         ))

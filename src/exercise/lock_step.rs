@@ -89,14 +89,14 @@ impl Exercise {
         bytes.clear();
         world.take_output(port, bytes);
         seat.decoder.push(bytes);
-        while seat.hear(now) {}
-        seat.poll(now);
-        seat.send();
+        while seat.hear(now, self.log.as_mut()) {}
+        seat.poll(now, self.log.as_mut());
+        seat.send(now, self.log.as_mut());
         if !seat.outgoing.is_empty() {
             world.receive(port, &seat.outgoing);
             seat.outgoing.clear();
         }
-        self.take_reports(index);
+        self.take_reports(index, now);
     }
 }
 

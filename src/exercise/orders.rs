@@ -8,6 +8,7 @@ use crate::diagnostic::Diagnostic;
 use crate::language::{Context, Statement};
 use crate::notice::Notice;
 use crate::operator::{self, Dispatch, OperatorScene};
+use crate::record::{EntryLine, Happening};
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 
@@ -24,13 +25,11 @@ impl<L> Exercise<L> {
         let line = &statement.line;
         match self.read(line) {
             Ok(order) => self.order(&order, now),
-            Err(fault) => self.notices.push(Notice {
-                at: now.saturating_sub(self.prelude),
-                vehicle: None,
-                severity: Severity::Error,
-                kind: None,
-                text: Text::joined(": ", vec![format!("`{line}`").into(), fault.message]),
-            }),
+            Err(fault) => {
+                let at = now.saturating_sub(self.prelude);
+                let text = Text::joined(": ", vec![format!("`{line}`").into(), fault.message]);
+                self.tell(Notice::general(at, Severity::Error, text), now);
+            }
         }
     }
 
@@ -50,6 +49,7 @@ impl<L> Exercise<L> {
 
     fn order(&mut self, order: &Order, now: Duration) {
         let entry = self.ledger.open(now, order.given(), &order.targets);
+        self.note_down(now, || Happening::Entry(EntryLine::of(entry, order)));
         let scene = OperatorScene {
             now,
             vehicles: &self.vehicles,
@@ -62,7 +62,7 @@ impl<L> Exercise<L> {
 
     fn dispatch(&mut self, work: Dispatch, now: Duration) {
         match work {
-            Dispatch::Row(row) => self.ledger.apply(&row),
+            Dispatch::Row(row) => self.advance_row(&row, now),
             Dispatch::Command(vehicle, command) => {
                 if let Some(session) = session(&mut self.seats, vehicle) {
                     session.order(command, now);
@@ -74,7 +74,7 @@ impl<L> Exercise<L> {
                     let _ = session.steer(&steering, now);
                 }
             }
-            Dispatch::Notice(notice) => self.notices.push(since(self.prelude, notice)),
+            Dispatch::Notice(notice) => self.tell(since(self.prelude, notice), now),
             // The ledger in the report has the reason.
             Dispatch::Refused(_) => {}
         }

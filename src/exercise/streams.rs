@@ -38,7 +38,7 @@ impl Exercise<LiveStreams> {
         let driver = FlightDriver::new(Flight::new(mission, seed), pace);
         let mut exercise = Self::on(link, driver, script, vehicles);
         for seat in &mut exercise.seats {
-            seat.send_heartbeat();
+            seat.send_heartbeat(Duration::ZERO, None);
         }
         exercise
     }
@@ -47,18 +47,18 @@ impl Exercise<LiveStreams> {
     pub fn hear(&mut self, index: usize, bytes: &[u8], now: Duration) {
         self.seats[index].decoder.push(bytes);
         let mut session_now = self.advance(now, None);
-        while !self.is_over() && self.seats[index].hear(session_now) {
+        while !self.is_over() && self.seats[index].hear(session_now, self.log.as_mut()) {
             let vehicle = self.seats[index].session.vehicle();
             let reading = (vehicle.id, vehicle.clock_ms());
             session_now = self.advance(now, Some(reading));
         }
-        self.gather();
+        self.gather(session_now);
     }
 
     /// Lets time of ours pass: vehicles that are silent do not stop the mission for ever.
     pub fn pass(&mut self, now: Duration) {
-        self.advance(now, None);
-        self.gather();
+        let session_now = self.advance(now, None);
+        self.gather(session_now);
     }
 
     /// Notes that a vehicle's process has ended and will not be started again. False if that was known.
@@ -115,8 +115,8 @@ impl Exercise<LiveStreams> {
             self.link.stepped += SESSION_POLL;
             let stepped = self.link.stepped;
             for index in 0..self.seats.len() {
-                self.seats[index].poll(stepped);
-                self.take_reports(index);
+                self.seats[index].poll(stepped, self.log.as_mut());
+                self.take_reports(index, stepped);
             }
             if self.driver.has_begun() {
                 self.fly_until(stepped);
@@ -124,10 +124,10 @@ impl Exercise<LiveStreams> {
         }
     }
 
-    fn gather(&mut self) {
+    fn gather(&mut self, now: Duration) {
         for index in 0..self.seats.len() {
-            self.take_reports(index);
-            self.seats[index].send();
+            self.take_reports(index, now);
+            self.seats[index].send(now, self.log.as_mut());
         }
     }
 }

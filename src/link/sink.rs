@@ -3,7 +3,7 @@
 use std::fmt;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use crate::wire::{Anatomy, is_secret};
+use crate::record::push_frame;
 
 /// What waits for the recorder at most; beyond that frames are left out, and counted.
 const MOST_WAITING: usize = 32 * 1024 * 1024;
@@ -48,9 +48,6 @@ impl FrameSink {
 
     /// Takes a frame down, unless it carries a secret.
     pub fn note(&self, frame: &[u8]) {
-        if Anatomy::of(frame).is_some_and(|it| is_secret(it.id)) {
-            return;
-        }
         let mut waiting = self.waiting();
         if waiting.is_closed {
             return;
@@ -60,9 +57,8 @@ impl FrameSink {
             return;
         }
         // The clock is read while no other link can write, so that times never go back.
-        let stamp = (self.0.clock)().to_be_bytes();
-        waiting.bytes.extend_from_slice(&stamp);
-        waiting.bytes.extend_from_slice(frame);
+        let stamp = (self.0.clock)();
+        push_frame(&mut waiting.bytes, stamp, frame);
     }
 
     /// What was taken down since the last call.

@@ -66,13 +66,7 @@ mod tests {
             (30, Some((Severity::Notice, "gate")), "gate"),
         ] {
             let now = Duration::from_secs(at_s);
-            let notice = said.map(|(severity, text)| Notice {
-                at: now,
-                vehicle: None,
-                severity,
-                kind: None,
-                text: text.into(),
-            });
+            let notice = said.map(|(severity, text)| Notice::general(now, severity, text.into()));
             feedback.hear(notice.as_slice(), now);
             let line = feedback.line().map(ToString::to_string);
             assert_eq!(line.as_deref(), Some(shown), "{at_s}");

@@ -6,10 +6,11 @@ use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::alert::AlertKind;
+use crate::commands::Order;
 use crate::language;
 use crate::ledger::{EntryId, LedgerRow, Risk, RowState, RowUpdate};
 use crate::notice::Notice;
-use crate::session::RadioFault;
+use crate::session::{RadioFault, Want};
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 use crate::verb::Verb;
@@ -84,6 +85,20 @@ pub struct EntryLine {
     pub risk: Risk,
     /// Its targets.
     pub vehicles: Vec<VehicleId>,
+}
+
+impl EntryLine {
+    /// The line of an order that was given as an entry of the ledger.
+    pub fn of(entry: EntryId, order: &Order) -> Self {
+        let given = order.given();
+        Self {
+            id: entry.0,
+            line: given.line.to_owned(),
+            verb: given.verb,
+            risk: given.risk,
+            vehicles: order.targets.clone(),
+        }
+    }
 }
 
 /// What became of a command with one vehicle.
@@ -170,6 +185,16 @@ impl NoticeLine {
             severity: Severity::from_wire(self.severity),
             kind: self.kind,
             text: Text::verbatim(self.text.clone()),
+        }
+    }
+}
+
+impl Happening {
+    /// What of a demand goes into the journal: the radio, which is our own; the simulator answers in telemetry.
+    pub fn of_demand(vehicle: VehicleId, want: Want) -> Option<Self> {
+        match want {
+            Want::Radio(fault) => Some(Self::Loss(LossLine::of(vehicle, fault))),
+            Want::Parameter { .. } => None,
         }
     }
 }

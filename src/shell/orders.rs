@@ -42,15 +42,7 @@ impl Console {
 
     fn note_order(&self, entry: EntryId, order: &Order, now: Duration) {
         if let Some(running) = &self.running {
-            let given = order.given();
-            let what = Happening::Entry(EntryLine {
-                id: entry.0,
-                line: given.line.to_owned(),
-                verb: given.verb,
-                risk: given.risk,
-                vehicles: order.targets.clone(),
-            });
-            running.note_down(now, what);
+            running.note_down(now, Happening::Entry(EntryLine::of(entry, order)));
         }
     }
 }

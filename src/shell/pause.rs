@@ -82,13 +82,11 @@ impl Console {
             return;
         };
         let event = match outcome {
-            Ok(text) => Event::Notice(Notice {
-                at: self.clock.now(),
-                vehicle: None,
-                severity: Severity::Notice,
-                kind: None,
-                text: text!("inject-done", what = text),
-            }),
+            Ok(text) => Event::Notice(Notice::general(
+                self.clock.now(),
+                Severity::Notice,
+                text!("inject-done", what = text),
+            )),
             Err(text) => Event::Failed(text),
         };
         self.post(event);

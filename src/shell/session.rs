@@ -199,13 +199,7 @@ impl RunningSession {
         let recorder = self.recorder.as_mut()?;
         recorder.pass_inputs();
         let text = recorder.take_fault()?;
-        Some(Event::Notice(Notice {
-            at: now,
-            vehicle: None,
-            severity: Severity::Warning,
-            kind: None,
-            text,
-        }))
+        Some(Event::Notice(Notice::general(now, Severity::Warning, text)))
     }
 
     /// The lists that have changed.

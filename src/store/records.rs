@@ -16,8 +16,7 @@ use crate::record::Head;
 mod recording;
 mod reviews;
 
-use recording::RecordWriter;
-pub use recording::{Recording, RecordingFault};
+pub use recording::{RecordPiece, RecordWriter, Recording, RecordingFault};
 
 /// How the files of a record end.
 const FRAMES: &str = ".tlog";
@@ -171,6 +170,17 @@ impl Records {
         }
     }
 
+    /// The records in a folder that the user named, which need not exist; nothing in it is removed.
+    pub fn at(folder: impl Into<PathBuf>) -> Self {
+        Self {
+            folder: folder.into(),
+            limits: RecordLimits {
+                count: usize::MAX,
+                bytes: u64::MAX,
+            },
+        }
+    }
+
     pub fn folder(&self) -> &Path {
         &self.folder
     }
@@ -216,11 +226,10 @@ impl Records {
         newest_first.find_map(|it| it.frames.clone().filter(|_| is_theirs(&it)))
     }
 
-    /// Begins a record; makes room for it. Its stem is that of a run, or made of the time of day `when` (as
-    /// [`utc`](super::utc) writes it) and the subject. What it is to write is fetched from `source`.
+    /// Begins a record that a thread writes, which fetches frames from `source`.
     ///
     /// # Errors
-    /// Its files cannot be created.
+    /// As [`create`](Self::create).
     pub fn begin(
         &self,
         head: &Head,
@@ -228,6 +237,21 @@ impl Records {
         when: &str,
         source: impl FnMut() -> Vec<u8> + Send + 'static,
     ) -> Result<Recording, StoreError> {
+        let writer = self.create(head, stem, when)?;
+        Recording::start(writer, source).map_err(|error| unwritable(&self.folder, error))
+    }
+
+    /// Creates the files of a record; makes room for it. Its stem is that of a run, or made of the time of day `when` (as
+    /// [`utc`](super::utc) writes it) and the subject.
+    ///
+    /// # Errors
+    /// The files cannot be created.
+    pub fn create(
+        &self,
+        head: &Head,
+        stem: Option<&str>,
+        when: &str,
+    ) -> Result<RecordWriter, StoreError> {
         let data = self.folder.parent().unwrap_or(&self.folder);
         sharing::folder_within(data, &self.folder)
             .map_err(|error| unwritable(&self.folder, error))?;
@@ -237,14 +261,13 @@ impl Records {
         let path = self.folder.join(format!("{stem}{FRAMES}"));
         let frames = AppendFile::create(path.clone())?
             .ok_or_else(|| unwritable(&path, io::ErrorKind::AlreadyExists.into()))?;
-        let writer = RecordWriter {
+        Ok(RecordWriter {
+            stem,
             frames,
             journal,
             inputs: None,
-            source: Box::new(source),
             most_bytes: self.limits.bytes / 2,
-        };
-        Recording::start(writer, stem, path).map_err(|error| unwritable(&self.folder, error))
+        })
     }
 
     fn create_journal(

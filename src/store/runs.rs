@@ -226,35 +226,6 @@ impl RunFile {
     }
 }
 
-/// The file of what enters the simulated vehicles of a run, while it is flown.
-#[derive(Debug)]
-pub struct InputsFile(AppendFile);
-
-impl RunFile {
-    /// Begins the file of what enters the run's simulated vehicles, beside the run's.
-    ///
-    /// # Errors
-    /// It cannot be created.
-    pub fn begin_inputs(&self) -> Result<InputsFile, StoreError> {
-        let path = inputs_of(self.path());
-        let file = AppendFile::create(path.clone())?.map(InputsFile);
-        file.ok_or_else(|| StoreError::Unwritable {
-            path,
-            error: io::ErrorKind::AlreadyExists.into(),
-        })
-    }
-}
-
-impl InputsFile {
-    /// Adds whole lines.
-    ///
-    /// # Errors
-    /// The disk is full or gone.
-    pub fn append(&mut self, lines: &str) -> Result<(), StoreError> {
-        self.0.append(lines.as_bytes())
-    }
-}
-
 /// The file of what entered a run's simulated vehicles, by the run's file.
 fn inputs_of(run: &Path) -> PathBuf {
     run.with_file_name(format!("{}{INPUTS}", run_id(run)))

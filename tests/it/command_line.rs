@@ -11,9 +11,11 @@ use crate::terminal::program;
 
 fn sortie(arguments: &[&str]) -> Output {
     let program = program();
+    let data = tempfile::tempdir().expect("a temporary folder");
     Command::new(&program[0])
         .args(&program[1..])
         .args(arguments)
+        .env("SORTIE_DATA", data.path())
         .env("NO_COLOR", "1")
         .output()
         .expect("the program runs")
@@ -334,7 +336,14 @@ fn a_full_disk_is_an_error_and_no_panic() {
     let program = program();
     let output = Command::new(&program[0])
         .args(&program[1..])
-        .args(["run", "01", "--pilot", "01-air-sample", "--json"])
+        .args([
+            "run",
+            "01",
+            "--pilot",
+            "01-air-sample",
+            "--json",
+            "--no-record",
+        ])
         .stdout(full)
         .output()
         .expect("the program runs");

@@ -69,6 +69,7 @@ impl Scene {
             .args(arguments)
             .env("XDG_STATE_HOME", self.folder.path())
             .env("XDG_CONFIG_HOME", self.folder.path())
+            .env("SORTIE_DATA", self.folder.path())
             .env("NO_COLOR", "1");
         command
     }
@@ -222,6 +223,7 @@ fn an_airframe_changes_how_the_embedded_vehicle_flies() {
             "01-air-sample",
             "--json",
             "--no-timing",
+            "--no-record",
         ]);
         if let Some(frame) = frame {
             command.arg("--frame").arg(frame);
@@ -251,7 +253,14 @@ fn an_airframe_changes_how_the_embedded_vehicle_flies() {
 fn the_reference_pilot_scores_on_a_real_arducopter_as_on_the_embedded_simulator() {
     let scene = Scene::on_the_real_one();
     let embedded = Command::new(env!("CARGO_BIN_EXE_sortie"))
-        .args(["run", "01", "--pilot", "01-air-sample", "--json"])
+        .args([
+            "run",
+            "01",
+            "--pilot",
+            "01-air-sample",
+            "--json",
+            "--no-record",
+        ])
         .output()
         .expect("it runs");
     let embedded: serde_json::Value = serde_json::from_slice(&embedded.stdout).expect("JSON");
@@ -284,7 +293,7 @@ fn missions_score_on_real_arducopters_within_a_tenth_of_the_embedded_simulator()
         let mut scene = Scene::on_the_real_one();
         scene.mission = name.into();
         let embedded = Command::new(env!("CARGO_BIN_EXE_sortie"))
-            .args(["run", name, "--pilot", name, "--json"])
+            .args(["run", name, "--pilot", name, "--json", "--no-record"])
             .output()
             .expect("it runs");
         let embedded: serde_json::Value = serde_json::from_slice(&embedded.stdout).expect("JSON");

@@ -66,13 +66,11 @@ pub fn printed(state: &mut State, vehicle: VehicleId, anew: bool, mut lines: Vec
 
 /// All are ready: whoever has waited for that is led to the flight.
 fn begin(state: &mut State, count: usize) {
-    let ready = Notice {
-        at: state.now,
-        vehicle: None,
-        severity: Severity::Info,
-        kind: None,
-        text: text!("hangar-all-ready", count = count),
-    };
+    let ready = Notice::general(
+        state.now,
+        Severity::Info,
+        text!("hangar-all-ready", count = count),
+    );
     telemetry::notice(state, &ready);
     state.session.begin(state.now);
     if state.room == Room::Hangar {

@@ -78,18 +78,16 @@ fn tell(state: &mut State, finding: &LinkFinding) {
     }
     let link = state.session.links.get(finding.link);
     let name = link.map_or_else(String::new, |link| link.name.clone());
-    let notice = Notice {
-        at: state.now,
-        vehicle: None,
-        severity: Severity::Warning,
-        kind: None,
-        text: text!(
+    let notice = Notice::general(
+        state.now,
+        Severity::Warning,
+        text!(
             "doctor-notice",
             link = name,
             finding = finding.cause.says(),
             advice = finding.advice()
         ),
-    };
+    );
     state.notices.push(notice);
     state.touch();
 }

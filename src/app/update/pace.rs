@@ -80,13 +80,9 @@ pub fn changed(state: &mut State, change: PaceChange) {
         } else {
             text!("speedup-back-to", rate = rate, reason = reason)
         };
-        state.notices.push(Notice {
-            at: state.now,
-            vehicle: None,
-            severity: Severity::Notice,
-            kind: None,
-            text: text.clone(),
-        });
+        state
+            .notices
+            .push(Notice::general(state.now, Severity::Notice, text.clone()));
         state.say(Severity::Notice, text);
     } else if state.session.pace.is_fast() {
         let key = state.key(Action::UsualPace);

@@ -266,13 +266,9 @@ pub fn failed(state: &mut State, text: Text) {
     } else {
         state.say(Severity::Error, text.clone());
     }
-    state.notices.push(Notice {
-        at: state.now,
-        vehicle: None,
-        severity: Severity::Error,
-        kind: None,
-        text,
-    });
+    state
+        .notices
+        .push(Notice::general(state.now, Severity::Error, text));
 }
 
 #[cfg(test)]

@@ -203,12 +203,12 @@ impl SitlFleet {
             for notice in live.take_notices() {
                 recorder.tell(notice);
             }
-            recorder.keep(live.flight_mut());
+            recorder.keep(&mut live);
         }
         let (flown, took) = (live.now().as_secs_f64(), begun.elapsed().as_secs_f64());
         tracing::info!("{flown:.1} s flown in {took:.1} s");
         let report = live.close();
-        recorder.keep(live.flight_mut());
+        recorder.finish(&mut live);
         report
     }
 

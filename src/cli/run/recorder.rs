@@ -1,17 +1,19 @@
 //! Tells what is said during a run, and keeps its record.
 
-use std::time::{Duration, SystemTime};
+use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use crate::exercise::Exercise;
-use crate::mission::Flight;
 use crate::mission::record::Occasion;
 use crate::notice::Notice;
-use crate::store::{InputsFile, Landing, RunFile, Runs, StoreError};
+use crate::record::{Head, Subject};
+use crate::store::{Landing, RecordPiece, RecordWriter, Records, RunFile, Runs, StoreError};
 use crate::text;
 use crate::text::{Locale, Text};
 
 /// A record is written in pieces of this length, so that a fast run does not write a line at a time.
-const PIECE_LEN: usize = 16 * 1024;
+const PIECE_LEN: usize = 64 * 1024;
+/// What is killed loses no more than this.
+const WRITE_EVERY: Duration = Duration::from_millis(250);
 
 /// What is told and recorded of a run.
 pub(super) struct RecordingPlan {
@@ -19,8 +21,10 @@ pub(super) struct RecordingPlan {
     pub is_heard: bool,
     /// Which try it is.
     pub attempt: u32,
-    /// Where it is recorded, if it is.
+    /// Where the data that it is scored from is recorded, if it is.
     pub runs: Option<Runs>,
+    /// Where its frames, its journal and what enters simulated vehicles are recorded beside that, if they are.
+    pub records: Option<Records>,
     /// What the record says of it.
     pub occasion: Occasion,
 }
@@ -32,10 +36,12 @@ pub(super) struct RunRecorder<'a> {
     /// The unique name of the run.
     id: String,
     file: Option<RunFile>,
-    /// Where what enters simulated vehicles is recorded.
-    inputs: Option<InputsFile>,
-    /// What is not written yet.
+    record: Option<RecordWriter>,
+    /// What of the run is not written yet.
     piece: String,
+    /// What has entered simulated vehicles and is not written yet.
+    inputs: String,
+    written: Instant,
 }
 
 impl<'a> RunRecorder<'a> {
@@ -50,8 +56,10 @@ impl<'a> RunRecorder<'a> {
             plan,
             locale,
             file: None,
-            inputs: None,
+            record: None,
             piece: String::new(),
+            inputs: String::new(),
+            written: Instant::now(),
         };
         match begun {
             Some(Ok(file)) => {
@@ -65,40 +73,48 @@ impl<'a> RunRecorder<'a> {
     }
 
     /// Makes a flight ready for it.
-    pub fn prepare(&self, flight: &mut Flight) {
+    pub fn prepare<L>(&mut self, exercise: &mut Exercise<L>) {
+        let flight = exercise.flight_mut();
         flight.set_attempt(self.plan.attempt);
         flight.set_flown_by(Some(self.plan.occasion.flown_by));
         flight.set_stake(self.plan.occasion.stake);
-        if self.file.is_some() {
-            flight.start_record(&self.plan.occasion);
+        if self.file.is_none() {
+            return;
+        }
+        flight.start_record(&self.plan.occasion);
+        let Some(records) = &self.plan.records else {
+            return;
+        };
+        let since_1970 = SystemTime::now().duration_since(UNIX_EPOCH);
+        let began_unix_us = since_1970.unwrap_or_default().as_micros() as u64;
+        let mission = exercise.flight().mission().id.clone();
+        let head = Head {
+            profile: self.plan.occasion.profile.clone(),
+            places: exercise.places().clone(),
+            ..Head::new(Subject::Mission(mission), began_unix_us)
+        };
+        match records.create(&head, Some(&self.id), &self.plan.occasion.when) {
+            Ok(record) => {
+                self.record = Some(record);
+                exercise.record(began_unix_us);
+            }
+            Err(error) => self.complain(&error),
         }
     }
 
     /// Makes a flight in the embedded simulator ready for it.
     pub fn prepare_embedded(&mut self, exercise: &mut Exercise) {
-        self.prepare(exercise.flight_mut());
-        match self.file.as_ref().map(RunFile::begin_inputs) {
-            Some(Ok(file)) => {
-                self.inputs = Some(file);
-                exercise.record_inputs();
-            }
-            Some(Err(error)) => self.complain(&error),
-            None => {}
+        self.prepare(exercise);
+        if self.record.is_some() {
+            exercise.record_inputs();
         }
     }
 
-    /// Writes what has entered the simulated vehicles, as often as the run is written, and as long as it is.
-    pub fn keep_inputs(&mut self, exercise: &mut Exercise) {
-        if self.file.is_none() {
-            self.inputs = None;
-        }
-        let Some(file) = self.inputs.as_mut().filter(|_| self.piece.is_empty()) else {
-            return;
-        };
-        let lines = exercise.take_inputs();
-        if let Err(error) = file.append(&lines) {
-            self.inputs = None;
-            self.complain(&error);
+    /// Takes what has entered the simulated vehicles, as long as it is recorded.
+    pub fn take_inputs(&mut self, exercise: &mut Exercise) {
+        let inputs = exercise.take_inputs();
+        if self.record.is_some() {
+            self.inputs.push_str(&inputs);
         }
     }
 
@@ -125,17 +141,48 @@ impl<'a> RunRecorder<'a> {
         }
     }
 
-    /// Writes what the flight has recorded, once there is enough of it, and all of it at the end.
-    pub fn keep(&mut self, flight: &mut Flight) {
-        let Some(file) = &mut self.file else { return };
-        self.piece.push_str(&flight.take_record());
-        if self.piece.len() < PIECE_LEN && flight.outcome().is_none() {
-            return;
+    /// Writes what was recorded of a flight, once there is enough of it or it has waited for long enough.
+    pub fn keep<L>(&mut self, exercise: &mut Exercise<L>) {
+        self.piece.push_str(&exercise.flight_mut().take_record());
+        let frames = exercise.log_mut().map_or(0, |log| log.waiting());
+        let waiting = self.piece.len() + self.inputs.len() + frames;
+        if waiting >= PIECE_LEN || self.written.elapsed() >= WRITE_EVERY {
+            self.write(exercise);
         }
-        if let Err(error) = file.append(&std::mem::take(&mut self.piece)) {
+    }
+
+    /// Writes the rest of a flight that was flown to its end.
+    pub fn finish<L>(&mut self, exercise: &mut Exercise<L>) {
+        if let Some(log) = exercise.log_mut() {
+            log.end();
+        }
+        self.piece.push_str(&exercise.flight_mut().take_record());
+        self.write(exercise);
+    }
+
+    fn write<L>(&mut self, exercise: &mut Exercise<L>) {
+        self.written = Instant::now();
+        let piece = std::mem::take(&mut self.piece);
+        let inputs = std::mem::take(&mut self.inputs);
+        if let Some(file) = &mut self.file
+            && let Err(error) = file.append(&piece)
+        {
             self.file = None;
-            flight.stop_record();
+            exercise.flight_mut().stop_record();
             self.complain(&error);
+        }
+        let (Some(record), Some(log)) = (&mut self.record, exercise.log_mut()) else {
+            return;
+        };
+        let written = record.append(&RecordPiece {
+            frames: &log.take_frames(),
+            lines: &log.take_lines(),
+            inputs: &inputs,
+        });
+        if let Err(fault) = written {
+            self.record = None;
+            exercise.stop_recording();
+            tell!("sortie: {}", self.locale.text(&Text::from(&fault)));
         }
     }
 

@@ -146,13 +146,7 @@ impl LinkNews {
                 (Severity::Error, text)
             }
         };
-        Notice {
-            at: now,
-            vehicle: None,
-            severity,
-            kind: None,
-            text,
-        }
+        Notice::general(now, severity, text)
     }
 }
 

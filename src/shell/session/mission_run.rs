@@ -4,8 +4,8 @@ use std::collections::{BTreeSet, VecDeque};
 use std::sync::Arc;
 use std::time::Duration;
 
+use super::RunningSession;
 use super::logbook::Logbook;
-use super::{RunningSession, recorder};
 use crate::app::event::{Event, SessionEvent};
 use crate::app::state::{FlightView, Hangar, SitlStage};
 use crate::exercise::{FlightDriver, FlightPace, PacedClock};
@@ -162,13 +162,7 @@ impl MissionRun {
     /// Writes what was recorded; that it cannot be is said once.
     fn keep_record(&mut self, now: Duration) -> Option<Event> {
         let text = self.logbook.as_mut()?.keep(self.driver.flight_mut(), now)?;
-        Some(Event::Notice(Notice {
-            at: now,
-            vehicle: None,
-            severity: Severity::Warning,
-            kind: None,
-            text,
-        }))
+        Some(Event::Notice(Notice::general(now, Severity::Warning, text)))
     }
 
     /// Vehicles whose processes have ended by themselves do not come back.
@@ -251,7 +245,7 @@ impl RunningSession {
             |vehicle| shown.vehicles().contains_key(&vehicle),
             |demand| {
                 let is_told = self.fleet.carry_out(demand.vehicle, demand.want).is_ok();
-                let what = recorder::demanded(demand.vehicle, demand.want);
+                let what = Happening::of_demand(demand.vehicle, demand.want);
                 if let (true, Some(recorder), Some(what)) = (is_told, recorder, what) {
                     recorder.note(now, what);
                 }

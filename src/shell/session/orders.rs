@@ -55,13 +55,9 @@ impl RunningSession {
             }
             Dispatch::Notice(notice) => Some(Event::Notice(notice)),
             // Not every room shows the ledger.
-            Dispatch::Refused(text) => Some(Event::Notice(Notice {
-                at: now,
-                vehicle: None,
-                severity: Severity::Warning,
-                kind: None,
-                text,
-            })),
+            Dispatch::Refused(text) => {
+                Some(Event::Notice(Notice::general(now, Severity::Warning, text)))
+            }
         });
         events.collect()
     }

@@ -7,12 +7,10 @@ use crate::app::event::{Started, VehicleEvent};
 use crate::app::state::Activity;
 use crate::fleet::FleetClock;
 use crate::link::{FrameSink, InputSink};
-use crate::record::{Happening, Head, JournalLine, LossLine, RowLine, Subject};
-use crate::session::Want;
-use crate::store::{Recording, RecordingFault, Records, utc};
+use crate::record::{Happening, Head, JournalLine, RowLine, Subject};
+use crate::store::{Recording, Records, utc};
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::VehicleId;
 
 /// Records a session. Its clock is the session's, which stands still in a pause.
 pub(super) struct FlightRecorder {
@@ -112,12 +110,7 @@ impl FlightRecorder {
     pub fn take_fault(&mut self) -> Option<Text> {
         if let Some(fault) = self.recording.as_ref().and_then(Recording::take_fault) {
             self.recording = None;
-            self.stop(match fault {
-                RecordingFault::Unwritable(error) => {
-                    text!("record-broken-off", fault = Text::from(&error))
-                }
-                RecordingFault::Full(bytes) => text!("record-full", mib = bytes / (1024 * 1024)),
-            });
+            self.stop(Text::from(&fault));
         }
         if self.sink.dropped() > 0 && !std::mem::replace(&mut self.has_told_loss, true) {
             return Some(text!("record-frames-dropped"));
@@ -147,14 +140,6 @@ pub(super) fn happening(event: &VehicleEvent) -> Option<Happening> {
         | VehicleEvent::Parameters { .. }
         | VehicleEvent::Paths(_)
         | VehicleEvent::Given { .. } => None,
-    }
-}
-
-/// What of a demand goes into the journal: the radio, which is our own; the simulator answers in telemetry.
-pub(super) fn demanded(vehicle: VehicleId, want: Want) -> Option<Happening> {
-    match want {
-        Want::Radio(fault) => Some(Happening::Loss(LossLine::of(vehicle, fault))),
-        Want::Parameter { .. } => None,
     }
 }
 

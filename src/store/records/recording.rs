@@ -6,8 +6,10 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
 use std::time::Duration;
 
-use super::{AppendFile, INPUTS, JOURNAL, StoreError};
+use super::{AppendFile, INPUTS, StoreError};
 use crate::record::{Happening, JournalLine};
+use crate::text;
+use crate::text::Text;
 
 /// How often what has happened is written.
 const WRITE_EVERY: Duration = Duration::from_millis(250);
@@ -52,19 +54,65 @@ pub enum RecordingFault {
     Full(u64),
 }
 
+impl From<&RecordingFault> for Text {
+    fn from(fault: &RecordingFault) -> Self {
+        match fault {
+            RecordingFault::Unwritable(error) => {
+                text!("record-broken-off", fault = Self::from(error))
+            }
+            RecordingFault::Full(bytes) => text!("record-full", mib = bytes / (1024 * 1024)),
+        }
+    }
+}
+
 impl Shared {
     fn state(&self) -> MutexGuard<'_, RecordingState> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
+
+    /// Writes what has happened until the record is over or cannot be written.
+    fn write(&self, mut writer: RecordWriter, mut source: impl FnMut() -> Vec<u8>) {
+        loop {
+            let (lines, inputs, is_over) = {
+                let wait = |state: &mut RecordingState| !state.is_over;
+                let waited = self
+                    .changed
+                    .wait_timeout_while(self.state(), WRITE_EVERY, wait);
+                let (mut state, _) = waited.unwrap_or_else(PoisonError::into_inner);
+                let lines = std::mem::take(&mut state.lines);
+                (lines, std::mem::take(&mut state.inputs), state.is_over)
+            };
+            let outcome = writer.append(&RecordPiece {
+                frames: &source(),
+                lines: &lines,
+                inputs: &inputs,
+            });
+            let mut state = self.state();
+            state.bytes = writer.len();
+            if let Err(fault) = outcome {
+                state.fault = Some(fault);
+                state.has_stopped = true;
+                return;
+            }
+            if is_over {
+                return;
+            }
+        }
+    }
 }
 
 impl Recording {
-    pub(super) fn start(writer: RecordWriter, stem: String, frames: PathBuf) -> io::Result<Self> {
+    /// Has a thread write what frames it fetches from `source`, and what lines are noted.
+    pub(super) fn start(
+        writer: RecordWriter,
+        source: impl FnMut() -> Vec<u8> + Send + 'static,
+    ) -> io::Result<Self> {
         let shared = Arc::new(Shared::default());
         let theirs = Arc::clone(&shared);
+        let (stem, frames) = (writer.stem.clone(), writer.frames.path().to_owned());
         let thread = std::thread::Builder::new()
             .name("record".to_owned())
-            .spawn(move || writer.run(&theirs))?;
+            .spawn(move || theirs.write(writer, source))?;
         Ok(Self {
             stem,
             frames,
@@ -132,40 +180,49 @@ impl Drop for Recording {
     }
 }
 
-/// Writes the files of a record, in a thread of its own.
-pub(super) struct RecordWriter {
+/// The files of a record that is being written.
+#[derive(Debug)]
+pub struct RecordWriter {
+    pub(super) stem: String,
     pub(super) frames: AppendFile,
     pub(super) journal: AppendFile,
     /// What entered simulated vehicles: made when there is something.
     pub(super) inputs: Option<AppendFile>,
-    pub(super) source: Box<dyn FnMut() -> Vec<u8> + Send>,
     pub(super) most_bytes: u64,
 }
 
+/// A piece of each file of a record.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct RecordPiece<'a> {
+    /// Entries of a tlog.
+    pub frames: &'a [u8],
+    /// Lines of the journal.
+    pub lines: &'a str,
+    /// Lines about what entered simulated vehicles.
+    pub inputs: &'a str,
+}
+
 impl RecordWriter {
-    /// Writes what has happened until the record is over or cannot be written.
-    fn run(mut self, shared: &Shared) {
-        loop {
-            let (lines, inputs, is_over) = {
-                let state = shared.state();
-                let wait = |state: &mut RecordingState| !state.is_over;
-                let waited = shared.changed.wait_timeout_while(state, WRITE_EVERY, wait);
-                let (mut state, _) = waited.unwrap_or_else(PoisonError::into_inner);
-                let lines = std::mem::take(&mut state.lines);
-                (lines, std::mem::take(&mut state.inputs), state.is_over)
-            };
-            let outcome = self.write(&lines).and_then(|()| self.write_inputs(&inputs));
-            let mut state = shared.state();
-            state.bytes = self.len();
-            if let Err(fault) = outcome {
-                state.fault = Some(fault);
-                state.has_stopped = true;
-                return;
-            }
-            if is_over {
-                return;
-            }
+    /// Adds to the files.
+    ///
+    /// # Errors
+    /// The disk is full or gone, or the record has grown as large as it may; then frames are left out.
+    pub fn append(&mut self, piece: &RecordPiece<'_>) -> Result<(), RecordingFault> {
+        // Frames first: a journal may lack its last lines, but names no frame that is not there.
+        let is_full = self.len() + piece.frames.len() as u64 > self.most_bytes;
+        let written = if is_full {
+            Ok(())
+        } else {
+            self.frames.append(piece.frames)
+        };
+        written
+            .and_then(|()| self.journal.append(piece.lines.as_bytes()))
+            .and_then(|()| self.append_inputs(piece.inputs))
+            .map_err(RecordingFault::Unwritable)?;
+        if is_full {
+            return Err(RecordingFault::Full(self.most_bytes));
         }
+        Ok(())
     }
 
     /// Bytes written so far.
@@ -174,40 +231,20 @@ impl RecordWriter {
         self.frames.len() + self.journal.len() + inputs
     }
 
-    fn write_inputs(&mut self, lines: &str) -> Result<(), RecordingFault> {
+    fn append_inputs(&mut self, lines: &str) -> Result<(), StoreError> {
         if lines.is_empty() {
             return Ok(());
         }
         if self.inputs.is_none() {
-            let name = self.journal.path().to_string_lossy().into_owned();
-            let stem = name.strip_suffix(JOURNAL).unwrap_or(&name);
-            let made = AppendFile::create(PathBuf::from(format!("{stem}{INPUTS}")));
-            self.inputs = made.map_err(RecordingFault::Unwritable)?;
+            let path = self
+                .frames
+                .path()
+                .with_file_name(format!("{}{INPUTS}", self.stem));
+            self.inputs = AppendFile::create(path)?;
         }
-        let Some(inputs) = &mut self.inputs else {
-            return Ok(());
-        };
-        inputs
-            .append(lines.as_bytes())
-            .map_err(RecordingFault::Unwritable)
-    }
-
-    fn write(&mut self, lines: &str) -> Result<(), RecordingFault> {
-        // Frames first: a journal may lack its last lines, but names no frame that is not there.
-        let frames = (self.source)();
-        let len = self.len() + frames.len() as u64;
-        let is_full = len > self.most_bytes;
-        let written = if is_full {
-            Ok(())
-        } else {
-            self.frames.append(&frames)
-        };
-        written
-            .and_then(|()| self.journal.append(lines.as_bytes()))
-            .map_err(RecordingFault::Unwritable)?;
-        if is_full {
-            return Err(RecordingFault::Full(self.most_bytes));
+        match &mut self.inputs {
+            Some(inputs) => inputs.append(lines.as_bytes()),
+            None => Ok(()),
         }
-        Ok(())
     }
 }
