@@ -25,6 +25,7 @@ mod profiles;
 mod records;
 mod runs;
 mod sharing;
+mod signature;
 mod source;
 #[cfg(test)]
 mod tests;
@@ -39,10 +40,12 @@ pub use profiles::{
     RunEntry,
 };
 pub use records::{
-    RecordFiles, RecordLimits, RecordPiece, RecordWriter, Recording, RecordingFault, Records,
+    RecordFiles, RecordLimits, RecordPiece, RecordSignature, RecordWriter, Recording,
+    RecordingFault, Records,
 };
 pub use runs::{RunFile, Runs, read_run, utc};
 pub use sharing::share_with_group;
+pub use signature::{RecordKey, RecordPublicKey, SignatureError};
 pub use source::{Source, StoreError, read, user_path};
 
 mod shipped {

@@ -66,3 +66,21 @@ verify-beyond-inputs = the record continues beyond the end of the input log
 verify-too-many = the input log names { $count } drones: no flight has more vehicles than 255
 verify-no-file = no record { $file }
 verify-other-parameter = { $name } is not what the mission demands
+
+# `sortie records key` and `sign`, and signatures in `sortie verify`
+sign-file = { $path }: { $error }
+sign-key = { $path } is not a key of minisign that can be used: { $why }
+sign-password = the key cannot be used: { $why }
+sign-key-exists = { $path } exists already: delete it, or choose another folder with `--output`
+sign-being-written = the record is still being written: sign it once the flight is over
+sign-no-key = there is no key { $path }: make one with `sortie records key`, or name one with `--key`
+sign-key-made = key { $key }: keep { $secret } to yourself, give { $public } to those who check your records
+sign-signed = { $count ->
+    [one] signed with key { $key }: 1 file
+   *[other] signed with key { $key }: { $count } files
+}
+sign-none = not signed
+sign-unchecked = signed, it says, with key { $key }: give `--public-key` to check that
+sign-valid = signed with key { $key } ({ $comment })
+sign-invalid = the signature of { $file } is not valid: the file was changed, or another key signed it
+sign-partial = { $file } is not signed, other files of the record are

@@ -67,3 +67,22 @@ verify-beyond-inputs = запис триває далі, ніж журнал в�
 verify-too-many = у журналі входів { $count } дронів: більше ніж 255 не буває
 verify-no-file = немає запису { $file }
 verify-other-parameter = { $name } не такий, як вимагає завдання
+
+# `sortie records key` і `sign`, підписи в `sortie verify`
+sign-file = { $path }: { $error }
+sign-key = { $path } не є придатним ключем `minisign`: { $why }
+sign-password = ключ не можна використати: { $why }
+sign-key-exists = { $path } уже існує: видаліть його або виберіть іншу теку через `--output`
+sign-being-written = запис ще триває: підпишіть його після польоту
+sign-no-key = ключа { $path } немає: створіть його командою `sortie records key` або вкажіть через `--key`
+sign-key-made = ключ { $key }: { $secret } тримайте при собі, { $public } дайте тим, хто перевіряє ваші записи
+sign-signed = { $count ->
+    [one] підписано ключем { $key }: { $count } файл
+    [few] підписано ключем { $key }: { $count } файли
+   *[other] підписано ключем { $key }: { $count } файлів
+}
+sign-none = не підписано
+sign-unchecked = підписано, як вказано, ключем { $key }: щоб перевірити, додайте `--public-key`
+sign-valid = підписано ключем { $key } ({ $comment })
+sign-invalid = підпис файлу { $file } недійсний: файл змінено або підписано іншим ключем
+sign-partial = файл { $file } не підписано, а інші файли запису підписано

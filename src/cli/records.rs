@@ -17,6 +17,10 @@ use crate::store::{RecordFiles, Records, write};
 use crate::text;
 use crate::text::{Locale, Text, clock, figure, utc_of};
 
+mod sign;
+
+use sign::{KeyArguments, SignArguments};
+
 /// Options of `sortie records`.
 #[derive(Debug, Args)]
 pub(super) struct RecordsArguments {
@@ -60,6 +64,16 @@ enum RecordsCommand {
         #[arg(long, value_name = "PATH")]
         output: PathBuf,
     },
+    /// Makes a key to sign records with, as `minisign -G` does.
+    #[command(
+        after_help = "Examples:\n  sortie records key\n  sortie records key --output keys --no-password"
+    )]
+    Key(KeyArguments),
+    /// Signs the files of a record with your key; `sortie verify --public-key` and `minisign -V` check that.
+    #[command(
+        after_help = "Examples:\n  sortie records sign\n  sortie records sign 3 --key keys/minisign.key"
+    )]
+    Sign(SignArguments),
     /// Deletes records; what a career counts of a mission stays.
     #[command(after_help = "Examples:\n  sortie records delete 3 4 --yes")]
     Delete {
@@ -164,8 +178,11 @@ pub(super) fn records(
             format,
             output,
         } => commands.export(record, *format, output),
+        RecordsCommand::Key(arguments) => commands.make_key(arguments),
+        RecordsCommand::Sign(arguments) => commands.sign(arguments),
         RecordsCommand::Delete { records, yes } => commands.delete(records, *yes),
-    }
+    }?;
+    Ok(ExitCode::SUCCESS)
 }
 
 pub(super) struct RecordsCommands {
@@ -176,6 +193,10 @@ pub(super) struct RecordsCommands {
 }
 
 impl RecordsCommands {
+    fn invalid(&self, fault: &Text) -> Failure {
+        Failure::Invalid(format!("sortie: {}", self.locale.text(fault)))
+    }
+
     /// The records with their numbers, the newest first.
     fn numbered(&self) -> impl Iterator<Item = (usize, RecordFiles)> {
         (1..).zip(self.records.list().into_iter().rev())
@@ -191,10 +212,9 @@ impl RecordsCommands {
 
     fn numbered_as(&self, wanted: usize) -> Result<RecordFiles, Failure> {
         let found = self.numbered().find(|(number, _)| *number == wanted);
-        found.map(|(_, files)| files).ok_or_else(|| {
-            let text = text!("records-no-number", number = wanted);
-            Failure::Invalid(format!("sortie: {}", self.locale.text(&text)))
-        })
+        found
+            .map(|(_, files)| files)
+            .ok_or_else(|| self.invalid(&text!("records-no-number", number = wanted)))
     }
 
     fn listed(&self, number: usize, files: &RecordFiles) -> ListedRecord {
@@ -218,14 +238,14 @@ impl RecordsCommands {
         }
     }
 
-    fn list(&self, json: bool) -> Result<ExitCode, Failure> {
+    fn list(&self, json: bool) -> Result<(), Failure> {
         let all: Vec<ListedRecord> = self
             .numbered()
             .map(|(number, files)| self.listed(number, &files))
             .collect();
         if json {
             say!("{}", serde_json::to_string_pretty(&all)?)?;
-            return Ok(ExitCode::SUCCESS);
+            return Ok(());
         }
         let bytes: u64 = all.iter().map(|it| it.bytes).sum();
         if !all.is_empty() {
@@ -240,7 +260,7 @@ impl RecordsCommands {
             space = mebibytes(limits.bytes)
         );
         say!("{}", self.locale.text(&text))?;
-        Ok(ExitCode::SUCCESS)
+        Ok(())
     }
 
     fn table(&self, records: &[ListedRecord]) -> TextTable {
@@ -273,18 +293,14 @@ impl RecordsCommands {
 
     /// A recording that has been gone through.
     fn read(&self, files: &RecordFiles) -> Result<Replay, Failure> {
-        let invalid =
-            |fault: Text| Failure::Invalid(format!("sortie: {}", self.locale.text(&fault)));
         let Some(frames) = &files.frames else {
-            return Err(invalid(text!(
-                "replay-no-frames",
-                file = files.stem.as_str()
-            )));
+            let text = text!("replay-no-frames", file = files.stem.as_str());
+            return Err(self.invalid(&text));
         };
-        Replay::read_through(frames, &self.config).map_err(invalid)
+        Replay::read_through(frames, &self.config).map_err(|fault| self.invalid(&fault))
     }
 
-    fn show(&self, named: &str, json: bool) -> Result<ExitCode, Failure> {
+    fn show(&self, named: &str, json: bool) -> Result<(), Failure> {
         let files = self.find(named)?;
         let replay = self.read(&files)?;
         let moments = replay.moments();
@@ -299,7 +315,7 @@ impl RecordsCommands {
                 moments: moments.iter().map(ShownMoment::from).collect(),
             };
             say!("{}", serde_json::to_string_pretty(&shown)?)?;
-            return Ok(ExitCode::SUCCESS);
+            return Ok(());
         }
         say!("{}", self.table(&[record]).plain().trim_end())?;
         for path in [&files.frames, &files.journal, &files.run, &files.inputs]
@@ -325,10 +341,10 @@ impl RecordsCommands {
             ]);
         }
         say!("{}", table.plain().trim_end())?;
-        Ok(ExitCode::SUCCESS)
+        Ok(())
     }
 
-    fn export(&self, named: &str, format: Format, output: &Path) -> Result<ExitCode, Failure> {
+    fn export(&self, named: &str, format: Format, output: &Path) -> Result<(), Failure> {
         let files = self.find(named)?;
         let replay = self.read(&files)?;
         match format.of_recording() {
@@ -338,7 +354,7 @@ impl RecordsCommands {
         .map_err(|fault| Failure::Failed(anyhow::anyhow!(self.locale.text(&fault))))?;
         let text = text!("export-done", path = output.display().to_string());
         say!("{}", self.locale.text(&text))?;
-        Ok(ExitCode::SUCCESS)
+        Ok(())
     }
 
     /// The review of a recording, as Markdown.
@@ -359,25 +375,18 @@ impl RecordsCommands {
         markdown(replay.reviewed(), flight, &self.locale)
     }
 
-    fn delete(&self, numbers: &[usize], yes: bool) -> Result<ExitCode, Failure> {
+    fn delete(&self, numbers: &[usize], yes: bool) -> Result<(), Failure> {
         let found: Result<Vec<RecordFiles>, Failure> =
             numbers.iter().map(|&it| self.numbered_as(it)).collect();
         let found = found?;
         for files in &found {
             if files.is_written() {
                 let text = text!("records-in-use", name = files.stem.as_str());
-                return Err(Failure::Invalid(format!(
-                    "sortie: {}",
-                    self.locale.text(&text)
-                )));
+                return Err(self.invalid(&text));
             }
         }
         if !yes {
-            let text = text!("records-confirm", count = found.len());
-            return Err(Failure::Invalid(format!(
-                "sortie: {}",
-                self.locale.text(&text)
-            )));
+            return Err(self.invalid(&text!("records-confirm", count = found.len())));
         }
         for files in &found {
             files.delete()?;
@@ -385,7 +394,7 @@ impl RecordsCommands {
             let text = text!("records-deleted", name = files.stem.as_str());
             say!("{}", self.locale.text(&text))?;
         }
-        Ok(ExitCode::SUCCESS)
+        Ok(())
     }
 }
 

@@ -10,9 +10,10 @@ use super::Failure;
 use super::records::RecordsCommands;
 use super::settings::CliSettings;
 use crate::mission::record::{Difference, Rescored, Stored, refly};
+use crate::notice::sanitised;
 use crate::record::{Head, StoredInputs, Subject};
 use crate::scoring::{FlightBackend, FlownBy, MissionFile};
-use crate::store::{self, RecordFiles, read_run};
+use crate::store::{self, RecordFiles, RecordPublicKey, RecordSignature, read_run};
 use crate::text;
 use crate::text::{Locale, Text, clock, figure};
 use crate::vehicle::VehicleId;
@@ -22,11 +23,15 @@ use crate::vehicle::VehicleId;
 #[command(after_help = "Examples:\n  \
     sortie verify                              the newest record of the console\n  \
     sortie verify 3 --json\n  \
+    sortie verify 3 --public-key keys/minisign.pub\n  \
     sortie verify runs/2026-11-20T14-03-22Z_01-air-sample_4711-00.run.jsonl")]
 pub(super) struct VerifyArguments {
     /// The number in the list of `sortie records list`, or a file of the record.
     #[arg(default_value = "1")]
     record: String,
+    /// The key that the record must be signed with: the text of a minisign public key, or its file.
+    #[arg(long, value_name = "KEY")]
+    public_key: Option<String>,
     /// One JSON document instead of words.
     #[arg(long)]
     json: bool,
@@ -64,14 +69,38 @@ struct VerifyDocument {
     flown_by: Option<FlyingHand>,
     /// The program that flew it.
     program: String,
-    /// By which key the record is signed.
-    signed: Option<String>,
+    #[serde(flatten)]
+    signature: SignatureDocument,
     /// Which desk has witnessed the flight.
     witnessed: Option<String>,
     #[serde(skip)]
     words: Text,
     #[serde(skip)]
     is_good: bool,
+}
+
+/// Whether the files of a record are signed.
+#[derive(Debug, Default, Serialize)]
+struct SignatureDocument {
+    signature: SignatureState,
+    /// The id of the key, in hexadecimal digits.
+    signed_with: Option<String>,
+    /// What the signature says, once it is checked.
+    signed_comment: Option<String>,
+}
+
+/// What came of looking at the signatures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+#[serde(rename_all = "snake_case")]
+enum SignatureState {
+    #[default]
+    None,
+    /// No key was given.
+    Unchecked,
+    Valid,
+    Invalid,
+    /// Some files have none.
+    Partial,
 }
 
 /// What gave the commands.
@@ -104,7 +133,12 @@ pub(super) fn verify(
         let named = Text::joined(": ", vec![files.stem.as_str().into(), fault]);
         Failure::Invalid(format!("sortie: {}", locale.text(&named)))
     };
-    let document = judge(&files).map_err(invalid)?;
+    let mut document = judge(&files).map_err(invalid)?;
+    let key = options.public_key.as_deref().map(RecordPublicKey::read);
+    let key = key
+        .transpose()
+        .map_err(|error| invalid(Text::from(&error)))?;
+    document.add_signature(files.signature(key.as_ref()), key.is_some());
     if options.json {
         say!("{}", serde_json::to_string_pretty(&document)?)?;
     } else {
@@ -232,10 +266,52 @@ impl VerifyDocument {
             what: None,
             flown_by: None,
             program,
-            signed: None,
+            signature: SignatureDocument::default(),
             witnessed: None,
             words: Text::default(),
             is_good: false,
+        }
+    }
+
+    /// Adds what the signatures say. A key that was asked for must have signed every file.
+    fn add_signature(&mut self, found: RecordSignature, is_wanted: bool) {
+        let (state, text) = match &found {
+            RecordSignature::None if is_wanted => (SignatureState::None, text!("sign-none")),
+            RecordSignature::None => return,
+            RecordSignature::Unchecked { key } => (
+                SignatureState::Unchecked,
+                text!("sign-unchecked", key = key.as_str()),
+            ),
+            RecordSignature::Valid { key, comment } => (
+                SignatureState::Valid,
+                text!(
+                    "sign-valid",
+                    key = key.as_str(),
+                    comment = sanitised(&comment.replace('\t', ", "))
+                ),
+            ),
+            RecordSignature::Invalid { file } => (
+                SignatureState::Invalid,
+                text!("sign-invalid", file = file.as_str()),
+            ),
+            RecordSignature::Partial { file } => (
+                SignatureState::Partial,
+                text!("sign-partial", file = file.as_str()),
+            ),
+        };
+        self.words = Text::joined("\n", vec![std::mem::take(&mut self.words), text]);
+        let is_fine = matches!(state, SignatureState::Valid | SignatureState::Unchecked);
+        self.is_good &= is_fine;
+        self.signature.signature = state;
+        match found {
+            RecordSignature::Unchecked { key } => self.signature.signed_with = Some(key),
+            RecordSignature::Valid { key, comment } => {
+                self.signature.signed_with = Some(key);
+                self.signature.signed_comment = Some(comment);
+            }
+            RecordSignature::None
+            | RecordSignature::Invalid { .. }
+            | RecordSignature::Partial { .. } => {}
         }
     }
 

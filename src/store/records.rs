@@ -10,13 +10,16 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use super::append::{AppendFile, is_written};
+use super::signature::signature_of;
 use super::{StoreError, sharing};
 use crate::record::Head;
 
 mod recording;
 mod reviews;
+mod signature;
 
 pub use recording::{RecordPiece, RecordWriter, Recording, RecordingFault};
+pub use signature::RecordSignature;
 
 /// How the files of a record end.
 const FRAMES: &str = ".tlog";
@@ -151,6 +154,8 @@ impl RecordFiles {
             .flatten()
         {
             fs::remove_file(path).map_err(|error| unwritable(path, error))?;
+            // Most files have no signature.
+            drop(fs::remove_file(signature_of(path)));
         }
         Ok(())
     }

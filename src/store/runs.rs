@@ -14,6 +14,7 @@ use std::time::{Duration, SystemTime, UNIX_EPOCH};
 use chrono::{DateTime, NaiveDateTime};
 
 use super::append::{AppendFile, is_written};
+use super::signature::signature_of;
 use super::{StoreError, sharing};
 use crate::campaign::is_practice;
 use crate::mission::record::{End, Head};
@@ -194,8 +195,10 @@ impl Runs {
             let is_too_much = newer + 1 >= RUNS_KEPT || bytes > BYTES_KEPT;
             if newer > 0 && is_too_much {
                 // What cannot be removed stays; the new run is worth more than the order.
-                drop(fs::remove_file(inputs_of(&path)));
-                drop(fs::remove_file(path));
+                for path in [inputs_of(&path), path] {
+                    drop(fs::remove_file(signature_of(&path)));
+                    drop(fs::remove_file(path));
+                }
             }
         }
     }

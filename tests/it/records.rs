@@ -112,6 +112,50 @@ fn a_scripts_flight_is_recorded_like_one_of_the_console() {
 }
 
 #[test]
+fn a_signature_is_part_of_what_is_verified() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let data = folder.path();
+    let keys = data.join("keys").to_string_lossy().into_owned();
+    let [secret, public] = ["key", "pub"].map(|half| format!("{keys}/minisign.{half}"));
+    let verified = || {
+        let output = run(data, "", &["verify", "--json", "--public-key", &public]);
+        let document: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+        (output.status.code(), document)
+    };
+    run(data, "", &FLIGHT);
+    let made = run(
+        data,
+        "",
+        &["records", "key", "--output", &keys, "--no-password"],
+    );
+    assert_eq!(made.status.code(), Some(0), "{}", said(&made));
+    let (code, unsigned) = verified();
+    assert_eq!((code, &unsigned["signature"]), (Some(1), &"none".into()));
+    let signed = run(data, "", &["records", "sign", "--key", &secret]);
+    assert_eq!(signed.status.code(), Some(0), "{}", said(&signed));
+    let (code, document) = verified();
+    assert_eq!((code, &document["signature"]), (Some(0), &"valid".into()));
+    let comment = document["signed_comment"].as_str().expect("a comment");
+    let score = format!("score:{}", document["score"]);
+    assert!(
+        comment.contains(&score) && comment.contains("seed:1"),
+        "{comment}"
+    );
+    // A signature proves nothing about the flight: an edited record that is signed again still differs.
+    let [record] = &runs(&data.join("sortie/runs"))[..] else {
+        panic!("one run")
+    };
+    let text = fs::read_to_string(record).expect("there");
+    fs::write(record, text.replace("\"seed\":1,", "\"seed\":2,")).expect("written");
+    let (code, edited) = verified();
+    assert_eq!((code, &edited["signature"]), (Some(1), &"invalid".into()));
+    run(data, "", &["records", "sign", "--key", &secret]);
+    let (code, again) = verified();
+    assert_eq!((code, &again["signature"]), (Some(1), &"valid".into()));
+    assert_eq!(again["verdict"], "differs");
+}
+
+#[test]
 fn a_disk_that_fills_up_costs_the_rest_of_the_record_and_nothing_else() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let whole = run(folder.path(), "", &FLIGHT);

@@ -1,0 +1,241 @@
+//! Keys and signatures of files, in the format of [minisign](https://jedisct1.github.io/minisign/), which checks them as
+//! well. The signature of a file lies beside it and is called like it, with `.minisig` added.
+
+use std::fmt;
+use std::fs::{self, DirBuilder, OpenOptions};
+use std::io::{self, BufReader, Write as _};
+use std::os::unix::fs::{DirBuilderExt as _, OpenOptionsExt as _};
+use std::path::{Path, PathBuf};
+
+use minisign::{
+    ErrorKind, KeyPair, PError, PublicKey, PublicKeyBox, SecretKey, SecretKeyBox, SignatureBox,
+};
+
+use crate::text;
+use crate::text::Text;
+
+/// What is added to a file's name for its signature.
+const SIGNATURE: &str = ".minisig";
+/// What `minisign -G` calls the two files of a key.
+const SECRET_KEY: &str = "minisign.key";
+const PUBLIC_KEY: &str = "minisign.pub";
+
+/// What is wrong with a key, or why a record cannot be signed.
+#[derive(Debug, thiserror::Error)]
+#[error("{}", Text::from(self))]
+pub enum SignatureError {
+    /// A file cannot be read or written.
+    File { path: PathBuf, error: io::Error },
+    /// The key file is none, or its password is another.
+    Key { path: PathBuf, why: String },
+    /// The key has no password, or it cannot be asked for.
+    Password(String),
+    /// A file of a key is there already.
+    Exists(PathBuf),
+    /// The record is still being written.
+    BeingWritten,
+}
+
+impl From<&SignatureError> for Text {
+    fn from(error: &SignatureError) -> Self {
+        let shown = |path: &Path| path.display().to_string();
+        match error {
+            SignatureError::File { path, error } => {
+                text!("sign-file", path = shown(path), error = error.to_string())
+            }
+            SignatureError::Key { path, why } => {
+                text!("sign-key", path = shown(path), why = why.as_str())
+            }
+            SignatureError::Password(why) => text!("sign-password", why = why.as_str()),
+            SignatureError::Exists(path) => text!("sign-key-exists", path = shown(path)),
+            SignatureError::BeingWritten => text!("sign-being-written"),
+        }
+    }
+}
+
+/// The secret key of a user, with which records are signed.
+pub struct RecordKey(SecretKey);
+
+impl fmt::Debug for RecordKey {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("RecordKey").field(&self.id()).finish()
+    }
+}
+
+impl RecordKey {
+    /// Reads the key of a file, as `minisign -G` writes it. Asks on the terminal for the password of an encrypted one.
+    ///
+    /// # Errors
+    /// The file cannot be read, is no key, or the password is another.
+    pub fn read(path: &Path) -> Result<Self, SignatureError> {
+        let text = fs::read_to_string(path).map_err(|error| unreadable(path, error))?;
+        let invalid = |error: PError| SignatureError::Key {
+            path: path.to_owned(),
+            why: error.to_string(),
+        };
+        let stored = || SecretKeyBox::from_string(&text);
+        // A key without a password must not ask for one.
+        let key = stored().and_then(SecretKeyBox::into_unencrypted_secret_key);
+        let key = key.or_else(|_| stored().and_then(|it| it.into_secret_key(None)));
+        key.map(Self).map_err(invalid)
+    }
+
+    /// Makes a new key in a folder: the two files that `minisign -G` writes. Asks on the terminal for a password, unless
+    /// it is to have none. Returns the key and the files.
+    ///
+    /// # Errors
+    /// There is a key already, the files cannot be written, or no password was given.
+    pub fn create(
+        folder: &Path,
+        has_password: bool,
+    ) -> Result<(Self, [PathBuf; 2]), SignatureError> {
+        let files = [SECRET_KEY, PUBLIC_KEY].map(|name| folder.join(name));
+        if let Some(path) = files.iter().find(|path| path.exists()) {
+            return Err(SignatureError::Exists(path.clone()));
+        }
+        let pair = if has_password {
+            KeyPair::generate_encrypted_keypair(None)
+        } else {
+            KeyPair::generate_unencrypted_keypair()
+        };
+        let failed = |error: PError| SignatureError::Password(error.to_string());
+        let pair = pair.map_err(failed)?;
+        let id = key_id(pair.pk.keynum());
+        let secret = pair.sk.to_box(None).map_err(failed)?.into_string();
+        let public = format!(
+            "untrusted comment: minisign public key {id}\n{}\n",
+            pair.pk.to_base64()
+        );
+        let mut folders = DirBuilder::new();
+        folders.recursive(true).mode(0o700);
+        folders
+            .create(folder)
+            .map_err(|error| unreadable(folder, error))?;
+        for (path, text, mode) in [(&files[0], secret, 0o600), (&files[1], public, 0o644)] {
+            let mut options = OpenOptions::new();
+            let file = options.write(true).create_new(true).mode(mode).open(path);
+            file.and_then(|mut file| file.write_all(text.as_bytes()))
+                .map_err(|error| unreadable(path, error))?;
+        }
+        Ok((Self(pair.sk), files))
+    }
+
+    /// The id of the key in hexadecimal digits, as minisign shows it.
+    pub fn id(&self) -> String {
+        key_id(self.0.keynum())
+    }
+}
+
+/// The public key with which signatures are checked.
+#[derive(Debug)]
+pub struct RecordPublicKey(PublicKey);
+
+impl RecordPublicKey {
+    /// Reads a key: the text of one, or a file as `minisign -G` writes it.
+    ///
+    /// # Errors
+    /// It is neither.
+    pub fn read(text_or_path: &str) -> Result<Self, SignatureError> {
+        if let Ok(key) = PublicKey::from_base64(text_or_path) {
+            return Ok(Self(key));
+        }
+        let path = Path::new(text_or_path);
+        let text = fs::read_to_string(path).map_err(|error| unreadable(path, error))?;
+        let key = PublicKeyBox::from_string(&text).and_then(PublicKeyBox::into_public_key);
+        key.map(Self).map_err(|error| SignatureError::Key {
+            path: path.to_owned(),
+            why: error.to_string(),
+        })
+    }
+}
+
+/// Signs a file; the signature says `about` it, and replaces one that is there. Returns where it is.
+///
+/// # Errors
+/// The file cannot be read, or the signature cannot be written.
+pub(super) fn sign(path: &Path, key: &RecordKey, about: &str) -> Result<PathBuf, SignatureError> {
+    let file = fs::File::open(path).map_err(|error| unreadable(path, error))?;
+    let comment = format!("file:{}\t{about}", name(path));
+    let signed = minisign::sign(None, &key.0, BufReader::new(file), Some(&comment), None);
+    let signed = signed.map_err(|error| SignatureError::Password(error.to_string()))?;
+    let into = signature_of(path);
+    super::write(&into, &signed.to_string(), true).map_err(|error| {
+        let error = io::Error::other(error.to_string());
+        unreadable(&into, error)
+    })?;
+    Ok(into)
+}
+
+/// What a signature says.
+#[derive(Debug)]
+pub(super) struct FileSignature {
+    /// The id of the key.
+    pub key: String,
+    /// What it says about the file.
+    pub about: String,
+}
+
+/// Reads the signature of a file, and checks it with a key, where one is given. `None` where the file has none.
+///
+/// # Errors
+/// The signature is damaged, belongs to another file or key, or the file was changed.
+pub(super) fn check(
+    path: &Path,
+    key: Option<&RecordPublicKey>,
+) -> Option<Result<FileSignature, PError>> {
+    let text = fs::read_to_string(signature_of(path)).ok()?;
+    let damaged = || PError::new(ErrorKind::Encoding, "it is damaged");
+    let read = || {
+        if !is_whole(&text) {
+            return Err(damaged());
+        }
+        let signature = SignatureBox::from_string(&text)?;
+        if let Some(RecordPublicKey(key)) = key {
+            let file = BufReader::new(fs::File::open(path)?);
+            minisign::verify(key, &signature, file, true, false, false)?;
+        }
+        // A signature names its file, so that the signed files of a record cannot change places.
+        let comment = signature.trusted_comment()?;
+        let about = comment.strip_prefix(&format!("file:{}\t", name(path)));
+        Ok(FileSignature {
+            key: key_id(signature.keynum()),
+            about: about.ok_or_else(damaged)?.to_owned(),
+        })
+    };
+    Some(read())
+}
+
+fn name(path: &Path) -> String {
+    let name = path.file_name().unwrap_or_default();
+    name.to_string_lossy().into_owned()
+}
+
+/// Where the signature of a file is.
+pub(super) fn signature_of(path: &Path) -> PathBuf {
+    let mut name = path.as_os_str().to_owned();
+    name.push(SIGNATURE);
+    PathBuf::from(name)
+}
+
+/// Whether a signature has its four lines, the second and the last of them as long as they must be. The library panics at
+/// a last line that is too short.
+fn is_whole(text: &str) -> bool {
+    /// Base64 of two bytes for the algorithm, eight for the key and 64 for the signature; and of 64 bytes.
+    const SIGNED: [usize; 2] = [100, 88];
+    let lines: Vec<&str> = text.lines().collect();
+    matches!(lines[..], [_, file, _, comment] if [file.len(), comment.len()] == SIGNED)
+}
+
+/// An id as minisign shows it: the eight bytes as a number, the least significant first.
+fn key_id(number: &[u8]) -> String {
+    let mut bytes = [0; 8];
+    bytes.copy_from_slice(number);
+    format!("{:016X}", u64::from_le_bytes(bytes))
+}
+
+fn unreadable(path: &Path, error: io::Error) -> SignatureError {
+    SignatureError::File {
+        path: path.to_owned(),
+        error,
+    }
+}
