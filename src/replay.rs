@@ -36,7 +36,7 @@ mod stage;
 mod tests;
 
 pub use export::{ExportFormat, export};
-pub use film::Film;
+pub use film::{Film, TlogSpan};
 use index::Index;
 use stage::Stage;
 

@@ -11,7 +11,7 @@ use super::settings::CliSettings;
 use super::table::{Side, TextTable};
 use crate::config::Config;
 use crate::moment::Moment;
-use crate::replay::{ExportFormat, Film, Replay, export};
+use crate::replay::{ExportFormat, Replay, TlogSpan, export};
 use crate::review::{ReviewedFlight, markdown};
 use crate::store::{RecordFiles, Records, write};
 use crate::text;
@@ -218,10 +218,14 @@ impl RecordsCommands {
     }
 
     fn listed(&self, number: usize, files: &RecordFiles) -> ListedRecord {
-        let film = files.frames.as_deref().map(Film::open).and_then(Result::ok);
+        // The two ends of the frames say enough: a list of 200 records must not read them all.
+        let span = files
+            .frames
+            .as_deref()
+            .and_then(|path| TlogSpan::read(path).ok());
         let head = files.head().ok();
-        let began = film.as_ref().map(Film::began_unix_us);
-        let began = began.or(head.as_ref().map(|it| it.began_unix_us));
+        let began = head.as_ref().map(|it| it.began_unix_us);
+        let began = began.or(span.map(|it| it.first_unix_us));
         ListedRecord {
             number,
             name: files.stem.clone(),
@@ -232,7 +236,9 @@ impl RecordsCommands {
                 .unwrap_or_default(),
             profile: head.and_then(|it| it.profile),
             has_run: files.run.is_some(),
-            duration_s: film.map(|it| it.length().as_secs_f64()),
+            duration_s: span
+                .zip(began)
+                .map(|(span, began)| span.length_from(began).as_secs_f64()),
             bytes: files.bytes,
             being_recorded: files.is_written(),
         }

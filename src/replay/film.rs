@@ -52,7 +52,7 @@ impl Film {
                 text!("replay-no-file", file = name)
             });
         };
-        let (first, last) = ends(&frames)?;
+        let span = TlogSpan::read(&frames)?;
         let journal = match &files.journal {
             Some(path) => Some(Journal::read(&read_journal(path)?)?),
             None => None,
@@ -70,10 +70,11 @@ impl Film {
         };
         let head = journal.as_ref().map(|it| &it.head);
         let review = review.unwrap_or_else(|| Review::of(head));
-        let began_unix_us = journal.as_ref().map_or(first, |it| it.head.began_unix_us);
+        let began_unix_us = journal
+            .as_ref()
+            .map_or(span.first_unix_us, |it| it.head.began_unix_us);
         let lines = journal.iter().flat_map(|it| &it.lines);
         let told = lines.last().map_or(Duration::ZERO, JournalLine::at);
-        let heard = Duration::from_micros(last.saturating_sub(began_unix_us));
         Ok(Self {
             files,
             frames,
@@ -82,7 +83,7 @@ impl Film {
             review,
             review_fault,
             began_unix_us,
-            length: heard.max(told),
+            length: span.length_from(began_unix_us).max(told),
         })
     }
 
@@ -193,20 +194,39 @@ fn unreadable(path: &Path, error: &std::io::Error) -> Text {
     text!("transport-no-file", path = path, error = error)
 }
 
-/// The times of the first and of the last record.
-fn ends(path: &Path) -> Result<(u64, u64), Text> {
-    let unreadable = |error| unreadable(path, &error);
-    let none = || text!("replay-no-tlog", file = path.display().to_string());
-    let file = File::open(path).map_err(unreadable)?;
-    let len = file.metadata().map_err(unreadable)?.len();
-    let mut first = times(file).next();
-    let mut tail = File::open(path).map_err(unreadable)?;
-    let from = len.saturating_sub(TAIL_LEN);
-    tail.seek(SeekFrom::Start(from)).map_err(unreadable)?;
-    let first = first.take().ok_or_else(none)?;
-    // A clock that was set meanwhile tells no length: that is known once the recording has been gone through.
-    let plausible = times(tail).filter(|us| us.abs_diff(first) < LONGEST_US);
-    Ok((first, plausible.max().unwrap_or(first).max(first)))
+/// The times of the first and of the last frame of a tlog, in microseconds since 1970 (UTC).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct TlogSpan {
+    pub first_unix_us: u64,
+    pub last_unix_us: u64,
+}
+
+impl TlogSpan {
+    /// Reads the two ends of a tlog, however long it is.
+    ///
+    /// # Errors
+    /// It cannot be read, or holds no frame; in words.
+    pub fn read(path: &Path) -> Result<Self, Text> {
+        let unreadable = |error| unreadable(path, &error);
+        let none = || text!("replay-no-tlog", file = path.display().to_string());
+        let file = File::open(path).map_err(unreadable)?;
+        let len = file.metadata().map_err(unreadable)?.len();
+        let first = times(file).next().ok_or_else(none)?;
+        let mut tail = File::open(path).map_err(unreadable)?;
+        let from = len.saturating_sub(TAIL_LEN);
+        tail.seek(SeekFrom::Start(from)).map_err(unreadable)?;
+        // A clock that was set meanwhile tells no length: that is known once the recording has been gone through.
+        let plausible = times(tail).filter(|us| us.abs_diff(first) < LONGEST_US);
+        Ok(Self {
+            first_unix_us: first,
+            last_unix_us: plausible.max().unwrap_or(first).max(first),
+        })
+    }
+
+    /// How long it lasts from a time of day on.
+    pub fn length_from(self, began_unix_us: u64) -> Duration {
+        Duration::from_micros(self.last_unix_us.saturating_sub(began_unix_us))
+    }
 }
 
 fn times(file: File) -> impl Iterator<Item = u64> {
