@@ -9,7 +9,7 @@ use serde::Serialize;
 use super::Failure;
 use super::records::RecordsCommands;
 use super::settings::CliSettings;
-use crate::mission::record::{Difference, Rescored, Stored, refly};
+use crate::mission::record::{Divergence, Rescored, Stored, refly};
 use crate::notice::sanitised;
 use crate::record::{Head, StoredInputs, Subject};
 use crate::scoring::{FlightBackend, FlownBy, MissionFile};
@@ -315,8 +315,8 @@ impl VerifyDocument {
         }
     }
 
-    fn differing(difference: Difference, program: String) -> Self {
-        let Difference { at, vehicle, what } = difference;
+    fn differing(difference: Divergence, program: String) -> Self {
+        let Divergence { at, vehicle, what } = difference;
         let seconds = figure(at.as_secs_f64(), 2);
         let whose = match vehicle {
             Some(vehicle) => text!("verify-of-vehicle", vehicle = vehicle, what = &what),

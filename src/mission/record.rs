@@ -30,7 +30,7 @@ mod verification;
 use line::{RecordChange, RecordLine};
 use observed::{ObservedVehicle, WatchedVehicle};
 pub use replay::{Reenactment, Rescored, Stored};
-pub use verification::{Difference, Verification, refly};
+pub use verification::{Divergence, Verification, refly};
 
 /// The version of the format.
 const VERSION: u32 = 1;

@@ -17,6 +17,7 @@ pub mod messages;
 pub mod mission;
 pub mod parameters;
 pub mod review;
+mod site;
 pub mod small;
 pub mod standing;
 pub mod vehicle;

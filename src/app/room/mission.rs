@@ -11,7 +11,7 @@ use crate::text::Text;
 
 mod page;
 
-pub use page::{PageLine, Tone, columns};
+pub use page::{PageLine, Tone, columns, tasks};
 
 /// The state of the room.
 #[derive(Debug, Clone, Default)]
@@ -41,6 +41,12 @@ impl Mission {
             self.hints.push(hint.clone());
         }
     }
+}
+
+/// The mission that is shown as long as nothing has flown in it: then a sketch of its area says what the map will.
+pub fn unflown(state: &State) -> Option<&Listing> {
+    let has_begun = state.session.activity.is_some() && !state.session.is_reading();
+    shown(state).filter(|_| !has_begun)
 }
 
 /// The mission that is shown.

@@ -12,6 +12,7 @@ use super::{End, Reenactment, Rescored, Stored};
 use crate::ledger::RowState;
 use crate::mission::{Stake, TICK};
 use crate::record::StoredInputs;
+use crate::scoring::Report;
 use crate::session::Want;
 use crate::sim::{STEP, WorldConfig};
 use crate::text;
@@ -22,7 +23,7 @@ mod reflight;
 #[cfg(test)]
 mod tests;
 
-pub use reflight::Difference;
+pub use reflight::Divergence;
 use reflight::{LATE_AT_MOST, Reflight, SHOWN_WITHIN, differs};
 
 /// The mission's clock is so far ahead of the simulator's step that was noted with it at most.
@@ -34,7 +35,7 @@ const SET_WITHIN: Duration = Duration::from_secs(10);
 #[derive(Debug, Clone, PartialEq)]
 pub struct Verification {
     /// Where the flight first differs from its record; `None` where it does not.
-    pub difference: Option<Difference>,
+    pub difference: Option<Divergence>,
     /// The score that follows from the record.
     pub rescored: Rescored,
 }
@@ -77,7 +78,7 @@ impl Stored {
 }
 
 /// Flies a flight without a mission again; where it differs from its log.
-pub fn refly(config: &mut WorldConfig, inputs: &StoredInputs) -> Option<Difference> {
+pub fn refly(config: &mut WorldConfig, inputs: &StoredInputs) -> Option<Divergence> {
     match Reflight::new(config, inputs) {
         Ok(mut reflight) => {
             // A log that was cut off is compared as far as it goes.
@@ -155,7 +156,7 @@ impl RecordCheck {
     }
 
     /// Follows the lines of a record.
-    fn run(&mut self, stored: &Stored) -> Result<(), Difference> {
+    fn run(&mut self, stored: &Stored) -> Result<(), Divergence> {
         for line in stored.lines.iter() {
             match line.shown() {
                 Some(shown) => self.take(&shown)?,
@@ -180,7 +181,7 @@ impl RecordCheck {
     }
 
     /// Compares what a line says was shown.
-    fn take(&mut self, shown: &ShownVehicles<'_>) -> Result<(), Difference> {
+    fn take(&mut self, shown: &ShownVehicles<'_>) -> Result<(), Divergence> {
         let at = shown.simulated.unwrap_or(shown.mission);
         let clock = *self.clock.get_or_insert(RecordClock::of(shown));
         let late = |real: Duration| real.mul_f64(self.reflight.pace).min(LATE_AT_MOST);
@@ -215,7 +216,7 @@ impl RecordCheck {
     }
 
     /// The time up to a line, on the simulator's own clock: nothing new was shown in it.
-    fn wait(&mut self, until: Duration, back: Duration, ahead: Duration) -> Result<(), Difference> {
+    fn wait(&mut self, until: Duration, back: Duration, ahead: Duration) -> Result<(), Divergence> {
         if self.recorded.is_empty() {
             return Ok(());
         }
@@ -229,7 +230,7 @@ impl RecordCheck {
     }
 
     /// Steps before a mission time that have no line: nothing was new in them. The simulator's time is the mission's.
-    fn pass(&mut self, until: Duration) -> Result<(), Difference> {
+    fn pass(&mut self, until: Duration) -> Result<(), Divergence> {
         while self.ticked + TICK < until {
             self.ticked += TICK;
             let at = self.ticked;
@@ -241,7 +242,7 @@ impl RecordCheck {
     }
 
     /// Compares everything that is recorded of the vehicles whose radio is good.
-    fn compare_all(&self, at: Duration, from: Duration, to: Duration) -> Result<(), Difference> {
+    fn compare_all(&self, at: Duration, from: Duration, to: Duration) -> Result<(), Divergence> {
         for (id, recorded) in &self.recorded {
             if self.muffled.get(id).is_none_or(|until| *until < at) {
                 self.compare(recorded, from, to)?;
@@ -273,7 +274,7 @@ impl RecordCheck {
     }
 
     /// Whether the simulator was set as the mission demands: its weather and its faults.
-    fn compare_wanted(&self) -> Result<(), Difference> {
+    fn compare_wanted(&self) -> Result<(), Divergence> {
         let settled = self.seen_to.saturating_sub(SET_WITHIN);
         for ((id, name), wanted) in self
             .wanted
@@ -299,7 +300,7 @@ impl RecordCheck {
         recorded: &ObservedVehicle,
         from: Duration,
         to: Duration,
-    ) -> Result<(), Difference> {
+    ) -> Result<(), Divergence> {
         let id = recorded.id();
         let mut witnesses = self.reflight.witnesses.iter();
         let witness = witnesses.find(|witness| witness.session.vehicle().id == id);
@@ -315,9 +316,15 @@ impl RecordCheck {
     }
 
     /// Whether the refusals and the score follow from the flight.
-    fn compare_end(&mut self, stored: &Stored, rescored: &Rescored) -> Result<(), Difference> {
+    fn compare_end(&mut self, stored: &Stored, rescored: &Rescored) -> Result<(), Divergence> {
         self.compare_wanted()?;
         drop(self.reenactment.advance(Duration::MAX));
+        self.compare_refusals()?;
+        self.compare_outcome(stored, &rescored.report)
+    }
+
+    /// Whether the record has every command that a vehicle refused.
+    fn compare_refusals(&self) -> Result<(), Divergence> {
         for witness in &self.reflight.witnesses {
             let id = witness.session.vehicle().id;
             let admitted = self.reenactment.tries_of(
@@ -339,7 +346,11 @@ impl RecordCheck {
                 return Err(self.reflight.differs(Some(id), what));
             }
         }
-        let report = &rescored.report;
+        Ok(())
+    }
+
+    /// Whether the record ends with the score that follows from it.
+    fn compare_outcome(&self, stored: &Stored, report: &Report) -> Result<(), Divergence> {
         let again = End {
             score: report.score,
             medal: report.medal,

@@ -14,23 +14,22 @@ use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
+use crate::ui::screen::site::{self, SITE_ROWS};
 use crate::ui::theme::Role;
 use crate::ui::widget::{below, clip, columns, put, width};
 
 mod about;
 mod list;
-mod site;
 
 /// Columns of the list: as many as its longest line takes, between these.
 const LIST_LEAST: u16 = 34;
 const LIST_MOST: u16 = 60;
-/// Rows of the sketch of a mission's area at least, and of the text above it, without a career and with one.
-const SITE_ROWS: u16 = 12;
+/// Rows of the text above the sketch of a mission's area, without a career and with one.
 const TEXT_ROWS: u16 = 14;
 const CAREER_ROWS: u16 = 23;
 /// Columns of the text at most: longer lines are hard to read.
 const TEXT_WIDTH: u16 = 88;
-/// Columns of what a mission means to the career at least, where it stands beside the text.
+/// Columns of what a mission means to the career, and what it asks for, at least, where it stands beside the text.
 const FACTS_WIDTH: u16 = 50;
 
 /// Draws who trains here, the list with its cursor, and a text about the line under it.
@@ -45,7 +44,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let beside_list = body.columns(before, body.area.width.saturating_sub(before + 1));
     let rest = draw_site(state, beside_list, buffer).area;
     let facts = rest.width.saturating_sub(TEXT_WIDTH + 3);
-    if state.career().is_some() && facts >= FACTS_WIDTH {
+    if facts >= FACTS_WIDTH {
         let text = columns(rest, 0, TEXT_WIDTH);
         let beside = columns(rest, TEXT_WIDTH + 3, facts.min(TEXT_WIDTH));
         about::draw(state, panel.at(text), Some(beside), buffer);

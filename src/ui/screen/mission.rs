@@ -11,6 +11,7 @@ use crate::app::state::Room;
 use crate::notice::sanitised;
 use crate::text;
 use crate::ui::panel::Panel;
+use crate::ui::screen::site::{self, SITE_ROWS};
 use crate::ui::theme::Role;
 use crate::ui::widget::{below, columns, put, row_of, upper};
 
@@ -41,6 +42,18 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         for (row, line) in page.iter().skip(first).take(rows).enumerate() {
             draw_line(line, panel.at(row_of(here, row as u16)), buffer);
         }
+    }
+    let above = longest as u16 + 1;
+    if let Some(mission) = mission::unflown(state)
+        && panel.area.height >= above + 1 + SITE_ROWS
+    {
+        let place = panel.below(above);
+        site::draw(
+            state,
+            mission,
+            place.columns(1, place.area.width.saturating_sub(2)),
+            buffer,
+        );
     }
     if longest > rows {
         let shown = text!(

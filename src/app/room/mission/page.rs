@@ -78,9 +78,7 @@ pub fn columns(state: &State, locale: &Locale, width: u16) -> Vec<Vec<PageLine>>
     if two {
         first.hints();
         let mut second = page();
-        second.objectives();
-        second.rules();
-        second.scoring();
+        second.tasks();
         vec![first.lines, second.lines]
     } else {
         first.objectives();
@@ -89,6 +87,19 @@ pub fn columns(state: &State, locale: &Locale, width: u16) -> Vec<Vec<PageLine>>
         first.scoring();
         vec![first.lines]
     }
+}
+
+/// What a mission asks for: objectives, rules and scoring, in lines of at most so many columns.
+pub fn tasks(state: &State, mission: &Listing, locale: &Locale, width: u16) -> Vec<PageLine> {
+    let mut page = Page {
+        state,
+        locale,
+        mission,
+        width: usize::from(width).min(WIDEST),
+        lines: Vec::new(),
+    };
+    page.tasks();
+    page.lines
 }
 
 struct Page<'a> {
@@ -160,6 +171,12 @@ impl Page<'_> {
             limit = limit,
             score = score
         )
+    }
+
+    fn tasks(&mut self) {
+        self.objectives();
+        self.rules();
+        self.scoring();
     }
 
     fn objectives(&mut self) {

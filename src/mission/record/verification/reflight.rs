@@ -28,7 +28,7 @@ const SESSION_POLL: Duration = Duration::from_millis(50);
 
 /// Where a record and its flight differ.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Difference {
+pub struct Divergence {
     /// Simulated time.
     pub at: Duration,
     /// The vehicle, where it is about one.
@@ -38,8 +38,8 @@ pub struct Difference {
 }
 
 /// A difference at a simulated time.
-pub(super) fn differs(at: Duration, vehicle: Option<VehicleId>, what: Text) -> Difference {
-    Difference { at, vehicle, what }
+pub(super) fn differs(at: Duration, vehicle: Option<VehicleId>, what: Text) -> Divergence {
+    Divergence { at, vehicle, what }
 }
 
 /// The simulated vehicles of a record, flown again.
@@ -88,7 +88,7 @@ impl Reflight {
     }
 
     /// Flies on up to a step, which the log has to cover.
-    pub(super) fn fly_to(&mut self, step: u64) -> Result<(), Difference> {
+    pub(super) fn fly_to(&mut self, step: u64) -> Result<(), Divergence> {
         let last = self.lines.last().map_or(0, |line| line.s);
         let beyond = LATE_AT_MOST.as_nanos() / STEP.as_nanos();
         if u128::from(step) > u128::from(last) + beyond {
@@ -103,7 +103,7 @@ impl Reflight {
     }
 
     /// Flies on to the end of the log.
-    pub(super) fn finish(&mut self) -> Result<(), Difference> {
+    pub(super) fn finish(&mut self) -> Result<(), Divergence> {
         let last = self.lines.last().map_or(0, |line| line.s);
         self.fly_to(last)?;
         self.enter()?;
@@ -114,7 +114,7 @@ impl Reflight {
     }
 
     /// Has enter what the log says for this moment.
-    fn enter(&mut self) -> Result<(), Difference> {
+    fn enter(&mut self) -> Result<(), Divergence> {
         while let Some(line) = self.lines.get(self.next)
             && line.s == self.world.steps()
         {
@@ -147,7 +147,7 @@ impl Reflight {
         }
     }
 
-    fn compare(&self, prints: &[String]) -> Result<(), Difference> {
+    fn compare(&self, prints: &[String]) -> Result<(), Divergence> {
         if prints.len() != self.world.vehicles() {
             return Err(self.differs(None, text!("verify-other-state")));
         }
@@ -176,7 +176,7 @@ impl Reflight {
         }
     }
 
-    pub(super) fn differs(&self, vehicle: Option<VehicleId>, what: Text) -> Difference {
+    pub(super) fn differs(&self, vehicle: Option<VehicleId>, what: Text) -> Divergence {
         differs(self.world.now(), vehicle, what)
     }
 }

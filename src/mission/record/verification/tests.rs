@@ -17,7 +17,7 @@ fn verified(run: &str, inputs: &str) -> Result<(), String> {
     let verification = stored.verify(&inputs).map_err(|fault| fault.to_string())?;
     match verification.difference {
         None => Ok(()),
-        Some(Difference { at, vehicle, what }) => {
+        Some(Divergence { at, vehicle, what }) => {
             let vehicle =
                 vehicle.map_or_else(String::new, |vehicle| format!("vehicle {vehicle}: "));
             Err(format!("{:.2} s: {vehicle}{what}", at.as_secs_f64()))

@@ -8,15 +8,16 @@ use super::name;
 use crate::app::State;
 use crate::app::action::{Action, StartAction};
 use crate::app::room::home::{HomeItem, drill, facts, items};
+use crate::app::room::mission::tasks;
 use crate::app::state::Room;
 use crate::scoring::Medal;
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
-use crate::ui::screen::mission::tone_role;
+use crate::ui::screen::mission::{draw_line, tone_role};
 use crate::ui::theme::Role;
-use crate::ui::widget::{aligned, below, clip, columns, put, reflow, upper, width, wrap};
+use crate::ui::widget::{aligned, below, clip, columns, put, reflow, row_of, upper, width, wrap};
 
 /// Lines that can be given as they stand, up to the one that takes a while.
 const FIRST_CLIMB: [&str; 3] = ["all guided", "all arm", "all takeoff 20"];
@@ -28,8 +29,8 @@ const LEAST_TEXT: usize = 7;
 /// A key with what it does.
 type KeyHint = (String, String);
 
-/// Draws the text with the keys below it; what the mission means to the career stands beside it, or between them where
-/// there is no room beside.
+/// Draws the text with the keys below it. What the mission means to the career stands beside it with what it asks for, or
+/// between text and keys where there is no room beside.
 pub(super) fn draw(state: &State, panel: Panel<'_>, beside: Option<Rect>, buffer: &mut Buffer) {
     let Some(item) = items(state).get(state.rooms().home().cursor()).copied() else {
         return;
@@ -43,10 +44,16 @@ pub(super) fn draw(state: &State, panel: Panel<'_>, beside: Option<Rect>, buffer
     let facts_width = beside.unwrap_or(inner).width;
     let facts = fact_lines(state, item, panel.look, usize::from(facts_width));
     let mut below_text = vec![Vec::new(), keys];
-    if let Some(beside) = beside.filter(|_| !facts.is_empty()) {
-        let inner = panel.at(beside).titled(&panel.say("home-career"), buffer);
-        draw_lines(&facts, inner, buffer);
-    } else if !facts.is_empty() {
+    if let Some(beside) = beside {
+        let mut place = panel.at(beside);
+        if !facts.is_empty() {
+            let inner = place.titled(&panel.say("home-career"), buffer);
+            draw_lines(&facts, inner, buffer);
+            place = place.below(facts.len() as u16 + 2);
+        }
+        draw_tasks(state, item, place, buffer);
+    }
+    if beside.is_none() && !facts.is_empty() {
         below_text.insert(0, facts);
     } else if let Some(best) = best_words(state, item) {
         let line = Line::styled(panel.text(&best), panel.style(Role::Accent));
@@ -54,6 +61,21 @@ pub(super) fn draw(state: &State, panel: Panel<'_>, beside: Option<Rect>, buffer
     }
     below_text.retain(|lines| !lines.is_empty());
     draw_text(&about(state, item, panel.look), &below_text, inner, buffer);
+}
+
+/// Draws the objectives and rules of a mission that can be started, as far as there is room.
+fn draw_tasks(state: &State, item: HomeItem, panel: Panel<'_>, buffer: &mut Buffer) {
+    let HomeItem::Mission(at) = item else { return };
+    if state.session().activity().is_some() {
+        return;
+    }
+    let mission = &state.missions()[at];
+    let lines = tasks(state, mission, &panel.look.locale, panel.area.width);
+    let rows = usize::from(panel.area.height);
+    for (row, line) in lines.iter().take(rows).enumerate() {
+        draw_line(line, panel.at(row_of(panel.area, row as u16)), buffer);
+    }
+    panel.mark_scroll(0, lines.len(), buffer);
 }
 
 /// Draws the text and the groups of lines below it, with blank lines between. Where there is no room for all of it,

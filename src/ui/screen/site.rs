@@ -13,6 +13,8 @@ use crate::ui::theme::Role;
 use crate::ui::widget::map::draw_site;
 use crate::ui::widget::{aligned, clip, clock, put, width};
 
+/// Rows of a sketch that shows anything.
+pub(super) const SITE_ROWS: u16 = 12;
 /// Columns of the figures at the right.
 const FIGURES: u16 = 30;
 /// Columns of the sketch at most: a sketch is no map.
