@@ -90,69 +90,69 @@ pub use stake::Stake;
 /// The step of missions and scoring.
 pub const TICK: Duration = Duration::from_millis(100);
 
-/// Whether something that happens so often happens now, both in whole steps.
+/// Whether an action that repeats every `every` is due at `now`; both are whole steps.
 pub(crate) fn is_due(now: Duration, every: Duration) -> bool {
     now.as_millis().is_multiple_of(every.as_millis())
 }
 
-/// How far apart the pads of an enlarged mission lie.
+/// The distance between the pads of an enlarged mission.
 const ROW_SPACING_M: f64 = 6.0;
 
-/// What stands in a hint for the name of the next cell to sample.
+/// The placeholder in a hint for the name of the next cell to sample.
 pub(crate) const NEXT_CELL: &str = "{next_cell}";
 
-/// What the parameters begin with that a flight which counts does not let be set: they change the world, or take away
-/// what makes the task hard or keeps it safe.
+/// Prefixes of the parameters that may not be set in a flight that counts: they change the world, make the task easier
+/// or switch off its safeguards.
 const PROTECTED: [&str; 5] = ["SIM_", "BATT_", "FENCE_", "FS_", "ARMING_"];
 
 /// A mission, read and checked.
 #[derive(Debug)]
 pub struct Mission {
-    /// Its name for files and results.
+    /// The id that files and results use.
     pub id: String,
     /// Its revision; results compare only within one.
     pub rev: u32,
     /// The file that it was read from.
     pub source: String,
-    /// Where everything stands in it.
+    /// The parsed file with the position of every value.
     written: format::WrittenValue,
-    /// Its name for people.
+    /// The title that is shown.
     pub title: Text,
-    /// What the trainee is told.
+    /// The briefing text.
     pub brief: Text,
-    /// Where a text has no translation; not a fault.
+    /// Texts that have no translation; not faults.
     pub untranslated: Vec<Diagnostic>,
     /// Difficulty, 0 (first steps) to 3.
     pub tier: u8,
-    /// What it is about, for lists and searches.
+    /// Its topics, for lists and searches.
     pub tags: Vec<String>,
     pub authors: Vec<String>,
     /// The id of the mission that it is a short exercise for.
     pub drill_of: Option<String>,
-    /// What has to be shown before it is on offer.
+    /// Requirements before the mission is offered.
     pub requires: Requires,
-    /// What passing it brings.
+    /// Credits, experience and unlocks for passing it.
     pub rewards: Rewards,
-    /// What its fleet may cost.
+    /// What its fleet may cost, and the drones it lends.
     pub outlay: Outlay,
     /// Whether pausing is allowed.
     pub pausable: bool,
-    /// Whether hints can be asked for; an exam gives none.
+    /// Whether the trainee can ask for hints; an exam gives none.
     pub gives_hints: bool,
-    /// How many times as fast time may pass in flight.
+    /// The highest speed-up of time in flight.
     pub most_speedup: f64,
-    /// How many vehicles fly it.
+    /// The number of vehicles.
     pub vehicles: usize,
     pub time_limit: Duration,
     /// Advice by phase of the flight.
     pub hints: Vec<Hint>,
-    /// Advice that can be asked for, at a price.
+    /// Advice that the trainee can ask for; each costs points.
     pub clues: Vec<Clue>,
-    /// What a trainee is led through, step by step.
+    /// The steps of a guided lesson.
     pub lesson: Vec<LessonStep>,
-    /// How it is scored.
+    /// Weights, medals and limits of the score.
     pub scoring: scoring::ScoreRules,
-    /// Protected parameters that may be set all the same.
+    /// Protected parameters that may be set in this mission.
     pub open_parameters: Vec<String>,
     pub(crate) origin: Origin,
     pub(crate) weather: weather::Weather,
@@ -161,9 +161,9 @@ pub struct Mission {
     pub(crate) sensors: Vec<&'static sensor::Sensor>,
     /// What each vehicle carries, in the order of the pads.
     pub(crate) fits: Vec<fit::Fit>,
-    /// What its own drones carry, whoever flies it: what it asks of drones.
+    /// The equipment of the mission's own drones, which is also what it requires of built drones.
     pub(crate) asked: Vec<fit::Fit>,
-    /// The drones that were built for it, in the order of the pads; empty for its own.
+    /// The drones that were built for it, in the order of the pads; empty where its own drones fly.
     pub(crate) fleet: Vec<Design>,
     pub(crate) zones: Vec<zone::Zone>,
     pub(crate) places: Vec<(String, Point)>,
@@ -171,19 +171,19 @@ pub struct Mission {
     pub(crate) objectives: Vec<objective::Objective>,
     pub(crate) max_height_m: f64,
     pub(crate) land_reserve_percent: f64,
-    /// Vehicles in the air have to be this far apart; `None` where the mission does not say how far.
+    /// The least distance between vehicles in the air, in metres; `None` where the mission sets none.
     pub(crate) separation_m: Option<f64>,
     pub(crate) events: Vec<event::Event>,
-    /// `None` where radio does not matter.
+    /// The radio model; `None` where radio does not matter.
     pub(crate) radio: Option<radio::Radio>,
-    /// Threats that an instructor may have happen, besides the mission's own.
+    /// Threats that an instructor may trigger, besides the mission's own.
     pub(crate) may_inject: Vec<event::standard::Standard>,
 }
 
 /// Metres east and north of the origin.
 pub(crate) type Point = [f64; 2];
 
-/// Where [0, 0] is.
+/// The position of the point `[0, 0]`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Origin {
     pub at: LatLon,
@@ -192,12 +192,12 @@ pub(crate) struct Origin {
 }
 
 impl Origin {
-    /// The place of a point.
+    /// The position of a point.
     pub fn place(&self, [east_m, north_m]: Point) -> LatLon {
         self.at.moved(north_m, east_m)
     }
 
-    /// The point at a place.
+    /// The point at a position.
     pub fn point(&self, place: LatLon) -> Point {
         let (north_m, east_m) = self.at.offset_to(place);
         [east_m, north_m]
@@ -205,20 +205,20 @@ impl Origin {
 }
 
 impl Mission {
-    /// The id of each objective and the skill that it shows, if it shows one, in order.
+    /// The ids of the objectives, each with the skill that it shows, if any, in file order.
     pub fn objective_skills(&self) -> impl Iterator<Item = (&str, Option<Skill>)> {
         let objectives = self.objectives.iter();
         objectives.map(|objective| (objective.id.as_str(), objective.kind.skill(self.vehicles)))
     }
 
-    /// How a flight shows that it tried an objective; `None` for an id that is not there.
+    /// What a flight must do to count as an attempt at an objective; `None` for an unknown id.
     pub(crate) fn trying(&self, objective: &str) -> Option<Trying> {
         let mut objectives = self.objectives.iter();
         let found = objectives.find(|it| it.id == objective);
         found.map(|it| it.kind.trying())
     }
 
-    /// Whether something can happen that wants an answer.
+    /// Whether an event of the mission can raise an alert that needs an answer.
     pub fn has_alerts(&self) -> bool {
         let is_question =
             |action: &event::Action| matches!(action, event::Action::Alert { ok: Some(_), .. });
@@ -235,7 +235,7 @@ impl Mission {
         file::read(source)
     }
 
-    /// Where the vehicles start, in the order of their system ids.
+    /// The start positions, in the order of the vehicles' system ids.
     pub fn starts(&self) -> Vec<Start> {
         let pad = |&point: &Point| Start {
             at: self.origin.place(point),
@@ -245,8 +245,8 @@ impl Mission {
         self.pads.iter().map(pad).collect()
     }
 
-    /// The same with more vehicles than it is made for, for measurements: their pads lie in a row to the south of the
-    /// last one, and they carry what that one does.
+    /// The same mission with more vehicles than the file has, for measurements: the added pads lie in a row south of
+    /// the last one, and their vehicles carry what the last one carries.
     #[must_use]
     pub fn enlarged(mut self, vehicles: usize) -> Self {
         if let Some(&[east_m, north_m]) = self.pads.last() {

@@ -1,4 +1,4 @@
-//! The areas of a mission that the trainee is told of.
+//! The areas of a mission that the trainee knows.
 
 use std::collections::BTreeMap;
 
@@ -9,9 +9,9 @@ use crate::geo::Outline;
 /// An area with a meaning.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Area {
-    /// Its id in the mission's file, which the brief calls it by.
+    /// Its id in the mission file, as the brief names it.
     pub name: String,
-    /// What it means for vehicles in it.
+    /// What it means for vehicles inside.
     pub kind: AreaKind,
     pub outline: Outline,
 }
@@ -19,15 +19,15 @@ pub struct Area {
 /// What an area means.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AreaKind {
-    /// There is something to do in it.
+    /// The task is done in it.
     Task,
-    /// It must not be left.
+    /// Vehicles must stay inside.
     Geofence,
-    /// It must not be flown in.
+    /// Vehicles must stay outside.
     NoFly,
-    /// Satellite navigation fails in it, or misleads.
+    /// Satellite navigation fails or misleads in it.
     Jamming,
-    /// There are people below.
+    /// People are on the ground in it.
     People,
     /// Radio is weak in it, or behind it.
     Radio,
@@ -47,13 +47,13 @@ impl From<ZoneKind> for AreaKind {
 }
 
 impl Mission {
-    /// The areas that are known from the start; hazards are not among them: they have to be found.
+    /// The areas known from the start. Hazards are not among them: the trainee has to find them.
     pub fn areas(&self) -> Vec<Area> {
         let known = self.zones.iter().filter(|zone| zone.active);
         known.map(|zone| self.area(zone)).collect()
     }
 
-    /// A zone as the trainee is told of it.
+    /// A zone as the trainee knows it.
     pub(super) fn area(&self, zone: &Zone) -> Area {
         Area {
             name: zone.id.clone(),
@@ -71,7 +71,7 @@ impl Mission {
         }
     }
 
-    /// The same by name, for the words of a line.
+    /// The outlines of those areas by name, for typed commands.
     pub fn named_areas(&self) -> BTreeMap<String, Outline> {
         let areas = self.areas().into_iter();
         areas.map(|area| (area.name, area.outline)).collect()

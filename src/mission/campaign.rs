@@ -4,14 +4,14 @@ use std::collections::BTreeMap;
 
 use crate::scoring::Medal;
 
-/// What a trainee must have shown before the mission is on offer.
+/// What a trainee must have achieved before the mission is offered.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Requires {
     /// Missions that have to be passed, by id.
     pub missions: Vec<String>,
-    /// Missions that need a medal, or a better one.
+    /// The least medal for each listed mission, by id.
     pub medals: BTreeMap<String, Medal>,
-    /// How likely skills have to be mastered, 0 to 1, by their codes `K1` to `K12`.
+    /// The least probability of mastery of each skill, 0 to 1, by its code `K1` to `K12`.
     pub skills: BTreeMap<String, f64>,
 }
 
@@ -20,27 +20,27 @@ pub struct Requires {
 pub struct Rewards {
     /// Credits for a perfect first pass.
     pub credits: u32,
-    /// The tier that experience is counted with; the mission's own where none is written.
+    /// The tier that sets the experience; the mission's own by default.
     pub xp_tier: u8,
     pub unlock: Vec<Unlock>,
 }
 
-/// Something that a passed mission makes available.
+/// What passing a mission unlocks.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Unlock {
     /// A part of the catalogue, by id.
     Part(String),
     /// Another mission, by id.
     Mission(String),
-    /// A threat that an instructor may have happen.
+    /// A threat that an instructor may trigger.
     Threat(String),
 }
 
-/// What may be flown: the fleet's price and its stand-ins.
+/// Limits of the fleet: its price, and the drones that are lent.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Outlay {
-    /// Credits for all that is flown; `None` where money is no object.
+    /// Credits for the whole fleet; `None` without a limit.
     pub budget: Option<u32>,
-    /// Designs that are lent to those who own nothing fit, by id.
+    /// Designs lent to trainees that own no suitable one, by id.
     pub loaners: Vec<String>,
 }

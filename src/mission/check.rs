@@ -1,7 +1,7 @@
-//! Faults of sense: a mission that can be read, and cannot be flown as it is meant.
+//! Faults of meaning: a mission that can be parsed, but not flown as intended.
 //!
-//! [`Mission::check`] looks at what single sections cannot know of one another. What an objective demands, its kind says
-//! ([`Demands`]); where things stand in the file, the mission knows.
+//! [`Mission::check`] looks at what single sections cannot know of one another. An objective's kind says what it
+//! demands ([`Demands`]); the mission knows the position of each value in the file.
 
 use std::ops::Range;
 
@@ -26,15 +26,15 @@ struct Examined<'m> {
     found: Vec<Diagnostic>,
 }
 
-/// What an objective demands, and where it stands in the file.
+/// What an objective demands, and its position in the file.
 struct ExaminedObjective<'m> {
     demands: Demands<'m>,
     written: &'m WrittenValue,
 }
 
 impl Mission {
-    /// What is wrong with it although every section is right: places out of bounds, things that cannot be done, or that
-    /// do not have to be done. In the order of the file.
+    /// What is wrong with it although every section is valid: places out of bounds, objectives that cannot be met or
+    /// are met from the start. In file order.
     pub fn check(&self) -> Vec<Diagnostic> {
         let mut examined = Examined {
             mission: self,

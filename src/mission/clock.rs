@@ -1,4 +1,4 @@
-//! Mission time on vehicles that keep time themselves: how far their own clocks have come.
+//! Mission time from the vehicles' own clocks.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -6,21 +6,20 @@ use std::time::Duration;
 use super::TICK;
 use crate::vehicle::VehicleId;
 
-/// A clock that is back by more than this has booted; by less, datagrams came out of order.
+/// A clock that jumps back by more than this has rebooted; a smaller jump means datagrams out of order.
 const STEP_BACK_MS: i64 = 1_000;
-/// A vehicle that was behind carries the time on once the one ahead has been silent for this long by its clock.
+/// A vehicle that lags takes over as the reference once the one ahead has been silent for this long by its clock.
 const CARRIED_AFTER_MS: i64 = 3_000;
-/// When all have been silent for this long, time goes on without them.
+/// When all have been silent for this long, time runs without them.
 const SILENT_AFTER: Duration = Duration::from_millis(2500);
-/// How often the rate is taken.
+/// The interval at which the rate is measured.
 const RATE_EVERY: Duration = Duration::from_secs(1);
 
-/// Mission time, carried by the vehicles' own clocks: a simulator that is slower than it was asked to be slows the
-/// mission down with it.
+/// Mission time, driven by the vehicles' own clocks: a simulator slower than requested slows the mission down with it.
 ///
-/// It follows the clock that is furthest ahead. One that boots, falls behind or falls silent holds nothing up: the
-/// others carry the time. When all are silent, it goes on as fast as it went last. It never goes back, and never runs
-/// ahead of what was asked for by more than a [`TICK`].
+/// It follows the clock that is furthest ahead. A clock that reboots, lags or falls silent does not hold it up: the
+/// others drive it. When all are silent, it continues at the last rate. It never goes back, and never runs ahead of
+/// the requested rate by more than a [`TICK`].
 #[derive(Debug, Clone)]
 pub struct Clock {
     speedup: f64,
@@ -29,9 +28,9 @@ pub struct Clock {
     stepped: Duration,
     elapsed: Duration,
     vehicles: BTreeMap<VehicleId, ClockReading>,
-    /// When a vehicle carried the time on last.
+    /// When a vehicle's clock last advanced the time.
     carried: Duration,
-    /// Where the rate is taken from: the time, and mission time then.
+    /// The start of the current measurement of the rate: the time, and mission time then.
     mark: (Duration, Duration),
     rate: f64,
 }
@@ -44,14 +43,14 @@ pub struct Clock {
 )]
 struct ClockReading {
     boot_ms: u32,
-    /// Mission time by it.
+    /// Mission time by this clock.
     claim_ms: i64,
-    /// How far it has come since mission time went on last.
+    /// How far it has advanced since mission time last advanced.
     behind_ms: i64,
 }
 
 impl Clock {
-    /// A clock at zero, of vehicles that were asked to run so many seconds per second.
+    /// A clock at zero, for vehicles with the requested speed-up.
     pub fn new(speedup: f64) -> Self {
         Self {
             speedup,
@@ -70,13 +69,13 @@ impl Clock {
         self.elapsed
     }
 
-    /// Mission seconds per second, as it went last.
+    /// Mission seconds per second, as last measured.
     pub fn rate(&self) -> f64 {
         self.rate
     }
 
-    /// Takes in what the vehicles' clocks say ([`Vehicle::clock_ms`](crate::vehicle::Vehicle::clock_ms), `None` while
-    /// unheard) at a time of ours, and returns mission time. The first step is its beginning.
+    /// Takes the vehicles' clocks ([`Vehicle::clock_ms`](crate::vehicle::Vehicle::clock_ms), `None` while unheard) at
+    /// our time `now`, and returns mission time. The first step is its beginning.
     pub fn step(
         &mut self,
         now: Duration,
@@ -101,13 +100,13 @@ impl Clock {
         } else if self.stepped.saturating_sub(self.carried) >= SILENT_AFTER {
             let blind = self.elapsed + passed.mul_f64(self.rate);
             self.elapsed = blind.min(limit).max(self.elapsed);
-            // Whoever is heard again goes on from here, not from where it was.
+            // A vehicle that is heard again counts from now, not from where it left off.
             self.mark = (self.stepped, self.elapsed);
         }
         self.elapsed
     }
 
-    /// Moves a vehicle's claim by what its clock has moved.
+    /// Advances a vehicle's claim by as much as its clock has advanced.
     fn note(&mut self, id: VehicleId, boot_ms: u32) {
         let elapsed_ms = self.elapsed.as_millis() as i64;
         let fresh = ClockReading {
@@ -151,7 +150,7 @@ mod tests {
 
     use super::*;
 
-    /// Steps of 50 ms in which each vehicle's clock reads what a function of the step says.
+    /// Runs steps of 50 ms; `clocks` gives each vehicle's clock at a step.
     fn run(speedup: f64, steps: u32, clocks: impl Fn(u32) -> Vec<Option<u32>>) -> Duration {
         let mut clock = Clock::new(speedup);
         for step in 0..=steps {
@@ -166,7 +165,7 @@ mod tests {
 
     #[test]
     fn mission_time_is_how_far_the_vehicles_have_come_since_the_beginning() {
-        // Asked for ten times, they only go four times as fast.
+        // Asked for a tenfold speed-up, they reach only four.
         let elapsed = run(10.0, 100, |step| {
             vec![Some(7_000 + step * 200), Some(9_000 + step * 190)]
         });
@@ -188,7 +187,7 @@ mod tests {
                 (step - 60) * 50
             })]
         };
-        // The step at which it boots says nothing.
+        // The step at which it reboots adds nothing.
         assert_eq!(run(1.0, 100, boots), ms(4_950));
     }
 

@@ -13,24 +13,24 @@ use crate::vehicle::VehicleId;
 /// Something that a detector believes to have found.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Contact {
-    /// What it is called: `c1`, or `fire1` for what burns.
+    /// Its name: `c1`, or `fire1` for a fire.
     pub name: String,
     /// Where the detectors place it: the mean of their looks.
     pub at: Point,
-    /// What it is taken for.
+    /// What detectors take it for.
     pub kind: FindKind,
     /// The sensors that have seen it, by id.
     pub sensors: BTreeSet<&'static str>,
-    /// Who saw it first.
+    /// The vehicle that saw it first.
     pub by: VehicleId,
-    /// Mission time of the first and of the last look.
+    /// Mission time of the first look, and of the last.
     pub first: Duration,
     pub last: Duration,
-    /// How many looks saw it.
+    /// The number of looks that saw it.
     pub looks: u32,
     /// Whether it has been reported.
     pub reported: bool,
-    /// Whether a nearer look has shown that it is nothing to report.
+    /// Whether a closer look has shown that it needs no report.
     pub harmless: bool,
     /// What it really is; `None` for a false alarm. Never shown before the debrief.
     pub object: Option<ObjectId>,
@@ -44,29 +44,29 @@ pub(crate) struct Sighting {
     pub sensor: &'static str,
     pub by: VehicleId,
     pub object: Option<ObjectId>,
-    /// Whether it is seen so well that it is known to be nothing to report.
+    /// Whether the look was close enough to show that it needs no report.
     pub harmless: bool,
-    /// Sightings of one kind within this of a contact belong to it.
+    /// Sightings of the same kind within this distance of a contact belong to it.
     pub merge_within_m: f64,
 }
 
-/// What a sighting is to the contacts, by their indices.
+/// What a sighting changes, by the index of the contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Seen {
     New(usize),
-    /// Another kind of sensor has seen it now.
+    /// A second kind of sensor has now seen it.
     Confirmed(usize),
-    /// It turns out to be nothing to report.
+    /// It turns out to need no report.
     Harmless(usize),
-    /// Nothing that was not known.
+    /// Nothing new.
     Again,
 }
 
-/// What the names of contacts begin with; a number follows.
+/// Prefixes of the contacts' names; a number follows.
 pub(crate) const STEMS: [&str; 2] = ["c", FIRE];
 const FIRE: &str = "fire";
 
-/// What burns is counted by itself: a fire has dozens of contacts, and what has to be reported must not drown in them.
+/// Fires are numbered separately: a fire has dozens of contacts, which would hide the ones to report.
 fn stem(kind: FindKind) -> &'static str {
     if kind == FindKind::Fire { FIRE } else { "c" }
 }
@@ -87,7 +87,7 @@ impl Contacts {
         self.0.iter_mut().filter(open)
     }
 
-    /// Notes that the contact at a point was reported, or that the report was taken back.
+    /// Notes that the contact at a point was reported, or that its report was withdrawn.
     pub fn note_report(&mut self, at: Point, is_reported: bool) {
         let there = |contact: &&mut Contact| distance_m(contact.at, at) < SAME_WITHIN_M;
         for contact in self.0.iter_mut().filter(there) {
@@ -95,7 +95,7 @@ impl Contacts {
         }
     }
 
-    /// The names that contacts can have, up to so many of each sort.
+    /// The names that contacts can have, up to `each` of every sort.
     pub fn names(each: usize) -> impl Iterator<Item = String> {
         let name = |number| STEMS.map(|stem| format!("{stem}{number}"));
         (1..=each).flat_map(name)
@@ -171,7 +171,7 @@ impl Contact {
         self.sensors.len() > 1
     }
 
-    /// What it is taken for, in words.
+    /// What detectors take it for, as text.
     pub fn kind_text(&self) -> Text {
         self.kind.title()
     }

@@ -1,4 +1,4 @@
-//! One vehicle as a mission sees it: where it is in the mission's frame, and what has become of it.
+//! One vehicle as a mission sees it: where it is in the mission's frame, and its state.
 
 use std::time::Duration;
 
@@ -15,11 +15,11 @@ use crate::vehicle::{GlobalPosition, Vehicle, VehicleId};
 
 /// Motors that stop above this height let a vehicle fall.
 const FALL_FROM_M: f64 = 2.0;
-/// The ground is this near when a touchdown is judged.
+/// Below this height, the descent rate counts towards judging a touchdown.
 const NEAR_GROUND_M: f64 = 3.0;
 /// Touching down faster than this is a crash; `ArduCopter` lands with 0.5 m/s.
 const HARD_TOUCHDOWN_M_S: f64 = 2.5;
-/// A vehicle that holds a height swings about it by some decimetres: it is above a limit from this much on.
+/// The margin above a limit before it counts as exceeded: a vehicle that holds a height swings by some decimetres.
 const SWING_M: f64 = 1.0;
 /// A landing farther than this from every pad costs safety.
 const OFF_PAD_M: f64 = 3.0;
@@ -32,32 +32,32 @@ const OFF_PAD_M: f64 = 3.0;
 )]
 pub(crate) struct Craft {
     pub id: VehicleId,
-    /// Where it is, once it has said so.
+    /// Its position, once received.
     pub at: Option<Point>,
-    /// Above home, in metres.
+    /// Metres above home.
     pub height_m: f64,
     pub speed_m_s: f64,
-    /// Where it goes, or went last.
+    /// The course that it flies, or flew last.
     pub course: CraftCourse,
-    /// Whether it would arm.
+    /// Whether its prearm checks pass.
     pub ready: bool,
     pub armed: bool,
     pub airborne: bool,
     /// Whether it has been in the air during this mission.
     pub flown: bool,
-    /// Whether it has crashed or its simulator has ended.
+    /// Whether it has crashed, or its simulator has ended.
     pub lost: bool,
     /// Whether it is heard.
     pub heard: bool,
     /// Distance to the nearest pad.
     pub pad_distance_m: Option<f64>,
     pub battery_percent: Option<f64>,
-    /// For how long it has stood disarmed on the ground after flying.
+    /// How long it has been disarmed on the ground after flying.
     pub down_for: Duration,
     pub sensors: Vec<&'static Sensor>,
-    /// Those of them that measure.
+    /// Its sensors that measure a field.
     pub probes: Vec<Probe>,
-    /// Position and height of a vehicle that is not heard.
+    /// Position and height while it is not heard.
     unheard: Option<(Point, f64)>,
     /// Energy reading at the beginning and now, in Wh.
     energy_wh: Option<(f64, f64)>,
@@ -66,7 +66,7 @@ pub(crate) struct Craft {
     listener: TextListener,
 }
 
-/// A rule that a vehicle breaks, as the step finds it.
+/// A broken rule with its description.
 pub(crate) type Breach = (SafetyKind, Text);
 
 impl Craft {
@@ -105,17 +105,17 @@ impl Craft {
         self.flown && !self.lost && !self.armed && !self.airborne
     }
 
-    /// Whether its detectors work and what they see is heard.
+    /// Whether its detectors work and its radio delivers what they see.
     pub fn can_see(&self) -> bool {
         self.heard && self.airborne && !self.lost
     }
 
-    /// Where it really is, which its operator may not know at the moment.
+    /// Its true position, also while the operator does not receive it.
     pub fn truly_at(&self) -> Option<Point> {
         self.unheard.map(|(at, _)| at).or(self.at)
     }
 
-    /// The same with its height: metres to the east, to the north, and up.
+    /// Its true position with its height: metres east, north and up.
     pub fn place_m(&self) -> Option<[f64; 3]> {
         let known = self.at.map(|at| (at, self.height_m));
         let ([east_m, north_m], up_m) = self.unheard.or(known)?;
@@ -127,7 +127,7 @@ impl Craft {
         self.sensors.iter().any(|fitted| fitted.id == sensor)
     }
 
-    /// What its hazard sensors show.
+    /// What its hazard sensors read.
     pub fn shown(&self) -> Vec<f64> {
         self.probes.iter().map(|probe| probe.shown).collect()
     }
@@ -272,14 +272,14 @@ impl Craft {
         breaches
     }
 
-    /// Its battery in percent, where that is less than it has to land with.
+    /// Its battery in percent, where that is below the reserve required at landing.
     fn below_reserve(&self, mission: &Mission) -> Option<f64> {
         let percent = self.battery_percent?;
         (percent < mission.land_reserve_percent).then_some(percent)
     }
 }
 
-/// The direction in which a vehicle goes.
+/// A vehicle's course over the ground.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct CraftCourse {
     east: f64,
@@ -310,7 +310,7 @@ impl CraftCourse {
         }
     }
 
-    /// A way to the east and north as one across, to the right, and along the course.
+    /// Turns an offset east and north into one to the right of the course and along it.
     pub fn offset_m(self, [east, north]: Point) -> [f64; 2] {
         [
             east * self.north - north * self.east,
@@ -318,7 +318,7 @@ impl CraftCourse {
         ]
     }
 
-    /// A way to the right of the course as one to the east and north.
+    /// Turns an offset to the right of the course into one east and north.
     pub fn aside(self, right_m: f64) -> Point {
         [right_m * self.north, -right_m * self.east]
     }
@@ -329,7 +329,7 @@ fn hit_ground(speed_m_s: f64) -> Breach {
     (SafetyKind::Crash, text)
 }
 
-/// What a status text of `ArduPilot` or its simulator tells about safety.
+/// What a status text of `ArduPilot` or its simulator says about safety.
 fn from_text(text: &str) -> Option<Breach> {
     if let Some(rest) = text.strip_prefix("SIM Hit ground at ") {
         let speed: f64 = rest.split_whitespace().next()?.parse().ok()?;

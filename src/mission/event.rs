@@ -1,7 +1,7 @@
-//! Events of a mission while it is flown: by time, on a condition, by chance, or by an instructor.
+//! Events of a mission while it is flown: at a time, on a condition, by chance, or triggered by an instructor.
 //!
 //! [`Event`]s are read from the file once. The [`Engine`](engine::Engine) of a flight watches them, changes the
-//! weather and the zones, brings people and aircraft, breaks things on board, and asks for answers to alerts.
+//! weather and the zones, brings people and aircraft, causes faults on board, and waits for answers to alerts.
 
 use std::time::Duration;
 
@@ -30,14 +30,14 @@ use weather::Change;
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Event {
     pub id: String,
-    /// What an instructor calls it.
+    /// Its title in the instructor's list.
     pub title: Text,
     pub trigger: Trigger,
     /// Whether it happens once at most.
     pub once: bool,
-    /// By how much at most the seed moves its time, either way.
+    /// The most by which the seed moves its time, either way.
     pub jitter: Duration,
-    /// How likely it happens when its time has come.
+    /// The probability that it happens when it is due.
     pub chance: f64,
     pub actions: Vec<Action>,
 }
@@ -45,13 +45,13 @@ pub(crate) struct Event {
 /// When an event happens.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Trigger {
-    /// At this mission time.
+    /// At a mission time.
     At(Duration),
-    /// When this begins to hold.
+    /// When a condition becomes true.
     When(Expression),
-    /// So long after another event, by its place in the file.
+    /// This long after another event, given by its index in the file.
     After(usize, Duration),
-    /// When an instructor says so.
+    /// When an instructor triggers it.
     Instructor,
 }
 
@@ -62,17 +62,17 @@ pub(crate) enum Action {
     Alert {
         level: AlertLevel,
         text: Text,
-        /// What has to become true; `None` for an alert that only tells.
+        /// The condition that answers it; `None` for an alert that needs no answer.
         ok: Option<Expression>,
         within: Duration,
     },
     Weather(Change),
-    /// Switches the zone of this place in the file.
+    /// Switches a zone, by its index in the file, on or off.
     Zone(usize, bool),
     Spawn(Spawn),
     Fault(Fault),
-    /// The mission has failed.
+    /// Fails the mission.
     Fail(Text),
-    /// Another event happens, by its place in the file.
+    /// Triggers another event, by its index in the file.
     Event(usize),
 }

@@ -1,4 +1,4 @@
-//! A vehicle for tests that flies in straight lines and reports what a copter would.
+//! A simple vehicle for tests: it flies in straight lines and reports like a copter.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -23,7 +23,7 @@ pub(crate) const ROUTE: [(f64, f64); 6] = [
     (80.0, 35.0),
 ];
 
-/// A line as the console would give it.
+/// A line as typed in the console.
 pub(crate) fn given(line: &str) -> Given<'_> {
     let statement = language::parse(line, &Context::default()).expect("a good line");
     let Meaning::Act(act) = statement.meaning else {
@@ -43,7 +43,7 @@ pub(crate) struct Pilot {
     pub now: Duration,
     pub disarmed_at: Option<Duration>,
     vehicles: Vehicles,
-    /// North, east, up.
+    /// Metres north, east and up.
     position_m: [f64; 3],
     armed_s: f64,
 }
@@ -55,7 +55,7 @@ impl Pilot {
         Self::flying(mission, seed)
     }
 
-    /// On the first pad of a mission.
+    /// A vehicle on the first pad of a mission.
     pub fn flying(mission: Mission, seed: u64) -> Self {
         let mut vehicle = Vehicle::new(1, 1);
         vehicle.landed = LandedState::OnGround;
@@ -228,7 +228,7 @@ impl Pilot {
     }
 }
 
-/// As a message carries it; so are the following.
+/// Rounded as in a message, like the following values.
 fn at_point(place: LatLon) -> LatLon {
     let (lat, lon) = place.to_e7();
     LatLon::from_e7(lat, lon)

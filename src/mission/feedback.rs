@@ -1,4 +1,4 @@
-//! The one line of feedback during a flight: the newest thing that matters, and never a stream of them.
+//! The single line of feedback during a flight: the newest item that matters.
 
 use std::time::Duration;
 
@@ -6,19 +6,19 @@ use crate::notice::Notice;
 use crate::text::Text;
 use crate::vehicle::Severity;
 
-/// No more than one new item in this time, unless it is critical.
+/// At most one new item in this time, unless it is critical.
 const CALM_FOR: Duration = Duration::from_secs(5);
 
-/// What the line says.
+/// The state of the feedback line.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Feedback {
     shown: Option<(Duration, Text)>,
-    /// The most important of what came since, the newest of equals.
+    /// The most important item that is waiting; of equals, the newest.
     waiting: Option<(Severity, Text)>,
 }
 
 impl Feedback {
-    /// Takes in what was said in a step. What only informs, such as one sample of many, does not matter.
+    /// Takes the notices of a step. Plain information, such as one sample of many, is left out.
     pub fn hear(&mut self, notices: &[Notice], now: Duration) {
         for notice in notices.iter().filter(|it| it.severity <= Severity::Notice) {
             if notice.severity <= Severity::Critical {
@@ -41,7 +41,7 @@ impl Feedback {
         }
     }
 
-    /// What it says now.
+    /// The text of the line.
     pub fn line(&self) -> Option<&Text> {
         self.shown.as_ref().map(|(_, text)| text)
     }

@@ -34,11 +34,11 @@ use head::FileHead;
 use rules::RuleSet;
 use site::MissionSite;
 
-/// Zones, places, events and hints of one mission.
+/// The most zones, places, events or hints of one mission.
 const MOST_TABLES: usize = 200;
-/// Each may have ten thousands of cells.
+/// Each hazard may have tens of thousands of cells.
 const MOST_HAZARDS: usize = 20;
-/// Each may have as many cells as a hazard.
+/// Each objective may have as many cells as a hazard.
 const MOST_OBJECTIVES: usize = 50;
 
 /// Reads a mission file.
@@ -65,12 +65,12 @@ pub fn schema() -> String {
     format::schema(&describe(mission))
 }
 
-/// The reference of mission files in Markdown, for the guide.
+/// The reference of mission files in Markdown.
 pub fn reference() -> String {
     format::reference(&describe(mission))
 }
 
-/// All sections; `None` where one that is needed could not be read.
+/// All sections; `None` if a required one could not be read.
 fn mission(file: &mut FileTable<'_>) -> Option<Mission> {
     let head = FileHead::need(file);
     let setting = MissionSetting::need(file);
@@ -126,7 +126,7 @@ fn mission(file: &mut FileTable<'_>) -> Option<Mission> {
     })
 }
 
-/// Where it is flown, with what, and under which rules.
+/// Site, fleet and rules.
 struct MissionSetting {
     site: MissionSite,
     weather: Weather,
@@ -165,7 +165,7 @@ impl MissionSetting {
     }
 }
 
-/// What there is in the mission, and what is to be done.
+/// Zones, places, hazards and objectives.
 struct MissionContent {
     places: Vec<(String, Point)>,
     hazards: Vec<Box<dyn Hazard>>,
@@ -209,7 +209,7 @@ impl MissionContent {
     }
 }
 
-/// What happens while it is flown.
+/// Events, advice and lesson.
 struct MissionCourse {
     radio: Option<Radio>,
     events: Vec<Event>,
@@ -250,7 +250,7 @@ impl MissionCourse {
     }
 }
 
-/// What it is worth, and what it asks of a career.
+/// Scoring, rewards and requirements.
 struct MissionWorth {
     scoring: ScoreRules,
     requires: Requires,

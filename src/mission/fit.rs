@@ -11,9 +11,9 @@ use super::sensor::Sensor;
 pub(crate) struct Fit {
     /// Its sensors: those of the whole fleet, then its own.
     pub sensors: Vec<&'static Sensor>,
-    /// What it starts with and gets again when it is served on its pad; a load that is not here it never has.
+    /// The loads that it starts with and that a pad restores; a load that is missing here it never has.
     pub loads: BTreeMap<Load, u32>,
-    /// Its own radio; without one it has that of the mission, if radio matters there.
+    /// Its own radio; `None` for the mission's, if radio matters there.
     pub radio: Option<Set>,
 }
 

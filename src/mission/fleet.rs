@@ -1,4 +1,4 @@
-//! The drones of a mission, where the trainee built them.
+//! Missions flown with drones that the trainee built.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -15,16 +15,16 @@ use crate::workshop::{Air, Design, FindingSeverity, PartSlot};
 
 /// Seconds of spray in a sprayer's tank.
 pub(super) const TANK_S: u32 = 15;
-/// The part that lets pieces go.
+/// The part that releases pieces.
 pub(super) const DROPPER: &str = "s_drop";
 
 impl Mission {
-    /// What flies it, in the order of the seats; empty for the mission's own drones.
+    /// The designs that fly it, one per seat; empty for the mission's own drones.
     pub fn fleet(&self) -> &[Design] {
         &self.fleet
     }
 
-    /// The air that it is flown in. Packs come from a warm bag.
+    /// The air in which it is flown. Battery packs are warm at launch.
     pub fn air(&self) -> Air {
         Air {
             altitude_m: self.origin.altitude_amsl_m,
@@ -37,8 +37,8 @@ impl Mission {
     /// Without any design, its own drones fly it.
     ///
     /// # Errors
-    /// Why it cannot be flown so, in words: more designs than seats, a design that does not fly in this air, a fleet that
-    /// is dearer than the budget.
+    /// The reasons: more designs than seats, a design that does not fly in this air, a fleet that is dearer than the
+    /// budget.
     pub fn with_fleet(self, mut fleet: Vec<Design>) -> Result<Self, Vec<Text>> {
         let Some(last) = fleet.last().cloned() else {
             return Ok(self);
@@ -57,8 +57,8 @@ impl Mission {
         }
     }
 
-    /// The same flown with one design per seat, or with its own drones if there are none; nobody asks whether they may.
-    /// What the drones carry is what was built in, and they are heard as far as their radios reach.
+    /// The same mission with one design per seat, or with its own drones if `fleet` is empty, without a check. The
+    /// drones carry what is built in, and their radios set the range.
     pub(super) fn flown_by(mut self, fleet: Vec<Design>) -> Self {
         if fleet.is_empty() {
             return self;
@@ -81,7 +81,7 @@ impl Mission {
         self
     }
 
-    /// The airframes of the drones that were built for it, in the order of the seats; none where it is flown with its own.
+    /// The airframes of the built drones, in the order of the seats; none where it is flown with its own.
     pub(crate) fn airframes(&self) -> Vec<Arc<Airframe>> {
         let mut airframes: Vec<Arc<Airframe>> = Vec::new();
         for (seat, design) in self.fleet.iter().enumerate() {
@@ -96,7 +96,8 @@ impl Mission {
 }
 
 impl Fit {
-    /// What a design carries: the sensors that were asked for come first. `own` is the radio of the mission's drones.
+    /// The fit of a design: the sensors that the mission requires come first. `own` is the radio of the mission's
+    /// drones.
     fn of(design: &Design, asked: &Self, own: Option<Set>) -> Self {
         let mut fit = Self {
             loads: loads(design),
@@ -116,7 +117,7 @@ impl Fit {
     }
 }
 
-/// What a design lets go of. Pieces need a dropper.
+/// The loads of a design. Pieces need a dropper.
 fn loads(design: &Design) -> BTreeMap<Load, u32> {
     let mounted = design.in_slot(PartSlot::Payload);
     let pieces = |load: Load| {
@@ -134,7 +135,7 @@ fn loads(design: &Design) -> BTreeMap<Load, u32> {
         .collect()
 }
 
-/// The radio of a design. A model that relays in the mission by its own word does so on every drone.
+/// The radio of a design. A radio model that relays in the mission relays on every drone.
 fn radio(design: &Design, own: Option<Set>) -> Option<Set> {
     let part = design.in_slot(PartSlot::Radio).first()?;
     let set = Set::of(Model::of(part)?);
@@ -152,11 +153,11 @@ fn airframe(design: &Design) -> Arc<Airframe> {
         let (airframe, _) = Airframe::from_json(&built.frame.to_string()).ok()?;
         Some(airframe.with_parameters(built.parameters))
     });
-    // Designs without a drive are refused before.
+    // Designs without a drive were refused earlier.
     built.map_or_else(Airframe::shared_standard, Arc::new)
 }
 
-/// What keeps designs on the ground, each told once.
+/// The reasons why designs cannot fly, each once.
 fn faults(fleet: &[Design], air: Air) -> Vec<Text> {
     let is_new = |&seat: &usize| !fleet[..seat].contains(&fleet[seat]);
     let mut told = Vec::new();

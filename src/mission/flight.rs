@@ -1,7 +1,7 @@
-//! One try at a mission.
+//! One attempt at a mission.
 //!
-//! A [`Flight`] is a composition of parts that own what they keep and are given what they look at; [`Flight::step`] has
-//! their order.
+//! A [`Flight`] consists of parts that own their state and receive the rest as arguments; [`Flight::step`] runs them
+//! in order.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -54,7 +54,7 @@ use threats::Threats;
 use tracks::Tracks;
 pub use verdict::Outcome;
 
-/// A running mission: a pure function of the mission, the seed and what it was shown.
+/// A running mission: a pure function of the mission, the seed and its inputs.
 #[derive(Debug)]
 pub struct Flight {
     mission: Arc<Mission>,
@@ -64,21 +64,21 @@ pub struct Flight {
     ended: Option<Outcome>,
     world: World,
     crafts: Vec<Craft>,
-    /// What the crafts have on board, and what was let go of.
+    /// The loads on board, and the releases.
     loads: Loads,
-    /// What detectors have found, and what was reported.
+    /// Contacts and reports.
     search: Search,
     surveys: Surveys,
     tracks: Tracks,
     goals: Goals,
     orders: OrderCount,
-    /// How the crafts are put to use.
+    /// How the vehicles are used and led.
     swarm: SwarmAccount,
     threats: Threats,
     clues: CluesGiven,
-    /// The step of the lesson that is to be shown, by its place.
+    /// The index of the lesson's current step.
     lesson_step: Option<usize>,
-    /// Of each hint that shows by itself, whether what it leads to is so.
+    /// For each automatic hint, whether its goal is reached.
     reached_hints: Vec<bool>,
     pledge: Pledge,
     journal: FlightJournal,
@@ -88,7 +88,7 @@ pub struct Flight {
 }
 
 impl Flight {
-    /// A try at a mission; the seed decides what the mission leaves to chance.
+    /// An attempt at a mission; the seed decides everything random.
     pub fn new(mission: Arc<Mission>, seed: u64) -> Self {
         let world = World::new(&mission, seed);
         let plans = mission.objectives.iter();
@@ -123,7 +123,7 @@ impl Flight {
         self.elapsed
     }
 
-    /// Says what the flight is for; without it, it is practice.
+    /// Sets what the flight is for; the default is practice.
     pub fn set_stake(&mut self, stake: Stake) {
         self.stake = stake;
     }
@@ -138,18 +138,18 @@ impl Flight {
         is_refused.then(|| text!("refused-protected-parameter", parameter = name.as_str()))
     }
 
-    /// Says what gives the commands.
+    /// Sets what gives the commands.
     pub fn set_flown_by(&mut self, flown_by: Option<FlownBy>) {
         self.flown_by = flown_by;
     }
 
-    /// Says which try of the trainee's it is, from 1, before it begins: on the first one, hints are free.
+    /// Sets the number of the trainee's attempt, from 1, before it begins: on the first one, hints are free.
     pub fn set_attempt(&mut self, attempt: u32) {
         self.clues.set_attempt(attempt);
     }
 
-    /// One [`TICK`]. `now` is mission time, 0 at the start. Returns what a human should hear, on mission time.
-    /// Every entry of the ledger counts. After the end nothing changes any more.
+    /// One [`TICK`]. `now` is mission time, 0 at the start. Returns the notices, in mission time. Every entry of the
+    /// ledger counts. After the end, nothing changes.
     pub fn step(&mut self, now: Duration, vehicles: &Vehicles, ledger: &Ledger) -> Vec<Notice> {
         if self.ended.is_some() {
             return Vec::new();
@@ -179,7 +179,7 @@ impl Flight {
         self.journal.end_step()
     }
 
-    /// A vehicle is no more, by no fault of the trainee's: its simulator has ended. Returns what a human should hear.
+    /// Marks a vehicle as lost through no fault of the trainee: its simulator has ended. Returns the notices.
     pub fn lose(&mut self, id: VehicleId, vehicles: &Vehicles) -> Vec<Notice> {
         if let Some(recorder) = &mut self.recorder {
             recorder.lose(id, vehicles);
@@ -204,13 +204,13 @@ impl Flight {
                 recorder.abandon();
             }
             self.end(Outcome::Abandoned);
-            // Whoever gives up knows it.
+            // The trainee who gives up needs no notice.
             self.journal.take();
         }
     }
 
-    /// Takes down that everything stood still for so long, by the clock on the wall; mission time did as well.
-    /// Returns what a human should hear, on mission time; nothing once the flight is over.
+    /// Records a pause of this length by the wall clock; mission time stood still as well. Returns the notice, in
+    /// mission time; `None` once the flight is over.
     pub fn note_pause(&mut self, lasted: Duration) -> Option<Notice> {
         if self.ended.is_some() {
             return None;
@@ -224,12 +224,12 @@ impl Flight {
         self.journal.take().pop()
     }
 
-    /// How it ended; `None` while it goes on.
+    /// How it ended; `None` while it lasts.
     pub fn outcome(&self) -> Option<Outcome> {
         self.ended
     }
 
-    /// What decides what the mission leaves to chance.
+    /// The seed of everything random in the mission.
     pub fn seed(&self) -> u64 {
         self.seed
     }
@@ -239,18 +239,18 @@ impl Flight {
         &self.mission
     }
 
-    /// The result with every point explained; of an unfinished flight, as if it ended now.
+    /// The result with every point explained; for an unfinished flight, as if it ended now.
     pub fn report(&self, ledger: &Ledger) -> Report {
         result::report(self, ledger)
     }
 
-    /// What has to be done to simulators and links since this was asked last.
+    /// The changes to make to simulators and links since the last call.
     pub fn take_demands(&mut self) -> Vec<Demand> {
         self.threats.take_demands()
     }
 
-    /// The vehicles that are heard take part, as many as the mission wants, in the order of their system ids. A seat
-    /// is kept to the end: a vehicle that is heard only after the mission has begun takes the last seat, whatever its id.
+    /// Enlists the vehicles that are heard, as many as the mission has seats, in the order of their system ids. A seat
+    /// is kept to the end: a vehicle first heard after the start takes the last free seat, whatever its id.
     fn enlist(&mut self, vehicles: &Vehicles) {
         for &id in vehicles.keys() {
             if self.crafts.len() >= self.mission.vehicles {
@@ -326,13 +326,13 @@ impl Flight {
         self.reached_hints = self.mission.hints.iter().map(is_reached).collect();
     }
 
-    /// Says which objectives have been met, or are open again.
+    /// Reports which objectives have been met, or are open again.
     fn tell_goals(&mut self, standings: &[ObjectiveStanding]) {
         self.goals
             .tell_changes(&self.mission.objectives, standings, &mut self.journal);
     }
 
-    /// What objectives see of it.
+    /// The state of the flight that objectives can see.
     fn scene(&self) -> ObjectiveScene<'_> {
         ObjectiveScene {
             now: self.elapsed,
@@ -346,7 +346,7 @@ impl Flight {
         }
     }
 
-    /// How each vehicle that the mission wants was used.
+    /// How each of the mission's vehicles was used.
     fn vehicle_uses(&self) -> Vec<VehicleUse> {
         self.swarm.uses(self.mission.vehicles)
     }
@@ -355,7 +355,7 @@ impl Flight {
         self.goals.standings(&self.scene())
     }
 
-    /// How the objectives would stand if it were over now; what is right of the reports counts only then.
+    /// The state of the objectives if the flight ended now; correct reports count only then.
     fn final_standings(&self) -> Vec<ObjectiveStanding> {
         self.goals.standings(&ObjectiveScene {
             over: true,

@@ -1,11 +1,11 @@
 //! The format of mission files: one function per table both reads and describes it.
 //!
-//! A [reader](Reader) asks a [`FileTable`] for its keys by name, value and meaning, and builds something of what it is
-//! given. Run on a table of a file, it reads; run by [`describe`], it is given nothing, and what it asked for is the
-//! description. The JSON schema ([`schema`]) and the reference of the guide ([`reference`]) are written from that. So a
-//! reader asks for all of its keys before it gives up for want of one.
+//! A [reader](Reader) asks a [`FileTable`] for its keys by name, value and meaning, and builds a value from them. On a
+//! table of a file, it reads; under [`describe`], it gets no values, and its requests are the description. The JSON
+//! schema ([`schema`]) and the reference of the guide ([`reference`]) are generated from that. So a reader requests
+//! all of its keys before it fails for a missing one.
 //!
-//! Sections refer to those that were read before them: to what is in the [`Draft`], which keeps the faults as well.
+//! Sections refer to those that were read before them: through the [`Draft`], which also collects the faults.
 
 mod description;
 mod draft;
@@ -32,7 +32,8 @@ pub(super) use value::{
 };
 pub(super) use written::WrittenValue;
 
-/// Points may lie this far from the origin on each axis; the flat earth of [`crate::geo`] holds no farther.
+/// The greatest distance of a point from the origin on each axis; beyond it the flat earth of [`crate::geo`] is too
+/// inaccurate.
 pub(super) const POINT_RANGE: f64 = 20_000.0;
-/// The longest time of a file, in seconds: a day.
+/// The longest time in a file, in seconds: a day.
 pub(super) const LONGEST_S: f64 = 86_400.0;

@@ -1,5 +1,5 @@
-//! What the world of a mission is made of, whatever hazard brings it: quantities that sensors measure, objects that they
-//! find, loads and what they do, and what a debrief reveals.
+//! The elements of a mission's world, common to all hazards: quantities that sensors measure, objects that they find,
+//! loads and their effects, and the truth that a debrief reveals.
 
 use std::time::Duration;
 
@@ -9,7 +9,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
-/// What a field can be measured in.
+/// A quantity of which a field can be measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Quantity {
     /// Solvent vapour or gas, in ug/m3.
@@ -33,14 +33,14 @@ pub(crate) struct Object {
     pub height_m: f64,
     /// Whether it is still there: a fire may be out, a person rescued.
     pub present: bool,
-    /// How much of it is hidden from above, 0 to 1 (canopy, rubble).
+    /// The share of it hidden from above, 0 to 1 (canopy, rubble).
     pub cover: f64,
-    /// The direction of the line that it hangs on, for what has to be looked at from the side.
+    /// The direction of the line that it hangs on, for objects that must be seen from the side.
     pub axis_deg: Option<f64>,
 }
 
 impl Object {
-    /// One that lies open on the ground.
+    /// An object that lies open on the ground.
     pub fn new(class: ObjectClass, at: Point) -> Self {
         Self {
             class,
@@ -53,32 +53,32 @@ impl Object {
     }
 }
 
-/// What an object is. The word after `mark .. as` is [`ObjectClass::kind`].
+/// The class of an object. The word after `mark .. as` is [`ObjectClass::kind`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum ObjectClass {
     /// A mine with much metal in it.
     MetalMine,
     /// A mine with hardly any metal in it.
     MinimumMetalMine,
-    /// A mine or a shell that lies open.
+    /// A mine or a shell in the open.
     SurfaceMine,
-    /// Scrap: what detectors take for a mine.
+    /// Scrap that detectors take for a mine.
     Clutter,
-    /// A person who needs help.
+    /// A person in need of help.
     Person,
-    /// What a thermal camera takes for a person.
+    /// An animal, which a thermal camera takes for a person.
     Animal,
     Fire,
     /// A fault of a line or a structure.
     Defect,
-    /// Where gas comes out.
+    /// A source of gas.
     Leak,
-    /// Where radiation comes from.
+    /// A source of radiation.
     Source,
 }
 
 impl ObjectClass {
-    /// What it is reported as; `None` for what should not be reported at all.
+    /// The kind to report it as; `None` for what should not be reported.
     pub fn kind(self) -> Option<FindKind> {
         Some(match self {
             Self::MetalMine | Self::MinimumMetalMine | Self::SurfaceMine => FindKind::Mine,
@@ -92,7 +92,7 @@ impl ObjectClass {
     }
 }
 
-/// What vehicles let go of.
+/// A load that vehicles can release.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Load {
     Ball,
@@ -106,7 +106,7 @@ pub(crate) enum Load {
 impl Load {
     pub const ALL: [Self; 4] = [Self::Ball, Self::Spray, Self::Kit, Self::Node];
 
-    /// What mission files call it.
+    /// Its name in mission files.
     pub const fn id(self) -> &'static str {
         match self {
             Self::Ball => "ball",
@@ -116,7 +116,7 @@ impl Load {
         }
     }
 
-    /// The part of the workshop's catalogue that it is, or is sprayed by.
+    /// The part of the workshop's catalogue that it is, or that sprays it.
     pub fn part(self) -> &'static str {
         match self {
             Self::Ball => "s_ball",
@@ -126,7 +126,7 @@ impl Load {
         }
     }
 
-    /// What it is called, for people.
+    /// Its name for people.
     pub fn name(self) -> Text {
         match self {
             Self::Ball => text!("load-ball"),
@@ -137,25 +137,25 @@ impl Load {
     }
 }
 
-/// What a load has done.
+/// The effect of a load.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct LoadEffect {
-    /// Whether it did any good.
+    /// Whether it helped.
     pub good: bool,
-    /// The object that it reached, by its place among the hazard's.
+    /// The object that it reached, by its index among the hazard's.
     pub object: Option<usize>,
     pub text: Text,
 }
 
-/// Something let go of.
+/// A released load.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Release {
     pub load: Load,
     pub at: Point,
     pub by: VehicleId,
-    /// Mission time at which it was let go of.
+    /// Mission time of the release.
     pub when: Duration,
-    /// Whether it did any good.
+    /// Whether it helped.
     pub good: bool,
 }
 
@@ -166,11 +166,11 @@ pub(crate) struct TruthPiece {
     pub shape: TruthShape,
 }
 
-/// What a piece of the truth is.
+/// The form of a piece of the truth.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum TruthShape {
     /// An object, and whether it was there at the end.
     Object(ObjectClass, bool),
-    /// A square of this side, and how strong the hazard was there, 0 to 1.
+    /// A square: its side in metres, and the strength of the hazard there, 0 to 1.
     Square(f64, f64),
 }

@@ -1,34 +1,34 @@
-//! Hints: those that show by themselves in a phase of the flight, and those that the trainee asks for at a price.
+//! Hints: automatic ones for a phase of the flight, and ones that the trainee asks for at a price.
 
 use super::event::expression::Expression;
 use crate::text::Text;
 
-/// Advice that fits a phase of the flight, shown by itself.
+/// Automatic advice for a phase of the flight.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Hint {
-    /// When it is shown.
+    /// The phase that it is for.
     pub phase: Phase,
-    /// What it leads to: it is shown until that holds.
+    /// Its goal: it is shown until this holds.
     pub(crate) until: Option<Expression>,
-    /// What it says; `{next_cell}` stands for the next cell to sample.
+    /// The advice; `{next_cell}` is replaced by the next cell to sample.
     pub text: Text,
 }
 
 /// Phases of a flight, for hints.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Phase {
-    /// No vehicle is armed, not everything is done.
+    /// On the ground, disarmed, with tasks left.
     Ground,
-    /// A vehicle is armed, none flies.
+    /// Armed, not flying.
     Armed,
-    /// A vehicle flies, not everything is done.
+    /// In the air, with tasks left.
     Air,
     /// All but the landing is done.
     Done,
 }
 
 impl Phase {
-    /// By the names that they have in files.
+    /// The phases by their names in files.
     pub(super) const WORDS: [(&str, Self); 4] = [
         ("ground", Self::Ground),
         ("armed", Self::Armed),
@@ -36,7 +36,7 @@ impl Phase {
         ("done", Self::Done),
     ];
 
-    /// How much its advice gives away: 1 is the routine that every flight begins with, 2 what this mission asks for.
+    /// How much its hints reveal: 1 is the routine of every flight, 2 the requirements of this mission.
     pub fn level(self) -> u8 {
         match self {
             Self::Ground | Self::Armed => 1,
@@ -45,20 +45,21 @@ impl Phase {
     }
 }
 
-/// Advice that has to be asked for. What it costs by its level and by the try, `clues` in `flight` decides.
+/// Advice that must be asked for. Its cost depends on its level and the attempt; see `clues` in `flight`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Clue {
-    /// 1: a question or a principle; 2: where to look; 3: how to do it, step by step.
+    /// 1: a question or a principle; 2: where to look; 3: the steps.
     pub level: u8,
-    /// The only phase that it fits, if it is made for one.
+    /// The only phase that it is for, if any.
     pub phase: Option<Phase>,
-    /// The id of the objective that it helps with, if it is made for one: of no use once that is met.
+    /// The id of the objective that it helps with, if any; it is of no use once that is met.
     pub objective: Option<String>,
-    /// What it says; `{next_cell}` stands for the next cell to sample.
+    /// The advice; `{next_cell}` is replaced by the next cell to sample.
     pub text: Text,
 }
 
-/// Which of them fits now: of those not given that fit phase and open objectives, the first of the lowest level.
+/// The next suitable one: of those not given that match the phase and an open objective, the first of the lowest
+/// level.
 pub(super) fn next_clue(
     clues: &[Clue],
     given: &[usize],

@@ -1,7 +1,7 @@
-//! A guided lesson: one step at a time, shown while what it asks for is not so yet.
+//! A guided lesson: one step at a time, shown until it is done.
 //!
-//! The step that is shown is the first one, in the order of the file, whose `when` holds and whose `until` does not. So a
-//! step that was reached in another way is skipped, and one that is undone (a drone that disarms itself) comes back.
+//! The current step is the first one, in file order, whose `when` holds and whose `until` does not. So a step done in
+//! another way is skipped, and one that is undone (a drone that disarms itself) returns.
 
 use super::event::engine::Engine;
 use super::event::expression::Expression;
@@ -9,23 +9,23 @@ use super::event::scope::Sight;
 use super::weather::Weather;
 use crate::text::Text;
 
-/// What stands for the key of a step in its text.
+/// The placeholder for a step's key in its text.
 pub const STEP_KEY: &str = "{key}";
 
-/// One thing to do, and how it is known to be done.
+/// One thing to do, and the condition that it is done.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LessonStep {
-    /// What it is made for; always, without it.
+    /// The condition under which it applies; without one, always.
     pub(crate) when: Option<Expression>,
-    /// What it leads to; without it, it is shown as long as `when` holds.
+    /// Its goal; without one, it is shown as long as `when` holds.
     pub(crate) until: Option<Expression>,
-    /// What to do; [`STEP_KEY`] stands for the key.
+    /// What to do; [`STEP_KEY`] is replaced by the key.
     pub text: Text,
-    /// The name of the action, or the verb, whose key is shown.
+    /// The action or verb whose key is shown.
     pub key: Option<String>,
 }
 
-/// The step that is to be shown, by its place; `None` once nothing is left to do.
+/// The index of the current step; `None` once all are done.
 pub(super) fn step_now(
     lesson: &[LessonStep],
     engine: &Engine,

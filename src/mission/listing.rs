@@ -1,4 +1,4 @@
-//! A mission as it is listed before it is flown.
+//! A mission as listed before it is flown.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -15,60 +15,60 @@ use crate::vehicle::VehicleId;
 /// A mission on offer: its brief, its objectives and its rules.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Listing {
-    /// Its name for files and results.
+    /// The id that files and results use.
     pub id: String,
     /// Its revision; results compare only within one.
     pub rev: u32,
-    /// Its name for people.
+    /// The title that is shown.
     pub title: Text,
-    /// What the trainee is told.
+    /// The briefing text.
     pub brief: Text,
     /// The id of the mission that it is a short exercise for.
     pub drill_of: Option<String>,
     /// Difficulty, 0 (first steps) to 3.
     pub tier: u8,
-    /// How many vehicles fly it.
+    /// The number of vehicles.
     pub vehicles: usize,
     pub time_limit: Duration,
-    /// Mission time that gets all points.
+    /// The mission time that earns full points.
     pub par_time: Duration,
-    /// Energy that gets all points, in Wh.
+    /// The energy that earns full points, in Wh.
     pub par_energy_wh: f64,
-    /// Highest height above the pads, in metres.
+    /// The greatest height allowed above the pads, in metres.
     pub max_height_m: f64,
-    /// Battery to land with, in percent.
+    /// The battery required at landing, in percent.
     pub land_reserve_percent: f64,
     /// Mean wind in m/s.
     pub wind_m_s: f64,
-    /// Where the wind comes from, in degrees.
+    /// The direction the wind comes from, in degrees.
     pub wind_from_deg: f64,
-    /// What it needs of drones that somebody builds for it, those seats together that need the same.
+    /// The needs that built drones must meet; seats with equal needs share an entry.
     pub needs: Vec<Need>,
-    /// What the vehicles carry, those that carry the same together.
+    /// The vehicles' equipment; vehicles with equal equipment share an entry.
     pub fits: Vec<FitListing>,
     /// The areas that are known from the start.
     pub areas: Vec<Area>,
-    /// The places that have a name from the start, and the pads.
+    /// The places named from the start, and the pads.
     pub places: BTreeMap<String, LatLon>,
-    /// What has to be reached.
+    /// The objectives.
     pub objectives: Vec<ObjectiveListing>,
     /// Advice by phase of the flight.
     pub hints: Vec<Hint>,
-    /// The components of the score that have a weight, with it.
+    /// The components of the score with a weight above zero.
     pub weights: Vec<(Text, f64)>,
     /// Points needed for medals.
     pub medals: Medals,
-    /// Whether it may be paused.
+    /// Whether pausing is allowed.
     pub pausable: bool,
-    /// How many times as fast time may pass in flight.
+    /// The highest speed-up of time in flight.
     pub most_speedup: f64,
-    /// What has to be shown before.
+    /// Requirements before the mission is offered.
     pub requires: Requires,
-    /// What passing it brings.
+    /// Credits, experience and unlocks for passing it.
     pub rewards: Rewards,
-    /// What its fleet may cost.
+    /// What its fleet may cost, and the drones it lends.
     pub outlay: Outlay,
-    /// What gold needs besides points.
+    /// Conditions for gold besides the points.
     pub gold_requires: Vec<Text>,
 }
 
@@ -87,13 +87,13 @@ impl Listing {
     }
 }
 
-/// What some of the vehicles carry.
+/// The equipment that some of the vehicles share.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FitListing {
     /// The vehicles that carry it.
     pub vehicles: Vec<VehicleId>,
     pub sensors: Vec<Text>,
-    /// Their loads, and how many of each; seconds of what is sprayed.
+    /// Their loads with the count of each; seconds for what is sprayed.
     pub loads: Vec<(Text, u32)>,
 }
 
@@ -101,7 +101,7 @@ pub struct FitListing {
 #[derive(Debug, Clone, PartialEq)]
 pub struct ObjectiveListing {
     pub title: Text,
-    /// What is asked for, in words.
+    /// The target as text.
     pub target: Text,
     /// Its share of the objectives' points.
     pub value: f64,
@@ -110,7 +110,7 @@ pub struct ObjectiveListing {
 }
 
 impl Mission {
-    /// What can be told of it before it is flown.
+    /// The information shown before it is flown.
     pub fn listing(&self) -> Listing {
         let weight = |component: Component| {
             let weight = self.scoring.weights.of(component);
@@ -188,7 +188,7 @@ impl Mission {
         listed
     }
 
-    /// What is asked for does not depend on how it goes: it is read off a flight that has not begun.
+    /// The targets do not depend on the flight: they are taken from one that has not begun.
     fn listed_objectives(&self) -> Vec<ObjectiveListing> {
         let world = World::new(self, 0);
         let untouched = ObjectiveScene::empty(&world);

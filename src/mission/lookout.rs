@@ -1,9 +1,9 @@
-//! The detectors of a fleet as its vehicles fly.
+//! The detectors of a flying fleet.
 //!
-//! A look that finds with probability `p` is an exposure of `-ln(1 - p)`; something is found when the exposure has
-//! reached a random amount with the exponential distribution. So a pass finds with `p`, a dwell of `t` with
-//! `1 - (1 - p)^(t / look)`, and who looks longer or from nearer never finds less. Passes within 2 s are one.
-//! Every vehicle, sensor and object has a random stream of its own, so nothing depends on who flies or is asked first.
+//! A look with detection probability `p` is an exposure of `-ln(1 - p)`; an object is found when the exposure reaches
+//! a random threshold with the exponential distribution. So a pass detects with probability `p`, a dwell of `t` with
+//! `1 - (1 - p)^(t / look)`, and a longer or closer look never finds less. Passes within 2 s count as one. Every
+//! vehicle, sensor and object has a random stream of its own, so nothing depends on the order of the vehicles.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -22,13 +22,13 @@ use crate::geo::maths;
 use crate::hash::fnv1a;
 use crate::vehicle::VehicleId;
 
-/// Passes nearer to one another are one.
+/// Passes closer together in time than this count as one.
 const ONE_PASS: Duration = Duration::from_secs(2);
 /// The share of mines that a kind of sensor never sees.
 const NEVER_SEEN: f64 = 0.03;
-/// Nothing is as sure as to be found at once.
+/// The highest detection probability of a look: no find is immediate for certain.
 const SUREST: f64 = 0.999;
-/// What false alarms can be taken for.
+/// The kinds of false alarms.
 const ALARMS: [FindKind; 2] = [FindKind::Mine, FindKind::Person];
 
 /// All detectors of a fleet.
@@ -43,21 +43,21 @@ pub(crate) struct Lookout {
 struct Eye {
     glances: BTreeMap<ObjectId, Glance>,
     alarms: BTreeMap<FindKind, Chance>,
-    /// Until a contact where nothing is turns out to be nothing, by its name.
+    /// For each false contact by name, the chance that a close look shows it as harmless.
     phantoms: BTreeMap<String, Chance>,
 }
 
-/// How a detector has seen an object so far.
+/// A detector's history with one object.
 #[derive(Debug)]
 struct Glance {
     chance: Chance,
     last: Duration,
     blind: bool,
-    /// Whether this pass has found it.
+    /// Whether this pass has detected it.
     found: bool,
 }
 
-/// Something that happens after a random exposure, again and again.
+/// A recurring event after a random exposure.
 #[derive(Debug)]
 struct Chance {
     random: ChaCha8Rng,
@@ -74,8 +74,8 @@ impl Lookout {
         }
     }
 
-    /// A [`TICK`] of a vehicle's detectors; returns what they see, also of what has been found before. A vehicle that
-    /// is not in the air or not heard sees nothing.
+    /// A [`TICK`] of a vehicle's detectors; returns what they see, including objects found before. A vehicle that is
+    /// on the ground or not heard sees nothing.
     pub fn step(
         &mut self,
         craft: &Craft,
@@ -109,7 +109,7 @@ impl Lookout {
     }
 }
 
-/// One detector at one moment.
+/// The state of one detector at one moment.
 struct DetectorWatch<'a> {
     seed: u64,
     craft: &'a Craft,
@@ -154,7 +154,7 @@ impl DetectorWatch<'_> {
         }
     }
 
-    /// False alarms, by the way that the detector has gone over the ground.
+    /// Adds false alarms, in proportion to the area the detector has passed over.
     fn alarms(&mut self, alarms: &mut BTreeMap<FindKind, Chance>, seen: &mut Vec<Sighting>) {
         let way_m = self.craft.speed_m_s * TICK.as_secs_f64();
         for taken_for in ALARMS {
@@ -186,7 +186,7 @@ impl DetectorWatch<'_> {
         }
     }
 
-    /// False alarms of the sensors. A look from near tells them apart from real finds, as it does with animals.
+    /// Checks false contacts: a close look tells them from real finds, as it does with animals.
     fn phantoms(
         &self,
         phantoms: &mut BTreeMap<String, Chance>,
@@ -221,7 +221,7 @@ impl DetectorWatch<'_> {
 
     fn glance(&self, id: ObjectId, look: &Look) -> Glance {
         let object = [id.hazard.to_le_bytes(), id.index.to_le_bytes()];
-        // Whether a kind of sensor is blind to a mine is the same for all vehicles.
+        // A kind of sensor misses the same mines on all vehicles.
         let mut kind = stream(self.seed, &[self.sensor.id.as_bytes(), &object.concat()]);
         Glance {
             chance: Chance::new(self.random(&[&object.concat()])),
@@ -251,16 +251,16 @@ impl DetectorWatch<'_> {
     }
 }
 
-/// What a look has found.
+/// A detection.
 struct Find {
-    /// By how much its place is off.
+    /// The error of its position.
     error_m: Point,
-    /// Whether it was seen well enough to know something harmless.
+    /// Whether the look was good enough to recognise something harmless.
     told_apart: bool,
 }
 
 impl Glance {
-    /// A tick of looking.
+    /// Adds a tick of looking.
     fn take(&mut self, look: &Look, now: Duration) -> Option<Find> {
         let exposure = -maths::ln(1.0 - look.chance.min(SUREST));
         let away = now.saturating_sub(std::mem::replace(&mut self.last, now));
@@ -298,7 +298,7 @@ impl Chance {
         }
     }
 
-    /// Adds to the exposure; whether it happens by that.
+    /// Adds to the exposure; returns whether the event happens.
     fn expose(&mut self, by: f64) -> bool {
         self.exposure += by;
         let happens = self.exposure >= self.until;
@@ -314,7 +314,7 @@ impl Chance {
     }
 }
 
-/// The random stream of a name.
+/// The random stream for a name.
 fn stream(seed: u64, name: &[&[u8]]) -> ChaCha8Rng {
     let bytes = name.iter().flat_map(|part| part.iter().chain(&[0xFF]));
     let mut random = ChaCha8Rng::seed_from_u64(seed);

@@ -1,4 +1,4 @@
-//! A mission's needs of the drones that fly it, and whether a design meets them.
+//! What a mission needs of the drones that fly it, and whether a design meets that.
 
 use std::time::Duration;
 
@@ -15,59 +15,59 @@ use crate::text::Text;
 use crate::vehicle::VehicleId;
 use crate::workshop::{Air, Design, Figures, GOOD_THRUST, LEAST_THRUST, Part, part};
 
-/// Ways are not straight, and wind and headings are not known: what reaches this much farther is enough.
+/// The margin on the range: paths are not straight, and wind and headings are unknown.
 const REACH: f64 = 1.3;
-/// The height at which missions are flown, unless they are to be flown lower.
+/// The usual height of a flight, unless the mission sets a lower one.
 const USUAL_HEIGHT_M: f64 = 20.0;
-/// In more wind than this, gusts want the thrust of [`GUSTY_THRUST`].
+/// Wind above this has gusts that need [`GUSTY_THRUST`].
 const CALM_M_S: f64 = 3.0;
-/// Thrust over weight that holds a position, and that holds it in gusts without saturating motors.
+/// Thrust over weight needed to hold a position, and to hold it in gusts without saturating the motors.
 const CALM_THRUST: f64 = LEAST_THRUST;
 const GUSTY_THRUST: f64 = GOOD_THRUST;
 
-/// What some seats of a mission need of their drones.
+/// The needs of some seats of a mission.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Need {
-    /// Which seats, by the numbers of their vehicles.
+    /// The seats, by vehicle number.
     pub seats: Vec<VehicleId>,
-    /// Parts that measure and see, by id.
+    /// Sensors, by id.
     pub sensors: Vec<&'static str>,
-    /// Parts that are let go of, sprayed, or needed for that, by id and number.
+    /// Loads, and the parts that release or spray them, by id and count.
     pub loads: Vec<(&'static str, u32)>,
-    /// How far it has to reach, there and back: the farthest point of the task and 30 % more, in metres.
+    /// The range for the flight there and back: the farthest point of the task and 30 % more, in metres.
     pub reach_m: f64,
-    /// How far it has to be heard: the farthest point of the task, in metres.
+    /// The radio range: the farthest point of the task, in metres.
     pub far_m: f64,
-    /// At this height above the ground, in metres.
+    /// The height for these, above the ground, in metres.
     pub height_m: f64,
-    /// The strongest wind to hold, in m/s.
+    /// The strongest wind in which to hold a position, in m/s.
     pub wind_m_s: f64,
-    /// How long it should stay in the air.
+    /// The flight time.
     pub time: Duration,
-    /// Battery to land with, in percent.
+    /// The battery required at landing, in percent.
     pub reserve_percent: f64,
-    /// What it flies in.
+    /// The air at the site.
     pub air: Air,
-    /// A seat's share of the budget, in credits, where there is one.
+    /// A seat's share of the budget in credits, if there is one.
     pub credits: Option<u32>,
 }
 
-/// One thing that is needed, and how a design stands to it.
+/// One need, compared with a design.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FitLine {
     pub what: Text,
-    /// How much of it, with its unit.
+    /// The required value with its unit.
     pub required: Text,
-    /// What the design has.
+    /// The design's value.
     pub has: Text,
-    /// Whether that is enough.
+    /// Whether the design meets it.
     pub met: bool,
-    /// Whether the task cannot be done as it is; else it is only risky or slow.
+    /// Whether the task is impossible without it; otherwise only risky or slow.
     pub is_block: bool,
 }
 
 impl Mission {
-    /// What it needs of drones that are built for it, in the order of its seats; seats that need the same are together.
+    /// The needs that built drones must meet, in the order of the seats; seats with equal needs share an entry.
     pub fn needs(&self) -> Vec<Need> {
         let mut needs: Vec<Need> = Vec::new();
         let far_m = self.farthest_m();
@@ -94,7 +94,8 @@ impl Mission {
         needs
     }
 
-    /// How far the farthest point of the task is from the farthest pad; where the file names none, the end of the fence.
+    /// The distance from the farthest pad to the farthest point of the task; without named points, to the edge of the
+    /// fence.
     fn farthest_m(&self) -> f64 {
         let world = World::new(self, 0);
         let trackers = self.objectives.iter().map(|it| it.kind.start(&world));
@@ -126,7 +127,7 @@ impl Mission {
         }
     }
 
-    /// The mean wind with its gusts, or what events make of it.
+    /// The mean wind with its gusts, or stronger wind that an event brings.
     fn strongest_wind_m_s(&self) -> f64 {
         let mean_m_s = self.weather.wind.speed_m_s;
         let actions = self.events.iter().flat_map(|event| &event.actions);
@@ -144,7 +145,7 @@ impl Mission {
     }
 }
 
-/// The parts for some loads. Pieces hang on a dropper.
+/// The parts for these loads. Pieces need a dropper.
 pub(super) fn parts(loads: impl Iterator<Item = (Load, u32)>) -> Vec<(&'static str, u32)> {
     let mut parts = Vec::new();
     let mut drops = false;
@@ -163,8 +164,8 @@ pub(super) fn parts(loads: impl Iterator<Item = (Load, u32)>) -> Vec<(&'static s
 }
 
 impl Need {
-    /// How a design stands to it: what has to be on board first, then what its figures have to be. Figures are missing
-    /// as long as parts of the drive are.
+    /// Compares a design: required equipment first, then required figures. Figures are left out while parts of the
+    /// drive are missing.
     pub fn fit(&self, design: &Design) -> Vec<FitLine> {
         let sensors = self.sensors.iter().map(|id| sensor_line(design, id));
         let loads = self.loads.iter().map(|&(id, count)| {
@@ -196,7 +197,7 @@ impl Need {
         }
     }
 
-    /// In the hover, down to the charge to land with.
+    /// Compares the time in the hover, down to the reserve.
     fn time(&self, figures: &Figures) -> FitLine {
         let share = 1.0 - self.reserve_percent / 100.0;
         let has_s = figures.hover_80_s * share / 0.8;
@@ -247,13 +248,13 @@ impl Need {
             required: Text::verbatim(share.to_string()),
             has: Text::verbatim(credits.to_string()),
             met: credits <= share,
-            // Another seat may be cheaper: the fleet as a whole has to keep within the budget.
+            // Another seat may cost less: only the whole fleet must keep within the budget.
             is_block: false,
         })
     }
 }
 
-/// A sensor, or one that does the same.
+/// Compares a sensor, or one that can replace it.
 fn sensor_line(design: &Design, id: &'static str) -> FitLine {
     let wanted = Sensor::by_id(id);
     let does_it = |part: &Part| {
@@ -272,7 +273,7 @@ fn mounted_line(id: &'static str, has: u32, count: u32) -> FitLine {
         required: Text::verbatim(count.to_string()),
         has: Text::verbatim(has.to_string()),
         met: has >= count,
-        // Pieces are taken on board again on the pad, but there has to be room for one.
+        // Pieces are reloaded on the pad, but there must be room for one.
         is_block: has == 0,
     }
 }

@@ -43,30 +43,30 @@ mod stops;
 pub(crate) struct Objective {
     pub id: String,
     pub title: Text,
-    /// Its share of the objectives' points.
+    /// Its share of the objectives' points, 0 to 1.
     pub value: f64,
     /// Whether the mission fails without it.
     pub mandatory: bool,
     pub kind: Box<dyn ObjectiveKind>,
 }
 
-/// What is to be reported.
+/// A find that an objective asks for.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Sought {
-    /// The hazard's place in the file.
+    /// The hazard's index in the file.
     pub hazard: usize,
-    /// How near a report must be.
+    /// The greatest distance of a correct report.
     pub within_m: f64,
 }
 
-/// What shows that a flight tried an objective; who never came to it has not failed at it.
+/// What counts as an attempt at an objective; without one, the trainee has not failed at it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Trying {
-    /// Every flight tries it.
+    /// Every flight counts.
     Always,
-    /// Once the trainee has reported a find.
+    /// The trainee has reported a find.
     Report,
-    /// Some of it was reached.
+    /// Part of it was reached.
     Progress,
 }
 
@@ -78,22 +78,22 @@ pub(crate) struct GroundPatch {
     pub side_m: f64,
 }
 
-/// What an objective asks for.
+/// The behaviour of a kind of objective.
 pub(crate) trait ObjectiveKind: Debug + Send + Sync {
-    /// The skill that it shows in a mission with so many vehicles: one alone is no swarm.
+    /// The skill that it shows in a mission with this many vehicles: swarm skills need several.
     fn skill(&self, vehicles: usize) -> Option<Skill>;
 
-    /// How a flight shows that it was tried.
+    /// What counts as an attempt at it.
     fn trying(&self) -> Trying {
         Trying::Progress
     }
 
-    /// The survey that it needs, if it needs one.
+    /// The survey that it needs, if any.
     fn survey(&self) -> Option<&SurveyPlan> {
         None
     }
 
-    /// What it wants to be reported, if anything.
+    /// The find that it asks for, if any.
     fn sought(&self) -> Option<Sought> {
         None
     }
@@ -103,47 +103,47 @@ pub(crate) trait ObjectiveKind: Debug + Send + Sync {
         Demands::default()
     }
 
-    /// What the places are called that its tracker will know.
+    /// The names of the places that its tracker adds.
     fn place_names(&self) -> Vec<String> {
         Vec::new()
     }
 
-    /// Starts to watch a flight in a world.
+    /// Starts the tracker of a flight in a world.
     fn start(&self, world: &World) -> Box<dyn Tracker>;
 }
 
 /// Watches one objective during a flight.
 pub(crate) trait Tracker: Debug + Send + Sync {
-    /// Lets a [`TICK`](super::TICK) pass, for kinds that remember more than the scene shows.
+    /// Advances by a [`TICK`](super::TICK), for kinds with a memory of their own.
     fn step(&mut self, _scene: &ObjectiveScene<'_>) {}
 
-    /// How the objective stands.
+    /// The state of the objective.
     fn standing(&self, scene: &ObjectiveScene<'_>) -> ObjectiveStanding;
 
-    /// Where a look was needed and never made.
+    /// The ground that had to be searched and was not.
     fn gaps(&self) -> Vec<GroundPatch> {
         Vec::new()
     }
 
-    /// Where it asked for a look and there was one.
+    /// The ground that had to be searched and was.
     fn swept(&self) -> Vec<GroundPatch> {
         Vec::new()
     }
 
-    /// What the trainee's map of the ground shows, for kinds that keep one.
+    /// The ground on the trainee's map, for kinds that keep one.
     fn mapped(&self, _world: &World) -> Vec<GroundPatch> {
         Vec::new()
     }
 
-    /// Places that the seed decides, by name, and what is next of them.
+    /// Places that the seed decides, by name, and the next one to go to.
     fn places(&self) -> Vec<(String, Point)> {
         Vec::new()
     }
 }
 
-/// What trackers see of a flight in one step.
+/// The state of a flight that trackers see in one step.
 pub(crate) struct ObjectiveScene<'a> {
-    /// How much mission time has passed.
+    /// Mission time.
     pub now: Duration,
     /// Whether the flight is over, or its time is up.
     pub over: bool,
@@ -151,14 +151,14 @@ pub(crate) struct ObjectiveScene<'a> {
     pub surveys: &'a [Survey],
     pub world: &'a World,
     pub marks: &'a [Mark],
-    /// How well vehicles are heard, in dB; empty where radio does not matter.
+    /// Each vehicle's link margin in dB; empty where radio does not matter.
     pub margins_db: &'a BTreeMap<VehicleId, f64>,
-    /// What was let go of.
+    /// The releases.
     pub releases: &'a [Release],
 }
 
 impl<'a> ObjectiveScene<'a> {
-    /// What is visible before the first visit.
+    /// The scene before the first visit.
     pub fn empty(world: &'a World) -> Self {
         Self {
             now: Duration::ZERO,
@@ -172,13 +172,13 @@ impl<'a> ObjectiveScene<'a> {
         }
     }
 
-    /// The survey that an objective asked for.
+    /// The survey of an objective.
     pub fn survey(&self, id: &str) -> Option<&Survey> {
         self.surveys.iter().find(|survey| survey.plan.id == id)
     }
 }
 
-/// How an objective stands.
+/// The state of an objective.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct ObjectiveStanding {
     /// How far it is reached, 0 to 1.
@@ -186,44 +186,44 @@ pub(crate) struct ObjectiveStanding {
     /// The measured quantity, for gates.
     pub measure: f64,
     pub met: bool,
-    /// Whether the flight need not go on for its sake.
+    /// Whether the flight can end as far as this objective is concerned.
     pub settled: bool,
-    /// Whether it is about coming home, the last thing of a flight.
+    /// Whether it is about the landing, the last task of a flight.
     pub landing: bool,
-    /// For kinds that make one.
+    /// The product, for kinds that make one.
     pub product: Option<Product>,
-    /// The result in words.
+    /// The result as text.
     pub result: Text,
-    /// What it still needs, while it is flown for; `None` where the result says all.
+    /// What is still missing, during the flight; `None` where the result says all.
     pub outlook: Option<Text>,
-    /// The target in words.
+    /// The target as text.
     pub target: Text,
-    /// What would reach it, in words.
+    /// Advice on how to reach it.
     pub advice: Text,
 }
 
-/// What the place to go to next is called.
+/// The name of the next place to go to.
 pub const NEXT_PLACE: &str = "next";
 
-/// How long vehicles must stand still on the ground before the flight counts as over.
+/// The time that vehicles must be on the ground and disarmed before the flight counts as over.
 pub(crate) const DOWN_FOR: Duration = Duration::from_secs(2);
 
 impl ObjectiveTarget {
-    /// How much of it a measure is worth, 0 to 1.
+    /// The share of the points for a measure, 0 to 1.
     fn credit(self, measure: f64) -> f64 {
         partial_credit(measure, self.partial_from, self.met_at)
     }
 }
 
 impl CountTarget {
-    /// How much of it a count is worth, 0 to 1.
+    /// The share of the points for a count, 0 to 1.
     fn credit(self, count: usize) -> f64 {
         partial_credit(count as f64, self.partial_from as f64, self.met_at as f64)
     }
 }
 
 impl FileTable<'_> {
-    /// How near to a place counts, by the key `radius`.
+    /// The radius within which a place counts as reached, by the key `radius`.
     fn need_radius(&mut self) -> Option<f64> {
         self.need(
             "radius",
@@ -233,7 +233,7 @@ impl FileTable<'_> {
     }
 }
 
-/// `clamp((x - partial) / (target - partial), 0, 1)`; works for targets below the partial mark too.
+/// `clamp((x - partial) / (target - partial), 0, 1)`; also works for targets below `partial`.
 pub(crate) fn partial_credit(x: f64, partial: f64, target: f64) -> f64 {
     let span = target - partial;
     if span.abs() < 1e-12 {
@@ -247,7 +247,7 @@ pub(crate) fn partial_credit(x: f64, partial: f64, target: f64) -> f64 {
     ((x - partial) / span).clamp(0.0, 1.0)
 }
 
-/// All kinds, in the order in which they are listed.
+/// All kinds, in the order of listings.
 pub(super) static KINDS: &[KindOf<Box<dyn ObjectiveKind>>] = &[
     sample_cells::KIND,
     map_error::KIND,

@@ -1,14 +1,14 @@
-//! What the pads are called in commands.
+//! The names of pads in commands.
 
-/// What their names begin with; a number follows.
+/// The prefix of their names; a number follows.
 pub(crate) const STEM: &str = "pad";
 
-/// The name of a pad, the first of which has the number 1.
+/// The name of a pad; the first has the number 1.
 pub(crate) fn pad_name(number: usize) -> String {
     format!("{STEM}{number}")
 }
 
-/// Whether a place is a pad, by its name.
+/// Whether a name is that of a pad.
 pub fn is_pad(name: &str) -> bool {
     name.strip_prefix(STEM)
         .is_some_and(|number| number.chars().all(|c| c.is_ascii_digit()))

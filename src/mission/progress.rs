@@ -12,91 +12,91 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
-/// A mission as it stands now.
+/// The present state of a mission.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Progress {
     pub title: Text,
-    /// How much mission time has passed.
+    /// Mission time.
     pub elapsed: Duration,
     pub limit: Duration,
     /// The score if it ended now, 0 to 1000; `None` before the first takeoff.
     pub score_so_far: Option<u16>,
-    /// The objectives, in the mission's order.
+    /// The objectives, in file order.
     pub objectives: Vec<ObjectiveProgress>,
-    /// What the virtual sensors show, in order of vehicle.
+    /// The readings of the virtual sensors, by vehicle.
     pub readings: Vec<Reading>,
-    /// What the vehicles still carry to let go of, in order of vehicle.
+    /// The loads left on board, by vehicle.
     pub loads: Vec<LoadLeft>,
     /// What sensors have found, for waits.
     pub findings: Findings,
-    /// How far the flight has come.
+    /// The phase of the flight.
     pub phase: Phase,
-    /// What to do next, where the mission has advice.
+    /// Advice on what to do next, if the mission has any.
     pub hint: Option<Text>,
-    /// The step of the lesson, where the mission has one.
+    /// The current step of the lesson, if the mission has one.
     pub lesson: Option<LessonStep>,
-    /// The one line of feedback: the newest thing that matters, at most one new in 5 s unless it is critical.
+    /// The single line of feedback: the newest item that matters, at most one in 5 s unless critical.
     pub feedback: Option<Text>,
-    /// Hints that can be asked for.
+    /// Hints that the trainee can ask for.
     pub clues: ClueProgress,
-    /// Whether a prediction and a goal can still be given.
+    /// Whether the trainee can still set a prediction and a goal.
     pub can_pledge: bool,
-    /// How the operator handles the swarm so far.
+    /// Figures on the operator's handling of the swarm so far.
     pub swarm: SwarmFigures,
-    /// Places that have come up during the flight, for the grammar: contacts (`c1`) and `peak`.
+    /// Places known so far, for the grammar: contacts (`c1`) and `peak`.
     pub places: BTreeMap<String, LatLon>,
-    /// What detectors have found so far, in the order of its numbers.
+    /// What detectors have found so far, by number.
     pub contacts: Vec<ShownContact>,
-    /// What the trainee has reported so far.
+    /// The trainee's reports so far.
     pub marks: Vec<ShownMark>,
-    /// What the trainee has said before launch.
+    /// The trainee's prediction and goal.
     pub pledge: Pledge,
-    /// What an instructor may have happen.
+    /// The injects that an instructor may trigger.
     pub injects: Vec<Inject>,
-    /// The cells of all surveys; south-west first, then to the east.
+    /// The cells of all surveys, from the south-west eastwards.
     pub cells: Vec<Cell>,
-    /// The ground that the trainee's map has as burnt: what was seen, as it was when it was seen.
+    /// The burnt ground on the trainee's map, as last seen.
     pub mapped: Vec<Ground>,
-    /// The ground that has been searched as an objective asks for it.
+    /// The ground searched as an objective requires.
     pub swept: Vec<Ground>,
-    /// The areas that are there now; events bring some and take others away.
+    /// The active areas; events can add and remove them.
     pub areas: Vec<Area>,
-    /// People, aircraft and drones of others that are on the way.
+    /// People, aircraft and drones of others that are under way.
     pub movers: Vec<MovingThing>,
-    /// Alerts that wait for an answer, the most urgent first.
+    /// Unanswered alerts, the most urgent first.
     pub alerts: Vec<OpenAlert>,
-    /// How well vehicles are heard, in dB above what the receiver needs; empty where radio does not matter.
+    /// Each vehicle's link margin in dB; empty where radio does not matter.
     pub margins_db: BTreeMap<VehicleId, f64>,
 }
 
-/// A person, an aircraft or a drone that moves through the mission.
+/// A moving person, aircraft or drone.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MovingThing {
-    /// What conditions of the mission call it.
+    /// Its id in the mission's conditions.
     pub name: String,
     pub kind: MoverKind,
     pub at: LatLon,
-    /// How high it moves, in metres above the origin.
+    /// Its height in metres above the origin.
     pub height_m: f64,
-    /// How far from it vehicles have to stay, in metres.
+    /// The distance that vehicles must keep from it, in metres.
     pub keep_out_m: f64,
 }
 
-/// The hints that can be asked for, as they stand.
+/// The state of the hints on request.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ClueProgress {
-    /// Those that were given: level and text, oldest first.
+    /// The hints given: level and text, oldest first.
     pub given: Vec<(u8, Text)>,
-    /// Whether the newest is newer than the advice that comes by itself.
+    /// Whether the newest hint is newer than the automatic advice.
     pub is_news: bool,
-    /// The level of the next one that fits now, and the share of the score that it would take.
+    /// The level of the next suitable hint, and the share of the score that it costs.
     pub next: Option<(u8, f64)>,
-    /// What is left of the score by those that were given, 0.7 to 1.
+    /// The factor on the score for the hints given, 0.7 to 1.
     pub factor: f64,
 }
 
 impl ClueProgress {
-    /// How to get the next hint, by a key, and what it costs; `None` where there is none.
+    /// The key for the next hint and its cost; `None` if there is none.
     pub fn price(&self, key: Text) -> Option<Text> {
         let (level, price) = self.next?;
         let percent = (price * 100.0).round() as u32;
@@ -109,19 +109,19 @@ impl ClueProgress {
     }
 }
 
-/// One objective as it stands now.
+/// The present state of one objective.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ObjectiveProgress {
     pub title: Text,
-    /// Whether it is decided.
+    /// Whether it is met, missed or open.
     pub state: ObjectiveState,
-    /// How it stands, such as `7/9 cells`.
+    /// Its progress as text, such as `7/9 cells`.
     pub detail: Text,
     /// How far it is reached, 0 to 1.
     pub fraction: f64,
 }
 
-/// Whether an objective is decided.
+/// The state of an objective.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ObjectiveState {
     Open,
@@ -131,26 +131,26 @@ pub enum ObjectiveState {
 }
 
 impl ObjectiveProgress {
-    /// Whether it is reached.
+    /// Whether it is met.
     pub fn is_reached(&self) -> bool {
         self.state == ObjectiveState::Met
     }
 }
 
-/// Something that detectors believe to have found.
+/// A contact of the detectors, which may be a false alarm.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShownContact {
-    /// What it is called: `c1`.
+    /// Its name, such as `c1`.
     pub name: String,
-    /// What it is taken for.
+    /// What detectors take it for.
     pub kind: FindKind,
-    /// Where it is believed to be.
+    /// Its estimated position.
     pub at: LatLon,
-    /// How far it is confirmed.
+    /// How well it is confirmed.
     pub trust: Trust,
 }
 
-/// How far a contact is trusted.
+/// How well a contact is confirmed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Trust {
     /// One kind of sensor has seen it.
@@ -161,19 +161,19 @@ pub enum Trust {
     Reported,
 }
 
-/// What the trainee has reported.
+/// A report of the trainee.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShownMark {
-    /// What it is said to be.
+    /// The reported kind; `None` where the trainee gave none.
     pub kind: Option<FindKind>,
-    /// Where it was reported.
+    /// The reported position.
     pub at: LatLon,
 }
 
-/// What a virtual sensor shows.
+/// The reading of a virtual sensor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reading {
-    /// Which vehicle carries it.
+    /// The vehicle that carries it.
     pub vehicle: VehicleId,
     /// Name of the sensor.
     pub sensor: Text,
@@ -182,16 +182,16 @@ pub struct Reading {
     pub unit: &'static str,
 }
 
-/// What is left of a load.
+/// The rest of a load.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadLeft {
-    /// Which vehicle carries it.
+    /// The vehicle that carries it.
     pub vehicle: VehicleId,
     /// Name of the load.
     pub load: Text,
-    /// How many are left; seconds of what is sprayed.
+    /// The pieces left; seconds for what is sprayed.
     pub left: u32,
-    /// The unit: `s` for what is sprayed, else nothing.
+    /// The unit: `s` for what is sprayed, otherwise empty.
     pub unit: &'static str,
 }
 

@@ -1,9 +1,8 @@
-//! Radio between the ground and the vehicles: how strong it is over a distance, past ridges, in noise, and by way of
-//! other vehicles.
+//! Radio between the ground and the vehicles: its strength over a distance, behind ridges, in noise, and through
+//! relays.
 //!
-//! The margin of a path is what is received above what the receiver needs. What it means for a link: a share of
-//! `1 / (1 + exp((margin - 3) / 1.5))` of the frames is lost, and what comes through has been sent so often that it comes
-//! later.
+//! The margin of a path is the received level above the receiver's sensitivity, in dB. It sets the quality of a link:
+//! a share of `1 / (1 + exp((margin - 3) / 1.5))` of the frames is lost, and the delay grows with the repetitions.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -30,13 +29,13 @@ impl Model {
         workshop::parts_for(PartSlot::Radio).filter_map(Self::of)
     }
 
-    /// That of a part, if it is a radio.
+    /// The model of a part, if the part is a radio.
     pub fn of(part: &'static Part) -> Option<Self> {
         let radio = part.radio()?;
         Some(Self { id: part.id, radio })
     }
 
-    /// The radio of an id.
+    /// The model with an id.
     pub fn by_id(id: &str) -> Option<Self> {
         workshop::part(id).and_then(Self::of)
     }
@@ -48,12 +47,12 @@ pub(crate) struct Set {
     pub model: Model,
     /// Gain of the vehicle's antenna.
     pub gain_dbi: f64,
-    /// Whether it passes on, in the air, what others of its model send.
+    /// Whether it relays other radios of its model while in the air.
     pub relays: bool,
 }
 
 impl Set {
-    /// With the antenna and the habits of its model.
+    /// A radio with its model's antenna and defaults.
     pub fn of(model: Model) -> Self {
         Self {
             model,
@@ -66,9 +65,9 @@ impl Set {
 /// The radio of a mission.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Radio {
-    /// That of vehicles that have none of their own.
+    /// The radio of vehicles that have none of their own.
     pub own: Option<Set>,
-    /// Where the ground station is, and how high its antenna. It has the counterpart of every vehicle's radio.
+    /// The ground station's position and antenna height. It has a counterpart for every vehicle's radio.
     pub station: Point,
     pub antenna_m: f64,
 }
@@ -80,25 +79,25 @@ pub(crate) struct RadioNode {
     pub at: Point,
     pub height_m: f64,
     pub gain_dbi: f64,
-    /// Whether it passes on what it hears.
+    /// Whether it relays what it receives.
     pub relays: bool,
 }
 
-/// A path is checked for ridges at this many points.
+/// The number of points at which a path is checked for ridges.
 const PLACES: u32 = 64;
-/// Light, in metres a microsecond.
+/// The speed of light, in metres per microsecond.
 const LIGHT_M_US: f64 = 299.792_458;
-/// At this margin half of all frames are lost; below it, more.
+/// The margin at which half of the frames are lost.
 const HALF_LOST_DB: f64 = 3.0;
 const LOSS_SLOPE_DB: f64 = 1.5;
-/// The time on the way of a frame that comes through at once.
+/// The delay of a frame that needs no repetition.
 const LATENCY: Duration = Duration::from_millis(20);
 const LONGEST_DELAY: Duration = Duration::from_millis(400);
-/// A link this good is as good as perfect.
+/// A loss below this counts as none.
 const NO_LOSS: f64 = 0.002;
 
-/// Loss by bending over one edge, in dB, for the parameter `v` of ITU-R P.526:
-/// `6.9 + 20 lg(sqrt((v - 0.1)^2 + 1) + v - 0.1)` above -0.78.
+/// The diffraction loss over one edge, in dB, for the parameter `v` of ITU-R P.526: `6.9 + 20 lg(sqrt((v - 0.1)^2 + 1)
+/// + v - 0.1)` above -0.78.
 pub(crate) fn knife_edge_db(v: f64) -> f64 {
     if v <= -0.78 {
         return 0.0;
@@ -106,17 +105,17 @@ pub(crate) fn knife_edge_db(v: f64) -> f64 {
     (6.9 + 20.0 * maths::log10(maths::hypot(v - 0.1, 1.0) + v - 0.1)).max(0.0)
 }
 
-/// The share of frames that is lost at a margin.
+/// The share of frames lost at a margin.
 pub(crate) fn loss(margin_db: f64) -> f64 {
     1.0 / (1.0 + maths::exp((margin_db - HALF_LOST_DB) / LOSS_SLOPE_DB))
 }
 
 impl Radio {
-    /// The ground station's antenna in metres above the ground, unless the mission says otherwise.
+    /// The default height of the ground station's antenna above the ground, in metres.
     pub const USUAL_ANTENNA_M: f64 = GROUND_ANTENNA_M;
 
-    /// How well each vehicle is heard, in dB: by the best path, which is as good as its worst leg. Only radios of one
-    /// model hear each other. `own` is the radio that the craft of a seat was built with, if it was.
+    /// Each vehicle's margin in dB, by its best path, which is as good as its worst leg. Only radios of the same model
+    /// connect. `own` is the radio that a vehicle was built with, if any.
     pub fn margins_db<'a>(
         &self,
         zones: impl Iterator<Item = &'a Zone>,
@@ -154,7 +153,7 @@ impl Radio {
         }
     }
 
-    /// What a margin means for a link.
+    /// The state of a link with a margin.
     pub fn fault(margin_db: f64) -> RadioFault {
         let loss = loss(margin_db);
         if loss < NO_LOSS {
@@ -182,7 +181,7 @@ impl Set {
     }
 }
 
-/// The margin from the last node to each of the others, by the path whose worst leg is best.
+/// The margin from the last node to each of the others, by the path with the best worst leg.
 pub(crate) fn best_db(nodes: &[RadioNode], zones: &[(&Shape, ZoneKind)]) -> Vec<f64> {
     let mut best = vec![f64::NEG_INFINITY; nodes.len()];
     let mut open: Vec<usize> = (0..nodes.len()).collect();
@@ -230,7 +229,7 @@ pub(crate) fn margin_db(a: &RadioNode, b: &RadioNode, zones: &[(&Shape, ZoneKind
             loss_db * ends as f64
         }
         ZoneKind::RadioJam { noise_db, edge_m } => {
-            // Whoever listens in it hears less; both ends have to.
+            // Noise at either end affects the link; both ends must receive.
             let at = |node: &RadioNode| noise_db * nearness(shape.distance_m(node.at), *edge_m);
             at(a).max(at(b))
         }
@@ -244,7 +243,7 @@ pub(crate) fn margin_db(a: &RadioNode, b: &RadioNode, zones: &[(&Shape, ZoneKind
     budget_db - spread_db - in_the_way.sum::<f64>()
 }
 
-/// 1 in a zone, less and less over its edge.
+/// 1 inside a zone, falling to 0 across its edge.
 fn nearness(distance_m: f64, edge_m: f64) -> f64 {
     if distance_m <= 0.0 {
         1.0
@@ -255,13 +254,13 @@ fn nearness(distance_m: f64, edge_m: f64) -> f64 {
     }
 }
 
-/// A ridge in the way of radio.
+/// A ridge between radios.
 struct Ridge<'a> {
     shape: &'a Shape,
     height_m: f64,
 }
 
-/// What a ridge takes from a path between two antennas, each at a point and so high: that of its highest edge above it.
+/// The loss that a ridge causes between two antennas, by its highest edge above the direct path.
 fn ridge_db(ridge: &Ridge<'_>, [a, b]: [Point; 2], heights_m: [f64; 2], wave_m: f64) -> f64 {
     let [low_m, high_m] = heights_m;
     let flat_m = maths::hypot(a[0] - b[0], a[1] - b[1]);

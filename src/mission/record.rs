@@ -1,13 +1,13 @@
-//! The run record: everything that a mission was shown and asked, as lines of JSON, from which it can be scored again.
+//! The run record: all inputs of a mission, as lines of JSON, from which it can be scored again.
 //!
-//! The first line is the [`Head`]: the mission's own text, the seed, the try. Then come ticks in which something
-//! changed (vehicles and rows of the ledger), deeds, and what else befell the flight, in their order. The last line is
-//! the [`End`]: what it was scored. A [`Flight`](super::Flight) is a function of these lines, so a stored run that was
-//! cut off is scored up to where it goes.
+//! The first line is the [`Head`]: the mission's text, the seed, the attempt. Then come ticks with changes (vehicles
+//! and rows of the ledger), deeds, and other occurrences, in order. The last line is the [`End`] with the score. A
+//! [`Flight`](super::Flight) is a function of these lines, so a truncated record is scored as far as it goes.
 //!
-//! Numbers of telemetry are kept as the integers that messages carry, so that what is read back is what was heard.
-//! Explanations of refusals are kept in English, so a debrief from a record says them in English in any language: the
-//! ids of messages are the program's own, and a file that names one would not be readable by a program without it.
+//! Numbers of telemetry are kept as the integers that messages carry, so that reading gives exactly the received
+//! values. Explanations of refusals are kept in English, so a debrief from a record says them in English in any
+//! language: the ids of messages are the program's own, and a file that names one would not be readable by a program
+//! without it.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -35,7 +35,7 @@ pub use verification::{Divergence, Verification, refly};
 /// The version of the format.
 const VERSION: u32 = 1;
 
-/// What a recorded flight was.
+/// The circumstances of a recorded flight.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Head {
     /// The version of the format.
@@ -46,22 +46,22 @@ pub struct Head {
     pub revision: u32,
     /// Seed of hazards and sensors.
     pub seed: u64,
-    /// Which try it was, from 1.
+    /// The number of the attempt, from 1.
     pub attempt: u32,
-    /// What simulated the vehicles.
+    /// The program that simulated the vehicles.
     pub backend: FlightBackend,
-    /// What gave the commands; `None` in records that are older than this.
+    /// What gave the commands; `None` in records that are older than this field.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub flown_by: Option<FlownBy>,
-    /// When it began, in UTC: `2026-11-20T14:03:22Z`.
+    /// Its start in UTC: `2026-11-20T14:03:22Z`.
     pub when: String,
-    /// Whose flight it was: the name of a profile, where there is one.
+    /// The name of the pilot's profile, if there is one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub profile: Option<String>,
-    /// What it was flown for. Records that do not say are older than careers, and count as practice.
+    /// Its purpose. Records without it are older than careers, and count as practice.
     #[serde(default, skip_serializing_if = "is_practice")]
     pub stake: Stake,
-    /// The drones that flew, as TOML in the order of the seats; empty for the mission's own.
+    /// The built drones that flew, as TOML in the order of the seats; empty for the mission's own.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub designs: Vec<String>,
     /// The program that recorded it.
@@ -70,7 +70,7 @@ pub struct Head {
 }
 
 impl Head {
-    /// That of a flight that begins.
+    /// The head of a flight that begins.
     pub(super) fn of(mission: &Mission, seed: u64, attempt: u32, occasion: &Occasion) -> Self {
         Self {
             sortie_run: VERSION,
@@ -90,18 +90,18 @@ impl Head {
     }
 }
 
-/// When, on what, by whom and for what a flight is flown.
+/// The time, simulator, commander and purpose of a flight.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Occasion {
-    /// The time of day when it begins, in UTC: `2026-11-20T14:03:22Z`.
+    /// Its start in UTC: `2026-11-20T14:03:22Z`.
     pub when: String,
-    /// What simulates the vehicles.
+    /// The program that simulates the vehicles.
     pub backend: FlightBackend,
-    /// What gives the commands.
+    /// The source of the commands.
     pub flown_by: FlownBy,
-    /// The profile of who flies, by name, if there is one.
+    /// The name of the pilot's profile, if there is one.
     pub profile: Option<String>,
-    /// What it is flown for.
+    /// Its purpose.
     pub stake: Stake,
 }
 
@@ -113,7 +113,7 @@ fn is_practice(stake: &Stake) -> bool {
     *stake == Stake::Practice
 }
 
-/// What a recorded flight was scored.
+/// The score of a recorded flight.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct End {
     /// The points, 0 to 1000.
@@ -127,7 +127,7 @@ pub struct End {
 }
 
 impl End {
-    /// The end in a line, if it is one.
+    /// The end in a line, if the line is one.
     pub fn of_line(line: &[u8]) -> Option<Self> {
         let line: RecordLine = serde_json::from_slice(line).ok()?;
         line.end().copied()
@@ -139,12 +139,12 @@ impl End {
 pub(super) struct Recorder {
     written: String,
     watched: BTreeMap<VehicleId, WatchedVehicle>,
-    /// Entries that may still change, with the rows as they were written.
+    /// Entries that may still change, with their rows as last written.
     open: BTreeMap<EntryId, Vec<(RowState, u8)>>,
     newest: Option<EntryId>,
     revision: Option<u64>,
     stepped: Option<Duration>,
-    /// How many steps the simulator has made by now, where its time is not the mission's.
+    /// The number of simulator steps so far, if its time is not the mission's.
     simulated: Option<u64>,
     /// Whether the newest step has a line.
     is_step_written: bool,
@@ -171,7 +171,7 @@ impl Recorder {
         std::mem::take(&mut self.written)
     }
 
-    /// Says how many steps the simulator has made by now, where its time is not the mission's.
+    /// Notes the number of simulator steps so far, if its time is not the mission's.
     pub fn note_simulated(&mut self, steps: u64) {
         self.simulated = Some(steps);
     }
@@ -191,7 +191,7 @@ impl Recorder {
         }
     }
 
-    /// Writes something that befell the flight after its newest step, which then needs a line of its own.
+    /// Writes an occurrence after the newest step, which then needs a line of its own.
     fn befall(&mut self, line: &RecordLine) {
         if !std::mem::replace(&mut self.is_step_written, true) {
             let t = self.stepped.unwrap_or_default().as_millis() as u64;
@@ -242,7 +242,7 @@ impl Recorder {
     }
 
     fn write(&mut self, line: &impl Serialize) {
-        // Plain data without maps that have other keys than words: it can always be written.
+        // Plain data with string keys only: serialising cannot fail.
         if let Ok(line) = serde_json::to_string(line) {
             self.written.push_str(&line);
             self.written.push('\n');

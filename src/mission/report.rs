@@ -1,4 +1,4 @@
-//! The trainee's reports of finds.
+//! The trainee's reports of contacts.
 
 use std::time::Duration;
 
@@ -7,22 +7,22 @@ use crate::commands::FindKind;
 use crate::geo::maths;
 use crate::vehicle::VehicleId;
 
-/// A find, as it was reported.
+/// A report.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Mark {
     pub at: Point,
-    /// What it is said to be; `None` where the reporter did not say.
+    /// Its kind; `None` where the trainee gave none.
     pub kind: Option<FindKind>,
     pub by: VehicleId,
     pub when: Duration,
 }
 
-/// Reports nearer than this to one another are the same.
+/// Reports closer together than this are the same.
 pub(crate) const SAME_WITHIN_M: f64 = 0.5;
-/// A report is taken back within this of the place that is named.
+/// The greatest distance from a report at which it can be withdrawn.
 const UNMARK_WITHIN_M: f64 = 15.0;
 
-/// All reports of a flight that were not withdrawn, in their order.
+/// All reports of a flight that were not withdrawn, in order.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Marks(Vec<Mark>);
 
@@ -31,7 +31,7 @@ impl Marks {
         &self.0
     }
 
-    /// Takes down a report; false where the same was reported before.
+    /// Adds a report; false for a repetition.
     pub fn add(&mut self, mark: Mark) -> bool {
         let same =
             |known: &Mark| known.kind == mark.kind && distance_m(known.at, mark.at) < SAME_WITHIN_M;
@@ -42,7 +42,7 @@ impl Marks {
         new
     }
 
-    /// Takes the nearest report back, if one is near.
+    /// Withdraws the nearest report within reach.
     pub fn remove(&mut self, at: Point) -> Option<Mark> {
         let distances = self.0.iter().map(|mark| distance_m(mark.at, at));
         let (index, distance) = distances.enumerate().min_by(|a, b| a.1.total_cmp(&b.1))?;
@@ -50,7 +50,7 @@ impl Marks {
     }
 }
 
-/// Between two points on the ground, in metres.
+/// The distance between two points on the ground, in metres.
 pub(crate) fn distance_m(a: Point, b: Point) -> f64 {
     maths::hypot(a[0] - b[0], a[1] - b[1])
 }

@@ -1,8 +1,8 @@
-//! Texts of vehicles.
+//! Status texts of vehicles.
 
 use crate::vehicle::{StatusText, Vehicle};
 
-/// Listens to the texts of one vehicle.
+/// Collects the status texts of one vehicle.
 #[derive(Debug, Clone, Default)]
 pub(super) struct TextListener {
     last: Option<StatusText>,
@@ -10,7 +10,7 @@ pub(super) struct TextListener {
 }
 
 impl TextListener {
-    /// The texts that came since the last call; those from before the first call were for nobody here.
+    /// The texts since the last call; those before the first call are skipped.
     pub fn listen<'a>(&mut self, vehicle: &'a Vehicle) -> &'a [StatusText] {
         let texts = &vehicle.texts;
         let known = match &self.last {

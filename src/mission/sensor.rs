@@ -1,5 +1,5 @@
-//! Virtual sensors: what a sensor on a vehicle would show of a world's truth. Probes measure a quantity where they
-//! are; detectors find objects around them.
+//! Virtual sensors: the readings of a sensor on a vehicle, from the true world. Probes measure a quantity at their
+//! position; detectors find objects around them.
 
 mod catalogue;
 mod detector;
@@ -18,21 +18,21 @@ pub(crate) use probe::{Probe, ProbeSpec};
 pub(crate) struct Sensor {
     /// Its id in mission files and in the parts catalogue.
     pub id: &'static str,
-    /// The message with its name for people.
+    /// The message id of its name.
     pub name: &'static str,
     pub work: Work,
 }
 
-/// What a sensor does.
+/// The function of a sensor.
 #[derive(Debug, PartialEq)]
 pub(crate) enum Work {
-    /// It measures where it is.
+    /// It measures a quantity at its position.
     Probe(ProbeSpec),
     Detector(DetectorSpec),
 }
 
 impl Sensor {
-    /// How it measures, if it does.
+    /// Its measuring properties, if it is a probe.
     pub fn probe(&self) -> Option<&ProbeSpec> {
         match &self.work {
             Work::Probe(spec) => Some(spec),
@@ -40,7 +40,7 @@ impl Sensor {
         }
     }
 
-    /// How it finds things, if it does.
+    /// Its detection properties, if it is a detector.
     pub fn detector(&self) -> Option<&DetectorSpec> {
         match &self.work {
             Work::Probe(_) => None,
@@ -48,13 +48,13 @@ impl Sensor {
         }
     }
 
-    /// How wide a strip it covers on a pass at a height above the ground; `None` for what measures at one point.
+    /// The width of the strip that it covers at a height above the ground; `None` for a probe.
     pub fn swath_m(&self, height_m: f64) -> Option<f64> {
         self.detector().map(|spec| spec.swath_m(height_m))
     }
 
-    /// Whether it does what another one is for. Cameras that see the same light do, whatever they resolve: with a finer
-    /// one things are seen from higher up.
+    /// Whether it can replace another one. A camera can replace any camera of the same band; a finer one just works
+    /// from higher up.
     pub fn stands_in_for(&self, other: &Self) -> bool {
         match (self.detector(), other.detector()) {
             (Some(DetectorSpec::Camera(one)), Some(DetectorSpec::Camera(other))) => {
@@ -66,12 +66,12 @@ impl Sensor {
         }
     }
 
-    /// The ids of all sensors, in the order of the catalogue.
+    /// The ids of all sensors, in catalogue order.
     pub fn ids() -> Vec<&'static str> {
         SENSORS.iter().map(|sensor| sensor.id).collect()
     }
 
-    /// The sensor of an id.
+    /// The sensor with an id.
     pub fn by_id(id: &str) -> Option<&'static Self> {
         SENSORS.iter().find(|sensor| sensor.id == id)
     }

@@ -1,4 +1,4 @@
-//! The competencies of a swarm operator, which missions ask for and objectives show.
+//! The competencies of a swarm operator that missions require and objectives show.
 
 use serde::{Deserialize, Serialize};
 use strum::{EnumString, IntoStaticStr, VariantArray};
@@ -57,7 +57,7 @@ impl Skill {
         self.into()
     }
 
-    /// The skill of a code.
+    /// The skill with a code.
     pub fn of(code: &str) -> Option<Self> {
         code.parse().ok()
     }

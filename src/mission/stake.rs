@@ -8,20 +8,19 @@ use super::Mission;
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Stake {
-    /// For medals, credits and experience, on a layout of its own.
+    /// Counts for medals, credits and experience, with a random layout.
     Graded,
-    /// With a seed that the trainee chose: for practice only. So counts whatever does not say: records that are older than
-    /// careers.
+    /// Practice with a seed of the trainee's choice. Records older than careers count as practice.
     #[default]
     Practice,
-    /// With the seed of the exam, in real time, without hints and pauses.
+    /// With the exam's seed, in real time, without hints or pauses.
     Exam,
-    /// With the seed that everybody has in common on a day. It counts once a day: who has seen the layout only practises.
+    /// With the seed of the day, the same for all. It counts once a day: repeats are practice.
     Daily,
 }
 
 impl Mission {
-    /// The mission under the rules of what it is flown for: an exam has neither advice nor pauses, and runs in real time.
+    /// The mission under the rules of a stake: an exam has no hints or pauses, and runs in real time.
     #[must_use]
     pub fn flown_for(self, stake: Stake) -> Self {
         match stake {

@@ -1,4 +1,4 @@
-//! A survey: a grid of cells that a sensor has to be carried through.
+//! A survey: a grid of cells to sample with a sensor.
 
 use super::craft::Craft;
 use super::sensor::{ProbeSpec, Sensor};
@@ -7,10 +7,10 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
-/// A survey as the mission asks for it.
+/// A survey as the mission defines it.
 #[derive(Debug, Clone)]
 pub(crate) struct SurveyPlan {
-    /// Id of the objective that asks for it.
+    /// The id of its objective.
     pub id: String,
     pub cells: Vec<CellPlan>,
     pub side_m: f64,
@@ -18,18 +18,18 @@ pub(crate) struct SurveyPlan {
     pub probe: &'static ProbeSpec,
     pub dwell_s: f64,
     pub max_speed_m_s: f64,
-    /// Lowest and highest height that counts, above the origin.
+    /// The lowest and the highest valid height, above the origin.
     pub heights_m: [f64; 2],
 }
 
-/// One cell of it.
+/// A cell of a survey.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct CellPlan {
     pub name: String,
     pub centre: Point,
 }
 
-/// A survey as far as it is flown.
+/// The progress of a survey.
 #[derive(Debug, Clone)]
 pub(crate) struct Survey {
     pub plan: SurveyPlan,
@@ -50,13 +50,13 @@ impl Survey {
         }
     }
 
-    /// Whether a vehicle that is there, and as fast as that, samples a cell that is not done.
+    /// Whether a vehicle at this place, height and speed samples an unfinished cell.
     pub fn wants(&self, at: Point, height_m: f64, speed_m_s: f64) -> bool {
         let cell = self.cell_under(at, height_m, speed_m_s);
         cell.is_some_and(|index| !self.is_sampled(index))
     }
 
-    /// Counts one tick of a vehicle; returns the cell that is sampled by it for long enough now.
+    /// Counts one tick of a vehicle; returns the cell that this completes.
     pub fn step(&mut self, at: Point, height_m: f64, speed_m_s: f64, shown: f64) -> Option<usize> {
         let index = self.cell_under(at, height_m, speed_m_s)?;
         let before = self.is_sampled(index);
@@ -66,7 +66,7 @@ impl Survey {
         (!before && self.is_sampled(index)).then_some(index)
     }
 
-    /// The cell that a vehicle is in, if it is neither too fast nor too high or low for it to count.
+    /// The cell that a vehicle is in, if its height and speed are valid.
     fn cell_under(&self, at: Point, height_m: f64, speed_m_s: f64) -> Option<usize> {
         let [low, high] = self.plan.heights_m;
         if !(low..=high).contains(&height_m)
@@ -81,12 +81,12 @@ impl Survey {
         self.plan.cells.iter().position(inside)
     }
 
-    /// For how long a cell has been sampled.
+    /// How long a cell has been sampled.
     pub fn dwell_s(&self, index: usize) -> f64 {
         f64::from(self.cells[index].ticks) * TICK.as_secs_f64()
     }
 
-    /// Whether that is long enough.
+    /// Whether a cell has been sampled for long enough.
     pub fn is_sampled(&self, index: usize) -> bool {
         self.dwell_s(index) >= self.plan.dwell_s - 1e-9
     }
@@ -110,7 +110,7 @@ impl Survey {
 pub(crate) struct Surveys(Vec<Survey>);
 
 impl Surveys {
-    /// One for each plan.
+    /// A survey for each plan.
     pub fn of<'p>(plans: impl Iterator<Item = &'p SurveyPlan>) -> Self {
         Self(plans.map(Survey::new).collect())
     }
@@ -119,7 +119,7 @@ impl Surveys {
         &self.0
     }
 
-    /// Whether a vehicle samples a cell that is not done.
+    /// Whether a vehicle samples an unfinished cell.
     pub fn want(&self, craft: &Craft) -> bool {
         let wants = |at| {
             let mut surveys = self.0.iter();
@@ -128,7 +128,7 @@ impl Surveys {
         craft.at.is_some_and(wants)
     }
 
-    /// Counts one tick of all vehicles; tells of each cell that is sampled now, and by whom.
+    /// Counts one tick of all vehicles; reports each completed cell with its vehicle.
     pub fn step(&mut self, crafts: &[Craft], mut tell: impl FnMut(VehicleId, Text)) {
         for survey in &mut self.0 {
             for craft in crafts.iter().filter(|craft| craft.can_see()) {

@@ -156,7 +156,7 @@ fn motors_stopped_in_the_air_lose_the_vehicle_and_the_mission() {
     assert!((safety.value - 0.4).abs() < 1e-9);
 }
 
-/// Each row: what the autopilot says in flight, and the rule that it shows as broken.
+/// Each row: a status text in flight, and the broken rule that it shows.
 #[test]
 fn status_texts_show_failsafes_and_crashes() {
     for (text, rule) in [
@@ -362,7 +362,7 @@ fn after_a_failsafe_the_hint_says_what_happened_and_what_is_possible() {
 }
 
 proptest! {
-    /// Telemetry may be anything; the mission neither panics nor leaves its bounds.
+    /// With any telemetry, the mission neither panics nor leaves its bounds.
     #[test]
     fn no_telemetry_upsets_a_flight(
         altitude_m in proptest::num::f64::ANY,
@@ -397,7 +397,7 @@ proptest! {
         let _ = Mission::parse(&text);
     }
 
-    /// A mission file with one line lost or doubled is read or refused with a place, never worse.
+    /// A mission file with a line lost or doubled is read, or refused with a position.
     #[test]
     fn damaged_files_are_refused_with_a_place(line in 0usize..110, double in any::<bool>()) {
         let mut lines: Vec<&str> = AIR_SAMPLE.lines().collect();

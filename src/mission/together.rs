@@ -1,26 +1,26 @@
-//! Manoeuvres of several vehicles, as a mission counts them.
+//! Manoeuvres of several vehicles, by the rules of a mission.
 
 use super::Mission;
 use crate::swarm::{Rules, Swath};
 
-/// Of several sensors that see differently wide strips, the narrowest at this height counts.
+/// The height at which the strips of several sensors are compared; the narrowest counts.
 const USUAL_HEIGHT_M: f64 = 20.0;
-/// How far apart vehicles have to be where the mission does not say it.
+/// The default separation between vehicles.
 const USUAL_SEPARATION_M: f64 = 2.0;
-/// Vehicles that are led together keep this distance even where a mission asks for none: they are a metre wide.
+/// The least separation in joint manoeuvres, even where a mission sets none: vehicles are a metre wide.
 const LEAST_LED_M: f64 = 2.0;
 
 impl Mission {
-    /// How far apart vehicles in the air have to be.
+    /// The required separation between vehicles in the air.
     pub(crate) fn min_separation_m(&self) -> f64 {
         self.separation_m.unwrap_or(USUAL_SEPARATION_M)
     }
 
-    /// The rules for surveys, formations and the like: the spacing of lines is what the sensors see, and the separation
-    /// is the mission's own if it has one.
+    /// The rules for surveys, formations and the like: the line spacing follows from the sensors, the separation from
+    /// the mission if it sets one.
     pub fn swarm_rules(&self) -> Rules {
         let swaths = self.sensors.iter().filter_map(|sensor| {
-            // A detector has one width at any height, a camera a cone.
+            // A detector's strip has the same width at any height; a camera's widens.
             let at_ground_m = sensor.swath_m(0.0)?;
             Some(Swath {
                 at_ground_m,

@@ -7,34 +7,34 @@ use crate::geo::maths;
 use crate::scoring::{SwarmTimes, VehicleUse};
 use crate::vehicle::VehicleId;
 
-/// Within this a vehicle stands still: it drifts in the wind and by the errors of its receiver.
+/// Movement within this distance counts as standing still: a vehicle drifts with the wind and its receiver's errors.
 const STILL_WITHIN_M: f64 = 2.0;
-/// Standing still for as long as this is part of a task: a turn, a look, a sample.
+/// A stop of up to this length is part of a task: a turn, a look, a sample.
 const PAUSE: Duration = Duration::from_secs(10);
-/// Without a task for longer than this, a vehicle idles.
+/// A vehicle without a task for longer than this idles.
 const IDLE_AFTER: Duration = Duration::from_secs(30);
 
-/// What is seen of a vehicle in one tick.
+/// The observation of a vehicle in one tick.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct UsageLook {
-    /// East, north, up in metres, while it is in the air and not lost.
+    /// Metres east, north and up, while it is in the air and not lost.
     pub airborne_at: Option<[f64; 3]>,
-    /// Whether it has a task although it may stand still: it samples, or holds a place in a formation.
+    /// Whether it has a task even while standing still: it samples, or keeps its place in a formation.
     pub busy: bool,
-    /// Whether a command to it was given in this tick.
+    /// Whether it got a command in this tick.
     pub commanded: bool,
 }
 
-/// The account of one vehicle.
+/// The time account of one vehicle.
 #[derive(Debug, Clone)]
 pub(crate) struct VehicleUsage {
     totals: VehicleUse,
-    /// Where it stands still, and for how long it has.
+    /// The place where it stands still, and for how long.
     anchor: [f64; 3],
     still_for: Duration,
-    /// For how long it has been productive since its last command, while it is.
+    /// How long it has been productive since its last command, while it is.
     neglected_for: Option<Duration>,
-    /// For how long it has been waiting for its next command, while it is.
+    /// How long it has been waiting for its next command, while it is.
     waiting_for: Option<Duration>,
 }
 
@@ -52,12 +52,12 @@ impl VehicleUsage {
         }
     }
 
-    /// What came of it so far.
+    /// The totals so far.
     pub fn totals(&self) -> VehicleUse {
         self.totals
     }
 
-    /// Lets a tick pass.
+    /// Advances by a tick.
     pub fn step(&mut self, look: UsageLook, times: &mut SwarmTimes) {
         let Some(at) = look.airborne_at else {
             times.neglected.extend(self.neglected_for.take());
@@ -134,7 +134,7 @@ mod tests {
         let near = |time: Duration, seconds: f64| (time.as_secs_f64() - seconds).abs() < 1.5;
         assert!(near(totals.productive, 30.0), "{totals:?}");
         assert!(near(totals.idle, 30.0), "{totals:?}");
-        // The next command finds it waiting.
+        // The next command ends the wait.
         step(&mut usage, &mut times, 1, |_| 60.0);
         assert!(near(times.neglected[0], 20.0) && near(times.neglected[1], 10.0));
         assert!(near(times.waited[0], 50.0), "{times:?}");

@@ -1,22 +1,22 @@
-//! The weather of a mission: what the file says, changed by events as the flight goes on.
+//! The weather of a mission: from the file, changed by events during the flight.
 
 use crate::geo::maths;
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Wind {
     pub speed_m_s: f64,
-    /// Where it comes from, degrees clockwise from north.
+    /// The direction it comes from, in degrees clockwise from north.
     pub from_deg: f64,
 }
 
 impl Wind {
-    /// How fast it carries things east and north, in m/s.
+    /// Its velocity east and north, in m/s.
     pub fn drift_m_s(self) -> [f64; 2] {
         let (sin, cos) = maths::sin_cos(self.from_deg.to_radians());
         [-self.speed_m_s * sin, -self.speed_m_s * cos]
     }
 
-    /// The wind that carries things so fast east and north.
+    /// The wind with a velocity east and north.
     pub fn of_drift([east_m_s, north_m_s]: [f64; 2]) -> Self {
         Self {
             speed_m_s: maths::hypot(east_m_s, north_m_s),
@@ -25,7 +25,7 @@ impl Wind {
     }
 }
 
-/// The light, which decides what cameras see.
+/// The light, which sets what cameras see.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Light {
     Day,
@@ -35,7 +35,7 @@ pub(crate) enum Light {
 }
 
 impl Light {
-    /// By the names that they have in files.
+    /// The values by their names in files.
     pub const WORDS: [(&str, Self); 3] = [
         ("day", Self::Day),
         ("dawn", Self::Dawn),
@@ -47,7 +47,7 @@ impl Light {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Weather {
     pub wind: Wind,
-    /// How much the wind swings about its mean: standard deviation in m/s.
+    /// The gusts: standard deviation of the wind about its mean, in m/s.
     pub gust_m_s: f64,
     pub temperature_c: f64,
     pub light: Light,

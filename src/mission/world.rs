@@ -1,5 +1,5 @@
-//! The truth of one flight: the weather, the hazards, and what is there to be found. Trainees see it through sensors
-//! only, until the debrief.
+//! The truth of one flight: the weather, the hazards, and the objects. Until the debrief, trainees see it only through
+//! sensors.
 
 use std::collections::BTreeSet;
 use std::time::Duration;
@@ -15,24 +15,24 @@ use crate::commands::FindKind;
 use crate::geo::maths;
 use crate::hash::fnv1a;
 
-/// A beam is added up in so many slices.
+/// The number of slices in the integral along a beam.
 const COLUMN_SLICES: u32 = 8;
-/// How much light a gram of smoke takes (Mulholland and Croarkin 2000, for smoke of flames).
+/// The extinction of light per gram of smoke (Mulholland and Croarkin 2000, for flaming fires).
 const SMOKE_EXTINCTION_M2_G: f64 = 8.7;
 
 /// The world of one flight.
 #[derive(Debug)]
 pub(crate) struct World {
-    /// As it is now; events change it.
+    /// The present weather; events change it.
     pub weather: Weather,
     fields: Vec<Box<dyn Field>>,
-    /// What there is to report, and of which hazard.
+    /// The kinds to report, each with its hazard.
     sought: BTreeSet<(FindKind, usize)>,
     seed: u64,
 }
 
 impl World {
-    /// The world at the beginning; the seed decides what the mission leaves to chance.
+    /// The world at the start; the seed decides everything random.
     pub fn new(mission: &Mission, seed: u64) -> Self {
         // Streams from 0 on belong to the sensors.
         let release = |(hazard, stream): (&dyn Hazard, u64)| {
@@ -57,7 +57,7 @@ impl World {
         }
     }
 
-    /// A world in which these things lie about, for tests.
+    /// A world with these objects, for tests.
     #[cfg(test)]
     pub fn of_objects(weather: Weather, objects: Vec<Object>) -> Self {
         #[derive(Debug)]
@@ -78,22 +78,22 @@ impl World {
         }
     }
 
-    /// Chance for what an objective leaves to it: the same for the same seed and name.
+    /// The random stream of an objective: the same for the same seed and name.
     pub fn random(&self, objective: &str) -> ChaCha8Rng {
-        // Among the streams that neither sensors nor hazards have.
+        // A stream that neither sensors nor hazards use.
         let mut random = ChaCha8Rng::seed_from_u64(self.seed);
         random.set_stream(1 << 62 | fnv1a(objective.as_bytes()) >> 2);
         random
     }
 
-    /// Lets a [`TICK`](super::TICK) pass; `now` is mission time at its end.
+    /// Advances by a [`TICK`](super::TICK); `now` is mission time at its end.
     pub fn step(&mut self, now: Duration) {
         for field in &mut self.fields {
             field.step(now, &self.weather);
         }
     }
 
-    /// How much of a quantity there is at a point and a height above the origin, of all hazards together.
+    /// The amount of a quantity at a point and a height above the origin, summed over all hazards.
     pub fn amount(&self, quantity: Quantity, at: Point, height_m: f64) -> f64 {
         self.fields
             .iter()
@@ -101,7 +101,7 @@ impl World {
             .sum()
     }
 
-    /// How much of a quantity a beam straight down from there passes, per square metre.
+    /// The integral of a quantity along a vertical beam down from there, per square metre.
     pub fn column(&self, quantity: Quantity, at: Point, height_m: f64) -> f64 {
         let slice_m = height_m.max(0.0) / f64::from(COLUMN_SLICES);
         let middle = |slice: u32| (f64::from(slice) + 0.5) * slice_m;
@@ -109,13 +109,13 @@ impl World {
         amounts.sum::<f64>() * slice_m
     }
 
-    /// The share of a picture's contrast that the smoke below a camera leaves, 0 to 1.
+    /// The share of a picture's contrast left by the smoke below a camera, 0 to 1.
     pub fn clear_view(&self, at: Point, height_m: f64) -> f64 {
         let smoke_g_m2 = self.column(Quantity::Particles, at, height_m) * 1e-6;
         maths::exp(-SMOKE_EXTINCTION_M2_G * smoke_g_m2)
     }
 
-    /// Everything that could be found, by hazard in the order of the file.
+    /// All objects, by hazard in file order.
     pub fn objects(&self) -> impl Iterator<Item = (ObjectId, &Object)> {
         self.fields.iter().enumerate().flat_map(|(hazard, field)| {
             let objects = field.objects().iter().enumerate();
@@ -123,42 +123,42 @@ impl World {
         })
     }
 
-    /// What there is of a hazard to report, in words of [`Deed::KINDS`](crate::commands::Deed::KINDS).
+    /// The kinds to report of a hazard, in words of [`Deed::KINDS`](crate::commands::Deed::KINDS).
     pub fn kinds(&self, hazard: usize) -> impl Iterator<Item = FindKind> {
         let of_it = self.sought.iter().filter(move |(_, of)| *of == hazard);
         of_it.map(|(kind, _)| *kind)
     }
 
-    /// Whether anything of a kind is looked for at a point: something was there to be reported from the start.
+    /// Whether a kind is to be reported at a point: an object of it was there at the start.
     pub fn seeks(&self, kind: FindKind, at: Point) -> bool {
         let here = |hazard: usize| self.field(hazard).is_some_and(|it| it.may_lie_at(at));
         let mut sought = self.sought.iter();
         sought.any(|&(known, hazard)| known == kind && here(hazard))
     }
 
-    /// The hazard at a place in the file.
+    /// The hazard with an index in the file.
     pub fn field(&self, hazard: usize) -> Option<&dyn Field> {
         self.fields.get(hazard).map(AsRef::as_ref)
     }
 
-    /// What the debrief reveals of all hazards, with the hazard's place in the file.
+    /// What the debrief shows of all hazards, each with its index in the file.
     pub fn truth(&self) -> impl Iterator<Item = (usize, TruthPiece)> + '_ {
         let fields = self.fields.iter().enumerate();
         fields.flat_map(|(hazard, field)| field.truth().into_iter().map(move |t| (hazard, t)))
     }
 
-    /// What a load does where it comes down, to every hazard that it concerns.
+    /// Applies a load where it lands to every hazard it affects.
     pub fn affect(&mut self, load: Load, at: Point) -> Vec<LoadEffect> {
         let fields = self.fields.iter_mut();
         fields.filter_map(|field| field.affect(load, at)).collect()
     }
 }
 
-/// Names an object of a world.
+/// Identifies an object of a world.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct ObjectId {
-    /// Its hazard's place in the file, from 0.
+    /// Its hazard's index in the file, from 0.
     pub hazard: usize,
-    /// Its place among the hazard's objects.
+    /// Its index among the hazard's objects.
     pub index: usize,
 }

@@ -1,4 +1,4 @@
-//! Zones: areas with a meaning.
+//! Zones: areas with an effect on the mission.
 
 use rand::RngExt;
 
@@ -6,20 +6,20 @@ use super::Point;
 use super::report::distance_m;
 use crate::geo::maths;
 
-/// An area with a meaning.
+/// An area with an effect on the mission.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Zone {
     pub id: String,
     pub kind: ZoneKind,
     pub shape: Shape,
-    /// Whether it is there from the start; events switch zones on and off.
+    /// Whether it is active from the start; events switch zones on and off.
     pub active: bool,
-    /// By how much at most the seed moves it to each side, in metres.
+    /// The most by which the seed moves it on each axis, in metres.
     pub jitter_m: f64,
 }
 
 impl Zone {
-    /// Where the seed puts it, which `random` stands for.
+    /// The zone at a position drawn from `random`.
     pub fn moved(&self, random: &mut impl RngExt) -> Self {
         let mut by = || random.random_range(-1.0..=1.0) * self.jitter_m;
         let [east_m, north_m] = [by(), by()];
@@ -38,29 +38,29 @@ impl Zone {
     }
 }
 
-/// What a zone means.
+/// The effect of a zone.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum ZoneKind {
     /// Objectives refer to it.
     Task,
-    /// Must not be left, nor flown above the ceiling.
+    /// Vehicles must stay inside, below the ceiling.
     Geofence { ceiling_m: Option<f64> },
-    /// Must not be flown in between these heights.
+    /// Vehicles must stay out between these heights.
     NoFly { floor_m: f64, ceiling_m: f64 },
-    /// Satellite navigation fails in it; around it, within the edge, satellites go one by one.
+    /// Satellite navigation fails in it; within the edge around it, satellites drop out one by one.
     GnssJam { edge_m: f64 },
-    /// Satellite navigation shows a place so far to the east and to the north of the true one.
+    /// Satellite navigation is off by this much to the east and north.
     GnssGlitch { offset_m: Point },
-    /// There are people below: it must not be flown lower than this.
+    /// People are below: vehicles must stay above this height.
     People { below_m: f64 },
-    /// Radio noise rises by so much in it, and less and less within the edge around it.
+    /// Radio noise rises by this much in it, and falls off across the edge around it.
     RadioJam { noise_db: f64, edge_m: f64 },
-    /// It stands in the way of radio.
+    /// It obstructs radio.
     CommShadow(Shadow),
 }
 
 impl ZoneKind {
-    /// The height that a fence must not be left above, in metres.
+    /// The ceiling of a fence, in metres.
     pub fn fence_ceiling_m(self) -> Option<f64> {
         match self {
             Self::Geofence { ceiling_m } => ceiling_m,
@@ -74,7 +74,7 @@ impl ZoneKind {
         }
     }
 
-    /// Whether it must not be flown in at any height between two.
+    /// Whether flying in it is forbidden at every height between two.
     pub fn forbids_all(self, low_m: f64, high_m: f64) -> bool {
         match self {
             Self::NoFly { floor_m, ceiling_m } => floor_m <= low_m && high_m <= ceiling_m,
@@ -89,12 +89,12 @@ impl ZoneKind {
     }
 }
 
-/// How an area stands in the way of radio.
+/// How an area obstructs radio.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Shadow {
-    /// A ridge of this height, over whose edge radio has to bend.
+    /// A ridge of this height, with diffraction over its edge.
     Ridge { height_m: f64 },
-    /// Walls or trees, which take so much from all who are in it.
+    /// Walls or trees, with a loss for every node inside.
     Inside { loss_db: f64 },
 }
 
@@ -104,7 +104,7 @@ pub(crate) enum Shape {
     Circle { center: Point, radius_m: f64 },
 }
 
-/// Corners of the polygon that stands for a circle.
+/// Corners of the polygon that approximates a circle.
 const ROUND: u32 = 24;
 
 impl Shape {
@@ -131,7 +131,7 @@ impl Shape {
         }
     }
 
-    /// How far a point lies from it in metres; zero inside.
+    /// The distance of a point in metres; zero inside.
     pub fn distance_m(&self, at: Point) -> f64 {
         match self {
             _ if self.contains(at) => 0.0,
@@ -147,7 +147,7 @@ impl Shape {
         }
     }
 
-    /// How far its farthest point is from a point.
+    /// The distance from a point to its farthest point.
     pub fn farthest_m(&self, from: Point) -> f64 {
         match self {
             Self::Polygon(corners) => {
@@ -158,7 +158,7 @@ impl Shape {
         }
     }
 
-    /// Its corners; those of a polygon that stands for it where it is round.
+    /// Its corners; for a circle, those of an approximating polygon.
     pub fn corners(&self) -> Vec<Point> {
         match self {
             Self::Polygon(corners) => corners.clone(),
@@ -175,7 +175,7 @@ impl Shape {
         }
     }
 
-    /// The smallest upright rectangle around it: its south-west and north-east corners.
+    /// The smallest bounding rectangle: its south-west and north-east corners.
     pub fn bounds(&self) -> (Point, Point) {
         match self {
             Self::Circle {
@@ -195,7 +195,7 @@ impl Shape {
     }
 }
 
-/// From a point to the nearest point of a straight line between two others.
+/// The distance from a point to the line segment between two others.
 fn distance_to_side_m(at: Point, from: Point, to: Point) -> f64 {
     let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
     let length_2 = dx * dx + dy * dy;

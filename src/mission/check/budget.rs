@@ -1,11 +1,11 @@
-//! Whether the budget buys what is to be flown.
+//! Whether the budget pays for the fleet.
 
 use super::Examined;
 use crate::mission::fit::Fit;
 use crate::mission::needs;
 use crate::workshop::{self, Design, Part, PartSlot};
 
-/// A budget below the cheapest fleet that carries what the file says. The dearest vehicles are those that are lent.
+/// Reports a budget below the cheapest fleet that carries what the file lists. Lent vehicles may be dearer.
 pub(super) fn check(examined: &mut Examined<'_>) {
     let mission = examined.mission;
     let fleet = examined.section("fleet");
@@ -30,7 +30,7 @@ pub(super) fn check(examined: &mut Examined<'_>) {
     }
 }
 
-/// The least that a vehicle with a part in each slot costs, in credits, whether those parts go together or not.
+/// The least that a vehicle with a part in each slot costs, in credits, whether or not the parts fit together.
 fn cheapest_vehicle() -> u32 {
     let with_frame = |frame: &'static Part| {
         let others = PartSlot::ALL
@@ -51,7 +51,7 @@ fn cheapest_vehicle() -> u32 {
         .unwrap_or_default()
 }
 
-/// What a vehicle carries, in credits.
+/// The price of a vehicle's equipment, in credits.
 fn price(fit: &Fit) -> u32 {
     let sensors = fit.sensors.iter().map(|sensor| (sensor.id, 1));
     let loads = fit.loads.iter().map(|(load, count)| (*load, *count));

@@ -1,9 +1,9 @@
-//! Whether every event can come to happen.
+//! Whether every event can occur.
 
 use super::Examined;
 use crate::mission::event::{Action, Event, Trigger};
 
-/// Events that wait for one another in a circle, so that none is ever the first.
+/// Reports events that wait for one another in a circle, so that none can be the first.
 pub(super) fn check(examined: &mut Examined<'_>) {
     let events = &examined.mission.events;
     let tables = examined.tables("events");
@@ -11,7 +11,7 @@ pub(super) fn check(examined: &mut Examined<'_>) {
         let Some(circle) = circle(events, first) else {
             continue;
         };
-        // Told once, with the one that stands first in the file.
+        // Reported once, for the first event of the circle in the file.
         if circle.iter().any(|&index| index < first) || is_begun(events, &circle) {
             continue;
         }
@@ -29,7 +29,7 @@ pub(super) fn check(examined: &mut Examined<'_>) {
     }
 }
 
-/// The events that one waits for, itself first, if it waits for itself in the end.
+/// The chain of events that one waits for; it contains the event itself if that waits for itself in the end.
 fn circle(events: &[Event], first: usize) -> Option<Vec<usize>> {
     let mut chain = vec![first];
     loop {
@@ -40,7 +40,7 @@ fn circle(events: &[Event], first: usize) -> Option<Vec<usize>> {
         if before == first {
             return Some(chain);
         }
-        // A circle that it only waits for is that of the others.
+        // An event that leads into a circle without being part of it: the circle's own events report it.
         if chain.contains(&before) {
             return None;
         }

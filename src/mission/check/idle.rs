@@ -4,7 +4,7 @@ use super::Examined;
 use crate::mission::objective::ObjectiveScene;
 use crate::mission::world::World;
 
-/// Objectives that are met before the first flight.
+/// Reports objectives that are met before the first flight.
 pub(super) fn check(examined: &mut Examined<'_>) {
     let mission = examined.mission;
     let world = World::new(mission, 0);

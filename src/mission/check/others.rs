@@ -1,4 +1,4 @@
-//! References to other missions, which a file alone cannot prove.
+//! References to other missions, which a single file cannot prove.
 
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -16,7 +16,7 @@ struct NamedMission<'m> {
 }
 
 impl Mission {
-    /// The id that a mission's file gives it, also where the file has faults; `None` of a file that is no mission.
+    /// The id in a mission's source, also if the file has faults; `None` if it is no mission.
     pub fn id_of(source: &str) -> Option<String> {
         let (root, _) = DeTable::parse_recoverable(source);
         let root = root.get_ref();
@@ -24,8 +24,8 @@ impl Mission {
         root.get("id")?.get_ref().as_str().map(str::to_owned)
     }
 
-    /// References to missions that are not among the known ones, by their ids: what it is a drill of, needs, and
-    /// unlocks.
+    /// References to missions that are not among the known ones, by their ids: the mission it is a drill of, those it
+    /// needs, and those it unlocks.
     pub fn unknown_missions(&self, known: &BTreeSet<String>) -> Vec<Diagnostic> {
         let named = self.named_missions().into_iter();
         let unknown = named.filter(|named| !known.contains(named.id));
@@ -37,7 +37,7 @@ impl Mission {
         unknown.map(fault).collect()
     }
 
-    /// The missions that the file names, in its order.
+    /// The missions that the file names, in file order.
     fn named_missions(&self) -> Vec<NamedMission<'_>> {
         let named = |id, written| NamedMission { id, written };
         let value = |section: &str, key: &str| self.written.get(section)?.get(key);

@@ -1,4 +1,4 @@
-//! Whether what is asked for can be done: by what the vehicles carry, and in the time that there is.
+//! Whether the objectives can be met: with what the vehicles carry, and in the time allowed.
 
 use std::ops::Range;
 use std::time::Duration;
@@ -9,7 +9,7 @@ use crate::mission::objective::GateRoute;
 use crate::mission::report::distance_m;
 use crate::mission::{Mission, Point};
 
-/// No vehicle flies faster from one place to the next.
+/// The greatest speed assumed between two places.
 const SPEED_M_S: f64 = 10.0;
 
 pub(super) fn check(examined: &mut Examined<'_>) {
@@ -29,7 +29,7 @@ pub(super) fn check(examined: &mut Examined<'_>) {
     }
 }
 
-/// Equipment that an objective needs and no vehicle carries.
+/// Reports equipment that an objective needs and no vehicle carries.
 fn equipment(examined: &mut Examined<'_>, objective: &ExaminedObjective<'_>) {
     let Some(demanded) = objective.demands.equipment else {
         return;
@@ -41,7 +41,7 @@ fn equipment(examined: &mut Examined<'_>, objective: &ExaminedObjective<'_>) {
     }
 }
 
-/// What takes longer than there is time, on the straightest way and without any delay.
+/// Reports what takes longer than the time allowed, even on the shortest path and without delay.
 fn time(examined: &mut Examined<'_>, objective: &ExaminedObjective<'_>) {
     let limit = examined.mission.time_limit;
     let limit_s = limit.as_secs();
@@ -73,7 +73,7 @@ impl LeastTime {
     fn of(mission: &Mission, objective: &ExaminedObjective<'_>) -> Option<Self> {
         let demands = &objective.demands;
         let place = |key| objective.written.span_of(key);
-        // The vehicles share it.
+        // The vehicles share the work.
         let vehicles = u32::try_from(mission.vehicles.max(1)).unwrap_or(u32::MAX);
         let staying = demands.staying / vehicles;
         if let Some(route) = demands.route {
@@ -111,7 +111,7 @@ fn along_m(mission: &Mission, route: &GateRoute) -> Option<f64> {
     Some(from_pads_m(mission, *points.first()?) + between_m - slack_m)
 }
 
-/// From the nearest pad.
+/// The distance from the nearest pad, in metres.
 fn from_pads_m(mission: &Mission, at: Point) -> f64 {
     let ways = mission.pads.iter().map(|&pad| distance_m(pad, at));
     ways.fold(f64::INFINITY, f64::min)

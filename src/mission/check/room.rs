@@ -1,4 +1,4 @@
-//! Whether everything lies where it can be flown to: within the fence, below the ceiling, outside what is forbidden.
+//! Whether everything lies where it can be flown to: within the fence, below the ceiling, outside forbidden zones.
 
 use std::f64::consts::TAU;
 
@@ -11,7 +11,7 @@ use crate::mission::zone::{Shape, Zone, ZoneKind};
 
 /// Points on the edge of a fence are within it.
 const EDGE_M: f64 = 0.01;
-/// The edge of a round zone is looked at in so many points.
+/// The number of points at which the edge of a round zone is tested.
 const POINTS_OF_A_CIRCLE: u32 = 16;
 
 pub(super) fn check(examined: &mut Examined<'_>) {
@@ -24,7 +24,7 @@ pub(super) fn check(examined: &mut Examined<'_>) {
     }
 }
 
-/// Each within the fence and apart from the others.
+/// Pads must lie within the fence and apart from one another.
 fn pads(examined: &mut Examined<'_>) {
     let mission = examined.mission;
     let written = examined
@@ -83,7 +83,7 @@ fn heights(examined: &mut Examined<'_>, objective: &ExaminedObjective<'_>) {
     }
 }
 
-/// Gates are flown through as they stand.
+/// Gates must lie where vehicles may fly.
 fn gates(examined: &mut Examined<'_>, objective: &ExaminedObjective<'_>) {
     let ceiling_m = examined.ceiling_m();
     let route = objective.demands.route;
@@ -99,7 +99,7 @@ fn gates(examined: &mut Examined<'_>, objective: &ExaminedObjective<'_>) {
     }
 }
 
-/// Why nothing may fly at a point.
+/// Why flying at a point is forbidden, if it is.
 fn obstacle(examined: &Examined<'_>, at: Point, up_m: f64) -> Option<String> {
     if let Some(fence) = fences(examined).into_iter().find(|it| is_beyond(it, at)) {
         return Some(format!("beyond the fence `{}`", fence.id));

@@ -1,4 +1,4 @@
-//! Whether what the scoring promises can be earned.
+//! Whether the points and medals of the scoring can be earned.
 
 use super::Examined;
 use crate::mission::event::Action;

@@ -1,4 +1,4 @@
-//! Whether zones have a shape and an effect, and leave room for what is to be done in them.
+//! Whether zones have a valid shape and an effect, and leave room for the task in them.
 
 use super::{Examined, ExaminedObjective};
 use crate::mission::Point;
@@ -6,9 +6,9 @@ use crate::mission::event::Action;
 use crate::mission::format::WrittenValue;
 use crate::mission::zone::{Shape, Zone, ZoneKind};
 
-/// A zone is looked at in so many points along each side of the rectangle around it.
+/// The number of test points along each side of a zone's bounding rectangle.
 const POINTS_OF_A_SIDE: u32 = 60;
-/// Of a task zone, so much may be forbidden at most.
+/// The largest share of a task zone that may be forbidden.
 const MOST_FORBIDDEN: f64 = 0.9;
 
 pub(super) fn check(examined: &mut Examined<'_>) {
@@ -36,7 +36,7 @@ pub(super) fn check(examined: &mut Examined<'_>) {
     }
 }
 
-/// A polygon whose sides cross has an unintended inside.
+/// Reports a polygon whose sides cross: its inside is not what was intended.
 fn shape(examined: &mut Examined<'_>, zone: &Zone, written: &WrittenValue) {
     let Shape::Polygon(corners) = &zone.shape else {
         return;
@@ -54,7 +54,7 @@ fn shape(examined: &mut Examined<'_>, zone: &Zone, written: &WrittenValue) {
     examined.add(place, fault);
 }
 
-/// The first two sides that cross, each by the corner that it begins at.
+/// The first two sides that cross, each given by the index of its first corner.
 fn crossing(corners: &[Point]) -> Option<(usize, usize)> {
     let side = |from: usize| {
         Some((
@@ -79,7 +79,7 @@ fn cross(a: Point, b: Point, c: Point, d: Point) -> bool {
     turn(a, b, c) * turn(a, b, d) < 0.0 && turn(c, d, a) * turn(c, d, b) < 0.0
 }
 
-/// The zone of an objective, nearly all of which is forbidden for the whole mission.
+/// Reports an objective's zone that is almost entirely forbidden for the whole mission.
 fn forbidden(examined: &mut Examined<'_>, objective: &ExaminedObjective<'_>) {
     let Some(zone) = objective.demands.zone else {
         return;
@@ -107,7 +107,7 @@ fn forbidden(examined: &mut Examined<'_>, objective: &ExaminedObjective<'_>) {
     }
 }
 
-/// Which share of a shape lies in one of the zones.
+/// The share of a shape that lies in any of the zones.
 fn share_within(shape: &Shape, zones: &[&Zone]) -> f64 {
     let ([west, south], [east, north]) = shape.bounds();
     let along = |from: f64, to: f64, step: u32| {

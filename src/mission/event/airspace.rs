@@ -11,28 +11,28 @@ use crate::scoring::SafetyKind;
 use crate::text;
 use crate::vehicle::VehicleId;
 
-/// Nearer than this, two vehicles have hit each other.
+/// Vehicles closer than this have collided.
 const TOUCH_M: f64 = 0.5;
-/// An aircraft is larger.
+/// The same distance for an aircraft, which is larger.
 const AIRCRAFT_M: f64 = 5.0;
 /// A vehicle this near to a person, and as low as this, injures the person.
 const HURTS_WITHIN_M: f64 = 1.0;
 const HURTS_BELOW_M: f64 = 2.5;
-/// Those who fly higher than this do not disturb people who come by.
+/// Vehicles above this height do not disturb people who walk by.
 const OVERHEAD_M: f64 = 30.0;
 
-/// Metres to the east, to the north, and up.
+/// Metres east, north and up.
 type Place = [f64; 3];
 
 /// Watches the rules during one flight.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Airspace {
-    /// Where the vehicles in the air were at the last step.
+    /// The positions of the vehicles in the air at the last step.
     before: BTreeMap<VehicleId, Place>,
 }
 
 impl Airspace {
-    /// The rules that are broken now, and by whom.
+    /// The rules broken now, each with the vehicle that breaks it.
     pub fn step(&mut self, scope: &Scope<'_>, min_separation_m: f64) -> Vec<(VehicleId, Breach)> {
         let places = scope
             .flying()
@@ -123,7 +123,7 @@ fn in_zones([east_m, north_m, up_m]: Place, scope: &Scope<'_>) -> Vec<Breach> {
     inside.filter_map(breach).collect()
 }
 
-/// The effect of a vehicle at a place on a passing mover.
+/// The rule that a vehicle at a place breaks near a mover, if any.
 fn near(mover: &Mover, place: Place) -> Option<Breach> {
     let distance_m = mover.distance_m(place);
     let distance = format!("{distance_m:.0}");

@@ -1,4 +1,4 @@
-//! Alerts that have to be answered, by what happens and not by a key.
+//! Alerts that must be answered by an action; no key acknowledges them.
 
 use std::collections::BTreeSet;
 use std::time::Duration;
@@ -11,7 +11,7 @@ use crate::text::Text;
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Alerts {
     facts: Vec<AlertFact>,
-    /// Those without an answer: their place among the facts, and what would answer them.
+    /// The unanswered ones: their index among the facts, and the condition that answers them.
     open: Vec<(usize, Expression)>,
 }
 
@@ -19,14 +19,14 @@ pub(crate) struct Alerts {
 #[derive(Debug, Clone, PartialEq)]
 pub struct OpenAlert {
     pub text: Text,
-    /// How much it matters.
+    /// Its urgency.
     pub level: AlertLevel,
-    /// How long an answer still gets everything; zero when it is late.
+    /// How long an answer still earns full points; zero when it is late.
     pub remaining: Duration,
 }
 
 impl Alerts {
-    /// Takes down an alert that has to be answered; returns its place among the facts.
+    /// Records an alert that must be answered; returns its index among the facts.
     pub fn raise(&mut self, fact: AlertFact, ok: Expression) -> usize {
         let place = self.facts.len();
         self.open.push((place, ok));
@@ -34,12 +34,12 @@ impl Alerts {
         place
     }
 
-    /// The conditions that would answer the open ones, in the order of [`Self::answer`].
+    /// The conditions that answer the open alerts, in the order of [`Self::answer`].
     pub fn conditions(&self) -> impl Iterator<Item = &Expression> {
         self.open.iter().map(|(_, ok)| ok)
     }
 
-    /// Closes those whose condition holds; returns their places among the facts.
+    /// Closes those whose condition holds; returns their indices among the facts.
     pub fn answer(&mut self, holds: &[bool], now: Duration) -> Vec<usize> {
         let mut answered = Vec::new();
         let mut holds = holds.iter();
@@ -60,13 +60,13 @@ impl Alerts {
         &self.facts
     }
 
-    /// Levels of those that wait.
+    /// Levels of the unanswered ones.
     pub fn levels(&self) -> BTreeSet<AlertLevel> {
         let open = self.open.iter();
         open.map(|(index, _)| self.facts[*index].level).collect()
     }
 
-    /// Those that wait, the most urgent first.
+    /// The unanswered ones, the most urgent first.
     pub fn waiting(&self, now: Duration) -> Vec<OpenAlert> {
         let of = |(index, _): &(usize, Expression)| {
             let fact = &self.facts[*index];

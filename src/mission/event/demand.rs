@@ -1,8 +1,8 @@
 //! Demands of threats on the vehicles' simulators and links.
 //!
 //! Wind and faults are `SIM_*` parameters by the names of `ArduCopter` 4.6, which the embedded simulator has as well;
-//! whoever carries a demand out finds the name that another version has for it. What is no longer wanted goes back to
-//! the parameter's usual value.
+//! the code that carries a demand out translates it for other versions. A parameter that no threat sets any more
+//! returns to its usual value.
 
 use std::collections::BTreeMap;
 
@@ -13,33 +13,34 @@ use crate::mission::weather::Weather;
 use crate::session::{RadioFault, Want};
 use crate::vehicle::VehicleId;
 
-/// Something that has to be done to one vehicle, quietly.
+/// A change to make to one vehicle's simulator or link, without a notice.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Demand {
-    /// The vehicle that it is about.
+    /// The vehicle concerned.
     pub vehicle: VehicleId,
-    /// What its simulator or its link has to do.
+    /// The change to its simulator or its link.
     pub want: Want,
 }
 
 const WIND_SPEED: &str = "SIM_WIND_SPD";
 const WIND_FROM: &str = "SIM_WIND_DIR";
 const TURBULENCE: &str = "SIM_WIND_TURB";
-/// How wind changes with height; 0: with the root of the height, up to a height.
+/// The wind profile; 0: wind grows with the square root of the height, up to [`WIND_FULL_FROM_M`].
 const WIND_PROFILE: &str = "SIM_WIND_T";
 const WIND_PROFILE_HEIGHT: &str = "SIM_WIND_T_ALT";
 const GPS_DISABLED: &str = "SIM_GPS_DISABLE";
 const SATELLITES: &str = "SIM_GPS_NUMSATS";
 const GLITCH_NORTH: &str = "SIM_GPS_GLITCH_X";
 const GLITCH_EAST: &str = "SIM_GPS_GLITCH_Y";
-/// Which motor: 1 is the second one where they are counted from 0, and the first one where it is a mask of bits.
+/// Which motor fails: 1 is the second motor in versions that count from 0, and the first one in versions with a bit
+/// mask.
 const MOTOR: &str = "SIM_ENGINE_FAIL";
 const THRUST: &str = "SIM_ENGINE_MUL";
 const COMPASS: &str = "SIM_MAG1_OFS_X";
 const BAROMETER: &str = "SIM_BARO_DRIFT";
 const BATTERY: &str = "SIM_BATT_VOLTAGE";
 
-/// Values that parameters go back to. What is not here stays: a battery does not mend.
+/// The usual values that parameters return to. A battery parameter is not among them: a battery does not recover.
 const USUAL: [(&str, f64); 7] = [
     (GPS_DISABLED, 0.0),
     (SATELLITES, USUAL_SATELLITES),
@@ -50,25 +51,25 @@ const USUAL: [(&str, f64); 7] = [
     (BAROMETER, 0.0),
 ];
 const USUAL_SATELLITES: f64 = 10.0;
-/// As few are in view at the inner border of a jammed zone's edge.
+/// The number of satellites in view at the inner border of a jammed zone's edge.
 const FEWEST_SATELLITES: f64 = 5.0;
 const USUAL_COMPASS_MGAUSS: f64 = 5.0;
-/// Standard deviation of gusts in m/s for each `SIM_WIND_TURB`; the embedded simulator has it from how a vehicle of
-/// the real one moves.
+/// Standard deviation of gusts in m/s for each `SIM_WIND_TURB`; measured from the motion of a vehicle in ArduPilot's
+/// SITL.
 const GUST_PER_TURBULENCE: f64 = 0.35;
-/// Below this the wind dies down towards the ground. Where it does not, an `ArduCopter` that has landed in 6 m/s goes on
-/// leaning against it, and by more than 15 degrees its landing is never noticed.
+/// Below this height the wind weakens towards the ground. Without that, an `ArduCopter` that has landed in 6 m/s keeps
+/// leaning against the wind, and with a lean of more than 15 degrees it never detects its landing.
 const WIND_FULL_FROM_M: f64 = 5.0;
-/// Steps of wind that are worth being told.
+/// The smallest change of wind that is sent.
 const WIND_STEP_M_S: f64 = 0.2;
 const WIND_STEP_DEG: f64 = 2.0;
 
-/// What the parameters of one vehicle should be.
+/// The parameter values that one vehicle should have.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct Wishes(BTreeMap<&'static str, f64>);
 
 impl Wishes {
-    /// The weather, as far as simulators make it.
+    /// Sets the weather, as far as simulators model it.
     pub fn weather(&mut self, weather: &Weather) {
         let rounded = |value: f64, step: f64| (value / step).round() * step;
         let all = [
@@ -85,13 +86,13 @@ impl Wishes {
         self.0.insert(GPS_DISABLED, 1.0);
     }
 
-    /// So near to a zone where it fails, 0 to 1, some of the satellites are gone.
+    /// Takes away some of the satellites, more the nearer the vehicle is to a jammed zone (0 to 1).
     pub fn lose_satellites(&mut self, nearness: f64) {
         let left = USUAL_SATELLITES - (USUAL_SATELLITES - FEWEST_SATELLITES) * nearness;
         self.0.insert(SATELLITES, left.round());
     }
 
-    /// Satellite navigation shows a place that lies so far to the east and to the north.
+    /// Shifts the position of satellite navigation by so many metres east and north.
     pub fn mislead(&mut self, [east_m, north_m]: [f64; 2], origin: LatLon) {
         let east = east_m / (METRES_PER_DEGREE * maths::cos(origin.lat_deg.to_radians()));
         self.0.insert(GLITCH_NORTH, north_m / METRES_PER_DEGREE);
@@ -123,7 +124,7 @@ impl Wishes {
     }
 }
 
-/// What has been demanded of all vehicles.
+/// The demands made so far, for all vehicles.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Demands {
     wished: BTreeMap<VehicleId, Wishes>,
@@ -132,7 +133,7 @@ pub(crate) struct Demands {
 }
 
 impl Demands {
-    /// A vehicle should be like this now; what has changed becomes a demand.
+    /// Sets what a vehicle should be like now; each difference becomes a demand.
     pub fn wish(&mut self, vehicle: VehicleId, wishes: Wishes) {
         let old = self.wished.remove(&vehicle).unwrap_or_default().0;
         let usual = |name: &str| USUAL.iter().find(|(usual, _)| *usual == name);
@@ -163,7 +164,7 @@ impl Demands {
         }
     }
 
-    /// What has been demanded since this was asked last.
+    /// What has been demanded since the last call.
     pub fn take(&mut self) -> Vec<Demand> {
         std::mem::take(&mut self.new)
     }

@@ -1,4 +1,4 @@
-//! The events of one flight as they come, and their consequences.
+//! The events of one flight as they occur, and their consequences.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -28,22 +28,22 @@ mod schedule;
 
 use schedule::Schedule;
 
-/// Random numbers of events; sensors and hazards have others.
+/// The random stream of events; sensors and hazards use others.
 const STREAM: u64 = 1 << 40;
-/// Random numbers of where zones lie.
+/// The random stream of the zones' positions.
 const PLACES_STREAM: u64 = STREAM - 1;
 
-/// What comes of a step.
+/// The result of a step.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum EngineNews {
     Said(Text),
     Alert {
         level: AlertLevel,
         text: Text,
-        /// Its place among the [facts](Engine::alert_facts) where it has to be answered.
+        /// Its index among the [facts](Engine::alert_facts) if it must be answered.
         fact: Option<usize>,
     },
-    /// The alert of this place among the facts.
+    /// The alert with this index among the facts was answered.
     Answered(usize),
     Broken(VehicleId, Breach),
     Failed(Text),
@@ -52,9 +52,9 @@ pub(crate) enum EngineNews {
 /// The threats of one flight.
 #[derive(Debug)]
 pub(crate) struct Engine {
-    /// The mission's zones, where the seed has put them.
+    /// The mission's zones at the positions drawn from the seed.
     zones: Vec<Zone>,
-    /// Which of the zones are there now, in the order of the file.
+    /// Which zones are active now, in file order.
     active: Vec<bool>,
     schedule: Schedule,
     drifts: Vec<Drift>,
@@ -62,11 +62,11 @@ pub(crate) struct Engine {
     breakdowns: Breakdowns,
     alerts: Alerts,
     airspace: Airspace,
-    /// How well vehicles are heard, in dB; empty where radio does not matter.
+    /// Each vehicle's link margin in dB; empty where radio does not matter.
     margins_db: BTreeMap<VehicleId, f64>,
     gnss: needs::Gnss,
     demands: Demands,
-    /// Standard injects that are to happen.
+    /// Standard injects that are due.
     injected: Vec<Standard>,
     seed: u64,
     random: ChaCha8Rng,
@@ -99,7 +99,7 @@ impl Engine {
         }
     }
 
-    /// Lets a [`TICK`] pass; the weather changes with it.
+    /// Advances by a [`TICK`], the weather with it.
     pub fn step(
         &mut self,
         mission: &Mission,
@@ -148,7 +148,7 @@ impl Engine {
         news
     }
 
-    /// Looks at all conditions: of events, and of alerts that wait for their answer.
+    /// Evaluates all conditions: those of events, and those of unanswered alerts.
     fn ask(
         &mut self,
         mission: &Mission,
@@ -198,7 +198,7 @@ impl Engine {
                 });
             }
             Action::Weather(change) => {
-                // A newer change takes over where the older one has come to.
+                // A newer change of the same element continues from where the older one is.
                 let same = |drift: &Drift| drift.element() == change.element;
                 let replaced = self
                     .drifts
@@ -219,7 +219,7 @@ impl Engine {
         }
     }
 
-    /// What conditions see now.
+    /// What conditions can see now.
     pub fn scope<'a>(&'a self, weather: &Weather, sight: &Sight<'a>) -> Scope<'a> {
         Scope {
             sight: *sight,
@@ -234,33 +234,33 @@ impl Engine {
         }
     }
 
-    /// An instructor wants an event of the mission to happen, by its place in the file.
+    /// Triggers an event of the mission for an instructor, by its index in the file.
     pub fn inject_event(&mut self, index: usize, now: Duration) {
         self.schedule.want(index, now);
     }
 
-    /// An instructor wants one of the [`Standard`] threats.
+    /// Triggers one of the [`Standard`] threats for an instructor.
     pub fn inject_standard(&mut self, standard: Standard) {
         self.injected.push(standard);
     }
 
-    /// What sensors of a vehicle show instead of the truth.
+    /// What a vehicle's sensor reads under its faults, instead of the true value.
     pub fn shown(&self, vehicle: VehicleId, sensor: usize, shown: f64, now: Duration) -> f64 {
         self.breakdowns.shown(vehicle, sensor, shown, now)
     }
 
-    /// Which of the zones are there now, in the order of the file.
+    /// Which zones are active now, in file order.
     pub fn active(&self) -> &[bool] {
         &self.active
     }
 
-    /// The zones that are there now, each where it lies.
+    /// The active zones at their positions.
     pub fn zones_now(&self) -> impl Iterator<Item = &Zone> {
         let zones = self.zones.iter().zip(&self.active);
         zones.filter(|(_, active)| **active).map(|(zone, _)| zone)
     }
 
-    /// Who and what is on the way.
+    /// The people, aircraft and drones that are under way.
     pub fn movers(&self) -> &[Mover] {
         &self.movers
     }
@@ -270,17 +270,17 @@ impl Engine {
         self.alerts.facts()
     }
 
-    /// Alerts that wait for their answer.
+    /// The unanswered alerts.
     pub fn waiting(&self, now: Duration) -> Vec<OpenAlert> {
         self.alerts.waiting(now)
     }
 
-    /// How well vehicles are heard, in dB; empty where radio does not matter.
+    /// Each vehicle's link margin in dB; empty where radio does not matter.
     pub fn margins_db(&self) -> &BTreeMap<VehicleId, f64> {
         &self.margins_db
     }
 
-    /// What has to be done to simulators and links since this was asked last.
+    /// The changes to make to simulators and links since the last call.
     pub fn take_demands(&mut self) -> Vec<Demand> {
         self.demands.take()
     }

@@ -1,7 +1,7 @@
-//! Conditions in mission files: a small language that only asks and never changes anything.
+//! Conditions in mission files: a small language without side effects.
 //!
-//! An [`Expression`] is read and checked once, with the names that the mission has; after that it always has a value:
-//! nothing that is asked can fail, and dividing by zero gives infinity.
+//! An [`Expression`] is read and checked once, with the names that the mission has; after that, evaluating it cannot
+//! fail; dividing by zero gives infinity.
 //!
 //! ```text
 //! t > 60 and inside('lane') > 0 and not vehicle(2).airborne
@@ -29,7 +29,7 @@ pub(in crate::mission) use ask::FUNCTIONS;
 pub(in crate::mission) use field::field_names;
 pub(in crate::mission) use token::LONGEST;
 
-/// A condition: true or false at every moment.
+/// A condition: true or false at any moment.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Expression(ExpressionNode);
 
@@ -45,7 +45,7 @@ enum ExpressionNode {
     Both(Operator, Box<ExpressionNode>, Box<ExpressionNode>),
 }
 
-/// What stands between two parts.
+/// A binary operator.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Operator {
     Or,
@@ -62,7 +62,7 @@ enum Operator {
     Over,
 }
 
-/// What a part is at one moment.
+/// The value of a part at one moment.
 #[derive(Debug, Clone, PartialEq)]
 enum Value {
     Number(f64),
@@ -70,7 +70,7 @@ enum Value {
     Text(String),
 }
 
-/// What a part always is.
+/// The type of a part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Type {
     Number,
@@ -118,7 +118,7 @@ impl ExpressionNode {
         }
     }
 
-    /// Its number; parts were checked, so that only numbers are asked for theirs.
+    /// Its value as a number; the parser has checked that the part has one.
     fn number(&self, scope: &Scope<'_>) -> f64 {
         match self.value(scope) {
             Value::Number(number) => number,
@@ -156,5 +156,5 @@ impl Operator {
     }
 }
 
-/// How often conditions are looked at.
+/// The interval at which conditions are evaluated.
 pub(super) const EVERY: Duration = Duration::from_millis(500);

@@ -9,20 +9,20 @@ use super::scope::Sight;
 use crate::mission::craft::Craft;
 use crate::vehicle::VehicleId;
 
-/// A fault as an event makes it.
+/// A fault that an event causes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Fault {
     pub kind: FaultKind,
     pub victim: Victim,
-    /// How bad it is, in the unit of its kind.
+    /// Its strength, in the unit of its kind.
     pub to: f64,
-    /// After how long it is mended; `None`: never.
+    /// How long it lasts; `None` for the rest of the flight.
     pub lasts: Option<Duration>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum FaultKind {
-    /// A motor gives this share of its thrust.
+    /// A motor gives only this share of its thrust.
     Motor,
     /// The battery falls to this share of its voltage.
     Battery,
@@ -34,16 +34,16 @@ pub(crate) enum FaultKind {
     Compass,
     /// The barometer drifts by so many metres a second.
     Barometer,
-    /// Hazard sensors show what they showed when it began.
+    /// Hazard sensors keep the reading that they had when it began.
     SensorStuck,
-    /// Hazard sensors show more and more: by so much in their unit, each second.
+    /// Hazard sensors drift upwards, by this much of their unit each second.
     SensorDrift,
-    /// This share of what is sent by radio is lost; 1 is silence.
+    /// This share of the radio messages is lost; 1 is all.
     Link,
 }
 
 impl FaultKind {
-    /// All kinds by the names that they have in files, with the usual number and the range that makes sense.
+    /// All kinds by their names in files, with the default value and the valid range.
     pub const ALL: [(&str, Self, f64, std::ops::RangeInclusive<f64>); 9] = [
         ("motor", Self::Motor, 0.7, 0.0..=1.0),
         ("battery", Self::Battery, 0.8, 0.3..=1.0),
@@ -57,17 +57,17 @@ impl FaultKind {
     ];
 }
 
-/// Whom a fault hits.
+/// The vehicle that a fault hits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Victim {
-    /// The vehicle of this place, from 0.
+    /// The vehicle with this index, from 0.
     One(usize),
     All,
-    /// One of those that fly, by chance.
+    /// A random one of those in the air.
     Chance,
 }
 
-/// A fault that a vehicle has.
+/// A fault that a vehicle has now.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Broken {
     pub kind: FaultKind,
@@ -75,7 +75,7 @@ pub(crate) struct Broken {
     pub to: f64,
     pub since: Duration,
     pub until: Option<Duration>,
-    /// What each sensor showed when it began, and the voltage.
+    /// The reading of each sensor when it began, and the voltage.
     pub held: Vec<f64>,
 }
 
@@ -84,13 +84,13 @@ pub(crate) struct Broken {
 pub(crate) struct Breakdowns(Vec<Broken>);
 
 impl Breakdowns {
-    /// Ends those whose time is over.
+    /// Ends the faults whose time is over.
     pub fn mend(&mut self, now: Duration) {
         self.0
             .retain(|broken| broken.until.is_none_or(|until| until > now));
     }
 
-    /// Breaks something on board of those whom a fault hits.
+    /// Causes a fault on the vehicles that it hits.
     pub fn add(&mut self, fault: &Fault, sight: &Sight<'_>, random: &mut ChaCha8Rng) {
         for craft in fault.victim.among(sight.crafts, random) {
             let vehicle = sight.vehicles.get(&craft.id);
@@ -110,14 +110,14 @@ impl Breakdowns {
         }
     }
 
-    /// Those of one vehicle.
+    /// The faults of one vehicle.
     pub fn of(&self, vehicle: VehicleId) -> impl Iterator<Item = &Broken> {
         self.0
             .iter()
             .filter(move |broken| broken.vehicle == vehicle)
     }
 
-    /// What sensors of a vehicle show instead of the truth.
+    /// What a vehicle's sensor reads under its faults, instead of the true value.
     pub fn shown(&self, vehicle: VehicleId, sensor: usize, shown: f64, now: Duration) -> f64 {
         let broken = self.of(vehicle);
         broken.fold(shown, |shown, broken| broken.shown(sensor, shown, now))
@@ -145,7 +145,7 @@ impl Victim {
 }
 
 impl Broken {
-    /// What a hazard sensor shows instead of the truth.
+    /// What a hazard sensor reads under this fault, instead of the true value.
     pub fn shown(&self, sensor: usize, shown: f64, now: Duration) -> f64 {
         match self.kind {
             FaultKind::SensorStuck => self.held.get(sensor).copied().unwrap_or(shown),

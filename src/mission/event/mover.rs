@@ -1,4 +1,4 @@
-//! Others that move through a mission: people, aircraft, foreign drones.
+//! Movers: people, aircraft, and drones of others.
 
 use std::time::Duration;
 
@@ -12,23 +12,23 @@ use crate::mission::report::distance_m;
 /// A person, an aircraft or a drone that an event brings.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Spawn {
-    /// What conditions call it.
+    /// Its id in conditions.
     pub id: String,
     pub kind: MoverKind,
-    /// It goes from point to point and is gone after the last.
+    /// Its path: it moves from point to point and disappears after the last.
     pub path: Vec<Point>,
     pub speed_m_s: f64,
     pub height_m: f64,
-    /// How far from it vehicles have to stay.
+    /// The distance that vehicles must keep from it.
     pub keep_out_m: f64,
-    /// By how much at most the seed moves the whole path, on each axis.
+    /// The most by which the seed shifts the whole path, on each axis.
     pub jitter_m: f64,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MoverKind {
     Person,
-    /// An aircraft with people on board.
+    /// A crewed aircraft.
     Aircraft,
     /// A drone that is not part of the mission.
     Intruder,
@@ -48,7 +48,7 @@ pub(crate) struct Mover {
 }
 
 impl Mover {
-    /// Begins at the first point of its path.
+    /// A mover at the first point of its path.
     pub fn new(spawn: &Spawn, now: Duration, random: &mut ChaCha8Rng) -> Self {
         let mut drawn = || random.random_range(-1.0..=1.0) * spawn.jitter_m;
         let shift = [drawn(), drawn()];
@@ -66,7 +66,7 @@ impl Mover {
         }
     }
 
-    /// Moves on to a mission time; false once it has reached its end and is gone.
+    /// Advances to a mission time; false once it has reached the end of its path.
     pub fn step(&mut self, now: Duration) -> bool {
         let mut left_m = now.saturating_sub(self.since).as_secs_f64() * self.speed_m_s;
         for leg in self.path.windows(2) {
@@ -83,8 +83,8 @@ impl Mover {
         false
     }
 
-    /// How far it is from a place, with its height where that counts: people are kept away from at any height below
-    /// theirs to keep.
+    /// Its distance from a place, in metres. For people only the horizontal distance counts below the height to keep
+    /// above them.
     pub fn distance_m(&self, [east_m, north_m, up_m]: [f64; 3]) -> f64 {
         let flat = distance_m(self.at, [east_m, north_m]);
         match self.kind {

@@ -16,13 +16,13 @@ use crate::mission::zone::Zone;
 use crate::scoring::AlertLevel;
 use crate::vehicle::{VehicleId, Vehicles};
 
-/// Slower than this, a vehicle stands in the air.
+/// A vehicle slower than this counts as hovering.
 const PAUSED_M_S: f64 = 0.7;
 
-/// What a flight has to show of itself.
+/// The parts of a flight's state that conditions can see.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Sight<'a> {
-    /// How much mission time has passed.
+    /// Mission time.
     pub now: Duration,
     pub crafts: &'a [Craft],
     pub vehicles: &'a Vehicles,
@@ -35,31 +35,31 @@ pub(crate) struct Sight<'a> {
     pub refused: u32,
 }
 
-/// A flight at one moment, with what threatens it.
+/// A flight at one moment, with its threats.
 #[derive(Debug, Clone)]
 pub(crate) struct Scope<'a> {
     pub sight: Sight<'a>,
     pub zones: &'a [Zone],
-    /// Which of the zones are there, in their order.
+    /// Which zones are active, in file order.
     pub active: &'a [bool],
     pub movers: &'a [Mover],
-    /// Levels of the alerts that wait for an answer.
+    /// Levels of the unanswered alerts.
     pub alerts: BTreeSet<AlertLevel>,
-    /// Which of the events have happened, in their order.
+    /// Which events have happened, in file order.
     pub fired: &'a [bool],
-    /// How well vehicles are heard, in dB; none where radio does not matter.
+    /// Each vehicle's link margin in dB; empty where radio does not matter.
     pub margins_db: &'a BTreeMap<VehicleId, f64>,
     pub wind_m_s: f64,
-    /// Decides on chance; the same event asks for another one at another time.
+    /// The random stream and step for conditions with chance: each look draws anew.
     pub chance: (u64, u64),
 }
 
 /// The area to keep away from.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Spot {
-    /// The zone of this place in the file.
+    /// The zone with this index in the file.
     Zone(usize),
-    /// Those who were brought under this id.
+    /// The movers with this id.
     Mover(String),
 }
 
@@ -70,7 +70,7 @@ impl<'a> Scope<'a> {
         crafts.filter(|craft| craft.airborne && !craft.lost)
     }
 
-    /// How an objective stands.
+    /// The state of an objective.
     pub fn standing(&self, objective: usize) -> Option<&'a ObjectiveStanding> {
         self.sight.standings.get(objective)
     }
@@ -86,13 +86,13 @@ impl<'a> Scope<'a> {
         objects.collect::<BTreeSet<_>>().len() as f64
     }
 
-    /// Of the vehicles in the air; infinite without any.
+    /// The least height of the vehicles in the air, in metres; infinite without any.
     pub fn lowest_height_m(&self) -> f64 {
         let heights = self.flying().map(|craft| craft.height_m);
         heights.fold(f64::INFINITY, f64::min)
     }
 
-    /// Of the vehicles in the air; 100 without any.
+    /// The least battery of the vehicles in the air, in percent; 100 without any.
     pub fn lowest_battery_percent(&self) -> f64 {
         let charges = self.flying().filter_map(|craft| craft.battery_percent);
         charges.fold(100.0, f64::min)
@@ -124,7 +124,7 @@ impl<'a> Scope<'a> {
         self.flying().filter(above).count()
     }
 
-    /// Whether a zone is there now.
+    /// Whether a zone is active.
     pub fn is_active(&self, zone: usize) -> bool {
         self.active.get(zone) == Some(&true)
     }
@@ -152,7 +152,7 @@ impl<'a> Scope<'a> {
         self.flying().filter_map(|craft| self.mode(craft.id))
     }
 
-    /// Whether every vehicle in the air either stands still or keeps this far away.
+    /// Whether every vehicle in the air either hovers or keeps this distance.
     pub fn is_paused_or_clear(&self, spot: &Spot, metres: f64) -> bool {
         self.flying().all(|craft| {
             let near = craft.truly_at().is_some_and(|at| match spot {
@@ -169,12 +169,12 @@ impl<'a> Scope<'a> {
         })
     }
 
-    /// How well a vehicle is heard, in dB; infinite where radio does not matter.
+    /// A vehicle's link margin in dB; infinite where radio does not matter.
     pub fn margin_db(&self, id: VehicleId) -> f64 {
         self.margins_db.get(&id).copied().unwrap_or(f64::INFINITY)
     }
 
-    /// A number from 0 to 1 by chance, the same one whenever it is asked for at this moment.
+    /// A random number from 0 to 1, the same for every call at this moment.
     pub fn draw(&self) -> f64 {
         let (seed, stream) = self.chance;
         let mut random = ChaCha8Rng::seed_from_u64(seed ^ self.sight.now.as_millis() as u64);

@@ -1,4 +1,4 @@
-//! Events that an instructor can cause in every mission that allows it, without a line in its file.
+//! Events that an instructor can trigger in every mission that allows it, without an entry in its file.
 
 use std::time::Duration;
 
@@ -11,25 +11,25 @@ use crate::scoring::AlertLevel;
 use crate::text;
 use crate::text::Text;
 
-/// How long what passes by itself lasts.
+/// The duration of a temporary inject.
 const WHILE: Duration = Duration::from_secs(20);
-/// How far on either side of the place of work an aircraft comes and goes.
+/// The distance from the place of work at which an aircraft appears and disappears.
 const APPROACH_M: f64 = 600.0;
 /// The same for people.
 const WALK_M: f64 = 40.0;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Standard {
-    /// More wind for a while.
+    /// Stronger wind for a while.
     Gust,
-    /// Wind from somewhere else, for good.
+    /// Wind from another direction, for the rest of the flight.
     WindShift,
     /// No satellite navigation for a while.
     GnssJam,
     /// No radio for a while.
     LinkLoss,
     MotorFail,
-    /// A battery that the cold has weakened.
+    /// A battery weakened by cold.
     BatteryCold,
     /// A battery with a dead cell.
     BatteryCell,
@@ -40,7 +40,7 @@ pub(crate) enum Standard {
 }
 
 impl Standard {
-    /// All of them by the names that they have in files.
+    /// All injects by their names in files.
     pub const ALL: [(&str, Self); 9] = [
         ("gust", Self::Gust),
         ("wind_shift", Self::WindShift),
@@ -57,19 +57,19 @@ impl Standard {
         Self::ALL.map(|(name, _)| name)
     }
 
-    /// What it is called in files.
+    /// Its name in files.
     pub fn name(self) -> &'static str {
         let found = Self::ALL.iter().find(|(_, known)| *known == self);
         found.map_or("", |(name, _)| name)
     }
 
-    /// The one that is called so.
+    /// The inject with this name.
     pub fn named(name: &str) -> Option<Self> {
         let found = Self::ALL.iter().find(|(known, _)| *known == name);
         found.map(|(_, standard)| *standard)
     }
 
-    /// What it is called, for people.
+    /// Its title for people.
     pub fn title(self) -> Text {
         match self {
             Self::Gust => text!("threat-gust"),
@@ -86,7 +86,7 @@ impl Standard {
 
     pub(super) fn actions(self, mission: &Mission) -> Vec<Action> {
         let deed = self.deed(mission);
-        // Of what breaks on board, the telemetry tells.
+        // Faults on board show in the telemetry.
         if matches!(deed, Action::Fault(_)) {
             return vec![deed];
         }
@@ -166,7 +166,7 @@ fn overflight(mission: &Mission) -> Spawn {
     }
 }
 
-/// The middle of the first zone with something to do in it, or the first pad.
+/// The centre of the first task zone, or the first pad.
 fn place_of_work(mission: &Mission) -> Point {
     let mut tasks = mission.zones.iter();
     let task = tasks.find(|zone| zone.kind == crate::mission::zone::ZoneKind::Task);

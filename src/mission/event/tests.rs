@@ -1,4 +1,4 @@
-//! Events as they come to a vehicle that flies.
+//! Events and their effect on a flying vehicle.
 
 use crate::mission::Mission;
 use crate::mission::fake::Pilot;
@@ -6,7 +6,7 @@ use crate::mission::flight::Outcome;
 use crate::scoring::{Report, SafetyKind};
 use crate::session::{RadioFault, Want};
 
-/// The first mission with something more in it.
+/// The first mission with more text appended.
 fn mission(more: &str) -> Result<Mission, Vec<crate::diagnostic::Diagnostic>> {
     let file = include_str!("../../../missions/01-air-sample.toml");
     Mission::parse(&format!("{file}\n{more}"))
@@ -16,14 +16,14 @@ fn pilot(more: &str, seed: u64) -> Pilot {
     Pilot::flying(mission(more).expect("a good mission"), seed)
 }
 
-/// When something was said, in seconds.
+/// The times of the notices with a text, in seconds.
 fn said(report: &Report, text: &str) -> Vec<f64> {
     let events = report.events.iter();
     let said = events.filter(|event| event.text == *text);
     said.map(|event| event.at_s).collect()
 }
 
-/// The values that a parameter was demanded to have, in their order.
+/// The values demanded of a parameter, in order.
 fn demanded(pilot: &mut Pilot, parameter: &str) -> Vec<f64> {
     let demands = pilot.flight.take_demands().into_iter();
     let values = demands.filter_map(|demand| match demand.want {
@@ -364,7 +364,7 @@ fn faults_of_events_are_told_where_they_are() {
     }
 }
 
-/// What the link of the first vehicle was demanded to be, in its order.
+/// The states demanded of the first vehicle's link, in order.
 fn links(pilot: &mut Pilot) -> Vec<RadioFault> {
     let demands = pilot.flight.take_demands().into_iter();
     let links = demands.filter_map(|demand| match demand.want {

@@ -1,10 +1,10 @@
-//! Events that change the weather, at once or little by little, for good or for a while.
+//! Events that change the weather, at once or gradually, permanently or for a while.
 
 use std::time::Duration;
 
 use crate::mission::weather::Weather;
 
-/// What of the weather can change.
+/// A quantity of the weather that can change.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Element {
     WindSpeed,
@@ -14,7 +14,7 @@ pub(crate) enum Element {
 }
 
 impl Element {
-    /// All of them by the names that they have in files, with what they may be set to.
+    /// All elements by their names in files, with their valid ranges.
     pub const ALL: [(&str, Self, std::ops::RangeInclusive<f64>); 4] = [
         ("weather.wind.speed", Self::WindSpeed, 0.0..=60.0),
         ("weather.wind.dir", Self::WindDirection, 0.0..=360.0),
@@ -26,7 +26,7 @@ impl Element {
         Self::ALL.iter().map(|(name, ..)| *name).collect()
     }
 
-    /// The one that is called so, with what it may be set to.
+    /// The element with this name, with its valid range.
     pub fn named(name: &str) -> Option<(Self, std::ops::RangeInclusive<f64>)> {
         let mut all = Self::ALL.into_iter();
         let (_, element, range) = all.find(|(known, ..)| *known == name)?;
@@ -51,7 +51,7 @@ impl Element {
         }
     }
 
-    /// From one value towards another; directions go the shorter way.
+    /// Interpolates from one value towards another; directions take the shorter way.
     fn between(self, from: f64, to: f64, share: f64) -> f64 {
         let difference = match self {
             Self::WindDirection => (to - from + 180.0).rem_euclid(360.0) - 180.0,
@@ -66,14 +66,14 @@ impl Element {
 pub(crate) struct Change {
     pub element: Element,
     pub to: Target,
-    /// How long it takes.
+    /// The time over which it takes effect.
     pub ramp: Duration,
-    /// After how long it goes back to what it was; `None`: never.
+    /// How long it lasts before it reverts; `None` for the rest of the flight.
     pub lasts: Option<Duration>,
 }
 
 impl Change {
-    /// The wind speed that it makes of one, in m/s; `None` where it changes something else.
+    /// The wind speed after the change, in m/s; `None` where it changes something else.
     pub fn wind_m_s(&self, before_m_s: f64) -> Option<f64> {
         let to_m_s = match self.to {
             Target::Value(value) => value,
@@ -83,12 +83,12 @@ impl Change {
     }
 }
 
-/// What something changes to.
+/// The value that a change leads to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Target {
-    /// A value to be reached.
+    /// An absolute value.
     Value(f64),
-    /// So much more than now.
+    /// An increase on the present value.
     More(f64),
 }
 
@@ -98,14 +98,14 @@ pub(super) struct Drift {
     change: Change,
     from: f64,
     to: f64,
-    /// What it goes back to, if it goes back.
+    /// The value to revert to, if it reverts.
     back_to: f64,
     since: Duration,
 }
 
 impl Drift {
-    /// A change that begins now. It takes over from the one that is under way: where that has come to, and the value
-    /// that was to be in the end.
+    /// A change that begins now. It replaces the one under way: it starts from the present value, and reverts to the
+    /// value that the other would have ended with.
     pub fn new(change: Change, weather: &Weather, now: Duration, replaced: Option<&Self>) -> Self {
         let from = change.element.get(weather);
         Self {
@@ -120,7 +120,7 @@ impl Drift {
         }
     }
 
-    /// What remains when it is over.
+    /// The value that remains when it is over.
     fn in_the_end(&self) -> f64 {
         if self.change.lasts.is_some() {
             self.back_to
@@ -129,12 +129,12 @@ impl Drift {
         }
     }
 
-    /// What of the weather it changes.
+    /// The element that it changes.
     pub fn element(&self) -> Element {
         self.change.element
     }
 
-    /// Moves the weather on; returns what comes after it, if anything has to.
+    /// Advances the weather; returns the change that follows, if any.
     pub fn step(self, weather: &mut Weather, now: Duration) -> Option<Self> {
         let passed = now.saturating_sub(self.since);
         let share = if passed >= self.change.ramp {

@@ -1,4 +1,4 @@
-//! The actions of events: one table each, told apart by the key that only it has.
+//! The actions of events: one table each, recognised by the key that only that action has.
 
 use std::time::Duration;
 
@@ -16,7 +16,7 @@ use crate::mission::format::{
 };
 use crate::scoring::AlertLevel;
 
-/// All actions by the key that tells them.
+/// All actions by the key that identifies them.
 const ACTIONS: &[KindOf<Action>] = &[
     KindOf {
         name: "say",
@@ -59,7 +59,7 @@ const ACTIONS: &[KindOf<Action>] = &[
         read: event,
     },
 ];
-/// Points of one path.
+/// The most points of one path.
 const MOST_POINTS: usize = 100;
 
 const LEVELS: [(&str, AlertLevel); 3] = [
@@ -141,7 +141,7 @@ fn zone(table: &mut FileTable<'_>) -> Option<Action> {
     Some(Action::Zone(found?, active?))
 }
 
-/// What can be brought, with how high it moves and how far to keep away unless the file says otherwise.
+/// The kinds of movers, with the default height and the default distance to keep.
 const MOVERS: [(&str, MoverKind, f64, f64); 3] = [
     ("person", MoverKind::Person, 0.0, 15.0),
     ("aircraft", MoverKind::Aircraft, 80.0, 60.0),

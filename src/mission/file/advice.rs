@@ -1,4 +1,4 @@
-//! `[[hints]]`: advice that is shown by itself, or given when it is asked for.
+//! `[[hints]]`: advice shown automatically, or on request.
 
 use super::events::condition;
 use crate::mission::format::{FileTable, text, whole, word};
@@ -7,9 +7,9 @@ use crate::mission::{Clue, Hint, NEXT_CELL, Phase};
 /// All advice of a mission.
 #[derive(Default)]
 pub(super) struct MissionAdvice {
-    /// What is shown by itself.
+    /// Hints that are shown automatically.
     pub hints: Vec<Hint>,
-    /// What has to be asked for.
+    /// Hints that must be asked for.
     pub clues: Vec<Clue>,
 }
 
@@ -20,7 +20,7 @@ pub(super) enum OneAdvice {
 }
 
 impl MissionAdvice {
-    /// All advice, by how it is given.
+    /// Sorts the advice by how it is given.
     pub fn of(all: Vec<OneAdvice>) -> Self {
         let mut advice = Self::default();
         for one in all {
@@ -82,7 +82,7 @@ pub(super) fn advice(table: &mut FileTable<'_>) -> Option<OneAdvice> {
         .faults
         .translated(english?, ukrainian, "text_uk");
     let Some(level) = level else {
-        // Shown by itself, so it has to be said when.
+        // Shown automatically, so it needs a phase.
         let Some(phase) = phase else {
             let fault = "a hint needs a `phase` to be shown in, or a `level`";
             table.fault_of("text", fault);

@@ -10,9 +10,9 @@ use crate::mission::skill::Skill;
 use crate::scoring::Medal;
 use crate::workshop;
 
-/// Missions of one list, and things to unlock.
+/// The most missions of one list, and the most unlocks.
 const MOST_NAMES: usize = 50;
-/// No mission brings more.
+/// The highest reward in credits.
 const MOST_CREDITS: u32 = 100_000;
 const HIGHEST_TIER: u32 = 3;
 
@@ -22,7 +22,7 @@ const MEDALS: [(&str, Medal); 3] = [
     ("gold", Medal::Gold),
 ];
 
-/// What has to be shown before.
+/// The section `[requires]`.
 pub(super) fn requires(table: &mut FileTable<'_>) -> Option<Requires> {
     let missions_form = list(mission_id(), 0, usize::MAX);
     let missions = table.may("missions", missions_form, "missions that must be passed");
@@ -66,7 +66,7 @@ pub(super) fn requires(table: &mut FileTable<'_>) -> Option<Requires> {
     })
 }
 
-/// What passing it brings.
+/// The section `[rewards]`.
 pub(super) fn rewards(table: &mut FileTable<'_>) -> Option<Rewards> {
     let credits_form = whole(0, MOST_CREDITS, "");
     let credits = table.or(
@@ -131,7 +131,7 @@ fn unlocked(table: &mut FileTable<'_>, written: &Spanned<String>) -> Option<Unlo
     }
 }
 
-/// What can name a design, as it can a part of the catalogue.
+/// The id of a design or of a part.
 pub(super) const fn design_id() -> TextValue {
     text_by(
         "id of a design",
@@ -145,7 +145,7 @@ fn is_part(id: &str) -> bool {
     (1..=40).contains(&id.len()) && id.chars().all(plain)
 }
 
-/// Whether the mission is there, only the folder can tell.
+/// Reads a mission's id. Whether the mission exists is checked with its folder.
 fn mission(table: &mut FileTable<'_>, id: &str, written: &Spanned<String>) {
     if !is_mission_id(id) {
         let fault = "a mission's id is 1 to 40 small letters, digits and `-`";

@@ -1,4 +1,4 @@
-//! `[[events]]`: when something happens, and what.
+//! `[[events]]`: triggers and their actions.
 
 use std::time::Duration;
 
@@ -13,10 +13,10 @@ use crate::mission::format::{
 };
 use crate::text::Text;
 
-/// Actions of one event.
+/// The most actions of one event.
 const MOST_ACTIONS: usize = 50;
 
-/// When an event happens, as far as it is written.
+/// The trigger keys present in the file.
 struct WrittenTrigger {
     at: Option<Duration>,
     when: Option<Expression>,
@@ -106,13 +106,13 @@ impl WrittenTrigger {
                 ..
             } => Some(Trigger::After(known_event(table.draft(), &after)?, delay)),
             Self { by: Some(()), .. } => Some(Trigger::Instructor),
-            // It is wrong, which has been told.
+            // Invalid; the fault is already reported.
             Self { .. } => None,
         }
     }
 }
 
-/// The place of an event in the file, by its id.
+/// The index of an event in the file, by its id.
 pub(super) fn known_event(draft: &mut Draft, name: &Spanned<String>) -> Option<usize> {
     let events = &draft.declared.events;
     let found = events.iter().position(|id| id == name.get_ref());
@@ -136,7 +136,7 @@ impl FileValue for ConditionValue {
         FileShape::Text("an expression", Some(LONGEST))
     }
 
-    /// A fault in it is placed within its string.
+    /// Places a fault within its string.
     fn read(
         &self,
         _: &str,

@@ -11,22 +11,22 @@ use crate::mission::ground_truth::Load;
 use crate::mission::sensor::Sensor;
 use crate::mission::{Outlay, Point};
 
-/// More than a console can fly.
+/// The most vehicles; more than a console can fly.
 const MOST_VEHICLES: u32 = 250;
-/// Pieces of one load, or seconds of spray, on one vehicle.
+/// The most pieces of one load, or seconds of spray, on one vehicle.
 const MOST_LOAD: u32 = 1000;
-/// More than any fleet costs.
+/// The highest budget; more than any fleet costs.
 const MOST_CREDITS: u32 = 1_000_000;
 
-/// What flies, and from where.
+/// The vehicles and their pads.
 pub(super) struct FleetSection {
     pub pads: Vec<Point>,
-    /// One for each pad.
+    /// One fit for each pad.
     pub fits: Vec<Fit>,
     pub outlay: Outlay,
 }
 
-/// Sensors and loads as they are written.
+/// Sensors and loads as the file lists them.
 #[derive(Default)]
 struct Carried {
     sensors: Vec<&'static Sensor>,
@@ -94,7 +94,7 @@ pub(super) fn fleet(table: &mut FileTable<'_>) -> Option<FleetSection> {
     })
 }
 
-/// What the fleet may cost, and what is lent.
+/// The fleet's budget, and the designs lent.
 fn outlay(table: &mut FileTable<'_>, pads: Option<usize>) -> Outlay {
     let budget = table.may(
         "budget",
@@ -149,7 +149,7 @@ fn loads(table: &mut FileTable<'_>) -> Option<BTreeMap<Load, u32>> {
 }
 
 impl Carried {
-    /// A fit with more sensors, and with these loads in the place of others of their kind.
+    /// A fit with more sensors, and with these loads in place of others of their kind.
     fn added_to(&self, mut fit: Fit) -> Fit {
         self.sensors.iter().for_each(|sensor| fit.add(sensor));
         fit.loads.extend(&self.loads);

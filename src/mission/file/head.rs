@@ -6,12 +6,12 @@ use toml::de::DeValue;
 use crate::mission::format::{Draft, FileShape, FileTable, FileValue, list, text_by, whole};
 use crate::text::Text;
 
-/// The only version of the format so far.
+/// The only version of the format.
 const SCHEMA: u32 = 1;
 /// The most tags, and the most authors, that a mission may have.
 const MOST_NAMES: usize = 20;
 
-/// What stands before the first section.
+/// The keys before the first section.
 pub(super) struct FileHead {
     pub id: String,
     pub rev: u32,
@@ -93,7 +93,7 @@ fn is_short(name: &str) -> bool {
     name.chars().count() <= 60
 }
 
-/// What can name a mission.
+/// The id of a mission.
 pub(super) const fn mission_id() -> crate::mission::format::TextValue {
     text_by(
         "1 to 40 small letters, digits and `-`",
@@ -102,13 +102,13 @@ pub(super) const fn mission_id() -> crate::mission::format::TextValue {
     )
 }
 
-/// Whether it can name a mission.
+/// Whether a text is valid as a mission's id.
 pub(super) fn is_mission_id(id: &str) -> bool {
     let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
     (1..=40).contains(&id.len()) && id.chars().all(plain)
 }
 
-/// The version of the format, of which this program reads one.
+/// The version of the format; this program reads only one.
 struct SchemaVersion;
 
 impl FileValue for SchemaVersion {

@@ -1,4 +1,4 @@
-//! `[[objectives]]`: the keys that all kinds have in common.
+//! `[[objectives]]`: the keys common to all kinds.
 
 use crate::mission::format::{FileTable, flag, number};
 use crate::mission::objective::{self, Objective};
@@ -35,7 +35,7 @@ pub(super) fn objective(table: &mut FileTable<'_>) -> Option<Objective> {
     })
 }
 
-/// Checks that the mission can be passed at all.
+/// Checks that the mission has an objective that can be met.
 pub(super) fn check(file: &mut FileTable<'_>, objectives: Option<&[Objective]>) {
     let none_mandatory = |all: &[Objective]| all.iter().all(|objective| !objective.mandatory);
     if objectives.is_some_and(none_mandatory) && file.draft().faults.is_empty() {

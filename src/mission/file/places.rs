@@ -30,7 +30,7 @@ pub(super) fn place(table: &mut FileTable<'_>) -> Option<NamedPlace> {
     })
 }
 
-/// Cells have names of their own; the objectives bring them.
+/// Rejects places named like cells, whose names the objectives define.
 pub(super) fn check_no_cells(draft: &mut Draft) {
     for survey in &draft.surveys {
         let is_cell = |name: &str| survey.cells.iter().any(|cell| cell.name == name);
@@ -42,7 +42,7 @@ pub(super) fn check_no_cells(draft: &mut Draft) {
     }
 }
 
-/// One letter alone would read as an axis of `goto`.
+/// Whether a name is allowed: a single letter would read as an axis of `goto`.
 fn is_name(name: &str) -> bool {
     let plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
     (2..=32).contains(&name.len())

@@ -41,12 +41,12 @@ fn radio_names() -> Vec<&'static str> {
     Model::all().map(|model| model.id).collect()
 }
 
-/// A standard threat by its name.
+/// The value that names a standard threat.
 pub(super) const fn threat() -> NamedValue<Standard> {
     named("threat", || Standard::names().to_vec(), Standard::named)
 }
 
-/// What an instructor may have happen.
+/// The threats that an instructor may trigger.
 pub(super) fn may_inject(table: &mut FileTable<'_>) -> Option<Vec<Standard>> {
     let threats_form = list(threat(), 0, usize::MAX);
     let threats = table.may(

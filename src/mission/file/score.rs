@@ -16,7 +16,7 @@ const USUAL_MEDALS: Medals = Medals {
     bronze: 550,
 };
 
-/// What gets all points.
+/// The values that earn full points.
 struct Par {
     time: Duration,
     energy_wh: f64,
@@ -112,7 +112,7 @@ fn gate(table: &mut FileTable<'_>, written: &Spanned<String>) -> Option<Gate> {
     Some(gate)
 }
 
-/// What each component looks at, for people who write missions.
+/// What each component measures, for authors of missions.
 fn about(component: Component) -> &'static str {
     match component {
         Component::Objective => {

@@ -1,4 +1,4 @@
-//! `[sim]` and `[weather]`: where, for how long, and in what weather.
+//! `[sim]` and `[weather]`: the site, the time limit and the weather.
 
 use std::time::Duration;
 
@@ -7,7 +7,7 @@ use crate::mission::Origin;
 use crate::mission::format::{FileTable, LONGEST_S, number, seconds, table as table_of, word};
 use crate::mission::weather::{Light, Weather, Wind};
 
-/// Where and for how long.
+/// The site and the time limit.
 pub(super) struct MissionSite {
     pub time_limit: Duration,
     pub origin: Origin,

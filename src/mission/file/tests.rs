@@ -1,4 +1,4 @@
-//! The guide has the reference that is written from the readers, and every name that a mission may use.
+//! The guide contains the generated reference, and every name that a mission may use.
 
 use std::collections::BTreeSet;
 
@@ -48,7 +48,7 @@ fn the_guide_has_every_name_that_a_mission_may_use() {
     assert!(missing.is_empty(), "the guide is missing {missing:?}");
 }
 
-/// All keys of a table and of those in it.
+/// All keys of a table and of its inner tables.
 fn described(table: &FileTableDescription, found: &mut Vec<(String, &'static str)>) {
     let own = table.kinds.iter().flat_map(|kind| &kind.own.keys);
     for key in table.keys.iter().chain(own) {

@@ -1,11 +1,11 @@
-//! `[[zones]]`: a shape and a kind.
+//! `[[zones]]`: areas with a shape and a kind.
 
 use crate::mission::format::{FileTable, KindOf, POINT_RANGE, flag, list, number, point};
 use crate::mission::zone::{Shadow, Shape, Zone, ZoneKind};
 
-/// Zones without a ceiling reach up to here.
+/// The ceiling of zones that set none.
 const HIGHEST_M: f64 = 10_000.0;
-/// Corners of one polygon.
+/// The most corners of one polygon.
 const MOST_CORNERS: usize = 1000;
 
 pub(super) fn zone(table: &mut FileTable<'_>) -> Option<Zone> {
@@ -37,7 +37,7 @@ pub(super) fn zone(table: &mut FileTable<'_>) -> Option<Zone> {
     })
 }
 
-/// Whether it lies where the file says with every seed: objectives and hazards are made for the place.
+/// Whether zones of a kind lie where the file says with every seed: objectives and hazards depend on their position.
 fn is_fixed(kind: ZoneKind) -> bool {
     matches!(kind, ZoneKind::Task | ZoneKind::Geofence { .. })
 }

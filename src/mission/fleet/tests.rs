@@ -127,7 +127,7 @@ fn each_drone_has_the_radio_that_was_built_in() {
     let mesh = set(parsed(source), relay());
     assert_eq!((mesh.model.id, mesh.relays), ("r_mesh24", true));
     assert!((mesh.gain_dbi - mesh.model.radio.air_dbi - 6.0).abs() < 1e-9);
-    // That mission's Wi-Fi relays, on its own drones as on others.
+    // The Wi-Fi of that mission relays, on built drones as well.
     let wifi = carrying(&starter(), &["r_wifi24"]);
     assert!(set(mission(None), wifi.clone()).relays);
     assert!(!set(parsed(source), wifi).relays);

@@ -1,4 +1,4 @@
-//! Hints that the trainee asks for.
+//! Hints given on request.
 
 use std::time::Duration;
 
@@ -11,10 +11,10 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
 
-/// The clues that were asked for.
+/// The hints given so far.
 #[derive(Debug)]
 pub(super) struct CluesGiven {
-    /// Which try of this trainee's it is, from 1.
+    /// The number of this trainee's attempt, from 1.
     attempt: u32,
     given: Vec<GivenClue>,
 }
@@ -23,13 +23,13 @@ pub(super) struct CluesGiven {
 #[derive(Debug, Clone, Copy)]
 struct GivenClue {
     at: Duration,
-    /// Its place among the mission's clues.
+    /// Its index among the mission's clues.
     index: usize,
-    /// What was shown by itself then.
+    /// The hint or step that was on show then.
     beside: Running,
 }
 
-/// What is shown by itself, by its place: advice for the phase, or a step of the lesson.
+/// The automatic advice on show: the phase of the flight, and the index of the lesson's step.
 type Running = (Phase, Option<usize>);
 
 impl Default for CluesGiven {
@@ -50,8 +50,8 @@ impl CluesGiven {
         self.attempt
     }
 
-    /// What they have cost so far. On the first try only the line that does it costs; while the console is learnt,
-    /// nothing does.
+    /// Their cost so far. On the first attempt only the hint with the whole command costs points; in lessons on the
+    /// console none does.
     pub fn used(&self, mission: &Mission) -> HintsUsed {
         let mut used = HintsUsed {
             free_level: match (self.attempt, mission.tier) {
@@ -69,7 +69,7 @@ impl CluesGiven {
         used
     }
 
-    /// Those of the mission's clues that were given, oldest first, with the mission time in seconds.
+    /// The clues given, oldest first, each with its mission time in seconds.
     pub fn all<'a>(&'a self, clues: &'a [Clue]) -> impl Iterator<Item = (f64, &'a Clue)> {
         let given = self.given.iter();
         given.filter_map(|given| Some((given.at.as_secs_f64(), clues.get(given.index)?)))
@@ -77,7 +77,7 @@ impl CluesGiven {
 }
 
 impl Flight {
-    /// Gives the next clue that fits.
+    /// Gives the next suitable clue.
     pub(super) fn give_clue(&mut self) -> Result<Text, Text> {
         if !self.mission.gives_hints {
             return Err(text!("deed-exam-hint"));
@@ -103,7 +103,7 @@ impl Flight {
         Ok(text)
     }
 
-    /// How the hints stand, for the mission panel.
+    /// The state of the hints, for the mission panel.
     pub(super) fn clue_progress(&self) -> ClueProgress {
         let clues = &self.mission.clues;
         let used = self.clues.used(&self.mission);

@@ -1,4 +1,4 @@
-//! Deeds of a mission: reports, and the trainee's prediction and goal before launch.
+//! Commands to the mission itself: reports, and the trainee's prediction and goal before launch.
 
 use std::collections::BTreeSet;
 
@@ -20,12 +20,12 @@ pub struct Pledge {
     pub goal: Option<Goal>,
 }
 
-/// How a deed went with one vehicle: a remark, or the reason why not.
+/// The outcome of a deed for one vehicle: a remark, or the reason why it failed.
 pub(super) type Done = Result<Option<Text>, Text>;
 
 impl Flight {
-    /// Does something with each of the vehicles, at the mission time of the last step; returns the ledger's rows for
-    /// it, on mission time.
+    /// Carries a deed out for each vehicle, at the mission time of the last step; returns the ledger's rows, in
+    /// mission time.
     pub fn act(&mut self, entry: EntryId, deed: &Deed, vehicles: &[VehicleId]) -> Vec<RowUpdate> {
         if let Some(recorder) = &mut self.recorder {
             recorder.act(deed, vehicles);
@@ -53,13 +53,13 @@ impl Flight {
     }
 
     fn outcomes(&mut self, deed: &Deed, vehicles: &[VehicleId]) -> Vec<Done> {
-        // However many vehicles are named, a hint is one.
+        // A hint counts once, however many vehicles are named.
         if *deed == Deed::Hint {
             return vec![self.give_clue().map(Some); vehicles.len()];
         }
         let reports_before = self.search.marks().len();
         let each = vehicles.iter().enumerate().map(|(at, &vehicle)| {
-            // The first one has done it for all: nothing is left to do.
+            // The first one has done it for all.
             if at > 0 && deed.is_of_all() {
                 return Ok(None);
             }
@@ -75,21 +75,21 @@ impl Flight {
         outcomes
     }
 
-    /// What the trainee has said before launch.
+    /// The trainee's prediction and goal.
     pub fn pledge(&self) -> Pledge {
         self.pledge
     }
 
-    /// The same, as long as it can be changed: until something flies.
+    /// The same while it can be changed: until a vehicle flies.
     pub fn open_pledge(&self) -> Option<Pledge> {
         self.before_launch().is_ok().then_some(self.pledge)
     }
 
-    /// Takes over what was said before a try in which nothing has flown. It goes on record as if it were said again.
+    /// Takes over the prediction and goal of an attempt in which nothing flew. The record shows them as given anew.
     pub fn renew(&mut self, pledge: Pledge) {
         let prediction = pledge.prediction.map(|points| Deed::Predict { points });
         for deed in prediction.into_iter().chain(pledge.goal.map(Deed::Goal)) {
-            // No command of this try's ledger says it, and one vehicle is enough for a word.
+            // This attempt's ledger has no command for it, and one vehicle is enough.
             self.act(EntryId(0), &deed, &[1]);
         }
     }
@@ -127,7 +127,7 @@ impl Flight {
         }
     }
 
-    /// Whether no vehicle has flown yet; else the reason of a refusal.
+    /// Whether no vehicle has flown yet; otherwise the reason for the refusal.
     pub(super) fn before_launch(&self) -> Result<(), Text> {
         if self.crafts.iter().any(|craft| craft.flown) {
             return Err(text!("deed-launched"));
@@ -163,8 +163,8 @@ impl Flight {
         })
     }
 
-    /// A report of a kind that no objective asks for would be ignored without a word. Where none asks for
-    /// reports, any will do.
+    /// Refuses a report of a kind that no objective asks for: it would be ignored silently. Where none asks for
+    /// reports, any kind will do.
     fn check_kind(&self, kind: Option<FindKind>) -> Result<(), Text> {
         let objectives = self.mission.objectives.iter();
         let sought = objectives.filter_map(|objective| objective.kind.sought());
@@ -184,7 +184,7 @@ impl Flight {
         }
     }
 
-    /// Where a spot is in the mission's frame.
+    /// The position of a spot, in the mission's frame.
     fn point(&self, vehicle: VehicleId, spot: Spot) -> Result<Point, Text> {
         match spot {
             Spot::At(place) => Ok(self.mission.origin.point(place)),

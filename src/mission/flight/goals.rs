@@ -1,4 +1,4 @@
-//! How the objectives stand.
+//! The state of the objectives.
 
 use super::journal::{FlightJournal, JournalEntry};
 use crate::mission::objective::{Objective, ObjectiveScene, ObjectiveStanding, Tracker};
@@ -11,7 +11,7 @@ use crate::vehicle::Severity;
 #[derive(Debug, Default)]
 pub(super) struct Goals {
     trackers: Vec<Box<dyn Tracker>>,
-    /// Which were met when it was last told.
+    /// Which ones were met at the last report.
     met: Vec<bool>,
 }
 
@@ -24,7 +24,7 @@ impl Goals {
         }
     }
 
-    /// Lets a tick pass; returns how each stands.
+    /// Advances by a tick; returns the state of each objective.
     pub fn step(&mut self, scene: &ObjectiveScene<'_>) -> Vec<ObjectiveStanding> {
         for tracker in &mut self.trackers {
             tracker.step(scene);
@@ -37,7 +37,7 @@ impl Goals {
         trackers.map(|tracker| tracker.standing(scene)).collect()
     }
 
-    /// Says which objectives have been met, or are open again.
+    /// Reports which objectives have been met, or are open again.
     pub fn tell_changes(
         &mut self,
         objectives: &[Objective],
@@ -61,7 +61,7 @@ impl Goals {
         }
     }
 
-    /// What watches the objectives, for what they alone know.
+    /// The trackers, for details that only they have.
     pub fn trackers(&self) -> impl Iterator<Item = &dyn Tracker> {
         self.trackers.iter().map(AsRef::as_ref)
     }

@@ -1,4 +1,4 @@
-//! The journal of a flight: notices for people, events for the report, and the rules that were broken.
+//! The journal of a flight: notices for people, events for the report, and broken rules.
 
 use std::time::Duration;
 
@@ -17,11 +17,11 @@ pub(super) struct FlightJournal {
     events: Vec<JournalEvent>,
     safety: SafetyLog,
     feedback: Feedback,
-    /// What was said and has not been taken yet.
+    /// Notices not yet taken.
     notices: Vec<Notice>,
 }
 
-/// Something that is said, taken down for the report, or both.
+/// A notice, an event for the report, or both.
 #[derive(Debug)]
 pub(super) struct JournalEntry {
     pub kind: EventKind,
@@ -33,15 +33,15 @@ pub(super) struct JournalEntry {
     pub text: Text,
 }
 
-/// What an entry belongs to.
+/// The subject of an entry.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum JournalSubject {
-    /// An alert that has to be answered, by its place among those of the flight.
+    /// An alert that must be answered, by its index among the flight's alerts.
     Alert(usize),
     Command(EntryId),
 }
 
-/// Something for the report.
+/// An event for the report.
 #[derive(Debug)]
 struct JournalEvent {
     at: Duration,
@@ -63,7 +63,7 @@ impl JournalEntry {
 }
 
 impl FlightJournal {
-    /// Begins a step; what is said from now on is said at this mission time.
+    /// Begins a step; entries from now on have this mission time.
     pub fn begin(&mut self, now: Duration) {
         self.now = now;
     }
@@ -73,7 +73,7 @@ impl FlightJournal {
         self.now
     }
 
-    /// Says something about a vehicle that is not for the report.
+    /// Adds a notice about a vehicle that is not for the report.
     pub fn tell(&mut self, vehicle: VehicleId, severity: Severity, text: Text) {
         self.notices.push(Notice {
             at: self.now,
@@ -84,7 +84,7 @@ impl FlightJournal {
         });
     }
 
-    /// Says something, and takes it down for the report.
+    /// Adds a notice and an event for the report.
     pub fn say(&mut self, entry: JournalEntry) {
         self.notices.push(Notice {
             at: self.now,
@@ -96,7 +96,7 @@ impl FlightJournal {
         self.record(entry);
     }
 
-    /// Takes something down for the report.
+    /// Adds an event for the report.
     pub fn record(&mut self, entry: JournalEntry) {
         self.events.push(JournalEvent {
             at: self.now,
@@ -104,7 +104,7 @@ impl FlightJournal {
         });
     }
 
-    /// A rule is broken; it is said once, however long that lasts.
+    /// Records a broken rule; the notice comes once, however long that lasts.
     pub fn break_rule(&mut self, kind: SafetyKind, id: VehicleId, text: &Text) {
         if self.safety.note(kind, id, self.now, text) {
             let is_loss = kind.is_loss();
@@ -121,19 +121,19 @@ impl FlightJournal {
         }
     }
 
-    /// What was said since the last call.
+    /// The notices since the last call.
     pub fn take(&mut self) -> Vec<Notice> {
         std::mem::take(&mut self.notices)
     }
 
-    /// The same at the end of a step, from which the line of feedback is made.
+    /// Takes the notices at the end of a step and updates the feedback line from them.
     pub fn end_step(&mut self) -> Vec<Notice> {
         let notices = self.take();
         self.feedback.hear(&notices, self.now);
         notices
     }
 
-    /// What was taken down, in its order; with the place of each command in the report.
+    /// The events in order, each with the position of its command in the report.
     pub fn events(&self, place_of: impl Fn(EntryId) -> Option<usize>) -> Vec<EventReport> {
         let subject = |about| match about {
             JournalSubject::Alert(place) => Some(EventSubject::Alert(place)),
@@ -149,7 +149,7 @@ impl FlightJournal {
         self.events.iter().map(report).collect()
     }
 
-    /// The rules that were broken.
+    /// The broken rules.
     pub fn broken_rules(&self) -> &[SafetyEvent] {
         self.safety.events()
     }

@@ -1,4 +1,4 @@
-//! Payloads: balls, kits and nodes in pieces, the sprayer in seconds; and their effects.
+//! Payloads: balls, kits and nodes counted in pieces, the sprayer in seconds; and their effects.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -16,15 +16,15 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 
-/// A piece that falls from higher lands anywhere.
+/// The greatest height of a drop: from higher up, a piece lands anywhere.
 const DROP_UP_TO_M: f64 = 40.0;
-/// Higher up, the wind takes the spray.
+/// The greatest height for spraying: higher up, the wind carries the spray away.
 const SPRAY_UP_TO_M: f64 = 20.0;
-/// What lies on a pad is there for a vehicle that stands this near.
+/// A vehicle this close to a pad stands on it.
 const ON_PAD_M: f64 = 3.0;
-/// A vehicle that stands disarmed on a pad for so long has its loads again.
+/// A vehicle disarmed on a pad for this long has its loads again.
 const TURN_AROUND: Duration = Duration::from_secs(20);
-/// A sample is taken at no more than this speed.
+/// The greatest speed at which a sample can be taken.
 const SAMPLE_UP_TO_M_S: f64 = 1.0;
 
 /// What one vehicle has on board.
@@ -32,9 +32,9 @@ const SAMPLE_UP_TO_M_S: f64 = 1.0;
 struct CraftLoads {
     full: BTreeMap<Load, u32>,
     left: BTreeMap<Load, u32>,
-    /// For how long the sprayer has been open in this second of the load; `None` while it is shut.
+    /// How long the sprayer has been open in the current second of the load; `None` while it is shut.
     spraying: Option<Duration>,
-    /// For how long it has been served on a pad.
+    /// How long it has been serviced on a pad.
     served: Duration,
 }
 
@@ -52,20 +52,20 @@ impl CraftLoads {
         self.left.get(&load).copied().unwrap_or(0)
     }
 
-    /// Takes one away; false where none is left.
+    /// Removes one piece; false if none is left.
     fn take(&mut self, load: Load) -> bool {
         let left = self.left.get_mut(&load).filter(|left| **left > 0);
         left.map(|left| *left -= 1).is_some()
     }
 
-    /// The pieces that it carries, whether any are left or not.
+    /// The kind of piece that it carries, even if none is left.
     fn piece(&self) -> Option<Load> {
         let mut pieces = self.full.keys().filter(|load| **load != Load::Spray);
         let with_some = pieces.clone().find(|load| self.left(**load) > 0);
         with_some.or_else(|| pieces.next()).copied()
     }
 
-    /// A tick of the vehicle's stay on a pad; true when its loads are full again by it.
+    /// A tick on a pad; true when that refills its loads.
     fn serve(&mut self, craft: &Craft) -> bool {
         let on_pad = craft.pad_distance_m.is_some_and(|far| far <= ON_PAD_M);
         let stands = on_pad && !craft.armed && !craft.airborne && !craft.lost;
@@ -81,7 +81,7 @@ impl CraftLoads {
         done
     }
 
-    /// A tick of the sprayer; true when it has used up a second of its load.
+    /// A tick of the sprayer; true when that uses up a second of its load.
     fn spray(&mut self) -> bool {
         let Some(open) = self.spraying.as_mut() else {
             return false;
@@ -95,39 +95,39 @@ impl CraftLoads {
     }
 }
 
-/// What the crafts have on board, in the order of the crafts, and what was let go of.
+/// The loads on board, in the order of the vehicles, and the releases.
 #[derive(Debug, Default)]
 pub(super) struct Loads {
     holds: Vec<CraftLoads>,
     releases: Vec<Release>,
 }
 
-/// What loads fall through and onto.
+/// What releases depend on and change.
 pub(super) struct LoadsScene<'a> {
     pub crafts: &'a [Craft],
     pub world: &'a mut World,
     pub journal: &'a mut FlightJournal,
 }
 
-/// A vehicle that can do something from the air.
+/// A vehicle that is able to use its loads in the air.
 struct Able {
-    /// Its place among the crafts.
+    /// Its index among the vehicles.
     seat: usize,
     at: Point,
 }
 
 impl Loads {
-    /// Another vehicle takes part.
+    /// Adds a vehicle.
     pub fn add(&mut self, fit: &Fit) {
         self.holds.push(CraftLoads::new(fit));
     }
 
-    /// Everything that was let go of.
+    /// All releases so far.
     pub fn releases(&self) -> &[Release] {
         &self.releases
     }
 
-    /// Lets go of one piece.
+    /// Releases one piece.
     pub fn drop_piece(&mut self, vehicle: VehicleId, scene: &mut LoadsScene<'_>) -> Done {
         let Able { seat, at } = scene.able(vehicle, DROP_UP_TO_M)?;
         let hold = &mut self.holds[seat];
@@ -162,7 +162,7 @@ impl Loads {
         Ok(Some(text!("load-spray-left", left = left)))
     }
 
-    /// A tick of sprayers and of the service on the pads.
+    /// A tick of the sprayers and of the service on the pads.
     pub fn step(&mut self, scene: &mut LoadsScene<'_>) {
         for (index, craft) in scene.crafts.iter().enumerate() {
             if !craft.airborne || craft.lost {
@@ -191,7 +191,7 @@ impl Loads {
         }
     }
 
-    /// What is left on board.
+    /// The loads left on board.
     pub fn left(&self, crafts: &[Craft]) -> Vec<LoadLeft> {
         let mut loads = Vec::new();
         for (craft, hold) in crafts.iter().zip(&self.holds) {
@@ -234,7 +234,7 @@ impl Loads {
 }
 
 impl LoadsScene<'_> {
-    /// Says what the vehicle's sensors show where it hovers.
+    /// Reports the readings of a vehicle's sensors where it hovers.
     pub fn take_sample(&mut self, vehicle: VehicleId) -> Done {
         let able = self.able(vehicle, f64::INFINITY)?;
         let craft = &self.crafts[able.seat];
@@ -262,13 +262,13 @@ impl LoadsScene<'_> {
         Ok(Some(remark))
     }
 
-    /// Where a vehicle stands among those of the mission.
+    /// A vehicle's index among those of the mission.
     fn seat(&self, vehicle: VehicleId) -> Result<usize, Text> {
         let index = self.crafts.iter().position(|craft| craft.id == vehicle);
         index.ok_or_else(|| text!("deed-no-position"))
     }
 
-    /// Whether a vehicle can do something from the air, at most so high.
+    /// Checks that a vehicle is in the air, no higher than `up_to_m`.
     fn able(&self, vehicle: VehicleId, up_to_m: f64) -> Result<Able, Text> {
         let seat = self.seat(vehicle)?;
         let craft = &self.crafts[seat];

@@ -8,25 +8,25 @@ use crate::scoring::{CommandEvent, CommandLog, CommandTally, EventKind, SafetyKi
 use crate::text;
 use crate::vehicle::{Severity, Vehicles};
 
-/// The count of a flight's commands.
+/// The tally of a flight's commands.
 #[derive(Debug, Default)]
 pub(super) struct OrderCount {
     log: CommandLog,
-    /// The state of the ledger that the commands are counted from.
+    /// The revision of the ledger at the last count.
     counted: Option<u64>,
     tally: CommandTally,
 }
 
 impl OrderCount {
-    /// Counts what is new in the ledger.
+    /// Counts the new entries of the ledger.
     pub fn step(&mut self, vehicles: &Vehicles, ledger: &Ledger, journal: &mut FlightJournal) {
-        // Rows change seldom, and there are thousands of them late in a swarm's mission.
+        // The ledger changes rarely, and has thousands of rows late in a swarm's mission.
         if self.counted.replace(ledger.revision()) == Some(ledger.revision()) {
             return;
         }
         for event in self.log.step(journal.now(), vehicles, ledger) {
             match event {
-                // The fleet tells the operator about refusals; here they only go on record.
+                // The fleet reports refusals to the operator; here they are only recorded.
                 CommandEvent::Rejected {
                     command,
                     vehicle,
@@ -45,12 +45,12 @@ impl OrderCount {
         self.tally = self.log.tally(ledger);
     }
 
-    /// The counts as of the last step.
+    /// The tally as of the last step.
     pub fn tally(&self) -> CommandTally {
         self.tally
     }
 
-    /// The counts as the ledger is now.
+    /// The tally of the ledger as it is now.
     pub fn tally_of(&self, ledger: &Ledger) -> CommandTally {
         self.log.tally(ledger)
     }

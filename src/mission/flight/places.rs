@@ -1,4 +1,4 @@
-//! Places that come up during a flight, for the grammar.
+//! Places that become known during a flight, for the grammar.
 
 use std::collections::BTreeMap;
 
@@ -9,14 +9,14 @@ use crate::mission::contact::Contacts;
 use crate::mission::objective::Tracker;
 use crate::vehicle::VehicleId;
 
-/// Contacts that a script may name before they are found.
+/// The number of contacts that a script may name before they are found.
 const NAMED_CONTACTS: usize = 200;
-/// Where a sensor has shown the most.
+/// The name of the place with a sensor's highest reading.
 const PEAK: &str = "peak";
 
 impl Flight {
-    /// Places that have come up so far: contacts (`c1`, `fire1`), `peak`, where a sensor has shown the most, `peak1`, where
-    /// that of vehicle 1 has, and those that the seed decides: `gate1`, and `next` for the one to go to.
+    /// Places known so far: contacts (`c1`, `fire1`), the highest reading of all (`peak`) and of vehicle 1 (`peak1`),
+    /// and those that the seed decides: `gate1`, and `next` for the next gate or cell.
     pub fn places(&self) -> BTreeMap<String, LatLon> {
         let place = |point| self.mission.origin.place(point);
         let contacts = self
@@ -42,8 +42,8 @@ fn peak_of(vehicle: VehicleId) -> String {
 }
 
 impl Mission {
-    /// All places that a script for it may name, also those that come up during the flight; where they are is of
-    /// no account.
+    /// All places that a script may name, including those that become known during the flight; their positions do not
+    /// matter.
     pub fn places_to_name(&self) -> BTreeMap<String, LatLon> {
         let mut places = self.places();
         let own = (1..=self.vehicles as VehicleId).map(peak_of);

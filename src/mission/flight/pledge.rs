@@ -1,4 +1,4 @@
-//! The trainee's prediction and goal, compared with the result.
+//! The comparison of the trainee's prediction and goal with the result.
 
 use super::{Flight, Outcome};
 use crate::commands::Goal;
@@ -15,7 +15,7 @@ impl Flight {
         })
     }
 
-    /// How the goal went. A flight that fails reaches none: ending early is no way to be fast or safe.
+    /// The result for the goal. A failed flight reaches none: ending early does not count as fast or safe.
     pub(super) fn goal_report(&self, facts: &Facts, score: &Score) -> Option<GoalReport> {
         let goal = self.pledge.goal?;
         let (kept, result) = self.goal_result(goal, facts, score);
@@ -26,7 +26,7 @@ impl Flight {
         })
     }
 
-    /// Whether the goal was kept, and what came of it.
+    /// Whether the goal was reached, and the value that decides it.
     fn goal_result(&self, goal: Goal, facts: &Facts, score: &Score) -> (bool, Text) {
         match goal {
             Goal::Time(most) => {

@@ -1,4 +1,4 @@
-//! The record of a flight, while it is flown.
+//! Recording a flight while it is flown.
 
 use super::Flight;
 use crate::ledger::Ledger;
@@ -6,34 +6,34 @@ use crate::mission::record::{Head, Occasion, Recorder};
 use crate::scoring::Report;
 
 impl Flight {
-    /// Records everything that the flight is shown and asked from now on, before its first step; the mission, seed, try and
-    /// drones of the head are the flight's own.
+    /// Records all inputs and commands of the flight from now on, before its first step; the head's mission, seed,
+    /// attempt and drones are those of the flight.
     pub fn start_record(&mut self, occasion: &Occasion) {
         let head = Head::of(&self.mission, self.seed, self.clues.attempt(), occasion);
         self.flown_by = Some(occasion.flown_by);
         self.recorder = Some(Box::new(Recorder::new(&head)));
     }
 
-    /// Says how many steps the simulator of its vehicles has made by now: where that goes by a clock of its own, the
-    /// record tells which of its steps was seen in which of the mission's.
+    /// Notes the number of simulator steps so far. If the simulator has a clock of its own, the record tells which of
+    /// its steps the mission saw at which of its own.
     pub fn note_simulated(&mut self, steps: u64) {
         if let Some(recorder) = &mut self.recorder {
             recorder.note_simulated(steps);
         }
     }
 
-    /// What was recorded since the last call: whole lines.
+    /// The whole lines recorded since the last call.
     pub fn take_record(&mut self) -> String {
         let recorder = self.recorder.as_mut();
         recorder.map_or_else(String::new, |recorder| recorder.take())
     }
 
-    /// Records no more: there is nowhere to write it.
+    /// Stops recording, for want of a place to write to.
     pub fn stop_record(&mut self) {
         self.recorder = None;
     }
 
-    /// The report, and the end of the record.
+    /// The report; also ends the record.
     pub fn close(&mut self, ledger: &Ledger) -> Report {
         let report = self.report(ledger);
         if let Some(recorder) = &mut self.recorder {

@@ -1,4 +1,4 @@
-//! From a flight to its facts, and from these to its report.
+//! From a flight to its facts and its report.
 
 use super::{Flight, ObjectiveStanding};
 use crate::ledger::{Ledger, LedgerEntry};
@@ -11,7 +11,7 @@ use crate::scoring::{
 use crate::text;
 use crate::text::rounded;
 
-/// What the score depends on.
+/// The facts that the score depends on.
 pub(super) fn facts(flight: &Flight, standings: &[ObjectiveStanding]) -> Facts {
     let objectives = flight.mission.objectives.iter().zip(standings);
     let used: Vec<f64> = flight
@@ -47,7 +47,7 @@ pub(super) fn facts(flight: &Flight, standings: &[ObjectiveStanding]) -> Facts {
     }
 }
 
-/// Commands without the refusals that the mission's lesson asks for.
+/// The tally without the refusals that the mission's lesson intends.
 fn judged(flight: &Flight, tally: CommandTally) -> CommandTally {
     tally.forgiving(flight.mission.scoring.free_refusals)
 }

@@ -1,4 +1,4 @@
-//! The detectors' finds, and the trainee's reports.
+//! Contacts of the detectors, and the trainee's reports.
 
 use super::deeds::Done;
 use super::journal::FlightJournal;
@@ -72,12 +72,12 @@ impl Search {
         )
     }
 
-    /// All contacts, in the order of their numbers.
+    /// All contacts, by number.
     pub fn contacts(&self) -> &[Contact] {
         self.contacts.all()
     }
 
-    /// All reports that have not been taken back.
+    /// All reports that have not been withdrawn.
     pub fn marks(&self) -> &[Mark] {
         self.marks.all()
     }
@@ -92,14 +92,14 @@ impl Search {
         }
     }
 
-    /// Takes the report back that is nearest to a point.
+    /// Withdraws the report nearest to a point.
     pub fn unmark(&mut self, at: Point) -> Done {
         let mark = self.marks.remove(at).ok_or_else(|| text!("deed-no-mark"))?;
         self.contacts.note_report(mark.at, false);
         Ok(None)
     }
 
-    /// Reports all open contacts that `wants` takes.
+    /// Reports all open contacts that `wants` selects.
     pub fn mark_contacts(
         &mut self,
         by: VehicleId,

@@ -1,4 +1,4 @@
-//! How the vehicles are put to use, and how their operator handles them.
+//! How the vehicles are used, and how the operator leads them.
 
 use std::time::Duration;
 
@@ -13,7 +13,7 @@ use crate::verb::Movement;
 /// The account of how the vehicles are used and led.
 #[derive(Debug, Default)]
 pub(super) struct SwarmAccount {
-    /// What each craft did with its time, in the order of the crafts.
+    /// Each vehicle's use of time, in the order of the vehicles.
     usage: Vec<VehicleUsage>,
     times: SwarmTimes,
     /// The newest command to vehicles.
@@ -28,17 +28,17 @@ struct NewestOrder {
 }
 
 impl SwarmAccount {
-    /// Another vehicle takes part.
+    /// Adds a vehicle.
     pub fn add(&mut self, vehicle: VehicleId) {
         self.usage.push(VehicleUsage::new(vehicle));
     }
 
-    /// Takes the tick into the account of every vehicle.
+    /// Adds a tick to every vehicle's account.
     pub fn step(&mut self, crafts: &[Craft], surveys: &Surveys, ledger: &Ledger, now: Duration) {
         let commanded = self.note_orders(ledger, now);
         for (craft, usage) in crafts.iter().zip(&mut self.usage) {
             let flies = craft.airborne && !craft.lost;
-            // Nobody hears of samples that are taken while the radio is cut.
+            // Samples taken while the radio is cut do not count.
             let samples = craft.can_see() && surveys.want(craft);
             let mut entries = ledger.entries().rev();
             let latest = entries.find(|entry| is_order_to(entry, craft.id));
@@ -52,13 +52,13 @@ impl SwarmAccount {
         }
     }
 
-    /// How the operator handles the swarm so far.
+    /// Figures on the operator's handling so far.
     pub fn figures(&self, crafts: &[Craft], now: Duration) -> SwarmFigures {
         let flown = crafts.iter().filter(|craft| craft.flown).count();
         self.times.figures(flown, now)
     }
 
-    /// How each of so many vehicles was used; those that nobody has heard were not.
+    /// The use of each of `wanted` vehicles; one that was never heard has none.
     pub fn uses(&self, wanted: usize) -> Vec<VehicleUse> {
         let heard = self.usage.iter().map(VehicleUsage::totals);
         let used: Vec<VehicleId> = heard.clone().map(|totals| totals.vehicle).collect();
@@ -70,7 +70,7 @@ impl SwarmAccount {
         heard.chain(unused).take(wanted).collect()
     }
 
-    /// Takes down the commands that are new; returns the vehicles that they were for.
+    /// Records new commands; returns the vehicles that they addressed.
     fn note_orders(&mut self, ledger: &Ledger, now: Duration) -> Vec<VehicleId> {
         let newest = self.newest.as_ref().map(|order| order.id);
         let entries = ledger.entries().rev();

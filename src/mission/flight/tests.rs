@@ -22,7 +22,7 @@ impl Flight {
     }
 }
 
-/// The second mission with two hints of ours to be asked for instead of its own.
+/// The second mission with two test clues instead of its own.
 fn with_clues() -> Mission {
     let clues = "[[hints]]\nlevel = 2\nobjective = \"cells\"\ntext = \"Fly {next_cell} next.\"\n\
                  [[hints]]\nlevel = 1\nphase = \"ground\"\ntext = \"Look at the wind.\"\n";
@@ -172,7 +172,7 @@ fn a_hint_that_is_not_there_is_no_refused_command() {
     }
 }
 
-/// Rules broken by one who flies until so much battery is left, and then comes down or gives up.
+/// Rules broken by flying until this much battery is left, and then landing or giving up.
 fn broken_at_the_end(left_percent: u8, lands: bool) -> Vec<SafetyKind> {
     let mut pilot = Pilot::new(1);
     pilot.take_off(20.0);
@@ -180,7 +180,7 @@ fn broken_at_the_end(left_percent: u8, lands: bool) -> Vec<SafetyKind> {
         let battery = pilot.vehicle().battery();
         battery.and_then(|it| it.remaining_percent) > Some(left_percent)
     };
-    // To and fro: it reports its battery while it flies.
+    // Back and forth: it reports its battery while it flies.
     while is_above(&mut pilot) && pilot.flight.outcome().is_none() {
         pilot.goto(10.0, 0.0, 5.0);
         pilot.goto(0.0, 0.0, 5.0);
@@ -234,7 +234,7 @@ fn whoever_has_landed_is_not_told_to_come_home() {
     let source = include_str!("../../../missions/03-plume-source.toml");
     let mut pilot = Pilot::flying(Mission::parse(source).expect("it is good"), 1);
     pilot.take_off(20.0);
-    // A report of no kind is one of what the mission asks for.
+    // A report without a kind counts as one that the mission asks for.
     let subject = Subject::Spot(Spot::Here);
     let deed = Deed::Mark {
         subject,

@@ -1,4 +1,4 @@
-//! Threats to a flight, and injects of an instructor.
+//! Threats to a flight, and an instructor's injects.
 
 use super::Flight;
 use super::journal::{FlightJournal, JournalEntry, JournalSubject};
@@ -14,12 +14,12 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
 
-/// Something that an instructor may have happen.
+/// A threat that an instructor may trigger.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Inject {
-    /// What it is called by.
+    /// Its name in commands.
     pub name: String,
-    /// What it is, for people.
+    /// Its title for people.
     pub title: Text,
 }
 
@@ -39,7 +39,7 @@ impl Threats {
         }
     }
 
-    /// Lets events and what they have brought go on; the weather changes with them.
+    /// Advances events and movers; the weather changes with them.
     pub fn step(
         &mut self,
         mission: &Mission,
@@ -92,7 +92,7 @@ impl Threats {
         }
     }
 
-    /// What there is of them now.
+    /// The engine that runs them.
     pub fn engine(&self) -> &Engine {
         &self.engine
     }
@@ -109,7 +109,7 @@ impl Threats {
 }
 
 impl Flight {
-    /// What an instructor may have happen.
+    /// The injects that an instructor may trigger.
     pub fn injects(&self) -> Vec<Inject> {
         let events = self.mission.events.iter();
         let own = events
@@ -126,10 +126,10 @@ impl Flight {
         own.chain(standard).collect()
     }
 
-    /// An instructor has something happen; returns what.
+    /// Triggers an inject for an instructor; returns its title.
     ///
     /// # Errors
-    /// Nothing of that name may happen, or the flight is over.
+    /// No inject has that name, or the flight is over.
     pub fn inject(&mut self, name: &str) -> Result<Text, Text> {
         if self.ended.is_some() {
             return Err(text!("deed-over"));

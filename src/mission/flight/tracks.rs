@@ -1,4 +1,4 @@
-//! The vehicles' tracks, and where their sensors have read the most.
+//! The vehicles' tracks, and the places of their sensors' highest readings.
 
 use std::collections::BTreeMap;
 
@@ -7,21 +7,21 @@ use crate::mission::craft::Craft;
 use crate::mission::report::distance_m;
 use crate::vehicle::VehicleId;
 
-/// Points of a track are this far apart.
+/// The distance between the points of a track.
 const TRACK_STEP_M: f64 = 5.0;
-/// A track has no more points than this.
+/// The most points of a track.
 const TRACK_POINTS: usize = 2000;
 
 /// The tracks of one flight.
 #[derive(Debug, Default)]
 pub(super) struct Tracks {
-    /// Where each craft has been, in the order of the crafts.
+    /// Each vehicle's track, in the order of the vehicles.
     tracks: Vec<Vec<Point>>,
-    /// The most that each vehicle's first sensor has shown, and where.
+    /// The highest reading of each vehicle's first sensor, and its place.
     peaks: BTreeMap<VehicleId, Peak>,
 }
 
-/// The most that a sensor has shown.
+/// A sensor's highest reading.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Peak {
     pub shown: f64,
@@ -29,7 +29,7 @@ pub(super) struct Peak {
 }
 
 impl Tracks {
-    /// Keeps where the vehicles in the air are.
+    /// Adds the positions of the vehicles in the air.
     pub fn step(&mut self, crafts: &[Craft]) {
         self.tracks.resize(crafts.len(), Vec::new());
         for (craft, track) in crafts.iter().zip(&mut self.tracks) {
@@ -51,7 +51,7 @@ impl Tracks {
         }
     }
 
-    /// Where each craft has been, in the order of the crafts.
+    /// Each vehicle's track, in the order of the vehicles.
     pub fn all(&self) -> &[Vec<Point>] {
         &self.tracks
     }

@@ -12,7 +12,7 @@ use crate::scoring::{
 };
 use crate::text::rounded;
 
-/// A report of what the mission does not ask for is right this near to it.
+/// A report of something that the mission does not ask for counts as right within this distance of it.
 const UNASKED_WITHIN_M: f64 = 15.0;
 impl Flight {
     /// The truth as it is now.
@@ -88,7 +88,7 @@ impl Flight {
         flown.map(report).collect()
     }
 
-    /// What the objectives want to be reported of a hazard; the least strict of them counts.
+    /// The kind of report that the objectives ask for of a hazard; the least strict one counts.
     fn sought(&self, hazard: usize) -> Option<Sought> {
         let sought = self
             .mission
@@ -121,7 +121,7 @@ impl Flight {
     }
 }
 
-/// Whether a report means this object: as near to it as is asked for, and of its kind if it names one.
+/// Whether a report means this object: as near as required, and of its kind if it names one.
 fn is_meant(mark: &Mark, class: ObjectClass, at: Point, sought: Option<Sought>) -> bool {
     let within_m = sought.map_or(UNASKED_WITHIN_M, |sought| sought.within_m);
     let same = class

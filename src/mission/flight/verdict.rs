@@ -11,7 +11,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
 
-/// The seconds before the limit at which the trainee is told.
+/// The remaining times at which the trainee is warned, in seconds.
 const WARN_BEFORE_S: [u64; 2] = [60, 30];
 
 /// How a flight ended.
@@ -19,7 +19,7 @@ const WARN_BEFORE_S: [u64; 2] = [60, 30];
 pub enum Outcome {
     /// All mandatory objectives are met.
     Passed,
-    /// It ended without them.
+    /// A mandatory objective is not met.
     Failed,
     /// The time was up before they were met.
     TimedOut,
@@ -28,7 +28,7 @@ pub enum Outcome {
 }
 
 impl Outcome {
-    /// The same in a word or two.
+    /// The outcome as text.
     pub fn text(self) -> Text {
         match self {
             Self::Passed => text!("mission-passed"),
@@ -70,7 +70,7 @@ impl Flight {
         }
     }
 
-    /// How the mandatory objectives stand.
+    /// The state of the mandatory objectives.
     fn mandatory<'a>(
         &'a self,
         standings: &'a [ObjectiveStanding],
@@ -80,7 +80,7 @@ impl Flight {
             .map(|(standing, _)| standing)
     }
 
-    /// How a flight that ends now has ended: `otherwise` without a mandatory objective.
+    /// The outcome if the flight ends now: `otherwise` if it has no mandatory objective.
     fn verdict(&self, otherwise: Outcome) -> Outcome {
         let standings = self.final_standings();
         if self.mandatory(&standings).all(|it| it.met) {

@@ -16,7 +16,7 @@ use crate::text;
 use crate::text::Text;
 
 impl Flight {
-    /// How it stands, for the mission panel.
+    /// The progress, for the mission panel.
     pub fn progress(&self) -> Progress {
         let standings = self.standings();
         let objectives = self
@@ -78,7 +78,7 @@ impl Flight {
         }
     }
 
-    /// Points for rules that nobody can break on the ground would only puzzle.
+    /// The score so far; `None` on the ground, where points for unbroken rules would only confuse.
     fn score_so_far(&self, standings: &[ObjectiveStanding]) -> Option<u16> {
         let begun = self.ended.is_some() || self.crafts.iter().any(|craft| craft.flown);
         begun.then(|| score(&self.mission.scoring, &result::facts(self, standings)).points)
@@ -98,7 +98,7 @@ impl Flight {
         self.crafts.iter().flat_map(of).collect()
     }
 
-    /// The step of the lesson that is to be shown.
+    /// The lesson's current step.
     fn lesson(&self) -> Option<LessonStep> {
         if self.grounding().is_some() {
             return None;
@@ -127,13 +127,13 @@ impl Flight {
         self.ended.is_none().then(|| self.filled(&found.text))
     }
 
-    /// Whether something has flown and nothing flies any more.
+    /// Whether a vehicle has flown and none is in the air any more.
     fn is_down_again(&self) -> bool {
         let is_down = |craft: &Craft| craft.lost || craft.is_down();
         self.crafts.iter().any(|craft| craft.flown) && self.crafts.iter().all(is_down)
     }
 
-    /// The failsafe that ended the last flight, once no vehicle is in the air or about to be.
+    /// The failsafe that ended the last flight, once no vehicle is in the air or about to take off.
     fn grounding(&self) -> Option<&SafetyEvent> {
         let is_active = |craft: &Craft| !craft.lost && (craft.armed || craft.airborne);
         if self.crafts.iter().any(is_active) {
@@ -152,7 +152,7 @@ impl Flight {
         let open = standings
             .iter()
             .any(|standing| !standing.landing && !standing.settled);
-        // Down again with reports, there is nothing left but to wait until they are final.
+        // Landed with open reports, the trainee can only wait until they are final.
         let waits = !self.search.marks().is_empty() && self.is_down_again();
         if !open || waits {
             Phase::Done
@@ -165,7 +165,7 @@ impl Flight {
         }
     }
 
-    /// A hint with the name of the first cell that is not sampled; once all are, that of the way home.
+    /// A hint with the name of the first cell not yet sampled; once all are, the word for home.
     pub(super) fn filled(&self, text: &Text) -> Text {
         let next = |survey: &Survey| {
             let cells = survey.plan.cells.iter().enumerate();
@@ -208,7 +208,7 @@ impl Flight {
         self.surveys.all().iter().flat_map(of).collect()
     }
 
-    /// The areas that are there now.
+    /// The active areas.
     fn areas_now(&self) -> Vec<Area> {
         let zones = self.threats.engine().zones_now();
         zones.map(|zone| self.mission.area(zone)).collect()

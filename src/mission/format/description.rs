@@ -7,14 +7,14 @@ use super::table::{AskedKey, FileTable, Reader};
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(in crate::mission) struct FileTableDescription {
     pub keys: Vec<FileKey>,
-    /// The kinds of tables that it may be one of.
+    /// The kinds of table, if it has kinds.
     pub kinds: Vec<KindDescription>,
-    /// Whether the key `kind` tells them apart; else each has a key that is called after it.
+    /// Whether the key `kind` tells them apart; otherwise each kind has a key of its own name.
     pub by_kind_key: bool,
 }
 
 impl FileTableDescription {
-    /// Whether every key that was asked for is in it, as one of all tables or of a kind.
+    /// Whether it contains every requested key, as a common key or as one of a kind.
     pub(super) fn has_all(&self, asked: &[AskedKey]) -> bool {
         let of_kinds = self.kinds.iter().flat_map(|kind| &kind.own.keys);
         let known: Vec<&str> = self
@@ -32,7 +32,7 @@ impl FileTableDescription {
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::mission) struct KindDescription {
     pub name: &'static str,
-    /// What it is, for people who write missions.
+    /// Its meaning, for authors of missions.
     pub about: &'static str,
     pub own: FileTableDescription,
 }
@@ -43,29 +43,29 @@ pub(in crate::mission) struct FileKey {
     pub name: String,
     pub shape: FileShape,
     pub presence: Presence,
-    /// What it means, for people who write missions.
+    /// Its meaning, for authors of missions.
     pub about: &'static str,
 }
 
-/// Whether a key has to be there.
+/// Whether a key is required.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::mission) enum Presence {
     Needed,
     Optional,
-    /// What counts where it is missing.
+    /// The value where the key is missing.
     Default(String),
 }
 
-/// What may stand after a key.
+/// The form of a key's value.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::mission) enum FileShape {
-    /// From the first to the second, in a unit.
+    /// Least and greatest value, and unit.
     Number(f64, f64, &'static str),
     Whole(u32, u32, &'static str),
     Flag,
-    /// Text: how it is written, and its greatest length in bytes.
+    /// Text: its form, and its greatest length in bytes.
     Text(&'static str, Option<usize>),
-    /// So many numbers, each from one to the other, with how they are written.
+    /// A fixed count of numbers, each in a range, with their form.
     Numbers {
         count: usize,
         low: f64,
@@ -74,17 +74,17 @@ pub(in crate::mission) enum FileShape {
         form: &'static str,
     },
     Words(Vec<&'static str>),
-    /// One of many names, called by what they are.
+    /// One of a set of names, with what they name.
     Named(&'static str, Vec<&'static str>),
     NumberOrWord(&'static str),
-    /// At least and at most so many.
+    /// A list: the form of its items, and the least and greatest count.
     List(Box<FileShape>, usize, usize),
-    /// Values by names that the writer chooses, with what they name.
+    /// Values by names of the author's choice, with what the names mean.
     Map(&'static str, Box<FileShape>),
     Table(FileTableDescription),
 }
 
-/// What a reader asks for.
+/// The description of the table that a reader reads.
 pub(in crate::mission) fn describe<T>(reader: Reader<T>) -> FileTableDescription {
     FileTable::describe(reader, &mut Draft::default())
 }

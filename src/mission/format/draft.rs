@@ -27,11 +27,11 @@ pub(in crate::mission) struct Draft {
     pub time_limit: Option<Duration>,
     /// The highest difficulty that the head names.
     pub tier: u8,
-    /// The names of places that earlier objectives will bring.
+    /// The names of places that earlier objectives will define.
     pub drawn: Vec<String>,
-    /// The ids of each section so far, in the order of the file, whether the rest of their tables could be read or not.
+    /// The ids of each section so far, in file order, also those of tables with faults.
     ids: BTreeMap<&'static str, Vec<String>>,
-    /// All names in the file that could be referred to, whether they could be read or not.
+    /// All names in the file that can be referred to, also those of tables with faults.
     pub declared: Declared,
 }
 
@@ -39,22 +39,22 @@ pub(in crate::mission) struct Draft {
 pub(crate) struct NamedPlace {
     pub name: String,
     pub at: Point,
-    /// Where the file names it.
+    /// The position of the name in the file.
     pub written: Range<usize>,
 }
 
-/// The names that stand anywhere in a file.
+/// All names in a file.
 #[derive(Debug, Default)]
 pub(in crate::mission) struct Declared {
     /// Of zones, places, hazards, objectives and sensors.
     all: Vec<String>,
     pub events: Vec<String>,
-    /// Of whom and what events bring.
+    /// Of the movers that events bring.
     pub movers: Vec<String>,
 }
 
 impl Draft {
-    /// A file of which nothing is read yet.
+    /// A draft before anything is read.
     pub fn of(root: &DeTable<'_>) -> Self {
         Self {
             declared: Declared::of(root),
@@ -62,7 +62,7 @@ impl Draft {
         }
     }
 
-    /// The id of a table of a section; one that the section has already is a fault.
+    /// Adds the id of a table; a fault if the section already has it.
     pub fn add_id(&mut self, section: &'static str, id: &Spanned<String>) {
         let seen = self.ids.entry(section).or_default();
         if seen.contains(id.get_ref()) {
@@ -72,7 +72,7 @@ impl Draft {
         seen.push(id.get_ref().clone());
     }
 
-    /// The ids of a section so far, in the order of the file.
+    /// The ids of a section so far, in file order.
     pub fn ids(&self, section: &str) -> &[String] {
         self.ids.get(section).map_or(&[], Vec::as_slice)
     }
@@ -93,7 +93,7 @@ impl Draft {
         Some(self.sensors[index])
     }
 
-    /// The place of a hazard in the file, by name.
+    /// The index of a hazard in the file, by name.
     pub fn hazard(&mut self, name: &Spanned<String>) -> Option<usize> {
         let known = self.ids("hazards").to_vec();
         self.refer("hazard", name, &known)
@@ -124,7 +124,7 @@ impl Draft {
         Some(points[index])
     }
 
-    /// The same with its name, and with where it is referred to.
+    /// The same with its name, and with the position of the reference.
     pub fn named_place(&mut self, name: &Spanned<String>) -> Option<NamedPlace> {
         Some(NamedPlace {
             at: self.place(name)?,
@@ -133,7 +133,7 @@ impl Draft {
         })
     }
 
-    /// Checks that something of this name stands anywhere in the file.
+    /// Checks that this name occurs in the file.
     pub fn check_declared(&mut self, what: &str, name: &Spanned<String>) {
         if !self.declared.all.contains(name.get_ref()) {
             let known: Vec<&str> = self.declared.all.iter().map(String::as_str).collect();
@@ -141,8 +141,8 @@ impl Draft {
         }
     }
 
-    /// Where a name stands among the known ones. A name that is not among them is a fault, unless that only follows from
-    /// one that is known already.
+    /// The index of a name among the known ones. An unknown name is a fault, unless that merely follows from an
+    /// earlier fault.
     fn refer(&mut self, what: &str, name: &Spanned<String>, known: &[String]) -> Option<usize> {
         let found = known.iter().position(|known| known == name.get_ref());
         let is_declared = known.is_empty() || self.declared.all.contains(name.get_ref());
@@ -155,7 +155,7 @@ impl Draft {
 }
 
 impl Declared {
-    /// The names in a file, as far as they can be made out.
+    /// The names in a file, as far as they can be read.
     pub fn of(root: &DeTable<'_>) -> Self {
         let value = |key: &str| root.get(key).map(Spanned::get_ref);
         let sections = ["zones", "places", "hazards", "objectives"];

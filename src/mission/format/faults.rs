@@ -1,4 +1,4 @@
-//! The faults of a mission file, each with its place.
+//! The faults of a mission file, each with its position.
 
 use std::ops::Range;
 
@@ -10,7 +10,7 @@ use crate::diagnostic::Diagnostic;
 use crate::text;
 use crate::text::{Language, Text};
 
-/// Bytes of one text: three screens full of letters of two bytes.
+/// The greatest length of a text, in bytes: three screens of two-byte letters.
 const LONGEST_TEXT: usize = 8000;
 
 /// The faults found so far.
@@ -19,12 +19,12 @@ pub(in crate::mission) struct FileFaults {
     found: Vec<Diagnostic>,
     /// Texts without a translation, which are no faults.
     untranslated: Vec<Diagnostic>,
-    /// Whether there is any translation.
+    /// Whether the file has any translation.
     translated: bool,
 }
 
 impl FileFaults {
-    /// Adds a fault at a place.
+    /// Adds a fault at a position.
     pub fn add(&mut self, place: Range<usize>, message: impl Into<Text>) {
         self.push(Diagnostic::new(place, message));
     }
@@ -33,18 +33,18 @@ impl FileFaults {
         self.found.push(fault);
     }
 
-    /// Whether nothing is wrong so far.
+    /// Whether there are no faults so far.
     pub fn is_empty(&self) -> bool {
         self.found.is_empty()
     }
 
-    /// All faults in the order of the file.
+    /// All faults, in file order.
     pub fn sorted(mut self) -> Vec<Diagnostic> {
         self.found.sort_by_key(|fault| fault.span.start);
         self.found
     }
 
-    /// The texts without a translation; one note for a file that nobody has begun to translate.
+    /// The texts without a translation; a single note for a file with no translation at all.
     pub fn take_untranslated(&mut self) -> Vec<Diagnostic> {
         let mut untranslated = std::mem::take(&mut self.untranslated);
         untranslated.sort_by_key(|note| note.span.start);
@@ -56,7 +56,7 @@ impl FileFaults {
         untranslated
     }
 
-    /// Adds a fault about a name that is not among the known ones.
+    /// Adds a fault for an unknown name, with the known ones as advice.
     pub fn unknown(&mut self, what: &str, written: &Spanned<String>, known: &[&str]) {
         let list = if known.is_empty() {
             "none".to_owned()
@@ -69,7 +69,7 @@ impl FileFaults {
         self.push(fault.with_nearest(name, known.iter().copied()));
     }
 
-    /// Reads a value that has no parts with faults of their own; a fault in it is added and gives `None`.
+    /// Reads a plain value; a fault in it is added and gives `None`.
     pub fn read<'i, T: Deserialize<'i>>(&mut self, value: Spanned<DeValue<'i>>) -> Option<T> {
         let place = value.span();
         match T::deserialize(ValueDeserializer::from(value)) {
@@ -82,7 +82,7 @@ impl FileFaults {
         }
     }
 
-    /// A text with its translation, if there is one, which `key` would name.
+    /// A text with its translation, if there is one, which has the key `key`.
     pub fn translated(
         &mut self,
         english: Spanned<String>,
@@ -111,7 +111,7 @@ impl FileFaults {
     }
 }
 
-/// A message of the TOML reader with the field's words in the place of the program's types.
+/// A message of the TOML reader with plain words in place of Rust's type names.
 fn in_plain_words(message: &str) -> String {
     const TYPES: [(&str, &str); 4] = [
         ("f64", "a number"),

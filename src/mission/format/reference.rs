@@ -1,4 +1,4 @@
-//! The reference of mission files in Markdown, for the guide, from their description.
+//! The reference of mission files in Markdown, generated from their description.
 
 use std::fmt::Write as _;
 
@@ -6,7 +6,7 @@ use super::POINT_RANGE;
 use super::description::{FileKey, FileShape, FileTableDescription, Presence};
 use super::value::spaced;
 
-/// So many names are listed; more of them have a table of their own in the guide.
+/// The most names that are listed in a row; longer lists have a table of their own in the guide.
 const FEW: usize = 4;
 
 /// The reference of a file: its head, then each section with its keys, then their kinds.
@@ -28,7 +28,7 @@ pub(in crate::mission) fn reference(file: &FileTableDescription) -> String {
             Presence::Optional | Presence::Default(_) => "",
         };
         let (name, about) = (&section.name, section.about);
-        // Writing to a text cannot fail.
+        // Writing to a `String` cannot fail.
         _ = writeln!(
             out,
             "\n### `{open}{name}{close}`\n\n{}.{needed}\n",
@@ -57,7 +57,7 @@ fn table_reference(table: &FileTableDescription) -> String {
     out
 }
 
-/// A row for each key. Keys of inner tables are named with the key that they belong to; translations share a row.
+/// A row for each key. Keys of inner tables have their outer key as a prefix; a key and its translation share a row.
 fn rows<'k>(keys: impl Iterator<Item = &'k FileKey>) -> String {
     let mut out = "| key | value | default | meaning |\n| --- | --- | --- | --- |\n".to_owned();
     for key in keys {
@@ -88,7 +88,7 @@ fn add_rows(out: &mut String, before: &str, key: &FileKey) {
 }
 
 impl FileShape {
-    /// The table that it is, or is a list of.
+    /// The table in this shape, directly or in a list.
     fn table(&self) -> Option<&FileTableDescription> {
         match self {
             Self::Table(table) => Some(table),

@@ -1,7 +1,7 @@
 //! The JSON schema (draft 2020-12) of mission files, for editors, from their description.
 //!
-//! Where a rule is beyond a schema (names that refer to something, sums, one value above another), the reader has the
-//! last word.
+//! Where a rule is beyond a schema (names that refer to something, sums, one value above another), only the reader
+//! checks it.
 
 use serde_json::{Map, Value, json};
 
@@ -38,7 +38,7 @@ impl FileTableDescription {
     }
 }
 
-/// A table with these keys and no others, of the kind of that name if there are kinds.
+/// A table with exactly these keys, of the given kind if there are kinds.
 fn keys_schema(keys: &[FileKey], kind: Option<&str>) -> Map<String, Value> {
     let (mut properties, mut required) = (Map::new(), Vec::new());
     for key in keys {

@@ -1,4 +1,4 @@
-//! Keys that tables of several sections have in common.
+//! Keys shared by tables of several sections.
 
 use toml::Spanned;
 
@@ -7,23 +7,23 @@ use super::value;
 use crate::mission::sensor::Sensor;
 use crate::mission::zone::Zone;
 
-/// Which of two values is the better one.
+/// Whether the larger or the smaller of two values is better.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::mission) enum BetterMeasure {
     Higher,
     Lower,
 }
 
-/// What an objective asks for.
+/// The target of an objective.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::mission) struct ObjectiveTarget {
-    /// The measure that is all of it.
+    /// The measure that earns all points.
     pub met_at: f64,
     /// The measure at which points begin.
     pub partial_from: f64,
 }
 
-/// What an objective asks for that counts pieces.
+/// The target of an objective that counts pieces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::mission) struct CountTarget {
     pub met_at: usize,
@@ -58,13 +58,13 @@ impl FileTable<'_> {
         Some(fitted.collect())
     }
 
-    /// A hazard by a key; its place in the file.
+    /// The index of a hazard, by a key.
     pub fn need_hazard(&mut self, name: &str, about: &'static str) -> Option<usize> {
         let id = self.need(name, value::text("id of a hazard"), about)?;
         self.draft().hazard(&id)
     }
 
-    /// What is asked for, and from where on a part of it counts, which must lie on the worse side of it.
+    /// The target, and the measure at which points begin, which must be the worse one.
     pub fn need_target(
         &mut self,
         range: [f64; 2],
@@ -95,7 +95,7 @@ impl FileTable<'_> {
         Some(target)
     }
 
-    /// How many pieces are asked for, and from how many on a part of it counts.
+    /// The target count, and the count at which points begin.
     pub fn need_count(&mut self, least: u32, most: u32, unit: &'static str) -> Option<CountTarget> {
         let asked = value::whole(least, most, unit);
         let needed = self.need("target", asked, "result that earns all points");

@@ -11,16 +11,16 @@ use super::value::{self, FileValue};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::text::Text;
 
-/// Reads one table, or describes it: it asks for all of its keys before it gives up for want of one.
+/// Reads one table, or describes it: it requests all of its keys before it fails for a missing one.
 pub(in crate::mission) type Reader<T> = fn(&mut FileTable<'_>) -> Option<T>;
 
-/// A kind of table, entered in the list of its section.
+/// A kind of table, listed in its section.
 #[derive(Debug)]
 pub(in crate::mission) struct KindOf<T> {
     pub name: &'static str,
-    /// What it is, for people who write missions.
+    /// Its meaning, for authors of missions.
     pub about: &'static str,
-    /// Reads the keys that only it has.
+    /// Reads the keys of this kind.
     pub read: Reader<T>,
 }
 
@@ -28,39 +28,39 @@ pub(in crate::mission) struct KindOf<T> {
 #[derive(Debug)]
 pub(in crate::mission) struct FileTable<'a> {
     content: TableContent<'a>,
-    /// Where the table stands.
+    /// The table's position in the file.
     place: Range<usize>,
     asked: Vec<AskedKey>,
-    /// The faults of those of them that had to be there and were not.
+    /// The faults of required keys that are missing.
     missing: Vec<(String, Diagnostic)>,
     /// Whether it is the whole file, whose keys are too many to name in a fault.
     is_root: bool,
-    /// Its own id, once it was asked for.
+    /// Its own id, once read.
     id: String,
     draft: &'a mut Draft,
 }
 
-/// A key that was asked for.
+/// A requested key.
 #[derive(Debug)]
 pub(super) struct AskedKey {
     pub name: String,
-    /// Where its value stands, if it has one.
+    /// The position of its value, if it has one.
     place: Option<Range<usize>>,
-    /// Whether there is a value that could not be read.
+    /// Whether its value is invalid.
     is_wrong: bool,
 }
 
 #[derive(Debug)]
 enum TableContent<'a> {
-    /// The keys that were not read yet.
+    /// The keys not read yet.
     Written(DeTable<'a>),
-    /// What is left once it is known that the rest cannot be understood.
+    /// The rest is ignored: it cannot be understood.
     Abandoned,
     Described(FileTableDescription),
 }
 
 impl FileTable<'_> {
-    /// Reads a table; keys that are not read are faults.
+    /// Reads a table; unread keys are faults.
     pub fn read<T>(
         reader: Reader<T>,
         written: Spanned<DeValue<'_>>,
@@ -94,13 +94,13 @@ impl FileTable<'_> {
         let mut table = FileTable::new(content, place, draft);
         table.is_root = is_root;
         let value = reader(&mut table);
-        // Only what is asked for whatever is written can be described.
+        // Only keys that are requested in every case can be described.
         debug_assert!(value.is_none() || describe(reader).has_all(&table.asked));
         table.finish();
         value
     }
 
-    /// What a reader asks for.
+    /// Without values, only the requests remain.
     pub fn describe<T>(reader: Reader<T>, draft: &mut Draft) -> FileTableDescription {
         let content = TableContent::Described(FileTableDescription::default());
         let mut table = FileTable::new(content, 0..0, draft);
@@ -138,7 +138,7 @@ impl FileTable<'_> {
         self.id.clone()
     }
 
-    /// A key that has to be there; `None` where it is missing or wrong, which is a fault.
+    /// A required key; `None` where it is missing or invalid, which is a fault.
     #[expect(
         clippy::needless_pass_by_value,
         reason = "a form is written where its key is asked for"
@@ -152,7 +152,7 @@ impl FileTable<'_> {
         self.ask(name, &value, Presence::Needed, about)
     }
 
-    /// A key that may be left out; `None` where it is, or where it is wrong, which is a fault.
+    /// An optional key; `None` where it is missing, or invalid, which is a fault.
     #[expect(
         clippy::needless_pass_by_value,
         reason = "a form is written where its key is asked for"
@@ -166,7 +166,7 @@ impl FileTable<'_> {
         self.ask(name, &value, Presence::Optional, about)
     }
 
-    /// A key that counts as something where it is left out.
+    /// An optional key with a default.
     #[expect(
         clippy::needless_pass_by_value,
         reason = "a form is written where its key is asked for"
@@ -220,7 +220,7 @@ impl FileTable<'_> {
         read.flatten()
     }
 
-    /// The id of a table of a section, in which it must be the only one.
+    /// The id of a table, which must be unique in its section.
     pub fn need_id(&mut self, section: &'static str) -> Option<()> {
         let written = self.need("id", value::id(), "name by which other tables refer to it")?;
         self.draft.add_id(section, &written);
@@ -234,7 +234,7 @@ impl FileTable<'_> {
         self.translated(name, english)
     }
 
-    /// The same for one that may be left out.
+    /// The same for an optional text.
     pub fn may_text(&mut self, name: &str, about: &'static str) -> Option<Text> {
         let english = self.may(name, value::text(""), about);
         self.translated(name, english)
@@ -246,7 +246,7 @@ impl FileTable<'_> {
         Some(self.draft.faults.translated(english?, ukrainian, &key))
     }
 
-    /// The kind of the table, by its key `kind`, and what is read of the keys that only this kind has.
+    /// The kind of the table, by its key `kind`, and the value read from the keys of this kind.
     pub fn need_kind<T>(
         &mut self,
         what: &'static str,
@@ -270,7 +270,7 @@ impl FileTable<'_> {
         Some((kind.name, (kind.read)(self)?))
     }
 
-    /// What is read of a table that is told by a key called after its kind.
+    /// The value of a table whose kind is told by the key it contains.
     pub fn need_one_of<T>(&mut self, what: &'static str, kinds: &'static [KindOf<T>]) -> Option<T> {
         if self.describe_kinds(kinds, false) {
             return None;
@@ -285,7 +285,7 @@ impl FileTable<'_> {
         (found?.read)(self)
     }
 
-    /// Describes the kinds, if it is to be described.
+    /// Describes the kinds, when describing.
     fn describe_kinds<T>(&mut self, kinds: &'static [KindOf<T>], by_kind_key: bool) -> bool {
         let TableContent::Described(description) = &mut self.content else {
             return false;
@@ -300,7 +300,7 @@ impl FileTable<'_> {
         true
     }
 
-    /// Whether a key has a value, right or wrong.
+    /// Whether a key has a value, valid or not.
     pub fn is_written(&self, name: &str) -> bool {
         let mut asked = self.asked.iter();
         let is_left = match &self.content {
@@ -310,23 +310,23 @@ impl FileTable<'_> {
         is_left || asked.any(|asked| asked.name == name && asked.place.is_some())
     }
 
-    /// Whether a value that was asked for could not be read.
+    /// Whether a requested value is invalid.
     pub fn has_wrong(&self) -> bool {
         self.asked.iter().any(|asked| asked.is_wrong)
     }
 
-    /// Adds a fault of the table as a whole.
+    /// Adds a fault of the whole table.
     pub fn fault(&mut self, message: impl Into<Text>) {
         self.draft.faults.add(self.place.clone(), message);
     }
 
-    /// Adds a fault of a key that was asked for, at its value if it has one.
+    /// Adds a fault of a requested key, at its value if it has one.
     pub fn fault_of(&mut self, name: &str, message: impl Into<Text>) {
         let place = self.place_of(name);
         self.draft.faults.add(place, message);
     }
 
-    /// Where the value of a key stands that was asked for; the table's place where it has none.
+    /// The position of a requested key's value; the table's position if it has none.
     pub fn place_of(&self, name: &str) -> Range<usize> {
         let mut asked = self.asked.iter();
         let found = asked.find(|asked| asked.name == name);
@@ -334,12 +334,12 @@ impl FileTable<'_> {
         place.unwrap_or_else(|| self.place.clone())
     }
 
-    /// Says no more of what is left: it cannot be understood.
+    /// Reports no more faults of the rest: it cannot be understood.
     fn abandon(&mut self) {
         self.content = TableContent::Abandoned;
     }
 
-    /// Adds the faults of keys that are missing or that nobody knows. A missing key that was only misspelt is one fault.
+    /// Adds the faults of missing and of unknown keys. A missing key that was misspelt is a single fault.
     fn finish(self) {
         let TableContent::Written(left) = &self.content else {
             return;
@@ -356,7 +356,7 @@ impl FileTable<'_> {
             misspelt.extend(nearest(name, known.iter().copied()).map(str::to_owned));
             let fault = Diagnostic::new(key.span(), message);
             self.draft.faults.push(match name.len() {
-                // Of names of one letter, all are equally close.
+                // One-letter names are all equally close.
                 1 => fault,
                 _ => fault.with_nearest(name, known.iter().copied()),
             });

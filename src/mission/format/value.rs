@@ -1,4 +1,4 @@
-//! The values of a mission file: how each sort is read, checked and described.
+//! The values of a mission file: how each kind is read, checked and described.
 
 use toml::Spanned;
 use toml::de::DeValue;
@@ -18,15 +18,15 @@ pub(in crate::mission) use figure::{flag, number, seconds, time, whole};
 pub(in crate::mission) use word::{NamedValue, TextValue, named, text, text_by, word};
 pub(super) use word::{id, sensor_id};
 
-/// A sort of value.
+/// A kind of value.
 pub(in crate::mission) trait FileValue {
-    /// What a value is read to.
+    /// The Rust type of a value.
     type Out;
 
-    /// How it is described.
+    /// Its form in the description.
     fn shape(&self) -> FileShape;
 
-    /// Reads a value of the key `name`; `None` where it is wrong, which is a fault.
+    /// Reads a value of the key `name`; `None` where it is invalid, which is a fault.
     fn read(
         &self,
         name: &str,
@@ -34,7 +34,7 @@ pub(in crate::mission) trait FileValue {
         draft: &mut Draft,
     ) -> Option<Self::Out>;
 
-    /// How a default is shown.
+    /// The text of a default in the description.
     fn show(&self, _: &Self::Out) -> String {
         "none".to_owned()
     }
@@ -45,7 +45,7 @@ pub(in crate::mission) trait FileValue {
     }
 }
 
-/// The names that could have been meant, in words.
+/// The valid names, listed for a fault.
 pub(super) fn expected(names: &[&str]) -> String {
     match names {
         [] => "there are no fields".to_owned(),

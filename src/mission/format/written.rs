@@ -1,4 +1,4 @@
-//! Where the values of a mission file stand, for faults that show only once all of it has been read.
+//! Positions of the values in a mission file, for faults found only after all of it has been read.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -6,19 +6,19 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// The place of a value in a file, and those of its parts.
+/// The position of a value in a file, and of its parts.
 #[derive(Debug, Default)]
 pub(in crate::mission) struct WrittenValue {
-    /// Where the value stands.
+    /// The position of the value.
     pub span: Range<usize>,
-    /// Where its key stands; empty for items of an array.
+    /// The position of its key; empty for items of an array.
     pub key: Range<usize>,
     keys: BTreeMap<String, Self>,
     items: Vec<Self>,
 }
 
 impl WrittenValue {
-    /// The places of all values of a file.
+    /// The positions of all values of a file.
     pub fn of_file(root: &Spanned<DeTable<'_>>) -> Self {
         Self {
             span: root.span(),
@@ -48,27 +48,27 @@ impl WrittenValue {
         }
     }
 
-    /// The value of a key, if it is written.
+    /// The value of a key, if present.
     pub fn get(&self, key: &str) -> Option<&Self> {
         self.keys.get(key)
     }
 
-    /// The items of an array; none for anything else.
+    /// The items of an array; empty for anything else.
     pub fn items(&self) -> &[Self] {
         &self.items
     }
 
-    /// The items of the array that a key has.
+    /// The items of the array under a key.
     pub fn items_of(&self, key: &str) -> &[Self] {
         self.get(key).map_or(&[], Self::items)
     }
 
-    /// Where the value of a key stands; the place of the whole where the key is not written.
+    /// The position of a key's value; that of the whole table if the key is missing.
     pub fn span_of(&self, key: &str) -> Range<usize> {
         self.get(key).unwrap_or(self).span.clone()
     }
 
-    /// Where an item of the array of a key stands; the place of the key's value where that is no array.
+    /// The position of an item of a key's array; that of the key's value if it is no array.
     pub fn span_of_item(&self, key: &str, index: usize) -> Range<usize> {
         let item = self.items_of(key).get(index);
         item.map_or_else(|| self.span_of(key), |item| item.span.clone())

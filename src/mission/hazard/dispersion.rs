@@ -1,6 +1,6 @@
-//! How clouds spread in the air, by the class of its stability.
+//! The spread of clouds in the air, by its stability class.
 
-/// In less wind than this, air is calm: the formulas for wind divide by its speed.
+/// Wind below this counts as calm: the formulas for wind divide by its speed.
 pub(super) const CALM_BELOW_M_S: f64 = 0.5;
 
 /// Pasquill's stability class of the air, very unstable to stable.
@@ -14,7 +14,7 @@ pub(crate) enum Stability {
     F,
 }
 
-/// What the ground is like.
+/// The kind of ground.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Terrain {
     Open,
@@ -56,7 +56,7 @@ pub(super) fn spreads_m(stability: Stability, terrain: Terrain, x: f64) -> (f64,
     }
 }
 
-/// How fast a puff grows in calm air, horizontally and vertically, in m/s (Japan's manual for the control of total
+/// The growth of a puff in calm air, horizontally and vertically, in m/s (Japan's manual for the control of total
 /// `NOx` emissions, for wind below 0.4 m/s).
 pub(super) fn calm_growth_m_s(stability: Stability) -> (f64, f64) {
     match stability {
@@ -76,7 +76,7 @@ mod tests {
     #[test]
     fn the_spreads_are_those_of_briggs_in_the_open_at_one_kilometre() {
         use Stability::{A, B, C, D, E, F};
-        // Published formulas at x = 1000 m, worked out by hand.
+        // Published formulas at x = 1000 m, calculated by hand.
         for (class, sy, sz) in [
             (A, 209.8, 200.0),
             (B, 152.6, 120.0),

@@ -1,4 +1,4 @@
-//! A fire that runs over the ground with the wind, in cells, until roads, water or people stop it.
+//! A fire that spreads over a grid of cells with the wind, until roads, water or people stop it.
 
 use std::time::Duration;
 
@@ -24,17 +24,17 @@ use fuel::Fuel;
 pub(crate) use grid::FireGrid;
 use grid::{CellState, FireCell, STEP_S};
 
-/// More cells than this would slow a step down.
+/// The most cells; more would slow a step down.
 const MOST_CELLS: f64 = 10_000.0;
-/// Cells along each side of a block that detectors take for one fire.
+/// Cells along each side of a block that detectors see as one fire.
 const BLOCK: usize = 3;
-/// How well an extinguishing ball, and a second of spray, put out what burns where they come down.
+/// The probability that an extinguishing ball, or a second of spray, puts out a burning cell where it lands.
 const BALL_PUTS_OUT: f64 = 0.9;
 const SPRAY_PUTS_OUT: f64 = 0.6;
-/// Smoke rises about so far before it drifts.
+/// Smoke rises to about this height before it drifts.
 const SMOKE_RISES_M: f64 = 12.0;
 
-/// Ground that another fuel covers.
+/// An area with another fuel.
 #[derive(Debug, Clone, Copy)]
 struct FuelPatch {
     /// West, south, east, north.
@@ -42,7 +42,7 @@ struct FuelPatch {
     fuel: Fuel,
 }
 
-/// Where and when something catches fire.
+/// A place and time at which a fire starts.
 #[derive(Debug, Clone, Copy)]
 struct Ignition {
     at: Point,
@@ -57,7 +57,7 @@ struct FireHazard {
     jitter_m: f64,
 }
 
-/// A fire, with what chance still has in store for it.
+/// A fire, with its random stream.
 #[derive(Debug, Clone)]
 struct Blaze {
     grid: FireGrid,
@@ -74,10 +74,10 @@ pub(crate) struct Fire {
     since_step: Duration,
     now: Duration,
     wind: Wind,
-    /// What detectors see of it, one for each block of cells.
+    /// The fires that detectors see, one for each block of cells.
     objects: Vec<Object>,
     smoke: Vec<Plume>,
-    /// Chance in what loads do; nothing else depends on it.
+    /// The random stream of the loads' effects, used by nothing else.
     luck: ChaCha8Rng,
 }
 
@@ -158,7 +158,7 @@ fn read_ignition(table: &mut FileTable<'_>) -> Option<Ignition> {
     })
 }
 
-/// The ground that can burn, before it does; `None` where it is none.
+/// The ground before the fire; `None` where it cannot burn.
 fn ground(
     table: &mut FileTable<'_>,
     [west, south, east, north]: [f64; 4],
@@ -191,7 +191,7 @@ fn ground(
 }
 
 impl FireGrid {
-    /// Lays other fuels over the ground; later ones lie on top.
+    /// Covers areas with other fuels; later ones lie on top.
     fn cover(&mut self, patches: &[FuelPatch]) {
         for patch in patches {
             let [west, south, east, north] = patch.area;
@@ -308,7 +308,7 @@ impl Field for Fire {
 }
 
 impl Fire {
-    /// The ground as it burns.
+    /// The burning ground.
     pub fn grid(&self) -> &FireGrid {
         &self.blaze.grid
     }
@@ -318,7 +318,7 @@ impl Fire {
         &self.untouched.grid
     }
 
-    /// Whether nothing burns and nothing is going to.
+    /// Whether nothing burns, and nothing will.
     pub fn is_out(&self) -> bool {
         let more_to_come = self
             .ignitions
@@ -327,7 +327,7 @@ impl Fire {
         !more_to_come && self.blaze.grid.burning().next().is_none()
     }
 
-    /// Sets fire to what catches fire about now.
+    /// Lights the ignitions that are due.
     fn light(&mut self) {
         let step = Duration::from_secs_f64(STEP_S);
         for ignition in &self.ignitions {
@@ -340,11 +340,11 @@ impl Fire {
         }
     }
 
-    /// What it looks like from above, and where smoke rises.
+    /// Updates the view from above, and the sources of smoke.
     fn look(&mut self) {
         let grid = &self.blaze.grid;
         let (across, up) = (grid.columns.div_ceil(BLOCK), grid.rows.div_ceil(BLOCK));
-        // East, north, number of cells and smoke of what burns in each block.
+        // East, north, number of cells and smoke of the fire in each block.
         let mut blocks = vec![[0.0_f64; 4]; across * up];
         for index in grid.burning() {
             let (column, row) = (index % grid.columns, index / grid.columns);

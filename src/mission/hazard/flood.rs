@@ -1,6 +1,6 @@
-//! `flood`: water that rises about houses with people on their roofs.
+//! `flood`: water that rises around houses with people on their roofs.
 //!
-//! The water stands at `level + rise t`. Who has no life vest when it reaches the roof is carried off by the current.
+//! The water's height is `level + rise t`. A person without a life vest is carried off when it reaches the roof.
 
 use std::time::Duration;
 
@@ -95,7 +95,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
 }
 
 impl Flood {
-    /// When the water reaches a height; `None` where it never does.
+    /// The time at which the water reaches a height; `None` if it never does.
     fn reaches(&self, height_m: f64) -> Option<Duration> {
         let seconds = (height_m - self.level_m) / self.rise_m_s;
         Duration::try_from_secs_f64(seconds).ok()

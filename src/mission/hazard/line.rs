@@ -1,7 +1,7 @@
-//! `line`: a power line on pylons, with defects on its wire and stains that look like some.
+//! `line`: a power line on pylons, with defects on its wire and stains that look like defects.
 //!
-//! The wire hangs in catenaries: `y = a (cosh(x / a) - cosh(L / 2a))` below the pylons' tops, where the sag
-//! `a (cosh(L / 2a) - 1)` belongs to a span of the line's mean length; all spans have the same tension, so the same `a`.
+//! The wire hangs in catenaries: `y = a (cosh(x / a) - cosh(L / 2a))` below the pylons' tops, where the sag `a (cosh(L
+//! / 2a) - 1)` belongs to a span of the line's mean length; all spans have the same tension, so the same `a`.
 
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
@@ -16,7 +16,7 @@ use crate::mission::weather::Weather;
 
 const MOST_PYLONS: usize = 100;
 const MOST_DEFECTS: u32 = 200;
-/// Distances to the wire are taken to points this far from one another.
+/// The spacing of the points that distances to the wire are measured to.
 const STEP_M: f64 = 1.0;
 
 #[derive(Debug)]
@@ -87,7 +87,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
     }
     let (defects, gap_m) = (defects?, gap_m?);
     let wire = Wire::new(pylons, height_m, sag_m);
-    // Half of the length is kept free, or chance finds no room.
+    // Half of the length stays free, or random placement finds no room.
     if f64::from(defects + stains) * gap_m > wire.length_m() / 2.0 {
         table.fault_of("min_gap", "so many with this gap have no room on the line");
     }
@@ -117,7 +117,7 @@ impl Wire {
         spans.map(|pair| distance_m(pair[0], pair[1])).sum()
     }
 
-    /// The place and the height of the wire and its direction, so far along the line.
+    /// The wire's position, height and direction at a distance along the line.
     fn at(&self, along_m: f64) -> (Point, f64, f64) {
         let (mut left_m, mut last) = (along_m, ([0.0; 2], self.height_m, 0.0));
         for pair in self.pylons.windows(2) {
@@ -138,7 +138,7 @@ impl Wire {
     }
 }
 
-/// How far a wire hangs below its ends at `x` of a span.
+/// The sag of a wire below its ends, at `x` along a span.
 fn drop_m(parameter_m: f64, span_m: f64, x_m: f64) -> f64 {
     if !parameter_m.is_finite() {
         return 0.0;
@@ -152,7 +152,7 @@ fn parameter_m(span_m: f64, sag_m: f64) -> f64 {
     if sag_m <= 1e-6 * span_m {
         return f64::INFINITY;
     }
-    // Logarithms of the bounds: a wire that hangs down almost straight, and one that is almost level.
+    // Logarithms of the bounds: an almost vertical wire, and an almost level one.
     let (mut low, mut high) = (maths::ln(span_m / 1000.0), maths::ln(span_m * 1e7));
     for _ in 0..80 {
         let middle = f64::midpoint(low, high);
@@ -236,7 +236,8 @@ mod tests {
             let slope = (drop_m(a, span_m, 0.001) - drop_m(a, span_m, 0.0)) / 0.001;
             assert!((slope - maths::sinh(span_m / 2.0 / a)).abs() < 1e-3 * slope.max(1.0));
         }
-        // A flat one is a parabola: a = L^2 / (8 sag), a quarter of the way three quarters of the sag.
+        // A flat catenary is a parabola: a = L^2 / (8 sag); a quarter of the way along, it has three quarters of the
+        // sag.
         let a = parameter_m(100.0, 0.5);
         assert!((a / 2500.0 - 1.0).abs() < 1e-3);
         assert!((drop_m(a, 100.0, 25.0) - 0.375).abs() < 1e-3);

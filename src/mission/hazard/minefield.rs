@@ -8,7 +8,7 @@ use crate::mission::format::{FileTable, KindOf, number, table as table_of, whole
 use crate::mission::weather::Weather;
 use crate::mission::zone::Shape;
 
-/// More would slow a step down.
+/// The most objects; more would slow a step down.
 const MOST_OBJECTS: f64 = 2000.0;
 
 #[derive(Debug)]
@@ -58,7 +58,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
     }
     let (low, high) = zone.shape.bounds();
     let area_m2 = (high[0] - low[0]) * (high[1] - low[1]);
-    // Discs of half the gap around each cannot be packed denser than about half by chance.
+    // Discs of half the gap cannot be packed randomly to more than about half of the area.
     if all * gap_m * gap_m > area_m2 {
         let zone = &zone.id;
         let fault = format!("{all} objects with this gap have no room in zone `{zone}`");

@@ -1,4 +1,4 @@
-//! People who need help: where they are, until when they can be helped, and what a kit does for them.
+//! People who need help: where they are, until when they can be helped, and the effect of kits.
 
 use std::time::Duration;
 
@@ -10,46 +10,46 @@ use crate::mission::weather::Weather;
 use crate::mission::zone::Shape;
 use crate::text;
 
-/// A kit that comes down this near is reached.
+/// The greatest distance at which a person can reach a kit.
 const KIT_WITHIN_M: f64 = 8.0;
-/// A node must stand this near to its place.
+/// The greatest distance of a node from its place.
 const NODE_WITHIN_M: f64 = 6.0;
 
-/// What there is of a hazard that is people: they, the animals among them, and places for nodes.
+/// The objects of a hazard with people: the people, the animals among them, and places for nodes.
 #[derive(Debug, Default)]
 pub(super) struct People {
-    /// The people first, in the order of the fates; then whatever else there is.
+    /// The people first, in the order of the fates; then the other objects.
     pub objects: Vec<Object>,
     fates: Vec<Fate>,
-    /// Where nodes are wanted, and whether one stands there.
+    /// The places for nodes, and whether a node stands there.
     nodes: Vec<(Point, bool)>,
-    /// Where they are known to be, if that is known.
+    /// The zone where they are known to be, if any.
     pub zone: Option<Shape>,
     now: Duration,
 }
 
-/// The fate of a person.
+/// The outcome for one person.
 #[derive(Debug, Clone, Copy)]
 struct Fate {
-    /// Until when help is of use; `None` for a person who can wait.
+    /// The time until which help is of use; `None` without a limit.
     until: Option<Duration>,
     helped: bool,
 }
 
-/// What has been done for people.
+/// The help given to people.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) struct Care {
     pub people: usize,
-    /// Those whom a kit has reached in time.
+    /// People whom a kit reached in time.
     pub helped: usize,
-    /// Those for whom it is too late.
+    /// People for whom it is too late.
     pub lost: usize,
     pub nodes: usize,
     pub nodes_placed: usize,
 }
 
 impl People {
-    /// No people yet, and places for nodes.
+    /// A hazard with places for nodes and no people yet.
     pub fn new(nodes: Vec<Point>) -> Self {
         Self {
             nodes: nodes.into_iter().map(|at| (at, false)).collect(),
@@ -57,7 +57,7 @@ impl People {
         }
     }
 
-    /// Adds a person; must come before anything else is added.
+    /// Adds a person; all people must be added before other objects.
     pub fn add(&mut self, person: Object, until: Option<Duration>) {
         self.objects.push(person);
         let helped = false;
@@ -107,7 +107,7 @@ impl People {
 }
 
 impl Field for People {
-    /// Who was not helped in time is gone.
+    /// Removes people who were not helped in time.
     fn step(&mut self, now: Duration, _: &Weather) {
         self.now = now;
         for (object, fate) in self.objects.iter_mut().zip(&self.fates) {

@@ -1,4 +1,4 @@
-//! Where the seed puts things, and how the debrief shows them.
+//! Random placement of objects, and their display in the debrief.
 
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
@@ -8,11 +8,11 @@ use crate::mission::Point;
 use crate::mission::report::distance_m;
 use crate::mission::zone::Shape;
 
-/// Places that are tried for one thing before the best of them is taken.
+/// Positions tried for one object before the best one is taken.
 const TRIES: usize = 400;
 
-/// So many points in a shape, at least a gap from one another and from those that are `taken`, as far as there is
-/// room: where there is none, the loneliest of many random places is taken.
+/// `count` points in a shape, at least a gap from one another and from the `taken` ones. Where there is no room, the
+/// candidate with the largest gap is used.
 pub(super) fn spread(
     shape: &Shape,
     count: usize,
@@ -39,7 +39,7 @@ pub(super) fn spread(
     taken.split_off(before)
 }
 
-/// A random point of a shape; its middle where the shape has hardly any area.
+/// A random point of a shape; its centre where the shape has almost no area.
 fn within(shape: &Shape, random: &mut ChaCha8Rng) -> Point {
     let (low, high) = shape.bounds();
     for _ in 0..TRIES {
@@ -51,7 +51,7 @@ fn within(shape: &Shape, random: &mut ChaCha8Rng) -> Point {
     [0, 1].map(|axis| f64::midpoint(low[axis], high[axis]))
 }
 
-/// What the debrief reveals of objects.
+/// The objects as the debrief shows them.
 pub(super) fn revealed(objects: &[Object]) -> Vec<TruthPiece> {
     let truth = |object: &Object| TruthPiece {
         at: object.at,

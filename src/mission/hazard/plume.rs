@@ -1,5 +1,5 @@
-//! A Gaussian plume over flat ground (Pasquill-Gifford; spreads by Briggs 1973) that lies as the wind does, swings
-//! about that, and comes in gusts; in calm air a cloud about its source.
+//! A Gaussian plume over flat ground (Pasquill-Gifford; spreads by Briggs 1973) that follows the wind, meanders about
+//! its direction, and has gusts; in calm air a cloud around its source.
 
 use std::collections::VecDeque;
 use std::f64::consts::TAU;
@@ -16,19 +16,19 @@ use crate::mission::format::{FileTable, KindOf, number};
 use crate::mission::weather::{Weather, Wind};
 use crate::mission::{Point, TICK};
 
-/// How long the air over the whole site takes to follow the weather, in seconds.
+/// The time constant with which the air over the whole site follows the weather, in seconds.
 const FOLLOWS_IN_S: f64 = 20.0;
-/// How long the axis remembers where it swung, in seconds.
+/// The correlation time of the axis's meandering, in seconds.
 const MEANDER_TAU_S: f64 = 120.0;
-/// How long a gust of thicker or thinner air lasts, in seconds.
+/// The correlation time of concentration gusts, in seconds.
 const GUST_TAU_S: f64 = 3.0;
-/// Gusts older than this many ticks have left the site.
+/// The number of ticks after which gusts have left the site.
 const GUSTS_KEPT: usize = 3000;
-/// No cloud is denser than at this distance from its source, in metres.
+/// The concentration is capped at its value at this distance from the source, in metres.
 const NEAREST_M: f64 = 1.0;
 
-/// What the debrief shows of a plume: squares of this side, so many of them to each side of the source, over so many
-/// powers of ten, down to this strength.
+/// How the debrief shades a plume: the side of the squares, their number to each side of the source, the powers of ten
+/// covered, and the least strength.
 const SHADE_SIDE_M: f64 = 12.0;
 const SHADES_OUT: i32 = 25;
 const DECADES: f64 = 3.0;
@@ -56,14 +56,14 @@ pub(crate) struct Plume {
 #[derive(Debug)]
 struct PlumeField {
     leak: Leak,
-    /// The wind at the site, east and north, before it swings.
+    /// The wind at the site, east and north, before meandering.
     drift_m_s: [f64; 2],
-    /// The wind that the plume lies in.
+    /// The wind that shapes the plume.
     wind: Wind,
     axis_deg: Wander,
     gust: Wander,
     intermittency: f64,
-    /// The gusts that left the source, the newest first, one a tick.
+    /// The gusts that left the source, newest first, one per tick.
     gusts: VecDeque<f64>,
     random: ChaCha8Rng,
 }
@@ -152,8 +152,8 @@ impl Field for PlumeField {
 }
 
 impl PlumeField {
-    /// The plume as it lies without its gusts, at the height that it comes out at: 1 is the strongest, and every
-    /// [`DECADES`] of thinning take that away.
+    /// The plume without gusts at the height of its source: 1 is the strongest, and it falls to 0 over [`DECADES`]
+    /// powers of ten.
     fn shades(&self) -> Vec<TruthPiece> {
         let [east_m, north_m] = self.leak.source.source;
         let middle = |at: i32| f64::from(at) * SHADE_SIDE_M;
@@ -188,8 +188,8 @@ impl PlumeField {
         };
     }
 
-    /// The concentration at a point as a multiple of its mean: the wind carries there, unchanged, what left the source
-    /// some time ago. Lognormal, with a mean of 1.
+    /// The concentration at a point as a multiple of its mean: the wind carries each gust there unchanged. Lognormal,
+    /// with a mean of 1.
     fn gust_at(&self, at: Point) -> f64 {
         if self.intermittency <= 0.0 {
             return 1.0;
@@ -202,16 +202,17 @@ impl PlumeField {
     }
 }
 
-/// How far a point lies downwind and to the side of a source.
+/// A point's distance downwind of a source, and across.
 fn along_and_across(wind: Wind, source: Point, at: Point) -> (f64, f64) {
     let (east, north) = (at[0] - source[0], at[1] - source[1]);
     let (sin, cos) = maths::sin_cos(wind.from_deg.to_radians());
-    // The wind blows away from where it comes from.
+    // `from` is the direction the wind comes from.
     (-(east * sin + north * cos), east * cos - north * sin)
 }
 
 impl Plume {
-    /// The mean concentration; between calm air and the slowest wind that the plume is good for, a mixture.
+    /// The mean concentration; between calm air and the lowest wind for which the plume formula is valid, a mixture of
+    /// both.
     pub fn concentration_ug_m3(&self, wind: Wind, at: Point, height_m: f64) -> f64 {
         let windy = (wind.speed_m_s / CALM_BELOW_M_S).clamp(0.0, 1.0);
         let mut concentration = 0.0;
@@ -237,8 +238,8 @@ impl Plume {
         UG_PER_G * self.rate_g_s / (TAU * speed * sy * sz) * bell(crosswind, sy) * vertical
     }
 
-    /// Puffs that grow in proportion to their age, added up for ever:
-    /// `Q / ((2 pi)^1.5 g) [1 / (R2 + a2/g2 (z-H)2) + 1 / (R2 + a2/g2 (z+H)2)]`.
+    /// The integral over puffs that grow in proportion to their age: `Q / ((2 pi)^1.5 g) [1 / (R2 + a2/g2 (z-H)2) + 1
+    /// / (R2 + a2/g2 (z+H)2)]`.
     fn in_calm_ug_m3(&self, at: Point, height_m: f64) -> f64 {
         let (a, g) = calm_growth_m_s(self.stability);
         let r2 = maths::powi(at[0] - self.source[0], 2) + maths::powi(at[1] - self.source[1], 2);

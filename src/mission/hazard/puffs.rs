@@ -1,5 +1,5 @@
-//! A leak that comes in puffs: each drifts with the wind as it is and grows as it travels, so that the cloud bends
-//! where the wind has turned.
+//! A leak that emits puffs: each drifts with the current wind and grows on its way, so that the cloud bends where the
+//! wind has turned.
 
 use std::collections::VecDeque;
 use std::f64::consts::TAU;
@@ -16,11 +16,11 @@ use crate::mission::format::{FileTable, KindOf, number};
 use crate::mission::weather::Weather;
 use crate::mission::{Point, TICK};
 
-/// So many puffs are kept: five minutes of them, one every two seconds.
+/// The most puffs: five minutes of them, one every two seconds.
 const MOST_PUFFS: usize = 150;
-/// A puff begins so wide.
+/// The spread of a new puff.
 const FIRST_SPREAD_M: f64 = 0.5;
-/// Beyond so many spreads from its middle, a puff is not felt.
+/// A puff is ignored beyond this many spreads from its centre.
 const FELT_SPREADS: f64 = 5.0;
 
 #[derive(Debug)]
@@ -35,7 +35,7 @@ struct Puff {
     at: Point,
     mass_g: f64,
     travelled_m: f64,
-    /// How far it spreads in metres, horizontally and vertically.
+    /// Its horizontal and vertical spread, in metres.
     spread_m: (f64, f64),
 }
 
@@ -43,7 +43,7 @@ struct Puff {
 struct PuffsField {
     leak: Leak,
     every_s: f64,
-    /// Those under way, the oldest first.
+    /// The puffs, oldest first.
     puffs: VecDeque<Puff>,
     since_last_s: f64,
 }
@@ -116,7 +116,7 @@ impl Field for PuffsField {
 }
 
 impl Puff {
-    /// Carries it on. In wind it grows as a plume does with the way it comes, in calm air with time.
+    /// Moves a puff. In wind it grows with the distance travelled, as a plume does; in calm air with time.
     fn drift(&mut self, drift_m_s: [f64; 2], dt_s: f64, source: &Plume) {
         let speed_m_s = maths::hypot(drift_m_s[0], drift_m_s[1]);
         self.at[0] += drift_m_s[0] * dt_s;
@@ -191,7 +191,7 @@ mod tests {
     fn all_that_came_out_is_in_the_air() {
         let mut field = puffs();
         run(&mut field, 40, &wind(3.0, 270.0));
-        // The last puff is still a ball of half a metre: it is left out of the grid and of the sum.
+        // The last puff is still only half a metre wide: it is left out of the grid and of the sum.
         field.puffs.pop_back();
         let mut mass_g = 0.0;
         for east in -40..180 {

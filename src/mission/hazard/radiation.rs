@@ -1,4 +1,4 @@
-//! Gamma radiation: points that shine through air and through walls.
+//! Gamma radiation: point sources, attenuated by air and walls.
 //!
 //! `H = sum G A / r2 exp(-mu r) shield + background`, with no build-up of scattered radiation.
 
@@ -13,11 +13,11 @@ use crate::mission::format::{
 };
 use crate::mission::weather::Weather;
 
-/// What there is everywhere, in uSv/h.
+/// The natural background, in uSv/h.
 const BACKGROUND_USV_H: f64 = 0.1;
-/// A detector comes no nearer to a source than this.
+/// The least distance between a detector and a source.
 const NEAREST_M: f64 = 0.5;
-/// More sources or walls than this would slow a step down.
+/// The most sources or walls; more would slow a step down.
 const MOST_PARTS: usize = 50;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -29,7 +29,7 @@ enum Isotope {
 impl Isotope {
     const WORDS: [(&str, Self); 2] = [("Cs-137", Self::Caesium137), ("Co-60", Self::Cobalt60)];
 
-    /// Dose rate at 1 m in uSv/h per `GBq`, and the share that a metre of air absorbs.
+    /// The dose rate at 1 m in uSv/h per `GBq`, and the share absorbed by a metre of air.
     fn constants(self) -> (f64, f64) {
         match self {
             Self::Caesium137 => (92.7, 0.0093),
@@ -52,7 +52,7 @@ struct Wall {
     from: Point,
     to: Point,
     height_m: f64,
-    /// The share of the radiation that passes it.
+    /// The share of the radiation that passes through it.
     passes: f64,
 }
 
@@ -207,7 +207,7 @@ impl GammaSource {
 }
 
 impl Wall {
-    /// The share of a source's radiation that passes on its straight way to a point.
+    /// The share of a source's radiation that reaches a point in a straight line.
     fn share(&self, source: &GammaSource, at: Point, height_m: f64) -> f64 {
         let way = [at[0] - source.at[0], at[1] - source.at[1]];
         let along = [self.to[0] - self.from[0], self.to[1] - self.from[1]];

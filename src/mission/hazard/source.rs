@@ -1,4 +1,4 @@
-//! Sources of what spreads in the air: substance, place, and how the seed varies them.
+//! Sources of airborne substances: substance, place, and the seed's variation.
 
 use std::slice;
 
@@ -12,7 +12,7 @@ use crate::mission::format::{FileTable, POINT_RANGE, number, point, table as tab
 
 pub(super) const UG_PER_G: f64 = 1e6;
 
-/// What comes out of a source.
+/// The substance that a source emits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Substance {
     /// The vapour of a solvent.
@@ -30,7 +30,7 @@ impl Substance {
         ("smoke", Self::Smoke),
     ];
 
-    /// What it is measured in.
+    /// The quantity that measures it.
     pub fn quantity(self) -> Quantity {
         match self {
             Self::Vapour => Quantity::Vapour,
@@ -41,7 +41,7 @@ impl Substance {
     }
 }
 
-/// What lets something out, before the seed has varied it.
+/// A leak, before the seed has varied it.
 #[derive(Debug)]
 pub(super) struct LeakPlan {
     source: Plume,
@@ -52,14 +52,14 @@ pub(super) struct LeakPlan {
 /// By how much the seed varies a source.
 #[derive(Debug, Clone, Copy, Default)]
 struct Jitter {
-    /// Up to this far on each axis.
+    /// The most on each axis, in metres.
     position_m: f64,
-    /// Up to this share of it, either way.
+    /// The most as a share of the rate, either way.
     rate: f64,
 }
 
 impl LeakPlan {
-    /// Reads the keys of what lets something out.
+    /// Reads the keys of a leak.
     pub fn need(table: &mut FileTable<'_>) -> Option<Self> {
         let source = table.need("source", point(), "position of the leak");
         let height_m = table.need("height", number(0.0, 500.0, "m"), "height of the leak");
@@ -105,7 +105,7 @@ impl LeakPlan {
         }
     }
 
-    /// The leak as it is this time.
+    /// The leak with the seed's variation.
     pub fn drawn(&self, random: &mut ChaCha8Rng) -> Leak {
         Leak::new(self.jitter.vary(&self.source, random), self.substance)
     }
@@ -149,7 +149,7 @@ impl Jitter {
 pub(super) struct Leak {
     pub source: Plume,
     substance: Substance,
-    /// Where it comes out, as something that can be found.
+    /// Its position, as an object that can be found.
     object: Object,
 }
 
@@ -165,7 +165,7 @@ impl Leak {
         }
     }
 
-    /// Whether what comes out is measured in a quantity.
+    /// Whether a quantity measures its substance.
     pub fn is_measured_in(&self, quantity: Quantity) -> bool {
         self.substance.quantity() == quantity
     }
@@ -174,7 +174,7 @@ impl Leak {
         slice::from_ref(&self.object)
     }
 
-    /// Where it comes out, for the map of the debrief.
+    /// Its position, for the map of the debrief.
     pub fn truth(&self) -> TruthPiece {
         TruthPiece {
             at: self.source.source,

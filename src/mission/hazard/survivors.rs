@@ -1,4 +1,4 @@
-//! `survivors`: people somewhere in a zone, under trees or in the open, and animals that look like them from far.
+//! `survivors`: people in a zone, under trees or in the open, and animals that look like them from a distance.
 
 use std::time::Duration;
 
@@ -25,7 +25,7 @@ struct Survivors {
     animals: usize,
     cover: [f64; 2],
     gap_m: f64,
-    /// The scale of how long people last, in seconds; without it, for ever.
+    /// The scale of the time that people survive, in seconds; `None` without a limit.
     lasts_s: Option<f64>,
 }
 
@@ -157,7 +157,7 @@ mod tests {
 
     #[test]
     fn who_waits_too_long_is_lost_as_the_distribution_says() {
-        // S(t) = exp(-(t / 600)^2): 60.7 % last for 424 s.
+        // S(t) = exp(-(t / 600)^2): 60.7 % survive for 424 s.
         let wait = Duration::from_secs_f64(600.0 * 0.5_f64.sqrt());
         let mut lost = 0;
         for seed in 0..500 {

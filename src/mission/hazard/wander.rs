@@ -1,4 +1,4 @@
-//! A quantity that wanders about zero and forgets where it was: a first-order Gauss-Markov process.
+//! A quantity with random fluctuation about zero: a first-order Gauss-Markov process.
 
 use crate::geo::maths;
 use rand_chacha::ChaCha8Rng;
@@ -6,15 +6,15 @@ use rand_distr::{Distribution, StandardNormal};
 
 #[derive(Debug, Clone)]
 pub(super) struct Wander {
-    /// Where it is now.
+    /// The present value.
     pub value: f64,
     spread: f64,
-    /// How long it remembers.
+    /// The correlation time.
     tau_s: f64,
 }
 
 impl Wander {
-    /// One that has wandered for ever.
+    /// A process in its steady state.
     pub fn new(spread: f64, tau_s: f64, random: &mut ChaCha8Rng) -> Self {
         let start: f64 = StandardNormal.sample(random);
         Self {
@@ -24,7 +24,7 @@ impl Wander {
         }
     }
 
-    /// Lets time pass; exact for any step.
+    /// Advances time; exact for any step.
     pub fn step(&mut self, dt_s: f64, random: &mut ChaCha8Rng) {
         let kept = maths::exp(-dt_s / self.tau_s);
         let push: f64 = StandardNormal.sample(random);

@@ -9,7 +9,7 @@ fn sensor(id: &str) -> &'static Sensor {
     Sensor::by_id(id).expect("it is in the catalogue")
 }
 
-/// A vehicle in the air over the origin's south that goes north.
+/// A vehicle in the air south of the origin, flying north.
 fn craft(id: VehicleId, sensor_id: &str, height_m: f64, speed_m_s: f64) -> Craft {
     let mut craft = Craft::new(id, &[sensor(sensor_id)], 1);
     craft.at = Some([0.0, -10.0]);
@@ -60,14 +60,14 @@ fn share(passes: u32, sensor: &str, class: ObjectClass, height_m: f64, speed_m_s
     found.count() as f64 / SEEDS as f64
 }
 
-/// Four standard deviations of a share of so many seeds.
+/// Four standard deviations of a share over this many seeds.
 fn sure(share: f64) -> f64 {
     4.0 * (share * (1.0 - share) / SEEDS as f64).sqrt()
 }
 
 #[test]
 fn passes_over_a_mine_add_up_to_one_minus_the_product_of_misses() {
-    // The best of the sensor times what is left at 2 m/s: 1 / (1 + e^((2 - 4) / 0.6)).
+    // The sensor's best probability times the remainder at 2 m/s: 1 / (1 + e^((2 - 4) / 0.6)).
     let one = 0.10 / (1.0 + maths::exp(-2.0_f64 / 0.6));
     for passes in [1, 4] {
         let all = (1.0 - NEVER_SEEN) * (1.0 - maths::powi(1.0 - one, passes));
@@ -115,7 +115,7 @@ fn a_dwell_over_a_person_finds_as_often_as_the_looks_that_fit_into_it() {
 
 #[test]
 fn false_alarms_come_by_the_area_that_is_swept() {
-    // The world has a mine, far away, or nobody would take anything for one.
+    // The world has a distant mine; otherwise there would be no false alarms for mines.
     let world = world(
         vec![Object::new(ObjectClass::MetalMine, [900.0; 2])],
         Light::Day,
@@ -171,7 +171,7 @@ fn what_one_vehicle_sees_does_not_depend_on_the_order_or_on_the_others() {
     assert_eq!(second, fly(&[2]));
 }
 
-/// How often a look of 5 s from a height tells that there is nothing where something was taken for a person.
+/// How often a look of 5 s from a height shows that a contact is not a person.
 fn told_apart(height_m: f64) -> f64 {
     let world = world(Vec::new(), Light::Night);
     let contact = Contact {

@@ -21,7 +21,7 @@ struct ArmTracker {
     vehicles: Vec<Arming>,
 }
 
-/// When one vehicle was ready and armed for the first time.
+/// The times at which one vehicle was first ready and first armed.
 #[derive(Debug, Clone, Copy, Default)]
 struct Arming {
     ready: Option<Duration>,
@@ -29,7 +29,7 @@ struct Arming {
 }
 
 impl Arming {
-    /// Seconds from one to the other, so far where it is not armed.
+    /// Seconds from ready to armed; so far, while it is not armed.
     fn taken_s(&self, now: Duration) -> f64 {
         let until = self.armed.unwrap_or(now);
         self.ready
@@ -97,7 +97,7 @@ impl Tracker for ArmTracker {
         let longest_s = taken.max_by(f64::total_cmp).unwrap_or(0.0);
         let begun = !self.vehicles.is_empty();
         let armed = begun && self.vehicles.iter().all(|arming| arming.armed.is_some());
-        // Half of it after twice the time would reward nobody: it falls to nothing there.
+        // Twice the time earns nothing, so that a late start is not rewarded.
         let share = |arming: &Arming| {
             let late = arming.taken_s(scene.now) / self.within_s;
             let share = (2.0 - late).clamp(0.0, 1.0);

@@ -1,8 +1,8 @@
-//! `coverage`: pass over a zone with sensors that find what is sought, low and slow enough to work.
+//! `coverage`: pass over a zone with suitable sensors, low and slow enough for them to work.
 //!
-//! Cells count as swept once the strip of a working sensor has gone over their middle. The result also tells the
-//! coverage of search theory, `C = W L / A` (strip width times way over area), and what a search without any plan would
-//! find with it, `1 - e^-C` (Koopman 1980): the difference is what flying lines is worth.
+//! Cells count as swept once the strip of a working sensor has passed over their centre. The result also gives the
+//! coverage of search theory, `C = W L / A` (strip width times path length over area), and what a random search of
+//! that coverage would find, `1 - e^-C` (Koopman 1980): the difference is the gain from flying lines.
 
 use toml::Spanned;
 
@@ -30,14 +30,14 @@ struct Coverage {
     target: ObjectiveTarget,
 }
 
-/// A zone in square cells; those with their middle outside are not among them.
+/// A zone in square cells; cells with their centre outside are left out.
 #[derive(Debug, Clone)]
 struct CoverageGrid {
     shape: Shape,
     corner: Point,
     side_m: f64,
     columns: usize,
-    /// Row by row; `None` outside the zone, whether it is swept inside.
+    /// Whether each cell is swept, row by row; `None` outside the zone.
     cells: Vec<Option<bool>>,
 }
 
@@ -46,7 +46,7 @@ struct Sweep {
     grid: CoverageGrid,
     sensors: Vec<&'static Sensor>,
     target: ObjectiveTarget,
-    /// Area that strips have passed over, within the zone, again and again.
+    /// The area that strips have passed over within the zone, counting repeats.
     passed_m2: f64,
 }
 
@@ -124,7 +124,7 @@ impl CoverageGrid {
         ]
     }
 
-    /// The cells whose middle may lie within a distance of a point.
+    /// The cells whose centre may lie within a distance of a point.
     fn around(&self, at: Point, reach_m: f64) -> impl Iterator<Item = usize> + use<> {
         let rows = self.cells.len() / self.columns;
         let range = |axis: usize, count: usize| {
@@ -251,7 +251,7 @@ impl Tracker for Sweep {
     }
 }
 
-/// What a search finds that covers so much without a plan: `1 - e^-C`.
+/// The share that a random search of this coverage finds: `1 - e^-C`.
 fn random_search(coverage: f64) -> f64 {
     1.0 - maths::exp(-coverage)
 }
@@ -273,7 +273,7 @@ mod tests {
         }
     }
 
-    /// Flies a line to the north through the zone.
+    /// Flies a line north through the zone.
     fn line(sweep: &mut Sweep, east_m: f64, height_m: f64, speed_m_s: f64) {
         let sensors: Vec<_> = Sensor::by_id("s_mag").into_iter().collect();
         let mut craft = Craft::new(1, &sensors, 1);
@@ -297,7 +297,7 @@ mod tests {
             "{}",
             dense.grid.swept()
         );
-        // The strip is as wide as the lines are apart: every square metre once.
+        // The strip is as wide as the line spacing: every square metre is covered once.
         assert!(
             (dense.coverage() - 1.0).abs() < 0.02,
             "{}",

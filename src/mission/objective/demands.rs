@@ -1,4 +1,4 @@
-//! The objectives' demands on their mission, for the check whether it can be flown at all.
+//! The objectives' demands on their mission, for the check whether it can be flown.
 
 use std::time::Duration;
 
@@ -9,51 +9,50 @@ use crate::mission::ground_truth::Load;
 use crate::mission::sensor::Sensor;
 use crate::mission::zone::Zone;
 
-/// What one objective demands. Its parts are named by the keys of the file that ask for them, so that a fault can be
-/// shown where it was written.
+/// The demands of one objective. Fields are named after the keys of the file, so that a fault can be placed there.
 #[derive(Debug, Default)]
 pub(crate) struct Demands<'o> {
-    /// What some vehicle has to carry.
+    /// Equipment that some vehicle must carry.
     pub equipment: Option<DemandedEquipment>,
-    /// Where vehicles have to fly, by the key `zone`.
+    /// The zone to fly in, by the key `zone`.
     pub zone: Option<&'o Zone>,
-    /// Where vehicles have to fly or land, in any order.
+    /// The places to fly to or land at, in any order.
     pub places: Option<DemandedPlaces<'o>>,
-    /// What vehicles have to fly through, by the key `gates`.
+    /// The gates to fly through, by the key `gates`.
     pub route: Option<&'o GateRoute>,
     /// The lowest and the highest height that count, in metres, by the key `heights`.
     pub heights_m: Option<[f64; 2]>,
-    /// Times that must pass within the mission.
+    /// Times that must fit into the mission.
     pub times: Vec<DemandedTime>,
-    /// Time that the vehicles have to stay in the zone or at the places, of all vehicles together.
+    /// The time that all vehicles together must spend in the zone or at the places.
     pub staying: Duration,
 }
 
-/// Equipment that a key asks for.
+/// Equipment that a key requires.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct DemandedEquipment {
     pub key: &'static str,
     pub equipment: Equipment,
 }
 
-/// What has to be on board of some vehicle.
+/// Equipment that a vehicle must have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Equipment {
-    /// One of these loads.
+    /// Any of these loads.
     AnyOf(&'static [Load]),
     AnySensor,
     /// A sensor that finds objects.
     Detector,
 }
 
-/// Places that a key names.
+/// Places that a key lists.
 #[derive(Debug)]
 pub(crate) struct DemandedPlaces<'o> {
     pub key: &'static str,
     pub all: &'o [NamedPlace],
 }
 
-/// A time that a key asks for.
+/// A time that a key sets.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct DemandedTime {
     pub key: &'static str,
@@ -61,7 +60,7 @@ pub(crate) struct DemandedTime {
 }
 
 impl DemandedTime {
-    /// A time of a file in seconds, which cannot be negative.
+    /// A time from a file in seconds, never negative.
     pub fn seconds(key: &'static str, seconds: f64) -> Self {
         let time = Duration::try_from_secs_f64(seconds).unwrap_or(Duration::MAX);
         Self { key, time }
@@ -85,7 +84,7 @@ impl Equipment {
         }
     }
 
-    /// What it is, for people who write missions: "no vehicle carries ..".
+    /// Its name in the fault "no vehicle carries ..".
     pub fn words(self) -> String {
         match self {
             Self::AnyOf(loads) => {

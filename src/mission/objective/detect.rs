@@ -1,12 +1,12 @@
-//! `detect`: report what is there, where it is, and nothing else.
+//! `detect`: report objects at their positions, without false alarms.
 //!
 //! A report within the radius of an object of its kind that no other report has found is a hit; every other report is
-//! a false alarm. With precision `P` and recall `R`, `F = (1 + beta^2) P R / (beta^2 P + R)`: with a beta of 2, a missed
-//! mine costs far more than a false alarm. Only the first reports up to a budget count as hits, so that reporting
-//! everything earns nothing. Where a near look could have told, a mission makes each wrong report dearer: `false_cost`
-//! times what a find is of all that is there.
+//! a false alarm. With precision `P` and recall `R`, `F = (1 + beta^2) P R / (beta^2 P + R)`: with a beta of 2, a
+//! missed mine costs far more than a false alarm. Only the first reports up to a budget count as hits, so that
+//! reporting everything earns nothing. Where a close look would have shown the error, a mission makes wrong reports
+//! dearer: each costs `false_cost` finds.
 //!
-//! What is right comes out when the flight is over: until then one could ask by reporting.
+//! Which reports are right is revealed only after the flight; otherwise reporting would be a way to find out.
 
 use std::collections::BTreeSet;
 use std::time::Duration;
@@ -25,7 +25,7 @@ use crate::scoring::Product;
 use crate::text;
 use crate::text::Text;
 
-/// Reports that count, for each object that is there.
+/// Reports that count, for each object.
 const BUDGET: f64 = 3.0;
 
 #[derive(Debug, Clone)]
@@ -38,17 +38,17 @@ struct Detect {
     target: ObjectiveTarget,
 }
 
-/// With all vehicles on the ground, the reports are final so long after the last one.
+/// The time after the last report at which reports are final, with all vehicles on the ground.
 const FINAL_AFTER: Duration = Duration::from_secs(20);
 
-/// What reports are worth.
+/// The tally of the reports.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct DetectTally {
     pub there: usize,
     pub found: usize,
-    /// Reports where nothing of the kind is.
+    /// Reports with no object of the kind there.
     pub false_alarms: usize,
-    /// Reports of what had been reported.
+    /// Reports of objects reported before.
     pub repeated: usize,
 }
 
@@ -191,7 +191,7 @@ impl Detect {
         }
     }
 
-    /// Whether all vehicles are down, and nothing has been reported for a while.
+    /// Whether all vehicles are down, and there has been no report for a while.
     fn is_final(scene: &ObjectiveScene<'_>) -> bool {
         let last = scene.marks.iter().map(|mark| mark.when).max();
         let quiet = last.is_some_and(|last| scene.now.saturating_sub(last) >= FINAL_AFTER);
@@ -202,7 +202,7 @@ impl Detect {
                 .all(|craft| craft.lost || craft.is_down())
     }
 
-    /// Matches reports, in the order of their making, with the nearest object that is still open.
+    /// Matches reports, in their order, with the nearest unreported object.
     fn tally(&self, objects: &[Object], marks: &[Mark]) -> DetectTally {
         let sought: Vec<&Object> = objects
             .iter()
@@ -241,7 +241,7 @@ impl Detect {
 }
 
 impl DetectTally {
-    /// How many reports are right, and how much of what is there is reported.
+    /// The share of reports that are right, and the share of objects reported.
     fn precision_and_recall(self) -> [f64; 2] {
         let share = |of: usize| match of {
             0 => 0.0,
@@ -265,7 +265,7 @@ impl DetectTally {
         }
     }
 
-    /// The F-measure, less what wrong reports cost: each `false_cost` finds.
+    /// The F-measure, less the cost of wrong reports: `false_cost` finds each.
     fn worth(self, beta: f64, false_cost: f64) -> f64 {
         let cost = false_cost * self.false_alarms as f64 / self.there.max(1) as f64;
         (self.f_beta(beta) - cost).max(0.0)
@@ -388,7 +388,7 @@ mod tests {
             .map(|step| ([f64::from(step), 0.0], None))
             .collect();
         let counted = tally(&everywhere);
-        // The twelve reports of the budget end at 28 m, on the way from 39 m down.
+        // The reports on the way from 39 m down use up the budget of twelve at 28 m.
         assert_eq!(counted.found, 1);
         assert!(counted.f_beta(2.0) < 0.15);
     }

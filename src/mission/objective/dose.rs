@@ -1,4 +1,4 @@
-//! `dose`: no vehicle may gather more radiation than its electronics bear.
+//! `dose`: no vehicle may collect more radiation than its electronics tolerate.
 
 use std::collections::BTreeMap;
 
@@ -11,7 +11,7 @@ use crate::mission::world::World;
 use crate::text;
 use crate::vehicle::VehicleId;
 
-/// Twice the limit is worth nothing.
+/// The multiple of the limit that earns nothing.
 const WORTHLESS: f64 = 2.0;
 
 #[derive(Debug)]
@@ -67,7 +67,7 @@ impl Tracker for DoseTracker {
 
     fn standing(&self, scene: &ObjectiveScene<'_>) -> ObjectiveStanding {
         let most = self.gathered_usv.values().copied().fold(0.0, f64::max);
-        // Who stays at home gathers nothing, and has done nothing for it.
+        // A vehicle that stays home collects nothing, but has not earned the points.
         let begun = scene.vehicles.iter().any(|craft| craft.flown);
         let within = most <= self.limit_usv;
         let words = text!("dose-most", dose = format!("{most:.2}"));

@@ -1,4 +1,5 @@
-//! `formation`: the middle of all vehicles goes through gates while each keeps its distance to the nearest other.
+//! `formation`: the centre of all vehicles passes through gates while each keeps its distance from its nearest
+//! neighbour.
 
 use super::route::GateRoute;
 use super::{Demands, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
@@ -17,7 +18,7 @@ struct FormationObjective {
     keep: Keep,
 }
 
-/// What is to be kept on the way.
+/// The formation to keep on the way.
 #[derive(Debug, Clone)]
 struct Keep {
     spacing_m: [f64; 2],
@@ -100,7 +101,7 @@ fn distance_m(a: &[f64; 3], b: &[f64; 3]) -> f64 {
 }
 
 impl FormationTracker {
-    /// Whether the nearest neighbour of every vehicle is at the right distance.
+    /// Whether every vehicle's nearest neighbour is at the right distance.
     fn is_kept(&self, all: &[[f64; 3]]) -> bool {
         let [low, high] = self.keep.spacing_m;
         all.iter().enumerate().all(|(own, at)| {
@@ -146,7 +147,7 @@ impl Tracker for FormationTracker {
     fn standing(&self, _: &ObjectiveScene<'_>) -> ObjectiveStanding {
         let (share, count) = (self.share(), self.gates.len());
         let through = self.passed == count;
-        // With one gate there is no way on which to keep anything.
+        // With a single gate there is no path on which to keep the formation.
         let share = if through && count == 1 { 1.0 } else { share };
         let [low, high] = self.keep.spacing_m;
         let percent = |share: f64| format!("{:.0}", (share * 100.0).floor());

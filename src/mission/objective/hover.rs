@@ -1,4 +1,4 @@
-//! `hover`: every vehicle holds its place in the air without a break.
+//! `hover`: every vehicle holds a position in the air without interruption.
 
 use std::slice;
 
@@ -19,7 +19,7 @@ struct Hover {
     heights_m: [f64; 2],
     radius_m: f64,
     time_s: f64,
-    /// Where; `None` wherever the vehicle is.
+    /// The place; `None` for anywhere.
     place: Option<NamedPlace>,
 }
 
@@ -29,7 +29,7 @@ struct HoverTracker {
     holds: Vec<HoverHold>,
 }
 
-/// How a vehicle holds.
+/// The state of one vehicle's hover.
 #[derive(Debug, Clone, Copy, Default)]
 struct HoverHold {
     around: Option<Point>,

@@ -1,4 +1,4 @@
-//! `land_on`: vehicles come down at a place and are disarmed there.
+//! `land_on`: vehicles land at a place and are disarmed there.
 
 use std::slice;
 

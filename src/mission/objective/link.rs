@@ -1,4 +1,4 @@
-//! Objective kind `link`: vehicles at work have to be heard well enough.
+//! `link`: vehicles at work must keep a good link.
 
 use std::time::Duration;
 
@@ -12,14 +12,14 @@ use crate::mission::world::World;
 use crate::mission::zone::Zone;
 use crate::text;
 
-/// A link that has to be kept while vehicles work in a zone.
+/// A link to keep while vehicles work in a zone.
 #[derive(Debug, Clone)]
 struct LinkObjective {
     zone: Zone,
     margin_db: f64,
-    /// Vehicle seconds in the zone that are asked for.
+    /// The vehicle seconds required in the zone.
     needed: Duration,
-    /// The share of them that has to be well heard.
+    /// The share of that time with a good link.
     target: ObjectiveTarget,
 }
 
@@ -71,7 +71,7 @@ impl ObjectiveKind for LinkObjective {
 #[derive(Debug)]
 struct LinkTracker {
     link: LinkObjective,
-    /// Time of all vehicles in the zone together, and of it the time with a good link.
+    /// The time of all vehicles in the zone together, and the part of it with a good link.
     inside: Duration,
     heard: Duration,
 }

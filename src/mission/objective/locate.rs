@@ -1,6 +1,6 @@
-//! `locate`: report where something is, as near as can be told from afar.
+//! `locate`: report the position of an object as accurately as it can be estimated from a distance.
 //!
-//! How near the reports are is revealed when the flight is over: else one could ask by reporting.
+//! The accuracy of reports is revealed only after the flight; otherwise reporting would be a way to find out.
 
 use super::{
     DemandedEquipment, Demands, Equipment, ObjectiveKind, ObjectiveScene, ObjectiveStanding,
@@ -19,13 +19,13 @@ use crate::text::Text;
 
 #[derive(Debug, Clone)]
 struct Locate {
-    /// The hazard's place in the file.
+    /// The hazard's index in the file.
     hazard: usize,
     within_m: f64,
     partial_to_m: f64,
 }
 
-/// Where something is, and what it must be called.
+/// The position of an object, and the kind to report it as.
 #[derive(Debug, Clone, Copy)]
 struct LocateTarget {
     at: Point,
@@ -38,9 +38,9 @@ struct LocateTracker {
     wanted: Vec<LocateTarget>,
 }
 
-/// What came of the reports.
+/// The result of the reports.
 struct LocateReports {
-    /// From each thing to the nearest report of it.
+    /// The distance from each object to its nearest report.
     distances_m: Vec<Option<f64>>,
     wrong: usize,
 }
@@ -111,7 +111,7 @@ impl ObjectiveKind for Locate {
 }
 
 impl LocateTracker {
-    /// The reports that may be about what is wanted.
+    /// The reports whose kind matches.
     fn reports<'a>(&'a self, marks: &'a [Mark]) -> impl Iterator<Item = &'a Mark> {
         marks.iter().filter(|mark| {
             let named = |wanted: &LocateTarget| mark.kind.is_none_or(|kind| kind == wanted.kind);
@@ -135,7 +135,7 @@ impl LocateTracker {
         }
     }
 
-    /// Wrong reports beyond one for each thing that is wanted: more are guesses.
+    /// Wrong reports beyond one per object, which count as guesses.
     fn guesses(&self, found: &LocateReports) -> usize {
         found.wrong.saturating_sub(self.wanted.len())
     }

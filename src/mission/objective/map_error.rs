@@ -1,7 +1,7 @@
-//! `map_error`: the map made of a survey's cell means must be close to the truth.
+//! `map_error`: the map from a survey's cell means must be close to the truth.
 //!
 //! The error is the root of the mean squared difference between measured and true cell means, divided by the mean of
-//! the true ones (NRMSE). A cell that was not sampled is a blank on the map and counts as a reading of zero.
+//! the true ones (NRMSE). A cell that was not sampled counts as a reading of zero.
 
 use super::{ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
 use crate::geo::maths;
@@ -14,9 +14,9 @@ use crate::scoring::Product;
 use crate::text;
 use crate::text::Text;
 
-/// The truth of a cell is the mean over a grid of this many points squared.
+/// The true mean of a cell is taken over this many points squared.
 const POINTS_PER_SIDE: u32 = 5;
-/// An error this large is worth no quality at all.
+/// The error at which the quality is zero.
 const WORTHLESS: f64 = 0.5;
 
 #[derive(Debug)]
@@ -105,14 +105,14 @@ impl MapTracker {
             })
             .sum();
         let rms = (squares / count).sqrt();
-        // Where the truth is clean air everywhere, any reading at all is an error.
+        // In clean air, any reading is an error.
         if mean > 0.0 { rms / mean } else { rms }
     }
 }
 
 impl MapTracker {
-    /// The error is made of blanks, of readings at another height or in a corner of the cell, and of a sensor that
-    /// lags behind.
+    /// Advice on the causes of the error: missing cells, readings at another height or in a corner of a cell, and a
+    /// sensor's lag.
     fn quality_advice(&self, survey: Option<&Survey>) -> Text {
         let blank = survey.and_then(|survey| {
             let cells = survey.plan.cells.iter().enumerate();

@@ -1,8 +1,8 @@
-//! `perimeter`: know at given times which ground burns or has burnt.
+//! `perimeter`: know which ground burns or has burnt, at given times.
 //!
-//! What a thermal camera sees goes on a map by itself: ground below it as it is at that moment, all else as it was when
-//! it was last seen. At each of the times the map is compared with the truth: the area that both call burnt, divided by
-//! the area that either does (intersection over union).
+//! What a thermal camera sees is mapped automatically: ground in view as it is now, all else as last seen. At each of
+//! the times the map is compared with the truth: the area that both call burnt, divided by the area that either does
+//! (intersection over union).
 
 use std::time::Duration;
 
@@ -21,7 +21,7 @@ use crate::text::Text;
 
 #[derive(Debug, Clone)]
 struct Perimeter {
-    /// The hazard's place in the file.
+    /// The hazard's index in the file.
     hazard: usize,
     sensor: &'static Sensor,
     times: Vec<Duration>,
@@ -31,9 +31,9 @@ struct Perimeter {
 #[derive(Debug)]
 struct PerimeterTracker {
     plan: Perimeter,
-    /// Whether each cell had burnt when it was last seen.
+    /// Whether each cell had burnt when last seen.
     seen: Vec<bool>,
-    /// How well the map fitted at the times that have come.
+    /// The agreement of the map at the times so far, 0 to 1.
     fits: Vec<f64>,
 }
 
@@ -106,7 +106,7 @@ impl Perimeter {
 }
 
 impl PerimeterTracker {
-    /// Looks at the ground below the vehicles.
+    /// Maps the ground below the vehicles.
     fn look(&mut self, scene: &ObjectiveScene<'_>, grid: &FireGrid) {
         let flying = scene.vehicles.iter();
         for craft in flying.filter(|craft| craft.heard && craft.airborne && !craft.lost) {
@@ -146,7 +146,7 @@ impl PerimeterTracker {
         }
     }
 
-    /// When the map is looked at next.
+    /// The time of the next comparison, as text.
     fn next(&self, now: Duration) -> Option<Text> {
         let next = self.plan.times.get(self.fits.len())?;
         let left = next.saturating_sub(now).as_secs();
@@ -159,7 +159,7 @@ impl Tracker for PerimeterTracker {
         let Some(grid) = self.plan.grid(scene.world) else {
             return;
         };
-        // Half a second of flight is less than a cell.
+        // Half a second of flight covers less than a cell.
         if scene.now.as_millis().is_multiple_of(500) {
             self.look(scene, grid);
         }
@@ -187,7 +187,7 @@ impl Tracker for PerimeterTracker {
         let mean = sum / self.fits.len().max(1) as f64;
         let settled = self.fits.len() == all;
         let credit = |fit: &f64| target.credit(*fit);
-        // No fits at all add up to a negative zero, which is written as `-0`.
+        // An empty sum is negative zero, which would print as `-0`.
         let credits: f64 = 0.0 + self.fits.iter().map(credit).sum::<f64>();
         let times: Vec<String> = self
             .plan

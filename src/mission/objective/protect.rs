@@ -15,7 +15,7 @@ use crate::text;
 
 #[derive(Debug, Clone)]
 struct Protect {
-    /// The hazard's place in the file.
+    /// The hazard's index in the file.
     hazard: usize,
     zone: Shape,
 }
@@ -102,13 +102,13 @@ impl Tracker for Protect {
         }
         let saved = lost == 0;
         let out = fire.is_none_or(Fire::is_out);
-        // Until somebody has flown, nobody has saved anything.
+        // Without a flight, nothing has been saved.
         let begun = scene.vehicles.iter().any(|craft| craft.flown);
         ObjectiveStanding {
             fraction: if saved && begun {
                 1.0
             } else if begun {
-                // What is left of it counts for little.
+                // The rest of a partly burnt zone counts for half.
                 0.5 * (1.0 - lost as f64 / all.max(1) as f64)
             } else {
                 0.0

@@ -8,7 +8,7 @@ use crate::mission::world::World;
 use crate::text;
 use crate::text::Text;
 
-/// The battery is named before the distance when it is less than this many percent above what is needed.
+/// The battery is named before the distance when it is less than this many percent above the requirement.
 const RUNNING_SHORT: f64 = 10.0;
 
 #[derive(Debug, Clone)]
@@ -49,7 +49,7 @@ impl ObjectiveKind for Recover {
 }
 
 impl Recover {
-    /// A vehicle that does not report its battery is not blamed for it.
+    /// A vehicle without battery reports cannot fail the battery check.
     fn is_home(&self, craft: &Craft) -> bool {
         craft.is_down()
             && craft
@@ -101,8 +101,8 @@ impl Recover {
         distance_m.filter(|&distance_m| distance_m > self.radius_m)
     }
 
-    /// What one vehicle needs next, while it flies: the battery when that grows short, else the way home. Short,
-    /// since it stands beside the title.
+    /// The most urgent need of one vehicle while it flies: the battery when it runs short, otherwise the distance
+    /// home. Short, since it is shown beside the title.
     fn outlook(&self, vehicles: &[Craft]) -> Option<Text> {
         let [craft] = vehicles else { return None };
         if craft.lost || !craft.flown || craft.is_down() {
@@ -129,7 +129,7 @@ impl Recover {
         }
     }
 
-    /// What the first vehicle that is not home did wrong: only that is worth a word.
+    /// Advice on the fault of the first vehicle that is not home.
     fn advice(&self, vehicles: &[Craft]) -> Text {
         let radius = format!("{:.0}", self.radius_m);
         let least = format!("{:.0}", self.battery_percent);

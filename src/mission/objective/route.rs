@@ -1,4 +1,4 @@
-//! Gates: points in the air in their order, which the seed moves a little.
+//! Gates: points in the air to pass in order; the seed moves them slightly.
 
 use std::f64::consts::TAU;
 
@@ -8,7 +8,7 @@ use crate::geo::maths;
 use crate::mission::format::{FileTable, gate, list, number};
 use crate::mission::world::World;
 
-/// Gates of one route.
+/// The most gates of one route.
 const MOST_GATES: usize = 100;
 
 /// Gates as the mission describes them: east, north and up from the origin.
@@ -42,24 +42,24 @@ impl GateRoute {
         &self.gates
     }
 
-    /// By how much the way to a gate may be shorter than the one to where it is written: gates are passed within their
-    /// radius, and the seed moves them.
+    /// By how much the path to a gate may be shorter than to its position in the file: gates have a radius, and the
+    /// seed moves them.
     pub fn slack_m(&self) -> f64 {
         self.radius_m + self.jitter_m
     }
 
-    /// What a gate is called.
+    /// The name of a gate.
     pub fn name(index: usize) -> String {
         format!("gate{}", index + 1)
     }
 
-    /// What its gates are called, and the one that comes next.
+    /// The names of its gates, and that of the next one.
     pub fn names(&self) -> Vec<String> {
         let gates = (0..self.gates.len()).map(Self::name);
         gates.chain([super::NEXT_PLACE.to_owned()]).collect()
     }
 
-    /// Where the gates are in one flight: each moved level, evenly over a disc.
+    /// The positions of the gates in one flight: each moved horizontally, evenly over a disc.
     pub fn drawn(&self, world: &World, objective: &str) -> Vec<[f64; 3]> {
         let mut random = world.random(objective);
         let moved = |&[east_m, north_m, up_m]: &[f64; 3]| {

@@ -1,4 +1,4 @@
-//! `sample_cells`: carry a sensor slowly enough and for long enough through the cells of a grid.
+//! `sample_cells`: carry a sensor through the cells of a grid, slowly and for long enough.
 
 use super::{DemandedTime, Demands, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
 use crate::mission::format::{CountTarget, FileTable, KindOf, heights, number};
@@ -9,7 +9,7 @@ use crate::mission::zone::{Shape, Zone};
 use crate::text;
 use crate::text::Text;
 
-/// More cells than a trainee could ever fly, fewer than would slow a step down.
+/// The most cells: more than can be flown, fewer than would slow a step down.
 const MOST_CELLS: usize = 10_000;
 
 #[derive(Debug, Clone)]
@@ -72,7 +72,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
 /// The cells whose centres lie in the shape, row by row from the south-west.
 fn grid(shape: &Shape, side_m: f64, table: &mut FileTable<'_>) -> Vec<CellPlan> {
     let (low, high) = shape.bounds();
-    // A last column that is thinner than a thousandth of a cell is a rounding error.
+    // A last column thinner than a thousandth of a cell is a rounding error.
     let count = |axis: usize| ((high[axis] - low[axis]) / side_m - 1e-3).ceil().max(0.0) as usize;
     let (columns, rows) = (count(0), count(1));
     if columns.saturating_mul(rows) > MOST_CELLS {
@@ -109,7 +109,7 @@ impl ObjectiveKind for SampleCells {
 
     fn demands(&self) -> Demands<'_> {
         let dwell = DemandedTime::seconds("dwell", self.plan.dwell_s);
-        // One after the other.
+        // Cells are sampled one after the other.
         let cells = u32::try_from(self.target.met_at).unwrap_or(u32::MAX);
         Demands {
             zone: Some(&self.zone),
@@ -164,7 +164,7 @@ impl Tracker for SampleCells {
     }
 }
 
-/// The first few names and how many more there are.
+/// The first few names and the number of the others.
 fn shortened(names: &[&str]) -> Text {
     const SHOWN: usize = 6;
     if names.len() <= SHOWN {

@@ -1,7 +1,7 @@
-//! `standoff`: keep the right distance to a structure while vehicles are at it.
+//! `standoff`: keep the right distance from a structure while near it.
 //!
-//! Only time counts that a vehicle spends within `near` of the structure; the objective needs some of it, so that
-//! staying away is no way to reach it.
+//! Only the time within `near` of the structure counts, and a least amount of it is required, so that staying away
+//! does not meet the objective.
 
 use std::time::Duration;
 
@@ -21,7 +21,7 @@ struct Standoff {
     near_m: f64,
     least: Duration,
     target: ObjectiveTarget,
-    /// Time near the structure, at the right distance, and too near.
+    /// The time near the structure, at the right distance, and too close.
     near: Duration,
     kept: Duration,
     too_near: Duration,
@@ -95,7 +95,8 @@ impl Standoff {
         }
     }
 
-    /// The share of time at the right distance; of time too short, as if the rest had been spent elsewhere.
+    /// The share of time at the right distance; if the required time is not reached, the missing part counts as spent
+    /// elsewhere.
     fn share(&self) -> f64 {
         self.kept.as_secs_f64() / self.near.max(self.least).as_secs_f64()
     }

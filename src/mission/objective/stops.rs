@@ -1,4 +1,4 @@
-//! `gates`: fly through points in their order. `visit`: be at named places, in any order, for long enough.
+//! `gates`: fly through points in order. `visit`: stay at named places, in any order, for long enough.
 
 use std::collections::BTreeSet;
 
@@ -16,7 +16,7 @@ use crate::mission::{Point, TICK};
 use crate::text;
 use crate::text::Text;
 
-/// Places of one `visit`.
+/// The most places of one `visit`.
 const MOST_PLACES: usize = 100;
 const ANY_HEIGHT: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
@@ -24,7 +24,7 @@ const ANY_HEIGHT: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 struct Visit {
     places: Vec<NamedPlace>,
     radius_m: f64,
-    /// `None` where any height will do.
+    /// The heights that count; `None` for any.
     heights_m: Option<[f64; 2]>,
     dwell_s: f64,
 }
@@ -35,12 +35,12 @@ struct Gates {
     route: GateRoute,
 }
 
-/// One point to be at.
+/// One point to reach.
 #[derive(Debug, Clone)]
 struct Stop {
     name: String,
     at: Point,
-    /// The heights that count, of a place; a gate's distance counts in space.
+    /// The heights that count for a place; for gates the distance is in three dimensions.
     heights_m: [f64; 2],
     up_m: Option<f64>,
     radius_m: f64,
@@ -169,11 +169,11 @@ impl ObjectiveKind for Visit {
     }
 }
 
-/// Watches who is where.
+/// The progress of the vehicles at the stops.
 #[derive(Debug)]
 struct Stops {
     places: Vec<Stop>,
-    /// How long a vehicle has been at each.
+    /// How long a vehicle has stayed at each, in seconds.
     stayed_s: Vec<f64>,
     passed: Vec<bool>,
     ordered: bool,

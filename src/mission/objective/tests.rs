@@ -1,4 +1,4 @@
-//! Objectives about continuous hazards, flown by the vehicle that flies in straight lines.
+//! Objectives about continuous hazards, flown by the test vehicle.
 
 use crate::commands::{Deed, FindKind, Spot, Subject};
 use crate::mission::fake::{Pilot, given};
@@ -16,7 +16,7 @@ fn mission(file: &str) -> Mission {
     Mission::parse(file).expect("the shipped mission is good")
 }
 
-/// Where the first thing of the first hazard is.
+/// The position of the first object of the first hazard.
 fn truth(file: &str, seed: u64) -> Point {
     let world = World::new(&mission(file), seed);
     world.objects().next().expect("there is one").1.at
@@ -70,7 +70,7 @@ fn reports_lose_worth_with_distance_and_by_those_that_are_wrong() {
     let corrected = score(&[80.0, 10.0]);
     assert!((corrected.0 - near.0).abs() < 0.1);
     assert!(corrected.1 < near.1, "{corrected:?} {near:?}");
-    // More than one wrong report for each source are guesses.
+    // More than one wrong report per source counts as a guess.
     let guessed = score(&[10.0, 80.0, -90.0]);
     assert!((guessed.0 - near.0 / 2.0).abs() < 0.1, "{guessed:?}");
     let grid = score(&[10.0, 30.0, 50.0, 70.0, -30.0, -50.0]);
@@ -142,7 +142,7 @@ fn a_map_of_a_fire_is_as_good_as_what_was_seen_of_it_and_how_lately() {
     assert!(away.abs() < 1e-9, "{away}");
 }
 
-/// Where it burns first.
+/// The position where the fire starts.
 fn truth_of_fire(file: &str, seed: u64) -> Point {
     let world = World::new(&mission(file), seed);
     let burning = world.objects().find(|(_, object)| object.present);

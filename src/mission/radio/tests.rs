@@ -1,4 +1,4 @@
-//! The radio against closed forms.
+//! The radio model against closed forms.
 
 use super::*;
 
@@ -114,7 +114,7 @@ fn a_ridge_is_in_the_way_unless_somebody_above_it_passes_things_on() {
         (relayed[0] - legs).abs() < 1e-9 && relayed[0] > 15.0,
         "{relayed:?}"
     );
-    // A vehicle that passes nothing on is of no use.
+    // A vehicle that does not relay is of no use.
     let deaf = RadioNode {
         relays: false,
         ..above

@@ -15,34 +15,34 @@ use crate::vehicle::VehicleId;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub(super) enum RecordLine {
-    /// A step, and what had changed since the one before. Steps in which nothing did have no line.
+    /// A step with what has changed since the one before. Steps without a change have no line.
     Tick {
         /// Mission time in ms.
         t: u64,
-        /// How many steps the simulator had made by then, where its time is not the mission's.
+        /// The number of simulator steps by then, if its time is not the mission's.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         s: Option<u64>,
         #[serde(flatten)]
         change: RecordChange,
     },
-    /// A deed of vehicles: [`Flight::act`](crate::mission::Flight::act).
+    /// A deed: [`Flight::act`](crate::mission::Flight::act).
     Act {
         deed: Deed,
         vehicles: Vec<VehicleId>,
     },
-    /// A vehicle that was given up: [`Flight::lose`](crate::mission::Flight::lose).
+    /// A lost vehicle: [`Flight::lose`](crate::mission::Flight::lose).
     Lose {
         vehicle: VehicleId,
         #[serde(flatten)]
         change: RecordChange,
     },
-    /// An event of the instructor: [`Flight::inject`](crate::mission::Flight::inject).
+    /// An inject of the instructor: [`Flight::inject`](crate::mission::Flight::inject).
     Inject { name: String },
     /// A pause: [`Flight::note_pause`](crate::mission::Flight::note_pause).
     Pause { seconds: u64 },
     /// The trainee gave up: [`Flight::abandon`](crate::mission::Flight::abandon).
     Abandon,
-    /// What became of commands after the last step, and the score.
+    /// Changes of commands after the last step, and the score.
     End {
         t: u64,
         #[serde(flatten)]
@@ -51,17 +51,17 @@ pub(super) enum RecordLine {
     },
 }
 
-/// What a line says was shown of vehicles.
+/// The vehicles' states that a line contains.
 pub(super) struct ShownVehicles<'a> {
     /// The mission's time.
     pub(super) mission: Duration,
-    /// The simulator's time, where it is another.
+    /// The simulator's time, if it differs.
     pub(super) simulated: Option<Duration>,
     pub(super) vehicles: &'a [ObservedVehicle],
 }
 
 impl RecordLine {
-    /// What it says was shown of vehicles, where it is a step.
+    /// The vehicles' states, if the line is a step.
     pub(super) fn shown(&self) -> Option<ShownVehicles<'_>> {
         match self {
             Self::Tick { t, s, change } => Some(ShownVehicles {
@@ -78,7 +78,7 @@ impl RecordLine {
         }
     }
 
-    /// Its mission time in ms, where it has one.
+    /// Its mission time in ms, if it has one.
     pub(super) fn time(&self) -> Option<u64> {
         match self {
             Self::Tick { t, .. } | Self::End { t, .. } => Some(*t),
@@ -90,7 +90,7 @@ impl RecordLine {
         }
     }
 
-    /// What the flight was scored, where the line is its end.
+    /// The score, if the line is the end.
     pub(super) fn end(&self) -> Option<&End> {
         match self {
             Self::End { end, .. } => Some(end),

@@ -1,4 +1,4 @@
-//! A vehicle as missions see it, in the integers of its messages.
+//! A vehicle as missions see it, as the integers in its messages.
 
 use std::time::Duration;
 
@@ -14,7 +14,7 @@ use crate::vehicle::{
 };
 use crate::wire::AUTOPILOT_COMPONENT;
 
-/// What has changed about a vehicle.
+/// The changes of one vehicle.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct ObservedVehicle {
     id: VehicleId,
@@ -24,7 +24,7 @@ pub(super) struct ObservedVehicle {
     mode: Option<ModeLine>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     landed: Option<LandedState>,
-    /// Whether it says that it can be armed.
+    /// Whether it reports that it can be armed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     ready: Option<bool>,
     #[serde(
@@ -53,7 +53,7 @@ pub(super) struct ObservedVehicle {
     said: Vec<String>,
 }
 
-/// Class, number of the mode, armed.
+/// Class, mode number, armed.
 type ModeLine = (VehicleClass, u32, bool);
 /// Latitude and longitude in 1e-7 degrees, height above sea level and above home in mm, velocity north, east and down
 /// in cm/s.
@@ -63,16 +63,16 @@ type UnheardLine = (i32, i32, i64);
 /// Voltage in mV, charge in mAh, energy in hJ, percent.
 type BatteryLine = (Option<i64>, Option<i64>, Option<i64>, Option<u8>);
 
-/// What was written of a vehicle so far.
+/// What has been written about a vehicle so far.
 #[derive(Debug, Default)]
 pub(super) struct WatchedVehicle {
-    /// The newest of everything, as it was written; nothing before the first time.
+    /// The latest values written; `None` before the first.
     known: Option<ObservedVehicle>,
     listener: TextListener,
 }
 
 impl WatchedVehicle {
-    /// What is new about the vehicle since the last call; `None` where nothing is.
+    /// The vehicle's changes since the last call; `None` without any.
     pub fn changes(&mut self, id: VehicleId, vehicle: &Vehicle) -> Option<ObservedVehicle> {
         let now = ObservedVehicle::of(id, vehicle);
         let said = self
@@ -108,7 +108,7 @@ impl WatchedVehicle {
 }
 
 impl ObservedVehicle {
-    /// All that is known of a vehicle now; what it has said is left out.
+    /// All known values of a vehicle, without its texts.
     pub fn of(id: VehicleId, vehicle: &Vehicle) -> Self {
         Self {
             id,
@@ -126,7 +126,7 @@ impl ObservedVehicle {
         }
     }
 
-    /// Takes over what has changed.
+    /// Applies changes.
     pub fn update(&mut self, changes: &Self) {
         let Self {
             id: _,
@@ -148,13 +148,13 @@ impl ObservedVehicle {
         self.battery = battery.or(self.battery);
     }
 
-    /// What it said.
+    /// Its texts.
     pub fn said(&self) -> &[String] {
         &self.said
     }
 
-    /// What of this a vehicle has not shown, if it was `known` to be so and so one after the other. Whether the link was
-    /// lost is the console's own judgement.
+    /// The first value here that no state in `known` contains. A lost link is not compared: the console decides that
+    /// by itself.
     pub fn unseen<'a>(&self, known: &(impl Iterator<Item = &'a Self> + Clone)) -> Option<Text> {
         let lacks = |is_so: &dyn Fn(&Self) -> bool| !known.clone().any(is_so);
         let unheard = self.unheard.flatten();
@@ -183,9 +183,9 @@ impl ObservedVehicle {
         self.id
     }
 
-    /// A vehicle of which nothing is known yet.
+    /// A vehicle without any known values.
     pub fn vehicle(&self) -> Vehicle {
-        // Who flies is known by the id; the wire's address is of no account here.
+        // The id identifies the vehicle; its address on the wire does not matter here.
         Vehicle {
             id: self.id,
             ..Vehicle::new(
@@ -195,7 +195,7 @@ impl ObservedVehicle {
         }
     }
 
-    /// Makes the vehicle what it was then.
+    /// Sets the vehicle to this state.
     pub fn apply(&self, vehicle: &mut Vehicle, now: Duration) {
         if let Some(lost) = self.lost {
             vehicle.link.lost = lost;
@@ -225,7 +225,7 @@ impl ObservedVehicle {
             vehicle.unheard = unheard.map(|(lat, lon, up)| Unheard {
                 at: LatLon::from_e7(lat, lon),
                 altitude_m: up as f64 * 1e-3,
-                // The times of ticks are on record.
+                // Ticks carry the time instead.
                 boot_ms: 0,
             });
         }
@@ -251,7 +251,7 @@ impl ObservedVehicle {
     }
 }
 
-/// What stands there was said, even if it is that nothing is known.
+/// A present field was reported, even if its value is unknown.
 #[expect(
     clippy::option_option,
     reason = "not said differs from said to be unknown"
@@ -262,7 +262,7 @@ fn said<'de, D: Deserializer<'de>, T: Deserialize<'de>>(
     Option::deserialize(deserializer).map(Some)
 }
 
-/// Reports of a vehicle that can be armed, and nothing more.
+/// The health report of a vehicle that can be armed, and nothing more.
 fn checked(now: Duration) -> Health {
     Health {
         present: Health::PREARM,

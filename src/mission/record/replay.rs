@@ -1,4 +1,4 @@
-//! Reading a record, and flying it again.
+//! Reading a record, and replaying it through the mission.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -16,11 +16,11 @@ use crate::text::Text;
 use crate::vehicle::{VehicleId, Vehicles};
 use crate::workshop::Design;
 
-/// A record as it was read.
+/// A record in memory.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stored {
     pub head: Head,
-    /// What is wrong with the rest of the file: up to where it could be read.
+    /// What is wrong with the rest of the file, after the readable part.
     pub damage: Option<Text>,
     pub(super) lines: Arc<Vec<RecordLine>>,
 }
@@ -28,17 +28,17 @@ pub struct Stored {
 /// A record scored again.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rescored {
-    /// What comes out now; of a record without an end, as if the flight had ended there.
+    /// The present result; for a record without an end, as if the flight had ended there.
     pub report: Report,
-    /// What came out then; `None` where the record has no end.
+    /// The recorded result; `None` for a record without an end.
     pub before: Option<End>,
 }
 
 impl Stored {
-    /// Reads a record. What is damaged, goes back in time or was never written ends it.
+    /// Reads a record up to the first line that is damaged or goes back in time.
     ///
     /// # Errors
-    /// It is no record, or one of another version; in words.
+    /// It is no record, or one of another version; as text.
     pub fn read(text: &str) -> Result<Self, Text> {
         let mut all = text.split_inclusive('\n');
         let first = all.next().unwrap_or_default();
@@ -79,19 +79,19 @@ impl Stored {
         Ok(stored)
     }
 
-    /// What it was scored, if it was flown to its end.
+    /// The recorded result, if the flight was flown to its end.
     pub fn end(&self) -> Option<&End> {
         self.lines.last().and_then(RecordLine::end)
     }
 
-    /// Flies it again.
+    /// Scores it again.
     ///
     /// # Errors
     /// This program cannot read the mission in it.
     pub fn rescore(&self) -> Result<Rescored, Text> {
         let mut replay = self.reenact()?;
         drop(replay.advance(Duration::MAX));
-        // An exam that was left ended where its record does.
+        // An abandoned exam ended where its record does.
         if self.end().is_none() && self.head.stake == Stake::Exam {
             replay.flight.abandon();
         }
@@ -101,7 +101,7 @@ impl Stored {
         })
     }
 
-    /// The flight before its first step, to be flown again step by step.
+    /// The flight before its first step, to be repeated step by step.
     ///
     /// # Errors
     /// This program cannot read the mission in it.
@@ -138,7 +138,7 @@ impl Head {
             let built = Design::from_toml(design);
             fleet.push(built.map_err(|faults| unreadable(&faults, "design.toml", design))?);
         }
-        // What was flown then may be too dear by now.
+        // The price limits may have changed since.
         Ok(mission.flown_by(fleet).flown_for(self.stake))
     }
 }
@@ -148,25 +148,25 @@ fn unreadable(faults: &[Diagnostic], name: &str, source: &str) -> Text {
     text!("record-mission", fault = fault.unwrap_or_default())
 }
 
-/// A recorded flight that is flown again, as far as it is asked to.
+/// A recorded flight, repeated up to a chosen time.
 #[derive(Debug)]
 pub struct Reenactment {
     flight: Flight,
     backend: FlightBackend,
     vehicles: Vehicles,
     ledger: Ledger,
-    /// The ids that entries had, and those that they have here.
+    /// The recorded ids of entries, and their ids here.
     entries: BTreeMap<u32, EntryId>,
     now: Option<Duration>,
     lines: Arc<Vec<RecordLine>>,
-    /// The line that comes next.
+    /// The index of the next line.
     next: usize,
-    /// What the mission said since the last call.
+    /// Notices since the last call.
     said: Vec<Notice>,
 }
 
 impl Reenactment {
-    /// Flies on up to a mission time, and returns what the mission said.
+    /// Advances to a mission time, and returns the notices.
     pub fn advance(&mut self, until: Duration) -> Vec<Notice> {
         let lines = Arc::clone(&self.lines);
         while let Some(line) = lines.get(self.next) {
@@ -174,7 +174,7 @@ impl Reenactment {
                 .time()
                 .is_none_or(|t| Duration::from_millis(t) <= until);
             if !is_due {
-                // Steps in which nothing changed have no line.
+                // Steps without a change have no line.
                 self.pass(until.saturating_add(TICK));
                 break;
             }
@@ -184,17 +184,17 @@ impl Reenactment {
         std::mem::take(&mut self.said)
     }
 
-    /// Whether the record goes no further.
+    /// Whether the record has ended.
     pub fn is_over(&self) -> bool {
         self.next == self.lines.len()
     }
 
-    /// The flight as far as it has come.
+    /// The flight so far.
     pub fn flight(&self) -> &Flight {
         &self.flight
     }
 
-    /// The vehicles as the mission saw them last.
+    /// The vehicles as the mission last saw them.
     pub fn vehicles(&self) -> &Vehicles {
         &self.vehicles
     }
@@ -207,7 +207,7 @@ impl Reenactment {
         }
     }
 
-    /// What the mission has demanded of vehicles since the last call.
+    /// The mission's demands on vehicles since the last call.
     pub(super) fn take_wants(&mut self) -> impl Iterator<Item = (VehicleId, Want)> + use<> {
         let demands = self.flight.take_demands();
         demands
@@ -215,7 +215,7 @@ impl Reenactment {
             .map(|demand| (demand.vehicle, demand.want))
     }
 
-    /// How often commands to a vehicle were sent whose rows stand so.
+    /// How often commands to a vehicle with rows in one of these states were sent.
     pub(super) fn tries_of(&self, vehicle: VehicleId, states: &[RowState]) -> u32 {
         let rows = self.ledger.entries().flat_map(|entry| &entry.rows);
         let counted = rows.filter(|row| row.vehicle == vehicle && states.contains(&row.state));
@@ -231,7 +231,7 @@ impl Reenactment {
                 self.step(at);
             }
             RecordLine::Act { deed, vehicles } => {
-                // The rows that came of it are in the record.
+                // Its rows are in the record.
                 drop(self.flight.act(EntryId(0), deed, vehicles));
             }
             RecordLine::Lose { vehicle, change } => {
@@ -253,8 +253,7 @@ impl Reenactment {
         }
     }
 
-    /// The steps without a line before the one at that time, as far as the flight goes: a damaged time may lie years
-    /// ahead.
+    /// Passes the steps without a line before that time, while the flight lasts: a damaged time may lie years ahead.
     fn pass(&mut self, until: Duration) {
         while let Some(next) = self.now.map(|now| now + TICK).filter(|next| *next < until)
             && self.flight.outcome().is_none()

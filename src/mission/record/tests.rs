@@ -25,7 +25,7 @@ fn recorded() -> Pilot {
     pilot
 }
 
-/// Flies a few cells, with a refusal, a deed and an alarm; gives up at the end.
+/// Flies a few cells, with a refusal, a deed and an alert; gives up at the end.
 fn eventful() -> (Report, String) {
     let mut pilot = recorded();
     pilot.command("1 arm", RowState::Refused);
@@ -49,7 +49,7 @@ fn a_record_scores_again_as_it_was_scored() {
     let stored = Stored::read(&text).expect("a good record");
     assert_eq!(stored.damage, None);
     let again = stored.rescore().expect("a good mission");
-    // The fake vehicle is where it is to a fraction of what messages carry; the rest is equal.
+    // The test vehicle's position is finer than in messages; the rest is equal.
     assert_eq!(again.report.score, report.score);
     assert_eq!(again.report.ledger, report.ledger);
     assert_eq!(again.report.prediction, report.prediction);
@@ -103,7 +103,7 @@ fn a_record_is_small() {
     assert!(do_nothing().report().score < 300);
 }
 
-/// A relay that is left alone, hit by what an instructor has happen, out of hearing for a while, and paused.
+/// The mission with a relay, with an inject, a vehicle out of radio range for a while, and a pause.
 fn troubled() -> (Report, String) {
     let source = include_str!("../../../missions/12-relay-chain.toml");
     let mut pilot = Pilot::flying(Mission::parse(source).expect("it is good"), 7);
@@ -278,8 +278,8 @@ fn a_record_that_is_older_than_careers_was_practice_with_the_missions_own_drones
     assert!(head.designs.is_empty());
 }
 
-/// The verbs that a record may name. A record outlives the table: where a verb gets another name, the old one has to
-/// stay readable ([`language::verb`]) before it is changed here.
+/// The verbs that a record may name. A record outlives the table: if a verb is renamed, [`language::verb`] must still
+/// read the old name before it is changed here.
 const RECORDED_VERBS: [&str; 40] = [
     "altitude",
     "arm",

@@ -1,7 +1,7 @@
-//! Flying a record again in the embedded simulator, from what entered its vehicles.
+//! Verification: flying a record again in the embedded simulator, from its inputs.
 //!
-//! The simulated vehicles get the same frames after the same steps. What the record says must then follow: each
-//! fingerprint of their state, everything the mission was shown of them, refusals of commands, and the score.
+//! The simulated vehicles get the same frames after the same steps. Then the record's content must follow: each
+//! fingerprint of their state, every state that the mission saw, refusals of commands, and the score.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -26,12 +26,12 @@ mod tests;
 pub use reflight::Divergence;
 use reflight::{LATE_AT_MOST, Reflight, SHOWN_WITHIN, differs};
 
-/// The mission's clock is so far ahead of the simulator's step that was noted with it at most.
+/// The most by which the mission's clock may be ahead of the simulator step noted with it.
 const NOTED_WITHIN: Duration = Duration::from_millis(100);
-/// A parameter that the mission demands is set so much later at most.
+/// The most time between a demand of the mission and its parameter being set.
 const SET_WITHIN: Duration = Duration::from_secs(10);
 
-/// What came of flying a record again.
+/// The result of a verification.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Verification {
     /// Where the flight first differs from its record; `None` where it does not.
@@ -41,7 +41,7 @@ pub struct Verification {
 }
 
 impl Stored {
-    /// Flies the record again from what entered its simulated vehicles.
+    /// Flies the record again from the inputs of its simulated vehicles.
     ///
     /// # Errors
     /// This program cannot read the mission in it.
@@ -49,7 +49,7 @@ impl Stored {
         let mission = self.head.flown()?;
         let mut config = mission.world(self.head.seed);
         let rescored = self.rescore()?;
-        // Other airframes than the mission's own are practice: a flight that counts has none.
+        // Airframes other than the mission's own are for practice: a flight that counts has none.
         if !inputs.head.airframes.is_empty() && self.head.stake != Stake::Practice {
             let what = text!("verify-own-airframes");
             return Ok(Verification {
@@ -81,7 +81,7 @@ impl Stored {
 pub fn refly(config: &mut WorldConfig, inputs: &StoredInputs) -> Option<Divergence> {
     match Reflight::new(config, inputs) {
         Ok(mut reflight) => {
-            // A log that was cut off is compared as far as it goes.
+            // A truncated log is compared as far as it goes.
             reflight.damage.take_if(|_| inputs.is_cut());
             reflight.finish().err()
         }
@@ -93,21 +93,21 @@ pub fn refly(config: &mut WorldConfig, inputs: &StoredInputs) -> Option<Divergen
 struct RecordCheck {
     reenactment: Reenactment,
     reflight: Reflight,
-    /// What the record says of the vehicles by now.
+    /// The recorded state of the vehicles so far.
     recorded: BTreeMap<VehicleId, ObservedVehicle>,
-    /// Whose radio is bad, and until when the effects of one that was may be seen.
+    /// Vehicles with a bad radio, and until when its effects may last.
     muffled: BTreeMap<VehicleId, Duration>,
-    /// What the mission has demanded of simulators last.
+    /// The mission's latest demands on simulators.
     wanted: BTreeMap<(VehicleId, &'static str), WantedParameter>,
-    /// How the first line was timed, once there was one.
+    /// The timing of the record, once its first line is read.
     clock: Option<RecordClock>,
-    /// Mission time of the last step that was compared.
+    /// Mission time of the last step compared.
     ticked: Duration,
-    /// Simulated time of the last line that was compared.
+    /// Simulated time of the last line compared.
     seen_to: Duration,
 }
 
-/// How a record is timed: by its first line.
+/// The timing of a record, from its first line.
 #[derive(Clone, Copy)]
 struct RecordClock {
     /// Whether the simulator had a clock of its own.
@@ -126,7 +126,7 @@ impl RecordClock {
         }
     }
 
-    /// How far the mission's clock and the simulator's have come apart by a line.
+    /// The difference between the mission's clock and the simulator's, up to a line.
     fn drift(&self, shown: &ShownVehicles<'_>) -> Duration {
         let now = Self::of(shown);
         let mission = now.mission.saturating_sub(self.mission);
@@ -135,7 +135,7 @@ impl RecordClock {
     }
 }
 
-/// A value that a parameter of a simulator is to have, and since when.
+/// A simulator parameter's demanded value, and when it was demanded.
 struct WantedParameter {
     value: f64,
     at: Duration,
@@ -160,7 +160,7 @@ impl RecordCheck {
         for line in stored.lines.iter() {
             match line.shown() {
                 Some(shown) => self.take(&shown)?,
-                // Up to its end, steps without a line have shown nothing new.
+                // Until the end, steps without a line show nothing new.
                 None if line.end().is_some() && !self.is_paced() => {
                     let end = Duration::from_millis(line.time().unwrap_or_default());
                     self.pass(end + TICK)?;
@@ -168,8 +168,8 @@ impl RecordCheck {
                 None => {}
             }
         }
-        // A console's log may end before its last line is written. What the record shows was compared to its end all
-        // the same: an input that is missing would have shown.
+        // A console's log may lack its last line. The record was still compared to its end: a missing input would have
+        // shown.
         if self.is_paced() && self.reflight.is_cut {
             self.reflight.damage = None;
         }
@@ -190,7 +190,7 @@ impl RecordCheck {
             return Err(differs(at, None, text!("verify-other-clock")));
         }
         let (back, ahead) = if clock.is_paced {
-            // Steps without a line may have made a radio bad.
+            // Steps without a line may have changed a radio.
             self.follow(shown.mission.saturating_sub(TICK), at);
             self.wait(at, back, ahead)?;
             (back, ahead)
@@ -251,7 +251,7 @@ impl RecordCheck {
         Ok(())
     }
 
-    /// Notes what the mission demands: radios that are bad or good, and parameters of the simulator.
+    /// Notes the mission's demands on radios and simulator parameters.
     fn follow(&mut self, mission: Duration, at: Duration) {
         drop(self.reenactment.advance(mission));
         for (vehicle, want) in self.reenactment.take_wants() {
@@ -294,7 +294,7 @@ impl RecordCheck {
         Ok(())
     }
 
-    /// Whether the vehicle has shown itself so at some time between two moments.
+    /// Whether the vehicle had this state at some time between two moments.
     fn compare(
         &self,
         recorded: &ObservedVehicle,
@@ -372,7 +372,7 @@ impl RecordCheck {
     }
 }
 
-/// How many steps the simulator has made at a time.
+/// The number of simulator steps up to a time.
 fn steps(at: Duration) -> u64 {
     (at.as_nanos() / STEP.as_nanos()) as u64
 }

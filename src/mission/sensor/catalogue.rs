@@ -156,7 +156,7 @@ const fn ground(id: &'static str, name: &'static str, swath_m: f64, mines: MineS
     }
 }
 
-/// Mines that lie open show in pictures of 5 mm to the pixel and finer, which a lens takes up to this height.
+/// Mines in the open are visible at 5 mm per pixel or finer, which a lens achieves up to this height.
 const fn open_mines(height_m: f64) -> MineSpec {
     MineSpec {
         best: [0.0, 0.0, 0.70, 0.20],
@@ -166,7 +166,7 @@ const fn open_mines(height_m: f64) -> MineSpec {
         false_alarms_per_m2: 0.0008,
     }
 }
-/// Ground that was dug keeps another warmth around dawn and dusk.
+/// Disturbed soil has a different temperature around dawn and dusk.
 const WARM_MINES: MineSpec = MineSpec {
     best: [0.25, 0.25, 0.60, 0.15],
     height_m: 15.0,
@@ -191,7 +191,7 @@ const RGB_GIMBAL: Camera = Camera {
     mines: Some(open_mines(11.2)),
     inspects_to_m: Some(12.0),
 };
-/// Ten times zoom; it tells things apart from six times as far as the plain gimbal camera.
+/// Ten times zoom; it identifies objects from six times as far as the plain gimbal camera.
 const ZOOM: Camera = Camera {
     band: Band::Visible,
     view_deg: [15.0, 9.0],

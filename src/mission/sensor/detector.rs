@@ -1,66 +1,66 @@
-//! Sensors that find objects: heads that pass closely over the ground, and cameras.
+//! Sensors that find objects: heads that pass close over the ground, and cameras.
 
 use crate::geo::maths;
 use crate::mission::weather::Light;
 
-/// How a sensor finds things.
+/// The type of a detector.
 #[derive(Debug, PartialEq)]
 pub(crate) enum DetectorSpec {
-    /// It feels what lies right below it.
+    /// It senses what lies directly below it.
     Ground(Ground),
     Camera(Camera),
 }
 
-/// A head that passes closely over the ground.
+/// A head that passes close over the ground.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Ground {
     /// Width of the strip that it covers.
     pub swath_m: f64,
-    /// How well it finds mines on one pass.
+    /// Its detection of mines on one pass.
     pub mines: MineSpec,
 }
 
-/// How well a sensor finds mines on one pass at best, and how that wears off with height and speed.
+/// A sensor's probability of finding mines on one pass, and how it falls with height and speed.
 ///
-/// Orders of magnitude from humanitarian demining, not measurements of a product.
+/// Orders of magnitude from humanitarian demining, not a product's measured values.
 #[derive(Debug, PartialEq)]
 pub(crate) struct MineSpec {
-    /// Probability for mines of metal, with hardly any metal, lying open, and for scrap.
+    /// The best probability for metal mines, minimum-metal mines, surface mines, and scrap.
     pub best: [f64; 4],
-    /// Up to this height it works at its best.
+    /// The height up to which it works at its best.
     pub height_m: f64,
-    /// How fast it gets worse above: `exp(-((h - height) / height_scale)^2)`.
+    /// The scale of the decline above it: `exp(-((h - height) / height_scale)^2)`.
     pub height_scale_m: f64,
-    /// Half is left at this speed: `1 / (1 + exp((v - speed) / (0.15 speed)))`.
+    /// The speed at which half is left: `1 / (1 + exp((v - speed) / (0.15 speed)))`.
     pub speed_m_s: f64,
-    /// False alarms per square metre that it passes over.
+    /// False alarms per square metre covered.
     pub false_alarms_per_m2: f64,
 }
 
-/// A camera that looks down, or on a gimbal at what it inspects.
+/// A camera that looks down, or on a gimbal at an object to inspect.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Camera {
     pub band: Band,
     /// Field of view across and along the course.
     pub view_deg: [f64; 2],
-    /// How many pixels its picture is wide.
+    /// The width of its picture in pixels.
     pub pixels: f64,
-    /// How well it finds mines, for those that do at all.
+    /// Its detection of mines, if it can find them.
     pub mines: Option<MineSpec>,
-    /// The farthest from which it shows a defect well; `None` for cameras that cannot look to the side.
+    /// The greatest distance of an inspection; `None` for cameras that cannot look sideways.
     pub inspects_to_m: Option<f64>,
 }
 
-/// The light that a camera sees.
+/// The band that a camera sees.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Band {
     Visible,
-    /// Sees how warm things are.
+    /// Thermal infrared.
     Thermal,
 }
 
 impl DetectorSpec {
-    /// Nothing farther than this to the east or north is seen from a height.
+    /// The greatest distance east or north at which it sees anything from a height.
     pub fn reach_m(&self, height_m: f64) -> f64 {
         match self {
             Self::Ground(_) => self.strip_reach_m(height_m),
@@ -71,7 +71,8 @@ impl DetectorSpec {
         }
     }
 
-    /// Whether it works at a height and a speed: half of its best, or half of all persons, are found.
+    /// Whether it works at a height and a speed: it still has half of its best probability, or finds half of all
+    /// persons.
     pub fn works(&self, height_m: f64, speed_m_s: f64, light: Light) -> bool {
         match self {
             Self::Ground(ground) => ground.mines.left(height_m, speed_m_s) >= 0.5,
@@ -79,9 +80,9 @@ impl DetectorSpec {
         }
     }
 
-    /// Whether it finds well what lies so far across and along the course.
+    /// Whether an offset across and along the course is in its covered strip.
     pub fn covers(&self, [across, along]: [f64; 2], height_m: f64) -> bool {
-        // A strip that just touches the next one leaves no gap between them.
+        // Tolerance, so that adjoining strips leave no gap.
         const TOUCH_M: f64 = 1e-6;
         let [width, length] = match self {
             Self::Ground(ground) => [ground.swath_m; 2],
@@ -90,7 +91,7 @@ impl DetectorSpec {
         across.abs() <= width / 2.0 + TOUCH_M && along.abs() <= length / 2.0 + TOUCH_M
     }
 
-    /// How far away anything can be that it covers.
+    /// The greatest distance at which it can cover anything.
     pub fn strip_reach_m(&self, height_m: f64) -> f64 {
         match self {
             Self::Ground(ground) => ground.swath_m,
@@ -101,7 +102,7 @@ impl DetectorSpec {
         }
     }
 
-    /// How wide a strip it covers on a pass at a height above the ground.
+    /// The width of the strip that it covers at a height above the ground.
     pub fn swath_m(&self, height_m: f64) -> f64 {
         match self {
             Self::Ground(ground) => ground.swath_m,
@@ -111,7 +112,7 @@ impl DetectorSpec {
 }
 
 impl Camera {
-    /// What it sees of the ground at a height, across and along the course: `2 h tan(FOV / 2)`.
+    /// Its footprint on the ground at a height, across and along the course: `2 h tan(FOV / 2)`.
     pub fn footprint_m(&self, height_m: f64) -> [f64; 2] {
         let side = |angle: f64| 2.0 * height_m.max(0.0) * maths::tan(angle.to_radians() / 2.0);
         self.view_deg.map(side)

@@ -1,12 +1,12 @@
-//! How likely a detector finds an object that it looks at.
+//! The probability that a detector finds an object in view.
 //!
-//! Mines, per pass: best probability of the sensor for the class, times `exp(-(max(0, h - h0) / hs)^2)`, times
-//! `1 / (1 + exp((v - v0) / (0.15 v0)))`, times `L(2 x / W)` with `L(u) = 1` up to 0.8 and falling to 0 at 1.
+//! Mines, per pass: best probability of the sensor for the class, times `exp(-(max(0, h - h0) / hs)^2)`, times `1 / (1
+//! + exp((v - v0) / (0.15 v0)))`, times `L(2 x / W)` with `L(u) = 1` up to 0.8 and falling to 0 at 1.
 //!
 //! Pictures, per look of 2 s: Johnson's criteria in the form of the targeting task performance metric. A pixel on the
-//! ground is `2 h tan(FOV / 2) / px`; cycles over the target are `N = d_c / (2 pixel)`, with `d_c` the root of its area;
-//! `P = x^E / (1 + x^E)`, `x = N / N50`, `E = 2.7 + 0.7 x`, where `N50` is 0.75 to detect and 3 to recognise. This is
-//! thinned by contrast, by what hides the object, by smoke and by whoever watches the pictures.
+//! ground is `2 h tan(FOV / 2) / px`; cycles over the target are `N = d_c / (2 pixel)`, with `d_c` the root of its
+//! area; `P = x^E / (1 + x^E)`, `x = N / N50`, `E = 2.7 + 0.7 x`, where `N50` is 0.75 to detect and 3 to recognise.
+//! This is reduced by contrast, by what hides the object, by smoke and by whoever watches the pictures.
 
 use super::detector::{Band, Camera, DetectorSpec, Ground, MineSpec};
 use crate::commands::FindKind;
@@ -14,58 +14,58 @@ use crate::geo::maths;
 use crate::mission::ground_truth::{Object, ObjectClass};
 use crate::mission::weather::Light;
 
-/// Cycles over a target with which half of all are detected, and recognised.
+/// Cycles over a target for 50 % detection, and for 50 % recognition.
 const DETECT_CYCLES: f64 = 0.75;
 const RECOGNISE_CYCLES: f64 = 3.0;
-/// Root of the area of a person who lies.
+/// Root of the area of a person lying down.
 const PERSON_M: f64 = 0.75;
-/// The share of what a picture shows that is noticed on board.
+/// The share of visible objects that the recognition on board notices.
 const NOTICED: f64 = 0.9;
-/// Time of one independent look at a picture, and at something that is inspected.
+/// The time of one independent look at a picture, and of one look in an inspection.
 const LOOK_S: f64 = 2.0;
 const INSPECTION_S: f64 = 4.0;
-/// A defect must be looked at from this near to the normal of its line.
+/// The greatest angle between the view of a defect and the normal of its line.
 const VIEW_ANGLE_DEG: f64 = 35.0;
-/// With this many times the cycles of a half, nine in ten are told.
+/// The multiple of `N50` at which 90 % are recognised.
 const NINE_IN_TEN: f64 = 1.77;
-/// What light loses in smoke, far infrared loses so much of: a power of what gets through (Beer-Lambert).
+/// Extinction of far infrared in smoke, as a share of that of light: the exponent of the transmission (Beer-Lambert).
 const SMOKE_IN_INFRARED: f64 = 0.1;
 
 /// A detector and an object at one moment.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct View<'a> {
     pub object: &'a Object,
-    /// From the vehicle to the object, across and along its course.
+    /// The offset of the object from the vehicle, across and along its course.
     pub offset_m: [f64; 2],
-    /// The same to the east and north.
+    /// The same offset, east and north.
     pub toward_m: [f64; 2],
     /// The vehicle's height above the origin, and its speed.
     pub height_m: f64,
     pub speed_m_s: f64,
     pub light: Light,
-    /// The share of light that smoke lets through, 0 to 1.
+    /// The share of light that passes the smoke, 0 to 1.
     pub clarity: f64,
 }
 
-/// What comes of looking.
+/// The result of a look.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Look {
-    /// Probability to notice it, for each pass or each look.
+    /// The probability of noticing the object, for each pass or each look.
     pub chance: f64,
-    /// Probability that what is noticed is told for what it is, where it is harmless.
+    /// The probability of recognising a noticed object as harmless, where it is.
     pub told_apart: f64,
     /// Length of one independent look; `None` where a whole pass is one look.
     pub every_s: Option<f64>,
-    /// What it is taken for.
+    /// The kind that it is taken for.
     pub taken_for: FindKind,
-    /// Standard deviation of where it is placed, on each axis.
+    /// Standard deviation of its position, on each axis.
     pub error_m: f64,
-    /// Sightings within this are of one thing.
+    /// Sightings within this distance belong to one object.
     pub merge_within_m: f64,
 }
 
 impl DetectorSpec {
-    /// What a look at an object may find; `None` where the detector cannot see it from there at all.
+    /// The possible result of a look at an object; `None` where the detector cannot see it.
     pub fn look(&self, view: &View<'_>) -> Option<Look> {
         let look = match self {
             Self::Ground(ground) => ground.look(view),
@@ -74,7 +74,7 @@ impl DetectorSpec {
         look.filter(|look| view.object.present && look.chance > 0.0)
     }
 
-    /// False alarms of mines or persons per metre that a vehicle goes at a height.
+    /// False alarms for mines or persons, per metre flown at a height.
     pub fn false_alarms_per_m(&self, taken_for: FindKind, height_m: f64, light: Light) -> f64 {
         let mines = match self {
             Self::Ground(ground) => Some(&ground.mines),
@@ -95,8 +95,8 @@ impl DetectorSpec {
 }
 
 impl DetectorSpec {
-    /// A look at a place that something was wrongly taken for a person at; `None` where it cannot tell anything. What
-    /// is not there is recognised as a person would be.
+    /// A look at a false contact; `None` where the sensor cannot check it. An absent person is ruled out as surely as
+    /// a present one is recognised.
     pub fn look_at_nothing(
         &self,
         taken_for: FindKind,
@@ -123,7 +123,7 @@ impl DetectorSpec {
     }
 }
 
-/// Warm stones and stumps: one in ten hectares.
+/// Warm stones and stumps: one per ten hectares.
 const FALSE_PERSONS_PER_M2: f64 = 1e-5;
 
 impl Ground {
@@ -166,13 +166,13 @@ impl MineSpec {
         })
     }
 
-    /// What height and speed leave of its probabilities.
+    /// The share of its probabilities that height and speed leave.
     pub(super) fn left(&self, height_m: f64, speed_m_s: f64) -> f64 {
         let over = (speed_m_s - self.speed_m_s) / (0.15 * self.speed_m_s);
         self.nearness(height_m) / (1.0 + maths::exp(over))
     }
 
-    /// What height leaves of them.
+    /// The share that height leaves.
     fn nearness(&self, height_m: f64) -> f64 {
         let above = (height_m - self.height_m).max(0.0);
         maths::exp(-maths::powi(above / self.height_scale_m, 2))
@@ -223,7 +223,7 @@ impl Camera {
         })
     }
 
-    /// Whether a place, across and along the course, is in the picture.
+    /// Whether an offset across and along the course is in the picture.
     fn shows(&self, offset_m: [f64; 2], height_m: f64) -> bool {
         let footprint_m = self.footprint_m(height_m);
         let mut axes = offset_m.iter().zip(footprint_m);
@@ -248,7 +248,7 @@ impl Camera {
             view.object.height_m - view.height_m,
         );
         let (sin, cos) = maths::sin_cos(axis_deg.to_radians());
-        // The axis runs to (sin, cos); its level normal is (cos, -sin).
+        // The line's direction is (sin, cos), its horizontal normal (cos, -sin).
         let square_m = (east * cos - north * sin).abs();
         if square_m < distance_m * maths::cos(VIEW_ANGLE_DEG.to_radians()) {
             return None;
@@ -257,7 +257,7 @@ impl Camera {
         let clear = self.transmission(view) * (1.0 - view.object.cover) * NOTICED;
         Some(Look {
             chance: told * clear * self.contrast(view.light),
-            // From half as far, stains and old repairs are told from defects as often.
+            // At half the distance, stains and old repairs are told from defects with the same probability.
             told_apart: task_performance(NINE_IN_TEN * reach_m / (2.0 * distance_m.max(1.0))),
             every_s: Some(INSPECTION_S),
             taken_for: FindKind::Defect,
@@ -266,13 +266,13 @@ impl Camera {
         })
     }
 
-    /// Whether a look from a height shows at least half of all persons in the open.
+    /// Whether a look from a height finds at least half of all persons in the open.
     pub(super) fn shows_persons(&self, height_m: f64, light: Light) -> bool {
         let cycles = PERSON_M / (2.0 * self.pixel_m(height_m));
         task_performance(cycles / DETECT_CYCLES) * self.contrast(light) >= 0.5
     }
 
-    /// How much a person or a structure stands out.
+    /// The contrast of a person or a structure.
     fn contrast(&self, light: Light) -> f64 {
         match (self.band, light) {
             (Band::Visible, Light::Day) | (Band::Thermal, Light::Night) => 1.0,
@@ -283,7 +283,7 @@ impl Camera {
         }
     }
 
-    /// How much the light lets a camera see of mines: the warmth of dug ground shows at dawn and dusk only.
+    /// The visibility of mines in a light: disturbed soil shows only at dawn and dusk.
     fn mine_light(&self, light: Light) -> f64 {
         match (self.band, light) {
             (Band::Thermal, Light::Day | Light::Night) => 0.0,
@@ -292,7 +292,7 @@ impl Camera {
         }
     }
 
-    /// The share of the light of this band that smoke lets through, 0 to 1.
+    /// The share of this band's light that passes the smoke, 0 to 1.
     fn transmission(&self, view: &View<'_>) -> f64 {
         match self.band {
             Band::Visible => view.clarity,

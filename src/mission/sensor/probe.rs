@@ -1,5 +1,5 @@
-//! Sensors that measure a quantity where they are, or all of it below them: gain, lag, noise, range; and counters of
-//! radiation.
+//! Sensors that measure a quantity at their position, or along a beam below: gain, lag, noise, range; and radiation
+//! counters.
 
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
@@ -18,24 +18,24 @@ pub(crate) struct ProbeSpec {
     pub gain: f64,
     /// Time constant in seconds.
     pub tau_s: f64,
-    /// How the reading comes about.
+    /// How the reading is produced.
     pub response: Response,
     /// Largest reading, in its unit.
     pub ceiling: f64,
 }
 
-/// How a reading comes about.
+/// How a reading is produced.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Response {
-    /// The sensor draws in the air around it.
+    /// The sensor samples the air around it.
     Inlet(Noise),
-    /// A beam through all that is between it and the ground; the reading is per metre of it, added up.
+    /// A beam down to the ground; the reading is the integral along it, per metre.
     Beam(Noise),
-    /// It counts decays: readings scatter as counts do.
+    /// A pulse counter: its readings scatter as counts do.
     Counter {
-        /// Counts per second and unit of the reading.
+        /// Counts per second, per unit of the reading.
         per_unit_s: f64,
-        /// After each count it is blind for so long.
+        /// The dead time after each count.
         dead_time_s: f64,
     },
 }
@@ -45,23 +45,23 @@ pub(crate) enum Response {
 pub(crate) struct Noise {
     /// As a share of the reading.
     pub share: f64,
-    /// Smallest reading that stands out, in the sensor's unit.
+    /// The noise floor, in the sensor's unit.
     pub floor: f64,
 }
 
-/// From this speed on the rotors' wash reaches the inlet.
+/// The speed above which rotor wash reaches the inlet.
 const WASH_FROM_M_S: f64 = 5.0;
-/// The share of a reading that the wash leaves.
+/// The share of a reading left under rotor wash.
 const WASH_SHARE: f64 = 0.7;
-/// By how much the wash smears readings, in seconds.
+/// The additional lag from rotor wash, in seconds.
 const WASH_TAU_S: f64 = 2.0;
 
-/// One such sensor on one vehicle.
+/// A sensor on one vehicle.
 #[derive(Debug, Clone)]
 pub(crate) struct Probe {
     pub sensor: &'static Sensor,
     pub spec: &'static ProbeSpec,
-    /// What it shows, in its unit.
+    /// Its reading, in its unit.
     pub shown: f64,
     settled: f64,
     random: ChaCha8Rng,
@@ -81,12 +81,12 @@ impl Probe {
         })
     }
 
-    /// Whether it measures all that is between it and the ground.
+    /// Whether it measures along a beam to the ground.
     pub fn looks_down(&self) -> bool {
         matches!(self.spec.response, Response::Beam(_))
     }
 
-    /// A step of `dt_s` in so much of its quantity.
+    /// Advances by `dt_s` with the given amount of its quantity.
     pub fn step(&mut self, amount: f64, speed_m_s: f64, dt_s: f64) {
         let reading = amount * self.spec.gain;
         let shown = match self.spec.response {
@@ -118,7 +118,7 @@ impl Probe {
         self.settled += (reading - self.settled) * (1.0 - maths::exp(-dt_s / tau_s));
     }
 
-    /// `sqrt((share * reading)^2 + floor^2)` about the reading.
+    /// The reading with Gaussian noise of `sqrt((share * reading)^2 + floor^2)`.
     fn noisy(&mut self, noise: Noise) -> f64 {
         let draw: f64 = StandardNormal.sample(&mut self.random);
         self.settled + draw * maths::hypot(noise.share * self.settled, noise.floor)
@@ -129,8 +129,7 @@ impl Probe {
     }
 }
 
-/// What is counted of so many events per second by a counter that is blind for a while after each one it counts:
-/// `n / (1 + n tau)`.
+/// The count rate of a counter with a dead time: `n / (1 + n tau)`.
 fn counted_per_s(events_per_s: f64, dead_time_s: f64) -> f64 {
     events_per_s / (1.0 + events_per_s * dead_time_s)
 }
@@ -155,7 +154,7 @@ mod tests {
         assert!((value - 0.90).abs() < 0.01, "{value}");
     }
 
-    /// Readings of a sensor in so much, one a tick, once they have settled.
+    /// Settled readings of a sensor in a constant amount, one per tick.
     fn readings(id: &str, amount: f64, ticks: usize) -> Vec<f64> {
         let sensor = Sensor::by_id(id).expect("it is in the catalogue");
         let mut probe = Probe::new(sensor, 7, 0).expect("it measures");

@@ -13,15 +13,15 @@ use crate::mission::zone::{Zone, ZoneKind};
 use crate::session::RadioFault;
 use crate::vehicle::VehicleId;
 
-/// Whoever has come under a zone's effect has to get this far away from it again.
+/// A vehicle under a zone's effect must move this far away from it before the effect ends.
 const HYSTERESIS_M: f64 = 5.0;
 
-/// Which vehicles are under the effect of which zones, by the zone's place in the file.
+/// Which vehicles are under the effect of which zones, by the zone's index in the file.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Gnss(BTreeMap<VehicleId, BTreeSet<usize>>);
 
 impl Gnss {
-    /// Whether a zone takes hold of a vehicle, or still has it.
+    /// Whether a zone affects a vehicle, with hysteresis.
     fn holds(&mut self, craft: &Craft, index: usize, zone: &Zone, leave_m: f64) -> bool {
         let held = self.0.entry(craft.id).or_default();
         let near_m = craft.truly_at().map(|at| zone.shape.distance_m(at));
@@ -37,7 +37,7 @@ impl Gnss {
 }
 
 impl Engine {
-    /// Says what simulators and links have to be like now.
+    /// Demands the present state of simulators and links.
     pub(super) fn demand(&mut self, mission: &Mission, weather: &Weather, sight: &Sight<'_>) {
         for craft in sight.crafts {
             let mut wishes = Wishes::default();
@@ -68,7 +68,7 @@ impl Engine {
                     }
                 }
                 ZoneKind::GnssGlitch { offset_m } => {
-                    // It seems to be elsewhere by as much as it is misled.
+                    // It seems to be elsewhere by the size of the deception.
                     let leave_m = HYSTERESIS_M + maths::hypot(offset_m[0], offset_m[1]);
                     if self.gnss.holds(craft, index, zone, leave_m) {
                         wishes.mislead(offset_m, mission.origin.at);
@@ -84,7 +84,7 @@ impl Engine {
         }
     }
 
-    /// What the distance, what stands in the way, and faults do to a vehicle's link.
+    /// The effect of distance, obstacles and faults on a vehicle's link.
     fn radio(&self, mission: &Mission, vehicle: VehicleId) -> RadioFault {
         let margin_db = self.margins_db.get(&vehicle).copied();
         let mut fault = match (&mission.radio, margin_db) {

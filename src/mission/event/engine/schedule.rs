@@ -1,4 +1,4 @@
-//! When events happen.
+//! The times of events.
 
 use std::time::Duration;
 
@@ -9,22 +9,22 @@ use crate::mission::event::scope::Scope;
 use crate::mission::event::{Event, Trigger};
 use crate::mission::{Mission, TICK};
 
-/// The events of one flight, by their places in the file.
+/// The schedule of one flight's events, by their indices in the file.
 #[derive(Debug)]
 pub(super) struct Schedule {
     watches: Vec<EventWatch>,
     fired: Vec<bool>,
 }
 
-/// Where an event stands.
+/// The state of one event.
 #[derive(Debug, Clone, Copy, Default)]
 struct EventWatch {
-    /// When it is to happen.
+    /// The time at which it is due.
     due: Option<Duration>,
-    /// Whether its condition held when it was looked at last.
+    /// Whether its condition held at the last look.
     held: bool,
     over: bool,
-    /// Whether an instructor wants it, so that chance has no say.
+    /// Whether an instructor triggered it, so that its probability does not matter.
     wanted: bool,
 }
 
@@ -66,7 +66,7 @@ impl Schedule {
         holds.collect()
     }
 
-    /// An event happens when its condition begins to hold.
+    /// Makes each event due whose condition begins to hold.
     pub fn note(&mut self, holding: &[bool], now: Duration) {
         for (watch, &holds) in self.watches.iter_mut().zip(holding) {
             if holds && !watch.held {
@@ -76,7 +76,7 @@ impl Schedule {
         }
     }
 
-    /// Whether an event happens now: its time has come, and chance lets it.
+    /// Whether an event happens now: it is due, and its probability lets it.
     pub fn happens(
         &mut self,
         index: usize,
@@ -111,12 +111,12 @@ impl Schedule {
         true
     }
 
-    /// Another event is to happen at a time.
+    /// Sets the time at which another event is due.
     pub fn put(&mut self, index: usize, at: Duration) {
         self.watches[index].due = Some(at);
     }
 
-    /// An instructor wants an event to happen.
+    /// Triggers an event for an instructor.
     pub fn want(&mut self, index: usize, now: Duration) {
         if let Some(watch) = self.watches.get_mut(index) {
             watch.due = Some(now);
@@ -126,7 +126,7 @@ impl Schedule {
     }
 }
 
-/// A time moved by chance, either way.
+/// A time with a random offset, either way.
 fn jittered(at: Duration, jitter: Duration, random: &mut ChaCha8Rng) -> Duration {
     let by_s = random.random_range(-1.0..=1.0) * jitter.as_secs_f64();
     let at_s = (at.as_secs_f64() + by_s).max(0.0);

@@ -1,4 +1,4 @@
-//! The arguments of an expression's functions: how each sort is read.
+//! The arguments of an expression's functions: how each kind is read.
 
 use std::ops::Range;
 
@@ -21,7 +21,7 @@ const LEVELS: [(&str, AlertLevel); 3] = [
 #[derive(Debug, Clone, Copy, Default)]
 pub(in crate::mission) struct ExpressionNames<'a> {
     pub zones: &'a [Zone],
-    /// Ids of objectives, hazards, events, and of who and what events bring.
+    /// Ids of objectives, hazards, events, and movers.
     pub objectives: &'a [String],
     pub hazards: &'a [String],
     pub events: &'a [String],
@@ -30,7 +30,7 @@ pub(in crate::mission) struct ExpressionNames<'a> {
     pub vehicles: usize,
 }
 
-/// What a function is given.
+/// A kind of argument.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Argument {
     Number,
@@ -46,7 +46,7 @@ pub(super) enum Argument {
     Event,
 }
 
-/// The same as it was written.
+/// The argument as given in the file.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Given {
     Number(f64),
@@ -58,7 +58,7 @@ pub(super) enum Given {
 }
 
 impl Argument {
-    /// Reads one argument of this sort.
+    /// Reads one argument of this kind.
     pub fn read(self, reader: &mut Reader<'_>) -> Result<Given, Diagnostic> {
         if self == Self::Modes {
             return read_modes(reader);

@@ -1,4 +1,4 @@
-//! The functions of expressions: questions about a flight.
+//! The functions of expressions: queries of a flight's state.
 
 use std::ops::Range;
 use std::time::Duration;
@@ -20,7 +20,7 @@ pub(in crate::mission) struct Function {
     build: fn(&[Given]) -> Option<Question>,
 }
 
-/// Something that is asked.
+/// The query that a function makes.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Question {
     Time,
@@ -62,7 +62,7 @@ macro_rules! function {
     };
 }
 
-/// All functions. Those without arguments need no brackets.
+/// All functions. Functions without arguments are written without parentheses.
 pub(in crate::mission) const FUNCTIONS: &[Function] = &[
     function!("t", [], Number, |_| Some(Question::Time)),
     function!("coverage", [Objective], Number, |g| Some(
@@ -156,7 +156,7 @@ fn modes(given: &[Given]) -> Option<Vec<String>> {
     }
 }
 
-/// Reads what follows a function's name, and says of what type its answer is.
+/// Reads what follows a function's name, and returns it with the type of its result.
 pub(super) fn read(
     reader: &mut Reader<'_>,
     name: &str,

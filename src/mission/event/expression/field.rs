@@ -4,7 +4,7 @@ use super::{Type, Value};
 use crate::mission::craft::Craft;
 use crate::mission::event::scope::Scope;
 
-/// What can be asked of one vehicle.
+/// A field of one vehicle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Field {
     Airborne,
@@ -20,7 +20,7 @@ pub(super) enum Field {
     Height,
 }
 
-/// What can be asked of one vehicle, by name.
+/// The names of the fields.
 #[cfg(test)]
 pub(in crate::mission) fn field_names() -> impl Iterator<Item = &'static str> {
     FIELDS.iter().map(|(name, ..)| *name)

@@ -1,4 +1,4 @@
-//! From the words of an expression to its parts, with their types.
+//! The parser: from tokens to typed parts.
 
 use std::ops::Range;
 
@@ -8,7 +8,7 @@ use super::token::{ExpressionToken, Placed, tokens};
 use super::{ExpressionNode, Operator, Type};
 use crate::diagnostic::Diagnostic;
 
-/// Brackets and signs stand in one another at most so deep.
+/// The greatest nesting depth of parentheses and signs.
 const DEEPEST: usize = 32;
 
 /// A part with its type and its place.
@@ -20,10 +20,10 @@ pub(super) struct Part {
 
 type Read = Result<Part, Diagnostic>;
 
-/// Operators that bind equally tightly, the type of what they stand between, and that of the result.
+/// Operators of equal precedence, the type of their operands, and that of the result.
 type Level = (&'static [(&'static str, Operator)], Type, Type);
 
-/// Operators by how tightly they bind, the loosest first; with the type of what they stand between and of the result.
+/// Operators by precedence, the loosest first; each with the types of its operands and of its result.
 const LEVELS: [Level; 5] = [
     (&[("or", Operator::Or)], Type::Bool, Type::Bool),
     (&[("and", Operator::And)], Type::Bool, Type::Bool),
@@ -74,7 +74,7 @@ pub(super) fn condition(
     Ok(part.node)
 }
 
-/// A fault where a part is not of a type.
+/// A fault if a part does not have the type.
 fn need(part: &Part, wanted: Type) -> Result<(), Diagnostic> {
     if part.is == wanted {
         return Ok(());
@@ -92,7 +92,7 @@ fn named(token: &ExpressionToken) -> String {
     }
 }
 
-/// The words that are left to be read.
+/// The tokens not read yet.
 pub(super) struct Reader<'a> {
     tokens: &'a [Placed],
     at: usize,
@@ -102,7 +102,7 @@ pub(super) struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    /// A part whose operators bind at least so tightly.
+    /// A part whose operators bind at least as tightly as `level`.
     fn level(&mut self, level: usize) -> Read {
         let Some(&(operators, operand, result)) = LEVELS.get(level) else {
             return self.unary();
@@ -110,7 +110,7 @@ impl Reader<'_> {
         let mut left = self.level(level + 1)?;
         while let Some(operator) = self.operator(operators) {
             let right = self.level(level + 1)?;
-            // Texts and conditions can be compared for being the same.
+            // Texts and conditions can be compared for equality only.
             let same = matches!(operator, Operator::Equal | Operator::Unequal);
             let operand = if same { left.is } else { operand };
             need(&left, operand)?;
@@ -161,7 +161,7 @@ impl Reader<'_> {
             self.sign(")")?;
             part
         } else if not {
-            // It binds more loosely than a comparison: `not t > 3`.
+            // `not` binds more loosely than a comparison: `not t > 3`.
             let part = self.level(COMPARISONS)?;
             need(&part, Type::Bool)?;
             Part {
@@ -212,21 +212,21 @@ impl Reader<'_> {
         })
     }
 
-    /// The next word, whatever it is.
+    /// The next token, whatever it is.
     pub fn next(&mut self, wanted: &str) -> Result<Placed, Diagnostic> {
         let found = self.tokens.get(self.at).cloned();
         self.at += 1;
         found.ok_or_else(|| self.missing(wanted))
     }
 
-    /// Whether this sign comes next; then it is taken.
+    /// Whether this sign is next; if so, consumes it.
     pub fn takes(&mut self, sign: &str) -> bool {
         let is = matches!(self.tokens.get(self.at), Some((ExpressionToken::Sign(next), _)) if *next == sign);
         self.at += usize::from(is);
         is
     }
 
-    /// This sign must come next.
+    /// Consumes this sign; a fault if it is not next.
     pub fn sign(&mut self, sign: &str) -> Result<(), Diagnostic> {
         if self.takes(sign) {
             return Ok(());

@@ -1,4 +1,4 @@
-//! The meaning of conditions; no text breaks their reader.
+//! Values of conditions; no input makes the parser panic.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
@@ -191,7 +191,7 @@ fn nesting_and_length_are_limited() {
     assert!(fault(&deep(40)).1.contains("at most 32 deep"));
     assert!(fault(&"not ".repeat(200)).1.contains("at most 32 deep"));
     assert!(fault(&"t+".repeat(2000)).1.contains("at most 1000"));
-    // Long chains do not nest.
+    // Long chains do not count as nesting.
     assert!(holds(&format!("{}true", "true and ".repeat(100))));
 }
 

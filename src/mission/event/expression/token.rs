@@ -1,10 +1,10 @@
-//! The words of an expression.
+//! The tokens of an expression.
 
 use std::ops::Range;
 
 use crate::diagnostic::Diagnostic;
 
-/// The longest expression that is read.
+/// The greatest length of an expression, in bytes.
 pub(in crate::mission) const LONGEST: usize = 1000;
 
 #[derive(Debug, Clone, PartialEq)]
@@ -12,19 +12,19 @@ pub(super) enum ExpressionToken {
     Number(f64),
     Text(String),
     Name(String),
-    /// An operator or a bracket.
+    /// An operator or a parenthesis.
     Sign(&'static str),
 }
 
-/// The signs, longer ones before those that they begin with.
+/// The signs; a longer one precedes those that are its prefix.
 const SIGNS: [&str; 17] = [
     "<=", ">=", "==", "!=", "<", ">", "=", "+", "-", "*", "/", "(", ")", "[", "]", ",", ".",
 ];
 
-/// A word with its place.
+/// A token with its position.
 pub(super) type Placed = (ExpressionToken, Range<usize>);
 
-/// Cuts an expression into its words.
+/// Splits an expression into tokens.
 pub(super) fn tokens(source: &str) -> Result<Vec<Placed>, Diagnostic> {
     if source.len() > LONGEST {
         let message = format!("an expression has at most {LONGEST} characters");
@@ -45,7 +45,7 @@ pub(super) fn tokens(source: &str) -> Result<Vec<Placed>, Diagnostic> {
     Ok(tokens)
 }
 
-/// The first word of what is left, and how long it is.
+/// The first token of the rest, and its length in bytes.
 fn token(rest: &str, first: char) -> Result<(ExpressionToken, usize), (usize, String)> {
     let length_of = |part: fn(char) -> bool| {
         let end = rest.find(|c| !part(c));
@@ -71,7 +71,7 @@ fn token(rest: &str, first: char) -> Result<(ExpressionToken, usize), (usize, St
         };
     }
     match SIGNS.iter().find(|sign| rest.starts_with(**sign)) {
-        // A single one is understood as well.
+        // A single `=` is accepted as well.
         Some(&"=") => Ok((ExpressionToken::Sign("=="), 1)),
         Some(sign) => Ok((ExpressionToken::Sign(sign), sign.len())),
         None => Err((first.len_utf8(), format!("`{first}` has no meaning here"))),

@@ -17,7 +17,7 @@ pub(in crate::mission) struct ListValue<V> {
     most: usize,
 }
 
-/// At least and at most so many values.
+/// A list with the least and the greatest count.
 pub(in crate::mission) const fn list<V>(of: V, least: usize, most: usize) -> ListValue<V> {
     ListValue { of, least, most }
 }
@@ -62,7 +62,7 @@ pub(in crate::mission) struct MapValue<V> {
     of: V,
 }
 
-/// Values by names that the writer chooses; what they name.
+/// A map with names of the author's choice; `names` says what they name.
 pub(in crate::mission) const fn map<V>(names: &'static str, of: V) -> MapValue<V> {
     MapValue { names, of }
 }
@@ -124,7 +124,7 @@ pub(in crate::mission) struct TablesValue<T> {
     most: usize,
 }
 
-/// A section with at most so many tables.
+/// A section with at most `most` tables.
 pub(in crate::mission) const fn tables<T>(reader: Reader<T>, most: usize) -> TablesValue<T> {
     TablesValue { reader, most }
 }

@@ -17,7 +17,7 @@ pub(in crate::mission) struct NumberValue {
     pub(super) unit: &'static str,
 }
 
-/// A number from one to another, in a unit; NaN never lies between.
+/// A number in a range, with its unit; NaN is never valid.
 pub(in crate::mission) const fn number(low: f64, high: f64, unit: &'static str) -> NumberValue {
     NumberValue { low, high, unit }
 }
@@ -54,12 +54,12 @@ impl FileValue for NumberValue {
 #[derive(Debug, Clone, Copy)]
 pub(in crate::mission) struct SecondsValue(NumberValue);
 
-/// A length of time, written in seconds.
+/// A duration, written in seconds.
 pub(in crate::mission) const fn seconds(low: f64, high: f64) -> SecondsValue {
     SecondsValue(number(low, high, "s"))
 }
 
-/// Any length of time up to a day.
+/// Any duration up to a day.
 pub(in crate::mission) const fn time() -> SecondsValue {
     seconds(0.0, LONGEST_S)
 }
@@ -92,7 +92,7 @@ pub(in crate::mission) struct WholeValue {
     unit: &'static str,
 }
 
-/// A whole number from one to another, of something.
+/// A whole number in a range, with what it counts.
 pub(in crate::mission) const fn whole(low: u32, high: u32, unit: &'static str) -> WholeValue {
     WholeValue { low, high, unit }
 }

@@ -1,4 +1,4 @@
-//! Words: free texts, ids, and names out of a list.
+//! Words: free texts, ids, and names from a list.
 
 use toml::Spanned;
 use toml::de::DeValue;
@@ -13,14 +13,14 @@ use crate::mission::sensor::Sensor;
 pub(in crate::mission) struct TextValue {
     form: &'static str,
     rule: Option<TextRule>,
-    /// All that it can be, for its description; whether it may be that here, the reader says.
+    /// All possible values, for the description; the reader checks which are allowed.
     names: Option<fn() -> Vec<&'static str>>,
 }
 
-/// What a text must be, and the fault of one that is not.
+/// A rule for texts, and the fault of a text that breaks it.
 type TextRule = (fn(&str) -> bool, &'static str);
 
-/// Any text; what it is, where that is not plain.
+/// Any text; `form` describes it where that is not obvious.
 pub(in crate::mission) const fn text(form: &'static str) -> TextValue {
     TextValue {
         form,
@@ -29,7 +29,7 @@ pub(in crate::mission) const fn text(form: &'static str) -> TextValue {
     }
 }
 
-/// A text that keeps a rule, which its fault says.
+/// A text that follows a rule.
 pub(in crate::mission) const fn text_by(
     form: &'static str,
     rule: fn(&str) -> bool,
@@ -51,7 +51,7 @@ pub(in crate::mission::format) const fn id() -> TextValue {
     )
 }
 
-/// The id of a sensor. Which of them the fleet carries, only the reader knows.
+/// The id of a sensor. Only the reader knows whether the fleet carries it.
 pub(in crate::mission::format) const fn sensor_id() -> TextValue {
     TextValue {
         form: "sensor",
@@ -117,7 +117,7 @@ impl<T: Copy + PartialEq> FileValue for WordValue<T> {
             let message = format!("unknown variant `{word}`, {}", expected(&known));
             let fault = Diagnostic::new(place, message);
             draft.faults.push(match word.len() {
-                // Of words of one letter, all are equally close.
+                // One-letter words are all equally close.
                 0 | 1 => fault,
                 _ => fault.with_nearest(&word, known),
             });
@@ -138,7 +138,7 @@ pub(in crate::mission) struct NamedValue<T> {
     find: fn(&str) -> Option<T>,
 }
 
-/// Something by its name, which is one of many; the names, and how one is found.
+/// A value by its name: all names, and the function that finds it.
 pub(in crate::mission) const fn named<T>(
     what: &'static str,
     names: fn() -> Vec<&'static str>,

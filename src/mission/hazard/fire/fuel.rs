@@ -1,12 +1,12 @@
-//! Fuels, and how fast a front runs through them.
+//! Fuels, and the speed of a fire front in them.
 
 use crate::geo::maths;
 use crate::mission::weather::Wind;
 
-/// What covers the ground.
+/// The cover of the ground.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Fuel {
-    /// Grass that has dried where it stands.
+    /// Dry standing grass.
     Grass,
     Shrub,
     /// Leaves and needles on the ground under trees.
@@ -19,16 +19,16 @@ pub(crate) enum Fuel {
 struct Burning {
     /// Speed of a front in calm air, in m/s.
     calm_m_s: f64,
-    /// The share of the wind's speed that a front gains.
+    /// The share of the wind's speed that is added to the front's.
     of_wind: f64,
-    /// How long flames stay once the front has passed, in seconds.
+    /// How long it burns after the front has passed, in seconds.
     stays_s: f64,
-    /// Smoke particles, in g/s and square metre.
+    /// Smoke particles, in g/s per square metre.
     smoke_g_s_m2: f64,
 }
 
 /// Estimates, to be replaced by a fire expert's. The tenth of the wind's speed is the rule of thumb of Cruz and
-/// Alexander (2019), meant for fuels that stand open to the wind; shrubs are sheltered, and litter lies below trees.
+/// Alexander (2019), which is for fuels in the open; shrubs are sheltered, and litter lies under trees.
 const GRASS: Burning = Burning {
     calm_m_s: 0.05,
     of_wind: 0.10,
@@ -48,10 +48,10 @@ const TIMBER: Burning = Burning {
     smoke_g_s_m2: 0.03,
 };
 
-/// By how much fuel is slower for a share of water above 5 %: `exp(-7 (moisture - 0.05))`.
+/// How moisture above 5 % slows a front: `exp(-7 (moisture - 0.05))`.
 const MOISTURE_SLOWS: f64 = 7.0;
 const DRY: f64 = 0.05;
-/// How much slower a front is across the wind and against it: `exp(0.131 V (cos - 1))` (Alexandridis et al. 2008).
+/// How much slower a front is across and against the wind: `exp(0.131 V (cos - 1))` (Alexandridis et al. 2008).
 const SHAPE_PER_M_S: f64 = 0.131;
 
 impl Fuel {
@@ -71,12 +71,12 @@ impl Fuel {
         }
     }
 
-    /// Whether it can burn at all.
+    /// Whether it can burn.
     pub fn burns(self) -> bool {
         self.burning().is_some()
     }
 
-    /// How fast a front runs with the wind, in m/s: `(R0 + share U) exp(-7 (moisture - 0.05))`.
+    /// The speed of a front with the wind, in m/s: `(R0 + share U) exp(-7 (moisture - 0.05))`.
     pub fn rate_m_s(self, wind_m_s: f64, moisture: f64) -> f64 {
         let damp = maths::exp(-MOISTURE_SLOWS * (moisture - DRY));
         self.burning().map_or(0.0, |burning| {
@@ -84,7 +84,7 @@ impl Fuel {
         })
     }
 
-    /// How long flames stay once the front has passed, in seconds.
+    /// How long it burns after the front has passed, in seconds.
     pub fn stays_s(self) -> f64 {
         self.burning().map_or(0.0, |burning| burning.stays_s)
     }
@@ -100,7 +100,7 @@ impl Fuel {
     }
 }
 
-/// The share of the speed with the wind that a front has in a direction (east, north; any length).
+/// The speed of a front in a direction (east, north; any length), as a share of the speed with the wind.
 pub(super) fn share_of_rate(wind: Wind, [east, north]: [f64; 2]) -> f64 {
     let drift = wind.drift_m_s();
     let length = maths::hypot(east, north) * wind.speed_m_s;

@@ -1,8 +1,8 @@
-//! The ground in cells, and which of them burn.
+//! The ground as a grid of cells, and their state.
 //!
 //! A cell's front gains on each neighbour that can burn by the speed in that direction; the neighbour catches fire
-//! when the fastest front has crossed the way between their centres. So a front runs at the speed of the formula
-//! along the axes, which an independent chance per second for each neighbour would make faster.
+//! when the fastest front has covered the distance between their centres. So a front moves at the formula's speed
+//! along the axes; an independent chance per second for each neighbour would make it faster.
 
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
@@ -13,13 +13,13 @@ use crate::geo::maths;
 use crate::mission::Point;
 use crate::mission::weather::Wind;
 
-/// The steps of a fire, in seconds.
+/// The time step of a fire, in seconds.
 pub(super) const STEP_S: f64 = 1.0;
-/// How unevenly fuel burns: standard deviation of the logarithm of a cell's speed.
+/// The unevenness of fuel: standard deviation of the logarithm of a cell's speed.
 const ROUGHNESS: f64 = 0.2;
-/// Embers of a burning cell that set fire elsewhere, per second and m/s of wind.
+/// Embers of a burning cell that start a fire elsewhere, per second and m/s of wind.
 const EMBERS_PER_S: f64 = 2e-5;
-/// How far they fly, in metres, and by how much to the side, in degrees.
+/// The distance that embers fly, in metres, and their spread to the side, in degrees.
 const EMBERS_FLY_M: [f64; 2] = [20.0, 120.0];
 const EMBERS_SPREAD_DEG: f64 = 20.0;
 
@@ -35,15 +35,15 @@ const NEIGHBOURS: [(isize, isize); 8] = [
     (1, 1),
 ];
 
-/// What has become of a cell.
+/// The state of a cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum CellState {
-    /// It does not burn; a front has come so far through it, 0 to 1.
+    /// Not burning; the front has covered this share of the way to it, 0 to 1.
     Unburnt(f64),
-    /// It has burnt for so many seconds.
+    /// Burning, for this many seconds.
     Burning(f64),
     Burnt,
-    /// It is wet and will not burn.
+    /// Wet: it will not burn.
     Wet,
 }
 
@@ -51,7 +51,7 @@ pub(crate) enum CellState {
 pub(super) struct FireCell {
     pub fuel: Fuel,
     pub state: CellState,
-    /// By how much a front is faster here than the formula says.
+    /// The speed of a front here, as a multiple of the formula's.
     pub pace: f64,
 }
 
@@ -62,9 +62,9 @@ pub(crate) struct FireGrid {
     pub columns: usize,
     pub rows: usize,
     pub side_m: f64,
-    /// The share of water in its fuel.
+    /// The share of water in the fuel.
     pub moisture: f64,
-    /// How many more embers than usual it throws.
+    /// A multiplier for the number of embers.
     pub embers: f64,
     pub(super) cells: Vec<FireCell>,
 }
@@ -79,7 +79,7 @@ impl FireGrid {
         inside.then(|| row as usize * self.columns + column as usize)
     }
 
-    /// The cells of the square about a point that reaches so far to each side.
+    /// The cells of the square that reaches `reach_m` to each side of a point.
     pub fn around(&self, at: Point, reach_m: f64) -> impl Iterator<Item = usize> + use<> {
         let low = |axis: usize| {
             ((at[axis] - reach_m - self.corner[axis]) / self.side_m)
@@ -97,7 +97,7 @@ impl FireGrid {
         rows.flat_map(move |row| columns.clone().map(move |column| row * across + column))
     }
 
-    /// The middle of a cell.
+    /// The centre of a cell.
     pub fn centre(&self, index: usize) -> Point {
         let (column, row) = (index % self.columns, index / self.columns);
         [
@@ -143,7 +143,7 @@ impl FireGrid {
         }
     }
 
-    /// Makes fuel burn unevenly.
+    /// Makes the fuel uneven.
     pub fn roughen(&mut self, random: &mut ChaCha8Rng) {
         for cell in &mut self.cells {
             let draw: f64 = StandardNormal.sample(random);
@@ -151,7 +151,7 @@ impl FireGrid {
         }
     }
 
-    /// Lets the fire burn on for [`STEP_S`].
+    /// Advances the fire by [`STEP_S`].
     pub fn step(&mut self, wind: Wind, random: &mut ChaCha8Rng) {
         let burning: Vec<usize> = self.burning().collect();
         let reached = self.reach(&burning, wind);
@@ -161,7 +161,7 @@ impl FireGrid {
             if let CellState::Burning(for_s) = cell.state {
                 let for_s = for_s + STEP_S;
                 let rate = cell.fuel.rate_m_s(wind.speed_m_s, self.moisture) * cell.pace;
-                // The front needs its time to cross the cell; the flames stay behind it.
+                // The front takes time to cross the cell; then the flames remain.
                 let lasts_s = 2.0 * self.side_m / rate.max(1e-3) + cell.fuel.stays_s();
                 cell.state = if for_s < lasts_s {
                     CellState::Burning(for_s)
@@ -183,7 +183,7 @@ impl FireGrid {
         }
     }
 
-    /// How much nearer the fastest front comes to each cell that one can reach, as a share of the way.
+    /// How much closer the fastest front comes to each cell in reach, as a share of the distance.
     fn reach(&self, burning: &[usize], wind: Wind) -> std::collections::BTreeMap<usize, f64> {
         let ways = NEIGHBOURS.map(|(column, row)| [column as f64, row as f64]);
         let shares =
@@ -212,8 +212,7 @@ impl FireGrid {
         (to_column < self.columns && to_row < self.rows).then(|| to_row * self.columns + to_column)
     }
 
-    /// Whether a front that would run over a corner is held by what lies on both sides of it: a road is no less a
-    /// road where it runs diagonally.
+    /// Whether the cells on both sides of a diagonal stop a front: a diagonal road is a barrier too.
     fn is_cut(&self, from: usize, column: isize, row: isize) -> bool {
         let holds = |index: Option<usize>| {
             let cell = index.map(|index| self.cells[index]);
@@ -225,7 +224,7 @@ impl FireGrid {
             && holds(self.neighbour(from, 0, row))
     }
 
-    /// Where embers come down that set fire.
+    /// The places where embers land and start a fire.
     fn embers(&self, burning: &[usize], wind: Wind, random: &mut ChaCha8Rng) -> Vec<usize> {
         let chance = EMBERS_PER_S * self.embers * wind.speed_m_s * STEP_S;
         let mut down = Vec::new();

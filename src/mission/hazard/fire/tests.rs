@@ -68,7 +68,7 @@ fn a_front_runs_with_the_wind_and_against_it_at_the_speeds_of_the_formula() {
     for second in 1..=300 {
         grid.step(WEST_WIND, &mut random);
         let (ahead_m, behind_m) = (0.55 * f64::from(second), 0.148 * f64::from(second));
-        // A cell catches fire when the front has come to its middle, a step late at most for each cell on the way.
+        // A cell catches fire when the front has reached its centre; each cell on the way adds at most one step.
         assert!(
             at(&grid, (205.0 + ahead_m * 0.93 - 10.0).max(205.0)),
             "{second} s"

@@ -32,7 +32,7 @@ fn field(meander_deg: f64, intermittency: f64, wind: Wind, seed: u64) -> Box<dyn
     hazard.release(&weather, ChaCha8Rng::seed_from_u64(seed))
 }
 
-/// The line below the plume's axis, at 20 m, for a release of 1 g/s at 15 m in 4 m/s.
+/// The concentration below the plume's axis, at 20 m, for a release of 1 g/s at 15 m in 4 m/s.
 #[test]
 fn the_centreline_has_the_concentrations_of_the_formula() {
     use Stability::{A, B, C, D, E, F};

@@ -1,15 +1,15 @@
-//! Which ground was searched and which was not, in as few squares as show it.
+//! The searched and the missed ground, in as few squares as possible.
 
 use super::CoverageGrid;
 use crate::mission::Point;
 use crate::mission::objective::GroundPatch;
 
-/// A debrief has no use for more squares than this.
+/// The most squares in a debrief.
 const MOST: usize = 400;
-/// The map of a flight under way shows about so many squares at most.
+/// The approximate number of squares on the map of a flight under way.
 const MOST_SWEPT: f64 = 1000.0;
 
-/// The cells that are not swept, gathered into squares; into coarser ones if there would be too many.
+/// The missed cells, merged into squares; coarser ones if there would be too many.
 pub(super) fn gaps(grid: &CoverageGrid) -> Vec<GroundPatch> {
     let coarsest = grid.columns.max(grid.cells.len() / grid.columns.max(1));
     let tries = (1..=coarsest.max(1)).map(|step| squares(&Blocks::of(grid, step, false)));
@@ -19,7 +19,7 @@ pub(super) fn gaps(grid: &CoverageGrid) -> Vec<GroundPatch> {
         .unwrap_or_default()
 }
 
-/// The ground that has been swept. Cells are joined into blocks, so that there are never more than `MOST_SWEPT`.
+/// The searched ground, with cells merged into blocks so that there are at most `MOST_SWEPT`.
 pub(super) fn swept(grid: &CoverageGrid) -> Vec<GroundPatch> {
     let step = (grid.cells.len() as f64 / MOST_SWEPT).sqrt().ceil();
     let blocks = Blocks::of(grid, step.max(1.0) as usize, true);
@@ -38,7 +38,7 @@ pub(super) fn swept(grid: &CoverageGrid) -> Vec<GroundPatch> {
     marked.map(patch).collect()
 }
 
-/// Cells by blocks of some size: whether at least half of those in a block are swept, or are not.
+/// Cells in blocks: each block is marked if at least half of its cells are swept, or are not.
 struct Blocks {
     corner: Point,
     side_m: f64,
@@ -71,7 +71,7 @@ impl Blocks {
         }
     }
 
-    /// Whether all of a square of blocks is marked.
+    /// Whether a whole square of blocks is marked.
     fn is_marked(&self, place: [usize; 2], size: usize) -> bool {
         let [column, row] = place;
         let rows = self.marked.len() / self.columns;
@@ -86,7 +86,7 @@ impl Blocks {
     }
 }
 
-/// Squares that cover the marked blocks, each the largest that begins where the one before left off.
+/// Squares that cover the marked blocks, each as large as possible.
 fn squares(blocks: &Blocks) -> Vec<GroundPatch> {
     let mut left = Blocks {
         marked: blocks.marked.clone(),

@@ -1,4 +1,4 @@
-//! The simulated vehicles of a record, flown again.
+//! The simulated vehicles of a record, repeated.
 
 use std::collections::{BTreeMap, VecDeque};
 use std::sync::Arc;
@@ -17,23 +17,23 @@ use crate::text::Text;
 use crate::vehicle::VehicleId;
 use crate::wire::{AUTOPILOT_COMPONENT, Content, Decoder, Frame, SystemId};
 
-/// In a console, what a vehicle has said is shown so much later at most.
+/// The longest delay before a console shows a vehicle's telemetry.
 pub(super) const SHOWN_WITHIN: Duration = Duration::from_millis(2500);
-/// What is shown of a vehicle behind a bad radio is no older than this when it is new.
+/// The longest delay of telemetry through a bad radio.
 pub(super) const LATE_AT_MOST: Duration = Duration::from_secs(30);
-/// No session passes faster.
+/// The highest speed-up of a session.
 const FASTEST: f64 = 100.0;
-/// How often sessions look at their deadlines.
+/// The interval at which sessions check their deadlines.
 const SESSION_POLL: Duration = Duration::from_millis(50);
 
-/// Where a record and its flight differ.
+/// A difference between a record and its flight.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Divergence {
     /// Simulated time.
     pub at: Duration,
-    /// The vehicle, where it is about one.
+    /// The vehicle concerned, if any.
     pub vehicle: Option<VehicleId>,
-    /// In which way.
+    /// A description of the difference.
     pub what: Text,
 }
 
@@ -42,14 +42,14 @@ pub(super) fn differs(at: Duration, vehicle: Option<VehicleId>, what: Text) -> D
     Divergence { at, vehicle, what }
 }
 
-/// The simulated vehicles of a record, flown again.
+/// The simulated vehicles of a record, repeated.
 pub(super) struct Reflight {
     pub(super) world: World,
     lines: Vec<InputLine>,
     pub(super) damage: Option<Text>,
-    /// Whether nothing is wrong with the log but that it has no end.
+    /// Whether the log's only fault is a missing end.
     pub(super) is_cut: bool,
-    /// How much faster than the clock on the wall time passes.
+    /// The speed-up of time over the wall clock.
     pub(super) pace: f64,
     next: usize,
     connections: BTreeMap<u64, (PortId, Decoder)>,
@@ -58,7 +58,7 @@ pub(super) struct Reflight {
 }
 
 impl Reflight {
-    /// Vehicles as the log says; in words why they cannot be.
+    /// Creates the vehicles of a log; an error text if that is impossible.
     pub(super) fn new(config: &mut WorldConfig, inputs: &StoredInputs) -> Result<Self, Text> {
         if !inputs.head.fits(config) {
             return Err(text!("verify-other-start"));
@@ -134,7 +134,7 @@ impl Reflight {
         Ok(())
     }
 
-    /// Listens by a connection that was just made, and no longer by one that was ended.
+    /// Reads from connections that were just made, and no longer from ended ones.
     fn connect(&mut self) {
         match self.lines[self.next].what {
             Entered::On(vehicle, connection, _) => {
@@ -181,15 +181,15 @@ impl Reflight {
     }
 }
 
-/// What a vehicle that is flown again has said.
+/// The telemetry of a repeated vehicle.
 pub(super) struct Witness {
     pub(super) session: Session,
-    /// What was known of it, from when on.
+    /// Its known states, each with the time from which it held.
     shown: VecDeque<(Duration, ObservedVehicle)>,
     listener: TextListener,
-    /// What it has written, and when.
+    /// Its texts with their times.
     texts: VecDeque<(Duration, String)>,
-    /// Refusals of commands that were orders.
+    /// Refusals of operator commands.
     pub(super) refusals: u32,
 }
 
@@ -237,13 +237,13 @@ impl Witness {
         }
     }
 
-    /// Whether it has written a text since then.
+    /// Whether it has sent a text since a time.
     pub(super) fn has_said(&self, text: &str, since: Duration) -> bool {
         let mut texts = self.texts.iter();
         texts.any(|(at, said)| *at >= since && said == text)
     }
 
-    /// What was known of it at some time from one moment to another.
+    /// Its states between two moments.
     pub(super) fn known(
         &self,
         from: Duration,
@@ -258,7 +258,8 @@ impl Witness {
     }
 }
 
-/// Whether a command is an order. A console also sends commands by itself; their refusals are in no ledger.
+/// Whether a command comes from the operator. A console also sends commands of its own, whose refusals are in no
+/// ledger.
 fn is_order(command: MavCmd) -> bool {
     !matches!(
         command,

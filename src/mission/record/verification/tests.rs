@@ -7,10 +7,10 @@ use super::*;
 const RUN: &str = include_str!("../../../../tests/data/golden/eight.run.jsonl");
 const INPUTS: &str = include_str!("../../../../tests/data/golden/eight.inputs.jsonl");
 const SCORE: &str = "\"score\":";
-/// How a command of the ground station begins after the length, flags and number of its frame.
+/// The hex start of a frame with a command of the ground station, after length, flags and number.
 const COMMAND: &str = "ffbe4c0000";
 
-/// What comes of a record with these files: in words where it differs.
+/// Verifies a record from these texts; the difference as an error text.
 fn verified(run: &str, inputs: &str) -> Result<(), String> {
     let stored = Stored::read(run).map_err(|fault| fault.to_string())?;
     let inputs = StoredInputs::read(inputs).map_err(|fault| fault.to_string())?;
@@ -25,7 +25,7 @@ fn verified(run: &str, inputs: &str) -> Result<(), String> {
     }
 }
 
-/// The golden record with one line replaced: the first that has all of these in it.
+/// The golden record with one line replaced: the first that contains all of `has`.
 fn with_line(text: &str, has: &[&str], replace: impl Fn(&str) -> String) -> String {
     let line = text
         .lines()
@@ -69,7 +69,7 @@ fn an_edited_score_is_named() {
 #[test]
 fn an_edited_or_missing_input_is_named() {
     let frame = |line: &str| {
-        // A bit of a command: the frame's checksum no longer holds.
+        // One bit of a command: the frame's checksum no longer matches.
         let at = line.find(COMMAND).expect("a command") + 20;
         let digit = if &line[at..=at] == "0" { "1" } else { "0" };
         format!("{}{digit}{}\n", &line[..at], &line[at + 1..])
@@ -145,7 +145,7 @@ fn shortened_records_are_named() {
     assert_named(RUN, &end, "no end");
 }
 
-/// Whatever telemetry is moved or taken away: the drones that are flown again are elsewhere.
+/// Telemetry that is altered or removed shows: the repeated drones are elsewhere.
 #[test]
 fn moved_and_missing_telemetry_is_named() {
     let moved = with_line(RUN, &["\"t\":30000,", "\"at\":["], |line| {
@@ -166,7 +166,7 @@ fn a_refusal_that_is_left_out_is_named() {
 
 #[test]
 fn clocks_and_airframes_that_cannot_be_are_named() {
-    // A line with a clock of the simulator's own among lines without one.
+    // A line with a simulator clock among lines without one.
     let mixed = with_line(
         RUN,
         &["\"t\":30000,"],
@@ -197,7 +197,7 @@ fn clocks_and_airframes_that_cannot_be_are_named() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(6))]
 
-    /// Digits that are changed anywhere never bring the program down.
+    /// Changed digits never cause a panic.
     #[test]
     fn mutated_records_are_judged_without_a_panic(at in 0.0..1.0f64, byte in b'0'..=b'9', of_inputs: bool) {
         let text = if of_inputs { INPUTS } else { RUN };

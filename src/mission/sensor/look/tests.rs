@@ -16,7 +16,7 @@ fn camera(id: &str) -> &'static Camera {
     }
 }
 
-/// Right above an object, at the height and speed.
+/// A view from directly above an object.
 fn above(object: &Object, height_m: f64, speed_m_s: f64, light: Light) -> View<'_> {
     View {
         object,
@@ -35,7 +35,7 @@ fn chance(id: &str, class: ObjectClass, height_m: f64, speed_m_s: f64, light: Li
     look.map_or(0.0, |look| look.chance)
 }
 
-/// How surely a look by the thermal camera of the night search tells a deer from a person, if it shows it.
+/// The probability that the night search's thermal camera tells a deer from a person; `None` where it does not see it.
 fn told(height_m: f64, aside_m: f64) -> Option<f64> {
     let object = Object::new(ObjectClass::Animal, [0.0; 2]);
     let view = View {
@@ -88,7 +88,7 @@ fn pictures_detect_persons_as_the_table_of_the_design_says() {
 #[test]
 fn one_pass_over_a_mine_has_the_probabilities_of_the_design() {
     use ObjectClass::{MetalMine, MinimumMetalMine, SurfaceMine};
-    // Far below the limits of height and speed, only 1 / (1 + e^-6.67) of the best is missing at a standstill.
+    // Far below the limits of height and speed: at a standstill only 1 / (1 + e^-6.67) of the best is missing.
     let still = 1.0 / (1.0 + maths::exp(-1.0_f64 / 0.15));
     for (id, best) in [
         ("s_mag", [0.85, 0.10, 0.80]),
@@ -160,7 +160,7 @@ fn light_cover_and_smoke_thin_what_a_camera_finds() {
     assert!((seen("s_th160") / clear("s_th160") - maths::exp(-0.0522_f64)).abs() < 1e-9);
 }
 
-/// From so far to the side of a defect on a line that runs north, and so far along the line.
+/// A look from a distance to the side of a defect on a line that runs north, offset along the line and in height.
 fn inspection(id: &str, square_m: f64, along_m: f64, below_m: f64) -> f64 {
     let object = Object {
         height_m: 20.0,
@@ -183,7 +183,7 @@ fn defects_want_a_gimbal_a_near_place_and_a_square_view() {
         inspection("s_rgb", 8.0, 0.0, 0.0) < 1e-12,
         "it looks down only"
     );
-    // 34 and 36 degrees off, along the line and from below.
+    // 34 and 36 degrees off the normal, along the line and from below.
     let off = |angle: f64| 10.0 * maths::tan(angle.to_radians());
     for (seen, angle) in [(true, 34.0), (false, 36.0)] {
         assert_eq!(inspection("s_rgbg", 10.0, off(angle), 0.0) > 0.0, seen);
