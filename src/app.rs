@@ -1,9 +1,8 @@
-//! The console without its shell: what it shows ([`state`]), what happened ([`event`]), what the user wants
-//! ([`action`]), what the shell has to do ([`effect`]), and the one function that turns the second and third
-//! into the first and fourth.
+//! The console without its shell: its state ([`state`]), events ([`event`]), the user's actions ([`action`]), effects
+//! for the shell ([`effect`]), and the one function that turns events and actions into state and effects.
 //!
-//! Nothing in here waits, reads a clock or touches a terminal: the shell feeds events to [`App::update`], carries
-//! the effects out and draws when [`State::revision`] has moved. It can read the state and not change it.
+//! Nothing in here waits, reads a clock or touches a terminal: the shell feeds events to [`App::update`], carries the
+//! effects out and draws when [`State::revision`] has moved. It can read the state but not change it.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -32,30 +31,30 @@ mod update;
 pub use room::State;
 pub use snapshot::FlightSnapshot;
 
-/// What the console begins with.
+/// The initial content of the console.
 #[derive(Debug, Clone)]
 pub struct Setup {
-    /// What the user has set.
+    /// The user's settings.
     pub config: Config,
-    /// What the keys do.
+    /// The key bindings.
     pub keymap: Keymap,
-    /// The words of the language in use.
+    /// The texts of the language in use.
     pub locale: Arc<Locale>,
     /// The name of the theme in use.
     pub theme: String,
-    /// The names of the themes on offer.
+    /// The names of the available themes.
     pub themes: Vec<String>,
-    /// The missions on offer.
+    /// The available missions.
     pub missions: Vec<MissionListing>,
-    /// The tries at current revisions of missions, by mission id, oldest first.
+    /// The attempts at current revisions of missions, by mission id, oldest first.
     pub tries: BTreeMap<String, Vec<TryReport>>,
     /// The designs that come with the program.
     pub stock: Vec<Design>,
     /// Earlier lines of the command line, oldest first.
     pub history: Vec<String>,
-    /// Whether ArduPilot's SITL could be started.
+    /// Whether ArduPilot's SITL is available.
     pub has_ardupilot: bool,
-    /// Whether rooms are drawn; the plain console stays with the vehicles.
+    /// Whether rooms are drawn; the plain console has only the vehicles.
     pub has_rooms: bool,
 }
 
@@ -84,7 +83,7 @@ pub struct App {
 }
 
 impl App {
-    /// The home screen of a console that has just started.
+    /// A console on its home screen.
     pub fn new(setup: Setup) -> Self {
         Self {
             state: State::new(setup),
@@ -96,7 +95,7 @@ impl App {
         &self.state
     }
 
-    /// Takes in what happened and returns what the shell has to do.
+    /// Handles an event, and returns the work for the shell.
     #[must_use = "the shell has to carry the effects out"]
     pub fn update(&mut self, event: impl Into<Event>) -> Vec<Effect> {
         update::update(&mut self.state, event.into()).into_vec()

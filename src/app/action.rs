@@ -1,11 +1,11 @@
-//! The user's intents, whichever key gave them.
+//! The user's intents, independent of their keys.
 
 use strum::{EnumIter, IntoEnumIterator as _, IntoStaticStr};
 
 use super::room_list::Room;
 
-/// An intent. The keymap makes actions from keys. Its name in keymap files is that of the innermost variant; the message
-/// `action-NAME` says what it does. What only some rooms know is an enum of its own.
+/// An intent, which the keymap makes from a key. Its name in keymap files is that of the innermost variant; the
+/// message `action-NAME` says what it does. Actions of only some rooms have enums of their own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 pub enum Action {
@@ -19,48 +19,48 @@ pub enum Action {
     CommandLine,
     /// Open or close the help.
     Help,
-    /// Look back through the notices.
+    /// Show the past notices.
     #[strum(serialize = "look-back-notices")]
     Notices,
     /// Show the mission's brief again.
     Brief,
-    /// Take what was typed or is under the cursor.
+    /// Submit the typed text, or choose the item under the cursor.
     Submit,
-    /// Take back: what was typed, the selection, the overlay.
+    /// Cancel: the typed text, the selection, the overlay.
     Escape,
-    /// Fly the same mission again, as chance will have it this time.
+    /// Fly the same mission again with a new seed.
     Again,
-    /// Fly the same mission again, exactly as it was.
+    /// Fly the same mission again with the same seed.
     AgainAlike,
-    /// Choose who trains here.
+    /// Choose the profile.
     Profiles,
-    /// Have more or less advice come by itself.
+    /// Change the level of automatic advice.
     Aids,
-    /// Let the mission stand still, or go on.
+    /// Pause or resume the mission.
     PauseMission,
-    /// Let simulated time pass faster.
+    /// Speed simulated time up.
     Faster,
-    /// Let simulated time pass as usual.
+    /// Return simulated time to real time.
     UsualPace,
     /// End the mission now.
     Abandon,
-    /// Steer what is replayed.
+    /// Control the replay.
     #[strum(disabled)]
     Replay(ReplayAction),
-    /// Back to the home screen.
+    /// Return to the home screen.
     Leave,
-    /// Take note of the alerts.
+    /// Acknowledge the alerts.
     Acknowledge,
-    /// How a room shows its lists, and of which vehicle. Several rooms know these.
+    /// List order, filter and vehicle, for the rooms that have them.
     #[strum(disabled)]
     View(ViewAction),
-    /// Which vehicles are selected; where parameters are compared, which are marked.
+    /// Select vehicles, or mark parameters in a comparison.
     #[strum(disabled)]
     Select(SelectAction),
-    /// Completions and history of a line that is being written.
+    /// Completions and history of the line being typed.
     #[strum(disabled)]
     Line(LineAction),
-    /// Other ways to fly a mission that is listed.
+    /// Other ways to fly the listed mission.
     #[strum(disabled)]
     Start(StartAction),
     /// Actions of the Debrief room.
@@ -88,10 +88,10 @@ pub enum Action {
 }
 
 impl Action {
-    /// What moves a cursor or scrolls, in the order of hints.
+    /// The cursor keys, in the order of hints.
     pub const UP_AND_DOWN: &[Self] = &[Self::Move(Step::Down), Self::Move(Step::Up)];
 
-    /// Every action: the rooms, the steps of a cursor, those that hold everywhere, and those of some rooms.
+    /// Every action: the rooms, the cursor steps, the general ones, and those of single rooms.
     pub fn all() -> impl Iterator<Item = Self> {
         let rooms = Room::ALL.into_iter().map(Self::Show);
         let steps = Step::iter().map(Self::Move);
@@ -152,97 +152,97 @@ impl Action {
         }
     }
 
-    /// The action of a name.
+    /// The action with a name.
     pub fn named(name: &str) -> Option<Self> {
         Self::all().find(|action| action.name() == name)
     }
 }
 
-/// How a room shows its lists, and of which vehicle. Several rooms know these.
+/// List order, filter and vehicle, for the rooms that have them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 pub enum ViewAction {
-    /// Show only what contains some letters.
+    /// Filter the list by a text.
     Filter,
-    /// Order by something else.
+    /// Sort by the next column.
     Sort,
-    /// Turn the order round.
+    /// Reverse the order.
     SortReverse,
     /// The next vehicle by number.
     NextVehicle,
     PreviousVehicle,
-    /// Show what the screen has no room for at the same time.
+    /// Show the next page where the screen is too small for all.
     NextPage,
-    /// Look further back in time.
+    /// Show a longer time span.
     Window,
 }
 
-/// Which vehicles are selected; where parameters are compared, which are marked.
+/// Select vehicles, or mark parameters in a comparison.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 pub enum SelectAction {
-    /// Select the vehicle under the cursor, or take it out of the selection.
+    /// Select the vehicle under the cursor, or deselect it.
     #[strum(serialize = "select")]
     Toggle,
     SelectAll,
     Invert,
-    /// Take back the last character of the vehicle list.
+    /// Delete the last character of the vehicle list.
     Erase,
 }
 
-/// Completions and history of a line that is being written.
+/// Completions and history of the line being typed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 pub enum LineAction {
-    /// Put the next completion into the command line.
+    /// Insert the next completion.
     Complete,
-    /// Put the previous completion into the command line.
+    /// Insert the previous completion.
     CompleteBack,
-    /// An older line of the history.
+    /// Recall an older line of the history.
     Older,
-    /// A newer line of the history.
+    /// Recall a newer line of the history.
     Newer,
 }
 
-/// Other ways to fly a mission that is listed.
+/// Other ways to fly the listed mission.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 pub enum StartAction {
-    /// Fly the short exercise for a mission.
+    /// Fly the drill of a mission.
     Drill,
     /// Fly a mission with the seed of the day.
     Daily,
     /// Fly a mission's exam.
     Exam,
-    /// Fly a mission for practice, with a seed of one's own.
+    /// Fly a mission for practice, with a chosen seed.
     Practise,
 }
 
-/// Steers what is replayed, in every room.
+/// Controls the replay, in every room.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 pub enum ReplayAction {
-    /// Play, or stand still.
+    /// Play or pause.
     PlayReplay,
-    /// Play from here back to the beginning.
+    /// Play backwards.
     Rewind,
-    /// Go ten seconds back in the replay.
+    /// Jump ten seconds back.
     ReplayBack,
-    /// Go ten seconds on in the replay.
+    /// Jump ten seconds forward.
     ReplayForward,
-    /// Show the frame before.
+    /// Show the previous frame.
     FrameBack,
     /// Show the next frame.
     FrameForward,
-    /// To the moment before.
+    /// Go to the previous moment.
     PreviousMoment,
-    /// To the moment after.
+    /// Go to the next moment.
     NextMoment,
-    /// Show all moments, to go to one.
+    /// List all moments to choose from.
     ShowMoments,
-    /// Replay the flight that was recorded last.
+    /// Replay the newest record.
     ReplayNewest,
-    /// Review the flight that was recorded last.
+    /// Review the newest record.
     ReviewNewest,
 }
 
@@ -250,13 +250,13 @@ pub enum ReplayAction {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 pub enum DebriefAction {
-    /// Fly the mission after this one.
+    /// Fly the next mission.
     NextMission,
-    /// Show the truth on the map, or the text again.
+    /// Switch between the map of the truth and the text.
     TruthMap,
-    /// To the next section of a text.
+    /// Go to the next section.
     NextSection,
-    /// To the section before.
+    /// Go to the previous section.
     PreviousSection,
 }
 
@@ -264,24 +264,24 @@ pub enum DebriefAction {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 pub enum MapAction {
-    /// Come closer to what is under the cursor.
+    /// Zoom in on the cursor.
     ZoomIn,
-    /// Go away from it.
+    /// Zoom out from the cursor.
     ZoomOut,
     Fit,
-    /// Let the view follow the vehicle under the cursor, or stop that.
+    /// Follow the vehicle under the cursor, or stop following.
     Follow,
-    /// Put what is under the cursor into the middle.
+    /// Centre the view on the cursor.
     Centre,
-    /// Measure from here, or stop measuring.
+    /// Start or end a measurement at the cursor.
     Ruler,
     /// Write a command that sends vehicles to the place under the cursor.
     GotoHere,
-    /// Show or hide where the vehicles have been.
+    /// Show or hide the trails.
     Trails,
-    /// Show or hide what the signs mean.
+    /// Show or hide the legend.
     Legend,
-    /// Show what the next sensor has found.
+    /// Show the readings of the next sensor.
     NextSensor,
 }
 
@@ -289,9 +289,9 @@ pub enum MapAction {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 pub enum LedgerAction {
-    /// Show only what ended in the next way.
+    /// Filter by the next outcome.
     NextOutcome,
-    /// Show only what concerns the vehicle under the cursor, or the selected ones.
+    /// Show only commands to the vehicle under the cursor, or the selected ones.
     OwnVehicles,
 }
 
@@ -301,15 +301,15 @@ pub enum LedgerAction {
 pub enum ParametersAction {
     /// Show only the parameters that have changed, or all.
     ChangedParameters,
-    /// Write a vehicle's parameters into a file.
+    /// Save a vehicle's parameters to a file.
     SaveParameters,
-    /// Compare with a file, to set what differs.
+    /// Compare with a file and set the differences.
     LoadParameters,
     /// Compare with a file or another vehicle.
     CompareParameters,
-    /// Set the parameters that are marked.
+    /// Set the marked parameters.
     ApplyParameters,
-    /// Ask the vehicle for all its parameters again.
+    /// Download all parameters of the vehicle again.
     FetchParameters,
 }
 
@@ -317,19 +317,19 @@ pub enum ParametersAction {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 pub enum MessagesAction {
-    /// Open a branch, or go into what is under the cursor.
+    /// Open a branch, or enter the item under the cursor.
     Expand,
-    /// Close a branch, or go back.
+    /// Close a branch, or leave the item.
     Collapse,
-    /// Close all branches, or open them.
+    /// Close or open all branches.
     FoldAll,
-    /// To the other half of the screen.
+    /// Go to the other half of the screen.
     OtherSide,
-    /// Let the picture stand still, or go on.
+    /// Pause or resume the display.
     Pause,
-    /// Draw what is under the cursor as a graph, or no longer.
+    /// Draw or remove a graph of the field under the cursor.
     Pin,
-    /// Show bytes, or what they mean.
+    /// Switch between bytes and fields.
     Hex,
 }
 
@@ -337,9 +337,9 @@ pub enum MessagesAction {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 pub enum HangarAction {
-    /// Start the process under the cursor again.
+    /// Restart the process under the cursor.
     RestartProcess,
-    /// End the process under the cursor.
+    /// Stop the process under the cursor.
     StopProcess,
 }
 
@@ -347,47 +347,47 @@ pub enum HangarAction {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 pub enum WorkshopAction {
-    /// To the other list.
+    /// Go to the other list.
     OtherPane,
-    /// Take out the part, the design or the choice under the cursor.
+    /// Remove the part, the design or the choice under the cursor.
     TakeOut,
-    /// Buy the right to use the part under the cursor.
+    /// Buy the part under the cursor.
     BuyPart,
-    /// Take back the last change.
+    /// Undo the last change.
     Undo,
-    /// Do again what was taken back.
+    /// Redo the last undone change.
     Redo,
-    /// Begin a new design.
+    /// Start a new design.
     NewDesign,
-    /// Keep the design under a name.
+    /// Save the design under a name.
     SaveDesign,
-    /// Show all designs, or the bench again.
+    /// Switch between the list of designs and the bench.
     Designs,
     /// Compare the design on the bench with another one.
     CompareDesign,
-    /// Keep a copy of the design.
+    /// Save a copy of the design.
     CopyDesign,
-    /// Give the design another name.
+    /// Rename the design.
     RenameDesign,
     /// Write the design to a file.
     ExportDesign,
     /// Read a design from a file.
     ImportDesign,
-    /// Show something else beside the lists.
+    /// Show the next view beside the lists.
     NextView,
-    /// Build for the mission before.
+    /// Build for the previous mission.
     MissionBefore,
-    /// Build for the mission after.
+    /// Build for the next mission.
     MissionAfter,
-    /// Show the seats of the mission's fleet, or the bench again.
+    /// Switch between the seats of the mission's fleet and the bench.
     Seats,
-    /// Choose the design for all seats.
+    /// Use the design for all seats.
     AllSeats,
-    /// Fly the mission with the drones that were chosen.
+    /// Fly the mission with the chosen drones.
     FlyFleet,
 }
 
-/// How far a cursor moves.
+/// A movement of the cursor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 pub enum Step {
@@ -403,13 +403,13 @@ pub enum Step {
     First,
     /// To the last line.
     Last,
-    /// To a line that was pointed at, counted from 0. No key means it.
+    /// To a given line, counted from 0; sent by clicks, never by a key.
     #[strum(disabled)]
     Row(usize),
 }
 
 impl Step {
-    /// Where a cursor at `at` of `count` lines goes; stays within them.
+    /// The line after a step from `at` of `count` lines; never out of range.
     pub fn apply(self, at: usize, count: usize) -> usize {
         let last = count.saturating_sub(1);
         match self {

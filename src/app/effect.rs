@@ -1,4 +1,4 @@
-//! Work for the shell, grouped by what it concerns.
+//! Work for the shell, grouped by subject.
 
 use std::time::Duration;
 
@@ -16,16 +16,16 @@ use crate::workshop::Design;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Launch {
     pub mission: String,
-    /// How the flight counts for a career.
+    /// What the flight counts as in a career.
     pub stake: Stake,
-    /// The seed, where it is the trainee's choice: for practice.
+    /// The seed where the trainee chose it, for practice.
     pub seed: Option<u64>,
-    /// The drones that were built for it, for all seats or one each; without any, the mission lends its own.
+    /// The built drones, one for all seats or one per seat; empty for the mission's own.
     pub fleet: Vec<Design>,
 }
 
 impl Launch {
-    /// A mission for credits and medals, with its own drones.
+    /// A graded flight with the mission's own drones.
     pub fn graded(mission: impl Into<String>) -> Self {
         Self {
             mission: mission.into(),
@@ -36,14 +36,14 @@ impl Launch {
     }
 }
 
-/// What a file that the user reads or writes holds.
+/// The content of a file that the user reads or writes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FileKind {
     /// Parameters of a vehicle.
     Parameters,
     /// A design of the workshop.
     Design,
-    /// A review of a flight, as Markdown; it is only written.
+    /// A review of a flight, as Markdown; write-only.
     Review,
 }
 
@@ -51,27 +51,27 @@ pub enum FileKind {
 #[derive(Debug, Clone, PartialEq)]
 pub enum Effect {
     Quit,
-    /// Carry out an order whose entry in the ledger is open already.
+    /// Carry out an order that already has an entry in the ledger.
     Order {
-        /// Where the outcome belongs.
+        /// The ledger's entry for the outcome.
         entry: EntryId,
         order: Order,
     },
-    /// Ask vehicles for all their parameters.
+    /// Download all parameters of vehicles.
     FetchParameters(Vec<VehicleId>),
     /// Read or write a file of the user.
     File(FileEffect),
-    /// Change the profile, or what belongs to it.
+    /// Change the profile or its data.
     Career(CareerEffect),
-    /// Start, steer or end a session.
+    /// Start, change or end a session.
     Session(SessionEffect),
-    /// Steer what is replayed.
+    /// Control the replay.
     Replay(ReplayEffect),
-    /// Change how the terminal shows the console, or call its user.
+    /// Change the terminal's display, or notify the user.
     Terminal(TerminalEffect),
 }
 
-/// What the shell has to do after an event, in this order.
+/// The shell's work after an event, in this order.
 #[derive(Debug, Default, Clone, PartialEq)]
 #[must_use = "the shell has to carry the effects out"]
 pub struct Effects(Vec<Effect>);
@@ -113,17 +113,17 @@ impl IntoIterator for Effects {
     }
 }
 
-/// A file to read or to write. Paths are as the user wrote them.
+/// A file to read or to write. Paths are as the user typed them.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum FileEffect {
     Read {
-        /// What it should hold.
+        /// The expected content.
         kind: FileKind,
         path: String,
     },
     Write {
         kind: FileKind,
-        /// Where to write it.
+        /// The path to write to.
         path: String,
         text: String,
         /// Whether an existing file may be replaced.
@@ -131,16 +131,16 @@ pub enum FileEffect {
     },
 }
 
-/// A change of the profile in use, or of what is stored with it.
+/// A change of the profile in use or of its data.
 #[derive(Debug, Clone, PartialEq)]
 pub enum CareerEffect {
-    /// Switch to the profile of this name.
+    /// Switch to the profile with this name.
     Choose(String),
-    /// Create a profile of this name and switch to it.
+    /// Create a profile with this name and switch to it.
     Create(String),
     /// Continue without a profile: flights are not saved.
     Leave,
-    /// Store how much advice the trainee wants.
+    /// Store the level of automatic advice.
     SetAids(Aids),
     /// Store the language of the screens.
     SetLanguage(Language),
@@ -150,7 +150,7 @@ pub enum CareerEffect {
     KeepDesign(Design),
     /// Store a design under another name.
     RenameDesign {
-        /// The name that it had.
+        /// The old name.
         from: String,
         /// The design with its new name.
         design: Design,
@@ -159,7 +159,7 @@ pub enum CareerEffect {
     DropDesign(String),
 }
 
-/// A change of what is flown.
+/// A change of the session.
 #[derive(Debug, Clone, PartialEq)]
 pub enum SessionEffect {
     StartMission(Launch),
@@ -169,13 +169,13 @@ pub enum SessionEffect {
     StartArduPilot,
     /// Connect to vehicles at these addresses.
     Connect(Vec<String>),
-    /// Close what these vehicles are heard by; one that is heard again is new.
+    /// Close the links to these vehicles; if heard again, they count as new.
     Forget(Vec<VehicleId>),
     /// Replay a recorded flight.
     Replay {
-        /// One of its files; `None` is the newest record.
+        /// One of its files; `None` for the newest record.
         path: Option<String>,
-        /// Whether to begin with its review.
+        /// Whether to start with its review.
         review: bool,
     },
     /// Restart or stop the process that simulates a vehicle.
@@ -184,33 +184,33 @@ pub enum SessionEffect {
     Inject(String),
     /// Set a bookmark with a text at this moment.
     Bookmark(String),
-    /// Fetch another flight of the mission, to be shown beside this one.
+    /// Fetch another flight of the mission to show beside this one.
     Ghost(GhostSource),
     /// Stop simulated time, and every deadline with it.
     Pause,
-    /// Let simulated time go on.
+    /// Resume simulated time.
     Continue,
-    /// Another pace of simulated time from now on.
+    /// Change the speed-up of simulated time.
     Speedup(PaceChange),
     /// End the mission now; its report follows as an event.
     Abandon,
     /// Start the same mission again.
     Restart {
-        /// Whether the seed stays the same.
+        /// Whether to keep the seed.
         alike: bool,
     },
     /// Stop the session and close its links; the state has dropped it already.
     Leave,
 }
 
-/// What a replay is to do.
+/// Control of a replay.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ReplayEffect {
-    /// Play, or stand still.
+    /// Play or pause.
     Play(bool),
-    /// Play from here back to the beginning.
+    /// Play backwards.
     Rewind,
-    /// Play so many times as fast as it was recorded.
+    /// Play at this multiple of the recorded speed.
     Rate(f64),
     Seek(SeekTarget),
     /// Show the next or the previous frame.
@@ -221,39 +221,39 @@ pub enum ReplayEffect {
     Moment {
         forward: bool,
     },
-    /// Show what happened at a time.
+    /// Go to a time in the record.
     Show(Duration),
-    /// Play a stretch over and over, or no longer.
+    /// Repeat a stretch; `None` ends that.
     Loop(Option<(Duration, Duration)>),
     /// Stop at moments of these kinds.
     StopAt(Vec<MomentKind>),
-    /// Store what its user makes of it.
+    /// Store the user's review.
     Keep(Box<Review>),
 }
 
-/// Something about the terminal.
+/// A change of the terminal.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum TerminalEffect {
-    /// Draw with this theme from now on.
+    /// Use this theme.
     SetTheme(String),
-    /// Draw at most this many frames per second from now on.
+    /// Limit the frames per second.
     SetFps(u8),
     Bell,
     /// Show a desktop notification.
     Notify(Text),
 }
 
-/// Another pace of simulated time.
+/// A change of the speed-up.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PaceChange {
-    /// How many times as fast as the clock on the wall simulated time passes from now on.
+    /// The new speed-up of simulated time over the wall clock.
     pub speedup: f64,
-    /// What ended a faster pace; `None` where the trainee asked for the change.
+    /// What ended a speed-up; `None` if the trainee asked for the change.
     pub because: Option<Text>,
 }
 
 impl PaceChange {
-    /// A pace that the trainee asks for.
+    /// A speed-up that the trainee asks for.
     pub fn wanted(speedup: f64) -> Self {
         Self {
             speedup,

@@ -1,4 +1,4 @@
-//! Events, grouped by where they come from.
+//! Events, grouped by origin.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -26,43 +26,43 @@ use crate::text::Text;
 use crate::vehicle::{Vehicle, VehicleId};
 use crate::verb::Verb;
 
-/// Something that the console reacts to.
+/// An event that the console handles.
 #[derive(Debug, Clone)]
 pub enum Event {
-    /// The user or the terminal did something.
+    /// Input from the user or the terminal.
     Terminal(TerminalEvent),
-    /// Time passed; nothing else moves the console's clock.
+    /// Time has passed; no other event moves the console's clock.
     Tick {
-        /// Since the start of the program, without the time for which the session stood still.
+        /// Time since the start of the program, without pauses of the session.
         now: Duration,
-        /// The same with it.
+        /// The same, including pauses.
         wall: Duration,
     },
-    /// A vehicle reported something.
+    /// News of a vehicle.
     Vehicle(VehicleEvent),
-    /// The links, or what the messages on them show, changed.
+    /// News of the links or their traffic.
     Link(LinkEvent),
-    /// The processes that simulate vehicles changed.
+    /// News of the processes that simulate vehicles.
     Process(ProcessEvent),
-    /// A session began, ended or went on.
+    /// News of the session.
     Session(SessionEvent),
-    /// A recording is replayed.
+    /// News of a replay.
     Replay(ReplayEvent),
-    /// The profile in use, or what belongs to it, changed.
+    /// A change of the profile in use or of its data.
     Career(CareerEvent),
     /// A file was read or written by the shell.
     File(FileEvent),
-    /// Something to tell, for the log of notices.
+    /// A notice for the log.
     Notice(Notice),
-    /// So many notices were dropped so far because the console was busy.
+    /// The number of notices dropped so far because the console was busy.
     NoticesDropped(u64),
-    /// The shell's short answer to its user, for the last line of the screen.
+    /// The shell's short answer, for the last line of the screen.
     Answer(Text),
-    /// The shell could not do something; the text says what, where, and what to do.
+    /// A failure of the shell; the text says what failed, where, and what to do.
     Failed(Text),
 }
 
-/// What the user and the terminal do.
+/// Input from the user or the terminal.
 #[derive(Debug, Clone)]
 pub enum TerminalEvent {
     /// A key was pressed (releases and repeats of modifiers are ignored).
@@ -73,22 +73,22 @@ pub enum TerminalEvent {
         column: u16,
         row: u16,
     },
-    /// Something was clicked on that was drawn for an action.
+    /// An element drawn for an action was clicked.
     Choose(Action),
-    /// The terminal has this size now.
+    /// The terminal has been resized.
     Resize {
         columns: u16,
         rows: u16,
     },
-    /// A whole line was entered at the prompt of the plain console.
+    /// A line was entered at the prompt of the plain console.
     Line(String),
-    /// The plain console has told what a screen would show: message and overlays close, except a question.
+    /// The plain console has printed what a screen would show: messages and overlays close, except a question.
     Told,
-    /// What the line to the terminal carries in bytes per second, while it cannot keep up.
+    /// The bytes per second that the line to the terminal carries, while it cannot keep up.
     SlowLine(Option<u32>),
 }
 
-/// What is heard of vehicles.
+/// News of vehicles.
 #[derive(Debug, Clone)]
 pub enum VehicleEvent {
     /// A vehicle's telemetry changed.
@@ -96,49 +96,49 @@ pub enum VehicleEvent {
     /// A vehicle's parameters, or the progress of their download, changed.
     Parameters {
         vehicle: VehicleId,
-        /// What is known of them now.
+        /// The known parameters.
         snapshot: ParameterSnapshot,
     },
-    /// A command was given in what is replayed.
+    /// A command was given in a replay.
     Given {
-        /// When it was given.
+        /// The time it was given.
         at: Duration,
-        /// The whole line in the console's grammar.
+        /// The whole command in the console's grammar.
         line: String,
         verb: &'static Verb,
-        /// What it sets at risk.
+        /// The risk that it brings.
         risk: Risk,
-        /// The vehicles that it goes to.
+        /// The vehicles that it addresses.
         vehicles: Vec<VehicleId>,
     },
-    /// An order advanced with one vehicle.
+    /// An order made progress with one vehicle.
     Row(RowUpdate),
-    /// The paths that vehicles of a manoeuvre are going to fly.
+    /// The paths that vehicles of a manoeuvre will fly.
     Paths(Vec<Path>),
 }
 
-/// What is heard of links.
+/// News of links.
 #[derive(Debug, Clone)]
 pub enum LinkEvent {
-    /// How the links are doing.
+    /// The state of each link.
     Summaries(Vec<LinkSummary>),
-    /// What the link doctor has found, once a second.
+    /// The findings of the link doctor, once a second.
     Findings(Vec<LinkFinding>),
-    /// The messages on the links, counted.
+    /// The message counts of the links.
     Traffic(Vec<LinkTraffic>),
 }
 
-/// What is heard of the processes that simulate vehicles.
+/// News of the processes that simulate vehicles.
 #[derive(Debug, Clone)]
 pub enum ProcessEvent {
-    /// How they are doing.
+    /// The state of each process.
     Instances(Vec<Instance>),
-    /// They could not be started at all.
+    /// The processes could not be started.
     NotLaunched(Text),
-    /// What the process of a vehicle has printed.
+    /// A process printed output.
     Printed {
         vehicle: VehicleId,
-        /// Whether the lines that are known already are to be dropped.
+        /// Whether to drop the lines shown so far.
         anew: bool,
         /// The new lines of its output, oldest first.
         lines: Vec<String>,
@@ -150,58 +150,58 @@ pub enum ProcessEvent {
 pub enum SessionEvent {
     /// A session has begun; it replaces the one before.
     Started(Box<Started>),
-    /// Simulated time stopped, or goes on.
+    /// Simulated time stopped or resumed.
     Paused(bool),
-    /// Simulated time passes at another pace.
+    /// The speed-up has changed.
     Speedup(PaceChange),
-    /// How the mission is going.
+    /// The progress of the mission.
     Mission(Box<Progress>),
     /// The mission is over.
     MissionEnded(Box<Report>),
-    /// Another flight of the mission is there, to be shown beside this one.
+    /// Another flight of the mission is ready to show beside this one.
     Ghost(Box<Ghost>),
 }
 
-/// The course of a replay. What was heard and happened comes as the events of then.
+/// The course of a replay. Recorded telemetry and occurrences arrive as their original events.
 #[derive(Debug, Clone)]
 pub enum ReplayEvent {
-    /// A recording was opened; what it was about follows as a session that has started.
+    /// A recording was opened; its session follows as a started one.
     Opened(Box<ReplayView>),
-    /// It has been read to its end: how long it is, and what is in it.
+    /// The recording has been read to its end: its length and content.
     Known {
         length: Duration,
         /// The moments found so far, earliest first.
         moments: Arc<Vec<Moment>>,
-        /// What the mission was scored, once that is known.
+        /// The mission's report, once it is known.
         report: Option<Arc<Report>>,
     },
-    /// The console is to show what it knew at another time.
+    /// The console must return to an earlier or later state.
     Restored(Box<FlightSnapshot>),
-    /// It stands there now.
+    /// The present position.
     At(ReplayPosition),
 }
 
-/// The state of profiles and careers.
+/// News of profiles and careers.
 #[derive(Debug, Clone)]
 pub enum CareerEvent {
     /// The names of all profiles.
     Profiles(Vec<String>),
-    /// The profile in use and how far its trainee has come; `None` without a profile.
+    /// The profile in use with its trainee's career; `None` without a profile.
     Career(Option<Box<Career>>),
-    /// The trainee's tries at the current revisions of missions, by mission id, oldest first.
+    /// The trainee's attempts at the current revisions of missions, by mission id, oldest first.
     Tries(BTreeMap<String, Vec<TryReport>>),
     /// The trainee's newest review of each mission, by mission id.
     Reviews(BTreeMap<String, Review>),
-    /// What the flight that has just ended brought to the career.
+    /// The rewards of the flight that has just ended.
     Rewarded(Box<Reward>),
 }
 
-/// What became of a file. Paths are as the user wrote them.
+/// The result of a file operation. Paths are as the user typed them.
 #[derive(Debug, Clone)]
 pub enum FileEvent {
     /// A file was read.
     Read {
-        /// What it should hold.
+        /// The expected content.
         kind: FileKind,
         path: String,
         text: String,
@@ -210,10 +210,10 @@ pub enum FileEvent {
     Written { path: String },
     /// A file was not written because it exists already.
     Exists {
-        /// What it would hold.
+        /// The intended content.
         kind: FileKind,
         path: String,
-        /// What would be written.
+        /// The text to write.
         text: String,
     },
 }
@@ -243,16 +243,16 @@ part_of_event! {
 /// A session that has just begun.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Started {
-    /// What is being done.
+    /// The kind of session.
     pub activity: Activity,
-    /// The mission, if it is one.
+    /// The mission, if there is one.
     pub mission: Option<Box<Listing>>,
     /// The places that commands may name.
     pub places: BTreeMap<String, LatLon>,
     /// The areas of the mission that are known from the start.
     pub areas: Vec<Area>,
-    /// How many processes are started for it; `None` where none is.
+    /// The number of processes started for it; `None` without any.
     pub processes: Option<usize>,
-    /// How many times as fast as the clock on the wall simulated time passes.
+    /// The speed-up of simulated time over the wall clock.
     pub speedup: f64,
 }

@@ -1,4 +1,4 @@
-//! The key bindings by room. The help is made from this table.
+//! The key bindings by room. The help is generated from this table.
 
 use std::borrow::Cow;
 
@@ -19,19 +19,19 @@ pub use hint::{HintKeys, KeyHint, hint, hint_words};
 pub use layout::latin;
 pub use press::Press;
 
-/// Where a binding holds.
+/// Where a binding applies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Place {
     /// In every room without an overlay.
     Anywhere,
     In(Room),
-    /// In every room while a recording is replayed, before what the room says.
+    /// In every room during a replay, before the room's own keys.
     Replay,
     /// On the command line and other prompts.
     Prompt,
-    /// On overlays that are read.
+    /// On overlays with text.
     Reader,
-    /// On lists that something is chosen from.
+    /// On lists to choose from.
     List,
 }
 
@@ -72,20 +72,20 @@ impl Place {
     }
 }
 
-/// What a key leads to.
+/// The effect of a key.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Meaning {
-    /// The console does something.
+    /// Performs an action.
     Do(Action),
-    /// The command line opens with these words in it.
+    /// Opens the command line with this text.
     Write(Cow<'static, str>),
-    /// A line is given as if it had been written and Enter pressed.
+    /// Gives this line as if typed and followed by Enter.
     Give(Cow<'static, str>),
-    /// The character joins the vehicle list that is being typed.
+    /// Adds the character to the vehicle list being typed.
     Type,
 }
 
-/// A key with its meaning; where it holds is known from where it stands.
+/// A key with its meaning; the table it is in sets where it applies.
 pub type KeyRow = (Press, Meaning);
 
 /// One row of the keymap.
@@ -100,12 +100,12 @@ pub struct Binding {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Keymap {
     bindings: Vec<Binding>,
-    /// Keys that mean nothing in a place, whatever they mean anywhere.
+    /// Keys without a meaning in a place, even if they have one anywhere.
     silent: Vec<(Press, Place)>,
 }
 
 impl Keymap {
-    /// A keymap of these rows, in the order of the help.
+    /// A keymap with these rows, in the order of the help.
     pub fn new(bindings: Vec<Binding>) -> Self {
         Self {
             bindings,
@@ -113,8 +113,8 @@ impl Keymap {
         }
     }
 
-    /// What a key means at a place. What a room says of a key comes before what holds anywhere. Where no line is edited,
-    /// a Ukrainian letter without a meaning of its own is the Latin key in its position.
+    /// The meaning of a key at a place. A room's own keys come before the general ones. Where no line is edited, a
+    /// Ukrainian letter without a meaning of its own counts as the Latin key in its position.
     pub fn resolve(&self, key: KeyEvent, place: Place) -> Option<&Meaning> {
         self.written(key, place).or_else(|| {
             let by_position = layout::by_position(key).filter(|_| place != Place::Prompt)?;
@@ -122,7 +122,7 @@ impl Keymap {
         })
     }
 
-    /// What a key means as it is written.
+    /// The meaning of a key, without a change of the keyboard layout.
     fn written(&self, key: KeyEvent, place: Place) -> Option<&Meaning> {
         let at = |place: Place| {
             let mut found = self.bindings.iter().filter(move |it| it.place == place);
@@ -141,7 +141,7 @@ impl Keymap {
         })
     }
 
-    /// What the console does for a key at a place, if it leads to an action.
+    /// The action of a key at a place, if its meaning is one.
     pub fn action(&self, key: KeyEvent, place: Place) -> Option<Action> {
         match self.resolve(key, place) {
             Some(Meaning::Do(action)) => Some(*action),
@@ -164,7 +164,7 @@ pub const fn key(c: char) -> Press {
     Press::Plain(KeyCode::Char(c))
 }
 
-/// A row that leads to an action.
+/// A row that performs an action.
 pub const fn does(press: Press, action: Action) -> KeyRow {
     (press, Meaning::Do(action))
 }

@@ -6,18 +6,18 @@ use super::keymap::{Keymap, Meaning, Place};
 use super::room_list::Room;
 use crate::mission::{Progress, STEP_KEY};
 
-/// Puts the key in force into the step of a lesson.
+/// Inserts the current key into a lesson's step.
 pub fn name_key(state: &State, progress: &mut Progress) {
     if let Some(step) = &mut progress.lesson
         && let Some(name) = step.key.take()
     {
-        // Where no key leads there, the word itself says what to write.
+        // Without a key, the step shows the word to type.
         let key = key_of(&state.keymap, &name).unwrap_or(name);
         step.text = step.text.filled(STEP_KEY, &key);
     }
 }
 
-/// The key, in flight, of an action or of a verb.
+/// The key for an action or a verb in flight.
 pub fn key_of(keymap: &Keymap, name: &str) -> Option<String> {
     let meaning = match Action::named(name) {
         Some(action) => Meaning::Do(action),

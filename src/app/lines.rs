@@ -1,5 +1,5 @@
-//! Lines that stand in files: macros and keys. Whether they can be given shows only in flight, but whether anybody
-//! could ever understand them is plain at once.
+//! Commands in files: macros and keys. Whether they are possible depends on the flight, but their syntax can be
+//! checked at once.
 
 use super::room_list::Room;
 use crate::diagnostic::Diagnostic;
@@ -7,7 +7,7 @@ use crate::language::{self, Channel, Context, Groups, Listed, NameList, Named, N
 use crate::text;
 use crate::vehicle::VehicleClass;
 
-/// What may stand in a file's line: themes are known, missions, macros and injects may be anybody's.
+/// Names that a command in a file may use: themes are known; missions, macros and injects may be any.
 #[derive(Debug)]
 struct NamesInFiles<'a> {
     themes: &'a [String],
@@ -23,7 +23,7 @@ impl Names for NamesInFiles<'_> {
     }
 }
 
-/// These themes, as words of a line.
+/// These themes as completions.
 pub fn themes(names: &[String]) -> Listed {
     let named = |name: &String| Named {
         name: name.clone(),
@@ -32,8 +32,8 @@ pub fn themes(names: &[String]) -> Listed {
     Listed::Names(names.iter().map(named).collect())
 }
 
-/// Runs `work` with what is known where a line stands in a file: groups and places may have any name, because
-/// those of the session are not known yet.
+/// Runs `work` with the context of a line in a file: groups and places may have any name, because the session is not
+/// known yet.
 fn in_file<T>(line: &str, themes: &[String], work: impl FnOnce(&Context<'_>) -> T) -> T {
     let words = line.split_whitespace();
     let named = words.filter_map(|word| word.strip_prefix('@'));
@@ -52,17 +52,17 @@ fn in_file<T>(line: &str, themes: &[String], work: impl FnOnce(&Context<'_>) -> 
 /// Checks a line of the command language.
 ///
 /// # Errors
-/// The first fault, with its place in the line.
+/// The first fault, with its position in the line.
 pub fn check(line: &str, themes: &[String]) -> Result<(), Diagnostic> {
     in_file(line, themes, |context| {
         language::parse(line, context).map(drop)
     })
 }
 
-/// Checks the beginning of a line, which is to be completed by hand: its verb has to exist.
+/// Checks the beginning of a line that the user will complete: its verb must exist.
 ///
 /// # Errors
-/// There is no such verb, or not on the command line; the place is its own.
+/// The verb is unknown or not allowed on the command line; with its position.
 pub fn check_beginning(line: &str) -> Result<(), Diagnostic> {
     if line.is_empty() {
         return Ok(());

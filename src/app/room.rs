@@ -1,6 +1,5 @@
-//! The rooms of the console. A room remembers something ([`Rooms`]), has keys, and gives actions a meaning
-//! ([`RoomModel`]); what concerns more than the room, it asks for ([`RoomRequest`]). The actions of one room alone go to
-//! that room only.
+//! The rooms of the console. A room has state ([`Rooms`]), keys, and a behaviour for actions ([`RoomModel`]); changes
+//! beyond the room are requests ([`RoomRequest`]). The actions of a single room go only to that room.
 
 use super::action::{Action, SelectAction, StartAction, Step, ViewAction};
 use super::keymap::{KeyHint, KeyRow};
@@ -32,59 +31,59 @@ pub use request::RoomRequest;
 /// Everything that the console shows.
 pub type State = state::State<Rooms>;
 
-/// What comes of an action in a room; `None` where the action means what it means everywhere.
+/// The result of an action in a room; `None` where the room leaves it to the console.
 pub type Answer = Option<Vec<RoomRequest>>;
 
-/// What a room remembers, and how it answers keys.
+/// A room's state and behaviour.
 pub trait RoomModel: Default {
     const KEYS: &'static [KeyRow];
 
-    /// What the last line of the screen says about keys.
+    /// The key hints on the last line of the screen.
     fn hints(state: &State) -> &'static [KeyHint];
 
-    /// The cursor moves, or the text scrolls.
+    /// Moves the cursor, or scrolls.
     fn step(_state: &mut State, _step: Step) -> Answer {
         None
     }
 
-    /// What is under the cursor is taken.
+    /// Chooses the item under the cursor.
     fn submit(_state: &mut State) -> Answer {
         None
     }
 
-    /// The last thing is taken back.
+    /// Cancels the last thing.
     fn escape(_state: &mut State) -> Answer {
         None
     }
 
-    /// The list is shown otherwise.
+    /// Changes how the list is shown.
     fn view(_state: &mut State, _action: ViewAction) -> Answer {
         None
     }
 
-    /// Something else is selected.
+    /// Changes the selection.
     fn select(_state: &mut State, _action: SelectAction) -> Answer {
         None
     }
 
-    /// The mission under the cursor is flown in another way.
+    /// Flies the mission under the cursor in another way.
     fn start(_state: &mut State, _action: StartAction) -> Answer {
         None
     }
 
-    /// The room is entered.
+    /// Called when the room is entered.
     fn entered(_state: &mut State) {}
 
     /// Shows only the lines that contain a text.
     fn filter(_state: &mut State, _text: &str) {}
 
-    /// Forgets what belongs to the session that has ended.
+    /// Drops the state of the session that has ended.
     fn forget_session(&mut self) {
         *self = Self::default();
     }
 }
 
-/// What a room does, without its type.
+/// A room's behaviour, without its type.
 struct RoomBehaviour {
     keys: &'static [KeyRow],
     hints: fn(&State) -> &'static [KeyHint],
@@ -117,7 +116,7 @@ impl RoomBehaviour {
 
 macro_rules! declare_models {
     ($($(#[$about:meta])* $Room:ident, $module:ident, $name:literal, $key:literal, $Model:ty;)+) => {
-        /// What every room remembers. It survives leaving the room.
+        /// The state of every room. It survives leaving the room.
         #[derive(Debug, Clone, Default)]
         pub struct Rooms {
             $($(#[$about])* pub(in crate::app) $module: $Model,)+
@@ -128,7 +127,7 @@ macro_rules! declare_models {
                 &self.$module
             })+
 
-            /// Forgets what belongs to the session that has ended.
+            /// Drops the state of the session that has ended.
             pub fn forget_session(&mut self) {
                 $(self.$module.forget_session();)+
             }
@@ -143,18 +142,18 @@ macro_rules! declare_models {
 }
 for_each_room!(declare_models);
 
-/// The keys that a room has of its own.
+/// A room's own keys.
 pub const fn keys(room: Room) -> &'static [KeyRow] {
     behaviour(room).keys
 }
 
-/// What the last line of the screen says about keys in the room that is shown.
+/// The key hints of the present room.
 pub fn hints(state: &State) -> impl Iterator<Item = KeyHint> {
     let all = (behaviour(state.room).hints)(state).iter().copied();
     all.filter(|&hint| footer_keys::is_of_use(state, hint))
 }
 
-/// Does an action in the room that is shown.
+/// Performs an action in the present room.
 pub fn act(state: &mut State, action: Action) -> Answer {
     let room = behaviour(state.room);
     match action {
@@ -199,13 +198,13 @@ pub fn act(state: &mut State, action: Action) -> Answer {
 }
 
 impl Room {
-    /// Does what only this room knows, if it is the one that is shown.
+    /// Performs an action that only this room has, if it is the present one.
     fn alone(self, state: &mut State, act: impl FnOnce(&mut State) -> Vec<RoomRequest>) -> Answer {
         (state.room == self).then(|| act(state))
     }
 }
 
-/// A room is entered.
+/// Calls the entry hook of a room.
 pub fn entered(state: &mut State, room: Room) {
     (behaviour(room).entered)(state);
 }

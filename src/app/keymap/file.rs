@@ -25,25 +25,25 @@ use crate::diagnostic::Diagnostic;
 use crate::language::{Channel, VerbRow, rows};
 use crate::text;
 
-/// What ends a line that is to be completed by hand.
+/// The ending of a line that the user must complete.
 const OPEN_END: &str = " ...";
 
-/// A row of a file: what a key means somewhere; `None` is nothing.
+/// A row of a file: the meaning of a key in a context; `None` disables the key.
 #[derive(Debug)]
 struct Row {
     press: Press,
     place: Place,
     meaning: Option<Meaning>,
-    /// Where the key stands, and how it is written.
+    /// The key as written, with its position.
     key: Spanned<String>,
 }
 
 impl Keymap {
-    /// Lays a keymap file over this keymap: a row takes the place of what the key meant in its context. The rows that
-    /// are right count, also where others are wrong. `themes` are the names that a line may say.
+    /// Applies a keymap file to this keymap: a row replaces the key's meaning in its context. Valid rows apply even if
+    /// others are invalid. `themes` are the valid theme names.
     ///
     /// # Errors
-    /// Every fault, at its place.
+    /// Every fault, with its position.
     pub fn overlay(&mut self, source: &str, themes: &[String]) -> Result<(), Vec<Diagnostic>> {
         let mut reading = Reading {
             source,
@@ -52,7 +52,7 @@ impl Keymap {
             faults: Vec::new(),
         };
         let (table, errors) = DeTable::parse_recoverable(source);
-        // Of several errors of the syntax, the later ones tend to follow from the first.
+        // Later syntax errors tend to follow from the first.
         let first = errors.first().map(Diagnostic::from_toml);
         reading.faults.extend(first);
         reading.contexts(table.into_inner());
@@ -92,7 +92,7 @@ impl Keymap {
                 None => self.silent.push((press, place)),
             }
         }
-        // Arrows with Shift are arrows too: what is more exact goes before, and the user's before the families.
+        // Arrows with Shift are arrows too: more specific keys go first, and the user's keys before families of keys.
         self.bindings
             .sort_by_key(|binding| !matches!(binding.press, Press::With(..)));
         self.bindings.extend(kept);
@@ -134,7 +134,7 @@ impl Reading<'_> {
     }
 
     fn keys(&mut self, place: Place, keys: DeTable<'_>) {
-        // In the order of the file, so that the later of two rows is the one too many.
+        // In file order, so that the later of two equal rows is the duplicate.
         let keys: BTreeMap<usize, _> = keys
             .into_iter()
             .map(|(key, value)| (key.span().start, (key, value)))
@@ -184,7 +184,7 @@ impl Reading<'_> {
         })
     }
 
-    /// A key of a room that means something else anywhere, by the same file, is a slip; switching it off is not.
+    /// Reports a room's key with another meaning under `anywhere` in the same file; disabling it is allowed.
     fn shadows(&mut self) {
         let general = |row: &&Row| row.place == Place::Anywhere && row.meaning.is_some();
         for row in &self.rows {
@@ -208,7 +208,7 @@ impl Reading<'_> {
     }
 }
 
-/// What a value means.
+/// The meaning of a value.
 fn meaning(value: &Spanned<DeValue<'_>>, themes: &[String]) -> Result<Option<Meaning>, Diagnostic> {
     let span = value.span();
     let line = match value.get_ref() {
@@ -235,7 +235,7 @@ fn meaning(value: &Spanned<DeValue<'_>>, themes: &[String]) -> Result<Option<Mea
         if line.contains(char::is_whitespace) {
             return in_file(fault);
         }
-        // A single word may have been meant as either.
+        // A single word may be meant as an action or as a line.
         let actions = Action::all().map(Action::name);
         let screen_rows = rows().filter(|row| row.scope.includes(Channel::Screen));
         let commands = screen_rows.map(VerbRow::name);

@@ -1,4 +1,4 @@
-//! Keys in hints and messages: those that lead to an action at a place.
+//! Keys in hints and messages: the keys for an action at a place.
 
 use std::borrow::Cow;
 
@@ -9,7 +9,7 @@ use crate::language::{VerbRow, rows, words};
 use crate::text;
 use crate::text::Text;
 
-/// What some keys do, for the last line of the screen.
+/// Keys and what they do, for the last line of the screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct KeyHint {
     pub keys: HintKeys,
@@ -17,14 +17,14 @@ pub struct KeyHint {
     pub about: &'static str,
 }
 
-/// The keys of a hint, by what they lead to.
+/// The keys of a hint, by their meaning.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HintKeys {
     /// The first key of each action.
     Actions(&'static [Action]),
-    /// The key that opens the command line with these words in it.
+    /// The key that opens the command line with this text.
     Words(&'static str),
-    /// The keys of a list of vehicles, and the one that takes it.
+    /// The keys of a vehicle list, and the one that submits it.
     VehicleList,
 }
 
@@ -34,7 +34,7 @@ pub const fn hint(actions: &'static [Action], about: &'static str) -> KeyHint {
     KeyHint { keys, about }
 }
 
-/// A hint for the key that opens the command line with some words in it.
+/// A hint for the key that opens the command line with a text.
 pub const fn hint_words(words: &'static str, about: &'static str) -> KeyHint {
     let keys = HintKeys::Words(words);
     KeyHint { keys, about }
@@ -47,12 +47,12 @@ impl From<Action> for Meaning {
 }
 
 impl Meaning {
-    /// The command line opens with these words in it.
+    /// The meaning that opens the command line with a text.
     pub const fn words(words: &'static str) -> Self {
         Self::Write(Cow::Borrowed(words))
     }
 
-    /// Whether both lead to the same, but for blanks at the end of a line.
+    /// Whether both have the same meaning, ignoring trailing blanks of a line.
     fn leads_where(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Write(one), Self::Write(other)) => one.trim_end() == other.trim_end(),
@@ -62,12 +62,12 @@ impl Meaning {
 }
 
 impl Keymap {
-    /// How the first key with a meaning at a place is printed; `None` where no key has it.
+    /// The label of the first key with a meaning at a place; `None` without one.
     pub fn label(&self, meaning: &Meaning, place: Place) -> Option<String> {
         self.first(meaning, place).map(Press::symbol)
     }
 
-    /// The same in a message, also where no key has it.
+    /// The same for a message, with a fallback where no key has the meaning.
     pub fn key(&self, meaning: impl Into<Meaning>, place: Place) -> Text {
         let label = self.label(&meaning.into(), place);
         label.map_or_else(|| text!("key-none"), Text::verbatim)
@@ -79,7 +79,7 @@ impl Keymap {
         label.map_or_else(|| text!("key-none"), Text::verbatim)
     }
 
-    /// What a key with a meaning does, in words for the help.
+    /// The description of a meaning, for the help.
     pub fn description(&self, meaning: &Meaning) -> Text {
         match meaning {
             Meaning::Do(action) => Text::new(format!("action-{}", action.name()), Vec::new()),
@@ -90,21 +90,21 @@ impl Keymap {
             ),
             Meaning::Give(line) => text!("keys-gives", line = line.as_ref()),
             Meaning::Type => {
-                // The rooms that show vehicles are alike.
+                // All rooms with vehicles have the same key.
                 let key = self.key(Action::Submit, Place::In(Room::Fly));
                 text!("keys-types", key = key)
             }
         }
     }
 
-    /// How the keys of a hint are printed; `None` where there are none.
+    /// The labels of a hint's keys; `None` without any.
     pub fn hint_label(&self, keys: HintKeys, place: Place) -> Option<String> {
         let label = |meaning: &Meaning| self.label(meaning, place);
         match keys {
             HintKeys::Actions(actions) => {
                 let labelled = actions.iter().filter_map(|it| label(&Meaning::Do(*it)));
                 let labels: Vec<String> = labelled.collect();
-                // The four directions of a cursor are read as one.
+                // The four arrow keys are shown as one.
                 let is_cursor = |action: &Action| matches!(action, Action::Move(_));
                 let is_short = labels.iter().all(|label| label.len() == 1);
                 let is_one = labels.len() == 4 && is_short && actions.iter().all(is_cursor);
@@ -120,8 +120,8 @@ impl Keymap {
         }
     }
 
-    /// The keys that give commands to vehicles at a place, one for each verb, in the order of the verbs. Those whose line
-    /// says itself to whom are left out.
+    /// The keys that give commands to vehicles at a place, one for each verb, in the order of the verbs. Keys whose
+    /// line names its own targets are left out.
     pub fn command_labels(&self, place: Place) -> Vec<String> {
         let to_vehicles = rows().filter(|row| row.scope.takes_targets());
         let key_of = |row: &VerbRow| {
@@ -146,7 +146,7 @@ impl Keymap {
         let Place::In(_) = place else {
             return own.map(|binding| binding.press);
         };
-        // A key that means something else in the room, or nothing, does not lead there.
+        // A key with another meaning in the room, or none, does not count.
         let is_free = |press: Press| {
             let is_silent = self.silent.contains(&(press, place));
             !is_silent && at(place).all(|it| !it.press.covers(press))

@@ -2,7 +2,7 @@
 
 use crossterm::event::{KeyCode, KeyEvent};
 
-/// The rows of a Ukrainian keyboard (JCUKEN), and below each what the same keys are on an English one.
+/// The rows of a Ukrainian keyboard (JCUKEN), each above the same keys of an English one.
 const ROWS: [[&str; 2]; 6] = [
     ["йцукенгшщзхї", "qwertyuiop[]"],
     ["фівапролджє", "asdfghjkl;'"],

@@ -1,4 +1,4 @@
-//! Keys: how they are written, and which presses they stand for.
+//! Keys: their spelling, and the key presses that they match.
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
@@ -8,7 +8,7 @@ use crate::text::Text;
 /// A key or a family of keys.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Press {
-    /// A key alone; for characters, as they are written (`?`, `G`).
+    /// A single key; for characters, the character itself (`?`, `G`).
     Plain(KeyCode),
     /// A letter with Ctrl.
     Control(char),
@@ -18,7 +18,7 @@ pub enum Press {
     Number,
 }
 
-/// The keys that have names: how they may be written, and what is printed on them.
+/// The named keys: their spellings, and their labels.
 const NAMED: &[(&[&str], &str, KeyCode)] = &[
     (&["space"], "Space", KeyCode::Char(' ')),
     (&["enter", "return"], "Enter", KeyCode::Enter),
@@ -43,15 +43,15 @@ const MODIFIERS: &[(&str, &str, KeyModifiers)] = &[
     ("shift-", "Shift-", KeyModifiers::SHIFT),
 ];
 
-/// Letters with Ctrl that terminals send as keys of their own.
+/// Letters with Ctrl that terminals send as other keys.
 const SAME: &[(char, &str)] = &[('i', "tab"), ('m', "enter"), ('[', "esc")];
 
 impl Press {
     /// Reads a key as keymap files spell it: `a`, `A`, `ctrl-a`, `alt-x`, `f5`, `space`, `shift-tab`. Names and
-    /// modifiers may be written in capitals too.
+    /// modifiers may be in capitals.
     ///
     /// # Errors
-    /// Why there is no such key.
+    /// The reason why the key does not exist.
     pub fn read(written: &str) -> Result<Self, Text> {
         let mut rest = written;
         let mut modifiers = KeyModifiers::NONE;
@@ -64,7 +64,7 @@ impl Press {
             .map_err(|same| text!("keymap-same-key", key = written, other = same))
     }
 
-    /// Whether a key that was pressed is meant.
+    /// Whether a key press matches.
     pub fn is(self, key: KeyEvent) -> bool {
         let control = key.modifiers.contains(KeyModifiers::CONTROL);
         let alt = key.modifiers.contains(KeyModifiers::ALT);
@@ -75,7 +75,7 @@ impl Press {
             }
             (Self::With(modifiers, KeyCode::Char(c)), KeyCode::Char(pressed)) => {
                 let same = c == pressed || (control && c.eq_ignore_ascii_case(&pressed));
-                // Shift is in the character already.
+                // The character already includes Shift.
                 same && key.modifiers - KeyModifiers::SHIFT == modifiers
             }
             (Self::With(modifiers, code), pressed) => code == pressed && key.modifiers == modifiers,
@@ -86,7 +86,7 @@ impl Press {
         }
     }
 
-    /// Whether all keys that another one stands for are among those of this one.
+    /// Whether this key matches every press that another one matches.
     pub fn covers(self, other: Self) -> bool {
         match (self, other) {
             (Self::Number, Self::Plain(code)) => self.is(KeyEvent::from(code)),
@@ -94,7 +94,7 @@ impl Press {
         }
     }
 
-    /// What is printed on the key, in as few characters as hints have room for.
+    /// The label of the key, as short as possible for hints.
     pub fn symbol(self) -> String {
         let arrow = match self {
             Self::Plain(KeyCode::Left) => "←",
@@ -107,7 +107,7 @@ impl Press {
         arrow.to_owned()
     }
 
-    /// What is printed on the key.
+    /// The label of the key.
     pub fn label(self) -> String {
         match self {
             Self::Control(letter) => format!("Ctrl-{}", letter.to_ascii_uppercase()),
@@ -124,7 +124,7 @@ impl Press {
     }
 }
 
-/// The modifier that a key begins with, and its length.
+/// The modifier at the beginning of a key, and its length.
 fn modifier(written: &str) -> Option<(usize, KeyModifiers)> {
     MODIFIERS.iter().find_map(|(prefix, _, modifier)| {
         let head = written.get(..prefix.len())?;
@@ -150,7 +150,7 @@ fn code(written: &str) -> Option<KeyCode> {
         .map(|(_, _, code)| *code)
 }
 
-/// One of the spellings that mean the same; the error is the key that terminals send instead.
+/// The canonical form of equivalent spellings; the error is the key that terminals send instead.
 fn combined(modifiers: KeyModifiers, code: KeyCode) -> Result<Press, &'static str> {
     let others = modifiers - KeyModifiers::SHIFT;
     let is_shift_alone = modifiers == KeyModifiers::SHIFT;

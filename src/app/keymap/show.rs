@@ -7,8 +7,8 @@ use crate::app::action::Action;
 use crate::text::Locale;
 
 impl Keymap {
-    /// A keymap file that means the same. What differs from the default stands in it; the default itself stands in
-    /// comments, as what could be changed. Every row says what it does.
+    /// An equivalent keymap file. Rows that differ from the default are active; the defaults are comments, ready to
+    /// change. Every row has a description.
     pub fn show(&self, locale: &Locale) -> String {
         let default = Self::default();
         let mut text = String::new();
@@ -46,7 +46,7 @@ impl Keymap {
     }
 }
 
-/// A meaning as a keymap file says it; none for the keys of vehicle lists, which are a family.
+/// A meaning in the syntax of a keymap file; `None` for the keys of vehicle lists, which are a family.
 fn written(meaning: &Meaning) -> Option<String> {
     match meaning {
         Meaning::Do(action) => Some(action.name().to_owned()),

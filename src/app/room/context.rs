@@ -1,4 +1,4 @@
-//! Views of the state that need what a room remembers.
+//! Views of the state that depend on the rooms' own state.
 
 use super::State;
 use crate::language::{Channel, Context, VehicleChoice};
@@ -7,7 +7,7 @@ use crate::text::Text;
 use crate::vehicle::VehicleId;
 
 impl State {
-    /// Runs `work` with what the grammar has to know: groups, places, vehicles.
+    /// Runs `work` with the grammar's context: groups, places, vehicles.
     pub fn with_context<T>(&self, work: impl FnOnce(&Context<'_>) -> T) -> T {
         let vehicles: Vec<VehicleId> = self.session.vehicles.keys().copied().collect();
         let named = self.session.areas.iter();
@@ -33,7 +33,7 @@ impl State {
         })
     }
 
-    /// The vehicles that a line to the console means.
+    /// The vehicles that a choice selects.
     ///
     /// # Errors
     /// There is no such group.

@@ -19,14 +19,14 @@ use crate::text;
 use crate::text::Locale;
 use crate::vehicle::Severity;
 
-/// Keys pressed so soon after the debrief has opened were meant for the flight.
+/// For this long after the debrief opens, keys are ignored: they were meant for the flight.
 const DEAF: Duration = Duration::from_secs(1);
 
-/// Columns that the text is made for.
+/// The width of the text in columns.
 pub const TEXT_WIDTH: u16 = 80;
-/// Columns from which on the truth is shown beside it.
+/// The least number of columns for the truth beside the text.
 const TRUTH_LEAST: u16 = 60;
-/// Rows of a screen from which on a summary stands above the text; rows of its head, and of the components below it.
+/// The least rows of a screen with a summary above the text; the rows of its head, and of the components below.
 const TALL: u16 = 36;
 const SUMMARY_HEAD: u16 = 4;
 const SUMMARY_LEAST: u16 = 6;
@@ -39,9 +39,9 @@ pub struct Debrief {
     pub(in crate::app) scroll: usize,
     /// Whether the map of the truth replaces the text, on a screen too narrow for both.
     pub(in crate::app) map: bool,
-    /// When it opened: keys that were meant for the flight must not close it.
+    /// The time it opened, after which keys are ignored for a moment.
     pub(in crate::app) since: Duration,
-    /// How high the highest vehicle was, in metres, at equal times of the flight.
+    /// The greatest height of any vehicle in metres, at equal intervals.
     pub(in crate::app) heights: Heights,
 }
 
@@ -60,12 +60,12 @@ impl Debrief {
         self.map
     }
 
-    /// How high the highest vehicle was, in metres, at equal times of the flight.
+    /// The greatest height of any vehicle in metres, at equal intervals.
     pub fn heights(&self) -> &[Option<f64>] {
         self.heights.all()
     }
 
-    /// Rows of the summary above the text on a screen of so many rows; none where the text needs them all.
+    /// The rows of the summary above the text, on a screen of this height; 0 where the text needs them all.
     pub fn summary_rows(&self, height: u16) -> u16 {
         if height < TALL {
             return 0;
@@ -74,7 +74,7 @@ impl Debrief {
         SUMMARY_HEAD + (components.count() as u16).clamp(SUMMARY_LEAST, SUMMARY_MOST)
     }
 
-    /// The result, with what the flight brought to a career, line by line, in the words of a language.
+    /// The lines of the result and of the rewards, in a language.
     pub fn lines(&self, reward: Option<&Reward>, locale: &Locale) -> Vec<DebriefLine> {
         let reward = reward.map_or_else(Vec::new, Reward::lines);
         let lines = debrief::lines_with(&self.report, &reward, locale).into_iter();
@@ -86,7 +86,7 @@ impl Debrief {
             .collect()
     }
 
-    /// The lines that a screen of so many rows shows: a summary has the result already.
+    /// The lines shown on a screen of this height: with a summary, the result is left out.
     pub fn shown_lines(
         &self,
         reward: Option<&Reward>,
@@ -110,14 +110,14 @@ impl Debrief {
         self.map && !self.is_beside(width)
     }
 
-    /// Whether it has opened so recently that keys were meant for the flight.
+    /// Whether it opened so recently that keys are ignored.
     pub fn is_deaf(&self, now: Duration) -> bool {
         now.saturating_sub(self.since) < DEAF
     }
 }
 
 impl State {
-    /// Whether the debrief has opened so recently that keys were meant for the flight.
+    /// Whether the debrief opened so recently that keys are ignored.
     pub fn is_deaf(&self) -> bool {
         let debrief = self.rooms.debrief.as_ref();
         self.room == Room::Debrief && debrief.is_some_and(|debrief| debrief.is_deaf(self.wall))
@@ -224,8 +224,7 @@ pub(super) fn act(state: &mut State, action: DebriefAction) -> Vec<RoomRequest> 
     Vec::new()
 }
 
-/// Shows another line first, made from the present one, the first lines of the sections, and how many lines can be
-/// first: scrolling ends with the last page.
+/// Scrolls: `to` gets the present first line, the first lines of the sections, and the number of possible first lines.
 fn turn(state: &mut State, to: impl FnOnce(usize, &[usize], usize) -> usize) {
     let height = state.size.1;
     if let Some(debrief) = &mut state.rooms.debrief {
@@ -243,8 +242,7 @@ fn turn(state: &mut State, to: impl FnOnce(usize, &[usize], usize) -> usize) {
     }
 }
 
-/// Flies what the trainee does best to fly next; where nobody's flights are kept, the mission after the one that was
-/// flown.
+/// Flies the recommended mission; without a profile, the one after the mission just flown.
 fn next_mission(state: &mut State) -> Vec<RoomRequest> {
     if let Some(next) = state.career.as_ref().and_then(Career::next_mission) {
         return vec![RoomRequest::Fly(state.launch(next))];

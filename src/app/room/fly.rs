@@ -1,4 +1,4 @@
-//! The swarm in flight: which vehicles the table shows, and in which order.
+//! The swarm in flight: the rows of the table and their order.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -13,9 +13,9 @@ use crate::config::{Column, TableSort};
 use crate::text;
 use crate::vehicle::{Severity, VehicleId};
 
-/// The shortest time between changes of the order, so that the eye can follow a row.
+/// The least time between changes of the order, so that a row can be followed.
 const RESORT_EVERY: Duration = Duration::from_secs(1);
-/// What the key for the order goes through where no columns have been chosen.
+/// The columns that the sort key cycles through where none are chosen.
 const SORTS: &[Column] = &[
     Column::Id,
     Column::Alert,
@@ -32,17 +32,17 @@ const SORTS: &[Column] = &[
 /// The state of the room.
 #[derive(Debug, Clone, Default)]
 pub struct Fly {
-    /// What the rows have to fit, as it was written.
+    /// The filter as typed.
     pub(in crate::app) filter: String,
     /// The vehicles in the table, in the order of their rows.
     rows: Vec<VehicleId>,
-    /// What they were ordered by last.
+    /// The sort keys of the last ordering.
     keys: BTreeMap<VehicleId, SortKey>,
     ordered: Option<(TableSort, Duration)>,
 }
 
 impl Fly {
-    /// What the rows have to fit, as it was written.
+    /// The filter as typed.
     pub fn filter_text(&self) -> &str {
         &self.filter
     }
@@ -52,7 +52,7 @@ impl Fly {
         &self.rows
     }
 
-    /// The place of a vehicle in the table; that of the first one if it is not there.
+    /// A vehicle's index in the table; 0 if it is not there.
     pub fn row_of(&self, vehicle: Option<VehicleId>) -> usize {
         let place = self.rows.iter().position(|&id| Some(id) == vehicle);
         place.unwrap_or(0)
@@ -163,7 +163,7 @@ impl RoomModel for Fly {
         Some(Vec::new())
     }
 
-    /// The filter goes last of what Esc takes back.
+    /// Esc clears the filter last.
     fn escape(state: &mut State) -> Answer {
         let is_all_else_taken_back = state.typed.is_empty() && state.session.selection.is_empty();
         if !is_all_else_taken_back || state.rooms.fly.filter.is_empty() {
@@ -179,7 +179,7 @@ impl RoomModel for Fly {
     }
 }
 
-/// What the table is ordered by.
+/// The order of the table.
 pub fn sorted_by(state: &State) -> TableSort {
     state.config.table.sort
 }
@@ -202,7 +202,7 @@ pub fn set_sort(state: &mut State, sort: TableSort) {
     state.say(Severity::Info, text);
 }
 
-/// Shows only what fits, and puts the cursor on something that is shown.
+/// Applies a filter, and puts the cursor on a shown vehicle.
 pub fn filter(state: &mut State, text: &str) {
     text.trim().clone_into(&mut state.rooms.fly.filter);
     state.rooms.fly.rows.clear();
@@ -219,7 +219,7 @@ pub fn filter(state: &mut State, text: &str) {
     }
 }
 
-/// A vehicle is heard for the first time: it has a row at once, and its place a little later.
+/// Adds a row for a new vehicle; it is sorted in a little later.
 pub fn heard(state: &mut State, id: VehicleId) {
     let filter = VehicleFilter::new(&state.rooms.fly.filter);
     let fits = |state: &State| {
@@ -234,12 +234,12 @@ pub fn heard(state: &mut State, id: VehicleId) {
     }
 }
 
-/// Takes out the rows of vehicles that were forgotten.
+/// Removes the rows of forgotten vehicles.
 pub fn forget(state: &mut State, ids: &[VehicleId]) {
     state.rooms.fly.rows.retain(|id| !ids.contains(id));
 }
 
-/// Brings the rows up to date now and then; whether they have changed.
+/// Updates the rows now and then; returns whether they have changed.
 pub fn tick(state: &mut State) -> bool {
     let sort = sorted_by(state);
     let fly = &state.rooms.fly;
@@ -258,14 +258,14 @@ pub fn tick(state: &mut State) -> bool {
     before != state.rooms.fly.rows
 }
 
-/// Takes note of what the line of alerts says.
+/// Acknowledges the alerts on the alert line.
 pub fn acknowledge_pressing(state: &mut State) {
     let pressing = state.session.alarms.pressing();
     let kind = pressing.map(|pressing| pressing.first.alert.kind);
     acknowledge(state, |_, known| Some(known) == kind);
 }
 
-/// Takes note of the alerts that `which` names, and says how many there were.
+/// Acknowledges the alerts that `which` selects; returns their number.
 pub fn acknowledge(state: &mut State, which: impl Fn(VehicleId, AlertKind) -> bool) {
     let count = state.session.alarms.acknowledge(which);
     state.say(Severity::Info, text!("alert-acknowledged", count = count));
@@ -286,9 +286,8 @@ fn next_sort(state: &mut State) {
     );
 }
 
-/// Filters and orders the rows. The vehicle under the cursor keeps its row although it fits no more: nothing may
-/// change under the hand of somebody who is about to command it. A figure that has hardly changed does not move
-/// its row either.
+/// Filters and sorts the rows. The vehicle under the cursor keeps its row even if the filter excludes it: the target
+/// of the next command must not change. A small change of a value does not move a row either.
 fn arrange(state: &mut State) {
     let sort = sorted_by(state);
     let session = &state.session;

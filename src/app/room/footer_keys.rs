@@ -14,8 +14,8 @@ pub const MISSION_HINT: KeyHint = hint_words("hint", "hint-hint");
 pub const PREDICT: KeyHint = hint_words("predict ", "hint-predict");
 pub const GOAL: KeyHint = hint_words("goal ", "hint-goal");
 
-/// Whether the keys could do something now: a pause, where the mission allows one; a further hint of the mission,
-/// where it has one; the trainee's word, before launch.
+/// Whether a hint's keys are of use now: pause, if the mission allows it; hint, if one is left; prediction and goal,
+/// before launch.
 pub fn is_of_use(state: &State, hint: KeyHint) -> bool {
     let mission = state.session.mission.as_ref();
     match hint {

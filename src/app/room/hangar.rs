@@ -1,4 +1,4 @@
-//! The hangar: the processes that simulate the vehicles, how far they are and what they say.
+//! The hangar: the processes that simulate the vehicles, their state and their output.
 
 use crate::app::State;
 use crate::app::action::{Action, HangarAction, Step};
@@ -14,26 +14,26 @@ use crate::vehicle::{Severity, VehicleId};
 /// The state of the room.
 #[derive(Debug, Clone, Default)]
 pub struct Hangar {
-    /// The place of the process under the cursor.
+    /// The index of the process under the cursor.
     pub(in crate::app) cursor: usize,
-    /// Whether its output has the whole screen.
+    /// Whether its output fills the screen.
     pub(in crate::app) opened: bool,
-    /// How many lines before the newest the output ends.
+    /// The number of newest lines scrolled out of view.
     pub(in crate::app) back: usize,
 }
 
 impl Hangar {
-    /// The place of the process under the cursor.
+    /// The index of the process under the cursor.
     pub fn cursor(&self) -> usize {
         self.cursor
     }
 
-    /// Whether its output has the whole screen.
+    /// Whether its output fills the screen.
     pub fn is_opened(&self) -> bool {
         self.opened
     }
 
-    /// How many lines before the newest the output ends.
+    /// The number of newest lines scrolled out of view.
     pub fn back(&self) -> usize {
         self.back
     }
@@ -45,7 +45,7 @@ pub fn under_cursor(state: &State) -> Option<&Instance> {
     instances.get(state.rooms.hangar.cursor)
 }
 
-/// The vehicle whose process is looked at: what it prints is wanted.
+/// The vehicle whose process output is needed.
 pub fn wanted(state: &State) -> Option<VehicleId> {
     let shown = under_cursor(state).filter(|_| state.room == Room::Hangar);
     shown.map(|instance| instance.vehicle)
@@ -137,7 +137,7 @@ fn requested(state: &mut State, deed: ProcessDeed, vehicle: VehicleId) -> Vec<Ro
     effects.map(RoomRequest::Effect).collect()
 }
 
-/// Has a vehicle's process started again or ended; asks while the vehicle is armed.
+/// Restarts or stops a vehicle's process; asks first while the vehicle is armed.
 pub fn order(state: &mut State, deed: ProcessDeed, vehicle: VehicleId) -> Effects {
     let instance = state
         .session
@@ -159,7 +159,7 @@ pub fn order(state: &mut State, deed: ProcessDeed, vehicle: VehicleId) -> Effect
     if deed == ProcessDeed::Stop
         && let Some(hangar) = state.session.hangar.as_mut().filter(|hangar| !hangar.begun)
     {
-        // Nobody waits for one that is not wanted any more.
+        // A stopped process is no longer waited for.
         hangar.expected = hangar.expected.saturating_sub(1);
     }
     if is_armed {
@@ -174,7 +174,7 @@ pub fn order(state: &mut State, deed: ProcessDeed, vehicle: VehicleId) -> Effect
     Effects::from(effect)
 }
 
-/// What is asked before a deed, and what is said of it.
+/// The question before a deed, and the notice after it.
 fn words(deed: ProcessDeed, vehicle: VehicleId) -> (Text, Text) {
     match deed {
         ProcessDeed::Restart => (
@@ -188,7 +188,7 @@ fn words(deed: ProcessDeed, vehicle: VehicleId) -> (Text, Text) {
     }
 }
 
-/// Closes the output; else leaves the room, and while the vehicles are still being started, the session.
+/// Closes the output; otherwise leaves the room, or the session while vehicles are still starting.
 fn escape(state: &mut State) -> Vec<RoomRequest> {
     state.hush();
     if state.rooms.hangar.opened {
@@ -201,7 +201,7 @@ fn escape(state: &mut State) -> Vec<RoomRequest> {
     Vec::new()
 }
 
-/// Keeps the cursor on a process when there are fewer.
+/// Keeps the cursor in range when there are fewer processes.
 pub fn keep_cursor(state: &mut State) {
     let hangar = state.session.hangar.as_ref();
     let count = hangar.map_or(0, |hangar| hangar.instances.len());

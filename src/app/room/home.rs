@@ -16,7 +16,7 @@ mod facts;
 
 pub use facts::{Fact, facts, unlocked};
 
-/// What the home screen remembers.
+/// The state of the home screen.
 #[derive(Debug, Clone, Default)]
 pub struct Home {
     /// The line under the cursor: the missions first, then the other [`HomeItem`]s.
@@ -33,7 +33,7 @@ impl Home {
 /// What the home screen offers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HomeItem {
-    /// The mission at this place of [`State::missions`].
+    /// The mission with this index in [`State::missions`].
     Mission(usize),
     /// Fly without a task.
     Free,
@@ -44,7 +44,7 @@ pub enum HomeItem {
     Quit,
 }
 
-/// What the home screen offers, from the top.
+/// The items of the home screen, from the top.
 pub fn items(state: &State) -> Vec<HomeItem> {
     let mut missions: Vec<usize> = (0..state.missions.len())
         .filter(|&at| of_drill(state, &state.missions[at]).is_none())
@@ -60,7 +60,7 @@ pub fn items(state: &State) -> Vec<HomeItem> {
         .collect()
 }
 
-/// The mission that a drill trains for, if it is on offer: such a drill is not listed by itself.
+/// The mission that a drill belongs to, if it is available: such a drill is not listed by itself.
 fn of_drill<'a>(state: &'a State, drill: &Listing) -> Option<&'a Listing> {
     let of = drill.drill_of.as_ref()?;
     state.missions.iter().find(|mission| mission.id == *of)
@@ -112,7 +112,7 @@ impl RoomModel for Home {
     fn step(state: &mut State, step: Step) -> Answer {
         let cursor = state.rooms.home.cursor;
         state.rooms.home.cursor = step.apply(cursor, items(state).len());
-        // The room of the mission shows another one now.
+        // The mission room now shows another mission.
         state.rooms.mission.scroll = 0;
         Some(Vec::new())
     }
@@ -140,7 +140,7 @@ pub fn under_cursor(state: &State) -> Option<&Listing> {
     }
 }
 
-/// Puts the cursor on a mission, or on the first line where it is not listed.
+/// Puts the cursor on a mission, or on the first line if it is not listed.
 pub fn point_at(state: &mut State, mission: Option<&str>) {
     let is_it = |item: &HomeItem| match item {
         HomeItem::Mission(at) => Some(state.missions[*at].id.as_str()) == mission,
@@ -150,7 +150,7 @@ pub fn point_at(state: &mut State, mission: Option<&str>) {
     state.rooms.mission.scroll = 0;
 }
 
-/// Flies the mission's drill, with the seed of the day, its exam, or for practice.
+/// Flies the mission's drill, daily, exam or practice.
 fn fly_otherwise(state: &mut State, how: StartAction, mission: String) -> Vec<RoomRequest> {
     match how {
         StartAction::Drill => fly_drill(state, &mission),
@@ -173,7 +173,7 @@ fn fly_otherwise(state: &mut State, how: StartAction, mission: String) -> Vec<Ro
 /// A practice flight with the seed that was entered; without one, the shell chooses it.
 ///
 /// # Errors
-/// It is no seed.
+/// The text is no seed.
 pub fn practice(state: &State, mission: &str, entered: &str) -> Result<Launch, Text> {
     let seed = match entered.trim() {
         "" => None,
@@ -186,8 +186,7 @@ pub fn practice(state: &State, mission: &str, entered: &str) -> Result<Launch, T
     })
 }
 
-/// Takes the addresses that were entered. The prompt stays until the session has started, or says there why
-/// it could not.
+/// Connects to the addresses entered. The prompt stays open until the session has started, or shows the error.
 ///
 /// # Errors
 /// There is no address.

@@ -1,4 +1,4 @@
-//! The keys by default: those of every room, and those that hold in several.
+//! The keys by default: those of every room, and those of several.
 
 use crossterm::event::KeyCode;
 
@@ -73,7 +73,7 @@ const MOVES: &[KeyRow] = &[
     does(Press::Plain(KeyCode::End), Action::Move(Step::Last)),
 ];
 
-/// The keys that steer a replay.
+/// The keys that control a replay.
 const REPLAY: &[KeyRow] = &[
     does(key(' '), Action::Replay(ReplayAction::PlayReplay)),
     does(
@@ -129,7 +129,7 @@ const PROMPT: &[KeyRow] = &[
     does(Press::Plain(KeyCode::Down), Action::Line(LineAction::Newer)),
 ];
 
-/// The keys that select vehicles and command them, in the rooms that show vehicles; a room's own keys go before.
+/// The keys that select and command vehicles, in rooms with vehicles; a room's own keys come first.
 const VEHICLES: &[KeyRow] = &[
     (Press::Number, Meaning::Type),
     does(ENTER, Action::Submit),

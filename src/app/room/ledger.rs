@@ -1,4 +1,4 @@
-//! Every command so far: which of them are shown, and which one is looked at.
+//! All commands: which are shown, and which one is open.
 
 use crate::app::State;
 use crate::app::action::{Action, LedgerAction, Step, ViewAction};
@@ -13,37 +13,37 @@ use crate::text::Text;
 /// The state of the room.
 #[derive(Debug, Clone, Default)]
 pub struct Ledger {
-    /// What the commands have to contain, as it was written.
+    /// The filter as typed.
     pub(in crate::app) filter: String,
-    /// How they have to have ended.
+    /// The outcome to show.
     pub(in crate::app) outcome: Outcome,
-    /// The command under the cursor; `None` is the newest, also when newer ones come.
+    /// The command under the cursor; `None` for the newest, also when newer ones come.
     pub(in crate::app) cursor: Option<EntryId>,
-    /// Whether the rows of the command under the cursor have the whole screen.
+    /// Whether the rows of the command under the cursor fill the screen.
     pub(in crate::app) opened: bool,
-    /// The first of these rows that is shown.
+    /// The first row shown.
     pub(in crate::app) scroll: usize,
-    /// The commands that fit, oldest first.
+    /// The shown commands, oldest first.
     shown: Vec<EntryId>,
-    /// Whether something has happened since they were looked for.
+    /// Whether the list needs an update.
     stale: bool,
 }
 
-/// Which commands are shown, by what became of them.
+/// Which commands are shown, by outcome.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Outcome {
     #[default]
     Any,
-    /// Those that went wrong with some vehicle.
+    /// Those that failed for a vehicle.
     Failed,
-    /// Those that are under way with some vehicle.
+    /// Those under way for a vehicle.
     UnderWay,
-    /// Those that every vehicle has carried out.
+    /// Those that every vehicle has completed.
     Done,
 }
 
 impl Outcome {
-    /// What the heading says of it; nothing where all are shown.
+    /// Its heading; `None` where all are shown.
     pub fn title(self) -> Option<Text> {
         match self {
             Self::Any => None,
@@ -74,43 +74,43 @@ impl Outcome {
 }
 
 impl Ledger {
-    /// What the commands have to contain, as it was written.
+    /// The filter as typed.
     pub fn filter_text(&self) -> &str {
         &self.filter
     }
 
-    /// How they have to have ended.
+    /// The outcome to show.
     pub fn outcome(&self) -> Outcome {
         self.outcome
     }
 
-    /// The command under the cursor; `None` is the newest, also when newer ones come.
+    /// The command under the cursor; `None` for the newest, also when newer ones come.
     pub fn cursor(&self) -> Option<EntryId> {
         self.cursor
     }
 
-    /// Whether the rows of the command under the cursor have the whole screen.
+    /// Whether the rows of the command under the cursor fill the screen.
     pub fn is_opened(&self) -> bool {
         self.opened
     }
 
-    /// The first of these rows that is shown.
+    /// The first row shown.
     pub fn scroll(&self) -> usize {
         self.scroll
     }
 
-    /// The commands that fit, oldest first.
+    /// The shown commands, oldest first.
     pub fn shown(&self) -> &[EntryId] {
         &self.shown
     }
 
-    /// The place of the cursor among them.
+    /// The index of the cursor among them.
     pub fn place(&self) -> usize {
         let newest = self.shown.len().saturating_sub(1);
         let Some(cursor) = self.cursor else {
             return newest;
         };
-        // What has fallen out or fits no more gives way to what came after it.
+        // If the command is gone or filtered out, the cursor is on the next one.
         let place = self.shown.partition_point(|&id| id < cursor);
         place.min(newest)
     }
@@ -120,7 +120,7 @@ impl Ledger {
         self.shown.get(self.place()).copied()
     }
 
-    /// Something has happened to a command.
+    /// Marks the list for an update.
     pub fn spoil(&mut self) {
         self.stale = true;
     }
@@ -219,13 +219,13 @@ pub(super) fn act(state: &mut State, action: LedgerAction) -> Vec<RoomRequest> {
     Vec::new()
 }
 
-/// Shows only the commands that fit.
+/// Applies a filter.
 pub fn filter(state: &mut State, text: &str) {
     text.trim().clone_into(&mut state.rooms.ledger.filter);
     find(state);
 }
 
-/// Looks for the commands that fit if something has happened, and whether something had.
+/// Updates the list if needed; returns whether it was.
 pub fn tick(state: &mut State) -> bool {
     let is_due = state.rooms.ledger.stale && state.room == Room::Ledger;
     if is_due {
@@ -244,7 +244,7 @@ fn find(state: &mut State) {
     room.shown = fitting.map(|entry| entry.id).collect();
 }
 
-/// What was opened last is taken back first; then the room is left.
+/// Closes what was opened last; then leaves the room.
 fn escape(state: &mut State) {
     state.hush();
     let room = &mut state.rooms.ledger;
@@ -258,11 +258,11 @@ fn escape(state: &mut State) {
     }
 }
 
-/// A word of the filter: all have to fit.
+/// A word of the filter; all must match.
 enum Term {
-    /// It went to one of these vehicles.
+    /// The command addresses one of these vehicles.
     Vehicles(Vec<u16>),
-    /// Its line, or what became of it, has this in it.
+    /// Its line or its outcome contains this text.
     Word(String),
 }
 
@@ -294,7 +294,7 @@ impl Term {
     }
 }
 
-/// The word of a filter for a command's outcome.
+/// The filter word for an outcome.
 fn became(state: RowState) -> &'static str {
     match state {
         RowState::Queued => "queued",

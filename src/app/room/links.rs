@@ -1,4 +1,4 @@
-//! The links: what they count, how they did lately, and what ails them.
+//! The links: their counters, their history, and their faults.
 
 use std::collections::VecDeque;
 
@@ -8,7 +8,7 @@ use crate::app::keymap::{KeyHint, KeyRow, hint};
 use crate::app::room::{Answer, Room, RoomModel};
 use crate::app::state::LinkSummary;
 
-/// Seconds that the history looks back.
+/// The length of the history in seconds.
 pub const HISTORY_S: usize = 60;
 
 /// The state of the room.
@@ -16,11 +16,11 @@ pub const HISTORY_S: usize = 60;
 pub struct Links {
     /// The link under the cursor.
     pub(in crate::app) cursor: usize,
-    /// What every link has carried, one value a second.
+    /// The traffic of every link, one value per second.
     pub(in crate::app) history: Vec<History>,
 }
 
-/// What a link has carried lately, newest last.
+/// The recent traffic of a link, newest last.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct History {
     /// Bytes per second received.
@@ -69,12 +69,12 @@ impl Links {
         self.cursor
     }
 
-    /// What every link has carried, one value a second.
+    /// The traffic of every link, one value per second.
     pub fn histories(&self) -> &[History] {
         &self.history
     }
 
-    /// Takes in how the links are doing; to be called once a second.
+    /// Adds the links' present values; called once a second.
     pub fn note(&mut self, links: &[LinkSummary]) {
         self.history.resize(links.len(), History::default());
         for (history, link) in self.history.iter_mut().zip(links) {

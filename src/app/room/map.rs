@@ -1,4 +1,4 @@
-//! The map: which piece of the earth is shown, where its cursor is, and what has been seen on the way.
+//! The map: the area shown, the cursor, and the trails.
 
 use std::collections::BTreeMap;
 
@@ -18,98 +18,98 @@ pub use scene::{Sketch, SketchKind, planned, sketches};
 pub use trail::Trail;
 pub use watch::{began, heard, leg, measured, refit, tick};
 
-/// Columns and rows by which a followed vehicle may leave the middle before the map moves after it.
+/// Columns and rows by which a followed vehicle may leave the centre before the map moves.
 const LEASH_COLUMNS: f64 = 12.0;
 const LEASH_ROWS: f64 = 4.0;
-/// How far ahead of it, as a share of that, the map then stands.
+/// How far ahead of the vehicle the map is then centred, as a share of that.
 const AHEAD: f64 = 0.7;
 
-/// A screen of at least this size has room for the legend.
+/// The least screen size with room for the legend.
 const LEGEND_LEAST: GridSize = GridSize::new(110, 30);
-/// Columns of the legend, beside the canvas, with a gap.
+/// Columns of the legend beside the canvas, with a gap.
 pub const LEGEND_WIDTH: u16 = 35;
 /// Rows of the screen above the canvas: the header, the title.
 const ROWS_ABOVE: u16 = 2;
-/// Rows of the screen that are not the canvas: those above, the line about the cursor, the footer.
+/// Rows of the screen outside the canvas: those above, the cursor's line, the footer.
 const OTHER_ROWS: u16 = ROWS_ABOVE + 2;
 
 /// The map's own state.
 #[derive(Debug, Clone, Default)]
 pub struct Map {
-    /// What the view holds on to.
+    /// What the view is fixed to.
     pub(in crate::app) aim: Aim,
-    /// The place that the cursor points at; `None` is the middle of the view.
+    /// The position of the cursor; `None` for the centre of the view.
     pub(in crate::app) cursor: Option<LatLon>,
-    /// Where the ruler begins.
+    /// The start of the ruler.
     pub(in crate::app) mark: Option<LatLon>,
-    /// Whether the legend is wanted; `None` leaves it to the size of the terminal.
+    /// Whether the user wants the legend; `None` leaves it to the size of the terminal.
     pub(in crate::app) legend: Option<bool>,
-    /// Whether the ways of the vehicles are left out.
+    /// Whether trails are hidden.
     pub(in crate::app) trails_hidden: bool,
-    /// Which of the sensors is drawn, counted round.
+    /// The index of the sensor drawn, modulo their number.
     pub(in crate::app) sensor: usize,
-    /// Where each vehicle has been.
+    /// The trail of each vehicle.
     pub(in crate::app) trails: BTreeMap<VehicleId, Trail>,
-    /// What the sensors have shown.
+    /// The sensors' readings.
     pub(in crate::app) samples: Samples,
-    /// The piece of the earth with everything in it.
+    /// The extent of everything on the map.
     pub(in crate::app) overview: Overview,
 }
 
-/// What the view holds on to.
+/// What the view is fixed to.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Aim {
-    /// Everything, at the scale at which it fits.
+    /// Everything, at the scale that fits.
     #[default]
     All,
     /// A place, at a scale.
     Place(LatLon, Zoom),
-    /// The vehicle under the cursor, at a scale; the place is where the view stands while the vehicle is near.
+    /// The vehicle under the cursor, at a scale; the place is the centre of the view while the vehicle is near it.
     Vehicle(LatLon, Zoom),
 }
 
 impl Map {
-    /// What the view holds on to.
+    /// What the view is fixed to.
     pub fn aim(&self) -> Aim {
         self.aim
     }
 
-    /// The place that the cursor points at; `None` is the middle of the view.
+    /// The position of the cursor; `None` for the centre of the view.
     pub fn cursor(&self) -> Option<LatLon> {
         self.cursor
     }
 
-    /// Where the ruler begins.
+    /// The start of the ruler.
     pub fn mark(&self) -> Option<LatLon> {
         self.mark
     }
 
-    /// Whether the legend is wanted; `None` leaves it to the size of the terminal.
+    /// Whether the user wants the legend; `None` leaves it to the size of the terminal.
     pub fn legend(&self) -> Option<bool> {
         self.legend
     }
 
-    /// Whether the ways of the vehicles are left out.
+    /// Whether trails are hidden.
     pub fn hides_trails(&self) -> bool {
         self.trails_hidden
     }
 
-    /// Where each vehicle has been.
+    /// The trail of each vehicle.
     pub fn trails(&self) -> &BTreeMap<VehicleId, Trail> {
         &self.trails
     }
 
-    /// What the sensors have shown.
+    /// The sensors' readings.
     pub fn samples(&self) -> &Samples {
         &self.samples
     }
 
-    /// The piece of the earth with everything in it.
+    /// The extent of everything on the map.
     pub fn overview(&self) -> &Overview {
         &self.overview
     }
 
-    /// The map of another session: what has been seen is gone, what the user wants to see stays.
+    /// The map of the next session: readings and trails are dropped, the user's settings stay.
     #[must_use]
     pub fn for_next_session(&self) -> Self {
         Self {
@@ -119,14 +119,14 @@ impl Map {
         }
     }
 
-    /// Goes back to what had been seen at another time; what the user looks at stays.
+    /// Restores the readings and trails of another time; the user's view stays.
     pub(in crate::app) fn remember(&mut self, then: Self) {
         self.trails = then.trails;
         self.samples = then.samples;
         self.overview = then.overview;
     }
 
-    /// What a canvas shows; `None` while nothing has a place.
+    /// The viewport of a canvas; `None` while nothing has a position.
     pub fn view(&self, size: GridSize) -> Option<Viewport> {
         let (centre, zoom) = match self.aim {
             Aim::Place(centre, zoom) | Aim::Vehicle(centre, zoom) => (centre, zoom),
@@ -138,14 +138,14 @@ impl Map {
         Some(Viewport::new(centre, zoom, size))
     }
 
-    /// The place under the cursor.
+    /// The position under the cursor.
     pub fn pointed(&self, view: &Viewport) -> LatLon {
         let (column, row) = (i32::from(view.columns / 2), i32::from(view.rows / 2));
         self.cursor.unwrap_or_else(|| view.middle_of(column, row))
     }
 
-    /// Moves the cursor by cells, from the middle if it is out of sight; the view moves along by a part of its
-    /// size when the cursor comes to its edge.
+    /// Moves the cursor by cells, from the centre if it is out of sight; the view scrolls when the cursor reaches its
+    /// edge.
     pub fn step(&mut self, size: GridSize, right: i32, down: i32) {
         let Some(view) = self.view(size) else {
             return;
@@ -166,7 +166,7 @@ impl Map {
         }
     }
 
-    /// Puts the cursor on a cell of a screen of some size, if the canvas is there.
+    /// Puts the cursor on a cell of the screen, if the canvas covers it.
     pub fn click(&mut self, screen: GridSize, column: u16, row: u16) {
         let size = self.canvas(screen);
         let row = row.checked_sub(ROWS_ABOVE);
@@ -178,7 +178,7 @@ impl Map {
         }
     }
 
-    /// Comes closer or goes away; what is under the cursor stays where it is on the screen.
+    /// Zooms in or out; the position under the cursor stays in place on the screen.
     pub fn zoom(&mut self, size: GridSize, closer: bool) {
         let Some(view) = self.view(size) else {
             return;
@@ -198,7 +198,7 @@ impl Map {
             .unwrap_or(view.centre);
         let (before, end) = (view.dot(fixed), view.end());
         let mut centre = view.centre;
-        // The scale of a view is that of its middle, which moves: the second try is exact to a fraction of a dot.
+        // A view's scale is that of its centre, which moves: the second iteration is exact to a fraction of a dot.
         for _ in 0..2 {
             let next = Viewport::new(centre, zoom, size);
             let then = next.dot(fixed);
@@ -210,7 +210,7 @@ impl Map {
         self.aim = Aim::Place(centre, zoom);
     }
 
-    /// Puts a place into the middle of the view and under the cursor.
+    /// Centres the view and the cursor on a place.
     pub fn centre_on(&mut self, size: GridSize, place: LatLon) {
         if let Some(view) = self.view(size) {
             self.aim = Aim::Place(place, view.zoom);
@@ -218,14 +218,14 @@ impl Map {
         }
     }
 
-    /// Lets the view follow a vehicle that is at this place, at the present scale.
+    /// Follows a vehicle at this place, at the present scale.
     pub fn follow(&mut self, size: GridSize, place: LatLon) {
         if let Some(view) = self.view(size) {
             self.aim = Aim::Vehicle(place, view.zoom);
         }
     }
 
-    /// The followed vehicle is here now. The view moves only when it has gone some cells, and then ahead of it.
+    /// Updates the followed vehicle's place. The view moves only after some cells, and then ahead of it.
     pub fn followed(&mut self, place: LatLon) {
         let Aim::Vehicle(stand, zoom) = self.aim else {
             return;
@@ -262,15 +262,15 @@ impl Map {
         }
     }
 
-    /// The sensor that is drawn, by its name, and what it has shown.
+    /// The sensor drawn, by name, and its readings.
     pub fn field(&self) -> Option<(&str, &SampleField)> {
         let count = self.samples.fields().len();
         self.samples.fields().nth(self.sensor.checked_rem(count)?)
     }
 }
 
-/// By how many cells the view has to move, if a cursor at this cell is at its edge or beyond: a third of the view,
-/// or as far as the cursor went.
+/// The cells by which the view must scroll for a cursor at or beyond its edge: a third of the view, or as far as the
+/// cursor moved.
 fn beyond(at: i32, count: u16) -> i32 {
     let last = i32::from(count) - 1;
     let jump = (i32::from(count) / 3).max(1);

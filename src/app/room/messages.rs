@@ -20,50 +20,50 @@ mod tree;
 pub use pin::{GRAPH_SPAN, Pin, PinExtent};
 pub use tree::{Branch, Node};
 
-/// Graphs that fit below the fields.
+/// The most graphs below the fields.
 const MOST_PINS: usize = 4;
 
 /// The state of the room.
 #[derive(Debug, Clone, Default)]
 pub struct Messages {
-    /// The links as they were looked at last.
+    /// The traffic at the last look.
     pub(in crate::app) traffic: Vec<LinkTraffic>,
-    /// Whether the picture stands still.
+    /// Whether the display is paused.
     pub(in crate::app) paused: bool,
     /// Only messages whose name or number contains this are shown.
     pub(in crate::app) filter: String,
     /// The order of a component's messages.
     pub(in crate::app) sort: Sort,
-    /// The line under the cursor; `None` is the first.
+    /// The line under the cursor; `None` for the first.
     pub(in crate::app) cursor: Option<Node>,
-    /// The field under the cursor, while the fields have it.
+    /// The field under the cursor, while the fields have the focus.
     pub(in crate::app) field: Option<usize>,
     /// Whether the last frame is shown byte by byte.
     pub(in crate::app) hex: bool,
     /// The fields that are drawn as graphs.
     pub(in crate::app) pins: Vec<Pin>,
-    /// Branches that are not as they are by default: open ones closed, closed ones opened.
+    /// Branches toggled from their default state.
     turned: BTreeSet<Node>,
 }
 
-/// What came by one link.
+/// The traffic of one link.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LinkTraffic {
     pub name: String,
-    /// When this was, on the clock of the link's census.
+    /// The time of the count, on the clock of the link's census.
     pub now: Duration,
-    /// The counts; `None` where only graphs wanted something.
+    /// The counts; `None` if only graphs needed data.
     pub census: Option<Census>,
     /// The frames of the fields with a graph.
     pub watched: Vec<WatchedMessage>,
 }
 
-/// What the room wants to see of the links.
+/// The data that the room needs from the links.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Wanted {
-    /// The counts of all messages.
+    /// Whether the counts of all messages are needed.
     pub census: bool,
-    /// Kinds of which every frame is wanted, with the number of the link.
+    /// Messages of which every frame is needed, with the number of the link.
     pub watched: BTreeSet<(usize, TallyKey)>,
 }
 
@@ -72,15 +72,15 @@ pub struct Wanted {
 pub struct Selected<'a> {
     /// The number of its link.
     pub link: usize,
-    /// Which message from whom.
+    /// The message and its sender.
     pub key: TallyKey,
-    /// What is known of it.
+    /// Its counts.
     pub tally: &'a MessageTally,
-    /// The time of the look, on the link's clock.
+    /// The time of the count, on the link's clock.
     pub now: Duration,
 }
 
-/// What messages are ordered by.
+/// The order of the messages.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Sort {
     /// The lowest MAVLink id first.
@@ -90,11 +90,11 @@ pub enum Sort {
     Name,
     /// The most frequent first, by messages per second.
     Rate,
-    /// The one that came last first.
+    /// The most recent first.
     Age,
 }
 
-/// What the room wants to see now; `None` is nothing.
+/// The data that the room needs now; `None` for none.
 pub fn wanted(state: &State) -> Option<Wanted> {
     let room = &state.rooms.messages;
     let census = state.room == Room::Messages;
@@ -127,12 +127,12 @@ impl Sort {
 }
 
 impl Messages {
-    /// The links as they were looked at last.
+    /// The traffic at the last look.
     pub fn traffic(&self) -> &[LinkTraffic] {
         &self.traffic
     }
 
-    /// Whether the picture stands still.
+    /// Whether the display is paused.
     pub fn is_paused(&self) -> bool {
         self.paused
     }
@@ -142,17 +142,17 @@ impl Messages {
         &self.filter
     }
 
-    /// What the messages of a component are ordered by.
+    /// The order of a component's messages.
     pub fn sort(&self) -> Sort {
         self.sort
     }
 
-    /// The line under the cursor; `None` is the first.
+    /// The line under the cursor; `None` for the first.
     pub fn cursor(&self) -> Option<Node> {
         self.cursor
     }
 
-    /// The field under the cursor, while the fields have it.
+    /// The field under the cursor, while the fields have the focus.
     pub fn field(&self) -> Option<usize> {
         self.field
     }
@@ -167,7 +167,7 @@ impl Messages {
         &self.pins
     }
 
-    /// Takes a look at the links in.
+    /// Takes new traffic.
     pub fn take(&mut self, traffic: Vec<LinkTraffic>) {
         for (link, seen) in traffic.iter().enumerate() {
             for pin in self.pins.iter_mut().filter(|pin| pin.link == link) {
@@ -184,7 +184,7 @@ impl Messages {
         self.selected_in(&self.branches())
     }
 
-    /// The same, where the lines are known.
+    /// The same, from lines already computed.
     pub fn selected_in(&self, branches: &[Branch]) -> Option<Selected<'_>> {
         let Node::Message(link, key) = branches.get(self.cursor_row(branches))?.node else {
             return None;
@@ -198,13 +198,13 @@ impl Messages {
         })
     }
 
-    /// What the last frame of the message under the cursor says.
+    /// The fields of the last frame of the message under the cursor.
     pub fn reading(&self) -> Option<MessageReading> {
         let last = &self.selected()?.tally.last;
         Anatomy::of(last).map(|frame| read(&frame))
     }
 
-    /// The line under the cursor: the one it was put on, else the one that took its place.
+    /// The line under the cursor, or the one that took its place.
     pub fn cursor_branch(&self) -> Option<Branch> {
         let branches = self.branches();
         let at = self.cursor_row(&branches);
@@ -217,7 +217,7 @@ impl Messages {
             return 0;
         };
         let exact = branches.iter().position(|branch| branch.node == cursor);
-        // It is folded away or filtered out: the branch that hides it, if there is one.
+        // It is folded or filtered out: use the branch that hides it, if any.
         exact.unwrap_or_else(|| {
             let hides = |branch: &Branch| cursor.is_below(branch.node);
             branches.iter().rposition(hides).unwrap_or(0)
@@ -296,7 +296,7 @@ impl Messages {
         self.cursor = cursor;
     }
 
-    /// Draws the field under the cursor as a graph from now on, or no longer.
+    /// Draws a graph of the field under the cursor, or removes it.
     fn pin(&mut self, choose: &Text) -> Result<(), Text> {
         let (Some(field), Some(selected)) = (self.field, self.selected()) else {
             return Err(choose.clone());

@@ -1,5 +1,5 @@
-//! The mission's brief, objectives and rules: of the one that is flown, else of the one that the home screen
-//! has under its cursor.
+//! The mission's brief, objectives and rules: of the mission in flight, otherwise of the one under the home screen's
+//! cursor.
 
 use crate::app::State;
 use crate::app::action::{Action, Step};
@@ -33,7 +33,7 @@ impl Mission {
         &self.hints
     }
 
-    /// Keeps the hint of a mission's progress, if it is a new one.
+    /// Keeps the hint in a mission's progress if it is new.
     pub fn hear(&mut self, progress: &Progress) {
         if let Some(hint) = &progress.hint
             && !self.hints.contains(hint)
@@ -66,7 +66,7 @@ const BRIEF_HINTS: &[KeyHint] = &[
     footer_keys::BACK,
 ];
 
-/// While the mission's clock stands still.
+/// The hints while the mission's clock is stopped.
 const READING_HINTS: &[KeyHint] = &[
     hint(&[Action::Submit], "hint-start"),
     footer_keys::BACK,
@@ -131,7 +131,7 @@ impl RoomModel for Mission {
     }
 
     fn escape(state: &mut State) -> Answer {
-        // Whose clock stands still is only being looked at.
+        // With its clock stopped, the mission is only being read.
         if state.session.is_reading() {
             return Some(vec![RoomRequest::Leave]);
         }
@@ -141,7 +141,7 @@ impl RoomModel for Mission {
     }
 }
 
-/// Scrolls to the hint that was asked for last, unless it is to be seen.
+/// Scrolls to the newest requested hint, unless it is visible.
 pub fn show_asked_hint(state: &mut State) {
     let (width, height) = state.size;
     let rows = height.saturating_sub(2);
@@ -165,7 +165,7 @@ pub fn show_asked_hint(state: &mut State) {
     }
 }
 
-/// Rows for lines on a screen of `rows`: where not all fit, the last row says which are shown.
+/// Rows for lines on a screen of `rows`: if not all fit, the last row tells which are shown.
 pub fn visible(lines: usize, rows: u16) -> usize {
     let rows = usize::from(rows);
     if lines > rows {
@@ -175,7 +175,7 @@ pub fn visible(lines: usize, rows: u16) -> usize {
     }
 }
 
-/// How many lines can be the first one shown; at least one.
+/// The number of possible first lines; at least one.
 pub fn positions(lines: usize, rows: u16) -> usize {
     (lines + 1).saturating_sub(visible(lines, rows)).max(1)
 }

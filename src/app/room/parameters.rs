@@ -1,7 +1,7 @@
 //! The vehicles' parameters: list, search, edit, files, differences.
 //!
-//! The list is that of the vehicle under the cursor; a value that is set goes where every command goes, to the
-//! selection if there is one.
+//! The list is that of the vehicle under the cursor; a new value goes to the targets of any command: to the selection,
+//! if there is one.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
@@ -36,60 +36,60 @@ pub use rows::{Row, coming, extra, rows};
 /// The state of the room.
 #[derive(Debug, Clone, Default)]
 pub struct Parameters {
-    /// What is known of each vehicle's parameters.
+    /// The known parameters of each vehicle.
     pub(in crate::app) lists: BTreeMap<VehicleId, ParameterSnapshot>,
-    /// The name under the cursor; where it is not shown, the next one is.
+    /// The name under the cursor; if it is hidden, the next one counts.
     pub(in crate::app) cursor: String,
-    /// Only names with these letters are shown.
+    /// The filter by name.
     pub(in crate::app) filter: String,
-    /// Only what has changed, or was to be changed, is shown.
+    /// Whether only parameters that were changed, or that a command tried to change, are shown.
     pub(in crate::app) changed_only: bool,
-    /// What the list is compared with.
+    /// The other side of the comparison.
     pub(in crate::app) comparison: Option<Comparison>,
-    /// The newest value that was asked of each vehicle for each parameter.
+    /// The newest value commanded for each parameter of each vehicle.
     pub(in crate::app) edits: BTreeMap<VehicleId, BTreeMap<String, Edit>>,
-    /// The ledger's entries of commands about parameters that have not ended.
+    /// The ledger's entries of parameter commands that are under way.
     under_way: BTreeSet<EntryId>,
-    /// Values that are being set one after the other.
+    /// The values being set one after another.
     pub(in crate::app) batch: Option<Batch>,
-    /// Vehicles whose lists are to come anew.
+    /// Vehicles whose lists are to be downloaded again.
     anew: BTreeSet<VehicleId>,
-    /// Vehicles that were asked and have not begun yet, with the time.
+    /// Vehicles that were asked and have not started to answer, with the time.
     asked: BTreeMap<VehicleId, Duration>,
 }
 
 impl Parameters {
-    /// What is known of each vehicle's parameters.
+    /// The known parameters of each vehicle.
     pub fn lists(&self) -> &BTreeMap<VehicleId, ParameterSnapshot> {
         &self.lists
     }
 
-    /// The name under the cursor; where it is not shown, the next one is.
+    /// The name under the cursor; if it is hidden, the next one counts.
     pub fn cursor(&self) -> &str {
         &self.cursor
     }
 
-    /// Only names with these letters are shown.
+    /// The filter by name.
     pub fn filter_text(&self) -> &str {
         &self.filter
     }
 
-    /// Only what has changed, or was to be changed, is shown.
+    /// Whether only parameters that were changed, or that a command tried to change, are shown.
     pub fn shows_changed_only(&self) -> bool {
         self.changed_only
     }
 
-    /// What the list is compared with.
+    /// The other side of the comparison.
     pub fn comparison(&self) -> Option<&Comparison> {
         self.comparison.as_ref()
     }
 
-    /// Values that are being set one after the other.
+    /// The values being set one after another.
     pub fn batch(&self) -> Option<&Batch> {
         self.batch.as_ref()
     }
 
-    /// Forgets what is known of a vehicle and was asked of it.
+    /// Drops a vehicle's parameters and requests.
     pub(in crate::app) fn forget(&mut self, vehicle: VehicleId) {
         self.lists.remove(&vehicle);
         self.edits.remove(&vehicle);
@@ -102,7 +102,7 @@ impl Parameters {
         self.lists.get(&vehicle)?.list.get(name)
     }
 
-    /// The entry of the ledger that last set a parameter of a vehicle, and what it asked for.
+    /// The newest command that set a parameter of a vehicle, and its value.
     pub fn edit(&self, vehicle: VehicleId, name: &str) -> Option<Edit> {
         self.edits.get(&vehicle)?.get(name).copied()
     }
@@ -297,14 +297,14 @@ pub fn cursor_row(state: &State, rows: &[Row<'_>]) -> usize {
     at.min(rows.len().saturating_sub(1))
 }
 
-/// Has the lists of the vehicles come anew.
+/// Downloads the lists of the vehicles again.
 pub fn fetch(state: &mut State) {
     let vehicles: Vec<VehicleId> = state.session.cursor.into_iter().collect();
     state.rooms.parameters.anew.extend(vehicles);
 }
 
-/// Takes over what is known of a vehicle's parameters. What comes after the session has ended belongs to nobody, and
-/// what was confirmed before the vehicle rebooted is not confirmed any more.
+/// Takes a vehicle's known parameters. They are dropped after the end of a session, and a reboot of the vehicle
+/// cancels earlier confirmations.
 pub fn arrived(state: &mut State, vehicle: VehicleId, snapshot: ParameterSnapshot) {
     if state.session.activity.is_none() {
         return;
@@ -318,7 +318,7 @@ pub fn arrived(state: &mut State, vehicle: VehicleId, snapshot: ParameterSnapsho
     }
 }
 
-/// How a command of the ledger stands with a vehicle.
+/// The state of a ledger's command with a vehicle.
 pub fn outcome(
     state: &State,
     entry: EntryId,
@@ -333,14 +333,14 @@ fn edit_under_cursor(state: &mut State) {
     let Some(row) = rows.get(cursor_row(state, &rows)) else {
         return;
     };
-    // Of what is compared, the other value is what one would want to set.
+    // In a comparison, the other value is the likely one to set.
     let value = row.other().or(row.now.map(|now| now.value));
     let (name, value) = (row.name.to_owned(), value.map_or_else(String::new, shown));
     let vehicles = state.addressed();
     state.prompt(Purpose::Parameter { name, vehicles }, value);
 }
 
-/// Stops setting values; else takes back the last thing that narrows the list. False if there is neither.
+/// Stops setting values; otherwise cancels the last filter of the list. False if there is neither.
 fn close(state: &mut State) -> bool {
     state.hush();
     let room = &mut state.rooms.parameters;

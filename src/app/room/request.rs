@@ -2,24 +2,24 @@ use super::Room;
 use crate::app::effect::{Effect, Launch};
 use crate::text::Text;
 
-/// What a room asks for because it concerns more than the room.
+/// A request from a room for a change beyond the room.
 #[derive(Debug, Clone, PartialEq)]
 pub enum RoomRequest {
-    /// The shell does something.
+    /// Have the shell do something.
     Effect(Effect),
-    /// The shell does something that ends the session; the question is asked where something would be lost.
+    /// Have the shell do something that ends the session, after a question if data would be lost.
     EndSession { question: Text, effect: Effect },
-    /// A mission is started.
+    /// Start a mission.
     Fly(Launch),
-    /// The exam of the mission with this id is started.
+    /// Start the exam of the mission with this id.
     Exam(String),
-    /// The command line opens with these words in it.
+    /// Open the command line with this text.
     Write(String),
-    /// Another room is shown.
+    /// Show another room.
     Show(Room),
-    /// The session is left.
+    /// Leave the session.
     Leave,
-    /// The program is left.
+    /// Quit the program.
     Quit,
 }
 

@@ -1,5 +1,5 @@
-//! The review of a recorded flight: what was planned, what happened, why, and what next. The score is explained once
-//! its pilot has answered the last two.
+//! The review of a recorded flight: the plan, the course, the reasons and the next steps. The score is explained once
+//! the pilot has answered the last two.
 
 use crossterm::event::KeyCode;
 
@@ -16,14 +16,14 @@ use crate::text::{Locale, Text};
 mod compared;
 mod page;
 
-/// Rows of the screen that are no part of a page: header, pages, footer.
+/// Rows of the screen outside a page: header, tabs, footer.
 const OTHER_ROWS: u16 = 4;
-/// The share of the rows that the curves of two flights take.
+/// The curves of two flights get one row in this many.
 const CURVE_SHARE: u16 = 3;
-/// Pages wider than this are hard to read.
+/// The greatest width of a page.
 const WIDEST: u16 = 100;
 
-/// The pages of a review, in their order.
+/// The pages of a review, in order.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum ReviewPage {
     /// The task: objectives, prediction, goal.
@@ -31,13 +31,13 @@ pub enum ReviewPage {
     Planned,
     /// The moments of the flight, and the map at each.
     Happened,
-    /// The pilot's answer to why it went so.
+    /// The pilot's answer on the reasons for the result.
     Why,
-    /// The pilot's answer to what is to be done next time, and the points.
+    /// The pilot's answer on what to do next time, and the points.
     Next,
-    /// What moved the score.
+    /// The largest changes of the score.
     Explained,
-    /// What another flight did otherwise, and what that cost.
+    /// The differences from another flight, and their cost.
     Compared,
 }
 
@@ -51,7 +51,7 @@ impl ReviewPage {
         Self::Compared,
     ];
 
-    /// The message that is its title.
+    /// The message of its title.
     pub fn title(self) -> &'static str {
         match self {
             Self::Planned => "review-planned",
@@ -63,14 +63,14 @@ impl ReviewPage {
         }
     }
 
-    /// The page so many further on; there is none before the first and none after the last.
+    /// The page `by` steps on, within the first and the last.
     fn moved(self, by: isize) -> Self {
         let at = Self::ALL.iter().position(|&it| it == self);
         let to = at.and_then(|at| at.checked_add_signed(by));
         to.and_then(|to| Self::ALL.get(to)).copied().unwrap_or(self)
     }
 
-    /// The page after this one; after the last comes the first.
+    /// The next page; after the last comes the first.
     fn next(self) -> Self {
         match self.moved(1) {
             same if same == self => Self::default(),
@@ -83,7 +83,7 @@ impl ReviewPage {
 #[derive(Debug, Clone, Default)]
 pub struct Review {
     pub(in crate::app) page: ReviewPage,
-    /// The moment under the cursor, counted among those that are reviewed.
+    /// The index of the moment under the cursor among the reviewed ones.
     pub(in crate::app) cursor: usize,
     /// The first line shown of a page.
     pub(in crate::app) scroll: usize,
@@ -94,7 +94,7 @@ impl Review {
         self.page
     }
 
-    /// The moment under the cursor, counted among those that are reviewed.
+    /// The index of the moment under the cursor among the reviewed ones.
     pub fn cursor(&self) -> usize {
         self.cursor
     }
@@ -105,26 +105,26 @@ impl Review {
     }
 }
 
-/// The moments that a review names, earliest first.
+/// The moments that the review lists, earliest first.
 pub fn moments(state: &State) -> Vec<&Moment> {
     let all = state.replay.iter().flat_map(|it| it.moments.iter());
     all.filter(|it| it.kind.is_reviewed()).collect()
 }
 
-/// The key of the room that opens the command line with these words in it.
+/// The room's key that opens the command line with a text.
 pub fn key_of(state: &State, words: &'static str) -> Text {
     let meaning = Meaning::words(words);
     state.keymap.key(meaning, Place::In(Room::Review))
 }
 
-/// Rows of the curves of both flights, on a page of so many rows.
+/// Rows of both flights' curves, on a page of this height.
 pub fn curve_rows(state: &State, rows: u16) -> u16 {
     let has_both = state.ghost.as_ref().is_some_and(|it| it.own.is_some());
     let is_shown = has_both && state.rooms.review.page == ReviewPage::Compared;
     if is_shown { rows / CURVE_SHARE } else { 0 }
 }
 
-/// The lines of the page that is shown, for a screen of this width; none of the page that has the map.
+/// The lines of the present page, for a screen of this width; empty for the page with the map.
 pub fn lines(state: &State, locale: &Locale, width: u16) -> Vec<PageLine> {
     page::lines(state, locale, width.min(WIDEST).saturating_sub(2))
 }
@@ -194,7 +194,7 @@ impl RoomModel for Review {
         })
     }
 
-    /// The answer of a page is written; the moment under the cursor is shown once more.
+    /// Submits the page's answer, or shows the moment under the cursor again.
     fn submit(state: &mut State) -> Answer {
         let review = state.replay.as_ref().map(|it| &it.review)?;
         let line = match state.rooms.review.page {
@@ -232,7 +232,7 @@ impl RoomModel for Review {
     }
 }
 
-/// Shows another page; that of the moments stands at the one under the cursor.
+/// Shows another page; on the moments' page the replay goes to the one under the cursor.
 fn turn(state: &mut State, page: ReviewPage) -> Vec<RoomRequest> {
     let room = &mut state.rooms.review;
     if room.page == page {
@@ -264,7 +264,7 @@ fn walk(state: &mut State, step: Step) -> Vec<RoomRequest> {
     Vec::new()
 }
 
-/// Has the replay stand at the moment under the cursor, so that the map shows it.
+/// Sends the replay to the moment under the cursor, so that the map shows it.
 fn show_moment(state: &State) -> Vec<RoomRequest> {
     let moments = moments(state);
     let cursor = state.rooms.review.cursor;

@@ -1,4 +1,4 @@
-//! How far the trainee has come: skills and why they moved, scores by mission, credits and experience.
+//! The trainee's progress: skills and why they changed, scores by mission, credits and experience.
 
 use crossterm::event::KeyCode;
 
@@ -13,13 +13,13 @@ use crate::campaign::{Offer, Skill};
 use crate::text;
 use crate::vehicle::Severity;
 
-/// From this width and height on, everything is shown at the same time.
+/// The least width and height to show everything at once.
 const WIDE: (u16, u16) = (140, 40);
 
 /// The state of the room.
 #[derive(Debug, Clone, Default)]
 pub struct Standing {
-    /// The pane that the cursor is in.
+    /// The pane with the cursor.
     pub(in crate::app) pane: Pane,
     /// The line under the cursor in the list of skills.
     pub(in crate::app) skill: usize,
@@ -28,7 +28,7 @@ pub struct Standing {
 }
 
 impl Standing {
-    /// The pane that the cursor is in.
+    /// The pane with the cursor.
     pub fn pane(&self) -> Pane {
         self.pane
     }
@@ -44,13 +44,13 @@ impl Standing {
     }
 }
 
-/// What is shown; small screens show one at a time.
+/// The panes; small screens show one at a time.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Pane {
-    /// The skills, and what moved the one under the cursor.
+    /// The skills, and the evidence for the one under the cursor.
     #[default]
     Skills,
-    /// The missions that were flown, and the scores of the one under the cursor.
+    /// The missions flown, and the scores of the one under the cursor.
     Scores,
     /// Credits and experience over time.
     Wealth,
@@ -148,7 +148,7 @@ fn walk(state: &mut State, step: Step) {
     }
 }
 
-/// The next level of advice; it holds from now on, also for the flight under way.
+/// Switches to the next level of advice, which applies at once, also in flight.
 pub fn change_aids(state: &mut State) -> Vec<RoomRequest> {
     let Some(career) = &state.career else {
         let key = state.key(Action::Profiles);
@@ -160,7 +160,7 @@ pub fn change_aids(state: &mut State) -> Vec<RoomRequest> {
     vec![Effect::Career(CareerEffect::SetAids(aids)).into()]
 }
 
-/// Shows the mission under the cursor on the home screen, from where it can be flown.
+/// Goes to the mission under the cursor on the home screen, where it can be flown.
 fn to_mission(state: &mut State) -> Vec<RoomRequest> {
     let room = &state.rooms.standing;
     let Some(career) = state.career.as_ref().filter(|_| room.pane == Pane::Scores) else {

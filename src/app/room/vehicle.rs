@@ -1,4 +1,4 @@
-//! Everything about one vehicle: the one under the cursor of the swarm.
+//! One vehicle in detail: the one under the cursor of the swarm.
 
 use crossterm::event::KeyCode;
 
@@ -12,19 +12,19 @@ use crate::app::state::Window;
 /// The state of the room.
 #[derive(Debug, Clone, Default)]
 pub struct Vehicle {
-    /// How far back its curves reach.
+    /// The time span of its curves.
     pub(in crate::app) window: Window,
-    /// Which page is shown where the screen is too small for everything at once; it is counted round.
+    /// The page shown where the screen is too small for everything, modulo the number of pages.
     pub(in crate::app) page: usize,
 }
 
 impl Vehicle {
-    /// How far back its curves reach.
+    /// The time span of its curves.
     pub fn window(&self) -> Window {
         self.window
     }
 
-    /// Which page is shown where the screen is too small for everything at once; it is counted round.
+    /// The page shown where the screen is too small for everything, modulo the number of pages.
     pub fn page(&self) -> usize {
         self.page
     }

@@ -1,9 +1,9 @@
-//! The workshop: a drone on the bench, the parts that could go into it and what each would change; the designs that
-//! there are; two designs side by side; and the seats of a mission's fleet.
+//! The workshop: a design on the bench with the parts that fit and the effect of each; all designs; a comparison of
+//! two; and the seats of a mission's fleet.
 //!
-//! Everything may be tried on the bench. What a career does not own yet has to be bought before it flies. What lies on
-//! the bench stays there when the room is left; what was changed is only replaced after a question, and even then it
-//! can be brought back.
+//! Any part may be tried on the bench; parts that the career does not own must be bought before they fly. The design
+//! stays on the bench when the room is left. Unsaved changes are replaced only after a question, and that can be
+//! undone.
 
 use crate::app::State;
 use crate::mission::Listing;
@@ -30,12 +30,12 @@ pub use shelf::{Stored, heard, is_saved, lay, stored};
 /// The state of the room.
 #[derive(Debug, Clone, Default)]
 pub struct Workshop {
-    /// What lies on the bench.
+    /// The design on the bench.
     pub(in crate::app) bench: Bench,
     pub(in crate::app) page: Page,
-    /// Which list of the bench has the cursor.
+    /// The list of the bench with the cursor.
     pub(in crate::app) pane: Pane,
-    /// What is shown beside the lists.
+    /// The view beside the lists.
     pub(in crate::app) view: View,
     /// The line under the cursor of the list of designs.
     pub(in crate::app) shelf: usize,
@@ -43,14 +43,14 @@ pub struct Workshop {
     pub(in crate::app) seat: usize,
     /// The first line of the comparison.
     pub(in crate::app) scroll: usize,
-    /// What the bench is compared with.
+    /// The design that the bench is compared with.
     pub(in crate::app) compared: Option<(Design, Sheet)>,
-    /// How the bench stands to what the mission needs.
+    /// How the bench meets the mission's needs.
     pub(in crate::app) fit: Option<Fit>,
 }
 
 impl Workshop {
-    /// The cursor goes to the other list of the bench.
+    /// Moves the cursor to the other list of the bench.
     fn turn_pane(&mut self) {
         self.pane = match self.pane {
             Pane::Slots => Pane::Parts,
@@ -58,7 +58,7 @@ impl Workshop {
         };
     }
 
-    /// What lies on the bench.
+    /// The design on the bench.
     pub fn bench(&self) -> &Bench {
         &self.bench
     }
@@ -67,12 +67,12 @@ impl Workshop {
         self.page
     }
 
-    /// Which list of the bench has the cursor.
+    /// The list of the bench with the cursor.
     pub fn pane(&self) -> Pane {
         self.pane
     }
 
-    /// What is shown beside the lists.
+    /// The view beside the lists.
     pub fn view(&self) -> View {
         self.view
     }
@@ -92,12 +92,12 @@ impl Workshop {
         self.scroll
     }
 
-    /// What the bench is compared with.
+    /// The design that the bench is compared with.
     pub fn compared(&self) -> Option<&(Design, Sheet)> {
         self.compared.as_ref()
     }
 
-    /// How the bench stands to what the mission needs.
+    /// How the bench meets the mission's needs.
     pub fn fit(&self) -> Option<&Fit> {
         self.fit.as_ref()
     }
@@ -108,7 +108,7 @@ pub enum Page {
     #[default]
     Bench,
     Designs,
-    /// Another design beside the one on the bench.
+    /// A comparison with the design on the bench.
     Compare,
     /// The seats of a mission's fleet.
     Fleet,
@@ -117,22 +117,22 @@ pub enum Page {
 /// A list of the bench.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Pane {
-    /// What is built in.
+    /// The slots with their parts.
     #[default]
     Slots,
     Parts,
 }
 
-/// What is shown beside the lists.
+/// The view beside the lists.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum View {
-    /// Figures, and what speaks against the design.
+    /// Figures, and problems of the design.
     #[default]
     Figures,
     Polar,
     /// Hover time by payload.
     Payload,
-    /// What the mission needs, and what the design has.
+    /// The mission's needs, and the design's values.
     Mission,
 }
 
@@ -147,22 +147,22 @@ impl View {
     }
 }
 
-/// The air that figures are stated for.
+/// The air for which figures are given.
 pub fn air() -> Air {
     Air::default()
 }
 
-/// The mission that is built for: the one that is flown, else the one under the cursor of the home screen.
+/// The mission to build for: the one in flight, otherwise the one under the home screen's cursor.
 pub fn mission(state: &State) -> Option<&Listing> {
-    // What has been flown to its end is done: the bench is for the next one.
+    // A finished flight is done: the bench is for the next one.
     let chosen = super::home::under_cursor(state).filter(|_| state.session.is_over());
     chosen.or_else(|| super::mission::shown(state))
 }
 
-/// From this width on everything is shown at a time.
+/// The least width to show everything at once.
 pub const WIDE: u16 = 150;
 
-/// The part that a deed of the bench is about: the one under the cursor.
+/// The part that an action on the bench applies to: the one under the cursor.
 fn part_under_cursor(state: &State) -> Option<&'static Part> {
     let room = &state.rooms.workshop;
     match room.pane {

@@ -49,12 +49,12 @@ fn rows_take_the_place_of_the_defaults_of_their_context() {
     );
     let newer = Some(Meaning::Do(Action::Line(LineAction::Newer)));
     assert_eq!(press(&keymap, "ctrl-n", Place::Prompt), newer);
-    // Switched off in one room only, whether it had a meaning there or anywhere.
+    // Disabled in one room only, whether its meaning was the room's or general.
     assert_eq!(press(&keymap, "t", FLY), None);
     assert_eq!(press(&keymap, "?", FLY), None);
     let help = Some(Meaning::Do(Action::Help));
     assert_eq!(press(&keymap, "?", Place::In(Room::Home)), help);
-    // What is not named stays.
+    // Keys that are not named stay as they are.
     assert_eq!(
         press(&keymap, "r", FLY),
         press(&Keymap::default(), "r", FLY)
@@ -138,10 +138,10 @@ fn what_is_shown_reads_back_as_the_same() {
         shown.contains("# \"?\" = \"help\" # show this help\n"),
         "{shown}"
     );
-    // Without the comments nothing of the default is left.
+    // Without the comments, nothing of the default remains.
     let rows = shown.lines().filter(|line| line.starts_with(['"', '\'']));
     assert_eq!(rows.count(), 5, "{shown}");
-    // And what stands in the comments is what the default says.
+    // The comments contain the default.
     let uncommented = Keymap::default().show(&Locale::default());
     let default: Vec<&str> = uncommented
         .lines()

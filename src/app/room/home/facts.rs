@@ -1,4 +1,4 @@
-//! What a mission means to the trainee's career: where they stand with it, what it trains, pays and opens.
+//! A mission in the trainee's career: its state, the skills it trains, its rewards and unlocks.
 
 use crate::app::State;
 use crate::app::room::mission::Tone;
@@ -12,13 +12,13 @@ use crate::workshop::{Part, part};
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fact {
-    /// What it is about.
+    /// The label of the fact.
     pub name: Text,
     pub what: Text,
     pub tone: Tone,
 }
 
-/// What a mission means to the trainee, most important first; nothing without a profile.
+/// The facts for the trainee, most important first; empty without a profile.
 pub fn facts(state: &State, mission: &Listing) -> Vec<Fact> {
     let Some(career) = &state.career else {
         return Vec::new();
@@ -55,7 +55,7 @@ pub fn facts(state: &State, mission: &Listing) -> Vec<Fact> {
     facts
 }
 
-/// What a mission opens: missions and parts by their names, all else by what it is called.
+/// The name of what a mission unlocks.
 pub fn unlocked(state: &State, unlock: &Unlock) -> Text {
     match unlock {
         Unlock::Mission(id) => {
@@ -72,7 +72,7 @@ pub fn unlocked(state: &State, unlock: &Unlock) -> Text {
     }
 }
 
-/// Where the trainee stands with the mission, and why it is locked.
+/// The state of the mission in the career, and why it is locked.
 fn stage(career: &Career, offer: &Offer) -> Fact {
     let best = career.standing.best(&offer.id);
     let count = career.growth.tries(&offer.id).len();
@@ -105,7 +105,7 @@ fn stage(career: &Career, offer: &Offer) -> Fact {
     }
 }
 
-/// How the mission's exam went, once it was taken.
+/// The result of the mission's exam, if taken.
 fn exam(career: &Career, offer: &Offer) -> Option<Fact> {
     let result = career.standing.best(&offer.id)?.exam?;
     let (what, tone) = if result.passed {
@@ -123,7 +123,7 @@ fn exam(career: &Career, offer: &Offer) -> Option<Fact> {
     })
 }
 
-/// Why this is the mission to fly next, if it is.
+/// Why this mission is recommended next, if it is.
 fn advice(career: &Career, mission: &str) -> Option<Fact> {
     let (skill, offer) = career.next()?;
     let what = if offer.id == mission {
@@ -150,7 +150,7 @@ fn review(career: &Career, offer: &Offer) -> Option<Fact> {
     })
 }
 
-/// The skills that it trains, with how likely each is.
+/// The skills that it trains, with the mastery of each.
 fn skills(career: &Career, offer: &Offer) -> Text {
     let skill = |skill: &Skill| {
         let known = career.standing.skill(*skill);

@@ -1,4 +1,4 @@
-//! The keys of the map and what they do.
+//! The keys of the map.
 
 use crossterm::event::KeyCode;
 
@@ -11,7 +11,7 @@ use crate::geo::{GridSize, LatLon, Viewport};
 use crate::text;
 use crate::vehicle::{Severity, VehicleId};
 
-/// Cells that the cursor goes with Page Up and Page Down.
+/// Cells that Page Up and Page Down move the cursor.
 const PAGE: i32 = 10;
 
 const HINTS: &[KeyHint] = &[
@@ -122,7 +122,7 @@ pub fn act(state: &mut State, action: MapAction) -> Vec<RoomRequest> {
     let size = map.canvas(screen);
     match action {
         MapAction::ZoomIn => map.zoom(size, true),
-        // The key of the vehicle list `3-9`, while such a list is being typed.
+        // `-` belongs to the vehicle list (`3-9`) while one is being typed.
         MapAction::ZoomOut if !state.typed.is_empty() => state.typed.push('-'),
         MapAction::ZoomOut => map.zoom(size, false),
         MapAction::Fit => {
@@ -170,7 +170,7 @@ fn go(state: &mut State, size: GridSize, step: Step) {
     state.rooms.map.step(size, right, down);
 }
 
-/// Puts the cursor on the place of a vehicle, or says that there is none.
+/// Puts the cursor on a vehicle's place, or reports that it has none.
 fn point_at_or_say(state: &mut State, size: GridSize, place: Option<LatLon>) {
     match place {
         Some(place) => point_at(state, size, place),
@@ -178,7 +178,7 @@ fn point_at_or_say(state: &mut State, size: GridSize, place: Option<LatLon>) {
     }
 }
 
-/// Puts the cursor on a place; the view moves there if it has to.
+/// Puts the cursor on a place, scrolling if needed.
 fn point_at(state: &mut State, size: GridSize, place: LatLon) {
     let map = &mut state.rooms.map;
     map.cursor = Some(place);
@@ -203,7 +203,7 @@ fn follow(state: &mut State, size: GridSize) {
     }
 }
 
-/// The ruler begins under the cursor; where it has begun already, it is taken away.
+/// Starts the ruler at the cursor, or removes it.
 fn measure(state: &mut State, size: GridSize) {
     let map = &mut state.rooms.map;
     if map.mark.take().is_none()
@@ -213,7 +213,7 @@ fn measure(state: &mut State, size: GridSize) {
     }
 }
 
-/// Writes the command that sends the vehicles here: nothing flies before the user has seen it and pressed Enter.
+/// Types the command that sends the vehicles here: the user must press Enter to give it.
 fn goto_here(state: &State, size: GridSize) -> Vec<RoomRequest> {
     let map = &state.rooms.map;
     let Some(view) = map.view(size) else {
@@ -227,7 +227,7 @@ fn goto_here(state: &State, size: GridSize) -> Vec<RoomRequest> {
     vec![RoomRequest::Write(line)]
 }
 
-/// What the place is called that has the cell of a point, if one has; the nearest of several.
+/// The name of the place in the cell of a point, if any; of several, the nearest.
 fn name_of<'a>(state: &'a State, view: &Viewport, point: LatLon) -> Option<&'a str> {
     let cell = view.cell(point)?;
     let places = state.session.places.iter();
@@ -236,7 +236,7 @@ fn name_of<'a>(state: &'a State, view: &Viewport, point: LatLon) -> Option<&'a s
     nearest.map(|(name, _)| name.as_str())
 }
 
-/// Makes the next vehicle by number that of the cursor, and points at it.
+/// Moves the cursor to the next vehicle by number.
 fn turn_to(state: &mut State, size: GridSize, by: i32) {
     let rows = state.rooms.fly.rows();
     if rows.is_empty() {

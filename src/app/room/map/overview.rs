@@ -1,23 +1,23 @@
-//! The piece of the earth that has everything in it, held still: a map that fits itself anew with every metre that
-//! something moves could not be read, and would be sent to the terminal as a whole each time.
+//! The extent of everything, kept stable: a map that rescaled with every movement would be unreadable, and would be
+//! redrawn completely each time.
 
 use std::time::Duration;
 
 use crate::geo::{Extent, LatLon};
 
-/// What is added on each side when something leaves the frame, as a share of its size.
+/// The margin added on a side when something leaves the frame, as a share of its size.
 const GROWTH: f64 = 0.4;
-/// Metres that are added then at least.
+/// The least such margin, in metres.
 const LEAST_MARGIN_M: f64 = 10.0;
-/// What is left free around everything, as a share of its size.
+/// The margin around everything, as a share of its size.
 const EDGE: f64 = 0.03;
-/// The longer side of the frame is at least so long.
+/// The least length of the frame's longer side.
 const LEAST_SIZE_M: f64 = 50.0;
-/// The frame becomes smaller when everything fits into this share of it.
+/// The frame shrinks when everything fits into this share of it.
 const LOOSE: f64 = 0.5;
-/// How often that is looked at.
+/// The interval of that check.
 const LOOK_EVERY: Duration = Duration::from_secs(5);
-/// Whatever is farther away than this does not belong to the scene: a wrong position, or another country.
+/// Positions farther away than this are ignored: a wrong position, or another country.
 const FARTHEST_M: f64 = 100_000.0;
 
 #[derive(Debug, Clone, Default)]
@@ -27,12 +27,12 @@ pub struct Overview {
 }
 
 impl Overview {
-    /// The frame; `None` while nothing has a place.
+    /// The frame; `None` while nothing has a position.
     pub fn frame(&self) -> Option<&Extent> {
         self.frame.as_ref()
     }
 
-    /// Something is at this place: the frame grows if it has to.
+    /// Extends the frame to a place if needed.
     pub fn see(&mut self, place: LatLon) {
         match &mut self.frame {
             None => self.frame = Some(framed(Extent::at(place))),
@@ -41,7 +41,7 @@ impl Overview {
             Some(frame) => {
                 let mut grown = *frame;
                 grown.include(place);
-                // Only so much more than needed that the next metres do not move it again.
+                // Add only enough that the next metres do not extend it again.
                 let mut beyond = Extent::at(place);
                 let size_m = grown.size_m();
                 let margin_m = (size_m[0].max(size_m[1]) * GROWTH).max(LEAST_MARGIN_M);
@@ -55,7 +55,7 @@ impl Overview {
         }
     }
 
-    /// Whether it is time to look if the frame has become too large.
+    /// Whether the check for a smaller frame is due.
     pub fn is_due(&mut self, now: Duration) -> bool {
         let due = now.saturating_sub(self.looked_at) >= LOOK_EVERY;
         if due {
@@ -64,7 +64,7 @@ impl Overview {
         due
     }
 
-    /// Makes the frame smaller if all the places fit into a small part of it. True if it did.
+    /// Shrinks the frame if all places fit into a small part of it; returns whether it did.
     pub fn settle(&mut self, places: impl Iterator<Item = LatLon>) -> bool {
         let Some(frame) = self.frame else {
             return false;
@@ -95,7 +95,7 @@ impl Overview {
     }
 }
 
-/// The frame around everything: a narrow edge, and some land around a single vehicle on its pad.
+/// The frame around everything: a narrow margin, and some ground around a single vehicle on its pad.
 fn framed(all: Extent) -> Extent {
     let [east_m, north_m] = all.size_m();
     let missing_m = LEAST_SIZE_M - east_m.max(north_m);

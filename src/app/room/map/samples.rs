@@ -6,21 +6,21 @@ use crate::geo::LatLon;
 use crate::geo::maths;
 use crate::text::Text;
 
-/// Sides of the squares at first, in metres.
+/// The initial side of the squares, in metres.
 const SIDE_M: f64 = 10.0;
-/// Squares kept of a sensor; when there are more, four become one.
+/// The most squares of a sensor; beyond that, four are merged into one.
 const MOST_SQUARES: usize = 2048;
 
-/// Everything that was measured, by the name of the sensor.
+/// All readings, by the name of the sensor.
 #[derive(Debug, Clone, Default)]
 pub struct Samples {
     fields: BTreeMap<String, SampleField>,
 }
 
-/// What one kind of sensor has shown.
+/// The readings of one kind of sensor.
 #[derive(Debug, Clone)]
 pub struct SampleField {
-    /// What the sensor is called.
+    /// The sensor's name.
     pub name: Text,
     pub unit: &'static str,
     origin: LatLon,
@@ -35,7 +35,7 @@ struct Square {
 }
 
 impl Samples {
-    /// Takes in what a sensor shows at a place.
+    /// Adds a reading at a place.
     pub fn add(&mut self, sensor: impl Into<Text>, unit: &'static str, place: LatLon, value: f64) {
         if !value.is_finite() {
             return;
@@ -56,7 +56,7 @@ impl Samples {
         self.fields.insert(sensor, field);
     }
 
-    /// The sensors that have shown something, and what.
+    /// The sensors with readings.
     pub fn fields(&self) -> impl ExactSizeIterator<Item = (&str, &SampleField)> {
         self.fields
             .iter()
@@ -84,7 +84,7 @@ impl SampleField {
             square.sum += fine.sum;
             square.count += fine.count;
         }
-        // Square (0, 0) reaches from half a fine square before the origin; its middle has moved with it.
+        // Square (0, 0) starts half a fine square before the origin; its centre moves with it.
         self.origin = self.origin.moved(self.side_m / 4.0, self.side_m / 4.0);
     }
 
@@ -93,7 +93,7 @@ impl SampleField {
         self.side_m
     }
 
-    /// The middles of the squares that were measured, with the mean of what was shown there.
+    /// The centres of the measured squares, with the mean reading of each.
     pub fn squares(&self) -> impl Iterator<Item = (LatLon, f64)> {
         self.squares.iter().map(|(&(north, east), square)| {
             let metres = |at: i32| f64::from(at) * self.side_m;
@@ -102,7 +102,7 @@ impl SampleField {
         })
     }
 
-    /// A round value (1, 2 or 5 of a power of ten) that no mean exceeds: the top of the scale.
+    /// A round value (1, 2 or 5 times a power of ten) above every mean: the top of the scale.
     pub fn top(&self) -> f64 {
         let means = self
             .squares

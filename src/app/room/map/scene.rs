@@ -1,4 +1,4 @@
-//! Areas and ways on the ground, as plain outlines for the map.
+//! Areas and paths on the ground, as plain outlines for the map.
 
 use std::sync::Arc;
 
@@ -12,23 +12,23 @@ use crate::vehicle::{FencePlan, FenceShape, Vehicle};
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sketch {
     pub kind: SketchKind,
-    /// What it is called; may be empty.
+    /// Its label; may be empty.
     pub label: String,
     pub points: Vec<LatLon>,
     /// Whether the last point is joined to the first.
     pub closed: bool,
 }
 
-/// What a line means.
+/// The meaning of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SketchKind {
-    /// An area with something to do in it.
+    /// The area of a task.
     Task,
-    /// A border that must not be crossed from inside.
+    /// A border not to cross from inside.
     Fence,
-    /// A border that must not be crossed from outside.
+    /// A border not to cross from outside.
     KeepOut,
-    /// An area that must not be flown in.
+    /// An area forbidden to flight.
     NoFly,
     /// An area where satellite navigation fails.
     Jamming,
@@ -36,16 +36,16 @@ pub enum SketchKind {
     People,
     /// An area where radio is weak.
     Radio,
-    /// What a vehicle flies in AUTO.
+    /// A vehicle's plan for AUTO.
     Plan,
-    /// A place where RTL may end.
+    /// A rally point, where RTL may end.
     Rally,
-    /// What a vehicle is going to fly as its part of what several do together.
+    /// A vehicle's path in a joint manoeuvre.
     Course,
 }
 
 impl SketchKind {
-    /// What the border of a mission's area means.
+    /// The meaning of a mission area's border.
     pub fn of_area(kind: AreaKind) -> Self {
         match kind {
             AreaKind::Task => Self::Task,
@@ -78,8 +78,8 @@ impl Sketch {
     }
 }
 
-/// Everything that lies on the ground, the most important last: the mission's areas, then what the vehicles that
-/// commands go to have on board. A fence that several of them share is there once.
+/// All outlines, the most important last: the mission's areas, then the plans, fences and rally points of the
+/// commanded vehicles. A fence shared by several is drawn once.
 pub fn sketches(state: &State) -> Vec<Sketch> {
     let known = state.session.areas.iter();
     let areas = known.map(|area| {
@@ -103,7 +103,7 @@ pub fn sketches(state: &State) -> Vec<Sketch> {
     sketches
 }
 
-/// The way of a vehicle, or the place that it is to keep while it is not there.
+/// A vehicle's path in a manoeuvre, or its place in a formation until it is there.
 fn course(state: &State, path: &Path) -> Option<Sketch> {
     let vehicle = state.session.vehicles.get(&path.vehicle);
     let here = vehicle.and_then(|vehicle| vehicle.global);
@@ -123,7 +123,7 @@ fn course(state: &State, path: &Path) -> Option<Sketch> {
     }
 }
 
-/// The places of plans and rally points that are on the map, and of what is flown together.
+/// The positions of plans, rally points and manoeuvres on the map.
 pub fn planned(state: &State) -> impl Iterator<Item = LatLon> {
     let flown = [SketchKind::Plan, SketchKind::Rally];
     let all_sketches = shown(state).flat_map(on_board);
@@ -133,9 +133,9 @@ pub fn planned(state: &State) -> impl Iterator<Item = LatLon> {
     sketches.flat_map(|sketch| sketch.points).chain(paths)
 }
 
-/// Nearer to its place than this a vehicle covers it.
+/// A vehicle closer to its place than this covers it.
 const IN_PLACE_M: f64 = 3.0;
-/// Plans are shown of so many vehicles at most.
+/// The most vehicles whose plans are shown.
 const MOST_SHOWN: usize = 16;
 
 /// The vehicle under the cursor and the selected ones.

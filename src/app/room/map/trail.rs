@@ -2,15 +2,15 @@
 
 use crate::geo::LatLon;
 
-/// Points kept of a trail.
+/// The most points of a trail.
 const MOST_POINTS: usize = 256;
-/// Metres between two points at first.
+/// The initial distance between two points, in metres.
 const SPACING_M: f64 = 1.0;
-/// A step longer than this is no flight: the position was reset.
+/// A longer step is no flight: the position was reset.
 const JUMP_M: f64 = 500.0;
 
-/// The way of one vehicle. A trail never forgets where it began: when it is full, every second point goes and
-/// points are taken half as often from then on.
+/// The path of one vehicle. A trail keeps its start: when it is full, every second point is dropped and the spacing
+/// doubles.
 #[derive(Debug, Clone)]
 pub struct Trail {
     points: Vec<LatLon>,
@@ -27,7 +27,7 @@ impl Default for Trail {
 }
 
 impl Trail {
-    /// Takes in where the vehicle is now; false if that is too near to the last point to matter.
+    /// Adds the vehicle's position; false if it is too near the last point.
     pub fn add(&mut self, place: LatLon) -> bool {
         if let Some(last) = self.points.last() {
             let way_m = last.distance_m(place);

@@ -6,15 +6,15 @@ use crate::geo::{LatLon, Outline};
 use crate::mission::{AreaKind, Progress};
 use crate::vehicle::{Vehicle, VehicleId};
 
-/// Of the points of a trail, one in so many decides how large the view of everything is.
+/// Of a trail's points, one in this many counts for the extent of everything.
 const TRAIL_STEP: usize = 4;
 
-/// A session has begun: its areas are known.
+/// Handles the start of a session, with its areas.
 pub fn began(state: &mut State) {
     refit(state);
 }
 
-/// A vehicle's telemetry has changed.
+/// Handles new telemetry of a vehicle.
 pub fn heard(state: &mut State, id: VehicleId) {
     let Some(vehicle) = state.session.vehicles.get(&id) else {
         return;
@@ -38,14 +38,14 @@ pub fn heard(state: &mut State, id: VehicleId) {
     }
 }
 
-/// From where to where a vehicle is under way.
+/// The start and the end of a vehicle's current leg.
 pub fn leg(vehicle: &Vehicle) -> Option<(LatLon, LatLon)> {
     let here = vehicle.global?.at_point;
     let target = vehicle.target?.at_point?;
     vehicle.armed().then_some((here, target))
 }
 
-/// The sensors show something.
+/// Adds the sensors' readings.
 pub fn measured(state: &mut State, progress: &Progress) {
     for reading in &progress.readings {
         let Some(vehicle) = state.session.vehicles.get(&reading.vehicle) else {
@@ -78,7 +78,7 @@ pub fn tick(state: &mut State) {
         let places = places(state);
         let map = &mut state.rooms.map;
         let before = map.overview.frame().copied();
-        // Plans come at any time.
+        // Plans may arrive at any time.
         for &place in &places {
             map.overview.see(place);
         }
@@ -89,15 +89,15 @@ pub fn tick(state: &mut State) {
     }
 }
 
-/// Shows everything at the scale at which it fits now.
+/// Fits the view to everything.
 pub fn refit(state: &mut State) {
     let places = places(state);
     state.rooms.map.overview.fit(places.into_iter());
     state.rooms.map.aim = Aim::All;
 }
 
-/// Everything that the view of everything has to show. What only limits a flight, such as a fence, is seen as far as
-/// there is room, where there is a task to look at.
+/// The positions that the view of everything must contain. Where there is a task, limits such as a fence are shown
+/// only as far as there is room.
 fn places(state: &State) -> Vec<LatLon> {
     let session = &state.session;
     let vehicles = session.vehicles.values().flat_map(|vehicle| {

@@ -1,4 +1,4 @@
-//! The keys of the inspector and what they do.
+//! The keys of the inspector.
 
 use crossterm::event::KeyCode;
 

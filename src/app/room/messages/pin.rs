@@ -7,9 +7,9 @@ use super::LinkTraffic;
 use crate::inspector::{FieldReading, TallyKey, read};
 use crate::wire::Anatomy;
 
-/// How far a graph looks back.
+/// The time span of a graph.
 pub const GRAPH_SPAN: Duration = Duration::from_secs(60);
-/// Points of one graph: 60 seconds at 50 Hz.
+/// The most points of one graph: 60 seconds at 50 Hz.
 const MOST_POINTS: usize = 3000;
 /// A field that is drawn as a graph.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,14 +17,14 @@ pub struct Pin {
     /// The link, by its number.
     pub link: usize,
     pub key: TallyKey,
-    /// The field's place in the message.
+    /// The field's index in the message.
     pub field: usize,
     /// Message and field, as in `ATTITUDE.roll`.
     pub title: String,
     pub unit: &'static str,
     /// Times on the link's clock, and values; oldest first.
     pub points: VecDeque<(Duration, f64)>,
-    /// The link's time at the last look.
+    /// The link's time at the last update.
     pub now: Duration,
     /// Frames that came too fast to be drawn.
     pub dropped: u64,
@@ -60,7 +60,7 @@ impl Pin {
         }
     }
 
-    /// `None` while no value has come.
+    /// `None` without any value.
     pub fn extent(&self) -> Option<PinExtent> {
         let (_, now) = self.points.back()?;
         let values = || self.points.iter().map(|(_, value)| *value);

@@ -8,7 +8,7 @@ use super::{LinkTraffic, Messages, Sort};
 use crate::inspector::{Direction, FrameSource, MessageTally, Rate, TallyKey, name_of};
 use crate::wire::SystemId;
 
-/// With more systems than this they are closed to begin with.
+/// With more systems than this, they are closed by default.
 const FEW_SYSTEMS: usize = 3;
 
 /// A place in the tree.
@@ -16,7 +16,7 @@ const FEW_SYSTEMS: usize = 3;
 pub enum Node {
     /// A link, by its number.
     Link(usize),
-    /// A system at one end of it, or this program.
+    /// A system at one end of the link, or this program.
     System(usize, Direction, u32, SystemId),
     /// One of its components.
     Component(usize, FrameSource),
@@ -35,7 +35,7 @@ impl Node {
         }
     }
 
-    /// How far from the root.
+    /// The depth below the root.
     pub fn depth(self) -> usize {
         match self {
             Self::Link(_) => 0,
@@ -45,7 +45,7 @@ impl Node {
         }
     }
 
-    /// The branch that it hangs on.
+    /// The parent branch.
     pub fn parent(self) -> Option<Self> {
         match self {
             Self::Link(_) => None,
@@ -55,7 +55,7 @@ impl Node {
         }
     }
 
-    /// Whether it hangs on another one, however far.
+    /// Whether it is a descendant of another node.
     pub fn is_below(self, other: Self) -> bool {
         let mut at = self.parent();
         while let Some(parent) = at {
@@ -79,11 +79,11 @@ type Systems = BTreeMap<Node, BTreeMap<Node, Vec<Branch>>>;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Branch {
     pub node: Node,
-    /// How much comes, of all that hangs on it.
+    /// The rate of all messages below it.
     pub rate: Rate,
-    /// How many messages came.
+    /// The number of messages received.
     pub count: u64,
-    /// How long ago the last one came.
+    /// The time since the last one.
     pub age: Option<Duration>,
     /// Whether it is open; `None` for a message.
     pub is_open: Option<bool>,
@@ -180,7 +180,8 @@ impl Messages {
         systems
     }
 
-    /// Adds a line that can be closed and returns whether it is open. What is found by a filter is always shown.
+    /// Adds a line that can be closed, and returns whether it is open. Branches that a filter matches are always
+    /// shown.
     fn push(&self, branch: Branch, by_default: bool, lines: &mut Vec<Branch>) -> bool {
         let is_turned = self.turned.contains(&branch.node);
         let is_open = !self.filter.is_empty() || by_default != is_turned;
@@ -209,7 +210,7 @@ impl Messages {
             Sort::Number => messages.sort_by_key(id),
             Sort::Name => messages.sort_by_key(|branch| name_of(id(branch))),
             Sort::Rate => messages.sort_by_key(|branch| {
-                // Whole hundredths, or two of the same rate would change places all the time.
+                // Whole hundredths; otherwise two messages of the same rate would keep changing places.
                 (Reverse((branch.rate.hz * 100.0).round() as u64), id(branch))
             }),
             Sort::Age => messages.sort_by_key(|branch| (branch.age, id(branch))),

@@ -20,15 +20,15 @@ mod points;
 mod rewards;
 mod tries;
 
-/// From this width on there are two columns.
+/// The least width for two columns.
 const TWO_COLUMNS: u16 = 110;
-/// Longer lines are hard to read.
+/// The greatest width of a line.
 const WIDEST: usize = 88;
 /// The most columns for the state of an objective; `POINTS` is the width of its points.
 const DETAIL: usize = 24;
 const POINTS: usize = 7;
 
-/// How a line looks.
+/// The look of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Tone {
     /// A heading with a rule.
@@ -39,11 +39,11 @@ pub enum Tone {
     Met,
     /// An objective that was not reached.
     Missed,
-    /// What stands in the way.
+    /// An obstacle.
     Warning,
     /// What to do next.
     Hint,
-    /// The hint that was asked for last.
+    /// The newest requested hint.
     AskedHint,
 }
 
@@ -54,7 +54,7 @@ pub struct PageLine {
     pub text: String,
 }
 
-/// The lines of one column, or of two where the screen is wide enough. There is none without a mission.
+/// The lines of one column, or of two on a wide screen; empty without a mission.
 pub fn columns(state: &State, locale: &Locale, width: u16) -> Vec<Vec<PageLine>> {
     let Some(mission) = shown(state) else {
         return Vec::new();
@@ -144,7 +144,7 @@ impl Page<'_> {
         self.add(Tone::Muted, course);
     }
 
-    /// How far the flight has come.
+    /// The progress of the flight.
     fn course(&self) -> Text {
         let Some(progress) = &self.state.session.mission else {
             return text!(
@@ -207,7 +207,7 @@ impl Page<'_> {
         }
     }
 
-    /// An objective as it stands; before the flight, what is asked for.
+    /// An objective with its state; before the flight, its target.
     fn row(&self, at: usize) -> Row {
         let objective = &self.mission.objectives[at];
         let progress = self.state.session.mission.as_ref();
@@ -225,7 +225,7 @@ impl Page<'_> {
             title: self.locale.text(&objective.title),
             detail: self.locale.text(detail.unwrap_or(&objective.target)),
             points: match now {
-                // Nothing is not less than nothing.
+                // Adding 0 turns a negative zero into zero.
                 Some(now) => format!("{:.0}/{value:.0}", value * now.fraction + 0.0),
                 None => format!("{value:.0}"),
             },
@@ -233,7 +233,7 @@ impl Page<'_> {
         }
     }
 
-    /// The key that opens the command line with some words in it.
+    /// The key that opens the command line with a text.
     fn words_key(&self, words: &'static str) -> Text {
         let place = Place::In(Room::Mission);
         self.state.keymap.key(Meaning::words(words), place)
@@ -246,7 +246,7 @@ impl Page<'_> {
         let next = clues
             .and_then(|clues| clues.price(self.words_key("hint")))
             .filter(|_| !self.state.session.over);
-        // Before launch, what comes next stands with the questions.
+        // Before launch, the next step is shown with the questions.
         let more = !hints.is_empty() || next.is_some();
         if given.is_empty() && (self.awaits_launch() || !more) {
             return;
@@ -350,7 +350,7 @@ impl Page<'_> {
         self.rows(&rows);
     }
 
-    /// Names with what they stand for beside them.
+    /// Adds names with their values beside them.
     fn rows(&mut self, rows: &[(Text, Text)]) {
         let plain = rows
             .iter()
@@ -376,7 +376,7 @@ impl Page<'_> {
     }
 }
 
-/// One objective in words.
+/// One objective as text.
 struct Row {
     mark: &'static str,
     tone: Tone,
@@ -386,7 +386,7 @@ struct Row {
     required: bool,
 }
 
-/// A text with blanks behind it, `width` columns at least.
+/// A text padded with blanks to at least `width` columns.
 fn padded(text: &str, width: usize) -> String {
     let gap = width.saturating_sub(text.width());
     format!("{text}{}", " ".repeat(gap))

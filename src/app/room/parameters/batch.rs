@@ -1,4 +1,4 @@
-//! Many values one after the other: a vehicle takes a few commands at a time.
+//! Setting many values in sequence: a vehicle takes a few commands at a time.
 
 use std::collections::VecDeque;
 
@@ -7,18 +7,18 @@ use crate::app::state::ParameterSetting;
 use crate::ledger::{EntryId, Ledger, LedgerEntry, LedgerRow, RowState};
 use crate::vehicle::VehicleId;
 
-/// Commands that may be under way at most. A command that waits behind others may be over its deadline before it is
-/// sent, so that fewer are given where answers are slow.
+/// The most commands under way. A command that waits behind others may miss its deadline before it is sent, so fewer
+/// are sent where answers are slow.
 const MOST_UNDER_WAY: usize = 8;
 
-/// Values that are being set.
+/// The values being set.
 #[derive(Debug, Clone)]
 pub struct Batch {
-    /// What has not been given yet.
+    /// Values not sent yet.
     waiting: VecDeque<ParameterSetting>,
-    /// What is under way.
+    /// Values under way.
     under_way: Vec<(EntryId, ParameterSetting)>,
-    /// How many commands may be under way now.
+    /// The number of commands that may be under way now.
     window: usize,
     /// Number of values that vehicles confirmed.
     confirmed: usize,
@@ -27,7 +27,7 @@ pub struct Batch {
 }
 
 impl Default for Batch {
-    /// Nothing to set yet.
+    /// An empty batch.
     fn default() -> Self {
         Self {
             waiting: VecDeque::new(),
@@ -40,12 +40,12 @@ impl Default for Batch {
 }
 
 impl Batch {
-    /// Sets these values as well.
+    /// Adds values to the batch.
     pub fn add(&mut self, settings: Vec<ParameterSetting>) {
         self.waiting.extend(settings);
     }
 
-    /// The next value to be sent, if one may go out now.
+    /// The next value, if one may be sent now.
     pub fn take_next(&mut self) -> Option<ParameterSetting> {
         if self.under_way.len() < self.window {
             self.waiting.pop_front()
@@ -54,45 +54,45 @@ impl Batch {
         }
     }
 
-    /// A value has been sent with this entry of the ledger.
+    /// Notes that a value was sent with this entry of the ledger.
     pub fn sent(&mut self, entry: EntryId, setting: ParameterSetting) {
         self.under_way.push((entry, setting));
     }
 
-    /// A value could not be sent: the vehicles are not there any more.
+    /// Notes that a value could not be sent because its vehicles are gone.
     pub fn not_sent(&mut self, setting: &ParameterSetting) {
         self.failed += setting.vehicles.len();
     }
 
-    /// How many vehicles' values were confirmed and how many were not, once nothing is under way.
+    /// The numbers of confirmed and of failed values, once nothing is under way.
     pub fn result(&self) -> Option<(usize, usize)> {
         let is_over = self.under_way.is_empty();
         is_over.then_some((self.confirmed, self.failed))
     }
 
-    /// Gives nothing more, and says how many were not given.
+    /// Stops sending; returns the number of values not sent.
     pub fn stop(&mut self) -> usize {
         let left = self.waiting.len();
         self.waiting.clear();
         left
     }
 
-    /// Whether a command is one of them.
+    /// Whether a command belongs to it.
     pub fn has(&self, entry: EntryId) -> bool {
         self.under_way.iter().any(|(known, _)| *known == entry)
     }
 
-    /// Parameters that have not been answered for yet.
+    /// The number of parameters without an answer yet.
     pub fn left(&self) -> usize {
         self.waiting.len() + self.under_way.len()
     }
 }
 
 impl Batch {
-    /// Takes note of commands that have ended.
+    /// Counts commands that have ended.
     pub fn count(&mut self, ledger: &Ledger, known: &Parameters) {
         let is_over = |(id, _): &mut (EntryId, ParameterSetting)| {
-            // What has fallen out of the ledger is long over.
+            // A command dropped from the ledger ended long ago.
             ledger.entry(*id).is_none_or(LedgerEntry::is_final)
         };
         let ended: Vec<_> = self.under_way.extract_if(.., is_over).collect();
@@ -120,8 +120,8 @@ impl Batch {
     }
 }
 
-/// The vehicles for which the line was not free in time, and those that did not answer although they have such a
-/// parameter.
+/// The vehicles to send a value to again: those whose command waited too long, and those that did not answer although
+/// they have the parameter.
 fn to_give_again(
     rows: &[LedgerRow],
     setting: &ParameterSetting,

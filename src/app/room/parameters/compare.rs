@@ -1,4 +1,4 @@
-//! A vehicle's parameters beside a file's or another vehicle's.
+//! A comparison of a vehicle's parameters with a file or another vehicle.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -12,15 +12,15 @@ use crate::parameters::{ParameterFinding, is_the_vehicles_own};
 use crate::text;
 use crate::vehicle::{Severity, VehicleId};
 
-/// What the vehicle under the cursor is compared with.
+/// The other side of the comparison with the vehicle under the cursor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Comparison {
     pub with: Other,
-    /// Names whose mark the user has turned over.
+    /// Names whose mark the user has toggled.
     turned: BTreeSet<String>,
-    /// Names that were set: they stay in the list, also when they do not differ any more.
+    /// Names that were set: they stay in the list even without a difference.
     pub set: BTreeSet<String>,
-    /// Whether what only the vehicle has is listed, too: beside a file of a few parameters that is nearly all.
+    /// Whether parameters that only the vehicle has are listed too: against a short file that is nearly all.
     pub lists_extra: bool,
 }
 
@@ -28,7 +28,7 @@ pub struct Comparison {
 #[derive(Debug, Clone, PartialEq)]
 pub enum Other {
     File {
-        /// Its path, as it was written.
+        /// Its path as typed.
         path: String,
         values: BTreeMap<String, f32>,
     },
@@ -36,7 +36,7 @@ pub enum Other {
 }
 
 impl Comparison {
-    /// One that nothing has been chosen of yet.
+    /// A comparison before any choice by the user.
     pub fn new(with: Other) -> Self {
         Self {
             lists_extra: matches!(with, Other::Vehicle(_)),
@@ -46,8 +46,8 @@ impl Comparison {
         }
     }
 
-    /// Whether a value would be set: what differs and is not the vehicle's own, unless the user wants it otherwise.
-    /// What the vehicle lacks is not set unasked.
+    /// Whether a value would be set: by default, what differs and is not specific to the vehicle. Parameters that the
+    /// vehicle lacks are never set by default.
     pub fn is_marked(&self, name: &str, finding: ParameterFinding) -> bool {
         let by_itself = match finding {
             ParameterFinding::Changed(..) => !is_the_vehicles_own(name),
@@ -58,18 +58,18 @@ impl Comparison {
     }
 }
 
-/// Which marks are turned over.
+/// Which marks to toggle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Marks {
     /// The one of the row under the cursor.
     UnderCursor,
-    /// Those that are not set yet, so that all are.
+    /// The ones not marked yet, so that all are.
     Unmarked,
     /// All that are shown.
     All,
 }
 
-/// Turns marks over. What makes the vehicle itself is marked one by one or not at all.
+/// Toggles marks. Parameters specific to a vehicle can only be marked one by one.
 pub fn turn(state: &mut State, marks: Marks) {
     let shown = rows(state);
     let Some(comparison) = &state.rooms.parameters.comparison else {
@@ -102,7 +102,7 @@ pub fn turn(state: &mut State, marks: Marks) {
     }
 }
 
-/// Asks whether what is marked shall be set on the vehicles that commands go to.
+/// Asks whether to set the marked values on the target vehicles.
 pub fn apply(state: &mut State) {
     let Some(comparison) = &state.rooms.parameters.comparison else {
         return state.say(Severity::Notice, text!("parameters-nothing-compared"));
@@ -118,7 +118,7 @@ pub fn apply(state: &mut State) {
     if let Other::Vehicle(other) = comparison.with {
         targets.retain(|id| *id != other);
     }
-    // The filter narrows what is looked at; what is set is all that is marked and shown.
+    // Only values that are marked and shown are set.
     let settings: Vec<ParameterSetting> = rows(state)
         .iter()
         .filter_map(|row| {

@@ -1,4 +1,4 @@
-//! Which vehicles are asked for their parameters: those on the screen, a few at a time.
+//! Which parameter lists are downloaded: those on the screen, a few at a time.
 
 use std::time::Duration;
 
@@ -11,12 +11,12 @@ use crate::language::{self, VerbRow};
 use crate::parameters::Fetching;
 use crate::vehicle::VehicleId;
 
-/// Lists that come at one time: vehicles may share one slow radio.
+/// The most lists downloaded at a time: vehicles may share a slow radio.
 const AT_ONCE: usize = 4;
-/// A vehicle that has not begun by then is asked again.
+/// A vehicle that has not started by then is asked again.
 const BEGIN_WITHIN: Duration = Duration::from_secs(5);
 
-/// Asks for the lists that are wanted and not there. Call it at every tick: it depends on what is shown.
+/// Requests the lists that are needed and missing; called at every tick, since it depends on the screen.
 pub fn wanted(state: &mut State) -> Effects {
     let now = state.now;
     let candidates = candidates(state);
@@ -47,7 +47,7 @@ pub fn wanted(state: &mut State) -> Effects {
     Effects::from(Effect::FetchParameters(due))
 }
 
-/// Vehicles whose lists are wanted and have not been asked for.
+/// Vehicles whose lists are needed and have not been requested.
 fn candidates(state: &State) -> Vec<VehicleId> {
     let room = &state.rooms.parameters;
     let mut wanted = Vec::new();
@@ -58,7 +58,7 @@ fn candidates(state: &State) -> Vec<VehicleId> {
             wanted.push(*other);
         }
     }
-    // Names complete on the command line once they are known.
+    // The command line completes names once they are known.
     if let Some(Overlay::Palette(palette)) = &state.overlay
         && language::begun(palette.input.value()).is_some_and(VerbRow::names_parameters)
     {

@@ -1,4 +1,4 @@
-//! New values and their outcome.
+//! New values and their results.
 
 use std::collections::BTreeMap;
 
@@ -13,15 +13,15 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 
-/// Edits kept; when there are more, all are forgotten but in the ledger.
+/// The most edits kept; beyond that, all are dropped except from the ledger.
 const EDITS_KEPT: usize = 50_000;
 
-/// A value that a vehicle was told to take.
+/// A value commanded for a vehicle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Edit {
-    /// The command's entry of the ledger, which knows how it went.
+    /// The command's entry of the ledger, with its outcome.
     pub entry: EntryId,
-    /// The value that was asked for.
+    /// The commanded value.
     pub value: f64,
 }
 
@@ -49,10 +49,10 @@ pub fn entered(
     Ok(line(name, &value.to_string(), vehicles))
 }
 
-/// The line that gives some vehicles a value.
+/// The line that sets a value on some vehicles.
 pub fn setting_line(setting: &ParameterSetting) -> String {
     let value = setting.value;
-    // The shortest number that means a large whole one is another whole number.
+    // The shortest notation of a large whole number may be another whole number.
     let written = if value.fract() == 0.0 {
         f64::from(value).to_string()
     } else {
@@ -66,8 +66,7 @@ fn line(name: &str, value: &str, vehicles: &[VehicleId]) -> String {
     format!("{targets} param set {name} {value}")
 }
 
-/// Remembers a command about a parameter, so that [`tell`] knows it, and what it sets, so that the list can show what
-/// becomes of it.
+/// Notes a parameter command for [`tell`] and its value for the list.
 pub fn note_order(state: &mut State, order: &Order, entry: EntryId) {
     let Act::Command(Command::Parameter(command)) = &order.act else {
         return;
@@ -91,8 +90,8 @@ pub fn note_order(state: &mut State, order: &Order, entry: EntryId) {
     }
 }
 
-/// Says on the last line of the room what has become of a command about a parameter once every vehicle has answered:
-/// the first failure if there is one. Of many values that are set one after the other, only their end is said.
+/// Reports the outcome of a parameter command on the last line of the room once every vehicle has answered: the first
+/// failure, if any. Of a batch, only the end is reported.
 pub fn tell(state: &mut State, entry: EntryId) {
     let batch = state.rooms.parameters.batch.as_ref();
     let is_of_batch = batch.is_some_and(|batch| batch.has(entry));
@@ -119,7 +118,7 @@ pub fn tell(state: &mut State, entry: EntryId) {
     state.say(severity, text);
 }
 
-/// What has become of a command with one vehicle and with those that fared the same.
+/// The outcome of a command for one vehicle and for those with the same outcome.
 fn fate(row: &LedgerRow, all: &[LedgerRow]) -> Text {
     let why = |row: &LedgerRow| row.explanation.as_ref().map(|text| text.regarding(""));
     let fared_so = |other: &&LedgerRow| other.state == row.state && why(other) == why(row);

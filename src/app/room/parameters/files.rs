@@ -1,4 +1,4 @@
-//! Parameter files: saved, and read to be compared with.
+//! Parameter files: saving, and reading for a comparison.
 
 use super::{Comparison, Other};
 use crate::app::State;
@@ -37,7 +37,7 @@ pub fn save(state: &State, path: &str) -> Result<Effects, Text> {
     })))
 }
 
-/// Has a file, or another vehicle by its number, compared with the vehicle under the cursor.
+/// Compares a file, or another vehicle by its number, with the vehicle under the cursor.
 ///
 /// # Errors
 /// There is no name, or no such vehicle.
@@ -59,7 +59,7 @@ pub fn load(state: &mut State, entered: &str) -> Result<Effects, Text> {
     Ok(Effects::none())
 }
 
-/// A file has been read.
+/// Handles a file that has been read.
 pub fn read(state: &mut State, path: String, content: &str) {
     match parameters::parse(content) {
         Ok(values) => compare(state, Other::File { path, values }),
@@ -81,7 +81,7 @@ pub fn read(state: &mut State, path: String, content: &str) {
     }
 }
 
-/// That a list has not come as a whole.
+/// The notice that a list is incomplete.
 pub(super) fn incomplete(vehicle: VehicleId, list: &ParameterList) -> Text {
     text!(
         "parameters-not-complete",

@@ -1,4 +1,4 @@
-//! Which parameters are shown, in order of their names.
+//! The parameters shown, ordered by name.
 
 use std::collections::BTreeMap;
 
@@ -13,9 +13,9 @@ use crate::vehicle::VehicleId;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row<'a> {
     pub name: &'a str,
-    /// The parameter of the vehicle that is shown, if it has it.
+    /// The parameter of the vehicle shown, if it has it.
     pub now: Option<ListedParameter>,
-    /// How it differs from what it is compared with.
+    /// The difference in the comparison.
     pub finding: Option<ParameterFinding>,
 }
 
@@ -31,7 +31,7 @@ impl Row<'_> {
     }
 }
 
-/// The lines of the list as it is narrowed down now. With a comparison, only what differs.
+/// The lines of the list with its filters. With a comparison, only differences.
 pub fn rows(state: &State) -> Vec<Row<'_>> {
     let Some(vehicle) = state.session.cursor else {
         return Vec::new();
@@ -85,7 +85,7 @@ fn compared<'a>(state: &'a State, vehicle: VehicleId, comparison: &'a Comparison
     rows.collect()
 }
 
-/// How many parameters only the vehicle that is shown has.
+/// The number of parameters that only the vehicle shown has.
 pub fn extra(state: &State, comparison: &Comparison) -> usize {
     let vehicle = state.session.cursor;
     let compared = vehicle.map(|vehicle| difference(state, vehicle, &comparison.with));
@@ -95,7 +95,7 @@ pub fn extra(state: &State, comparison: &Comparison) -> usize {
     found.iter().filter(is_extra).count()
 }
 
-/// What differs between a vehicle and what it is compared with.
+/// The differences between a vehicle and the other side.
 fn difference<'a>(
     state: &'a State,
     vehicle: VehicleId,
@@ -116,14 +116,14 @@ fn difference<'a>(
         }
     };
     let is_coming = coming(state, vehicle, with).is_some();
-    // What one side lacks so far may still come.
+    // What one side lacks may still arrive.
     let is_sure = |finding| !is_coming || matches!(finding, ParameterFinding::Changed(..));
     let pair = |difference: ParameterDifference<'a>| (difference.name, difference.finding);
     let pairs = found.into_iter().map(pair);
     pairs.filter(|(_, finding)| is_sure(*finding)).collect()
 }
 
-/// The first vehicle of a comparison whose list is not there as a whole and still expected.
+/// The first vehicle of a comparison whose list is incomplete and still coming.
 pub fn coming(state: &State, vehicle: VehicleId, with: &Other) -> Option<VehicleId> {
     let other = match with {
         Other::Vehicle(other) => Some(*other),

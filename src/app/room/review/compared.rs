@@ -1,4 +1,4 @@
-//! The page of two flights: what differed, in a table.
+//! The page that compares two flights in a table.
 
 use super::key_of;
 use super::page::Page;
@@ -8,10 +8,10 @@ use crate::debrief::fit;
 use crate::text;
 use crate::text::{Text, clock};
 
-/// Columns of the time and of the points; the rest is shared out.
+/// Columns of the time and of the points; the rest is shared.
 const TIME: usize = 6;
 const POINTS: usize = 8;
-/// The share of the rest that says what differed, of so many.
+/// The share of the rest for the difference, of so many.
 const WHAT: usize = 2;
 const SHARES: usize = 5;
 
@@ -37,7 +37,7 @@ impl Page<'_> {
         }
     }
 
-    /// Whose flights they were, and what they earned.
+    /// The pilots of the flights, and their results.
     fn heads(&mut self, own: &ComparedFlight, other: &ComparedFlight) {
         let [mine, theirs] = [own, other].map(|it| self.locale.text(&it.name));
         self.row(Tone::Hint, ["", "", &mine, &theirs, ""]);

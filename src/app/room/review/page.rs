@@ -66,7 +66,7 @@ impl Page<'_> {
         self.paragraph(tone, &words);
     }
 
-    /// A line of a list; later lines of it are indented.
+    /// A list item; its later lines are indented.
     fn item(&mut self, tone: Tone, lead: &str, text: &str) {
         let indent = " ".repeat(lead.len());
         let lines = wrap(text, self.width.saturating_sub(lead.len()));
@@ -97,7 +97,7 @@ impl Page<'_> {
         self.said_before();
     }
 
-    /// What the pilot had said before the launch.
+    /// The pilot's prediction and goal.
     fn said_before(&mut self) {
         let Some(report) = self.view.report.clone() else {
             return self.unread();
@@ -143,7 +143,7 @@ impl Page<'_> {
         self.answer(&why);
     }
 
-    /// What came of the flight, without a word on why.
+    /// The result of the flight, without reasons.
     fn outcome(&mut self, report: &Report) {
         let result = text!(
             "review-result",
@@ -168,7 +168,7 @@ impl Page<'_> {
         }
     }
 
-    /// How often what happened.
+    /// The counts of each kind of moment.
     fn counts(&mut self) {
         let counted = [
             MomentKind::Refusal,

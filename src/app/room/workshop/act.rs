@@ -1,4 +1,4 @@
-//! The keys of the workshop and what they do.
+//! The keys of the workshop.
 
 use crossterm::event::KeyCode;
 
@@ -156,7 +156,7 @@ pub(in crate::app::room) fn act(state: &mut State, action: WorkshopAction) -> Ve
         WorkshopAction::Undo if is_bench => undo(state),
         WorkshopAction::Redo if is_bench => redo(state),
         WorkshopAction::NextView if is_bench => next_view(state),
-        // What another page knows.
+        // Actions of other pages.
         WorkshopAction::OtherPane
         | WorkshopAction::BuyPart
         | WorkshopAction::Undo
@@ -195,7 +195,7 @@ fn put_in(state: &mut State) {
     if !room.bench.put_in(air()) {
         return state.say(Severity::Notice, text!("bench-no-more"));
     }
-    // What was missing is settled, and a slot with room for one; of others, more may be wanted.
+    // A filled slot with room for one is done, like a required one that was empty; others may take more.
     if slot.room() == 1 || (was_empty && slot.is_required()) {
         room.pane = Pane::Slots;
         if was_empty {
@@ -215,7 +215,7 @@ fn take_out(state: &mut State) {
     }
 }
 
-/// Goes on to the next view; on a wide screen figures and mission are always there.
+/// Shows the next view; on a wide screen figures and mission are always visible.
 fn next_view(state: &mut State) {
     let room = &mut state.rooms.workshop;
     room.view = if state.size.0 < WIDE {
@@ -227,7 +227,7 @@ fn next_view(state: &mut State) {
     };
 }
 
-/// Builds for the mission before or after.
+/// Builds for the previous or the next mission.
 fn other_mission(state: &mut State, step: Step) {
     if state.session.activity.is_some() && !state.session.is_over() {
         return state.say(Severity::Notice, text!("bench-mission-flown"));
@@ -240,7 +240,7 @@ fn other_mission(state: &mut State, step: Step) {
     state.rooms.mission.scroll = 0;
 }
 
-/// Back to the bench; from there to where the room was entered from.
+/// Returns to the bench; from there to the room that was shown before.
 fn escape(state: &mut State) -> Vec<RoomRequest> {
     state.hush();
     if state.rooms.workshop.page != Page::Bench {

@@ -1,5 +1,5 @@
-//! What lies on the bench: a design, everything that follows from it, and what each part for a slot would change.
-//! Figures take a moment to compute, so they are kept until the design or the slot changes; drawing computes nothing.
+//! The bench: a design, its figures, and the effect of each part for a slot. Figures take a moment to compute, so they
+//! are cached until the design or the slot changes; drawing computes nothing.
 
 use crate::app::action::Step;
 use crate::text::Text;
@@ -7,10 +7,10 @@ use crate::workshop::{
     Air, Design, DesignFinding, FindingSeverity, Part, PartSlot, Sheet, parts_for,
 };
 
-/// Changes that can be taken back.
+/// The most changes that can be undone.
 const MOST_UNDONE: usize = 200;
 
-/// A design at work.
+/// A design being edited.
 #[derive(Debug, Clone)]
 pub struct Bench {
     design: Design,
@@ -26,7 +26,7 @@ pub struct Bench {
     candidates: Vec<Candidate>,
 }
 
-/// A design as it was, with the name under which it is kept.
+/// An earlier state of the design, with the name under which it is stored.
 #[derive(Debug, Clone)]
 struct Kept {
     design: Design,
@@ -37,9 +37,9 @@ struct Kept {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SlotRow {
     pub slot: PartSlot,
-    /// What is in it; `None` where something could be added.
+    /// Its part; `None` where one could be added.
     pub part: Option<&'static Part>,
-    /// How many of it the slot holds.
+    /// How many of it are in the slot.
     pub count: usize,
 }
 
@@ -47,12 +47,11 @@ pub struct SlotRow {
 #[derive(Debug, Clone)]
 pub struct Candidate {
     pub part: &'static Part,
-    /// How many of it the slot holds already.
+    /// How many of it are already in the slot.
     pub on_board: usize,
-    /// What the design would be with it; that of the design itself for a part that is on board.
+    /// The design's figures with it; for a part on board, the present ones.
     pub sheet: Sheet,
-    /// Why it does not fit: the fault that the design would have in this slot, or the one elsewhere that it does not
-    /// have now.
+    /// Why it does not fit: the fault that the design would have in this slot, or a new one elsewhere.
     pub misfit: Option<Text>,
 }
 
@@ -80,7 +79,7 @@ impl Bench {
         &self.design
     }
 
-    /// The name of the trainee's own design that it was, or grew out of.
+    /// The name of the trainee's own design that it is based on.
     pub fn origin(&self) -> Option<&str> {
         self.origin.as_deref()
     }
@@ -89,7 +88,7 @@ impl Bench {
         &self.sheet
     }
 
-    /// What speaks against it.
+    /// The problems of the design.
     pub fn findings(&self) -> &[DesignFinding] {
         &self.findings
     }
@@ -119,7 +118,7 @@ impl Bench {
         rows(&self.design)
     }
 
-    /// The place of the cursor among them.
+    /// The index of the cursor among them.
     pub fn row(&self) -> usize {
         self.row
     }
@@ -130,7 +129,7 @@ impl Bench {
         rows.get(self.row).map_or(PartSlot::Frame, |row| row.slot)
     }
 
-    /// The place of the cursor among the candidates.
+    /// The index of the cursor among the candidates.
     pub fn at(&self) -> usize {
         let mut all = self.candidates.iter();
         let known = all.position(|candidate| Some(candidate.part.id) == self.part);
@@ -158,7 +157,7 @@ impl Bench {
         }
     }
 
-    /// Moves the cursor to the next slot that needs a part and has none, if there is one.
+    /// Moves the cursor to the next required slot without a part, if any.
     pub fn move_to_empty(&mut self, air: Air) {
         let rows = self.rows();
         let is_empty = |row: &SlotRow| row.part.is_none() && row.slot.is_required();
@@ -176,13 +175,13 @@ impl Bench {
         self.part = self.candidates.get(at).map(|candidate| candidate.part.id);
     }
 
-    /// Puts the part under the cursor in. False if that changes nothing.
+    /// Installs the part under the cursor. False if that changes nothing.
     pub fn put_in(&mut self, air: Air) -> bool {
         let changed = self.candidate().map(|it| self.design.with(it.part));
         changed.is_some_and(|changed| self.change(changed, air))
     }
 
-    /// Takes one piece of a part out. False if there is none.
+    /// Removes one piece of a part. False if there is none.
     pub fn take_out(&mut self, part: &Part, air: Air) -> bool {
         self.change(self.design.without(part), air)
     }

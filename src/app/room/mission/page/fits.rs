@@ -6,7 +6,7 @@ use crate::mission::{AreaKind, FitListing};
 use crate::text;
 use crate::text::Text;
 
-/// Kinds of areas by the words of the map's legend, which also tell the sign that stands for them there.
+/// Kinds of areas with the messages of the map's legend.
 const AREAS: [(AreaKind, &str); 6] = [
     (AreaKind::Task, "map-legend-task"),
     (AreaKind::Geofence, "map-legend-fence"),
@@ -45,7 +45,7 @@ impl Page<'_> {
         }
     }
 
-    /// The areas that are known from the start, by what they mean.
+    /// The areas known from the start, by kind.
     pub(super) fn zones(&self) -> Option<(Text, Text)> {
         let areas = &self.mission.areas;
         let kind = |(kind, words): &(AreaKind, &'static str)| {

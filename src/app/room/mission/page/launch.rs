@@ -7,14 +7,14 @@ use crate::text;
 use crate::text::Text;
 
 impl Page<'_> {
-    /// Whether a mission has been started and nothing has flown yet.
+    /// Whether a mission has started and nothing has flown yet.
     pub(super) fn awaits_launch(&self) -> bool {
         let session = &self.state.session;
         let flown = |progress: &crate::mission::Progress| progress.score_so_far.is_some();
         session.activity.is_some() && !session.over && !session.mission.as_ref().is_some_and(flown)
     }
 
-    /// Whether the clock stands still while the brief is read, or can be stopped.
+    /// Whether the clock is stopped for the brief, or can be.
     fn can_wait(&self) -> bool {
         let session = &self.state.session;
         if session.is_reading() {
@@ -24,7 +24,7 @@ impl Page<'_> {
         self.awaits_launch() && allows && session.hangar.is_none()
     }
 
-    /// Before launch, the questions and how to begin; afterwards what was answered, if anything was.
+    /// Adds, before launch, the questions and how to begin; afterwards the answers, if any.
     pub(super) fn launch(&mut self) {
         if self.state.session.activity.is_none() {
             return;

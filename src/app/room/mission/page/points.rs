@@ -1,4 +1,4 @@
-//! What the trainee wanted to keep and to improve when a flight of the mission was reviewed last.
+//! The points to keep and to improve from the last review of the mission.
 
 use super::{Page, Tone};
 use crate::review::PointKind;
@@ -6,7 +6,7 @@ use crate::text;
 use crate::text::wrap;
 
 impl Page<'_> {
-    /// The points of the newest review, before the flight; nothing where there are none.
+    /// Adds those points before the flight.
     pub(super) fn points(&mut self) {
         let is_read = self.state.session.activity.is_none() || self.awaits_launch();
         let review = self.state.reviews.get(&self.mission.id);

@@ -6,7 +6,7 @@ use crate::text;
 use crate::text::Text;
 
 impl Page<'_> {
-    /// Credits and what becomes available; nothing where the mission's file promises nothing.
+    /// Credits and unlocks; `None` if the mission has none.
     pub(super) fn rewards(&self) -> Option<(Text, Text)> {
         let rewards = &self.mission.rewards;
         let credits = (rewards.credits > 0)

@@ -1,15 +1,15 @@
-//! The trainee's earlier tries.
+//! The trainee's earlier attempts.
 
 use super::Page;
 use crate::scoring::{Medal, TryReport};
 use crate::text;
 use crate::text::Text;
 
-/// The newest tries are shown, and the best if it is not among them.
+/// The number of newest attempts shown; the best one is added if it is older.
 const SHOWN: usize = 5;
 
 impl Page<'_> {
-    /// The tries at the mission before it is flown; nothing on the first.
+    /// Adds the earlier attempts before the flight, if there are any.
     pub(super) fn tries(&mut self) {
         let is_read = self.state.session.activity.is_none() || self.awaits_launch();
         let Some(tries) = self.state.tries.get(&self.mission.id).filter(|_| is_read) else {
@@ -28,7 +28,7 @@ impl Page<'_> {
     }
 }
 
-/// When a try was, and what came of it.
+/// The time and the result of an attempt.
 fn row(one: &TryReport, best: bool) -> (Text, Text) {
     // The day and the time without seconds: `2026-11-20 14:03`.
     let to_the_minute: String = one.when.chars().take(16).collect();
