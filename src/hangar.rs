@@ -1,15 +1,16 @@
 //! The hangar: ArduPilot SITL processes on this host, started, watched and ended.
 //!
-//! A [`Hangar`] owns its processes: when it goes, they go, however it goes. Each instance runs in a folder of its
-//! own and connects out to a listener of ours on loopback, so that nobody else can reach it; what it says can be
-//! [attached](Hangar::attach) to as a byte stream.
+//! A [`Hangar`] owns its processes: they end with it, however it ends. Each instance runs in a folder of its own and
+//! connects to a listener of the hangar on loopback, so that no other program can reach it; a program can
+//! [attach](Hangar::attach) to its byte stream.
 //!
-//! - `launcher` starts a process so that it cannot outlive this one; `folder` is where instances run, and knows what an
-//!   earlier hangar has left; `process` asks the system about processes; `output` keeps what they print.
-//! - `launch` is what is asked for, `refusal` why it is not done; `roster` says who is there and what is free.
-//! - `instance` is one instance's task: its process, its connection, its stages, its end. `relay` carries bytes between
-//!   it and whoever is attached. `progress` is how far it has come: `probe` asks it, `stages` judges. `restarts` says
-//!   whether it is started again.
+//! - `launcher` starts a process so that it cannot outlive this one; `folder` is where instances run, and knows what
+//!   an earlier hangar has left; `process` asks the system about processes; `output` keeps what they print.
+//! - `launch` is a request to start an instance, `refusal` the reason against it; `roster` lists the instances and the
+//!   free numbers.
+//! - `instance` is one instance's task: its process, its connection, its stages, its end. `relay` carries bytes
+//!   between it and whoever is attached. `progress` is how far it has come: `probe` asks it, `stages` judges.
+//!   `restarts` says whether it is started again.
 
 use std::collections::BTreeMap;
 use std::io;
@@ -58,13 +59,13 @@ pub use token::{HangarToken, TokenError};
 
 use roster::Roster;
 
-/// Names an instance within its hangar.
+/// The number of an instance within its hangar.
 pub type InstanceId = u16;
 
-/// Requests that may wait for one instance.
+/// The most requests that wait for one instance.
 const REQUESTS_KEPT: usize = 16;
 
-/// How an instance is doing.
+/// The state of an instance.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct Instance {
     /// The number of the instance.
@@ -73,13 +74,13 @@ pub struct Instance {
     pub kind: SitlKind,
     /// Its MAVLink system id.
     pub system: u8,
-    /// How far it has come.
+    /// The stage of its start.
     pub stage: SitlStage,
-    /// How many parameters have come, and how many there are; 0 while that is unknown.
+    /// The parameters received, and their number; 0 while unknown.
     pub parameters: [u16; 2],
-    /// The process, while there is one.
+    /// The process id, while it runs.
     pub pid: Option<u32>,
-    /// How often it was started again.
+    /// The number of restarts.
     pub restarts: u32,
     /// Whether a program is attached to it.
     pub attached: bool,
@@ -87,24 +88,24 @@ pub struct Instance {
     pub memory_bytes: u64,
     /// Processor time in milliseconds since it was started.
     pub cpu_ms: u64,
-    /// Why it has ended, unless it was asked to.
+    /// Why it ended, unless it was stopped on request.
     pub fault: Option<String>,
-    /// What it lacks, when a stage has not come for long, or what happens next when it has ended.
+    /// What is missing, when a stage takes long, or the next step after its end.
     #[serde(default)]
     pub hint: Option<String>,
     /// Connections of other processes that were refused.
     #[serde(default)]
     pub refused: u32,
-    /// The last lines that it printed, oldest first; filled in when it has ended by itself.
+    /// The last lines that it printed, oldest first; set when it has ended without a request.
     pub last_output: Vec<String>,
     /// Its folder on the host.
     pub folder: String,
-    /// The TCP port on loopback that gives its MAVLink to all programs of the host, if a service has opened one.
+    /// The TCP port on loopback that exposes its MAVLink to all programs of the host, if a service has opened one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub port: Option<u16>,
 }
 
-/// What a hangar may use.
+/// The limits of a hangar.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 #[schema(as = Limits)]
 pub struct HangarLimits {
@@ -112,7 +113,7 @@ pub struct HangarLimits {
     pub instances: u16,
     /// Address space of one instance, in mebibytes.
     pub memory_mib: u64,
-    /// Instances that are started per second.
+    /// The most starts per second.
     pub starts_per_s: u16,
 }
 
@@ -126,31 +127,31 @@ impl Default for HangarLimits {
     }
 }
 
-/// How a hangar is set up.
+/// The settings of a hangar.
 #[derive(Debug, Clone)]
 pub struct HangarSetup {
     /// The program of each kind of vehicle that can be started.
     pub programs: BTreeMap<SitlKind, PathBuf>,
-    /// Where the instances' folders are made.
+    /// The folder for the instances' folders.
     pub folder: PathBuf,
-    /// What may be used.
+    /// Its limits.
     pub limits: HangarLimits,
-    /// What happens to instances that end by themselves.
+    /// What happens to instances that end without a request.
     pub restart: Restart,
-    /// The `sortie` program, which starts the others.
+    /// The `sortie` program, which starts the instances.
     pub sortie: PathBuf,
 }
 
-/// How full a hangar is.
+/// The load of a hangar.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 pub struct Capacity {
     /// Instances that have not ended.
     pub running: u16,
-    /// Instances that could be started besides.
+    /// Instances that can still be started.
     pub free: u16,
 }
 
-/// What is asked of an instance's task.
+/// A request to an instance's task.
 enum InstanceRequest {
     Stop(oneshot::Sender<()>),
     Restart,
@@ -182,11 +183,11 @@ impl Drop for Hangar {
 }
 
 impl Hangar {
-    /// Opens an empty hangar, and begins to end what hangars that are gone have left behind in the same folder. Must
-    /// be called inside a tokio runtime.
+    /// Opens an empty hangar, and starts to end the processes that dead hangars have left in the same folder. Must be
+    /// called inside a tokio runtime.
     ///
     /// # Errors
-    /// Its folder cannot be made or used.
+    /// Its folder cannot be created or used.
     pub fn open(config: HangarSetup) -> io::Result<Self> {
         let opened = folder::Run::open(&config.folder).map_err(io::Error::other)?;
         for skipped in &opened.skipped {
@@ -212,7 +213,7 @@ impl Hangar {
         })
     }
 
-    /// What hangars that are gone had left behind in the same folder, once all that can be ended is.
+    /// The processes that dead hangars had left in the same folder, once they have been ended as far as possible.
     pub async fn leftovers(&self) -> Vec<Leftover> {
         let mut leftovers = self.leftovers.clone();
         let ended = leftovers.wait_for(Option::is_some).await;
@@ -222,11 +223,11 @@ impl Hangar {
             .unwrap_or_default()
     }
 
-    /// Starts an instance, in a folder that remembers nothing of one that had its number before; its stages can be
-    /// followed by [`Self::instances`].
+    /// Starts an instance, in a folder without files of an earlier one with its number; [`Self::instances`] shows its
+    /// stages.
     ///
     /// # Errors
-    /// Why it cannot be.
+    /// The reason why it cannot be started.
     pub async fn launch(&self, launch: Launch) -> Result<InstanceId, HangarRefusal> {
         let shared = &self.shared;
         if shared.cancel.is_cancelled() {
@@ -252,7 +253,7 @@ impl Hangar {
     /// Ends an instance and waits until its process is gone.
     ///
     /// # Errors
-    /// There is no such instance.
+    /// No instance has that number.
     pub async fn stop(&self, id: InstanceId) -> Result<(), HangarRefusal> {
         let (done, over) = oneshot::channel();
         match self.ask(id, InstanceRequest::Stop(done)).await {
@@ -264,20 +265,20 @@ impl Hangar {
         Ok(())
     }
 
-    /// Ends an instance's process, if there is one, and starts it again in the same folder: its parameters are as it
-    /// had them last. Whoever is attached stays so. For one that remembers nothing, stop it and launch another.
+    /// Ends an instance's process, if there is one, and starts it again in the same folder with its last parameters.
+    /// An attached program stays attached. For a fresh one, stop it and launch another.
     ///
     /// # Errors
-    /// There is no such instance, or it has ended and others have taken its place.
+    /// No instance has that number, or it has ended and others have taken its place.
     pub async fn restart(&self, id: InstanceId) -> Result<(), HangarRefusal> {
         self.shared.roster.revive(id)?;
         self.ask(id, InstanceRequest::Restart).await
     }
 
-    /// The bytes of an instance's serial 0. They go on when the instance is started again.
+    /// The bytes of an instance's serial 0. The stream continues when the instance is restarted.
     ///
     /// # Errors
-    /// There is no such instance, or a program is attached to it.
+    /// No instance has that number, or a program is attached to it.
     pub async fn attach(&self, id: InstanceId) -> Result<DuplexStream, HangarRefusal> {
         let (answer, pipe) = oneshot::channel();
         self.ask(id, InstanceRequest::Attach(answer)).await?;
@@ -286,18 +287,18 @@ impl Hangar {
             .ok_or(HangarRefusal::Attached(id))
     }
 
-    /// What an instance has printed, from the line with this number on, as far as it is kept; with 0 all of that.
+    /// An instance's output from the line with this number on, as far as it is kept; with 0 all of it.
     ///
     /// # Errors
-    /// There is no such instance.
+    /// No instance has that number.
     pub fn output(&self, id: InstanceId, since: u64) -> Result<Vec<OutputLine>, HangarRefusal> {
         Ok(self.prints(id)?.since(since))
     }
 
-    /// What an instance prints, now and from now on.
+    /// An instance's output, to be followed.
     ///
     /// # Errors
-    /// There is no such instance.
+    /// No instance has that number.
     pub fn prints(&self, id: InstanceId) -> Result<ProcessOutput, HangarRefusal> {
         self.shared
             .roster
@@ -305,17 +306,17 @@ impl Hangar {
             .ok_or(HangarRefusal::Unknown(id))
     }
 
-    /// The instances as they are now and will be.
+    /// The instances, to be followed.
     pub fn instances(&self) -> watch::Receiver<Instances> {
         self.shared.roster.watch()
     }
 
-    /// Where its instances' folders are; its own, below the one that it was opened with.
+    /// The folder of its instances' folders; a new one below the root it was opened with.
     pub fn folder(&self) -> &Path {
         self.shared.run.path()
     }
 
-    /// How full it is.
+    /// Its load.
     pub fn capacity(&self) -> Capacity {
         self.shared.roster.capacity()
     }
@@ -324,7 +325,7 @@ impl Hangar {
     pub async fn close(&self) {
         self.shared.cancel.cancel();
         let all_gone = |all: &Instances| all.is_empty();
-        // The roster is there as long as the hangar is.
+        // The roster lives as long as the hangar.
         drop(self.instances().wait_for(all_gone).await);
     }
 

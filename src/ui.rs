@@ -1,4 +1,4 @@
-//! The screens: what a [`State`] looks like. Drawing reads the state and changes nothing.
+//! The screens: they draw a [`State`] and change nothing.
 
 use ratatui::Frame;
 
@@ -21,7 +21,7 @@ pub use look::{Badge, Look};
 pub use theme::{ColourDepth, Role, Theme, ThemeError, ThemeFile, Themes};
 pub use window::window_title;
 
-/// Draws the whole console, with no more than the characters that the terminal has.
+/// Draws the whole console, with only the characters that the terminal supports.
 pub fn draw(state: &State, look: &Look, frame: &mut Frame<'_>) {
     draw_all(state, look, frame);
     if look.symbols == Symbols::Ascii {

@@ -3,36 +3,36 @@
 use crate::language::{Listed, Named};
 use crate::text::Text;
 
-/// Hands the list of rooms to a macro. Each line gives the room's name in the program, its module in `app::room` and
-/// `ui::screen`, its name in keymap files and on the command line, the key that leads there from anywhere, and what it
-/// remembers. The messages `room-NAME` and `action-NAME` are its title and what it is for.
+/// Passes the list of rooms to a macro. Each line gives the room's name in the program, its module in `app::room` and
+/// `ui::screen`, its name in keymap files and on the command line, its default key, and the type of its state. The
+/// messages `room-NAME` and `action-NAME` are its title and its purpose.
 macro_rules! for_each_room {
     ($then:ident) => {
         $then! {
             Home, home, "home", 'H', home::Home;
             /// The swarm in flight.
             Fly, fly, "fly", 'F', fly::Fly;
-            /// Everything about one vehicle.
+            /// One vehicle in detail.
             Vehicle, vehicle, "vehicle", 'V', vehicle::Vehicle;
             Map, map, "map", 'M', map::Map;
-            /// Every command so far.
+            /// All commands.
             Ledger, ledger, "commands", 'C', ledger::Ledger;
-            /// Every message that comes in.
+            /// All messages on the links.
             Messages, messages, "messages", 'I', messages::Messages;
-            /// The links, and what is wrong with them.
+            /// The links and their faults.
             Links, links, "links", 'L', links::Links;
             /// The processes that simulate the vehicles.
             Hangar, hangar, "hangar", 'G', hangar::Hangar;
             Parameters, parameters, "parameters", 'P', parameters::Parameters;
             /// The mission's brief, objectives and rules.
             Mission, mission, "mission", 'B', mission::Mission;
-            /// What the last flight was worth.
+            /// The result of the last flight.
             Debrief, debrief, "debrief", 'D', Option<debrief::Debrief>;
-            /// What is made of a recorded flight.
+            /// The review of a recorded flight.
             Review, review, "review", 'A', review::Review;
-            /// How far the trainee has come.
+            /// The trainee's progress.
             Standing, standing, "standing", 'T', standing::Standing;
-            /// Where drones are built.
+            /// The workshop for designs.
             Workshop, workshop, "workshop", 'W', workshop::Workshop;
         }
     };
@@ -50,7 +50,7 @@ macro_rules! declare_rooms {
             /// Every room, in the order of the help.
             pub const ALL: [Self; [$($key),+].len()] = [$(Self::$Room),+];
 
-            /// The key that leads there from anywhere, unless a keymap file says otherwise.
+            /// The key that leads there by default.
             pub const fn key(self) -> char {
                 match self {
                     $(Self::$Room => $key,)+
@@ -76,17 +76,17 @@ impl Default for Room {
 }
 
 impl Room {
-    /// Whether vehicles are selected and commanded by keys there.
+    /// Whether keys select and command vehicles there.
     pub const fn shows_vehicles(self) -> bool {
         matches!(self, Self::Fly | Self::Vehicle | Self::Map)
     }
 
-    /// The room of a name.
+    /// The room with a name.
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|room| room.name() == name)
     }
 
-    /// Every room, as a word of a line.
+    /// Every room, as a completion.
     pub fn listed() -> Listed {
         let named = |room: Self| Named {
             name: room.name().to_owned(),
@@ -95,12 +95,12 @@ impl Room {
         Listed::Names(Self::ALL.map(named).into())
     }
 
-    /// What it is for.
+    /// Its purpose.
     pub fn explained(self) -> Text {
         Text::new(format!("action-{}", self.name()), Vec::new())
     }
 
-    /// What the header calls it.
+    /// Its title in the header.
     pub fn title(self) -> Text {
         Text::new(format!("room-{}", self.name()), Vec::new())
     }

@@ -1,4 +1,4 @@
-//! What the console knew of a flight at one time: what a replay goes back to.
+//! Snapshots of a flight in the console, for jumps of a replay.
 
 use std::time::Duration;
 
@@ -8,7 +8,7 @@ use super::room::map::Map;
 use super::state::{FlightView, NoticeLog};
 use crate::text::Text;
 
-/// What the console knew of a flight at one time. What its user selected and looks at is not in it.
+/// The console's knowledge of a flight at one time, without the user's selection and view.
 #[derive(Debug, Clone)]
 pub struct FlightSnapshot {
     session: FlightView,
@@ -20,7 +20,7 @@ pub struct FlightSnapshot {
 }
 
 impl FlightSnapshot {
-    /// What is known now.
+    /// A snapshot of the present state.
     pub fn of(state: &State) -> Self {
         Self {
             session: state.session.clone(),
@@ -32,13 +32,13 @@ impl FlightSnapshot {
         }
     }
 
-    /// When it was known, from the beginning of the recording.
+    /// Its time, from the beginning of the recording.
     pub fn at(&self) -> Duration {
         self.now
     }
 }
 
-/// Goes back to what was known then; what is selected and looked at stays.
+/// Restores a snapshot; the selection and the view stay.
 pub(super) fn restore(state: &mut State, snapshot: FlightSnapshot) {
     let before = std::mem::replace(&mut state.session, snapshot.session);
     state.session.keep_choices(before);

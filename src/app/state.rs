@@ -1,4 +1,4 @@
-//! Everything that the console shows. Only [`App::update`](super::App::update) changes it; drawing reads it.
+//! The console's state. Only [`App::update`](super::App::update) changes it; drawing reads it.
 
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::sync::Arc;
@@ -64,81 +64,81 @@ pub use time::SessionTime;
 
 /// The smallest terminal that the console fits into: columns and rows.
 pub const SMALLEST: (u16, u16) = (80, 24);
-/// Lines of the command line's history kept.
+/// The length of the command line's history.
 const HISTORY_KEPT: usize = 200;
-/// How long a message stays on the last line of the screen: one that asks for something, and one that only agrees.
+/// How long a message stays on the last line of the screen: one that needs attention, and a confirmation.
 const MESSAGE_LIFE: Duration = Duration::from_secs(8);
 const ACKNOWLEDGEMENT_LIFE: Duration = Duration::from_secs(4);
 
-/// The whole console; `R` is what its rooms remember.
+/// The console's state; `R` is the rooms' part.
 #[derive(Debug, Clone)]
 pub struct State<R> {
-    /// The time of what is flown: since the program began, or since the beginning of what is replayed.
+    /// Flight time: since the start of the program, or of the recording in a replay.
     pub(in crate::app) now: Duration,
-    /// The recording that is replayed, if one is.
+    /// The replay, if there is one.
     pub(in crate::app) replay: Option<ReplayView>,
     /// Another flight of the mission, shown beside this one.
     pub(in crate::app) ghost: Option<Ghost>,
-    /// The room that is shown.
+    /// The present room.
     pub(in crate::app) room: Room,
-    /// What every room remembers.
+    /// The state of every room.
     pub(in crate::app) rooms: R,
-    /// What lies over it.
+    /// The overlay over the room.
     pub(in crate::app) overlay: Option<Overlay>,
-    /// What is being flown.
+    /// The session.
     pub(in crate::app) session: FlightView,
-    /// The vehicle list that is being typed, `3-9`; empty if none.
+    /// The vehicle list being typed, `3-9`; empty without one.
     pub(in crate::app) typed: String,
-    /// Time since the program began, by the wall clock: it runs on while a session is paused.
+    /// Time since the start of the program by the wall clock: it also runs during a pause.
     pub(in crate::app) wall: Duration,
-    /// When the key before this one answered a question and so changed what is flown, by the wall clock.
+    /// When the previous key answered a question that changed the session, by the wall clock.
     pub(in crate::app) answered_at: Option<Duration>,
-    /// What the user has set.
+    /// The user's settings.
     pub(in crate::app) config: Config,
-    /// The words of the language in use.
+    /// The texts of the language in use.
     pub(in crate::app) locale: Arc<Locale>,
-    /// Lines of a macro that wait for the answer to a question.
+    /// Lines of a macro that wait for an answer.
     pub(in crate::app) pending: VecDeque<String>,
     pub(in crate::app) notices: NoticeLog,
-    /// The missions on offer.
+    /// The available missions.
     pub(in crate::app) missions: Vec<MissionListing>,
-    /// The trainee's tries at them as they are now, by the mission's id, oldest first.
+    /// The trainee's attempts at their current revisions, by the mission's id, oldest first.
     pub(in crate::app) tries: BTreeMap<String, Vec<TryReport>>,
     /// The trainee's newest review of each mission, by the mission's id.
     pub(in crate::app) reviews: BTreeMap<String, Review>,
-    /// The trainee's career; `None` where no flights are kept.
+    /// The trainee's career; `None` without a profile.
     pub(in crate::app) career: Option<Career>,
-    /// What the last flight brought to it; nothing once another session has started.
+    /// The rewards of the last flight; `None` once another session has started.
     pub(in crate::app) reward: Option<Reward>,
     /// The names of all profiles.
     pub(in crate::app) profiles: Vec<String>,
-    /// The drones that were chosen for missions, by the mission's id: one for all seats or one each. Where there are
-    /// none, the mission lends its own.
+    /// The drones chosen for missions, by the mission's id: one for all seats or one per seat; empty for the mission's
+    /// own.
     pub(in crate::app) fleets: BTreeMap<String, Vec<Design>>,
     /// The designs that come with the program.
     pub(in crate::app) stock: Vec<Design>,
-    /// The names of the themes on offer.
+    /// The names of the available themes.
     pub(in crate::app) themes: Vec<String>,
     /// The name of the theme in use.
     pub(in crate::app) theme: String,
-    /// What the keys do.
+    /// The key bindings.
     pub(in crate::app) keymap: Keymap,
-    /// Lines given before, oldest first.
+    /// The command history, oldest first.
     pub(in crate::app) history: VecDeque<String>,
     /// Columns and rows of the terminal.
     pub(in crate::app) size: (u16, u16),
-    /// Whether ArduPilot's SITL could be started.
+    /// Whether ArduPilot's SITL is available.
     pub(in crate::app) has_ardupilot: bool,
     /// Whether rooms are drawn; the plain console has none.
     pub(in crate::app) has_rooms: bool,
-    /// What the line to the terminal carries in bytes per second, while it cannot keep up.
+    /// The bytes per second that the line to the terminal carries, while it cannot keep up.
     pub(in crate::app) slow_line: Option<u32>,
-    /// The last answer of the console itself.
+    /// The console's latest message.
     message: Option<Message>,
     revision: u64,
 }
 
-/// The console's own answer to something, shown for a while on the last line.
+/// A message of the console, shown for a while on the last line.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Message {
     pub text: Text,
@@ -158,7 +158,7 @@ impl Message {
 }
 
 impl<R: Default> State<R> {
-    /// The home screen of a console that has just started.
+    /// A console on its home screen.
     pub(in crate::app) fn new(setup: Setup) -> Self {
         let mut state = Self {
             now: Duration::ZERO,
@@ -202,7 +202,7 @@ impl<R: Default> State<R> {
 }
 
 impl<R> State<R> {
-    /// A number that moves whenever something visible may have changed.
+    /// A number that increases whenever something visible may have changed.
     pub fn revision(&self) -> u64 {
         self.revision
     }
@@ -217,7 +217,7 @@ impl<R> State<R> {
         self.size.0 < SMALLEST.0 || self.size.1 < SMALLEST.1
     }
 
-    /// How many entries a log has.
+    /// The number of a log's entries.
     pub fn log_length(&self, log: Log) -> usize {
         match log {
             Log::Notices => self.notices.lines().len(),
@@ -225,16 +225,16 @@ impl<R> State<R> {
         }
     }
 
-    /// The message that is still fresh.
+    /// The message, while it is fresh.
     pub fn message(&self) -> Option<&Message> {
         self.message
             .as_ref()
             .filter(|message| self.wall.saturating_sub(message.at) < message.life())
     }
 
-    /// Writes in a language from now on, if the screen shows its letters.
+    /// Switches to a language, if the terminal can show its letters.
     pub fn speak(&mut self, language: Language) -> bool {
-        // Words of other scripts would be nothing but question marks.
+        // Words of other scripts would show only question marks.
         if language != Language::English && self.config.symbols == Some(Symbols::Ascii) {
             return false;
         }
@@ -243,7 +243,7 @@ impl<R> State<R> {
         true
     }
 
-    /// Answers the user on the last line.
+    /// Shows a message on the last line.
     pub fn say(&mut self, severity: Severity, text: impl Into<Text>) {
         self.message = Some(Message {
             text: text.into(),
@@ -252,7 +252,7 @@ impl<R> State<R> {
         });
     }
 
-    /// The key of an action in the room that is shown, for messages.
+    /// The key of an action in the present room, for messages.
     pub fn key(&self, action: Action) -> Text {
         self.keymap.key(action, Place::In(self.room))
     }
@@ -262,18 +262,18 @@ impl<R> State<R> {
         self.ghost.as_ref()
     }
 
-    /// The time of the other flight that is shown beside this one, if one is and has begun.
+    /// The other flight's time, if one is shown and has begun.
     pub fn ghost_time(&self) -> Option<Duration> {
         let elapsed = self.session.mission.as_ref()?.elapsed;
         self.ghost.as_ref()?.time(elapsed)
     }
 
-    /// Asks a question that `y` answers with yes.
+    /// Asks a question that `y` confirms.
     pub fn ask(&mut self, question: Text, reason: Text, then: Consequence) {
         self.overlay = Some(Overlay::Confirm(Confirm::new(question, reason, then)));
     }
 
-    /// Asks for a line; what is entered already may be changed.
+    /// Opens a prompt; the proposed text can be edited.
     pub fn prompt(&mut self, purpose: Purpose, entered: impl Into<String>) {
         let is_proposal = matches!(
             purpose,
@@ -289,12 +289,12 @@ impl<R> State<R> {
         }));
     }
 
-    /// Takes the message back.
+    /// Removes the message.
     pub fn hush(&mut self) {
         self.message = None;
     }
 
-    /// The vehicles that a command without targets goes to: the selection, else the one under the cursor.
+    /// The targets of a command that names none: the selection, or the vehicle under the cursor.
     pub fn addressed(&self) -> Vec<VehicleId> {
         if self.session.selection.is_empty() {
             self.session.cursor.into_iter().collect()
@@ -303,7 +303,7 @@ impl<R> State<R> {
         }
     }
 
-    /// Keeps a line that was given, once.
+    /// Adds a line to the history, without duplicates.
     pub fn remember(&mut self, line: &str) {
         self.history.retain(|known| known != line);
         self.history.push_back(line.to_owned());
@@ -312,7 +312,7 @@ impl<R> State<R> {
         }
     }
 
-    /// How a mission is flown for credits and medals, with the drones that were chosen for it.
+    /// A graded flight of a mission with the drones chosen for it.
     pub fn launch(&self, mission: &str) -> Launch {
         Launch {
             fleet: self.fleets.get(mission).cloned().unwrap_or_default(),
@@ -320,7 +320,7 @@ impl<R> State<R> {
         }
     }
 
-    /// Why the trainee may not fly a mission yet. Without a profile everything may be flown.
+    /// Why the mission is locked for the trainee; `None` without a profile.
     pub fn lock(&self, mission: &str) -> Option<Text> {
         self.career.as_ref()?.lock(mission)
     }
@@ -330,20 +330,20 @@ impl<R> State<R> {
         self.session.listing.as_deref()
     }
 
-    /// Whether the trainee can still say what is to come of the flight.
+    /// Whether the trainee can still set a prediction and a goal.
     pub fn can_pledge(&self) -> bool {
         let progress = self.session.mission.as_ref();
         !self.session.over && progress.is_none_or(|progress| progress.can_pledge)
     }
 
-    /// The trainee's best try at a mission that counts and earned points; of equal ones the first.
+    /// The trainee's best attempt that counts and earned points; of equal ones the first.
     pub fn best_try(&self, mission: &str) -> Option<&TryReport> {
         let tries = self.tries.get(mission)?.iter();
         let ended = tries.filter(|one| one.score > Some(0) && !one.is_practice);
         ended.rev().max_by_key(|one| one.score)
     }
 
-    /// The class whose modes a command line may name: that of the first vehicle it would go to.
+    /// The vehicle class for modes on the command line: that of the first target.
     pub fn class(&self) -> VehicleClass {
         let first = self.addressed().first().copied();
         let vehicle = first.and_then(|id| self.session.vehicles.get(&id));

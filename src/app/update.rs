@@ -33,13 +33,13 @@ mod replay;
 mod review;
 mod telemetry;
 
-/// Takes in what happened and says what the shell has to do.
+/// Handles an event and returns the work for the shell.
 pub fn update(state: &mut State, event: Event) -> Effects {
     let (room, had_overlay) = (state.room, state.overlay.is_some());
     let said = state.message().cloned();
     let watch = pace::watch(state, &event);
     let mut effects = react(state, event);
-    // A message goes with what it was about, unless it has only just been said.
+    // A message disappears with its subject, unless it has only just appeared.
     let is_elsewhere = state.room != room || (state.overlay.is_some() && !had_overlay);
     if is_elsewhere && state.message() == said.as_ref() {
         state.hush();
@@ -54,7 +54,7 @@ pub fn update(state: &mut State, event: Event) -> Effects {
     effects
 }
 
-/// Without rooms, the vehicles are what a session shows: its stages and its brief are told in lines.
+/// Without rooms, a session always shows the vehicles; its stages and its brief are printed as lines.
 fn stay_with_vehicles(state: &mut State) {
     let is_waiting = state.room == Room::Hangar && state.session.is_starting();
     if !state.has_rooms && (is_waiting || state.room == Room::Mission) {
@@ -99,7 +99,7 @@ fn terminal(state: &mut State, event: TerminalEvent) -> Effects {
     Effects::none()
 }
 
-/// What the last line and the overlays say was told in lines.
+/// Clears messages and overlays that have been printed as lines.
 fn told(state: &mut State) {
     state.hush();
     if !matches!(state.overlay, Some(Overlay::Confirm(_))) {
@@ -112,7 +112,7 @@ fn told(state: &mut State) {
 
 fn vehicle(state: &mut State, event: VehicleEvent) -> Effects {
     match event {
-        // Many vehicles report often: the screen changes only where a snapshot is another one.
+        // Many vehicles report often: redraw only if the snapshot differs.
         VehicleEvent::Telemetry(vehicle) => {
             telemetry::vehicle(state, vehicle);
             return Effects::none();
@@ -149,7 +149,7 @@ fn link(state: &mut State, event: LinkEvent) {
             state.session.links = summaries;
             state.touch();
         }
-        // Both come every second: the screen changes only where they differ or are shown.
+        // Both come every second: redraw only if they differ or are on the screen.
         LinkEvent::Findings(findings) => links::findings(state, findings),
         LinkEvent::Traffic(traffic) => links::traffic(state, traffic),
     }

@@ -1,4 +1,4 @@
-//! A hangar elsewhere, by its HTTP service.
+//! A remote hangar, through its HTTP service.
 //!
 //! - `address` is where it is; `call` sends one request; `follow` keeps up with its events; `pump` carries a vehicle's
 //!   bytes, for ever.
@@ -26,12 +26,12 @@ mod pump;
 pub use address::{HangarAddress, HangarAddressError};
 pub use follow::HangarView;
 
-/// How long a hangar may take to be reached, and to answer a simple question.
+/// The longest time to reach a hangar, and to wait for a simple answer.
 const ANSWER: Duration = Duration::from_secs(10);
-/// How much waits for one who reads a vehicle's bytes slowly.
+/// The buffer for a slow reader of a vehicle's bytes.
 const PIPE_LEN: usize = 64 * 1024;
 
-/// Why a hangar elsewhere does not do what it is asked.
+/// Why a request to a remote hangar failed.
 #[derive(Debug, thiserror::Error)]
 pub enum ClientError {
     #[error(
@@ -45,17 +45,17 @@ pub enum ClientError {
     #[error("{address} has not answered within {seconds} s")]
     Late {
         address: HangarAddress,
-        /// How long was waited.
+        /// The time waited.
         seconds: u64,
     },
     /// The answer is not that of a hangar.
     #[error("{address} answers, but it is not a sortie hangar ({why})")]
     NotAHangar {
         address: HangarAddress,
-        /// How that is known.
+        /// The reason.
         why: String,
     },
-    /// It wants a token, or another one.
+    /// It requires a token, or another one.
     #[error(
         "{address} wants its token ({why}): copy its token file here and name it with --hangar-token FILE"
     )]
@@ -99,12 +99,12 @@ impl From<&ClientError> for Text {
     }
 }
 
-/// A hangar elsewhere. Cheap to clone; a connection is made for each request.
+/// A remote hangar. Cheap to clone; every request has its own connection.
 #[derive(Debug, Clone)]
 pub struct RemoteHangar {
     address: HangarAddress,
     token: Option<HangarToken>,
-    /// The run of the service that is meant; requests to another one are refused by it.
+    /// The run of the service that is meant; other runs refuse the requests.
     life: Option<String>,
 }
 
@@ -115,7 +115,7 @@ impl fmt::Display for RemoteHangar {
 }
 
 impl RemoteHangar {
-    /// A hangar at an address. Its token is needed unless it is on this host and of this user.
+    /// A hangar at an address. Its token is needed unless it is on this host and runs as the same user.
     pub fn new(address: HangarAddress, token: Option<HangarToken>) -> Self {
         Self {
             address,
@@ -124,7 +124,7 @@ impl RemoteHangar {
         }
     }
 
-    /// The same hangar as long as it is not started anew: the numbers of its instances mean others then.
+    /// The same hangar, restricted to one run of the service: after a restart the instances' numbers mean others.
     #[must_use]
     pub fn in_life(&self, life: &str) -> Self {
         Self {
@@ -137,7 +137,7 @@ impl RemoteHangar {
         &self.address
     }
 
-    /// What it says about itself.
+    /// The service's status.
     ///
     /// # Errors
     /// Why it does not.
@@ -160,7 +160,7 @@ impl RemoteHangar {
     /// The instances.
     ///
     /// # Errors
-    /// Why it does not tell.
+    /// Why it does not answer.
     pub async fn instances(&self) -> Result<Vec<Instance>, ClientError> {
         self.ask(Method::GET, "/vehicles", None).await
     }
@@ -183,25 +183,25 @@ impl RemoteHangar {
         self.exchange(Method::POST, &path, None).await.map(drop)
     }
 
-    /// What an instance has printed, from the line with this number on, as far as it is kept.
+    /// An instance's output, from the line with this number on, as far as it is kept.
     ///
     /// # Errors
-    /// Why it does not tell.
+    /// Why it does not answer.
     pub async fn output(&self, id: InstanceId, since: u64) -> Result<Vec<OutputLine>, ClientError> {
         let path = format!("/vehicles/{id}/output?since={since}&lines={}", u16::MAX);
         let Printed { lines, .. } = self.ask(Method::GET, &path, None).await?;
         Ok(lines)
     }
 
-    /// Follows the instances until cancelled; connects again when the connection is lost.
+    /// Follows the instances until cancelled; reconnects when the connection is lost.
     pub fn follow(&self, cancel: CancellationToken) -> watch::Receiver<HangarView> {
         let (sender, view) = watch::channel(HangarView::default());
         tokio::spawn(follow::run(self.clone(), sender, cancel));
         view
     }
 
-    /// The bytes of an instance's serial 0, until cancelled or dropped. A connection that is lost is made again,
-    /// later and later; bytes that come meanwhile are lost, as on a radio.
+    /// The bytes of an instance's serial 0, until cancelled or dropped. A lost connection is reopened at growing
+    /// intervals; bytes in between are lost, as on a radio.
     pub fn tunnel(&self, id: InstanceId, cancel: CancellationToken) -> DuplexStream {
         let (ours, theirs) = tokio::io::duplex(PIPE_LEN);
         tokio::spawn(pump::run(self.clone(), id, ours, cancel));

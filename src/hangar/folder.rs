@@ -1,8 +1,8 @@
-//! The folders in which instances run, and what an earlier life of a hangar has left in them.
+//! The folders of instances, and what an earlier run of a hangar has left in them.
 //!
-//! Below the root, each hangar has a folder of its own: `run-PID-N`, and in it one for each instance. A lock on
-//! [`OWNER`] is held by the hangar as long as it lives; the kernel takes it away however it ends. So a run whose lock
-//! is free is one whose owner is gone, and what still runs of it is left over.
+//! Below the root, each hangar has a folder of its own: `run-PID-N`, and in it one for each instance. The hangar holds
+//! a lock on [`OWNER`] while it lives; the kernel releases it however the hangar ends. So the owner of a run with a
+//! free lock is dead, and its remaining processes are leftovers.
 
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, Write as _};
@@ -24,19 +24,19 @@ mod tests;
 pub use leftover::Leftover;
 pub(super) use leftover::end;
 
-/// Says whose a run is, and is locked by it.
+/// The file that names the owner of a run, who locks it.
 const OWNER: &str = "owner.json";
-/// Says which process an instance is.
+/// The file that identifies an instance's process.
 const INSTANCE: &str = "instance.json";
-/// Is locked while runs are looked through or added.
+/// The lock to hold while searching or adding runs.
 const GATE: &str = ".lock";
-/// How often it is tried, and how long apart.
+/// The number of attempts to lock it, and the time between them.
 const GATE_ATTEMPTS: u32 = 250;
 const GATE_ATTEMPT: Duration = Duration::from_millis(20);
 const RUN: &str = "run-";
-/// Runs of hangars that are gone whose folders are kept.
+/// The number of dead hangars whose folders are kept.
 const RUNS_KEPT: usize = 5;
-/// What others may do to a folder that decides which processes are ended: change nothing.
+/// The permissions that others must not have on a folder that decides which processes are ended.
 const WRITABLE_BY_OTHERS: u32 = 0o022;
 
 /// Why a folder cannot be used.
@@ -45,7 +45,7 @@ const WRITABLE_BY_OTHERS: u32 = 0o022;
 pub struct FolderError {
     what: &'static str,
     path: PathBuf,
-    // Not a source, which is told a second time by whoever prints a whole chain of errors.
+    // Not a `source`: the error chain would print it twice.
     error: io::Error,
 }
 
@@ -67,28 +67,28 @@ fn cannot(what: &'static str, path: &Path) -> impl FnOnce(io::Error) -> FolderEr
     move |error| FolderError { what, path, error }
 }
 
-/// The folder of one life of a hangar. Dropping it lets the next one see that it is over.
+/// The folder of one run of a hangar. Dropping it marks the run as over.
 #[derive(Debug)]
 pub(super) struct Run {
     path: PathBuf,
     _lock: File,
 }
 
-/// A run, and what was found beside it.
+/// A new run, and what was found beside it.
 #[derive(Debug)]
 pub(super) struct OpenedFolder {
     pub run: Run,
-    /// Processes of hangars that are gone; [`end`] ends them.
+    /// Processes of dead hangars; [`end`] ends them.
     pub leftovers: Vec<Leftover>,
-    /// Files that could not be understood, and why.
+    /// Files that could not be read, and why.
     pub skipped: Vec<String>,
 }
 
 impl Run {
-    /// Adds a run below the root, finds what is left of others, and removes the oldest of those that are over.
+    /// Adds a run below the root, finds the leftovers of others, and removes the oldest runs that are over.
     ///
     /// # Errors
-    /// The root cannot be made or written, or others could write into it.
+    /// The root cannot be created or written, or others could write into it.
     pub fn open(root: &Path) -> Result<OpenedFolder, FolderError> {
         make(root, true).map_err(cannot("make the folder", root))?;
         let is_safe = is_own(root).and_then(|own| if own { Ok(()) } else { Err(foreign()) });
@@ -131,8 +131,8 @@ impl Run {
         let lock = write(&owner, &process::identity(me))
             .and_then(|()| lockable(&owner))
             .map_err(cannot("write the file", &owner))?;
-        // Whoever looks whether this run is over holds it for a moment at most. On a disk without locks nobody will
-        // take it for one that is.
+        // Another hangar that checks this run holds the lock for a moment at most. On a disk without locks, every run
+        // counts as alive.
         let _ = lock.lock();
         Ok(Self { path, _lock: lock })
     }
@@ -141,18 +141,18 @@ impl Run {
         &self.path
     }
 
-    /// The folder of an instance, made if it is not there.
+    /// The folder of an instance, created if missing.
     ///
     /// # Errors
-    /// It cannot be made.
+    /// It cannot be created.
     pub fn vehicle(&self, id: InstanceId) -> Result<PathBuf, FolderError> {
         let path = self.path.join(format!("vehicle-{id:03}"));
         make(&path, true).map_err(cannot("make the folder", &path))?;
         Ok(path)
     }
 
-    /// Notes which process an instance is, so that the next hangar finds it should this one not end it. To be called
-    /// as soon as it runs.
+    /// Records an instance's process, so that the next hangar finds it if this one does not end it. Must be called as
+    /// soon as it runs.
     ///
     /// # Errors
     /// It cannot be written: the instance runs, and would not be found.
@@ -164,9 +164,9 @@ impl Run {
         write(&path, &record).map_err(cannot("write the file", &path))
     }
 
-    /// Notes that an instance's process is gone.
+    /// Removes the record of an instance's process that is gone.
     pub fn forget(&self, id: InstanceId) {
-        // A file that stays names a process that is gone, and that will be seen.
+        // A file that stays names a dead process, which the next hangar notices.
         drop(fs::remove_file(
             self.path.join(format!("vehicle-{id:03}")).join(INSTANCE),
         ));
@@ -203,7 +203,7 @@ fn lockable(path: &Path) -> io::Result<File> {
         .open(path)
 }
 
-/// Waits for the others that look through the runs or add one.
+/// Waits for the lock on searching and adding runs.
 fn pass(gate: &Path, skipped: &mut Vec<String>) -> io::Result<File> {
     let file = lockable(gate)?;
     for _ in 0..GATE_ATTEMPTS {
@@ -253,7 +253,7 @@ fn runs(root: &Path) -> io::Result<Vec<PathBuf>> {
             .to_str()
             .and_then(|name| name.strip_prefix(RUN)?.split_once('-'));
         let is_run = numbers.is_some_and(|(pid, number)| is_number(pid) && is_number(number));
-        // Not of what a link leads to.
+        // The link itself, not its target.
         if let Ok(data) = entry.metadata()
             && is_run
             && data.is_dir()
@@ -266,13 +266,13 @@ fn runs(root: &Path) -> io::Result<Vec<PathBuf>> {
     Ok(found.into_iter().map(|(_, path)| path).collect())
 }
 
-/// When a run began: its owner's file is written once.
+/// The start of a run: when its owner's file was written.
 fn begun(run: &Path) -> Option<std::time::SystemTime> {
     let data = fs::metadata(run.join(OWNER)).or_else(|_| fs::metadata(run));
     data.and_then(|data| data.modified()).ok()
 }
 
-/// What still runs of hangars below a root that are gone, and what could not be looked at. Changes nothing.
+/// The remaining processes of dead hangars below a root, and what could not be checked. Changes nothing.
 pub fn leftovers(root: &Path) -> (Vec<Leftover>, Vec<String>) {
     let mut skipped = Vec::new();
     let all = match runs(root) {
@@ -290,7 +290,7 @@ pub fn leftovers(root: &Path) -> (Vec<Leftover>, Vec<String>) {
     (found, skipped)
 }
 
-/// Whether a run's owner is gone. Where that cannot be told it is taken to live.
+/// Whether a run's owner is dead. In doubt it counts as alive.
 fn is_over(run: &Path) -> bool {
     let path = run.join(OWNER);
     match OpenOptions::new().append(true).open(&path) {
@@ -298,7 +298,7 @@ fn is_over(run: &Path) -> bool {
             Ok(()) => true,
             Err(TryLockError::WouldBlock | TryLockError::Error(_)) => false,
         },
-        // It ended before it could write the file: whoever writes one holds the gate.
+        // It ended before it could write the file, which is written under the lock.
         Err(error) => error.kind() == io::ErrorKind::NotFound,
     }
 }

@@ -23,19 +23,19 @@ pub(super) use begin::begin;
 use ending::words;
 use meter::InstanceMeter;
 
-/// How often an instance that boots is asked how far it is.
+/// The interval of queries to a booting instance.
 const PROBE_EVERY: Duration = Duration::from_millis(50);
-/// How often anything else is looked at.
+/// The interval of all other checks.
 const LOOK_EVERY: Duration = Duration::from_secs(1);
 /// Lines of output that are shown when an instance has ended.
 const LINES_SHOWN: usize = 20;
 
-/// What the task of one instance knows.
+/// The state of one instance's task.
 struct InstanceTask {
     shown: Instance,
     order: LaunchOrder,
     speedup: f64,
-    /// How long it may be without an attached program.
+    /// How long it may run without an attached program.
     idle: Option<Duration>,
     unattended_since: Moment,
     restarts: Restarts,
@@ -47,22 +47,22 @@ struct InstanceTask {
 }
 
 enum InstanceEvent {
-    /// It is to be ended for good; whoever asked for it waits.
+    /// End for good, and tell the requester.
     Over(Option<oneshot::Sender<()>>),
-    /// It is to be started again.
+    /// Start again.
     Restart,
     /// Bytes were passed on.
     Passed(Passed),
     Connected(TcpStream),
-    /// Nothing else, for as long as was waited, or nothing that needs more doing.
+    /// The wait is over, or nothing needs doing.
     Nothing,
 }
 
-/// What becomes of a process, or of the attempt to start it.
+/// The end of a process, or of the attempt to start it.
 enum ProcessEnd {
-    /// It has ended by itself, after having been ready for so long.
+    /// It ended without a request, after having been ready for this long.
     Fault(String, Duration),
-    /// It cannot be started, and trying again will not help.
+    /// It cannot be started, and another attempt will not help.
     Hopeless(String),
     /// It was ended for good.
     Stopped(Option<oneshot::Sender<()>>),
@@ -100,12 +100,12 @@ impl InstanceTask {
         };
         self.shared.roster.forget(self.shown.id);
         if let Some(done) = done {
-            // Whoever asked may have left.
+            // The requester may have left.
             let _ = done.send(());
         }
     }
 
-    /// Starts the process, once it is its turn.
+    /// Starts the process when it is its turn.
     async fn start(&mut self) -> Result<RunningProcess, ProcessEnd> {
         self.shown.fault = None;
         self.shown.hint = None;
@@ -121,7 +121,7 @@ impl InstanceTask {
             };
             match event {
                 InstanceEvent::Over(done) => return Err(ProcessEnd::Stopped(done)),
-                // It is being started.
+                // It is starting already.
                 InstanceEvent::Restart
                 | InstanceEvent::Passed(_)
                 | InstanceEvent::Connected(_)
@@ -150,7 +150,7 @@ impl InstanceTask {
         }
     }
 
-    /// So that the next hangar finds it should this one not end it.
+    /// Records the process, so that the next hangar finds it if this one does not end it.
     fn note_process(&self, pid: u32) {
         let (id, program) = (self.shown.id, &self.order.program);
         if let Err(error) = self.shared.run.note(id, pid, program) {
@@ -166,7 +166,7 @@ impl InstanceTask {
         self.shown.hint = None;
     }
 
-    /// Waits for what becomes of a process that runs.
+    /// Runs until the process ends.
     async fn live(&mut self, mut running: RunningProcess) -> ProcessEnd {
         let begun = Moment::now();
         let pid = running.pid();
@@ -210,7 +210,7 @@ impl InstanceTask {
         }
     }
 
-    /// Asks the instance what is to be asked now, and shows how it is.
+    /// Sends the instance the next queries, and publishes its state.
     fn proceed(&mut self, progress: &mut StartProgress, meter: &mut InstanceMeter, now: Duration) {
         let bytes = progress.say(self.relay.is_attached(), now);
         self.relay.send(&bytes);
@@ -223,7 +223,7 @@ impl InstanceTask {
         self.show(progress.stage(now));
     }
 
-    /// Waits for what happens next. Losing the future loses nothing.
+    /// Waits for the next event. Dropping the future loses nothing.
     async fn event(&mut self, until: Moment) -> InstanceEvent {
         let idle_at = match self.idle {
             Some(idle) if !self.relay.is_attached() => Some(self.unattended_since + idle),
@@ -246,7 +246,7 @@ impl InstanceTask {
                 }
                 InstanceEvent::Passed(passed)
             }
-            // Whoever connects is looked at once it is known which process may.
+            // A connection is checked once it is known which process may connect.
             Ok((stream, _)) = self.listener.accept(), if self.shown.pid.is_some() => {
                 InstanceEvent::Connected(stream)
             }
@@ -260,17 +260,17 @@ impl InstanceTask {
         }
     }
 
-    /// Takes a connection if it is the instance's own.
+    /// Accepts a connection if it is the instance's own.
     fn admit(&mut self, stream: TcpStream, pid: u32) -> bool {
         let belongs = Connection::of(&stream).map(|connection| connection.is_of_process(pid));
         let is_own = match belongs {
             Some(Belongs::Yes) => true,
-            // Some systems do not tell; what is there already is not given up for it.
+            // Some systems cannot tell; an existing connection is kept then.
             Some(Belongs::Unknown) => !self.relay.is_connected(),
             Some(Belongs::No) | None => false,
         };
         if is_own {
-            // What runs now may be another program than what was started: a script that became it.
+            // The running program may differ from the one started: a script that became it.
             self.note_process(pid);
             self.relay.connect(stream);
         } else {
@@ -281,11 +281,11 @@ impl InstanceTask {
 
     async fn end(&mut self, running: &mut RunningProcess) {
         self.show(SitlStage::Stopping);
-        // Failing means that it has ended.
+        // An error means that it has ended.
         drop(running.end().await);
     }
 
-    /// Waits until it is started again; `Some` if it is to be forgotten.
+    /// Waits for a restart; `Some` if it is to be forgotten.
     async fn lie(&mut self, wait: Option<Duration>) -> Option<Option<oneshot::Sender<()>>> {
         let last = self.output.last(LINES_SHOWN);
         self.shown.last_output = last.into_iter().map(|line| line.text).collect();

@@ -1,4 +1,4 @@
-//! The description of a launch, and whether it makes sense.
+//! The description of a launch, and its check.
 
 use std::collections::BTreeMap;
 
@@ -10,21 +10,21 @@ use crate::geo::LatLon;
 use crate::sim::{Airframe, SYSTEMS, Start};
 use crate::sitl::{Recipe, SitlKind};
 
-/// Slower, and even a boot takes an hour; faster, and no machine follows.
+/// Any slower, and a boot takes an hour; any faster, and no machine keeps up.
 const SPEEDUPS: std::ops::RangeInclusive<f64> = 0.01..=1000.0;
-/// Wider than the earth's surface, and far within what messages can carry.
+/// Beyond the earth's surface, and far within the range of messages.
 const ALTITUDES_M: std::ops::RangeInclusive<f64> = -1000.0..=20_000.0;
-/// What fits into a parameter's name on the wire.
+/// The length of a parameter's name on the wire.
 const NAME_LEN: usize = 16;
-/// Parameters that are set by other fields of a launch, and how those are called.
+/// Parameters set by other fields of a launch, and those fields.
 const OTHERWISE: [(&str, &str); 3] = [
     ("SYSID_THISMAV", "system"),
     ("MAV_SYSID", "system"),
     ("SIM_SPEEDUP", "speedup"),
 ];
-/// More than a vehicle has.
+/// The most parameters; more than a vehicle has.
 const MOST_PARAMETERS: usize = 2000;
-/// More than any name of a model.
+/// The greatest length of a model's name.
 const MODEL_LEN: usize = 64;
 
 /// A SITL process to start.
@@ -129,10 +129,10 @@ impl From<Start> for LaunchHome {
 }
 
 impl Launch {
-    /// Whether it can be started at all. A SITL that is given what it does not understand dies, or hangs for ever.
+    /// Checks whether it can be started. A SITL with invalid input dies, or hangs for ever.
     ///
     /// # Errors
-    /// What is wrong with it.
+    /// The first fault.
     pub fn check(&self) -> Result<(), HangarRefusal> {
         let system = self.system.is_none_or(is_vehicle);
         require(system, || "a vehicle's system id is 1 to 254".to_owned())?;
@@ -148,7 +148,7 @@ impl Launch {
         self.check_model()
     }
 
-    /// What SITL is told, with the system id that it gets.
+    /// The recipe for SITL, with the instance's system id.
     pub(super) fn recipe(&self, system: u8) -> Recipe {
         Recipe {
             kind: self.kind,
@@ -179,7 +179,7 @@ impl Launch {
                 let field = otherwise.map_or("", |(_, field)| field);
                 format!("{name} is set by `{field}`")
             })?;
-            // They travel as single floats; one that is none ends a SITL.
+            // They are sent as single floats; one that is not finite ends a SITL.
             require((*value as f32).is_finite(), || {
                 format!("{name} is to be {value}, which is no number that a vehicle can have")
             })?;
@@ -189,7 +189,7 @@ impl Launch {
 
     fn check_model(&self) -> Result<(), HangarRefusal> {
         if let Some(model) = &self.model {
-            // Anything after a colon would be a file, or an address to connect to.
+            // After a colon, SITL would read a file name or an address.
             let is_plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_' || c == '+';
             let is_name = (1..=MODEL_LEN).contains(&model.len())
                 && model.chars().all(is_plain)

@@ -1,11 +1,11 @@
 //! Starts processes that cannot outlive this one.
 //!
-//! A process is told by the kernel when the *thread* that made it ends, so one thread lives as long as the hangar
-//! and makes them all. What it makes is this program again, which asks for that signal, limits itself, and becomes
-//! the program that is wanted: SITL's parent is then the hangar itself, which SITL wants alive as well.
+//! The kernel signals a process when the *thread* that created it ends, so one thread lives as long as the hangar and
+//! creates them all. It starts this program again, which requests that signal, limits itself, and becomes the
+//! requested program: SITL's parent is then the hangar itself, which SITL needs alive as well.
 //!
-//! The two talk over a socket that is the child's standard input until it becomes the program: it closes by itself
-//! then, and says why when it does not come to that. So a program that was started is known to run.
+//! The two talk over a socket that is the child's standard input until it becomes the program: it closes then, or
+//! carries the reason for a failure. So a started program is known to run.
 
 use std::ffi::{OsStr, OsString};
 use std::io;
@@ -37,11 +37,11 @@ pub use stub::launch_stub;
 /// The hidden subcommand of this program that becomes another.
 pub const LAUNCH: &str = "hangar-launch";
 const BYTES_PER_MIB: u64 = 1024 * 1024;
-/// More than a child ever says about why it did not become the program.
+/// The longest reason that a child sends.
 const REPORT_LEN: u64 = 64;
 
-/// What a program gets to know of its surroundings. The rest stays here: keys and tokens that lie in somebody's
-/// environment are nothing to a simulator, which runs scripts of others.
+/// The environment variables passed on. The rest is not: a simulator, which runs foreign scripts, has no business with
+/// keys and tokens.
 const PASSED_ON: [&str; 9] = [
     "PATH",
     "HOME",
@@ -57,7 +57,7 @@ const PASSED_ON_PREFIX: &str = "LC_";
 
 #[derive(Debug, Clone)]
 pub(super) struct LaunchOrder {
-    /// A path; a relative one is taken from where this program runs.
+    /// A path; a relative one starts at this program's folder.
     pub program: PathBuf,
     pub arguments: Vec<String>,
     pub folder: PathBuf,
@@ -66,7 +66,7 @@ pub(super) struct LaunchOrder {
 type Begun = (RunningProcess, UnixStream);
 type LaunchAnswer = oneshot::Sender<Result<Begun, LaunchError>>;
 
-/// The thread that starts processes, in the order in which they are asked for.
+/// The thread that starts processes, in the order of the requests.
 pub(super) struct Launcher {
     orders: mpsc::Sender<(LaunchOrder, LaunchAnswer)>,
     pace: LaunchPace,
@@ -82,7 +82,7 @@ impl Launcher {
         Self::with_stub(vec![sortie.into(), LAUNCH.into()], limits)
     }
 
-    /// With the words that start the program which becomes another.
+    /// A launcher with other words to start the stub.
     fn with_stub(stub: Vec<OsString>, limits: HangarLimits) -> io::Result<Self> {
         let (orders, inbox) = mpsc::channel::<(LaunchOrder, LaunchAnswer)>();
         let runtime = tokio::runtime::Handle::current();
@@ -91,7 +91,7 @@ impl Launcher {
             .spawn(move || {
                 let _inside = runtime.enter();
                 while let Ok((order, answer)) = inbox.recv() {
-                    // Whoever has stopped waiting wants none.
+                    // A requester that stopped waiting needs none.
                     if !answer.is_closed() {
                         drop(answer.send(begin(&stub, limits, &order)));
                     }
@@ -104,8 +104,8 @@ impl Launcher {
         })
     }
 
-    /// Starts a process whose output is piped, once those that were asked for before it are started. It runs the
-    /// program when this returns. Losing the future ends what it has started.
+    /// Starts a process with piped output, after those requested earlier. It runs the program when this returns.
+    /// Dropping the future ends the process.
     ///
     /// # Errors
     /// Why it does not run.
@@ -118,7 +118,7 @@ impl Launcher {
         drop(turn);
         let (mut running, report) = begun.await.map_err(|_| LaunchError::Closed)??;
         let mut words = Vec::new();
-        // A socket that breaks is one that is closed.
+        // A broken socket counts as closed.
         drop(report.take(REPORT_LEN).read_to_end(&mut words).await);
         if words.is_empty() {
             return Ok(running);
@@ -166,15 +166,15 @@ fn is_passed_on(name: &OsStr) -> bool {
         .is_some_and(|name| PASSED_ON.contains(&name) || name.starts_with(PASSED_ON_PREFIX))
 }
 
-/// Lets one after the other go, at most so many a second.
+/// Limits the starts per second.
 struct LaunchPace {
     every: Duration,
-    /// When the next may go. The lock is a queue: whoever asks first goes first.
+    /// The time of the next start. The lock is a queue: first come, first served.
     next: Mutex<Option<Instant>>,
 }
 
 impl LaunchPace {
-    /// One a second at least: with none nothing would ever start.
+    /// At least one per second: with zero nothing would ever start.
     fn new(per_s: u16) -> Self {
         Self {
             every: Duration::from_secs(1) / u32::from(per_s.max(1)),
@@ -182,8 +182,8 @@ impl LaunchPace {
         }
     }
 
-    /// Waits for one's turn. The next one's begins when the guard is gone and the time has come; who stops waiting
-    /// costs the others nothing.
+    /// Waits for a turn. The next one begins when the guard is dropped and the time has come; dropping the wait costs
+    /// the others nothing.
     async fn turn(&self) -> MutexGuard<'_, Option<Instant>> {
         let mut next = self.next.lock().await;
         if let Some(at) = *next {

@@ -1,7 +1,7 @@
-//! What an instance prints: the last lines in memory, more of them in files of its folder.
+//! The output of an instance: the last lines in memory, more in files of its folder.
 //!
-//! It is read as fast as it comes, whatever becomes of it, because a process whose output nobody reads stands still.
-//! What it costs is bounded: in memory by lines and their length, on the disk by the size and number of files.
+//! It is read as fast as it comes, because a process with unread output blocks. Its cost is bounded: in memory by
+//! lines and their length, on the disk by the size and number of files.
 
 use std::collections::VecDeque;
 use std::path::PathBuf;
@@ -25,13 +25,13 @@ mod tests;
 use file::LogFile;
 use lines::Cutter;
 
-/// Lines that are kept in memory.
+/// The lines kept in memory.
 const LINES_KEPT: usize = 200;
 const READ_LEN: usize = 64 * 1024;
-/// How long the last words of a process that is gone may take.
+/// How long to wait for the last output of a process that is gone.
 const LAST_WORDS: Duration = Duration::from_secs(1);
 
-/// A line that an instance has printed.
+/// A line of an instance's output.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 #[schema(as = Line)]
 pub struct OutputLine {
@@ -41,7 +41,7 @@ pub struct OutputLine {
     pub text: String,
 }
 
-/// The output of one instance, also when it is started again. Clones show the same.
+/// The output of one instance, across restarts. Clones share it.
 #[derive(Debug, Clone)]
 pub struct ProcessOutput(Arc<Inner>);
 
@@ -54,7 +54,7 @@ struct Inner {
 }
 
 impl ProcessOutput {
-    /// Of an instance that has printed nothing yet, and whose files go to this folder.
+    /// The output of a new instance, with its files in this folder.
     pub(super) fn new(folder: PathBuf) -> Self {
         Self(Arc::new(Inner {
             kept: Mutex::default(),
@@ -63,7 +63,7 @@ impl ProcessOutput {
         }))
     }
 
-    /// Reads what a process prints until it prints no more. Must be called inside a tokio runtime.
+    /// Reads a process's output to its end. Must be called inside a tokio runtime.
     pub(super) fn follow(&self, process: &mut RunningProcess) -> Following {
         let (out, err) = process.take_output();
         let read = |pipe: Option<Box<dyn AsyncRead + Send + Unpin>>| {
@@ -75,7 +75,7 @@ impl ProcessOutput {
         Following(out.into_iter().chain(err).collect())
     }
 
-    /// Adds a line that is the hangar's own.
+    /// Adds a line of the hangar itself.
     pub(super) fn note(&self, text: &str) {
         let mut cutter = Cutter::default();
         let mut lines = cutter.push(text.as_bytes());
@@ -83,21 +83,21 @@ impl ProcessOutput {
         self.add(lines);
     }
 
-    /// The last lines, at most so many, oldest first.
+    /// The last lines, at most `count`, oldest first.
     pub fn last(&self, count: usize) -> Vec<OutputLine> {
         let kept = locked(&self.0.kept);
         let from = kept.len().saturating_sub(count);
         kept.range(from..).cloned().collect()
     }
 
-    /// The lines from this number on, as far as they are kept, oldest first. With 0 it is all of them.
+    /// The kept lines from this number on, oldest first; with 0 all of them.
     pub fn since(&self, number: u64) -> Vec<OutputLine> {
         let kept = locked(&self.0.kept);
         let from = kept.partition_point(|line| line.number < number);
         kept.range(from..).cloned().collect()
     }
 
-    /// The number of the last line, now and from now on; 0 before there is one.
+    /// The number of the last line, to be followed; 0 before the first.
     pub fn watch(&self) -> watch::Receiver<u64> {
         self.0.last.subscribe()
     }
@@ -105,7 +105,7 @@ impl ProcessOutput {
     async fn read(self, mut pipe: Box<dyn AsyncRead + Send + Unpin>) {
         let mut bytes = vec![0; READ_LEN];
         let mut cutter = Cutter::default();
-        // A pipe that breaks is one that has ended.
+        // A broken pipe counts as ended.
         while let Ok(len @ 1..) = pipe.read(&mut bytes).await {
             self.add(cutter.push(&bytes[..len]));
         }
@@ -119,7 +119,7 @@ impl ProcessOutput {
         let note = locked(&self.0.file).write(&lines, Instant::now());
         let mut kept = locked(&self.0.kept);
         let mut number = *self.0.last.borrow();
-        // Of very many only the last would stay.
+        // Of very many, only the last are kept.
         let total = lines.len() + usize::from(note.is_some());
         number += total.saturating_sub(LINES_KEPT) as u64;
         for text in lines
@@ -133,12 +133,12 @@ impl ProcessOutput {
             }
             kept.push_back(OutputLine { number, text });
         }
-        // Before the lock goes: the next number is counted from it.
+        // Before the lock is released: the next number is counted from it.
         self.0.last.send_replace(number);
     }
 }
 
-/// A lock is never left in the midst of a change.
+/// Locks a mutex, even a poisoned one: no panic can interrupt a change.
 fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
@@ -149,12 +149,12 @@ fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 pub(super) struct Following(Vec<JoinHandle<()>>);
 
 impl Following {
-    /// Waits until all is read that a process printed before it ended. Another process may still hold its pipes:
-    /// that one is not waited for long.
+    /// Waits for the output that a process printed before it ended. If another process still holds its pipes, the wait
+    /// is short.
     pub async fn finish(mut self) {
         let all = async {
             for reading in &mut self.0 {
-                // It ends, or it was ended.
+                // It ended, or was aborted.
                 drop(reading.await);
             }
         };

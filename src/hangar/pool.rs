@@ -1,6 +1,6 @@
-//! The hangars that a console has at hand: its own within this program, or services.
+//! The hangars of a console: one within this program, or services.
 //!
-//! `spread` chooses among services; `far` launches by them and keeps up with them.
+//! `spread` chooses among services; `far` launches through them and follows them.
 
 use std::sync::Arc;
 
@@ -13,26 +13,26 @@ use super::{Hangar, HangarRefusal, Instance, InstanceId, Launch, OutputLine};
 mod far;
 mod spread;
 
-/// Where an instance is.
+/// The hangar and the number of an instance.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct InstancePlace {
-    /// The hangar, by its place in the list.
+    /// The hangar, by its index in the list.
     pub hangar: usize,
     pub id: InstanceId,
 }
 
-/// A vehicle that was launched, with the bytes of its serial 0.
+/// A launched vehicle with the byte stream of its serial 0.
 #[derive(Debug)]
 pub struct LaunchedVehicle {
     pub place: InstancePlace,
-    /// Its bytes, also after it was started again.
+    /// Its byte stream, across restarts.
     pub pipe: DuplexStream,
 }
 
-/// The instances of all hangars that were launched by this console.
+/// All instances launched by this console.
 pub type Seen = Arc<Vec<(InstancePlace, Instance)>>;
 
-/// The hangars. Dropping them ends what was launched by them.
+/// The hangars. Dropping them ends the vehicles launched through them.
 pub struct Hangars {
     at: At,
     seen: watch::Receiver<Seen>,
@@ -64,8 +64,8 @@ impl Hangars {
         Self { at, seen }
     }
 
-    /// Services, which are followed from now on. What is launched by them ends by itself a minute after this
-    /// program has been killed. Must be called inside a tokio runtime.
+    /// Services, which are followed from now on. Their vehicles end a minute after this program has been killed. Must
+    /// be called inside a tokio runtime.
     pub fn far(services: Vec<RemoteHangar>) -> Self {
         let far = far::Far::new(services);
         let seen = far.seen();
@@ -73,7 +73,7 @@ impl Hangars {
         Self { at, seen }
     }
 
-    /// What the hangars are called, in order.
+    /// The names of the hangars, in order.
     pub fn names(&self) -> Vec<String> {
         match &self.at {
             At::Own(_) => vec!["here".to_owned()],
@@ -81,11 +81,10 @@ impl Hangars {
         }
     }
 
-    /// Launches vehicles, spread over the hangars by how much room each has: all, or none. They are in the
-    /// order of the launches.
+    /// Launches vehicles, distributed over the hangars by their free room: all, or none. The result is in the order of
+    /// the launches.
     ///
-    /// Services number the vehicles themselves, and give a system id to those that have none: one that no other
-    /// vehicle of this console has.
+    /// Services number the vehicles themselves. A vehicle without a system id gets one that is unique in this console.
     ///
     /// # Errors
     /// Why one of them could not be launched.
@@ -99,8 +98,8 @@ impl Hangars {
         }
     }
 
-    /// How the vehicles are doing, now and from now on. Those of a service that does not answer are shown as ended,
-    /// with the reason, until it answers again.
+    /// The state of the vehicles, to be followed. Those of a service that does not answer count as ended, with the
+    /// reason, until it answers again.
     pub fn instances(&self) -> watch::Receiver<Seen> {
         self.seen.clone()
     }
@@ -108,7 +107,7 @@ impl Hangars {
     /// Ends an instance's process, if there is one, and starts it again.
     ///
     /// # Errors
-    /// There is no such instance.
+    /// No instance has that number.
     pub async fn restart(&self, place: InstancePlace) -> Result<(), HangarRefusal> {
         match &self.at {
             At::Own(own) => own.restart(place.id).await,
@@ -119,7 +118,7 @@ impl Hangars {
     /// Ends an instance.
     ///
     /// # Errors
-    /// There is no such instance.
+    /// No instance has that number.
     pub async fn stop(&self, place: InstancePlace) -> Result<(), HangarRefusal> {
         match &self.at {
             At::Own(own) => own.stop(place.id).await,
@@ -127,10 +126,10 @@ impl Hangars {
         }
     }
 
-    /// What an instance has printed, from the line with this number on, as far as it is kept; with 0 all of that.
+    /// An instance's output from the line with this number on, as far as it is kept; with 0 all of it.
     ///
     /// # Errors
-    /// There is no such instance, or its hangar does not tell.
+    /// No instance has that number, or its hangar does not answer.
     pub async fn output(
         &self,
         place: InstancePlace,
@@ -142,7 +141,7 @@ impl Hangars {
         }
     }
 
-    /// Ends what was launched, and waits until it is gone or its hangar does not answer.
+    /// Ends all launched vehicles, and waits until they are gone or their hangar does not answer.
     pub async fn close(self) {
         match self.at {
             At::Own(own) => own.close().await,
@@ -174,7 +173,7 @@ async fn launch_here(
             }
             Err(refusal) => {
                 for vehicle in launched {
-                    // One that has ended meanwhile is as good.
+                    // An instance that has ended meanwhile is fine too.
                     drop(own.stop(vehicle.place.id).await);
                 }
                 return Err(refusal);

@@ -1,8 +1,8 @@
-//! Asks an instance how far it is, until it can be armed.
+//! Queries an instance during its start, until it can be armed.
 //!
-//! Somebody may be attached and speak to the instance at the same time, so the probe keeps itself small: it is a
-//! component of its own, sends no heartbeats (a ground station's failsafe must not depend on it), asks for the two
-//! messages that readiness is judged by and for the list of parameters, and is quiet once the instance is ready.
+//! Another program may be attached at the same time, so the probe interferes little: it is a component of its own,
+//! sends no heartbeats (a ground station's failsafe must not depend on it), requests the two messages that show
+//! readiness and the list of parameters, and is silent once the instance is ready.
 
 use std::time::Duration;
 
@@ -21,25 +21,25 @@ use crate::wire::{
     Outgoing, SystemId,
 };
 
-/// `MAV_COMP_ID_ONBOARD_COMPUTER2`: nobody's on a console.
+/// `MAV_COMP_ID_ONBOARD_COMPUTER2`: no console uses it.
 const COMPONENT: ComponentId = 192;
-/// How often the speed is set until the vehicle says that it is.
+/// The interval of setting the speed until the vehicle confirms it.
 const SPEED_EVERY: Duration = Duration::from_millis(500);
-/// Attempts to set the speed; after them, the speed that the vehicle keeps is accepted.
+/// Attempts to set the speed; after them, the vehicle's own speed is accepted.
 const SPEED_TRIES: u32 = 10;
 const SPEED: &str = "SIM_SPEEDUP";
-/// How often the messages are asked for until they come.
+/// The interval of requesting the messages until they come.
 const STREAMS_EVERY: Duration = Duration::from_secs(1);
-/// The messages that tell whether a vehicle is ready.
+/// The messages that show readiness.
 const STREAMS: [u32; 2] = [SYS_STATUS_DATA::ID, EKF_STATUS_REPORT_DATA::ID];
 /// Twice per simulated second.
 const INTERVAL_US: f32 = 500_000.0;
-/// Whatever the vehicle does by itself: nothing, usually.
+/// The vehicle's default rate: usually none.
 const USUAL_INTERVAL: f32 = 0.0;
-/// What begins a text that says why the vehicle cannot be armed.
+/// The prefix of a text that says why the vehicle cannot be armed.
 const PREARM: &str = "PreArm: ";
 
-/// A conversation with an instance that boots.
+/// The exchange with a booting instance.
 pub(super) struct InstanceProbe {
     system: SystemId,
     session: Session,
@@ -56,7 +56,7 @@ pub(super) struct InstanceProbe {
 }
 
 impl InstanceProbe {
-    /// A conversation that begins now. When the vehicle can be armed, its speed is set to `speedup`.
+    /// A new exchange. When the vehicle can be armed, its speed is set to `speedup`.
     pub fn new(system: SystemId, speedup: f64, now: Duration) -> Self {
         Self {
             system,
@@ -74,28 +74,28 @@ impl InstanceProbe {
         }
     }
 
-    /// How far the instance is.
+    /// The stage of the instance.
     pub fn stage(&self) -> SitlStage {
         self.stage
     }
 
-    /// How many parameters have come, of how many.
+    /// The number of parameters received, and the total.
     pub fn parameters(&self) -> [u16; 2] {
         let list = self.session.parameters().list;
         [list.received(), list.count().unwrap_or(0)]
     }
 
-    /// What the vehicle said last about why it cannot be armed.
+    /// The latest reason against arming that the vehicle gave.
     pub fn complaint(&self) -> Option<&str> {
         self.complaint.as_deref()
     }
 
-    /// How often the vehicle has booted within this conversation.
+    /// How often the vehicle has booted during this exchange.
     pub fn reboots(&self) -> u32 {
         self.session.vehicle().link.reboots
     }
 
-    /// Takes in what the instance said.
+    /// Takes bytes from the instance.
     pub fn hear(&mut self, bytes: &[u8], now: Duration) {
         self.decoder.push(bytes);
         while let Some(frame) = self.decoder.next_frame() {
@@ -107,13 +107,13 @@ impl InstanceProbe {
         self.judge(now);
     }
 
-    /// What there is to say to it now.
+    /// The bytes to send to it now.
     pub fn say(&mut self, now: Duration) -> Vec<u8> {
         let mut bytes = Vec::new();
         self.session.poll(now);
         drop(self.session.take_reports());
         for message in self.session.take_outgoing() {
-            // Whoever is attached asks for the rest, if it wants it.
+            // An attached program requests the rest if it needs it.
             if let Outgoing::Message(
                 MavMessage::PARAM_REQUEST_LIST(_) | MavMessage::PARAM_REQUEST_READ(_),
             ) = message
@@ -134,7 +134,7 @@ impl InstanceProbe {
         bytes
     }
 
-    /// What leaves the vehicle as it was before: nobody else needs these messages.
+    /// Restores the vehicle's message rates.
     pub fn take_leave(&mut self) -> Vec<u8> {
         let mut bytes = Vec::new();
         self.ask_for_messages(USUAL_INTERVAL, &mut bytes);
@@ -208,7 +208,7 @@ impl InstanceProbe {
     }
 }
 
-/// Whether something is to be done again; it then has been.
+/// Whether an action is due again; if so, it counts as done.
 fn is_due(last: &mut Option<Duration>, every: Duration, now: Duration) -> bool {
     let is_due = last.is_none_or(|at| now >= at + every);
     if is_due {

@@ -1,6 +1,6 @@
-//! What the system says about processes and about who holds the other end of a connection.
+//! The system's information on processes and on the owner of a connection's other end.
 //!
-//! All of it may be out of date when it is read: a process that is gone meanwhile is `None`, never an error.
+//! It may be outdated when it is read: a process that is gone meanwhile is `None`, never an error.
 
 use std::net::{IpAddr, SocketAddr};
 use std::path::PathBuf;
@@ -19,31 +19,31 @@ use elsewhere as system;
 #[cfg(all(test, target_os = "linux"))]
 mod tests;
 
-/// An address as the system's tables of sockets have it.
+/// An address in the format of the system's socket tables.
 pub(super) fn address(text: &str) -> Option<SocketAddr> {
     system::address(text)
 }
 
-/// A process, told apart from any that has had or will have the same number.
+/// A process, distinguished from earlier and later ones with the same number.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) struct ProcessIdentity {
     pub pid: u32,
-    /// When it was started, in ticks since the system was.
+    /// Its start time, in ticks since the system booted.
     pub started: u64,
-    /// Names this run of the system.
+    /// The boot id of the system.
     pub boot: String,
-    /// Names the space in which the number is valid: containers have their own.
+    /// The namespace of the number: containers have their own.
     pub namespace: String,
 }
 
 impl ProcessIdentity {
-    /// Whether equal numbers of both mean the same process: they are counted by the same system since it was started.
+    /// Whether equal numbers of both mean the same process: same boot and namespace.
     pub fn has_numbers_of(&self, other: &Self) -> bool {
         (&self.boot, &self.namespace) == (&other.boot, &other.namespace)
     }
 }
 
-/// What a process uses.
+/// The resources of a process.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct ProcessUsage {
     /// Resident memory in bytes.
@@ -52,16 +52,16 @@ pub(super) struct ProcessUsage {
     pub cpu: Duration,
 }
 
-/// An answer that may not be had.
+/// Whether a connection belongs to a process.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Belongs {
     Yes,
     No,
-    /// The system does not tell, or the connection is gone.
+    /// The system cannot tell, or the connection is gone.
     Unknown,
 }
 
-/// Who a process is that runs now. One that has ended and waits for its parent does not run.
+/// The identity of a running process. One that has ended and waits for its parent does not run.
 pub(super) fn identity(pid: u32) -> Option<ProcessIdentity> {
     system::identity(pid)
 }
@@ -71,12 +71,12 @@ pub(super) fn is_running(identity: &ProcessIdentity) -> bool {
     self::identity(identity.pid).as_ref() == Some(identity)
 }
 
-/// The user for whom a process acts.
+/// The effective user id of a process.
 pub(super) fn user(pid: u32) -> Option<u32> {
     system::user(pid)
 }
 
-/// The user for whom this program acts.
+/// The effective user id of this program.
 pub(super) fn own_user() -> u32 {
     nix::unistd::geteuid().as_raw()
 }
@@ -86,32 +86,32 @@ pub(super) fn executable(pid: u32) -> Option<PathBuf> {
     system::executable(pid)
 }
 
-/// The folder in which a process is.
+/// The working folder of a process.
 pub(super) fn folder(pid: u32) -> Option<PathBuf> {
     system::folder(pid)
 }
 
-/// The processes of the session that this process leads or has led, itself left out.
+/// The processes of the session that this process leads or has led, without itself.
 pub(super) fn session(pid: u32) -> Vec<u32> {
     system::session(pid)
 }
 
-/// What a process uses.
+/// The resources of a process.
 pub(super) fn usage(pid: u32) -> Option<ProcessUsage> {
     system::usage(pid)
 }
 
-/// A connection over loopback, as the end that has accepted it sees it.
+/// A connection over loopback, from the accepting end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Connection {
-    /// The address of who has connected.
+    /// The address of the client.
     pub peer: SocketAddr,
-    /// The address that was connected to.
+    /// The address it connected to.
     pub local: SocketAddr,
 }
 
 impl Connection {
-    /// Of an accepted stream; `None` if it is gone.
+    /// The connection of an accepted stream; `None` if it is gone.
     pub fn of(stream: &tokio::net::TcpStream) -> Option<Self> {
         Some(Self {
             peer: plain(stream.peer_addr().ok()?),
@@ -119,12 +119,12 @@ impl Connection {
         })
     }
 
-    /// The user whose process it comes from; `None` if the system does not tell, or the connection is gone.
+    /// The user whose process it comes from; `None` if the system cannot tell, or the connection is gone.
     pub fn user(self) -> Option<u32> {
         system::socket(self).map(|socket| socket.user)
     }
 
-    /// Whether it comes from this process, or from one of the session that it leads.
+    /// Whether it comes from this process, or from one of its session.
     pub fn is_of_process(self, pid: u32) -> Belongs {
         let Some(socket) = system::socket(self) else {
             return Belongs::Unknown;
@@ -133,7 +133,7 @@ impl Connection {
         match holds(pid) {
             Some(true) => Belongs::Yes,
             None => Belongs::Unknown,
-            // What was started may be a script that starts the program.
+            // The started file may be a script that starts the program.
             Some(false) if session(pid).into_iter().any(|pid| holds(pid) == Some(true)) => {
                 Belongs::Yes
             }
@@ -149,7 +149,7 @@ struct ProcessSocket {
     inode: u64,
 }
 
-/// An address without the clothes in which a socket for both versions of IP shows it.
+/// An address without the IPv4-in-IPv6 form that dual-stack sockets use.
 fn plain(address: SocketAddr) -> SocketAddr {
     let ip: IpAddr = address.ip().to_canonical();
     SocketAddr::new(ip, address.port())

@@ -1,4 +1,4 @@
-//! Finds the programs of SITL: those that the user has named, else those on the PATH and where they are usually built.
+//! Finds the SITL programs: those that the user has named, otherwise those on the PATH and in the usual build folders.
 
 use std::collections::BTreeMap;
 use std::env;
@@ -18,7 +18,7 @@ mod tests;
 
 pub use identity::{PATIENCE, ProgramIdentity, Unknown, identify};
 
-/// Where builds of `ArduPilot` put their programs, below the home folder and below the current one.
+/// The build folders of `ArduPilot`, below the home folder and below the current one.
 const BUILDS_AT_HOME: [&str; 4] = [
     "ardupilot",
     "src/ardupilot",
@@ -26,7 +26,7 @@ const BUILDS_AT_HOME: [&str; 4] = [
     "dev/ardupilot",
 ];
 const BUILDS_HERE: [&str; 3] = ["", "ardupilot", "../ardupilot"];
-/// What such a folder is called in answers.
+/// The name of such a folder in messages.
 const BUILD: &str = "usual build folder";
 const BUILD_FOLDER: &str = "build/sitl/bin";
 
@@ -34,11 +34,11 @@ const BUILD_FOLDER: &str = "build/sitl/bin";
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Named {
     pub file: PathBuf,
-    /// Who has named it: a flag, a variable, a line of a file.
+    /// Where it was named: a flag, a variable, a line of a file.
     pub by: String,
 }
 
-/// Where programs are looked for that were not named.
+/// The places to search for other programs.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Places {
     pub path: Option<OsString>,
@@ -47,7 +47,7 @@ pub struct Places {
 }
 
 impl Places {
-    /// Those of the environment.
+    /// The places from the environment.
     pub fn of_environment() -> Self {
         Self {
             path: env::var_os("PATH"),
@@ -56,9 +56,9 @@ impl Places {
         }
     }
 
-    /// The folders, the first ones first, each with what it is.
+    /// The folders in order, each with its description.
     fn folders(&self) -> Vec<(PathBuf, &'static str)> {
-        // An empty entry means the current folder, which is no place for programs on a shared machine.
+        // An empty entry means the current folder, which is not safe for programs on a shared machine.
         let path = self
             .path
             .iter()
@@ -85,28 +85,28 @@ impl Places {
 pub struct FoundProgram {
     /// The file, by its absolute path.
     pub file: PathBuf,
-    /// Why it is this one: who has named it, or where it was found.
+    /// Why this one: where it was named or found.
     pub by: String,
 }
 
 /// A program that was not found.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, thiserror::Error)]
 pub enum Missing {
-    /// The user has named a file that is none, or cannot be started.
+    /// The named file does not exist or cannot be started.
     #[error("{by} names {}: {reason}", file.display())]
     Named {
         file: PathBuf,
-        /// Who has named it.
+        /// Where it was named.
         by: String,
-        /// What is wrong with it.
+        /// The fault.
         reason: String,
     },
     /// It is neither on the PATH nor in these folders.
     #[error("no {program} on the PATH nor in {}", list(.tried))]
     Nowhere {
-        /// What it is called.
+        /// Its name.
         program: &'static str,
-        /// Where builds usually are.
+        /// The usual build folders.
         tried: Vec<PathBuf>,
     },
 }
@@ -119,12 +119,12 @@ fn list(folders: &[PathBuf]) -> String {
     names.join(", ")
 }
 
-/// The program of each kind of vehicle, or why there is none.
+/// The program of each kind of vehicle, or why it is missing.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Programs(BTreeMap<SitlKind, Result<FoundProgram, Missing>>);
 
 impl Programs {
-    /// Looks for the program of each kind: the one that is named, or the first one in those places.
+    /// Finds the program of each kind: the named one, or the first in those places.
     pub fn find(named: &BTreeMap<SitlKind, Named>, places: &Places) -> Self {
         let folders = places.folders();
         let look = |kind: SitlKind| match named.get(&kind) {
@@ -139,7 +139,7 @@ impl Programs {
         )
     }
 
-    /// What became of looking for the program of a kind.
+    /// The program of a kind.
     ///
     /// # Errors
     /// It was not found.
@@ -153,7 +153,7 @@ impl Programs {
         }
     }
 
-    /// Those that were found, as a hangar wants them.
+    /// The programs found, in a hangar's format.
     pub fn paths(&self) -> BTreeMap<SitlKind, PathBuf> {
         let found = self.0.iter();
         found
@@ -197,7 +197,7 @@ fn first_in(folders: &[(PathBuf, &str)], kind: SitlKind) -> Result<FoundProgram,
     })
 }
 
-/// Whether a file is one that can be started, else why not.
+/// Whether a file can be started, otherwise why not.
 fn check(file: &Path) -> Result<(), String> {
     let about = file.metadata().map_err(|error| error.to_string())?;
     if about.is_dir() {

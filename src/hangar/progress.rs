@@ -1,4 +1,4 @@
-//! How far an instance has come, from the bytes that it says, the time, and nothing else.
+//! The progress of an instance's start, from its bytes and the time alone.
 
 use std::time::Duration;
 
@@ -11,7 +11,7 @@ pub(super) struct StartProgress {
     system: u8,
     speedup: f64,
     stages: Stages,
-    /// As long as it is not ready.
+    /// The probe, until it is ready.
     probe: Option<InstanceProbe>,
     parameters: [u16; 2],
     reboots: u32,
@@ -19,7 +19,7 @@ pub(super) struct StartProgress {
 }
 
 impl StartProgress {
-    /// Of a process that has just been started. Once it is ready, it is to go at `speedup`.
+    /// The progress of a new process. Once it is ready, its speed is set to `speedup`.
     pub fn new(system: u8, speedup: f64, now: Duration) -> Self {
         Self {
             system,
@@ -32,21 +32,21 @@ impl StartProgress {
         }
     }
 
-    /// It has connected: it boots, for the first time or again.
+    /// Notes a connection: it boots, for the first time or again.
     pub fn connected(&mut self, now: Duration) {
         self.stages.connected(now);
         self.probe = Some(InstanceProbe::new(self.system, self.speedup, now));
         self.forget();
     }
 
-    /// It has closed its connection.
+    /// Notes the end of its connection.
     pub fn disconnected(&mut self, now: Duration) {
         self.stages.disconnected(now);
         self.probe = None;
         self.forget();
     }
 
-    /// Takes in what it said.
+    /// Takes bytes from it.
     pub fn hear(&mut self, bytes: &[u8], now: Duration) {
         self.stages.heard(now);
         let Some(probe) = &mut self.probe else {
@@ -65,7 +65,7 @@ impl StartProgress {
         }
     }
 
-    /// What there is to say to it. Once it is ready that is nothing any more.
+    /// The bytes to send to it now; none once it is ready.
     pub fn say(&mut self, is_attached: bool, now: Duration) -> Vec<u8> {
         let Some(probe) = &mut self.probe else {
             return Vec::new();
@@ -73,34 +73,34 @@ impl StartProgress {
         if self.ready_since.is_none() {
             return probe.say(now);
         }
-        // Whoever is attached may have asked for the same.
+        // An attached program may have requested the same.
         let last = (!is_attached).then(|| probe.take_leave());
         self.probe = None;
         last.unwrap_or_default()
     }
 
-    /// Whether it has to be asked how far it is.
+    /// Whether it still needs queries.
     pub fn is_asking(&self) -> bool {
         self.probe.is_some()
     }
 
-    /// How far it is.
+    /// Its stage.
     pub fn stage(&self, now: Duration) -> SitlStage {
         self.stages.stage(now)
     }
 
-    /// How many parameters have come, of how many.
+    /// The number of parameters received, and the total.
     pub fn parameters(&self) -> [u16; 2] {
         self.parameters
     }
 
-    /// For how long it has been ready since it booted last.
+    /// How long it has been ready since its last boot.
     pub fn ready_for(&self, now: Duration) -> Duration {
         self.ready_since
             .map_or(Duration::ZERO, |since| now.saturating_sub(since))
     }
 
-    /// What it has lacked for too long, in words.
+    /// What has been missing for too long, as text.
     pub fn lack(&self, now: Duration) -> Option<String> {
         let (lack, waited) = self.stages.lack(now)?;
         let mut told = lack.told(waited);

@@ -1,4 +1,4 @@
-//! Refusals of a hangar, with their reasons.
+//! Refusals of a hangar.
 
 use std::io;
 
@@ -7,7 +7,7 @@ use super::client::ClientError;
 use crate::text;
 use crate::text::Text;
 
-/// Why a hangar does not do what it is asked.
+/// Why a hangar refuses a request.
 #[derive(Debug, thiserror::Error)]
 pub enum HangarRefusal {
     /// No instance has that number.
@@ -16,7 +16,7 @@ pub enum HangarRefusal {
     /// The number is taken.
     #[error("instance {0} exists already: stop it first, or choose another number")]
     Taken(InstanceId),
-    /// There are as many as there may be.
+    /// The hangar is full.
     #[error("{0} instances run already, the limit: stop some, or raise it")]
     Full(u16),
     /// No program for this kind of vehicle is known.
@@ -24,7 +24,7 @@ pub enum HangarRefusal {
         "no {0} was found: name one with --arducopter or SORTIE_ARDUCOPTER, or put it on the PATH"
     )]
     NoProgram(&'static str),
-    /// The request makes no sense.
+    /// The request is not valid.
     #[error("{0}")]
     Invalid(String),
     /// A program is attached to the instance already.
@@ -40,12 +40,12 @@ pub enum HangarRefusal {
     /// The hangar is being closed.
     #[error("the hangar is closing")]
     Closing,
-    /// A hangar elsewhere does not do it.
+    /// A remote hangar refuses.
     #[error("hangar {hangar}: {source}")]
     Far {
-        /// What it is called.
+        /// Its address.
         hangar: String,
-        /// What it says, or why it says nothing.
+        /// Its answer, or why there is none.
         source: ClientError,
     },
 }

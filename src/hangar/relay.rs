@@ -1,5 +1,5 @@
-//! Carries bytes between an instance and whoever is attached to it. Neither side ever waits for the other: what one
-//! does not take is lost, in whole pieces, as on a radio.
+//! Carries bytes between an instance and the attached program. Neither side ever waits for the other: what one does
+//! not read is dropped in whole pieces, as on a radio.
 
 use std::future::poll_fn;
 use std::pin::Pin;
@@ -12,24 +12,23 @@ use tokio::net::TcpStream;
 const PIPE_LEN: usize = 64 * 1024;
 /// Bytes kept for an instance that does not read.
 const BACKLOG_LEN: usize = 64 * 1024;
-/// As much as a pipe holds: what was put into it in one go is taken out in one go, so that a frame is not cut by what
-/// the hangar itself says in between.
+/// The capacity of a pipe: one write is read at once, so that the hangar's own frames do not cut another.
 const READ_LEN: usize = PIPE_LEN;
 
-/// What the relay has done.
+/// The result of a step of the relay.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum Passed {
-    /// The instance has said so many bytes, which are in [`Relay::said`].
+    /// The instance has sent bytes, which are in [`Relay::said`].
     Instance,
     /// The instance has closed its connection.
     InstanceGone,
-    /// The one who is attached has said something.
+    /// The attached program has sent bytes.
     Attached,
     /// No program is attached any more.
     AttachedGone,
 }
 
-/// An end, and what waits to be written to it.
+/// An end, and the bytes waiting to be written to it.
 struct RelayEnd<S> {
     stream: S,
     waiting: Vec<u8>,
@@ -45,14 +44,14 @@ impl<S: AsyncRead + AsyncWrite + Unpin> RelayEnd<S> {
         }
     }
 
-    /// Takes bytes for writing: all of them, or none where too many wait.
+    /// Queues bytes: all of them, or none if too many wait.
     fn put(&mut self, bytes: &[u8]) {
         if self.waiting.len() + bytes.len() <= self.room.max(bytes.len()) {
             self.waiting.extend_from_slice(bytes);
         }
     }
 
-    /// Writes what waits as far as it is taken; an error means that nobody is there any more.
+    /// Writes as much as is accepted; an error means that the end is gone.
     fn poll_flush(&mut self, context: &mut Context<'_>) -> Result<(), ()> {
         while !self.waiting.is_empty() {
             match Pin::new(&mut self.stream).poll_write(context, &self.waiting) {
@@ -64,7 +63,7 @@ impl<S: AsyncRead + AsyncWrite + Unpin> RelayEnd<S> {
         Ok(())
     }
 
-    /// What can be read into `space`; nothing at the end, and after an error.
+    /// Reads into `space`; empty at the end, and after an error.
     fn poll_read<'a>(
         &mut self,
         context: &mut Context<'_>,
@@ -106,42 +105,42 @@ impl Relay {
         self.instance.is_some()
     }
 
-    /// A new other end for whoever wants to be attached; `None` if somebody is.
+    /// A new pipe for a program to attach; `None` if one is attached.
     pub fn attach(&mut self) -> Option<DuplexStream> {
         if self.is_attached() {
             return None;
         }
         let (ours, theirs) = tokio::io::duplex(PIPE_LEN);
-        // What waits for the pipe is only what did not fit into it as a whole.
+        // Only what did not fit into the pipe as a whole waits.
         self.attached = Some(RelayEnd::new(ours, 0));
         Some(theirs)
     }
 
-    /// The instance has connected.
+    /// Sets the instance's connection.
     pub fn connect(&mut self, stream: TcpStream) {
-        // Commands are small and must not wait for one another; failing that they only come later.
+        // Commands are small and must not wait for one another; without this option they are only slower.
         let _ = stream.set_nodelay(true);
         self.instance = Some(RelayEnd::new(stream, BACKLOG_LEN));
     }
 
-    /// Forgets the instance's connection.
+    /// Drops the instance's connection.
     pub fn disconnect(&mut self) {
         self.instance = None;
     }
 
-    /// Says something to the instance, if it is there and takes it.
+    /// Sends bytes to the instance, if it is connected and reads.
     pub fn send(&mut self, bytes: &[u8]) {
         if let Some(instance) = &mut self.instance {
             instance.put(bytes);
         }
     }
 
-    /// What the instance has said last.
+    /// The latest bytes from the instance.
     pub fn said(&self) -> &[u8] {
         self.space.get(..self.said).unwrap_or_default()
     }
 
-    /// Writes what waits, and passes on what comes next from either end. Losing the future loses no bytes.
+    /// Writes waiting bytes, and passes on the next ones from either end. Dropping the future loses no bytes.
     pub async fn pass(&mut self) -> Passed {
         poll_fn(|context| self.poll_pass(context)).await
     }
@@ -163,7 +162,7 @@ impl Relay {
             *said = bytes.len();
             if let Some(attached) = attached {
                 attached.put(bytes);
-                // Whether somebody is there is seen when it is read from.
+                // Reading shows whether it is still attached.
                 let _ = attached.poll_flush(context);
             }
             return Poll::Ready(Passed::Instance);

@@ -1,12 +1,12 @@
-//! Whether and when an instance that has ended by itself is started again.
+//! The decision whether and when to restart an instance that has ended without a request.
 
 use std::time::Duration;
 
 use super::Restart;
 
-/// Failures in a row after which it is given up.
+/// The number of failures in a row before it is given up.
 const FAILURES: u32 = 5;
-/// Once it was ready for this long, earlier failures do not count.
+/// After being ready for this long, earlier failures do not count.
 const GOOD_FOR: Duration = Duration::from_secs(60);
 /// The wait before the first attempt; each further one is twice as long.
 const FIRST_WAIT: Duration = Duration::from_secs(1);
@@ -26,13 +26,12 @@ impl Restarts {
         }
     }
 
-    /// A restart was requested: it may fail anew.
+    /// Clears the failures after a requested restart.
     pub fn forgive(&mut self) {
         self.failures = 0;
     }
 
-    /// It has ended by itself after being ready for so long. How long to wait before it is started again, or `None`
-    /// if it is not.
+    /// Notes a failure after being ready for a time. Returns the delay before a restart, or `None` if it is given up.
     pub fn failed(&mut self, ready_for: Duration) -> Option<Duration> {
         if ready_for >= GOOD_FOR {
             self.forgive();
@@ -42,7 +41,7 @@ impl Restarts {
             .then(|| FIRST_WAIT * 2u32.pow(self.failures - 1))
     }
 
-    /// Whether it was tried often enough.
+    /// Whether it has been given up.
     pub fn is_given_up(&self) -> bool {
         self.policy == Restart::Always && self.failures >= FAILURES
     }

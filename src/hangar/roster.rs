@@ -1,4 +1,4 @@
-//! The instances of a hangar: their states, and which numbers and system ids are taken.
+//! The instances of a hangar: their states, numbers and system ids.
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -11,16 +11,16 @@ use super::{
 };
 use crate::sim::SYSTEMS;
 
-/// An instance, from the moment it has a number.
+/// An instance, from when it has a number.
 struct RosterEntry {
     requests: mpsc::Sender<InstanceRequest>,
     system: u8,
     output: Option<ProcessOutput>,
-    /// It has ended and nothing starts it again by itself: it takes nobody's place.
+    /// It has ended and is not restarted: it takes no place.
     is_down: bool,
 }
 
-/// What an instance was given.
+/// The number and the system id given to an instance.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Taken {
     pub id: InstanceId,
@@ -34,7 +34,7 @@ pub(super) struct Roster {
 }
 
 impl Roster {
-    /// Of a hangar that may have so many.
+    /// The roster of a hangar with so many places.
     pub fn new(limit: u16) -> Self {
         Self {
             limit,
@@ -43,10 +43,10 @@ impl Roster {
         }
     }
 
-    /// Takes a number and a system id for an instance: those that were asked for, else the lowest free ones.
+    /// Takes a number and a system id for an instance: the requested ones, otherwise the lowest free ones.
     ///
     /// # Errors
-    /// They are taken, or there are as many as there may be.
+    /// They are taken, or the hangar is full.
     pub fn take(
         &self,
         launch: &Launch,
@@ -75,10 +75,10 @@ impl Roster {
         Ok(Taken { id, system })
     }
 
-    /// From now on an instance that had ended counts again.
+    /// Counts an ended instance again.
     ///
     /// # Errors
-    /// There is none, or others have taken its place.
+    /// It does not exist, or others have taken its place.
     pub fn revive(&self, id: InstanceId) -> Result<(), HangarRefusal> {
         let mut entries = self.entries();
         let is_full = running(&entries) >= self.limit;
@@ -90,36 +90,36 @@ impl Roster {
         Ok(())
     }
 
-    /// An instance has ended, and nothing starts it again by itself.
+    /// Notes that an instance has ended and is not restarted.
     pub fn lay_down(&self, id: InstanceId) {
         if let Some(entry) = self.entries().get_mut(&id) {
             entry.is_down = true;
         }
     }
 
-    /// Where an instance's output is.
+    /// Stores an instance's output.
     pub fn keep_output(&self, id: InstanceId, output: ProcessOutput) {
         if let Some(entry) = self.entries().get_mut(&id) {
             entry.output = Some(output);
         }
     }
 
-    /// What an instance has printed.
+    /// An instance's output.
     pub fn output(&self, id: InstanceId) -> Option<ProcessOutput> {
         self.entries().get(&id)?.output.clone()
     }
 
-    /// Where requests to an instance go.
+    /// The channel for requests to an instance.
     pub fn task(&self, id: InstanceId) -> Option<mpsc::Sender<InstanceRequest>> {
         Some(self.entries().get(&id)?.requests.clone())
     }
 
-    /// The instances as they are now and will be.
+    /// The instances, to be followed.
     pub fn watch(&self) -> watch::Receiver<Instances> {
         self.seen.subscribe()
     }
 
-    /// How full it is.
+    /// The load.
     pub fn capacity(&self) -> Capacity {
         let running = running(&self.entries());
         Capacity {
@@ -139,14 +139,14 @@ impl Roster {
         });
     }
 
-    /// An instance is gone.
+    /// Removes an instance.
     pub fn forget(&self, id: InstanceId) {
         self.entries().remove(&id);
         self.seen
             .send_if_modified(|all| Arc::make_mut(all).remove(&id).is_some());
     }
 
-    /// A lock is never left in the midst of a change.
+    /// Locks the entries, even if poisoned: no panic can interrupt a change.
     fn entries(&self) -> MutexGuard<'_, BTreeMap<InstanceId, RosterEntry>> {
         self.entries.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -156,9 +156,8 @@ fn running(entries: &BTreeMap<InstanceId, RosterEntry>) -> u16 {
     entries.values().filter(|entry| !entry.is_down).count() as u16
 }
 
-/// The system id that was asked for, also if another instance has it: each is reached by a way of its own, and two
-/// consoles on one hangar both number their vehicles from 1. Else the instance's number, and if that cannot be the
-/// lowest free one.
+/// The requested system id, even if another instance has it: each has its own connection, and two consoles on one
+/// hangar both number their vehicles from 1. Otherwise the instance's number, or else the lowest free one.
 fn free_system(
     entries: &BTreeMap<InstanceId, RosterEntry>,
     asked: Option<u8>,
@@ -198,7 +197,7 @@ mod tests {
         for (id, system, expected) in [
             (None, None, (1, 1)),
             (None, Some(3), (2, 3)),
-            // Its own number is somebody's system id.
+            // Its own number is already a system id.
             (None, None, (3, 2)),
             (Some(300), None, (300, 4)),
             (None, None, (4, 5)),

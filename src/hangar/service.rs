@@ -1,8 +1,8 @@
 //! The hangar as an HTTP service.
 //!
-//! - `accept` takes connections, as many as may be, and hangs up on those that are slow; `patient` watches what is sent.
-//! - `guard` lets in who may: by the token, or by whose program it is at the other end on loopback.
-//! - `vehicles`, `paper`, `about`, `events` and `tunnel` answer; `problem` is what they say when they cannot.
+//! - `accept` accepts connections up to a limit, and closes slow ones; `patient` watches what is sent.
+//! - `guard` controls access: by the token, or on loopback by the owner of the program at the other end.
+//! - `vehicles`, `paper`, `about`, `events` and `tunnel` answer; `problem` is the answer to a failed request.
 //! - `openapi` describes it all; `expose` opens a port for each instance when asked to.
 
 use std::collections::BTreeMap;
@@ -42,36 +42,35 @@ pub use events::{InstanceChange, InstanceSnapshot, changes};
 pub use problem::ServiceProblem;
 pub use vehicles::Printed;
 
-/// The port that a hangar listens on unless told otherwise.
+/// The default port of a hangar.
 pub const PORT: u16 = 5700;
 /// The protocol that a connection is upgraded to for a vehicle's bytes.
 pub const MAVLINK: &str = "mavlink";
-/// How long connections may take to end by themselves when the service ends.
+/// How long connections may take to end with the service.
 const GRACE: Duration = Duration::from_secs(1);
 
-/// Whose program is at the other end of a connection on this host, by its user id, if that can be found out:
-/// the other end's address and ours.
+/// Finds the user id of the program at the other end of a connection on this host, from that end's address and ours.
 pub type Owner = fn(SocketAddr, SocketAddr) -> Option<u32>;
 
-/// Whose program it is, by what the system says of its connections.
+/// The owner by the system's list of connections.
 pub fn owner(peer: SocketAddr, local: SocketAddr) -> Option<u32> {
     Connection { peer, local }.user()
 }
 
-/// How a service is set up.
+/// The settings of a service.
 #[derive(Debug, Clone)]
 pub struct ServiceSetup {
-    /// Lets all clients in.
+    /// The token that admits any client.
     pub token: HangarToken,
-    /// Whether the token is asked for also on loopback, of programs of the same user.
+    /// Whether the token is required even on loopback from programs of the same user.
     pub require_token: bool,
-    /// Whether each instance's MAVLink is also given on a TCP port on loopback.
+    /// Whether each instance's MAVLink is also exposed on a TCP port on loopback.
     pub expose: bool,
-    /// How much it takes of its clients.
+    /// The limits for clients.
     pub bounds: ServiceBounds,
-    /// Tells whose a connection is.
+    /// Finds a connection's owner.
     pub owner: Owner,
-    /// The programs, as people are told of them.
+    /// The programs, for display.
     pub programs: Vec<Program>,
     /// What happens to instances that end by themselves.
     pub restart: Restart,
@@ -79,22 +78,22 @@ pub struct ServiceSetup {
     pub limits: HangarLimits,
 }
 
-/// How much a service takes of its clients.
+/// The limits of a service for its clients.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ServiceBounds {
-    /// Connections at once, tunnels not counted.
+    /// Connections at once, without tunnels.
     pub connections: usize,
-    /// Of these, those that wait for something to happen.
+    /// The part of them that may wait for events.
     pub waiting: usize,
     /// Bytes of a request's body.
     pub request_bytes: usize,
-    /// How long a connection may say nothing, or take for a request's head.
+    /// How long a connection may be silent, or take for a request's head.
     pub head: Duration,
     /// How long a request's body may take.
     pub body: Duration,
-    /// How long a client may refuse to take what it has asked for.
+    /// How long a client may not read its answer.
     pub stall: Duration,
-    /// How often one who follows the events hears that the service is there.
+    /// The interval of keep-alive messages to followers of the events.
     pub keep_alive: Duration,
 }
 
@@ -119,7 +118,7 @@ pub struct Program {
     pub kind: SitlKind,
     /// The path of the program.
     pub file: String,
-    /// What it says that it is.
+    /// Its own name and version.
     pub identity: String,
 }
 
@@ -142,12 +141,12 @@ pub struct Status {
     pub leftovers: Vec<String>,
 }
 
-/// What all handlers share.
+/// The state that all handlers share.
 struct ServiceState {
     hangar: Hangar,
     setup: ServiceSetup,
     life: String,
-    /// Whether only this host can reach us.
+    /// Whether only this host can connect.
     on_loopback: bool,
     waiting: Arc<Semaphore>,
     ports: watch::Sender<BTreeMap<InstanceId, u16>>,
@@ -179,7 +178,7 @@ pub async fn serve(
     drop(listener);
     state.cancel.cancel();
     let all = async { while connections.join_next().await.is_some() {} };
-    // Whoever is still busy after that is cut off.
+    // Connections still busy after that are closed.
     let _ = tokio::time::timeout(GRACE, all).await;
     connections.shutdown().await;
     state.hangar.close().await;
@@ -199,10 +198,10 @@ fn router(state: &Arc<ServiceState>) -> Router {
         .with_state(Arc::clone(state))
 }
 
-/// Every path with what answers it.
+/// Every path with its handler.
 fn table() -> Vec<(&'static str, axum::routing::MethodRouter<Arc<ServiceState>>)> {
     use axum::routing::{MethodRouter, get, post};
-    // Elsewhere HEAD is answered as GET is; here it would do what GET does.
+    // HEAD is usually answered like GET; here it would act like GET.
     let acts = |methods: MethodRouter<Arc<ServiceState>>| methods.head(problem::not_by_head);
     vec![
         ("/vehicles", get(vehicles::list).post(vehicles::launch)),
@@ -229,7 +228,7 @@ impl ServiceState {
         self.dressed(&self.hangar.instances().borrow())
     }
 
-    /// The instances with the ports that they are exposed on.
+    /// The instances with their exposed ports.
     fn dressed(&self, all: &Instances) -> Instances {
         let ports = self.ports.borrow();
         if ports.is_empty() {

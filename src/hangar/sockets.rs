@@ -22,16 +22,16 @@ pub enum Protocol {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 pub struct ListeningSocket {
     pub protocol: Protocol,
-    /// Where it is open.
+    /// Its local address.
     pub at: SocketAddr,
-    /// Whose it is, by user id.
+    /// Its owner, by user id.
     pub uid: u32,
     #[serde(skip)]
     inode: u64,
 }
 
 impl ListeningSocket {
-    /// Whether only this machine reaches it.
+    /// Whether only this machine can reach it.
     pub fn is_loopback(&self) -> bool {
         self.at.ip().to_canonical().is_loopback()
     }
@@ -45,7 +45,7 @@ const OPEN: [(&str, Protocol, &str); 4] = [
     ("udp6", Protocol::Udp, "07"),
 ];
 
-/// The sockets of this host that others can send to; none where there is no `/proc`.
+/// The sockets of this host that others can reach; empty without `/proc`.
 pub fn open() -> Vec<ListeningSocket> {
     let mut all = Vec::new();
     for (file, protocol, state) in OPEN {
@@ -60,7 +60,7 @@ pub fn open() -> Vec<ListeningSocket> {
     all
 }
 
-/// Those of a process. Of another user's, nothing is known.
+/// The sockets of a process; unknown for another user's.
 pub fn of_process(pid: u32) -> Vec<ListeningSocket> {
     let Ok(files) = fs::read_dir(format!("/proc/{pid}/fd")) else {
         return Vec::new();

@@ -1,4 +1,4 @@
-//! The source of a session's simulated vehicles: where they run, and what they are.
+//! The source of a session's simulated vehicles: the simulator and where it runs.
 
 use std::sync::Arc;
 
@@ -9,11 +9,11 @@ use crate::sim::{Airframe, Start, WorldConfig};
 use crate::text;
 use crate::text::Text;
 
-/// Where ArduPilot's SITL is started.
+/// Where ArduPilot's SITL runs.
 #[derive(Debug, Clone)]
 pub enum SitlSource {
     Own(Box<HangarSetup>),
-    /// By services on this host or others.
+    /// Services on this host or others.
     Far(Vec<RemoteHangar>),
 }
 
@@ -40,17 +40,17 @@ impl SitlSource {
     }
 }
 
-/// The vehicles that are simulated.
+/// The simulated vehicles.
 #[derive(Debug, Clone, Default)]
 pub struct VehicleBackend {
-    /// ArduPilot's SITL; the embedded simulator without it.
+    /// ArduPilot's SITL; `None` for the embedded simulator.
     pub ardupilot: Option<SitlSource>,
-    /// The airframes that were named: one for all vehicles, or one for each, the last one for all that follow.
+    /// The chosen airframes: one for all vehicles, or one for each, the last one for all that follow.
     pub airframes: Vec<Arc<Airframe>>,
 }
 
 impl VehicleBackend {
-    /// What the debrief and `--json` call it.
+    /// Its name in the debrief and in `--json`.
     pub fn kind(&self) -> FlightBackend {
         match self.ardupilot {
             Some(_) => FlightBackend::ArduPilot,
@@ -58,7 +58,7 @@ impl VehicleBackend {
         }
     }
 
-    /// A world with the airframes that were named, if any were, in the place of its own.
+    /// A world with the chosen airframes, if any, in place of its own.
     #[must_use]
     pub fn of(&self, world: WorldConfig) -> WorldConfig {
         if self.airframes.is_empty() {
@@ -70,7 +70,7 @@ impl VehicleBackend {
         }
     }
 
-    /// What a hangar is to launch for a world: a vehicle at each place, with system ids from 1.
+    /// The launches for a world: a vehicle at each place, with system ids from 1.
     pub fn launches(&self, world: WorldConfig, speedup: f64) -> Vec<Launch> {
         let world = self.of(world);
         let systems = 1..=crate::wire::SystemId::MAX;

@@ -1,51 +1,51 @@
-//! How far an instance is, from what is seen of it; and what it lacks when it takes too long.
+//! The stages of an instance's start, from observation; and what is missing when it takes too long.
 
 use std::time::Duration;
 
 use super::SitlStage;
 
-/// A stage that has not come after this long is remarked upon; nothing is ended for being slow.
+/// The time without a new stage before a remark; no instance is ended for being slow.
 const PATIENCE: Duration = Duration::from_secs(20);
-/// The same for what takes longer: navigation filters settle in 42 simulated seconds, at ten times the speed where
-/// the machine allows it.
+/// The same for readiness: navigation filters settle in 42 simulated seconds, at ten times the speed if the machine
+/// allows it.
 const PATIENCE_FOR_READINESS: Duration = Duration::from_secs(90);
-/// Simulated time after which an instance that says nothing has lost its heartbeat; one comes every second.
+/// The simulated time of silence after which the heartbeat counts as lost; one comes every second.
 const SILENCE: Duration = Duration::from_secs(10);
 
-/// What an instance lacks.
+/// What an instance is missing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Lack {
     /// It has not connected.
     Connection,
-    /// It had connected and has closed the connection.
+    /// It has closed its connection and not reconnected.
     Reconnection,
-    /// It is connected and nothing of it is a heartbeat.
+    /// It is connected and sends no heartbeat.
     Heartbeat,
-    /// It is connected and says nothing any more.
+    /// It is connected and silent.
     Sound,
-    /// The list of parameters does not go on.
+    /// The list of parameters does not advance.
     Parameters,
-    /// It does not find out where it is.
+    /// It gets no position.
     Position,
     /// It cannot be armed.
     Readiness,
 }
 
-/// The stages of an instance whose process runs: they only go on, until it boots again.
+/// The stages of a running instance: they only advance, until it boots again.
 #[derive(Debug)]
 pub(super) struct Stages {
-    /// How long an instance may be silent: it may be slow on purpose.
+    /// How long an instance may be silent, at its chosen speed.
     silence: Duration,
     connected: Option<bool>,
     stage: SitlStage,
     parameters: u16,
-    /// Since when there has been no progress.
+    /// The time of the last progress.
     since: Duration,
     heard: Duration,
 }
 
 impl Stages {
-    /// Of a process that has just been started, at so many simulated seconds per second.
+    /// The stages of a new process, at a speed-up.
     pub fn new(speedup: f64, now: Duration) -> Self {
         Self {
             silence: SILENCE.div_f64(speedup.clamp(0.001, 1.0)),
@@ -57,19 +57,19 @@ impl Stages {
         }
     }
 
-    /// It has connected: it boots.
+    /// Notes a connection: it boots.
     pub fn connected(&mut self, now: Duration) {
         self.connected = Some(true);
         self.again(now);
     }
 
-    /// Its connection is closed: it is about to boot again, or something is wrong.
+    /// Notes a closed connection: a reboot, or a fault.
     pub fn disconnected(&mut self, now: Duration) {
         self.connected = Some(false);
         self.again(now);
     }
 
-    /// It boots again within its connection.
+    /// Notes a reboot within its connection.
     pub fn again(&mut self, now: Duration) {
         self.stage = SitlStage::Process;
         self.parameters = 0;
@@ -77,12 +77,12 @@ impl Stages {
         self.heard = now;
     }
 
-    /// It has said something.
+    /// Notes bytes from it.
     pub fn heard(&mut self, now: Duration) {
         self.heard = now;
     }
 
-    /// What its answers amount to.
+    /// Notes the probe's result.
     pub fn probed(&mut self, stage: SitlStage, parameters: u16, now: Duration) {
         if stage > self.stage || parameters > self.parameters {
             self.since = now;
@@ -91,12 +91,12 @@ impl Stages {
         self.parameters = self.parameters.max(parameters);
     }
 
-    /// How far it has come, silent or not.
+    /// The stage reached, silent or not.
     pub fn reached(&self) -> SitlStage {
         self.stage
     }
 
-    /// How far it is: one whose heartbeat is lost is no more than a process.
+    /// Its stage: one without a heartbeat is only a running process.
     pub fn stage(&self, now: Duration) -> SitlStage {
         if self.is_silent(now) {
             SitlStage::Process
@@ -105,7 +105,7 @@ impl Stages {
         }
     }
 
-    /// What it has lacked for too long, and for how long.
+    /// What has been missing for too long, and for how long.
     pub fn lack(&self, now: Duration) -> Option<(Lack, Duration)> {
         if self.is_silent(now) && self.stage > SitlStage::Process {
             return Some((Lack::Sound, now.saturating_sub(self.heard)));
@@ -129,7 +129,7 @@ impl Stages {
 }
 
 impl Lack {
-    /// In words, after so long.
+    /// The remark after a wait.
     pub fn told(self, waited: Duration) -> String {
         let seconds = waited.as_secs();
         match self {

@@ -1,4 +1,4 @@
-//! The secret that a hangar's service asks for.
+//! The secret token of a hangar's service.
 
 use std::fmt;
 use std::fs::{self, File, OpenOptions};
@@ -10,30 +10,30 @@ use rand::TryRng as _;
 use rand::rngs::SysRng;
 use subtle::ConstantTimeEq as _;
 
-/// Random bytes in a token; it is written with two hexadecimal digits for each.
+/// Random bytes in a token, written as two hexadecimal digits each.
 const LEN: usize = 32;
 /// Read and write for the owner alone.
 const PRIVATE: u32 = 0o600;
-/// Every permission of people other than the owner.
+/// All permissions of other users.
 const OTHERS: u32 = 0o077;
-/// A token with blanks around it; a longer file is none.
+/// The largest token file: a token with some blanks.
 const FILE_MAX: u64 = 256;
 
 /// A bearer token. `Debug` does not show it.
 #[derive(Clone, PartialEq, Eq)]
 pub struct HangarToken(String);
 
-/// Why a token cannot be had.
+/// Why a token is not available.
 #[derive(Debug, thiserror::Error)]
 pub enum TokenError {
-    /// The file cannot be read or made.
+    /// The file cannot be read or created.
     #[error("cannot {what} the token file {path}: {source}")]
     File {
         what: &'static str,
         path: PathBuf,
         source: io::Error,
     },
-    /// Other people may read the file, so that its token is no secret.
+    /// Others may read the file, so that its token is no secret.
     #[error(
         "the token file {path} can be read by others (mode {mode:04o}): remove it so that a new token is made, or `chmod 600 {path}` if nobody has read it"
     )]
@@ -41,18 +41,18 @@ pub enum TokenError {
     /// The file belongs to another user.
     #[error("the token file {path} belongs to another user: name another with --token-file")]
     Foreign { path: PathBuf },
-    /// There is something else in the file.
+    /// The file contains something else.
     #[error(
         "{path} holds no token ({LEN} bytes in hexadecimal digits): remove it so that a new one is made"
     )]
     Content { path: PathBuf },
-    /// The system gives no random numbers.
+    /// The system provides no random numbers.
     #[error("the system gives no random numbers for a token: {0}")]
     Random(String),
 }
 
 impl TokenError {
-    /// Whether the file is simply not there.
+    /// Whether the file simply does not exist.
     pub fn is_missing(&self) -> bool {
         matches!(self, Self::File { source, .. } if source.kind() == io::ErrorKind::NotFound)
     }
@@ -65,7 +65,7 @@ impl fmt::Debug for HangarToken {
 }
 
 impl HangarToken {
-    /// A new token of the system's random numbers.
+    /// A new token from the system's random numbers.
     ///
     /// # Errors
     /// The system has none.
@@ -92,7 +92,7 @@ impl HangarToken {
             path: path.to_owned(),
             source,
         };
-        // Before it is opened: that waits for ever where nobody writes to a pipe.
+        // Checked before opening, which would block on a pipe without a writer.
         if !fs::metadata(path).map_err(fail)?.is_file() {
             return Err(fail(io::Error::other("it is no regular file")));
         }
@@ -126,11 +126,11 @@ impl HangarToken {
         }
     }
 
-    /// The token of a file, which is made with a new token if it is not there. Of several programs that do so at
-    /// once, all get the same token.
+    /// The token in a file, which is created with a new token if missing. Several programs that do so at once get the
+    /// same token.
     ///
     /// # Errors
-    /// As [`Self::load`], or the file cannot be made.
+    /// As [`Self::load`], or the file cannot be created.
     pub fn load_or_create(path: &Path) -> Result<Self, TokenError> {
         match Self::load(path) {
             Err(error) if error.is_missing() => {
@@ -141,7 +141,7 @@ impl HangarToken {
         }
     }
 
-    /// Writes the file as a whole or not at all, and never over one that is there.
+    /// Writes the file completely or not at all, and never over an existing one.
     fn create(&self, path: &Path) -> Result<(), TokenError> {
         let fail = |source| TokenError::File {
             what: "make",
@@ -160,7 +160,7 @@ impl HangarToken {
             .mode(PRIVATE)
             .open(&draft)
             .and_then(|mut file| writeln!(file, "{}", self.0).and_then(|()| file.sync_all()))
-            // A link, unlike a rename, does not replace what somebody else has made meanwhile.
+            // Unlike a rename, a link does not replace a file created meanwhile.
             .and_then(|()| fs::hard_link(&draft, path));
         let _ = fs::remove_file(&draft);
         match written {
@@ -169,12 +169,12 @@ impl HangarToken {
         }
     }
 
-    /// Whether this token was given. The comparison takes the same time however much of it is right.
+    /// Whether this token matches. The comparison takes constant time.
     pub fn matches(&self, given: &str) -> bool {
         self.0.as_bytes().ct_eq(given.as_bytes()).into()
     }
 
-    /// The value of the header `Authorization` that gives this token.
+    /// The value of the `Authorization` header for this token.
     pub fn authorization(&self) -> String {
         format!("Bearer {}", self.0)
     }

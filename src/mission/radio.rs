@@ -96,8 +96,8 @@ const LONGEST_DELAY: Duration = Duration::from_millis(400);
 /// A loss below this counts as none.
 const NO_LOSS: f64 = 0.002;
 
-/// The diffraction loss over one edge, in dB, for the parameter `v` of ITU-R P.526: `6.9 + 20 lg(sqrt((v - 0.1)^2 + 1)
-/// + v - 0.1)` above -0.78.
+/// The diffraction loss over one edge, in dB, for the parameter `v` of ITU-R P.526:
+/// `6.9 + 20 lg(sqrt((v - 0.1)^2 + 1) + v - 0.1)` above -0.78.
 pub(crate) fn knife_edge_db(v: f64) -> f64 {
     if v <= -0.78 {
         return 0.0;

@@ -1,4 +1,4 @@
-//! For terminals that show nothing but ASCII: every other character becomes one that means much the same.
+//! Output for ASCII-only terminals: every other character is replaced by a similar one.
 
 use ratatui::buffer::Buffer;
 
@@ -15,7 +15,7 @@ pub fn line(text: &str) -> String {
     text.chars().map(nearest).collect()
 }
 
-/// The ASCII character that says most of the same; `?` for letters of other scripts.
+/// The most similar ASCII character; `?` for letters of other scripts.
 fn nearest(c: char) -> char {
     match c {
         ' '..='~' => c,
@@ -41,7 +41,7 @@ fn nearest(c: char) -> char {
         '“' | '”' | '„' | '″' => '"',
         '‘' | '’' | 'ʼ' | '′' => '\'',
         '⚠' => '!',
-        // A letter or a digit would become part of the figure before it, a quotation mark would say minutes.
+        // A letter or a digit would read as part of the number before it, a quotation mark as minutes.
         '°' | 'º' | '\u{a0}' | '\u{2000}'..='\u{200a}' | '\u{2800}' => ' ',
         '▁' | '▂' | '⎽' => '_',
         '━' | '═' | '▅' | '▆' | '▒' => '=',

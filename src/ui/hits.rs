@@ -1,4 +1,4 @@
-//! Areas that can be clicked on, by where they were drawn last.
+//! Clickable areas of the last frame.
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -6,7 +6,7 @@ use ratatui::layout::{Position, Rect};
 
 use crate::app::action::Action;
 
-/// Parts of the screen, each with what a click on it means. Drawing fills it anew with every frame.
+/// Parts of the screen with their actions. Every frame fills it anew.
 #[derive(Debug, Clone, Default)]
 pub struct Hits(Arc<Mutex<Vec<Hit>>>);
 
@@ -17,17 +17,17 @@ struct Hit {
 }
 
 impl Hits {
-    /// Nothing can be clicked on until something is drawn.
+    /// Removes all areas before a new frame.
     pub fn clear(&self) {
         self.all().clear();
     }
 
-    /// A click there means this.
+    /// Adds an area with its action.
     pub fn add(&self, place: Rect, action: Action) {
         self.all().push(Hit { place, action });
     }
 
-    /// What a click at a cell means: what was drawn last lies on top.
+    /// The action at a cell; the area drawn last is on top.
     pub fn at(&self, column: u16, row: u16) -> Option<Action> {
         let at = Position::new(column, row);
         let all = self.all();

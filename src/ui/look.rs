@@ -1,4 +1,4 @@
-//! The look: colours, words, symbols.
+//! The look: colours, texts, symbols.
 
 use std::sync::Arc;
 
@@ -11,36 +11,36 @@ use crate::notice::sanitised;
 use crate::text::{Locale, Text};
 use crate::vehicle::VehicleId;
 
-/// Colours, words and symbols; every widget is handed one.
+/// Colours, texts and symbols; every widget gets one.
 #[derive(Debug, Clone, Default)]
 pub struct Look {
     pub theme: Theme,
     pub locale: Arc<Locale>,
-    /// What curves and maps are drawn with.
+    /// The symbols for curves and maps.
     pub symbols: Symbols,
-    /// What can be clicked on in the frame that was drawn last.
+    /// The clickable areas of the last frame.
     pub hits: Hits,
 }
 
-/// What tells a drone or a team from the others: neighbours differ in both, and thirty follow one another before any
-/// two share both.
+/// A colour and a sign that distinguish a drone or a team: neighbours differ in both, and only every thirtieth pair is
+/// the same.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Badge {
     pub role: Role,
-    /// One character, in ASCII too.
+    /// The sign: one character, in ASCII too.
     pub sign: char,
 }
 
 impl Badge {
-    /// Every one differs from the others, and from arrows and marks of the cursor, in ASCII too (`o ^ # + v`).
+    /// All differ from one another, and from arrows and the cursor's marks, in ASCII too (`o ^ # + v`).
     const SIGNS: [char; 5] = ['●', '▲', '■', '✚', '▼'];
 
-    /// That of a drone, wherever it is shown.
+    /// The badge of a drone, on every screen.
     pub fn of_vehicle(id: VehicleId) -> Self {
         Self::at(usize::from(id).saturating_sub(1))
     }
 
-    /// That of a team, by its place among the teams.
+    /// The badge of a team, by its index among the teams.
     pub fn of_team(place: usize) -> Self {
         Self::at(place)
     }
@@ -59,18 +59,18 @@ impl Look {
         self.theme.style(role)
     }
 
-    /// How blocks of a role look: reversed, a filled one would be empty.
+    /// The style for filled blocks of a role; with reversed colours they would look empty.
     pub fn fill(&self, role: Role) -> Style {
         let kept_off = Modifier::REVERSED | Modifier::UNDERLINED;
         self.style(role).remove_modifier(kept_off)
     }
 
-    /// A text in words that are safe to show on one line.
+    /// A text in the present language, safe to show on one line.
     pub fn text(&self, text: &Text) -> String {
         sanitised(&self.locale.text(text))
     }
 
-    /// A message without arguments in words. It may have several lines.
+    /// A message without arguments; it may have several lines.
     pub fn say(&self, id: &str) -> String {
         self.locale.say(id)
     }

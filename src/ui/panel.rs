@@ -1,4 +1,4 @@
-//! A part of the screen: how it is divided, and how lines and titles are put into it.
+//! A part of the screen: dividing it, and writing lines and titles into it.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -11,7 +11,7 @@ use super::theme::Role;
 use crate::app::action::{Action, Step};
 use crate::text::Text;
 
-/// A part of the screen, and how things are shown in it.
+/// A part of the screen with the look to draw in.
 #[derive(Debug, Clone, Copy)]
 pub struct Panel<'a> {
     pub look: &'a Look,
@@ -23,7 +23,7 @@ impl<'a> Panel<'a> {
         Self { look, area }
     }
 
-    /// Another part of the screen, shown in the same way.
+    /// The same look on another area.
     pub fn at(self, area: Rect) -> Self {
         Self { area, ..self }
     }
@@ -33,17 +33,17 @@ impl<'a> Panel<'a> {
         self.at(upper(self.area, rows))
     }
 
-    /// What is left of it below its first rows.
+    /// The rest of it below its first rows.
     pub fn below(self, rows: u16) -> Self {
         self.at(below(self.area, rows))
     }
 
-    /// Some of its columns, counted from its left edge.
+    /// Some of its columns, from its left edge.
     pub fn columns(self, from: u16, width: u16) -> Self {
         self.at(columns(self.area, from, width))
     }
 
-    /// How many columns it is wide.
+    /// Its width in columns.
     pub fn width(self) -> usize {
         usize::from(self.area.width)
     }
@@ -53,12 +53,12 @@ impl<'a> Panel<'a> {
         self.look.style(role)
     }
 
-    /// A text in words that are safe to show on one line.
+    /// A text in the present language, safe to show on one line.
     pub fn text(self, text: &Text) -> String {
         self.look.text(text)
     }
 
-    /// A message without arguments in words. It may have several lines.
+    /// A message without arguments; it may have several lines.
     pub fn say(self, id: &str) -> String {
         self.look.say(id)
     }
@@ -68,7 +68,7 @@ impl<'a> Panel<'a> {
         self.ruled(title, '─', self.style(Role::Border), buffer)
     }
 
-    /// The same for a pane that the keys may go to: a heavy rule says that they do.
+    /// The same for a pane that can have the focus, which shows as a heavy rule.
     pub fn focused(self, title: &str, has_keys: bool, buffer: &mut Buffer) -> Rect {
         if has_keys {
             self.ruled(title, '━', self.style(Role::Key), buffer)
@@ -101,8 +101,7 @@ impl<'a> Panel<'a> {
         below(self.area, 1)
     }
 
-    /// Marks that a list of so many lines goes on above or below what is shown of it from a line on: in the column
-    /// beside it where there is one.
+    /// Marks that a list continues above or below the visible part, in the column beside it if there is one.
     pub fn mark_scroll(self, first: usize, count: usize, buffer: &mut Buffer) {
         if self.area.is_empty() {
             return;
@@ -118,8 +117,8 @@ impl<'a> Panel<'a> {
         }
     }
 
-    /// A list of so many lines, shown from a line on, a row for each: it marks where it goes on, and where it has the
-    /// keys, a click on a row moves the cursor there.
+    /// Marks where a list with one row per line continues; if it has the focus, a click on a row moves the cursor
+    /// there.
     pub fn mark_list(self, first: usize, count: usize, has_keys: bool, buffer: &mut Buffer) {
         self.mark_scroll(first, count, buffer);
         let shown = usize::from(self.area.height).min(count.saturating_sub(first));
@@ -130,7 +129,7 @@ impl<'a> Panel<'a> {
         }
     }
 
-    /// Shows that the cursor is here. What has a ground of its own, such as ARMED, keeps it, so that the cursor hides
+    /// Highlights the cursor. Cells with a background of their own, such as ARMED, keep it, so that the cursor hides
     /// no state.
     pub fn mark_cursor(self, buffer: &mut Buffer) {
         let ground = self.style(Role::Text).bg.unwrap_or(Color::Reset);
@@ -145,7 +144,7 @@ impl<'a> Panel<'a> {
         }
     }
 
-    /// Clears a box in the middle of things, draws its frame and returns its inside.
+    /// Clears a centred box, draws its frame and returns its inside.
     pub fn boxed(self, title: &str, role: Role, buffer: &mut Buffer) -> Rect {
         Clear.render(self.area, buffer);
         buffer.set_style(self.area, self.style(Role::Text));
@@ -162,7 +161,7 @@ impl<'a> Panel<'a> {
     }
 }
 
-/// What is left of an area below its first rows.
+/// The rest of an area below its first rows.
 pub fn below(area: Rect, rows: u16) -> Rect {
     let rows = rows.min(area.height);
     Rect {
@@ -186,7 +185,7 @@ pub fn upper(area: Rect, rows: u16) -> Rect {
     }
 }
 
-/// Some columns of an area, counted from its left edge.
+/// Some columns of an area, from its left edge.
 pub fn columns(area: Rect, from: u16, width: u16) -> Rect {
     let from = from.min(area.width);
     Rect {
@@ -196,7 +195,7 @@ pub fn columns(area: Rect, from: u16, width: u16) -> Rect {
     }
 }
 
-/// Writes a line into a row of an area, clipped to it; returns where it ended, or `None` if the area has no such row.
+/// Writes a line into a row of an area, clipped to it; returns its end, or `None` if the area has no such row.
 pub fn put(buffer: &mut Buffer, area: Rect, row: u16, line: &Line<'_>) -> Option<u16> {
     if row >= area.height || area.width == 0 {
         return None;
@@ -204,7 +203,7 @@ pub fn put(buffer: &mut Buffer, area: Rect, row: u16, line: &Line<'_>) -> Option
     Some(buffer.set_line(area.x, area.y + row, line, area.width).0)
 }
 
-/// A text cut to a width, with a mark where something is missing.
+/// A text cut to a width, with a mark if it was too long.
 pub fn clip(text: &str, width: usize) -> String {
     if Span::raw(text).width() <= width {
         return text.to_owned();

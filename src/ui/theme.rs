@@ -1,6 +1,6 @@
-//! Themes: what the roles of the console look like. A widget asks for a role ("warning"), never for a
-//! colour; a theme file gives each role a style and may inherit the rest from another theme. One that inherits
-//! nothing has to give every role that has no stand-in.
+//! Themes: the styles of the console's roles. A widget uses a role ("warning"), never a colour; a theme file gives
+//! roles a style and may inherit the rest from another theme. One that inherits nothing must define every role that
+//! has no stand-in.
 
 use std::collections::BTreeMap;
 
@@ -24,18 +24,18 @@ const EMBEDDED: [(&str, &str); 4] = [
     ("monochrome", include_str!("../../themes/monochrome.toml")),
 ];
 
-/// What a piece of the screen means.
+/// The meaning of a piece of the screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Role {
     /// Ordinary text, and the background of everything.
     Text,
-    /// Labels, units and whatever else may stay in the background.
+    /// Labels, units and other secondary text.
     Muted,
     /// Names of panes and columns.
     Title,
     /// The rules between panes and around them.
     Border,
-    /// What deserves a second look without being good or bad.
+    /// Something to notice that is neither good nor bad.
     Accent,
     /// The first line of the screen.
     Header,
@@ -49,21 +49,21 @@ pub enum Role {
     Danger,
     /// The word of an input that is wrong.
     Error,
-    /// Its motors may turn: the loudest of the states of a vehicle.
+    /// An armed vehicle: the most conspicuous state.
     Armed,
-    /// It may be armed: calm.
+    /// A vehicle that can be armed.
     Ready,
     /// An alert that waits to be acknowledged.
     Alert,
     /// Where vehicles may fly.
     Fence,
-    /// What the sensors have shown and nothing has confirmed.
+    /// Unconfirmed readings of the sensors.
     Contact,
-    /// Gas, fire, water, radiation.
+    /// A hazard: gas, fire, water, radiation.
     Hazard,
-    /// What cannot be had or flown yet.
+    /// Something locked.
     Locked,
-    /// The colours that drones and teams are told apart by.
+    /// The colours that distinguish drones and teams.
     Drone1,
     Drone2,
     Drone3,
@@ -104,7 +104,7 @@ impl Role {
         ("drone6", Self::Drone6),
     ];
 
-    /// What drones and teams are drawn in, one after another.
+    /// The roles for drones and teams, in order.
     pub const DRONES: [Self; 6] = [
         Self::Drone1,
         Self::Drone2,
@@ -114,8 +114,8 @@ impl Role {
         Self::Drone6,
     ];
 
-    /// The role whose style a theme that inherits nothing uses for this one where it does not give its own: a theme
-    /// needs only the roles that every theme had from the beginning.
+    /// The role that replaces this one in a theme that neither inherits nor defines it: a theme needs only the roles
+    /// of the first version.
     fn stand_in(self) -> Option<Self> {
         match self {
             Self::Armed | Self::Alert => Some(Self::Danger),
@@ -155,19 +155,19 @@ pub struct Theme {
 }
 
 impl Theme {
-    /// The names of the themes that are part of the program.
+    /// The names of the embedded themes.
     pub fn names() -> impl Iterator<Item = &'static str> {
         EMBEDDED.iter().map(|&(name, _)| name)
     }
 
-    /// One of the themes that are part of the program.
+    /// An embedded theme.
     pub fn named(name: &str) -> Option<Self> {
         let (name, source) = EMBEDDED.iter().find(|(known, _)| *known == name)?;
         Themes::default().read(name, source).ok()
     }
 
-    /// The same with the colours that a terminal can show; without any colour it becomes the
-    /// monochrome theme, because a role that is told by its background alone would vanish.
+    /// The theme reduced to a terminal's colours; without any, the monochrome theme, because a role marked only by its
+    /// background would vanish.
     #[must_use]
     pub fn for_colours(&self, depth: ColourDepth) -> Self {
         if depth == ColourDepth::None {
@@ -176,7 +176,7 @@ impl Theme {
         let mut theme = self.mapped(|colour| depth.map(colour));
         let ground = |theme: &Self, role| theme.style(role).bg;
         for (&role, style) in &mut theme.styles {
-            // Where its own background has become that of all text, the line under the cursor would not show.
+            // If its background has become that of ordinary text, the cursor's line would be invisible.
             let is_lost = ground(self, role) != ground(self, Role::Text)
                 && style.bg.is_some()
                 && style.bg == self.style(Role::Text).bg.map(|colour| depth.map(colour));

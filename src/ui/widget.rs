@@ -1,4 +1,4 @@
-//! Parts of screens, and what they share: rules with titles, clipped and wrapped text, roles of states.
+//! Parts of screens, and shared helpers: rules with titles, clipped and wrapped text, roles of states.
 
 use std::time::Duration;
 
@@ -67,7 +67,7 @@ pub fn short_clock(time: Duration) -> String {
     text.strip_prefix('0').map_or(text.clone(), str::to_owned)
 }
 
-/// How a severity looks.
+/// The role of a severity.
 pub fn severity_role(severity: Severity) -> Role {
     match severity {
         Severity::Emergency | Severity::Alert | Severity::Critical | Severity::Error => {
@@ -80,7 +80,7 @@ pub fn severity_role(severity: Severity) -> Role {
     }
 }
 
-/// A medal in stars: three are gold.
+/// A medal as stars: three for gold.
 pub fn stars(medal: Option<Medal>) -> &'static str {
     match medal {
         Some(Medal::Gold) => "***",

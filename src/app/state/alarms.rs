@@ -1,4 +1,4 @@
-//! The active alerts: since when, and whether they are acknowledged.
+//! The active alerts: when they began, and whether they are acknowledged.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
@@ -8,31 +8,31 @@ use super::bell::{Bell, BellCall, Due};
 use crate::alert::AlertKind;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
 
-/// An alert that comes back this soon is the one that was there before.
+/// An alert that returns within this time counts as the same one.
 const FLICKER: Duration = Duration::from_secs(10);
 
 /// An alert of one vehicle.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Standing {
     pub alert: Alert,
-    /// Since when it is as serious as it is, on the program's clock.
+    /// When it reached its present severity, on the program's clock.
     pub since: Duration,
     /// Whether it is acknowledged.
     pub acknowledged: bool,
-    /// When it ended, for as long as it might come back.
+    /// When it ended, while it may still return.
     ended: Option<Duration>,
 }
 
-/// The worst kind of alert that is not acknowledged, with all its vehicles.
+/// The most urgent kind of unacknowledged alert, with all its vehicles.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Pressing<'a> {
-    /// The worst of them; the oldest of those.
+    /// The first of them: the most serious, then the oldest.
     pub first: &'a Standing,
     /// The vehicles that have the same kind of alert, sorted.
     pub vehicles: Vec<VehicleId>,
-    /// Whether all of them are told the same.
+    /// Whether all have the same text.
     pub alike: bool,
-    /// Alerts of other kinds that wait behind it.
+    /// The number of alerts of other kinds.
     pub others: usize,
 }
 
@@ -41,22 +41,22 @@ pub struct Pressing<'a> {
 pub struct Alarms {
     standing: BTreeMap<VehicleId, Vec<Standing>>,
     bell: Bell,
-    /// The vehicles whose processes have ended.
+    /// Vehicles whose processes have ended.
     pub(in crate::app) down: BTreeSet<VehicleId>,
-    /// The kinds that stay silent.
+    /// The muted kinds.
     muted: Vec<AlertKind>,
 }
 
 impl Alarms {
-    /// Takes over what the user has muted.
+    /// Sets the muted kinds.
     pub fn mute(&mut self, kinds: &[AlertKind]) {
         self.muted = kinds.to_vec();
     }
 
-    /// Looks at a vehicle: what is new or worse rings, what has ended goes. Whether anything changed.
+    /// Updates a vehicle's alerts: new or worse ones ring, ended ones disappear. Returns whether anything changed.
     pub fn observe(&mut self, vehicle: &Vehicle, now: Duration) -> bool {
         let is_down = self.down.contains(&vehicle.id);
-        // That nothing is heard of it follows from that.
+        // The lost link follows from that.
         let process = is_down.then(process_ended);
         let others = alerts(vehicle, now).filter(|one| !is_down || one.kind != AlertKind::LinkLost);
         let mut present = process.into_iter().chain(others).peekable();
@@ -82,13 +82,13 @@ impl Alarms {
         changed
     }
 
-    /// Forgets what is wrong with a vehicle.
+    /// Drops a vehicle's alerts.
     pub fn forget(&mut self, vehicle: VehicleId) {
         self.standing.remove(&vehicle);
         self.down.remove(&vehicle);
     }
 
-    /// A serious text rings too, unless the alert that it is about has done so.
+    /// Rings for a serious text, unless its alert has already done so.
     pub fn hear(&mut self, now: Duration, call: BellCall) {
         let stands = |id| self.of(id).any(|one| one.alert.kind == call.kind);
         if self.is_muted(call.kind) || call.vehicle.is_some_and(stands) {
@@ -97,24 +97,24 @@ impl Alarms {
         self.bell.call(now, call);
     }
 
-    /// Which signals are due; they count as given.
+    /// The signals that are due; they count as given.
     pub fn due(&mut self, now: Duration) -> Due {
         self.bell.due(now)
     }
 
-    /// What is wrong with a vehicle, one of a kind.
+    /// A vehicle's alerts, one per kind.
     pub fn of(&self, vehicle: VehicleId) -> impl Iterator<Item = &Standing> {
         let all = self.standing.get(&vehicle).into_iter().flatten();
         all.filter(|one| one.ended.is_none())
     }
 
-    /// What a vehicle's row says: what is not acknowledged before what is, the worst first.
+    /// The alert for a vehicle's row: unacknowledged before acknowledged, then the worst.
     pub fn worst(&self, vehicle: VehicleId) -> Option<&Standing> {
         self.of(vehicle)
             .min_by_key(|one| (self.is_calm(one), one.alert.severity))
     }
 
-    /// Whether an alert wants nothing any more: it has been acknowledged, or its kind is muted.
+    /// Whether an alert needs no more attention: it is acknowledged, or its kind is muted.
     pub fn is_calm(&self, one: &Standing) -> bool {
         one.acknowledged || self.is_muted(one.alert.kind)
     }
@@ -124,7 +124,7 @@ impl Alarms {
         self.muted.contains(&kind)
     }
 
-    /// The worst that is not acknowledged. A vehicle on the ground that is not ready is not urgent.
+    /// The worst unacknowledged alert. A vehicle on the ground that is not ready is not urgent.
     pub fn pressing(&self) -> Option<Pressing<'_>> {
         let open = || self.open();
         let (_, first) = open().min_by_key(|(_, one)| (one.alert.severity, one.since))?;
@@ -138,7 +138,7 @@ impl Alarms {
         })
     }
 
-    /// Takes note of the alerts that `which` names; how many there were.
+    /// Acknowledges the alerts that `which` selects; returns their number.
     pub fn acknowledge(&mut self, which: impl Fn(VehicleId, AlertKind) -> bool) -> usize {
         let mut count = 0;
         for (&id, standing) in &mut self.standing {
@@ -178,7 +178,7 @@ impl Alarms {
     }
 }
 
-/// The alert as it stands now: one that has become worse is a new one.
+/// The alert as it is now: one that has become worse counts as new.
 fn renewed(old: Option<Standing>, alert: Alert, since: impl Fn(AlertKind) -> Duration) -> Standing {
     match old {
         Some(old) if alert.severity >= old.alert.severity => Standing {
@@ -195,7 +195,7 @@ fn renewed(old: Option<Standing>, alert: Alert, since: impl Fn(AlertKind) -> Dur
     }
 }
 
-/// An alert whose condition holds no more, until it cannot come back as the same.
+/// An alert whose condition has ended, while it may still return.
 fn fading(old: Standing, now: Duration) -> Option<Standing> {
     let ended = old.ended.unwrap_or(now);
     (now.saturating_sub(ended) < FLICKER).then_some(Standing {
@@ -204,7 +204,7 @@ fn fading(old: Standing, now: Duration) -> Option<Standing> {
     })
 }
 
-/// When a condition began: a link is lost since something was heard last.
+/// When a condition began: a link is lost from the last message on.
 fn began(vehicle: &Vehicle, now: Duration) -> impl Fn(AlertKind) -> Duration {
     let last_heard = vehicle.link.last_heard;
     move |kind| {

@@ -9,33 +9,33 @@ use crate::vehicle::{
     EkfFlags, FixType, HomeReach, LandedState, Severity, StatusText, SystemStatus, Vehicle,
 };
 
-/// How long a text about a failsafe counts as the present state.
+/// How long a text about a failsafe counts as current.
 const TEXT_LIFE: Duration = Duration::from_secs(60);
-/// Battery warnings, in percent of the charge left: soon, and now.
+/// Battery levels in percent for a warning and for a critical alert.
 const BATTERY_LOW: u8 = 25;
 const BATTERY_CRITICAL: u8 = 10;
 /// EKF innovation test ratio above which ArduPilot's own failsafe acts (`FS_EKF_THRESH` 0.8).
 const EKF_LIMIT: f32 = 0.8;
-/// Above this vibration spoils the estimates (ArduPilot's documentation of VIBRATION), in m/s2.
+/// The vibration above which estimates suffer, in m/s2 (ArduPilot's documentation of VIBRATION).
 const VIBRATION_LIMIT: f32 = 60.0;
 
-/// A condition that holds now.
+/// A condition that is present now.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Alert {
     /// What it is about.
     pub kind: AlertKind,
     /// How serious it is.
     pub severity: Severity,
-    /// In a few words, the most telling first.
+    /// A few words, the most important first.
     pub text: Text,
 }
 
-/// The most serious present condition of a vehicle, if anything is wrong.
+/// A vehicle's most serious condition, if it has any.
 pub fn alert(vehicle: &Vehicle, now: Duration) -> Option<Alert> {
     alerts(vehicle, now).min_by_key(|alert| alert.severity)
 }
 
-/// Everything that is wrong with a vehicle now, one of a kind at most.
+/// All conditions of a vehicle, at most one per kind.
 pub fn alerts(vehicle: &Vehicle, now: Duration) -> impl Iterator<Item = Alert> {
     let found = [
         crashed(vehicle),
@@ -52,7 +52,7 @@ pub fn alerts(vehicle: &Vehicle, now: Duration) -> impl Iterator<Item = Alert> {
     found.into_iter().flatten()
 }
 
-/// That the process that simulates a vehicle has ended.
+/// The alert that a vehicle's simulator process has ended.
 pub fn process_ended() -> Alert {
     condition(AlertKind::Process, Severity::Alert, text!("alert-process"))
 }
@@ -73,8 +73,8 @@ fn recent_text<'a>(vehicle: &'a Vehicle, now: Duration, words: &[&str]) -> Optio
     found.map(|line| line.text.as_str())
 }
 
-/// That a vehicle has come down hard, or is coming down disarmed, until it is armed again. One that falls with a dead
-/// motor often stays armed on the ground.
+/// The alert of a vehicle that has hit the ground, or is falling disarmed, until it is armed again. One that falls
+/// with a dead motor often stays armed on the ground.
 fn crashed(vehicle: &Vehicle) -> Option<Alert> {
     let says = |text| Some(condition(AlertKind::Crash, Severity::Emergency, text));
     let armed = vehicle.armed();
@@ -84,7 +84,7 @@ fn crashed(vehicle: &Vehicle) -> Option<Alert> {
     let arming = |line: &StatusText| line.text.contains("Arming motors");
     let begin = vehicle.texts.iter().rposition(arming);
     if armed && begin.is_none() {
-        // What is known may be about an earlier flight.
+        // Earlier data may be from an earlier flight.
         return None;
     }
     let mut since_armed = vehicle.texts.iter().skip(begin.unwrap_or(0)).rev();
@@ -109,7 +109,7 @@ fn failsafe(vehicle: &Vehicle, now: Duration) -> Option<Alert> {
     if !matches!(status, SystemStatus::Critical | SystemStatus::Emergency) {
         return None;
     }
-    // A heartbeat can still tell of a failsafe that a text has just declared over, or of another one.
+    // A heartbeat can still report a failsafe that a text has just ended, or another one.
     let reason = recent_text(vehicle, now, &["ailsafe"]).filter(|text| !text.ends_with("Cleared"));
     let text = reason.map_or_else(|| text!("alert-failsafe"), Text::from);
     Some(condition(AlertKind::Failsafe, Severity::Critical, text))
@@ -169,7 +169,8 @@ fn battery(vehicle: &Vehicle) -> Option<Alert> {
     None
 }
 
-/// That the way home takes nearly all that is left. A vehicle that is on this way, or landing, does what it can.
+/// The alert that the way home needs nearly all the battery left. A vehicle that is returning or landing already gets
+/// none.
 fn way_home(vehicle: &Vehicle) -> Option<Alert> {
     let way_home = vehicle.way_home()?;
     let mode = vehicle.mode()?;

@@ -1,7 +1,7 @@
-//! When the console makes itself noticed beyond its screen: the terminal's bell and a note to the desktop.
+//! Signals beyond the screen: the terminal's bell and desktop notifications.
 //!
-//! Both are for what is serious, both wait so that many calls become one, and neither tells the same thing of a
-//! vehicle twice in a row.
+//! Both are for serious alerts only, both wait to merge several into one, and neither repeats the same alert of a
+//! vehicle.
 
 use std::time::Duration;
 
@@ -10,43 +10,43 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 
-/// What is less serious never makes itself noticed.
+/// The least severity for a signal.
 const LEAST: Severity = Severity::Critical;
 /// The time between two rings.
 const RING_EVERY: Duration = Duration::from_secs(5);
-/// What comes so soon after a ring is covered by it: trouble comes in waves.
+/// A ring covers further alerts within this time: trouble comes in waves.
 const COVERED: Duration = Duration::from_secs(2);
-/// How long a note waits for others that it can be folded with.
+/// How long a notification waits for others to merge with.
 const GATHER: Duration = Duration::from_secs(1);
-/// The time between two notes.
+/// The time between two notifications.
 const NOTE_EVERY: Duration = Duration::from_secs(10);
-/// For so long the same thing about the same vehicle is old news.
+/// The same alert of the same vehicle is not repeated within this time.
 const OLD_NEWS: Duration = Duration::from_secs(10);
 
-/// Something that may deserve a ring.
+/// An alert that may need a signal.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct BellCall {
     /// What it is about.
     pub kind: AlertKind,
     /// How serious it is.
     pub severity: Severity,
-    /// The vehicle, if one.
+    /// The vehicle, if any.
     pub vehicle: Option<VehicleId>,
-    /// In a few words.
+    /// A few words.
     pub text: Text,
-    /// Whether it has just become more serious than it was.
+    /// Whether it has just become more serious.
     pub worse: bool,
 }
 
-/// What is due now.
+/// The signals that are due.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Due {
     pub ring: bool,
-    /// A note to the desktop.
+    /// A desktop notification.
     pub note: Option<Text>,
 }
 
-/// What was told of a vehicle, and when. Messages are told apart by what they say, other alerts by their kind.
+/// An alert of a vehicle that was signalled, and when. Texts are distinguished by content, other alerts by kind.
 #[derive(Debug, Clone)]
 struct Told {
     vehicle: Option<VehicleId>,
@@ -55,7 +55,7 @@ struct Told {
     at: Duration,
 }
 
-/// The bell and what it owes.
+/// The bell and its pending signals.
 #[derive(Debug, Clone, Default)]
 pub struct Bell {
     news: Vec<Told>,
@@ -67,7 +67,7 @@ pub struct Bell {
 }
 
 impl Bell {
-    /// Takes a call; what is not serious, or known already, is passed over.
+    /// Takes an alert; minor or repeated ones are ignored.
     pub fn call(&mut self, now: Duration, call: BellCall) {
         let is_minor = call.severity > LEAST || call.kind == AlertKind::Prearm;
         if is_minor {
@@ -86,7 +86,7 @@ impl Bell {
         self.owed.push(call);
     }
 
-    /// Whether the same was told just now; it counts as told from now on.
+    /// Whether the same was signalled just now; it counts as signalled from now on.
     fn is_old_news(&mut self, now: Duration, call: &BellCall) -> bool {
         self.news
             .retain(|told| now.saturating_sub(told.at) < OLD_NEWS);
@@ -108,7 +108,7 @@ impl Bell {
         false
     }
 
-    /// What is due; it counts as done.
+    /// The due signals; they count as given.
     pub fn due(&mut self, now: Duration) -> Due {
         let long_ago =
             |at: Option<Duration>, time| at.is_none_or(|at| now.saturating_sub(at) >= time);
@@ -127,7 +127,7 @@ impl Bell {
     }
 }
 
-/// The calls in one line: the most serious kind with its vehicles, and how many others there are.
+/// The alerts in one line: the most serious kind with its vehicles, and the number of others.
 fn folded(calls: &[BellCall]) -> Text {
     let Some(worst) = calls.iter().min_by_key(|call| call.severity) else {
         return Text::default();

@@ -1,4 +1,4 @@
-//! The career of the trainee who sits here, as the console shows it.
+//! The trainee's career, as the console shows it.
 
 use crate::campaign::{
     Aids, CareerEntry, CareerStanding, Growth, LockReason, MissionCourse, MissionStage,
@@ -9,30 +9,30 @@ use crate::workshop::Design;
 
 mod outlook;
 
-/// Who trains here, and how far they have come. The shell hands in a new one after every change.
+/// The trainee's name and progress. The shell supplies a new one after every change.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Career {
     pub name: String,
-    /// Everything flown and bought, oldest first.
+    /// All flights and purchases, oldest first.
     pub history: Vec<CareerEntry>,
-    /// What the history amounts to.
+    /// The standing that follows from the history.
     pub standing: CareerStanding,
-    /// How it came to that.
+    /// The growth over time.
     pub growth: Growth,
-    /// The missions that a career consists of.
+    /// The missions of the career.
     pub course: MissionCourse,
     /// The trainee's own designs, by name.
     pub designs: Vec<Design>,
-    /// Today: days since 1970 in UTC.
+    /// Today, in days since 1970 (UTC).
     pub day: i64,
-    /// How much advice comes by itself.
+    /// The level of automatic advice.
     pub aids: Aids,
-    /// The language in which the trainee is to be met; `None` keeps the one that is in use.
+    /// The trainee's language; `None` keeps the one in use.
     pub language: Option<Language>,
 }
 
 impl Career {
-    /// A career by its history.
+    /// A career from its history.
     pub fn new(name: impl Into<String>, history: Vec<CareerEntry>, course: MissionCourse) -> Self {
         let translated = |entry| match entry {
             CareerEntry::Flight(flight) => CareerEntry::Flight(course.translated(flight)),
@@ -52,13 +52,13 @@ impl Career {
         }
     }
 
-    /// Whether all parts of a design are the trainee's.
+    /// Whether the trainee owns all parts of a design.
     pub fn may_fly(&self, design: &Design) -> bool {
         let missing = self.standing.missing_parts(design, &self.course);
         missing.is_empty()
     }
 
-    /// Why a mission may not be flown yet, if it is one of the course.
+    /// Why a mission of the course is locked, if it is.
     pub fn lock(&self, mission: &str) -> Option<Text> {
         let offer = self.course.offer(mission)?;
         let MissionStage::Locked(reasons) = self.course.stage(offer, &self.standing, self.day)

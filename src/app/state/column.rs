@@ -6,17 +6,17 @@ use super::{FlightView, Standing};
 use crate::config::Column;
 use crate::vehicle::Vehicle;
 
-/// What a row is ordered by.
+/// The sort key of a row.
 #[derive(Debug, Clone, PartialEq)]
 pub enum SortKey {
     Number(f64),
     Word(String),
-    /// Not known: last in either direction.
+    /// Unknown: last in either direction.
     Missing,
 }
 
 impl Column {
-    /// What a vehicle's row is ordered by. Words come as they are shown in English.
+    /// A vehicle's sort key. Words are sorted in English.
     pub fn key(self, vehicle: &Vehicle, session: &FlightView) -> SortKey {
         match self {
             Self::Name => SortKey::word(FlightView::class(vehicle)),
@@ -58,7 +58,7 @@ impl Column {
         }
     }
 
-    /// The figure in a column, in the column's unit; words are numbered by how much they matter.
+    /// The value in a column, in the column's unit; words are numbered by importance.
     pub fn number(self, vehicle: &Vehicle, session: &FlightView) -> Option<f64> {
         let battery = vehicle.battery();
         let place = vehicle.global.map(|global| global.at_point);
@@ -100,7 +100,7 @@ impl Column {
         }
     }
 
-    /// How much a figure has to change before its row may move.
+    /// The least change of a value that moves its row.
     pub fn step(self) -> f64 {
         match self {
             Self::Heading | Self::Home | Self::ToGo | Self::RoundTrip => 5.0,
@@ -124,7 +124,7 @@ impl Column {
     }
 }
 
-/// How much of what it sends arrives, in percent.
+/// The share of its messages that arrive, in percent.
 fn heard(vehicle: &Vehicle) -> f64 {
     if vehicle.link.lost {
         0.0
@@ -142,7 +142,7 @@ fn armed(vehicle: &Vehicle) -> f64 {
     }
 }
 
-/// The worst first; what is calm after what is not.
+/// The most serious first; acknowledged after unacknowledged.
 fn seriousness(session: &FlightView, one: &Standing) -> f64 {
     let calm = if session.alarms.is_calm(one) {
         10.0
@@ -161,7 +161,7 @@ impl SortKey {
         }
     }
 
-    /// Whether this is so near to what it was that its row should stay.
+    /// Whether the key is so close to the previous one that the row should stay.
     pub fn is_near(&self, before: &Self, step: f64) -> bool {
         match (self, before) {
             (Self::Number(now), Self::Number(before)) => (now - before).abs() < step,

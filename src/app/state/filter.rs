@@ -1,8 +1,8 @@
-//! Which vehicles are meant: words that all have to fit.
+//! The filter for vehicles: words that must all match.
 //!
-//! A word fits a vehicle by its number (`3`, `1-4,7`), its group (`@red`), a figure (`bat<30`), or because something
-//! that is known of it begins so: what it is, mode, `armed`, `ready`, `air`, the kinds of its alerts and their words in
-//! the language of the screen, and `alert` for any of them. `!` before a word turns it round.
+//! A word matches a vehicle's number (`3`, `1-4,7`), its group (`@red`), a value (`bat<30`), or the beginning of one
+//! of its properties: class, mode, `armed`, `ready`, `air`, the kinds of its alerts, the words of their texts in the
+//! screen's language, and `alert` for any alert. `!` before a word negates it.
 
 use super::{Alert, FlightView};
 use crate::config::Column;
@@ -10,7 +10,7 @@ use crate::language::parse_ranges;
 use crate::text::Locale;
 use crate::vehicle::{LandedState, Vehicle, VehicleId};
 
-/// What a filter asks for.
+/// A filter for vehicles.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct VehicleFilter(Vec<FilterTerm>);
 
@@ -30,7 +30,7 @@ enum Test {
 }
 
 impl VehicleFilter {
-    /// Reads what was written; every text is a filter.
+    /// Parses a filter; every text is valid.
     pub fn new(text: &str) -> Self {
         Self(
             text.split_whitespace()
@@ -43,7 +43,7 @@ impl VehicleFilter {
         self.0.is_empty()
     }
 
-    /// Whether a vehicle fits.
+    /// Whether a vehicle matches.
     pub fn fits(&self, vehicle: &Vehicle, session: &FlightView, locale: &Locale) -> bool {
         self.0
             .iter()
@@ -52,7 +52,7 @@ impl VehicleFilter {
 }
 
 impl FilterTerm {
-    /// A word that is still being written (`!`, `@`) asks for nothing yet.
+    /// An unfinished word (`!`, `@`) matches everything.
     fn new(word: &str) -> Option<Self> {
         let (negated, word) = match word.strip_prefix('!') {
             Some(rest) => (true, rest),
@@ -88,7 +88,7 @@ impl FilterTerm {
     }
 }
 
-/// A test of a figure against a bound, as in `bat<30` and `alt>10`.
+/// A comparison with a bound, as in `bat<30` and `alt>10`.
 fn comparison(word: &str) -> Option<Test> {
     let at = word.find(['<', '>'])?;
     let column: Column = word[..at].parse().ok()?;
@@ -100,7 +100,7 @@ fn comparison(word: &str) -> Option<Test> {
     })
 }
 
-/// Whether something that is known of a vehicle begins with `start`, which is in small letters.
+/// Whether a property of a vehicle begins with `start`, in lower case.
 fn says(start: &str, vehicle: &Vehicle, session: &FlightView, locale: &Locale) -> bool {
     let begins = |word: &str| word.to_lowercase().starts_with(start);
     let mode = vehicle.mode().map(|mode| mode.to_string());
@@ -113,7 +113,7 @@ fn says(start: &str, vehicle: &Vehicle, session: &FlightView, locale: &Locale) -
             .any(|one| says_alert(start, &one.alert, locale))
 }
 
-/// Whether an alert is of a kind whose name begins with `start`, or a word of its text does, as the screen shows it.
+/// Whether the name of an alert's kind, or a word of its text on the screen, begins with `start`.
 fn says_alert(start: &str, alert: &Alert, locale: &Locale) -> bool {
     ["alert", alert.kind.name()]
         .iter()
@@ -125,7 +125,7 @@ fn says_alert(start: &str, alert: &Alert, locale: &Locale) -> bool {
             .any(|word| word.starts_with(start))
 }
 
-/// The words of the grammar for the state that a vehicle is in.
+/// The words for a vehicle's state.
 fn states(vehicle: &Vehicle) -> impl Iterator<Item = &'static str> {
     let arming: &[&str] = match vehicle.heartbeat {
         None => &[],

@@ -1,4 +1,4 @@
-//! What is being flown: forgotten as a whole when the session ends.
+//! The session; dropped as a whole when it ends.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -19,48 +19,48 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Vehicle, VehicleClass, VehicleId, Vehicles};
 
-/// What the console knows of the flight: its vehicles, its mission, and what was selected and said.
+/// The console's view of a session: its vehicles, its mission, the selection and the notices.
 #[derive(Debug, Clone, Default)]
 pub struct FlightView {
-    /// What is being done; `None` between sessions.
+    /// The kind of session; `None` between sessions.
     pub(in crate::app) activity: Option<Activity>,
-    /// The room that it begins in once its vehicles are there.
+    /// The room to show once its vehicles are there.
     pub(in crate::app) first_room: Room,
     /// When it began, on the program's clock.
     pub(in crate::app) began_at: Duration,
-    /// The vehicles that belong here; none named means all that are heard.
+    /// The vehicles that belong to it; empty for all that are heard.
     pub(in crate::app) expected: BTreeSet<VehicleId>,
-    /// The vehicles, as their telemetry said last.
+    /// The vehicles with their latest telemetry.
     pub(in crate::app) vehicles: Vehicles,
-    /// What their readings were.
+    /// The histories of their readings.
     pub(in crate::app) histories: Histories,
-    /// The vehicles that commands go to; none selected means the one under the cursor.
+    /// The selected vehicles; without any, commands go to the one under the cursor.
     pub(in crate::app) selection: Selection,
     /// The vehicle under the cursor.
     pub(in crate::app) cursor: Option<VehicleId>,
-    /// What is wrong with them.
+    /// Their alerts.
     pub(in crate::app) alarms: Alarms,
     /// All commands of the session.
     pub(in crate::app) ledger: Ledger,
     /// The links, in the order of their addresses.
     pub(in crate::app) links: Vec<LinkSummary>,
-    /// The processes that simulate the vehicles, where there are any.
+    /// The processes that simulate the vehicles, if any.
     pub(in crate::app) hangar: Option<Hangar>,
-    /// The mission that is flown, if one is.
+    /// The mission, if there is one.
     pub(in crate::app) listing: Option<Box<Listing>>,
-    /// What the link doctor has found, worst first.
+    /// The findings of the link doctor, worst first.
     pub(in crate::app) findings: Vec<LinkFinding>,
-    /// Findings that were told already, by link and name.
+    /// Findings already reported, by link and name.
     pub(in crate::app) told: BTreeSet<(usize, &'static str)>,
-    /// The mission's progress, if one is flown.
+    /// The mission's progress, if there is one.
     pub(in crate::app) mission: Option<Progress>,
-    /// How late it was in the mission.
+    /// Mission time by the program's clock.
     pub(in crate::app) clock: SessionTime,
-    /// How high the highest vehicle was, by mission time.
+    /// The greatest height of any vehicle, by mission time.
     pub(in crate::app) heights: Heights,
-    /// Whether the mission is over: its debrief is there.
+    /// Whether the mission is over and its debrief is ready.
     pub(in crate::app) over: bool,
-    /// Whether its time passes.
+    /// Whether time runs.
     pub(in crate::app) flow: TimeFlow,
     /// The groups that commands may name.
     pub(in crate::app) groups: Groups,
@@ -68,45 +68,45 @@ pub struct FlightView {
     pub(in crate::app) places: BTreeMap<String, LatLon>,
     /// The areas of the mission that are known from the start.
     pub(in crate::app) areas: Vec<Area>,
-    /// What vehicles that do something together are going to fly.
+    /// The planned paths of vehicles in a joint manoeuvre.
     pub(in crate::app) paths: Vec<Path>,
-    /// The entries of the ledger that were under way when the newest for the vehicle was opened, and that one.
+    /// For each vehicle, its newest ledger entry and those that were under way when that was opened.
     recent: BTreeMap<VehicleId, Vec<EntryId>>,
-    /// How fast simulated time passes.
+    /// The speed-up of simulated time.
     pub(in crate::app) pace: SessionPace,
-    /// Whether the user has put the cursor somewhere.
+    /// Whether the user has moved the cursor.
     cursor_placed: bool,
 }
 
-/// Whether the time of a session passes.
+/// Whether a session's time runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum TimeFlow {
     #[default]
     Passes,
-    /// It stands still in a pause.
+    /// The session is paused.
     Paused,
-    /// The mission has not begun, because its brief has not been left.
+    /// The mission has not begun: its brief is still shown.
     AwaitsReader,
 }
 
-/// What a session is about.
+/// The kind of session.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Activity {
     /// A mission with the given id.
     Mission {
         id: String,
         title: Text,
-        /// What it is flown for.
+        /// The stake of the flight.
         stake: Stake,
     },
     /// Simulated vehicles without a task.
     Free,
-    /// Vehicles that were there already, at these addresses.
+    /// Running vehicles at these addresses.
     Connected { addresses: Vec<String> },
 }
 
 impl Activity {
-    /// What the header says.
+    /// Its title in the header.
     pub fn title(&self) -> Text {
         match self {
             Self::Mission { title, .. } => title.clone(),
@@ -126,7 +126,7 @@ impl FlightView {
         }
     }
 
-    /// Takes over what the user had chosen in the view before.
+    /// Takes over the user's choices from the previous view.
     pub(in crate::app) fn keep_choices(&mut self, before: Self) {
         self.selection = before.selection;
         self.groups = before.groups;
@@ -137,7 +137,7 @@ impl FlightView {
         }
     }
 
-    /// Its clock begins at zero; in a mission the mission's does.
+    /// Starts its clock at zero; in a mission, that of the mission.
     pub(in crate::app) fn begin(&mut self, now: Duration) {
         self.began_at = now;
         if self.activity == Some(Activity::Free) {
@@ -146,7 +146,7 @@ impl FlightView {
         }
     }
 
-    /// A time of the program's clock on the session's, which begins at zero: in a mission it is the mission's.
+    /// Session time for a time of the program's clock; in a mission, mission time.
     pub fn time(&self, at: Duration) -> Duration {
         let clock = self.clock.at(at);
         clock.unwrap_or_else(|| at.saturating_sub(self.began_at))
@@ -166,7 +166,7 @@ impl FlightView {
         entry
     }
 
-    /// The command that a vehicle is at, with how it goes there: the newest one under way, else the newest.
+    /// A vehicle's current command and its row: the newest one under way, otherwise the newest.
     pub fn latest(&self, vehicle: VehicleId) -> Option<(&LedgerEntry, &LedgerRow)> {
         let recent = self.recent.get(&vehicle)?;
         let found = |&id: &EntryId| row(&self.ledger, id, vehicle);
@@ -176,7 +176,7 @@ impl FlightView {
             .or_else(|| recent.last().and_then(found))
     }
 
-    /// What a vehicle is, in the grammar's words.
+    /// A vehicle's class, in the grammar's words.
     pub fn class(vehicle: &Vehicle) -> &'static str {
         match vehicle.heartbeat.map(|heartbeat| heartbeat.class) {
             Some(VehicleClass::Copter) => "copter",
@@ -187,24 +187,24 @@ impl FlightView {
         }
     }
 
-    /// What a vehicle is called: what it is.
+    /// A vehicle's display name: its class.
     pub fn name(vehicle: &Vehicle) -> Text {
         Text::new(format!("class-{}", Self::class(vehicle)), Vec::new())
     }
 
-    /// Why nothing is heard, as far as the link doctor knows; a link that is not open says so itself.
+    /// Why no vehicle is heard, by the link doctor; a closed link shows its own error.
     pub fn worst_finding(&self) -> Option<&LinkFinding> {
         let worst = self.findings.first()?;
         let is_told = worst.cause.weight() == Weight::Fatal && worst.cause != Cause::NotOpen;
         is_told.then_some(worst)
     }
 
-    /// Whether vehicles are still being started for it.
+    /// Whether its vehicles are still starting.
     pub fn is_starting(&self) -> bool {
         self.hangar.as_ref().is_some_and(|hangar| !hangar.begun)
     }
 
-    /// The most serious thing that is wrong with a vehicle now, if anything is.
+    /// A vehicle's most serious condition now, if it has any.
     pub fn alert(&self, vehicle: &Vehicle, now: Duration) -> Option<Alert> {
         let is_down = self.alarms.down.contains(&vehicle.id);
         let process = is_down.then(super::alert::process_ended);
@@ -214,7 +214,7 @@ impl FlightView {
             .min_by_key(|alert| alert.severity)
     }
 
-    /// How many vehicles are armed.
+    /// The number of armed vehicles.
     pub fn armed(&self) -> usize {
         self.vehicles
             .values()
@@ -222,21 +222,20 @@ impl FlightView {
             .count()
     }
 
-    /// The names of the groups that a vehicle belongs to.
+    /// The names of a vehicle's groups.
     pub fn groups_of(&self, vehicle: VehicleId) -> Vec<&str> {
         let mine = |members: &[VehicleId]| members.contains(&vehicle);
         let groups = self.groups.iter().filter(|(_, members)| mine(members));
         groups.map(|(name, _)| name.as_str()).collect()
     }
 
-    /// Puts the cursor on a vehicle, where it stays.
+    /// Puts the cursor on a vehicle and keeps it there.
     pub fn place_cursor(&mut self, id: VehicleId) {
         self.cursor = Some(id);
         self.cursor_placed = true;
     }
 
-    /// Takes a snapshot over. Until the user moves the cursor it is on the first vehicle, whichever
-    /// happens to be heard first.
+    /// Takes a snapshot of a vehicle. Until the user moves the cursor, it is on the vehicle with the lowest number.
     pub fn insert(&mut self, vehicle: Arc<Vehicle>) {
         let id = vehicle.id;
         self.vehicles.insert(id, vehicle);
@@ -248,18 +247,18 @@ impl FlightView {
         }
     }
 
-    /// The vehicles that `all` means.
+    /// The vehicles of the target `all`.
     pub fn all(&self) -> impl Iterator<Item = VehicleId> + '_ {
         let ids = self.vehicles.keys().copied();
         ids.filter(|id| self.expects(*id))
     }
 
-    /// Whether a vehicle belongs here.
+    /// Whether a vehicle belongs to the session.
     pub fn expects(&self, vehicle: VehicleId) -> bool {
         self.expected.is_empty() || self.expected.contains(&vehicle)
     }
 
-    /// Forgets a vehicle, and that anything is still expected of it.
+    /// Drops a vehicle and its pending commands.
     pub fn forget(&mut self, vehicle: VehicleId, now: Duration) {
         for entry in self.recent.remove(&vehicle).unwrap_or_default() {
             let known = row(&self.ledger, entry, vehicle).map(|(_, row)| row.tries);

@@ -1,4 +1,4 @@
-//! Another flight of the same mission, shown beside the one that is flown or replayed.
+//! A ghost: another flight of the same mission, shown beside the present one.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -6,17 +6,17 @@ use std::time::Duration;
 use crate::comparison::ComparedFlight;
 use crate::moment::Alignment;
 
-/// Another flight, and how its time is laid upon that of the one that is shown.
+/// Another flight, and how its time is aligned with that of the present one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ghost {
     pub other: Arc<ComparedFlight>,
-    /// The flight that is replayed, all of it; `None` while one is flown.
+    /// The whole replayed flight; `None` during a live one.
     pub own: Option<Arc<ComparedFlight>>,
     alignment: Alignment,
 }
 
 impl Ghost {
-    /// One that begins together with the flight that is shown.
+    /// A ghost that starts together with the present flight.
     pub fn new(other: Arc<ComparedFlight>, own: Option<Arc<ComparedFlight>>) -> Self {
         Self {
             other,
@@ -25,12 +25,12 @@ impl Ghost {
         }
     }
 
-    /// What the times are laid upon each other by.
+    /// The alignment of the two times.
     pub fn alignment(&self) -> Alignment {
         self.alignment
     }
 
-    /// Lays the times upon each other by something else; returns whether it happened in both flights.
+    /// Changes the alignment; returns false if the event is missing in one of the flights.
     pub fn align(&mut self, alignment: Alignment) -> bool {
         let is_in_both = self.anchors(alignment).is_some();
         if is_in_both {
@@ -39,17 +39,17 @@ impl Ghost {
         is_in_both
     }
 
-    /// The other flight's time when the one that is shown has flown for so long; nothing before its start.
+    /// The ghost's time at a time of the present flight; `None` before its start.
     pub fn time(&self, elapsed: Duration) -> Option<Duration> {
         let anchors = self.anchors(self.alignment)?;
         (elapsed + anchors.other).checked_sub(anchors.own)
     }
 
-    /// When both flights were at what they are aligned by.
+    /// The times of the aligning event in both flights.
     fn anchors(&self, alignment: Alignment) -> Option<Anchors> {
         let own = match &self.own {
             Some(own) => own.anchor(alignment)?,
-            // Of a flight under way only the start is known for certain.
+            // For a live flight only the start is certain.
             None if alignment == Alignment::Start => Duration::ZERO,
             None => return None,
         };
@@ -58,7 +58,7 @@ impl Ghost {
     }
 }
 
-/// Times at which two flights are laid upon each other.
+/// The times at which two flights are aligned.
 struct Anchors {
     own: Duration,
     other: Duration,

@@ -9,23 +9,23 @@ use crate::vehicle::VehicleId;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Instance {
     pub vehicle: VehicleId,
-    /// The service that it runs by; `None` is this program.
+    /// The hangar service that runs it; `None` for this program.
     pub host: Option<String>,
-    /// How far it has come.
+    /// The stage of its start.
     pub stage: SitlStage,
-    /// How many parameters have come, and how many there are; 0 while that is unknown.
+    /// The parameters received, and their number; 0 while unknown.
     pub parameters: [u16; 2],
-    /// The process, while there is one.
+    /// The process id, while it runs.
     pub pid: Option<u32>,
-    /// How often it was started again.
+    /// The number of restarts.
     pub restarts: u32,
     /// Resident memory in bytes.
     pub memory_bytes: u64,
-    /// Processor time lately, in percent of a core.
+    /// Recent processor use, in percent of a core.
     pub processor_percent: Option<f32>,
-    /// Why it has ended, unless it was asked to.
+    /// Why it ended, unless it was stopped on request.
     pub fault: Option<String>,
-    /// What it lacks, or what happens next.
+    /// What is missing, or the next step.
     pub hint: Option<String>,
     /// The last lines that it printed, oldest first.
     pub output: Vec<String>,
@@ -34,7 +34,7 @@ pub struct Instance {
 }
 
 impl Instance {
-    /// How far it has come on its way to being ready, 0 to 1.
+    /// The progress of its start, 0 to 1.
     pub fn progress(&self) -> f32 {
         match self.stage {
             SitlStage::Queued | SitlStage::Stopping | SitlStage::Ended => 0.0,
@@ -49,7 +49,7 @@ impl Instance {
         }
     }
 
-    /// The same in words.
+    /// The stage as text.
     pub fn says(&self) -> Text {
         match self.stage {
             SitlStage::Queued => text!("hangar-stage-queued"),
@@ -69,7 +69,7 @@ impl Instance {
         }
     }
 
-    /// Whether it has ended without being asked to.
+    /// Whether it has ended without a request.
     pub fn has_crashed(&self) -> bool {
         self.stage == SitlStage::Ended && self.fault.is_some()
     }
@@ -78,25 +78,25 @@ impl Instance {
 /// The processes of a session.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Hangar {
-    /// They, in the order of their vehicles.
+    /// The processes, in the order of their vehicles.
     pub(in crate::app) instances: Vec<Instance>,
-    /// How many there are to be.
+    /// The expected number of processes.
     pub(in crate::app) expected: usize,
     /// Why they could not be started.
     pub(in crate::app) fault: Option<Text>,
-    /// What the process that is looked at has printed.
+    /// The output of the process on the screen.
     pub(in crate::app) printed: Option<(VehicleId, Vec<String>)>,
-    /// Whether all have been ready at once: from then on it is flown.
+    /// Whether all have been ready at once: then the flight begins.
     pub(in crate::app) begun: bool,
 }
 
 impl Hangar {
-    /// They, in the order of their vehicles.
+    /// The processes, in the order of their vehicles.
     pub fn instances(&self) -> &[Instance] {
         &self.instances
     }
 
-    /// How many there are to be.
+    /// The expected number of processes.
     pub fn expected(&self) -> usize {
         self.expected
     }
@@ -106,18 +106,18 @@ impl Hangar {
         self.fault.as_ref()
     }
 
-    /// Whether all have been ready at once: from then on it is flown.
+    /// Whether all have been ready at once: then the flight begins.
     pub fn has_begun(&self) -> bool {
         self.begun
     }
 
-    /// The one of a vehicle.
+    /// The process of a vehicle.
     pub fn of(&self, vehicle: VehicleId) -> Option<&Instance> {
         let mut all = self.instances.iter();
         all.find(|instance| instance.vehicle == vehicle)
     }
 
-    /// What a process has printed, oldest first: of the one that is looked at more than its last words.
+    /// A process's output, oldest first; for the one on the screen, more than the last lines.
     pub fn output<'a>(&'a self, instance: &'a Instance) -> &'a [String] {
         match &self.printed {
             Some((vehicle, lines)) if *vehicle == instance.vehicle => lines,
@@ -125,13 +125,13 @@ impl Hangar {
         }
     }
 
-    /// How many are ready.
+    /// The number of ready processes.
     pub fn ready(&self) -> usize {
         let ready = |instance: &&Instance| instance.stage == SitlStage::Ready;
         self.instances.iter().filter(ready).count()
     }
 
-    /// Whether all that are expected are ready now.
+    /// Whether all expected ones are ready now.
     pub fn is_ready(&self) -> bool {
         self.expected > 0 && self.ready() >= self.expected
     }

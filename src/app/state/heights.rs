@@ -2,12 +2,12 @@
 
 use std::time::Duration;
 
-/// The parts of a flight at first; they grow with it.
+/// The initial length of an interval; it doubles when needed.
 const FINEST: Duration = Duration::from_millis(500);
-/// Parts that are kept. Beyond these, two become one that is twice as long.
+/// The most intervals. Beyond that, pairs are merged.
 const PARTS: usize = 1024;
 
-/// The highest height of each part of a flight, in metres above home; all parts are equally long.
+/// The greatest height in each interval of a flight, in metres above home; all intervals are equally long.
 #[derive(Debug, Clone)]
 pub struct Heights {
     part: Duration,
@@ -24,7 +24,7 @@ impl Default for Heights {
 }
 
 impl Heights {
-    /// Takes down a height at a time of the mission; `None` where it is not known.
+    /// Records a height at a mission time; `None` if unknown.
     pub fn note(&mut self, elapsed: Duration, height_m: Option<f64>) {
         let mut at = self.place(elapsed);
         while at >= PARTS {
@@ -38,7 +38,7 @@ impl Heights {
         *known = higher(*known, height_m);
     }
 
-    /// From the beginning on, one for each part.
+    /// One value per interval, from the start.
     pub fn all(&self) -> &[Option<f64>] {
         &self.highest_m
     }

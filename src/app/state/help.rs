@@ -1,4 +1,4 @@
-//! The help, made from the keymap and the verb table.
+//! The help, generated from the keymap and the verb table.
 
 use unicode_width::UnicodeWidthStr as _;
 
@@ -8,35 +8,35 @@ use crate::language::{Channel, VerbRow, rows};
 use crate::text;
 use crate::text::{Locale, Text, wrap};
 
-/// Columns of a usage that leaves room for an explanation beside it.
+/// The most columns of a usage with an explanation beside it.
 pub const SHORT_USAGE: usize = 22;
 
-/// Columns of a summary that fits beside it.
+/// The most columns of such an explanation.
 const SHORT_SUMMARY: usize = 49;
-/// Columns of a usage that stands alone.
+/// The width of a usage on its own.
 const USAGE_WIDTH: usize = 64;
-/// Columns of a note.
+/// The width of a note.
 const NOTE_WIDTH: usize = 66;
 
 /// One line of the help.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum HelpLine {
     Title(String),
-    /// Something to press or write, and what it does.
+    /// A key or a command, and what it does.
     Entry(String, String),
     /// An explanation below an entry.
     Note(String),
     Blank,
 }
 
-/// The help while it is read.
+/// The state of the help.
 #[derive(Debug, Clone, Default)]
 pub struct HelpPage {
     /// The first line shown.
     pub(in crate::app) scroll: usize,
-    /// What the lines that are shown contain.
+    /// The search text.
     pub(in crate::app) search: String,
-    /// Whether that is being written.
+    /// Whether the search text is being typed.
     pub(in crate::app) is_searching: bool,
 }
 
@@ -46,17 +46,17 @@ impl HelpPage {
         self.scroll
     }
 
-    /// What the lines that are shown contain.
+    /// The search text.
     pub fn search(&self) -> &str {
         &self.search
     }
 
-    /// Whether what is searched for is being written.
+    /// Whether the search text is being typed.
     pub fn is_searching(&self) -> bool {
         self.is_searching
     }
 
-    /// The lines of the help that are shown.
+    /// The lines of the help that match the search.
     pub fn lines(&self, keymap: &Keymap, here: Room, locale: &Locale) -> Vec<HelpLine> {
         let lines = help_lines(keymap, here, locale);
         if self.search.is_empty() {
@@ -65,7 +65,7 @@ impl HelpPage {
         found(&lines, &self.search)
     }
 
-    /// The places of the titles among them.
+    /// The indices of the titles among them.
     pub fn titles(&self, keymap: &Keymap, here: Room, locale: &Locale) -> Vec<usize> {
         let lines = self.lines(keymap, here, locale).into_iter().enumerate();
         let titles = lines.filter(|(_, line)| matches!(line, HelpLine::Title(_)));
@@ -73,8 +73,8 @@ impl HelpPage {
     }
 }
 
-/// The sections that contain a text, each with its title and what of it does: an entry goes with the notes below it,
-/// and a title that contains it with its whole section.
+/// The matching part of each section under its title: an entry keeps the notes below it, and a matching title keeps
+/// its whole section.
 fn found(lines: &[HelpLine], text: &str) -> Vec<HelpLine> {
     let wanted = text.to_lowercase();
     let holds = |line: &HelpLine| {
@@ -106,7 +106,7 @@ fn found(lines: &[HelpLine], text: &str) -> Vec<HelpLine> {
     found
 }
 
-/// The whole help, in a language: what works in the room that one is in comes first, its keys and then the commands.
+/// The whole help in a language; the present room comes first, its keys and then the commands.
 pub fn help_lines(keymap: &Keymap, here: Room, locale: &Locale) -> Vec<HelpLine> {
     let nearby = [Place::In(here), Place::Anywhere];
     let elsewhere = Place::all().filter(|place| !nearby.contains(place));
@@ -127,7 +127,7 @@ pub fn help_lines(keymap: &Keymap, here: Room, locale: &Locale) -> Vec<HelpLine>
     lines
 }
 
-/// The part of the help that is about lines rather than keys.
+/// The part of the help about commands.
 pub fn command_help(channel: Channel, locale: &Locale) -> Vec<HelpLine> {
     let title = |text: Text| HelpLine::Title(locale.text(&text));
     let mut lines = vec![title(text!("help-commands"))];
@@ -143,7 +143,7 @@ pub fn command_help(channel: Channel, locale: &Locale) -> Vec<HelpLine> {
     lines
 }
 
-/// A verb: its summary beside its usage, or below where one of them is long.
+/// A verb with its summary beside its usage, or below if one of them is long.
 fn explained(usages: &[String], summary: &str) -> Vec<HelpLine> {
     if let [usage] = usages
         && usage.width() <= SHORT_USAGE
@@ -156,7 +156,7 @@ fn explained(usages: &[String], summary: &str) -> Vec<HelpLine> {
     lines
 }
 
-/// A usage by itself, in as many lines as it needs.
+/// A usage on lines of its own.
 fn alone(usage: &str) -> Vec<HelpLine> {
     let parts = wrap(usage, USAGE_WIDTH);
     let indents = std::iter::once("").chain(std::iter::repeat("    "));
@@ -166,7 +166,7 @@ fn alone(usage: &str) -> Vec<HelpLine> {
         .collect()
 }
 
-/// A text in lines of the width of notes.
+/// A text wrapped to the width of notes.
 fn notes(text: &str) -> Vec<HelpLine> {
     let mut lines = vec![String::new()];
     for word in text.split_whitespace() {

@@ -5,21 +5,21 @@ use std::time::Duration;
 
 use crate::vehicle::{Vehicle, VehicleId, Vehicles};
 
-/// Two samples a second.
+/// The sampling interval.
 pub const SAMPLE_EVERY: Duration = Duration::from_millis(500);
-/// Ten minutes of them. At 14 bytes each that is 16.8 kB a vehicle, 17 MB for a thousand.
+/// The number of samples kept: ten minutes. At 14 bytes each that is 16.8 kB a vehicle, 17 MB for a thousand.
 const SAMPLES_KEPT: usize = 1200;
-/// A reading that is not known.
+/// The value of an unknown reading.
 const UNKNOWN: i16 = i16::MIN;
 
-/// A reading that is kept.
+/// A recorded reading.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Channel {
     /// Height above home, in metres.
     Altitude,
     /// Speed over ground, in m/s.
     Speed,
-    /// How fast the vehicle climbs, in m/s.
+    /// Vertical speed, in m/s, positive up.
     Climb,
     /// Voltage of the main pack, in volts.
     Voltage,
@@ -27,12 +27,12 @@ pub enum Channel {
     Current,
     /// Charge left in the main pack, in percent.
     Remaining,
-    /// How far the throttle is open, in percent.
+    /// Throttle, in percent.
     Throttle,
 }
 
 impl Channel {
-    /// All of them, in the order in which they are shown.
+    /// All channels, in display order.
     pub const ALL: [Self; 7] = [
         Self::Altitude,
         Self::Speed,
@@ -43,7 +43,7 @@ impl Channel {
         Self::Throttle,
     ];
 
-    /// What it reads now.
+    /// Its present value.
     pub fn reading(self, vehicle: &Vehicle) -> Option<f32> {
         let pack = vehicle.battery();
         let value = match self {
@@ -58,13 +58,13 @@ impl Channel {
             Self::Remaining => pack.and_then(|pack| pack.remaining_percent.map(f32::from)),
             Self::Throttle => vehicle.hud.map(|hud| f32::from(hud.throttle_percent)),
         };
-        // Adding zero turns a rounded -0 into +0, which does not flicker.
+        // Adding zero turns a rounded -0 into +0, so that the sign does not flicker.
         value
             .filter(|value| value.is_finite())
             .map(|value| value + 0.0)
     }
 
-    /// Steps of a stored number per unit: fine enough to show, coarse enough for the range of an i16.
+    /// Stored steps per unit: fine enough for display, coarse enough for the range of an i16.
     fn scale(self) -> f32 {
         match self {
             Self::Altitude | Self::Current => 10.0,
@@ -74,13 +74,13 @@ impl Channel {
 
     fn stored(self, vehicle: &Vehicle) -> i16 {
         self.reading(vehicle).map_or(UNKNOWN, |value| {
-            // The cast saturates; the lowest number is taken.
+            // The cast saturates; the lowest number is reserved.
             ((value * self.scale()).round() as i16).max(UNKNOWN + 1)
         })
     }
 }
 
-/// How far back a curve reaches.
+/// The time span of a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Window {
     /// The last 30 s.
@@ -93,7 +93,7 @@ pub enum Window {
 }
 
 impl Window {
-    /// The next longer one; the shortest after the longest.
+    /// The next longer span; after the longest, the shortest.
     #[must_use]
     pub fn next(self) -> Self {
         match self {
@@ -119,7 +119,7 @@ impl Window {
     }
 }
 
-/// What one vehicle's readings were.
+/// The recorded readings of one vehicle.
 #[derive(Debug, Clone)]
 pub struct History {
     samples: VecDeque<[i16; Channel::ALL.len()]>,
@@ -138,13 +138,13 @@ impl History {
         }
     }
 
-    /// For how long it has been armed, or was when it was armed last, as far as it was heard, to half a second; zero
-    /// if it has not been armed since it was booted.
+    /// How long it has been armed, or was the last time, to half a second, as far as it was heard; zero if it has not
+    /// been armed since it booted.
     pub fn armed_for(&self) -> Duration {
         self.armed_for
     }
 
-    /// Counts one more sample of being armed; arming and booting begin at zero.
+    /// Counts one more armed sample; arming and booting reset the count.
     fn count(&mut self, vehicle: &Vehicle) {
         let is_armed = vehicle.armed();
         let is_rebooted = self.reboots != vehicle.link.reboots;
@@ -157,8 +157,8 @@ impl History {
         (self.is_armed, self.reboots) = (is_armed, vehicle.link.reboots);
     }
 
-    /// The readings of a channel within a window, oldest first, one per sample; `None` where unknown. Fewer than
-    /// the window has room for if the vehicle has not been known for so long.
+    /// The readings of a channel within a span, oldest first, one per sample; `None` where unknown. Fewer than the
+    /// span holds if the vehicle is newer.
     pub fn readings(
         &self,
         channel: Channel,
@@ -171,7 +171,7 @@ impl History {
         })
     }
 
-    /// The lowest and the highest known reading within a window.
+    /// The lowest and the highest known reading within a span.
     pub fn range(&self, channel: Channel, window: Window) -> Option<(f32, f32)> {
         self.readings(channel, window)
             .flatten()
@@ -197,7 +197,7 @@ pub struct Histories {
 }
 
 impl Histories {
-    /// What is known of one vehicle.
+    /// The history of one vehicle.
     pub fn of(&self, vehicle: VehicleId) -> Option<&History> {
         self.by_vehicle.get(&vehicle)
     }
@@ -207,8 +207,8 @@ impl Histories {
         self.by_vehicle.remove(&vehicle);
     }
 
-    /// Takes the samples that are due at `now`; returns whether there were any. A vehicle that is not heard reads
-    /// nothing, and so does the time in which nobody called.
+    /// Takes the samples due at `now`; returns whether there were any. Silent vehicles, and times without a call, are
+    /// recorded as unknown.
     pub fn sample(&mut self, vehicles: &Vehicles, now: Duration) -> bool {
         let since = self.sampled_at.map(|at| now.saturating_sub(at));
         let steps = match since {
@@ -218,7 +218,7 @@ impl Histories {
         if steps == 0 {
             return false;
         }
-        // On the beat, so that late calls do not slow it down.
+        // Keep to the beat, so that late calls do not accumulate.
         let beat = self.sampled_at.unwrap_or(now) + SAMPLE_EVERY * steps as u32;
         self.sampled_at = Some(if since.is_none() { now } else { beat });
         for (&id, vehicle) in vehicles {
@@ -337,7 +337,7 @@ mod tests {
     }
 
     proptest! {
-        /// Whatever is read and however long, a ring is bounded, and gives back the last readings of its window.
+        /// With any readings over any time, the ring is bounded and returns the newest readings of its span.
         #[test]
         fn a_ring_is_bounded_and_ends_with_the_newest(
             values in proptest::collection::vec(-300.0..300.0f32, 1..1500),

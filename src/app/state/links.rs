@@ -5,15 +5,15 @@ use std::time::Duration;
 use crate::text::Text;
 use crate::wire::{ComponentId, SystemId};
 
-/// What a link counts.
+/// The counters of a link.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct LinkSummary {
     pub name: String,
-    /// Its state in words, such as `up` or `down, next try in 4 s`.
+    /// Its state as text, such as `up` or `down, next try in 4 s`.
     pub state: Text,
     /// Whether it carries data.
     pub up: bool,
-    /// Why it does not.
+    /// Why it carries none.
     pub error: Option<Text>,
     /// Senders at its other end.
     pub peers: usize,
@@ -29,15 +29,15 @@ pub struct LinkSummary {
     pub bad_crc: u64,
     /// Bytes skipped to find the next frame.
     pub skipped_bytes: u64,
-    /// Messages that the dialect does not have.
+    /// Messages unknown to the dialect.
     pub unknown: u64,
-    /// Messages whose fields the dialect does not have.
+    /// Messages that the dialect could not decode.
     pub undecoded: u64,
     /// Frames missing by sequence numbers, per sender.
     pub lost: Vec<((SystemId, ComponentId), u64)>,
     /// Messages that could not be sent.
     pub unsent: u64,
-    /// How often it has come up again.
+    /// The number of reconnections.
     pub reconnects: u32,
     /// Round trip by TIMESYNC.
     pub round_trip: Option<Duration>,

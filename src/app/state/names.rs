@@ -1,4 +1,4 @@
-//! The names that lines may refer to, besides vehicles and places.
+//! The names that commands may use, besides vehicles and places.
 
 use std::fmt;
 

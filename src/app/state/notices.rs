@@ -1,4 +1,4 @@
-//! The notices that are shown, newest last, equal ones of a moment folded into one line.
+//! The notices, newest last; equal ones within a short time are folded into one line.
 
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::time::Duration;
@@ -8,32 +8,32 @@ use crate::text::{Text, text};
 use crate::vehicle::{Severity, VehicleId};
 
 pub const LINES_KEPT: usize = 1000;
-/// How long after its first notice a line takes in equal ones.
+/// How long after its first notice a line accepts equal ones.
 const FOLD_TIME: Duration = Duration::from_secs(10);
 
-/// Lines that texts of one vehicle may take in [`FOLD_TIME`]: as many as it sends when it starts.
+/// Lines for texts of one vehicle within [`FOLD_TIME`]: as many as it sends at its start.
 const TEXTS_OF_ONE: usize = 10;
-/// Lines that texts of all vehicles together may take in [`FOLD_TIME`].
+/// Lines for texts of all vehicles together within [`FOLD_TIME`].
 const TEXTS_OF_ALL: usize = 30;
 
-/// Lines that are looked through for an equal one, so that a flood of different ones costs little.
+/// The number of lines searched for an equal one, to bound the cost of a flood.
 const LINES_SEARCHED: usize = 50;
 
-/// One line: a text, how often it came, and from whom.
+/// One line: a text, its count, and its vehicles.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct NoticeLine {
-    /// The first of the notices that the line stands for.
+    /// The first notice of the line.
     pub notice: Notice,
-    /// How many it stands for.
+    /// The number of notices.
     pub count: u32,
-    /// The vehicles they were about.
+    /// Their vehicles.
     pub vehicles: BTreeSet<VehicleId>,
-    /// When the last of them came.
+    /// The time of the last one.
     last: Duration,
 }
 
 impl NoticeLine {
-    /// Whether it is a text that a vehicle has sent, or stands for many of them.
+    /// Whether it is a vehicle's text, or the line that counts unlisted ones.
     pub fn is_of_vehicle(&self) -> bool {
         is_vehicle_text(&self.notice) || self.notice.text == unlisted()
     }
@@ -49,22 +49,22 @@ impl NoticeLine {
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct NoticeLog {
     lines: VecDeque<NoticeLine>,
-    /// When each vehicle sent its newest [`TEXTS_OF_ONE`] texts, oldest first.
+    /// The times of each vehicle's newest [`TEXTS_OF_ONE`] texts, oldest first.
     texts: BTreeMap<VehicleId, VecDeque<Duration>>,
-    /// When texts of vehicles were listed in the last [`FOLD_TIME`], oldest first.
+    /// The times of the texts listed within [`FOLD_TIME`], oldest first.
     listed: VecDeque<Duration>,
-    /// Notices that the shell could not deliver in time.
+    /// Notices that were dropped because the console was busy.
     pub(in crate::app) dropped: u64,
 }
 
 impl NoticeLog {
-    /// Notices that the shell could not deliver in time.
+    /// Notices that were dropped because the console was busy.
     pub fn dropped(&self) -> u64 {
         self.dropped
     }
 
-    /// Adds a notice. One that says the same as a line of a moment ago joins that line, unless its vehicle has said
-    /// something else since: the order of what one vehicle says stays readable. The line keeps its time and place.
+    /// Adds a notice. An equal one of a moment ago is counted on its line, unless its vehicle has sent another text
+    /// since: the order of one vehicle's texts is kept. The line keeps its time and place.
     pub fn push(&mut self, notice: Notice) {
         if let Some(line) = self.open_line(&notice) {
             line.count(&notice);
@@ -87,8 +87,8 @@ impl NoticeLog {
         }
     }
 
-    /// Whether a notice is one text too many of its vehicle, or of all vehicles, so that the console's own notices would
-    /// be lost among them.
+    /// Whether a notice exceeds the number of texts of its vehicle, or of all vehicles, so that it would crowd out the
+    /// console's own notices.
     fn is_flooded(&mut self, notice: &Notice) -> bool {
         let Some(vehicle) = notice.vehicle.filter(|_| is_vehicle_text(notice)) else {
             return false;
@@ -112,7 +112,7 @@ impl NoticeLog {
         is_flood
     }
 
-    /// Counts a text in the line of those that are not listed, which stays open as long as the flood lasts.
+    /// Counts a text on the line of unlisted ones, which stays open during the flood.
     fn count_unlisted(&mut self, notice: &Notice) {
         let unlisted = unlisted();
         let mut newest_first = self.lines.iter_mut().rev().take(LINES_SEARCHED);
@@ -131,7 +131,7 @@ impl NoticeLog {
         }
     }
 
-    /// The line that a notice joins.
+    /// The line that a notice joins, if any.
     fn open_line(&mut self, notice: &Notice) -> Option<&mut NoticeLine> {
         let is_recent =
             |line: &&mut NoticeLine| notice.at.saturating_sub(line.notice.at) <= FOLD_TIME;
@@ -158,12 +158,12 @@ impl NoticeLog {
     }
 }
 
-/// Whether a notice repeats a text that a vehicle has sent.
+/// Whether a notice repeats a vehicle's text.
 fn is_vehicle_text(notice: &Notice) -> bool {
     notice.vehicle.is_some() && notice.text.is_verbatim()
 }
 
-/// What stands for texts of vehicles that are too many to be listed.
+/// The text of the line for unlisted texts.
 fn unlisted() -> Text {
     text!("heard-flood")
 }

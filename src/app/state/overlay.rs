@@ -1,4 +1,4 @@
-//! What can lie over a screen; one at a time.
+//! Overlays over a screen; one at a time.
 
 use tui_input::Input;
 
@@ -13,56 +13,56 @@ use crate::text::Text;
 use crate::vehicle::VehicleId;
 use crate::workshop::Design;
 
-/// An overlay. It takes the keys while it is there.
+/// An overlay. It takes all keys while it is open.
 #[derive(Debug, Clone)]
 pub enum Overlay {
     Palette(Palette),
-    /// A question before something dangerous.
+    /// A question before a dangerous action.
     Confirm(Confirm),
-    /// A line that is asked for.
+    /// A prompt for a line.
     Prompt(Prompt),
     Profiles {
-        /// The line under the cursor.
+        /// The index of the chosen line.
         cursor: usize,
     },
     Help(HelpPage),
     Log {
         log: Log,
-        /// The entry under the cursor; `None` is the newest, also when newer ones come.
+        /// The entry under the cursor; `None` for the newest, also when newer ones come.
         cursor: Option<usize>,
     },
 }
 
-/// What can be looked back through.
+/// A log to look back through.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Log {
     Notices,
-    /// The moments of what is replayed.
+    /// The moments of the replay.
     Moments,
 }
 
-/// The command line while it is being written.
+/// The open command line.
 #[derive(Debug, Clone, Default)]
 pub struct Palette {
     /// The line and its cursor.
     pub(in crate::app) input: Input,
-    /// What could stand at the cursor, best first.
+    /// The completions at the cursor, best first.
     pub(in crate::app) completions: Vec<Completion>,
-    /// The completion that Tab has put in.
+    /// The completion that Tab has inserted.
     pub(in crate::app) chosen: Option<usize>,
-    /// The vehicles that the line as it stands is for; empty where it is for none.
+    /// The targets of the line so far; empty if it has none.
     pub(in crate::app) recipients: Text,
-    /// The usage of the verb, or what comes next.
+    /// The usage of the verb, or the next argument.
     pub(in crate::app) hint: Option<Text>,
-    /// What Enter would do with the line as it stands; `None` while it is not complete.
+    /// What Enter would do with the line so far; `None` while it is incomplete.
     pub(in crate::app) outcome: Option<Text>,
-    /// What is wrong with a word that has been finished, or was when the line was given.
+    /// The fault of a finished word, or of the line when it was given.
     pub(in crate::app) fault: Option<Diagnostic>,
     /// The line before Tab was pressed first.
     pub(in crate::app) before_tab: String,
-    /// Which line of the history is shown, counted from the newest.
+    /// The history line shown, counted from the newest.
     pub(in crate::app) history_at: Option<usize>,
-    /// The line that was being written before the history was looked through.
+    /// The line that was being typed before the history was opened.
     pub(in crate::app) draft: String,
 }
 
@@ -72,56 +72,56 @@ impl Palette {
         &self.input
     }
 
-    /// What could stand at the cursor, best first.
+    /// The completions at the cursor, best first.
     pub fn completions(&self) -> &[Completion] {
         &self.completions
     }
 
-    /// The completion that Tab has put in.
+    /// The completion that Tab has inserted.
     pub fn chosen(&self) -> Option<usize> {
         self.chosen
     }
 
-    /// The vehicles that the line as it stands is for; empty where it is for none.
+    /// The targets of the line so far; empty if it has none.
     pub fn recipients(&self) -> &Text {
         &self.recipients
     }
 
-    /// The usage of the verb, or what comes next.
+    /// The usage of the verb, or the next argument.
     pub fn hint(&self) -> Option<&Text> {
         self.hint.as_ref()
     }
 
-    /// What Enter would do with the line as it stands; `None` while it is not complete.
+    /// What Enter would do with the line so far; `None` while it is incomplete.
     pub fn outcome(&self) -> Option<&Text> {
         self.outcome.as_ref()
     }
 
-    /// What is wrong with a word that has been finished, or was when the line was given.
+    /// The fault of a finished word, or of the line when it was given.
     pub fn fault(&self) -> Option<&Diagnostic> {
         self.fault.as_ref()
     }
 }
 
-/// A question that only its answer confirms; any other key takes the thing back. Keys after a wrong one are
-/// swallowed until Enter or Esc, because they were not meant for the screen below either.
+/// A question that only its answer confirms; any other key cancels it. After a wrong key, further ones are swallowed
+/// until Enter or Esc, because they were not meant for the screen below either.
 #[derive(Debug, Clone)]
 pub struct Confirm {
-    /// What would happen, and to whom: `KILL vehicles 1 3 5`.
+    /// The action and its targets: `KILL vehicles 1 3 5`.
     pub(in crate::app) question: Text,
-    /// Why it is asked.
+    /// The reason for the question.
     pub(in crate::app) reason: Text,
-    /// What has to be typed.
+    /// The text to type.
     pub(in crate::app) answer: String,
-    /// What has been typed of it.
+    /// The part typed so far.
     pub(in crate::app) typed: String,
-    /// Whether a wrong key has taken the thing back.
+    /// Whether a wrong key has cancelled it.
     pub(in crate::app) cancelled: bool,
     pub(in crate::app) then: Consequence,
 }
 
 impl Confirm {
-    /// A question that `y` answers with yes.
+    /// A question that `y` confirms.
     pub fn new(question: Text, reason: Text, then: Consequence) -> Self {
         Self {
             question,
@@ -133,27 +133,27 @@ impl Confirm {
         }
     }
 
-    /// What would happen, and to whom: `KILL vehicles 1 3 5`.
+    /// The action and its targets: `KILL vehicles 1 3 5`.
     pub fn question(&self) -> &Text {
         &self.question
     }
 
-    /// Why it is asked.
+    /// The reason for the question.
     pub fn reason(&self) -> &Text {
         &self.reason
     }
 
-    /// What has to be typed.
+    /// The text to type.
     pub fn answer(&self) -> &str {
         &self.answer
     }
 
-    /// What has been typed of it.
+    /// The part typed so far.
     pub fn typed(&self) -> &str {
         &self.typed
     }
 
-    /// Whether a wrong key has taken the thing back.
+    /// Whether a wrong key has cancelled it.
     pub fn is_cancelled(&self) -> bool {
         self.cancelled
     }
@@ -163,7 +163,7 @@ impl Confirm {
         self.answer.chars().count() == 1
     }
 
-    /// What has to be typed, and what it is where that is not plain.
+    /// The text to type, with a label where it is not obvious.
     pub fn wanted(&self) -> Text {
         match self.then {
             Consequence::Order(_) => text!("ask-how-many", answer = &self.answer),
@@ -174,16 +174,16 @@ impl Confirm {
     }
 }
 
-/// What a confirmed question leads to.
+/// The result of a confirmed question.
 #[derive(Debug, Clone)]
 pub enum Consequence {
-    /// An order goes out.
+    /// Send an order.
     Order(Order),
-    /// The shell does something.
+    /// Have the shell do something.
     Effect(Effect),
-    /// Parameters are set one after the other.
+    /// Set parameters one after another.
     Parameters(Vec<ParameterSetting>),
-    /// A design takes the place of the one on the workshop's bench.
+    /// Replace the design on the bench.
     Design(Design),
 }
 
@@ -191,11 +191,11 @@ pub enum Consequence {
 #[derive(Debug, Clone, PartialEq)]
 pub struct ParameterSetting {
     pub name: String,
-    /// The value to take.
+    /// The new value.
     pub value: f32,
-    /// The vehicles that it is set on, in rising order.
+    /// The vehicles to set it on, in ascending order.
     pub vehicles: Vec<VehicleId>,
-    /// How often it is given again where no answer comes: taking the same value twice does no harm.
+    /// How often to repeat it without an answer: setting the same value twice does no harm.
     pub again: u8,
 }
 
@@ -211,24 +211,24 @@ impl ParameterSetting {
     }
 }
 
-/// A setting is given again so often.
+/// The number of repeats.
 const AGAIN: u8 = 2;
 
-/// A line that is asked for.
+/// A prompt for a line.
 #[derive(Debug, Clone)]
 pub struct Prompt {
-    /// What it is for.
+    /// Its purpose.
     pub(in crate::app) purpose: Purpose,
     /// The line and its cursor.
     pub(in crate::app) input: Input,
     /// Whether the line is still the proposed text: the first letter typed replaces it.
     pub(in crate::app) is_proposal: bool,
-    /// What was wrong with it.
+    /// The fault of the last entry.
     pub(in crate::app) fault: Option<Text>,
 }
 
 impl Prompt {
-    /// What it is for.
+    /// Its purpose.
     pub fn purpose(&self) -> &Purpose {
         &self.purpose
     }
@@ -238,7 +238,7 @@ impl Prompt {
         &self.input
     }
 
-    /// What was wrong with it.
+    /// The fault of the last entry.
     pub fn fault(&self) -> Option<&Text> {
         self.fault.as_ref()
     }
@@ -253,7 +253,7 @@ impl Prompt {
     }
 }
 
-/// What a line is asked for.
+/// The purpose of a prompt.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Purpose {
     /// The addresses of vehicles, with blanks between them.
@@ -262,34 +262,34 @@ pub enum Purpose {
     NewProfile,
     /// The seed of a practice flight of the mission with this id.
     Seed(String),
-    /// What the names of a room's list have to contain.
+    /// The filter of a room's list.
     Filter(Room),
     /// A parameter's new value.
     Parameter {
         name: String,
-        /// The vehicles that shall take it.
+        /// The target vehicles.
         vehicles: Vec<VehicleId>,
     },
-    /// The file that parameters are saved to.
+    /// The file to save parameters to.
     SaveParameters,
-    /// The file that parameters are loaded from.
+    /// The file to load parameters from.
     LoadParameters,
-    /// The file or the vehicle that parameters are compared with.
+    /// The file or the vehicle to compare parameters with.
     CompareParameters,
-    /// The name under which the workshop's design is kept.
+    /// The name under which to store the design.
     SaveDesign,
-    /// The name of a copy of the design of this name.
+    /// The name for a copy of the design with this name.
     CopyDesign(String),
-    /// Another name for the design of this name.
+    /// The new name for the design with this name.
     RenameDesign(String),
-    /// The file that a design is written to.
+    /// The file to write a design to.
     ExportDesign,
-    /// The file that a design is read from.
+    /// The file to read a design from.
     ImportDesign,
 }
 
 impl Purpose {
-    /// Whether every key counts, and not only Enter.
+    /// Whether every key takes effect, not only Enter.
     pub fn is_live(&self) -> bool {
         matches!(self, Self::Filter(_))
     }

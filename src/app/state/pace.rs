@@ -1,22 +1,22 @@
-//! How fast simulated time passes.
+//! The speed-up of simulated time.
 
 use crate::text::figure;
 
-/// How many times as fast as the clock on the wall simulated time passes.
+/// The speed-up of simulated time over the wall clock.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SessionPace {
-    /// As the session began.
+    /// The speed-up at the start of the session.
     pub usual: f64,
     pub now: f64,
 }
 
 impl SessionPace {
-    /// A pace that is the usual one.
+    /// A pace with this as its usual speed-up.
     pub fn new(usual: f64) -> Self {
         Self { usual, now: usual }
     }
 
-    /// Whether time passes faster than the session began.
+    /// Whether time runs faster than at the start.
     pub fn is_fast(self) -> bool {
         self.now > self.usual
     }
@@ -28,7 +28,7 @@ impl Default for SessionPace {
     }
 }
 
-/// A rate without needless digits: `4`, `0.5`.
+/// A rate with no needless digits: `4`, `0.5`.
 pub fn rate(speedup: f64) -> String {
     let is_broken = speedup.fract() != 0.0;
     figure(speedup, usize::from(is_broken))

@@ -7,20 +7,20 @@ use super::State;
 pub enum Trainee {
     /// A trainee with a profile.
     Known(String),
-    /// The entry that makes a new profile.
+    /// The entry to create a profile.
     New,
-    /// A guest, whose flights are not kept.
+    /// A guest, whose flights are not saved.
     Guest,
 }
 
 impl<R> State<R> {
-    /// The choices of the list, in its order.
+    /// The entries of the list, in order.
     pub fn trainees(&self) -> Vec<Trainee> {
         let known = self.profiles.iter().cloned().map(Trainee::Known);
         known.chain([Trainee::New, Trainee::Guest]).collect()
     }
 
-    /// Whether this is who trains here now.
+    /// Whether this is the present trainee.
     pub fn is_training(&self, trainee: &Trainee) -> bool {
         let current = self.career.as_ref().map(|career| &career.name);
         match trainee {

@@ -1,4 +1,4 @@
-//! What is shown of a recording that is replayed.
+//! The console's view of a replay.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -7,46 +7,46 @@ use crate::moment::{Moment, MomentKind};
 use crate::review::Review;
 use crate::scoring::Report;
 
-/// What is shown belongs to a moment that was so short a time before: two frames.
+/// A moment counts as shown for this long, which is two frames.
 const SAME_MOMENT: Duration = Duration::from_millis(200);
 
-/// A recording that is replayed, and how far it has come.
+/// A replayed recording and the position in it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReplayView {
     /// The name of its file.
     pub name: String,
-    /// The time of day when it began: microseconds since 1970 (UTC).
+    /// Its start: microseconds since 1970 (UTC).
     pub began_unix_us: u64,
-    /// How long it is.
+    /// Its length.
     pub length: Duration,
-    /// The place in the recording, and the pace.
+    /// The position in the recording, and the rate.
     pub position: ReplayPosition,
-    /// The moments that have been found so far, earliest first.
+    /// The moments found so far, earliest first.
     pub moments: Arc<Vec<Moment>>,
-    /// What the mission was scored, once that is known.
+    /// The mission's report, once it is known.
     pub report: Option<Arc<Report>>,
-    /// What its user makes of it.
+    /// The user's review.
     pub review: Review,
     /// Whether it was opened to be reviewed.
     pub is_review: bool,
 }
 
-/// The position and the pace of a replay. Times count from the beginning of the recording.
+/// The position and the rate of a replay. Times count from the start of the recording.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReplayPosition {
     pub at: Duration,
-    /// How far the recording has been read through: up to there, every moment is found at once.
+    /// How far the recording has been indexed: up to there, jumps are immediate.
     pub indexed: Duration,
-    /// How many times as fast as it was recorded it is played.
+    /// The rate as a multiple of the recorded speed.
     pub rate: f64,
     pub is_playing: bool,
     /// Whether it plays backwards.
     pub is_backwards: bool,
-    /// The stretch that is played over and over.
+    /// The repeated stretch.
     pub looped: Option<(Duration, Duration)>,
-    /// The kinds of moments that it stops at.
+    /// The kinds of moments at which to stop.
     pub stops: Vec<MomentKind>,
-    /// For how long nothing was recorded at this place, if it is a gap.
+    /// The length of the gap in the recording at this position, if there is one.
     pub gap: Option<Duration>,
 }
 
@@ -66,7 +66,7 @@ impl Default for ReplayPosition {
 }
 
 impl ReplayView {
-    /// A recording that is replayed from its beginning.
+    /// A replay at the start of a recording.
     pub fn new(name: String, began_unix_us: u64, length: Duration) -> Self {
         Self {
             name,
@@ -88,7 +88,7 @@ impl ReplayView {
             .collect()
     }
 
-    /// Has the moments be those with the bookmarks of the review.
+    /// Merges the review's bookmarks into the moments.
     pub fn take_bookmarks(&mut self) {
         let bookmarks = self.review.bookmarks(&self.bookmarks());
         let others = self
@@ -100,7 +100,7 @@ impl ReplayView {
         self.moments = Arc::new(all);
     }
 
-    /// When the bookmark was set that the frame now shown has, if it has one.
+    /// The time of the bookmark on the present frame, if it has one.
     pub fn bookmark_here(&self) -> Option<Duration> {
         let at = self.position.at;
         let mut latest = self.moments.iter().rev();
@@ -110,7 +110,7 @@ impl ReplayView {
         here.map(|it| it.at)
     }
 
-    /// The moment that the replay stands at or has passed last.
+    /// The moment at the present position, or the last one before.
     pub fn current(&self) -> Option<&Moment> {
         let passed = self.moments.partition_point(|it| it.at <= self.position.at);
         self.moments.get(passed.checked_sub(1)?)

@@ -2,21 +2,21 @@
 
 use std::time::Duration;
 
-/// A second of a mission hardly changes its pace.
+/// The interval of the marks: within a second, a mission's pace hardly changes.
 const MARK_EVERY: Duration = Duration::from_secs(1);
 
-/// Time of the session at every time of the program's clock so far: it may run faster or slower than that, and where
-/// the vehicles keep it, at an uneven pace.
+/// The relation of session time to the program's clock: it may run faster or slower, and unevenly where the vehicles
+/// keep time.
 #[derive(Debug, Clone, Default)]
 pub struct SessionTime {
-    /// Times of the program's clock and of the session, from its last moment at zero on. Between two, time goes evenly.
+    /// Pairs of the program's time and session time, from the last moment at zero on; linear between two.
     marks: Vec<(Duration, Duration)>,
-    /// How many times as fast as the program's clock it goes on after the last mark; zero until the next one.
+    /// The pace after the last mark, relative to the program's clock; zero until the next one.
     pace: f64,
 }
 
 impl SessionTime {
-    /// Takes down how late it is now.
+    /// Records a mark.
     pub fn note(&mut self, now: Duration, elapsed: Duration) {
         if elapsed.is_zero() {
             self.marks.clear();
@@ -30,14 +30,14 @@ impl SessionTime {
         }
     }
 
-    /// From now on it goes evenly at a pace; it begins at zero.
+    /// Starts at zero and runs at a constant pace.
     pub fn go(&mut self, now: Duration, pace: f64) {
         let elapsed = self.at(now).unwrap_or_default();
         self.marks.push((now, elapsed));
         self.pace = pace;
     }
 
-    /// The session's time then: zero before its beginning, `None` where it is unknown.
+    /// Session time at `then`: zero before the start, `None` where unknown.
     pub fn at(&self, then: Duration) -> Option<Duration> {
         let next = self.marks.partition_point(|(now, _)| *now < then);
         let before = next.checked_sub(1).and_then(|last| self.marks.get(last));
@@ -71,7 +71,7 @@ mod tests {
     fn mission_time_is_known_for_every_time_of_the_program_however_the_pace_changes() {
         let mut time = SessionTime::default();
         assert_eq!(time.at(ms(500)), None);
-        // It waits for its vehicles up to 8 s, then goes at ten times the pace, then stands still.
+        // It waits up to 8 s for its vehicles, then runs at ten times the pace, then stops.
         for tick in 50..=80 {
             time.note(ms(100 * tick), Duration::ZERO);
         }

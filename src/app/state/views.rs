@@ -1,4 +1,4 @@
-//! What other modules may read of the state. Its fields are private to `app`, so that only `app` changes them.
+//! Read access to the state for other modules. The fields are private to `app`, so that only `app` changes them.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -20,34 +20,34 @@ use crate::text::Locale;
 use crate::vehicle::{VehicleId, Vehicles};
 use crate::workshop::Design;
 
-/// What is shown, and where one is in it.
+/// The present view.
 impl<R> State<R> {
-    /// The time of what is flown: since the program began, or since the beginning of what is replayed.
+    /// Flight time: since the start of the program, or of the recording in a replay.
     pub fn now(&self) -> Duration {
         self.now
     }
 
-    /// The recording that is replayed, if one is.
+    /// The replay, if there is one.
     pub fn replay(&self) -> Option<&ReplayView> {
         self.replay.as_ref()
     }
 
-    /// The room that is shown.
+    /// The present room.
     pub fn room(&self) -> Room {
         self.room
     }
 
-    /// What every room remembers.
+    /// The state of every room.
     pub fn rooms(&self) -> &R {
         &self.rooms
     }
 
-    /// What lies over the room.
+    /// The overlay over the room.
     pub fn overlay(&self) -> Option<&Overlay> {
         self.overlay.as_ref()
     }
 
-    /// What is being flown.
+    /// The session.
     pub fn session(&self) -> &FlightView {
         &self.session
     }
@@ -57,35 +57,35 @@ impl<R> State<R> {
         &self.notices
     }
 
-    /// The vehicle list that is being typed, `3-9`; empty if none.
+    /// The vehicle list being typed, `3-9`; empty without one.
     pub fn typed(&self) -> &str {
         &self.typed
     }
 
-    /// Whether lines of a macro wait for the answer to a question.
+    /// Whether lines of a macro wait for an answer.
     pub fn is_in_macro(&self) -> bool {
         !self.pending.is_empty()
     }
 
-    /// The line of the command line that was given last.
+    /// The last line given on the command line.
     pub fn last_line(&self) -> Option<&str> {
         self.history.back().map(String::as_str)
     }
 }
 
-/// What the user has set, and the terminal that it is shown on.
+/// The user's settings, and the terminal.
 impl<R> State<R> {
-    /// What the user has set.
+    /// The user's settings.
     pub fn config(&self) -> &Config {
         &self.config
     }
 
-    /// The words of the language in use.
+    /// The texts of the language in use.
     pub fn locale(&self) -> &Arc<Locale> {
         &self.locale
     }
 
-    /// What the keys do.
+    /// The key bindings.
     pub fn keymap(&self) -> &Keymap {
         &self.keymap
     }
@@ -101,59 +101,58 @@ impl<R> State<R> {
         GridSize::new(columns, rows)
     }
 
-    /// What the line to the terminal carries in bytes per second, while it cannot keep up.
+    /// The bytes per second that the line to the terminal carries, while it cannot keep up.
     pub fn slow_line(&self) -> Option<u32> {
         self.slow_line
     }
 }
 
-/// What there is to fly, and who flies it.
+/// The missions and the career.
 impl<R> State<R> {
-    /// The missions on offer.
+    /// The available missions.
     pub fn missions(&self) -> &[MissionListing] {
         &self.missions
     }
 
-    /// The trainee's career; `None` where no flights are kept.
+    /// The trainee's career; `None` without a profile.
     pub fn career(&self) -> Option<&Career> {
         self.career.as_ref()
     }
 
-    /// What the last flight brought to the career; nothing once another session has started.
+    /// The rewards of the last flight; `None` once another session has started.
     pub fn reward(&self) -> Option<&Reward> {
         self.reward.as_ref()
     }
 
-    /// The trainee's tries at a mission as it is now, oldest first.
+    /// The trainee's attempts at a mission's current revision, oldest first.
     pub fn tries(&self, mission: &str) -> &[TryReport] {
         self.tries.get(mission).map_or(&[], Vec::as_slice)
     }
 
-    /// The drones that were chosen for a mission: one for all seats or one each. Where there are none, the mission
-    /// lends its own.
+    /// The drones chosen for a mission: one for all seats or one per seat; empty for the mission's own.
     pub fn fleet(&self, mission: &str) -> &[Design] {
         self.fleets.get(mission).map_or(&[], Vec::as_slice)
     }
 }
 
-/// The vehicles, and which of them are meant.
+/// The vehicles and the selection.
 impl FlightView {
-    /// The vehicles, as their telemetry said last.
+    /// The vehicles with their latest telemetry.
     pub fn vehicles(&self) -> &Vehicles {
         &self.vehicles
     }
 
-    /// What their readings were.
+    /// The histories of their readings.
     pub fn histories(&self) -> &Histories {
         &self.histories
     }
 
-    /// What is wrong with them.
+    /// Their alerts.
     pub fn alarms(&self) -> &Alarms {
         &self.alarms
     }
 
-    /// The vehicles that commands go to; none selected means the one under the cursor.
+    /// The selected vehicles; without any, commands go to the one under the cursor.
     pub fn selection(&self) -> &Selection {
         &self.selection
     }
@@ -174,9 +173,9 @@ impl FlightView {
     }
 }
 
-/// What is done, and how it goes.
+/// The activity and its progress.
 impl FlightView {
-    /// What is being done; `None` between sessions.
+    /// The kind of session; `None` between sessions.
     pub fn activity(&self) -> Option<&Activity> {
         self.activity.as_ref()
     }
@@ -186,27 +185,27 @@ impl FlightView {
         self.began_at
     }
 
-    /// The mission's progress, if one is flown.
+    /// The mission's progress, if there is one.
     pub fn mission(&self) -> Option<&Progress> {
         self.mission.as_ref()
     }
 
-    /// Whether the mission is over: its debrief is there.
+    /// Whether the mission is over and its debrief is ready.
     pub fn is_over(&self) -> bool {
         self.over
     }
 
-    /// How fast simulated time passes.
+    /// The speed-up of simulated time.
     pub fn pace(&self) -> SessionPace {
         self.pace
     }
 
-    /// Whether the session stands still.
+    /// Whether the session is paused.
     pub fn is_paused(&self) -> bool {
         self.flow == TimeFlow::Paused
     }
 
-    /// Whether its mission has not begun yet because the brief has not been left.
+    /// Whether its mission has not begun because the brief is still shown.
     pub fn is_reading(&self) -> bool {
         self.flow == TimeFlow::AwaitsReader
     }
@@ -217,7 +216,7 @@ impl FlightView {
         mission.is_some_and(|progress| !progress.elapsed.is_zero())
     }
 
-    /// The mission may begin; does nothing unless it awaits that.
+    /// Lets the mission begin if it waits for the brief to be left.
     pub(in crate::app) fn leave_brief(&mut self) {
         if self.is_reading() {
             self.flow = TimeFlow::Passes;
@@ -234,12 +233,12 @@ impl FlightView {
         &self.links
     }
 
-    /// What the link doctor has found, worst first.
+    /// The findings of the link doctor, worst first.
     pub fn findings(&self) -> &[LinkFinding] {
         &self.findings
     }
 
-    /// The processes that simulate the vehicles, where there are any.
+    /// The processes that simulate the vehicles, if any.
     pub fn hangar(&self) -> Option<&Hangar> {
         self.hangar.as_ref()
     }

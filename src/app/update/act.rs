@@ -1,4 +1,4 @@
-//! Actions that mean the same in every room.
+//! Actions with the same effect in every room.
 
 use super::{mission, order, pace, palette, profiles, replay};
 use crate::app::State;
@@ -12,7 +12,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 
-/// Characters of the longest vehicle list that is typed.
+/// The greatest length of a typed vehicle list, in characters.
 const LONGEST_LIST: usize = 60;
 
 pub fn act(state: &mut State, action: Action) -> Effects {
@@ -44,7 +44,7 @@ pub fn act(state: &mut State, action: Action) -> Effects {
             let requests = standing::change_aids(state);
             return requested(state, requests);
         }
-        // Only prompts and some rooms know these.
+        // Only prompts and some rooms have these.
         Action::View(_)
         | Action::Line(_)
         | Action::Start(_)
@@ -59,7 +59,7 @@ pub fn act(state: &mut State, action: Action) -> Effects {
     Effects::none()
 }
 
-/// Does what a room asks for.
+/// Carries out a room's requests.
 fn requested(state: &mut State, requests: Vec<RoomRequest>) -> Effects {
     let mut effects = Effects::none();
     for request in requests {
@@ -89,7 +89,7 @@ pub fn show(state: &mut State, room: Room) {
     room::entered(state, room);
 }
 
-/// Shows a log, its newest entry first of all.
+/// Opens a log at its newest entry.
 pub fn look_back(state: &mut State, log: Log) {
     state.overlay = Some(Overlay::Log { log, cursor: None });
 }
@@ -99,7 +99,7 @@ pub fn brief(state: &mut State) {
     show(state, Room::Mission);
 }
 
-/// Leaves the program; asks first where something would be lost.
+/// Quits the program; asks first if something would be lost.
 pub fn quit(state: &mut State) -> Effects {
     if loss(state).is_none() && !room::workshop::is_saved(state) {
         let name = state.rooms.workshop.bench.design().name.clone();
@@ -109,7 +109,7 @@ pub fn quit(state: &mut State) -> Effects {
     guarded(state, text!("ask-quit"), Effect::Quit)
 }
 
-/// Has the shell do something that ends the session; asks first where something would be lost.
+/// Has the shell do something that ends the session; asks first if something would be lost.
 pub fn guarded(state: &mut State, question: Text, effect: Effect) -> Effects {
     match loss(state) {
         Some(reason) => ask(state, question, reason, effect),
@@ -117,7 +117,7 @@ pub fn guarded(state: &mut State, question: Text, effect: Effect) -> Effects {
     }
 }
 
-/// Leaves the session; asks first where something would be lost.
+/// Leaves the session; asks first if something would be lost.
 pub fn leave(state: &mut State) -> Effects {
     guarded(
         state,
@@ -126,7 +126,7 @@ pub fn leave(state: &mut State) -> Effects {
     )
 }
 
-/// Forgets the session and shows the home screen. The debrief stays until another session starts.
+/// Drops the session and shows the home screen. The debrief stays until another session starts.
 pub fn go_home(state: &mut State) {
     state.session = FlightView::default();
     state.replay = None;
@@ -138,7 +138,7 @@ pub fn go_home(state: &mut State) {
     state.room = Room::Home;
 }
 
-/// Selects exactly these vehicles, as far as they are there; keeps the selection if none of them is.
+/// Selects exactly these vehicles, as far as they exist; keeps the selection if none does.
 pub fn select(state: &mut State, ids: &[VehicleId]) {
     let known = |id: &VehicleId| state.session.vehicles.contains_key(id);
     let (there, missing): (Vec<VehicleId>, Vec<VehicleId>) = ids.iter().partition(|id| known(id));
@@ -160,10 +160,10 @@ pub fn select(state: &mut State, ids: &[VehicleId]) {
     state.session.selection = there.into_iter().collect();
 }
 
-/// What would be lost by ending the session now; a mission that is over loses nothing.
+/// What ending the session now would lose; nothing once the mission is over.
 pub fn loss(state: &State) -> Option<Text> {
     let session = &state.session;
-    // What has not begun is only cancelled.
+    // A mission that has not begun is only cancelled.
     let is_mission = matches!(session.activity, Some(Activity::Mission { .. }));
     let is_waiting = session.is_starting() || (is_mission && !session.has_flight_begun());
     let has_not_begun = is_waiting && session.armed() == 0;
@@ -200,7 +200,7 @@ pub fn ask(state: &mut State, question: Text, reason: Text, effect: Effect) -> E
     Effects::none()
 }
 
-/// Opens the command line. A vehicle list that was being typed becomes the targets of the line.
+/// Opens the command line. A vehicle list being typed becomes the targets.
 pub fn open_palette(state: &mut State, words: &str) {
     let targets = std::mem::take(&mut state.typed);
     let line = if targets.is_empty() {
@@ -222,7 +222,7 @@ fn select_by(state: &mut State, action: SelectAction) {
     }
 }
 
-/// Selects the vehicle under the cursor, or takes it out of the selection.
+/// Selects or deselects the vehicle under the cursor.
 fn toggle(state: &mut State) {
     let session = &mut state.session;
     if let Some(id) = session.cursor
@@ -232,12 +232,12 @@ fn toggle(state: &mut State) {
     }
 }
 
-/// Selects what the table shows: what a filter hides is never selected unseen.
+/// Selects the vehicles in the table: those hidden by a filter are never selected.
 fn select_all(state: &mut State) {
     state.session.selection = state.rooms.fly.rows().iter().copied().collect();
 }
 
-/// Selects the others of those that the table shows.
+/// Inverts the selection within the table.
 fn invert(state: &mut State) {
     let shown = state.rooms.fly.rows().iter().copied();
     let selected = &state.session.selection;
@@ -245,7 +245,7 @@ fn invert(state: &mut State) {
     state.session.selection = others;
 }
 
-/// A character of a vehicle list; it begins with a number.
+/// Adds a character to the vehicle list, which begins with a digit.
 pub fn type_ids(state: &mut State, c: char) {
     if (c.is_ascii_digit() || !state.typed.is_empty()) && state.typed.len() < LONGEST_LIST {
         state.typed.push(c);

@@ -1,4 +1,4 @@
-//! The lines about alerts, carried out.
+//! Commands about alerts.
 
 use crate::alert::AlertKind;
 use crate::app::State;
@@ -8,10 +8,10 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
 
-/// Does what a line says.
+/// Carries out a command.
 ///
 /// # Errors
-/// What is wrong with the vehicles that it names.
+/// The fault of the vehicles that it names.
 pub fn carry_out(state: &mut State, line: AlertLine) -> Result<(), Text> {
     match line {
         AlertLine::Mute(kind) => mute(state, kind),

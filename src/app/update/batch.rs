@@ -1,4 +1,4 @@
-//! Parameters that are set one after the other.
+//! Parameters set one after another.
 
 use super::order;
 use crate::app::State;
@@ -9,7 +9,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
 
-/// Begins to set values; what another batch has not sent yet is added to.
+/// Starts setting values; they are added to a batch that is under way.
 pub fn begin(state: &mut State, settings: Vec<ParameterSetting>) -> Effects {
     let room = &mut state.rooms.parameters;
     if let Some(comparison) = &mut room.comparison {
@@ -21,7 +21,7 @@ pub fn begin(state: &mut State, settings: Vec<ParameterSetting>) -> Effects {
     advance(state)
 }
 
-/// Counts what has ended and gives what may go out now. Call it when a row of the ledger has changed.
+/// Counts ended commands and sends the next ones; called when a row of the ledger changes.
 pub fn advance(state: &mut State) -> Effects {
     let Some(mut batch) = state.rooms.parameters.batch.take() else {
         return Effects::none();
@@ -56,10 +56,10 @@ pub fn advance(state: &mut State) -> Effects {
     effects
 }
 
-/// Gives a `param set` without a question.
+/// Sends a `param set` without a question.
 ///
 /// # Errors
-/// There is no vehicle for it.
+/// It has no target vehicle.
 pub fn give(state: &mut State, line: &str) -> Result<Effects, Text> {
     let order = order::prepare(state, line).map_err(|fault| fault.message)?;
     Ok(Effects::from(order::send(state, order).effect))

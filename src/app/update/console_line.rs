@@ -1,4 +1,4 @@
-//! Lines to the console itself, carried out.
+//! Commands to the console itself.
 
 use std::sync::Arc;
 
@@ -14,10 +14,10 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 
-/// Does what a line says.
+/// Carries out a command.
 ///
 /// # Errors
-/// A word of it names what there is not.
+/// One of its words names something unknown.
 pub fn carry_out(state: &mut State, line: &str, own: ConsoleLine) -> Result<Effects, Diagnostic> {
     let last_word = words(line).pop().map_or(0..0, |word| word.span);
     if let ConsoleLine::Macro(name) = &own {
@@ -31,7 +31,7 @@ pub fn carry_out(state: &mut State, line: &str, own: ConsoleLine) -> Result<Effe
     obey(state, own).map_err(|text| Diagnostic::new(last_word, text))
 }
 
-/// Does what a line says that gives no others.
+/// Carries out a command that leads to no others.
 fn obey(state: &mut State, own: ConsoleLine) -> Result<Effects, Text> {
     match own {
         ConsoleLine::Report(report) => show(state, &report),
@@ -48,7 +48,7 @@ fn obey(state: &mut State, own: ConsoleLine) -> Result<Effects, Text> {
         }
         ConsoleLine::Ungroup(name) => ungroup(state, &name)?,
         ConsoleLine::Forget(vehicles) => return forget::forget(state, vehicles.as_ref()),
-        // The grammar lets only names of rooms through.
+        // The grammar accepts only names of rooms.
         ConsoleLine::Show(name) => act::show(state, Room::named(&name).unwrap_or_default()),
         ConsoleLine::Fly(id) => return Ok(mission::start(state, state.launch(&id))),
         ConsoleLine::FlyFree => {
@@ -87,7 +87,7 @@ fn obey(state: &mut State, own: ConsoleLine) -> Result<Effects, Text> {
     Ok(Effects::none())
 }
 
-/// Shows a report in its room; the console without a screen says it in lines instead.
+/// Shows a report in its room; the plain console prints it instead.
 fn show(state: &mut State, report: &Report) {
     match report {
         Report::Help => state.overlay = Some(Overlay::Help(HelpPage::default())),
@@ -109,7 +109,7 @@ fn arrange(state: &mut State, line: TableLine) {
     }
 }
 
-/// Takes a setting over.
+/// Applies a setting.
 fn set(state: &mut State, setting: &LiveSetting) -> Effects {
     setting.apply(&mut state.config);
     match setting {

@@ -1,4 +1,4 @@
-//! Files of the user that were written, or exist already.
+//! User files that were written, or exist already.
 
 use super::act;
 use crate::app::State;
@@ -10,7 +10,7 @@ pub fn written(state: &mut State, path: &str) {
     state.say(Severity::Info, text!("parameters-saved", path = path));
 }
 
-/// A file exists already: it is replaced only if the user agrees.
+/// Asks before replacing an existing file.
 pub fn exists(state: &mut State, kind: FileKind, path: String, text: String) -> Effects {
     let question = text!("parameters-ask-replace", path = &path);
     let reason = text!("parameters-ask-replace-reason");

@@ -1,4 +1,4 @@
-//! Vehicles that are gone, forgotten.
+//! Forgetting vehicles that are gone.
 
 use crate::app::State;
 use crate::app::effect::{Effect, Effects, SessionEffect};
@@ -9,10 +9,10 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
 
-/// Forgets vehicles whose link is lost: these, as they were written, or all of them.
+/// Forgets vehicles whose link is lost: the chosen ones, or all.
 ///
 /// # Errors
-/// One of them is heard, none of them is known, or they are simulated: then they will be heard again.
+/// One of them is heard, none of them is known, or they are simulated and will be heard again.
 pub fn forget(state: &mut State, choice: Option<&VehicleChoice>) -> Result<Effects, Text> {
     if !matches!(state.session.activity, Some(Activity::Connected { .. })) {
         return Err(text!("forget-not-here"));
@@ -48,7 +48,7 @@ pub fn forget(state: &mut State, choice: Option<&VehicleChoice>) -> Result<Effec
     Ok(Effects::from(Effect::Session(SessionEffect::Forget(ids))))
 }
 
-/// The vehicles of which something is true.
+/// The vehicles with a property.
 fn of(state: &State, is_so: impl Fn(&Vehicle) -> bool) -> Vec<VehicleId> {
     let vehicles = state.session.vehicles.iter();
     vehicles

@@ -1,4 +1,4 @@
-//! Another flight of the mission beside the one that is flown or replayed.
+//! Another flight of the mission, shown beside the present one.
 
 use crate::app::State;
 use crate::app::effect::{Effect, Effects, SessionEffect};
@@ -9,10 +9,10 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
 
-/// Carries out a line about the other flight.
+/// Carries out a command about the other flight.
 ///
 /// # Errors
-/// There is no mission to compare, the flight must not have one beside it, or there is none.
+/// Without a mission, where a comparison is not allowed, or without another flight.
 pub fn carry_out(state: &mut State, line: GhostLine) -> Result<Effects, Text> {
     match line {
         GhostLine::Show(source) => {
@@ -38,7 +38,8 @@ pub fn carry_out(state: &mut State, line: GhostLine) -> Result<Effects, Text> {
     Ok(Effects::none())
 }
 
-/// Whether a flight may be shown beside this one: that of another pilot gives the solution away where a flight counts.
+/// Whether a flight may be shown beside this one: another pilot's flight would give the solution away where a flight
+/// counts.
 fn admit(state: &State, source: &GhostSource) -> Result<(), Text> {
     let Some(Activity::Mission { stake, .. }) = &state.session.activity else {
         return Err(text!("ghost-no-mission"));
@@ -55,7 +56,7 @@ fn admit(state: &State, source: &GhostSource) -> Result<(), Text> {
     }
 }
 
-/// Shows the other flight from now on.
+/// Shows the other flight.
 pub fn arrived(state: &mut State, ghost: Ghost) {
     let report = &ghost.other.report;
     let text = text!(

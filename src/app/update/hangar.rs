@@ -1,4 +1,4 @@
-//! News of the vehicles' processes from the hangar.
+//! Reports on the vehicles' processes.
 
 use super::telemetry;
 use crate::alert::AlertKind;
@@ -12,10 +12,10 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 
-/// Lines of output that are kept of the process that is looked at.
+/// The most lines of output kept of the process on the screen.
 const LINES_KEPT: usize = 500;
 
-/// Takes over how the processes are doing, and says what is worth a notice.
+/// Takes the processes' state, and adds notices of important changes.
 pub fn changed(state: &mut State, instances: &[Instance]) {
     let Some(known) = &mut state.session.hangar else {
         return;
@@ -40,7 +40,7 @@ pub fn changed(state: &mut State, instances: &[Instance]) {
     }
 }
 
-/// They could not be started.
+/// Handles processes that could not be started.
 pub fn not_launched(state: &mut State, text: Text) {
     if let Some(known) = &mut state.session.hangar {
         known.fault = Some(text.clone());
@@ -48,7 +48,7 @@ pub fn not_launched(state: &mut State, text: Text) {
     telemetry::failed(state, text);
 }
 
-/// Takes over what a process has printed. Who has scrolled back goes on seeing the same lines.
+/// Takes new output of a process. A scrolled view keeps showing the same lines.
 pub fn printed(state: &mut State, vehicle: VehicleId, anew: bool, mut lines: Vec<String>) {
     let Some(known) = &mut state.session.hangar else {
         return;
@@ -64,7 +64,7 @@ pub fn printed(state: &mut State, vehicle: VehicleId, anew: bool, mut lines: Vec
     known.printed = Some((vehicle, lines));
 }
 
-/// All are ready: whoever has waited for that is led to the flight.
+/// All are ready: a user who waited in the hangar goes to the flight.
 fn begin(state: &mut State, count: usize) {
     let ready = Notice::general(
         state.now,
@@ -79,7 +79,7 @@ fn begin(state: &mut State, count: usize) {
     }
 }
 
-/// What has become of an instance since it was looked at last.
+/// The notice for the change of an instance, if any.
 fn news(before: Option<&Instance>, instance: &Instance, state: &State) -> Option<Notice> {
     let notice = |severity, kind, text| Notice {
         at: state.now,
@@ -110,7 +110,7 @@ fn news(before: Option<&Instance>, instance: &Instance, state: &State) -> Option
     None
 }
 
-/// Why a process has ended, what it said last, and what to do.
+/// Why a process ended, its last words, and what to do.
 fn crash(instance: &Instance, keymap: &Keymap) -> Text {
     let reason = instance.fault.clone().unwrap_or_default();
     let last = instance

@@ -1,4 +1,4 @@
-//! Keys: to the overlay if there is one, else through the keymap.
+//! Keys: to the overlay if one is open, otherwise through the keymap.
 
 use std::time::Duration;
 
@@ -18,7 +18,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
 
-/// An Enter that follows an answer within this time belongs to it.
+/// An Enter within this time after an answer belongs to it.
 const ANSWER_ENDS_WITHIN: Duration = Duration::from_secs(1);
 
 pub fn press(state: &mut State, key: KeyEvent) -> Effects {
@@ -45,15 +45,14 @@ pub fn press(state: &mut State, key: KeyEvent) -> Effects {
     }
 }
 
-/// Whether this is the Enter that people add to an answer although its last character was enough: it was not meant for
-/// the screen that follows.
+/// Whether this is an Enter after an answer whose last character was enough: it was not meant for the next screen.
 fn ends_an_answer(state: &mut State, key: KeyEvent) -> bool {
     let answered_at = state.answered_at.take();
     let is_fresh = answered_at.is_some_and(|at| state.wall.saturating_sub(at) < ANSWER_ENDS_WITHIN);
     is_fresh && key.code == KeyCode::Enter
 }
 
-/// A cell was clicked. What lies over a room takes no clicks.
+/// Handles a clicked cell. Overlays take no clicks.
 pub fn click(state: &mut State, column: u16, row: u16) {
     if state.overlay.is_none() && state.room == Room::Map && !state.is_too_small() {
         let size = state.grid();
@@ -61,7 +60,7 @@ pub fn click(state: &mut State, column: u16, row: u16) {
     }
 }
 
-/// The terminal has another size. A question that cannot be seen any more has been answered with no.
+/// Handles a new size of the terminal. A question that is no longer visible is answered with no.
 pub fn resize(state: &mut State, columns: u16, rows: u16) {
     state.size = (columns, rows);
     if state.is_too_small()
@@ -73,7 +72,7 @@ pub fn resize(state: &mut State, columns: u16, rows: u16) {
     }
 }
 
-/// A key while nothing can be seen: only leaving works, and without a question.
+/// A key while the terminal is too small: only quitting works, without a question.
 fn unseen(state: &State, key: KeyEvent) -> Effects {
     match state.keymap.action(key, Place::Anywhere) {
         Some(Action::Quit) => Effects::from(Effect::Quit),
@@ -81,7 +80,7 @@ fn unseen(state: &State, key: KeyEvent) -> Effects {
     }
 }
 
-/// A click on what was drawn for an action. What lies over a room takes keys only.
+/// A click on an element drawn for an action. Overlays take keys only.
 pub fn choose(state: &mut State, action: Action) -> Effects {
     if state.is_too_small() || state.is_deaf() || state.overlay.is_some() {
         return Effects::none();
@@ -100,7 +99,7 @@ pub fn paste(state: &mut State, text: &str) {
     let first_line = lines.next().unwrap_or_default();
     let more = lines.count();
     if more > 0 {
-        // Glued together or cut off, they would give another command than what was copied.
+        // Joined or truncated, they would be another command than the copied one.
         let text = text!("footer-paste-lines", count = more + 1);
         return state.say(Severity::Warning, text);
     }
@@ -125,10 +124,10 @@ pub fn paste(state: &mut State, text: &str) {
     }
 }
 
-/// Bytes after which a line takes no more. It is read anew after every key, and no command comes near it.
+/// The most bytes of a line. It is parsed after every key, and no command comes near this.
 const LONGEST_LINE: usize = 400;
 
-/// Applies a key to a line of text; false if it is no editing key.
+/// Applies a key to a line of text; false if it is not an editing key.
 pub fn edit(input: &mut Input, key: KeyEvent) -> bool {
     let control = key.modifiers.contains(KeyModifiers::CONTROL);
     let alt = key.modifiers.contains(KeyModifiers::ALT);
@@ -193,7 +192,7 @@ fn on_screen(state: &mut State, key: KeyEvent) -> Effects {
     }
 }
 
-/// A line that a key gives: to the vehicle list that was being typed, unless it says itself to whom.
+/// A key's command with the typed vehicle list as targets, unless it names its own.
 fn addressed(state: &mut State, line: &str) -> String {
     let typed = std::mem::take(&mut state.typed);
     let names_targets = words(line).first().is_some_and(Word::is_targets);
@@ -204,10 +203,9 @@ fn addressed(state: &mut State, line: &str) -> String {
     }
 }
 
-/// Only the exact answer confirms. Any other key means no. Enter, Esc, what a keymap file has put in their place, and
-/// `n` end the question at once; the key of the command line opens that as everywhere. After another character the
-/// question stays, cancelled, and swallows what follows, or a line that was begun without looking would be taken as keys
-/// of the screen below.
+/// Only the exact answer confirms; any other key means no. Enter, Esc, their replacements in a keymap file, and `n`
+/// close the question at once; the command line's key opens that as everywhere. After another character the question
+/// stays, cancelled, and swallows further keys; otherwise a line typed blindly would act on the screen below.
 fn confirm(state: &mut State, mut question: Confirm, key: KeyEvent) -> Effects {
     let control = key.modifiers.contains(KeyModifiers::CONTROL);
     let opens = state.keymap.action(key, Place::Anywhere) == Some(Action::CommandLine);
@@ -221,7 +219,7 @@ fn confirm(state: &mut State, mut question: Confirm, key: KeyEvent) -> Effects {
             palette::open(state, String::new());
         }
         _ if ends => refuse(state, &question),
-        // Whatever a keymap file makes of them, they never confirm and never leave the question standing.
+        // Whatever a keymap file binds them to, they never confirm and always close the question.
         KeyCode::Enter | KeyCode::Esc => refuse(state, &question),
         KeyCode::Char(_) if control => refuse(state, &question),
         // By its position `н` would be `y`, but it begins the Ukrainian word for no: letters of another layout never
@@ -230,7 +228,7 @@ fn confirm(state: &mut State, mut question: Confirm, key: KeyEvent) -> Effects {
         KeyCode::Char(c) if !question.cancelled => {
             question.typed.push(c);
             if question.typed == question.answer {
-                // Only a change of what is flown brings another screen.
+                // Only a change of the session leads to another screen.
                 if matches!(question.then, Consequence::Effect(Effect::Session(_))) {
                     state.answered_at = Some(state.wall);
                 }

@@ -1,4 +1,4 @@
-//! News of the links: the doctor's findings, and their messages.
+//! Reports on links: the doctor's findings, and their messages.
 
 use std::time::Duration;
 
@@ -10,10 +10,10 @@ use crate::notice::Notice;
 use crate::text;
 use crate::vehicle::Severity;
 
-/// A vehicle that is there has been heard by then.
+/// A vehicle on the link has been heard by then.
 const PATIENCE: Duration = Duration::from_secs(5);
 
-/// Takes the doctor's findings in, and tells those that a human has to act upon.
+/// Takes the doctor's findings, and adds notices of those that need action.
 pub fn findings(state: &mut State, findings: Vec<LinkFinding>) {
     if state.session.activity.is_none() {
         return;
@@ -29,7 +29,7 @@ pub fn findings(state: &mut State, findings: Vec<LinkFinding>) {
     }
 }
 
-/// Takes a look at the messages in.
+/// Takes a count of the messages.
 pub fn traffic(state: &mut State, traffic: Vec<LinkTraffic>) {
     if state.session.activity.is_none() || state.rooms.messages.paused {
         return;
@@ -40,12 +40,12 @@ pub fn traffic(state: &mut State, traffic: Vec<LinkTraffic>) {
     }
 }
 
-/// Tells each finding once per link.
+/// Reports each finding once per link.
 fn tell(state: &mut State, finding: &LinkFinding) {
     let waits = state.session.vehicles.is_empty()
         && state.now.saturating_sub(state.session.began_at) >= PATIENCE;
     let is_news = match finding.cause {
-        // The link says itself why it is not open, and the fleet that a system id is not unique.
+        // A closed link shows its own error, and the fleet reports a duplicate system id.
         Cause::NotOpen | Cause::DuplicateSystem(_) => false,
         Cause::OneWay(_) | Cause::OneWayVehicles(_) | Cause::Signed(_) => true,
         Cause::Nothing

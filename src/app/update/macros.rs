@@ -1,4 +1,4 @@
-//! Macros, checked before their first line is given.
+//! The check of a macro before its first line is given.
 
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -12,15 +12,15 @@ use crate::vehicle::VehicleClass;
 /// A line of a macro.
 #[derive(Clone, Copy)]
 struct MacroLine<'a> {
-    /// What the macro is called.
+    /// The macro's name.
     name: &'a str,
-    /// Which of its lines it is, counted from 1.
+    /// The number of the line, from 1.
     number: usize,
     line: &'a str,
 }
 
 impl MacroLine<'_> {
-    /// A fault of the line, said of the place that gives the macro.
+    /// A fault of the line, placed at the macro's call.
     fn fault(self, fault: Diagnostic, at: Range<usize>) -> Diagnostic {
         let message = text!(
             "macro-line",
@@ -37,20 +37,20 @@ impl MacroLine<'_> {
     }
 }
 
-/// Checks the lines of a macro before the first one is given, so that none of them is wrong after others have been
-/// sent. What an earlier line changes is not known yet: groups that it names count as every vehicle, and so does
-/// the selection. Behind a line that starts another session nothing is known.
+/// Checks the lines of a macro before the first one is given, so that no fault appears after others have been sent.
+/// The effect of earlier lines is not known yet: groups that they define, and the selection, count as every vehicle.
+/// After a line that starts another session nothing is checked.
 ///
 /// # Errors
-/// What is wrong with the first line that is; the place is the whole of `at`, the line that gives the macro.
+/// The first fault, placed at `at`, the call of the macro.
 pub fn check(state: &State, name: &str, at: Range<usize>) -> Result<(), Diagnostic> {
     let mut groups = state.session.groups.clone();
     let mut seen = BTreeSet::new();
-    // The next line is the last of these.
+    // A stack: the next line is the last element.
     let mut left: Vec<MacroLine<'_>> = Vec::new();
     let mut called = Some(name);
     loop {
-        // One that calls itself is stopped when it is given.
+        // A macro that calls itself is stopped when it runs.
         if let Some(name) = called.take().filter(|name| seen.insert(*name)) {
             left.extend(lines_backwards(state, name));
         }
@@ -70,7 +70,7 @@ pub fn check(state: &State, name: &str, at: Range<usize>) -> Result<(), Diagnost
     }
 }
 
-/// The lines of a macro, the last one first.
+/// The lines of a macro, in reverse.
 fn lines_backwards<'a>(state: &'a State, name: &'a str) -> impl Iterator<Item = MacroLine<'a>> {
     let lines = state.config.macros.get(name).map_or(&[][..], Vec::as_slice);
     let numbered = lines.iter().enumerate().rev();
@@ -81,7 +81,7 @@ fn lines_backwards<'a>(state: &'a State, name: &'a str) -> impl Iterator<Item = 
     })
 }
 
-/// Checks a line as far as it does not depend on those before it; gives it back if it is to the console itself.
+/// Checks a line as far as it does not depend on earlier ones; returns it if it is for the console itself.
 fn check_now(
     state: &State,
     line: &str,

@@ -1,4 +1,4 @@
-//! The course of a session: pause, end, once more.
+//! The course of a session: pause, end, restart.
 
 use super::act::{ask, guarded, leave, loss};
 use super::replay;
@@ -12,14 +12,14 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
 
-/// A mission begins once another room is shown than its brief.
+/// Begins a mission when its brief is left for another room.
 pub fn leave_brief(state: &mut State) {
     if state.room != Room::Mission && !state.session.is_starting() {
         state.session.leave_brief();
     }
 }
 
-/// Lets the session stand still, or go on where it does.
+/// Pauses or resumes the session.
 pub fn turn(state: &mut State) -> Effects {
     if let Some(view) = &state.replay {
         return replay::play(!view.position.is_playing);
@@ -31,7 +31,7 @@ pub fn turn(state: &mut State) -> Effects {
     }
 }
 
-/// Lets the session stand still, where that is possible; says why where it is not.
+/// Pauses the session, or shows why that is not possible.
 pub fn pause(state: &mut State) -> Effects {
     if state.replay.is_some() {
         return replay::play(false);
@@ -45,7 +45,7 @@ pub fn pause(state: &mut State) -> Effects {
     }
 }
 
-/// Lets the session go on.
+/// Resumes the session.
 pub fn go_on(state: &mut State) -> Effects {
     if state.replay.is_some() {
         return replay::play(true);
@@ -57,7 +57,7 @@ pub fn go_on(state: &mut State) -> Effects {
     Effects::none()
 }
 
-/// It stands still from now on, or goes on.
+/// Notes that the session was paused or resumed.
 pub fn paused(state: &mut State, paused: bool) {
     state.session.flow = if paused {
         TimeFlow::Paused
@@ -72,7 +72,7 @@ pub fn paused(state: &mut State, paused: bool) {
     state.say(Severity::Notice, text);
 }
 
-/// Why the session cannot stand still.
+/// Why the session cannot be paused.
 fn obstacle(state: &State) -> Option<Text> {
     let session = &state.session;
     let forbidden = || session.listing.as_ref().is_some_and(|it| !it.pausable);
@@ -91,8 +91,7 @@ fn obstacle(state: &State) -> Option<Text> {
     }
 }
 
-/// Starts a mission, after a question where something would be lost. One that is locked for the trainee is not
-/// started.
+/// Starts a mission, after a question if something would be lost; a locked one is refused.
 pub fn start(state: &mut State, launch: Launch) -> Effects {
     if let Some(reason) = state.lock(&launch.mission) {
         state.say(Severity::Warning, reason);
@@ -105,7 +104,7 @@ pub fn start(state: &mut State, launch: Launch) -> Effects {
     )
 }
 
-/// Starts the exam of a mission, after a question: it is not like other flights.
+/// Starts the exam of a mission, after a question with its rules.
 pub fn start_exam(state: &mut State, mission: &str) -> Effects {
     if let Some(reason) = state.lock(mission) {
         state.say(Severity::Warning, reason);
@@ -127,8 +126,7 @@ pub fn start_exam(state: &mut State, mission: &str) -> Effects {
     )
 }
 
-/// Flies the same mission again, `alike` if chance is to play the same again; asks first where something would be
-/// lost.
+/// Flies the same mission again, `alike` with the same seed; asks first if something would be lost.
 pub fn restart(state: &mut State, alike: bool) -> Effects {
     if state.flown_mission().is_none() {
         state.say(Severity::Notice, text!("mission-none"));
@@ -144,7 +142,7 @@ pub fn abandon(state: &mut State) -> Effects {
         state.say(Severity::Notice, text!("mission-none"));
         return Effects::none();
     }
-    // Nothing was tried yet, so that there is nothing to judge.
+    // Nothing has been tried yet, so there is nothing to score.
     if !state.session.has_flight_begun() {
         return leave(state);
     }

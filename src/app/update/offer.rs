@@ -1,4 +1,4 @@
-//! Whole lines that the command line offers: whatever the console can do, and what was given before.
+//! Whole lines that the command line offers: all commands, and the history.
 
 use std::cmp::Reverse;
 
@@ -11,23 +11,23 @@ use crate::language::{self, Completion};
 use crate::text;
 use crate::text::Text;
 
-/// Lines offered at most.
+/// The most lines offered.
 const SHOWN: usize = 100;
-/// With fewer letters than these, only the words of lines count, not what they mean.
+/// Below this number of letters, only words of the lines are searched, not their meaning.
 const FEW: usize = 3;
-/// Vehicles offered at most.
+/// The most vehicles offered.
 const VEHICLES_SHOWN: usize = 20;
 
-/// How near a line is to what is written, nearest first.
+/// How well a line matches the text, best first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Nearness {
-    /// The line begins as written.
+    /// The line begins with the text.
     Line,
-    /// Every word that is written begins one of the line's.
+    /// Every word of the text begins a word of the line.
     Words,
-    /// Every word that is written begins one of the line's or of what it means.
+    /// Every word of the text begins a word of the line or of its meaning.
     Meaning,
-    /// The letters occur, scattered.
+    /// The letters occur in order, scattered.
     Scattered,
 }
 
@@ -51,9 +51,9 @@ impl Nearness {
     }
 }
 
-/// The lines in which everything that is written occurs, in the line itself or in what it means, best first. A few
-/// letters occur nearly everywhere: they find lines by the beginnings of their words, and more of them by what the
-/// line means; scattered letters count where nothing else is found.
+/// The lines that match the text, in the line itself or in its meaning, best first. A few letters match nearly
+/// everywhere: they are compared with the beginnings of words only; more letters also with the meaning; scattered
+/// letters count only without a better match.
 pub fn lines(state: &State, written: &str) -> Vec<Completion> {
     let mut all = state.with_context(language::lines);
     all.extend(vehicles(state, written));
@@ -94,7 +94,7 @@ pub fn lines(state: &State, written: &str) -> Vec<Completion> {
         .collect()
 }
 
-/// What people also call the verb that a line begins with, or the room that it leads to, in the language of the screens.
+/// Synonyms of a line's verb, or of the room it leads to, in the screen's language.
 fn synonyms(line: &str) -> Option<Text> {
     let mut words = line.split(' ');
     let verb = language::row(words.next()?)?.name();
@@ -118,7 +118,7 @@ fn synonyms(line: &str) -> Option<Text> {
     })
 }
 
-/// Vehicles and groups, to be selected.
+/// Vehicles and groups to select.
 fn vehicles(state: &State, written: &str) -> Vec<(String, Text)> {
     let mut found = Vec::new();
     for name in state.session.groups.keys() {

@@ -1,4 +1,4 @@
-//! From a line to the vehicles: targets, the question before something dangerous, the ledger.
+//! From a command to its vehicles: targets, the question before a dangerous one, the ledger.
 
 use super::{act, batch};
 use crate::app::State;
@@ -17,21 +17,21 @@ use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 use crate::verb::{CountsAs, Danger};
 
-/// Up to so many targets are named one by one.
+/// The most targets listed one by one.
 const NAMED_TARGETS: usize = 12;
 
-/// A line of the command line, understood.
+/// A parsed command.
 pub enum Given {
-    /// A line to the console itself.
+    /// A command to the console itself.
     Own(ConsoleLine),
-    /// To vehicles or the mission.
+    /// A command to vehicles or the mission.
     Order(Order),
 }
 
 /// Reads a line and finds its targets.
 ///
 /// # Errors
-/// The fault and its place in the line.
+/// The fault and its position in the line.
 pub fn read(state: &State, line: &str) -> Result<Given, Diagnostic> {
     state.with_context(|context| {
         let statement = language::parse(line, context)?;
@@ -42,10 +42,10 @@ pub fn read(state: &State, line: &str) -> Result<Given, Diagnostic> {
     })
 }
 
-/// Reads a line that is to give an order, and finds its targets.
+/// Reads a line that must be an order, and finds its targets.
 ///
 /// # Errors
-/// The fault and its place in the line.
+/// The fault and its position in the line.
 pub fn prepare(state: &State, line: &str) -> Result<Order, Diagnostic> {
     state.with_context(|context| {
         let statement = language::parse(line, context)?;
@@ -64,7 +64,7 @@ fn order_now(
     order_of(statement, line, context, &state.addressed())
 }
 
-/// Refuses what cannot be said now.
+/// Refuses commands that are not allowed now.
 fn permit(state: &State, line: &str, statement: &Statement) -> Result<(), Diagnostic> {
     if state.replay.is_some() {
         return Err(Diagnostic::new(first_word(line), text!("replay-refuses"))
@@ -88,7 +88,7 @@ fn permit(state: &State, line: &str, statement: &Statement) -> Result<(), Diagno
         );
     }
     match statement.meaning {
-        // A pipe waits by itself; what comes from elsewhere cannot.
+        // A pipe can wait on its own; other input cannot.
         Meaning::Wait(_) => {
             let fault = Diagnostic::new(first_word(line), text!("order-wait"));
             Err(fault.with_help(text!("order-wait-help")))
@@ -97,7 +97,7 @@ fn permit(state: &State, line: &str, statement: &Statement) -> Result<(), Diagno
     }
 }
 
-/// Whether a line needs no time to pass: it asks for a hint, or is the trainee's word before launch.
+/// Whether a command needs no time: a hint, or the trainee's prediction or goal.
 fn moves_nothing(state: &State, statement: &Statement) -> bool {
     match &statement.meaning {
         Meaning::Act(act) if is_word(act) => state.can_pledge(),
@@ -114,7 +114,7 @@ fn is_question(act: &Act) -> bool {
     matches!(act, Act::Deed(Deed::Hint))
 }
 
-/// What Enter does with an order.
+/// What Enter does with an order, as text.
 pub fn announced(state: &State, order: &Order) -> Text {
     if order.verb.counts_as == CountsAs::Word {
         let key = state.keymap.key(Action::Submit, Place::Prompt);
@@ -128,7 +128,7 @@ pub fn announced(state: &State, order: &Order) -> Text {
     }
 }
 
-/// Sends a command off, or asks before a dangerous one.
+/// Sends a command, or asks before a dangerous one.
 pub fn give(state: &mut State, order: Order) -> Effects {
     if order.verb.danger == Danger::None {
         return carry_out(state, Consequence::Order(order));
@@ -156,7 +156,7 @@ pub fn give(state: &mut State, order: Order) -> Effects {
     Effects::none()
 }
 
-/// Does what was confirmed, or needed no question.
+/// Carries out what was confirmed, or needed no question.
 pub fn carry_out(state: &mut State, consequence: Consequence) -> Effects {
     match consequence {
         Consequence::Order(order) => Effects::from(send(state, order).effect),
@@ -174,7 +174,7 @@ pub fn carry_out(state: &mut State, consequence: Consequence) -> Effects {
     }
 }
 
-/// What changes at once with the session, before the shell has done its part.
+/// Changes of the session that take effect before the shell has done its part.
 fn announce(state: &mut State, effect: &SessionEffect) {
     match effect {
         SessionEffect::Leave => act::go_home(state),
@@ -198,7 +198,7 @@ fn announce(state: &mut State, effect: &SessionEffect) {
     }
 }
 
-/// An order that goes out.
+/// An order that is sent.
 #[must_use = "the shell has to carry the effect out"]
 pub struct SentOrder {
     pub entry: EntryId,
@@ -220,7 +220,7 @@ pub fn send(state: &mut State, order: Order) -> SentOrder {
     }
 }
 
-/// An order advanced with one vehicle: the ledger takes it over, and what waited for it may follow.
+/// Updates the ledger with an order's progress; commands that waited for it may follow.
 pub fn advanced(state: &mut State, row: &RowUpdate) -> Effects {
     let ledger = &mut state.session.ledger;
     let was_over = ledger.entry(row.entry).is_none_or(LedgerEntry::is_final);

@@ -1,4 +1,4 @@
-//! How fast simulated time passes: faster while nothing happens, as usual again once something does.
+//! The speed-up of simulated time: higher while nothing happens, back to usual when something does.
 
 use std::collections::BTreeSet;
 
@@ -16,12 +16,12 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 
-/// How fast free flight may pass.
+/// The highest speed-up of free flight.
 const FREE_FLIGHT_MOST: f64 = 100.0;
-/// Every press of a key makes time pass so many times as fast.
+/// The factor per key press.
 const KEY_FACTOR: f64 = 2.0;
 
-/// Twice as fast as now, as far as it may go.
+/// Doubles the speed-up, up to the limit.
 pub fn faster(state: &mut State) -> Effects {
     if state.replay.is_some() {
         return replay::change_rate(state, true);
@@ -34,7 +34,7 @@ pub fn faster(state: &mut State) -> Effects {
     set(state, (pace.now * KEY_FACTOR).min(most))
 }
 
-/// As fast as the session began.
+/// Returns to the speed-up at the start of the session.
 pub fn usual(state: &mut State) -> Effects {
     if state.replay.is_some() {
         return replay::change_rate(state, false);
@@ -42,7 +42,7 @@ pub fn usual(state: &mut State) -> Effects {
     set(state, state.session.pace.usual)
 }
 
-/// Has time pass so many times as fast as the clock on the wall, where that is possible; says why where it is not.
+/// Sets the speed-up over the wall clock, or shows why that is not possible.
 pub fn set(state: &mut State, speedup: f64) -> Effects {
     if state.replay.is_some() {
         return replay::set_rate(state, speedup);
@@ -65,7 +65,7 @@ fn change(change: PaceChange) -> Effects {
     Effects::from(Effect::Session(SessionEffect::Speedup(change)))
 }
 
-/// Time passes at another pace from now on.
+/// Takes a change of the speed-up.
 pub fn changed(state: &mut State, change: PaceChange) {
     let session = &mut state.session;
     session.pace.now = change.speedup;
@@ -98,20 +98,20 @@ pub fn changed(state: &mut State, change: PaceChange) {
     }
 }
 
-/// Whether a command has not come to its end yet.
+/// Whether a command is still under way.
 fn is_anything_under_way(state: &State) -> bool {
     let mut entries = state.session.ledger.entries();
     entries.any(|entry| !entry.is_final())
 }
 
-/// What has to be known before an event is taken in, to see whether it is a reason to look at what happens.
+/// The state before an event, to decide whether the event needs attention.
 pub struct Watch {
-    /// What the event itself says.
+    /// The reason in the event itself.
     reason: Option<Text>,
     alerts: BTreeSet<(VehicleId, AlertKind)>,
 }
 
-/// Watches an event, while time passes faster than usual.
+/// Watches an event while time runs faster than usual.
 pub fn watch(state: &State, event: &Event) -> Option<Watch> {
     (state.session.pace.is_fast() && state.replay.is_none()).then(|| Watch {
         reason: reason(state, event),
@@ -119,12 +119,12 @@ pub fn watch(state: &State, event: &Event) -> Option<Watch> {
     })
 }
 
-/// Why time is to pass as usual again: what an event that has been taken in says, or an alert that it has brought.
+/// Why time must return to its usual pace: a reason in the event, or a new alert.
 pub fn news(state: &State, before: Watch) -> Option<Text> {
     before.reason.or_else(|| new_alert(state, &before.alerts))
 }
 
-/// Lets time pass as usual again.
+/// Returns to the usual pace.
 pub fn fall_back(state: &State, reason: Text) -> Effects {
     change(PaceChange {
         speedup: state.session.pace.usual,
@@ -146,7 +146,7 @@ fn new_alert(state: &State, known: &BTreeSet<(VehicleId, AlertKind)>) -> Option<
     Some(text!("speedup-alert", vehicle = vehicle, alert = alert))
 }
 
-/// Why an event is a reason to look at what happens, if it is one.
+/// Why an event needs attention, if it does.
 fn reason(state: &State, event: &Event) -> Option<Text> {
     match event {
         Event::Vehicle(VehicleEvent::Row(row)) => end_of_movement(state, row),
@@ -194,13 +194,13 @@ fn said_by_mission(state: &State, progress: &Progress) -> Option<Text> {
     feedback.filter(|_| progress.feedback != known.feedback)
 }
 
-/// How fast time may pass.
+/// The highest speed-up.
 fn most(state: &State) -> f64 {
     let listing = state.session.listing.as_ref();
     listing.map_or(FREE_FLIGHT_MOST, |listing| listing.most_speedup)
 }
 
-/// Why time cannot pass so fast.
+/// Why a speed-up is not possible.
 fn obstacle(state: &State, speedup: f64) -> Option<Text> {
     let session = &state.session;
     match &session.activity {

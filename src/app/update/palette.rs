@@ -18,10 +18,10 @@ use crate::text::Text;
 use crate::vehicle::Severity;
 use crate::verb::CountsAs;
 
-/// Lines that one macro may lead to; one that calls itself would never end.
+/// The most lines that one macro may lead to; one that calls itself would never end.
 const MACRO_LINES: usize = 100;
 
-/// Opens the command line with a text in it.
+/// Opens the command line with a text.
 pub fn open(state: &mut State, line: String) {
     let palette = Palette {
         input: Input::new(line),
@@ -51,22 +51,21 @@ pub fn key(state: &mut State, mut palette: Palette, key: KeyEvent) -> Effects {
     Effects::none()
 }
 
-/// The line has changed: what could stand there now?
+/// Updates the completions after a change of the line.
 pub fn edited(state: &mut State, mut palette: Palette) {
     let line = palette.input.value().to_owned();
     let cursor = byte_cursor(&palette.input);
     palette.chosen = None;
     judge(state, &mut palette);
     let mut found = state.with_context(|context| language::complete(&line, cursor, context));
-    // What is typed itself comes first, then words that begin so, then words that only contain the letters; commands
-    // come before modes.
+    // Exact matches come first, then prefixes, then words that contain the letters; commands before modes.
     found.sort_by_key(|completion| {
         let typed = line.get(completion.replaces.clone()).unwrap_or_default();
         let command = language::row(&completion.text).is_some();
         let is_typed = completion.text.eq_ignore_ascii_case(typed);
         (!is_typed, !completion.text.starts_with(typed), !command)
     });
-    // Whoever is in the middle of a command does not look for another one.
+    // In the middle of a command, other commands are of no interest.
     let has_verb = line.trim_start().contains(char::is_whitespace) && palette.hint.is_some();
     if cursor == line.len() && !has_verb {
         let offered = offer::lines(state, &line);
@@ -87,14 +86,14 @@ pub fn edited(state: &mut State, mut palette: Palette) {
     state.overlay = Some(Overlay::Palette(palette));
 }
 
-/// A line that was typed in the Ukrainian layout, as the same keys give it in the Latin one, if that can be sent.
+/// A line typed in the Ukrainian layout, converted to the Latin keys, if that is a valid command.
 fn in_latin(state: &State, line: &str) -> Option<String> {
     let letters = line.chars().map(|letter| latin(letter).unwrap_or(letter));
     let typed = letters.collect::<String>();
     (typed != line && order::read(state, &typed).is_ok()).then_some(typed)
 }
 
-/// What the line means so far: to whom it goes, how its verb is written, which word is wrong, what Enter would do.
+/// Evaluates the line so far: its targets, its usage, its faults, and what Enter would do.
 fn judge(state: &State, palette: &mut Palette) {
     let line = palette.input.value();
     palette.recipients = recipients(state, line);
@@ -113,8 +112,7 @@ fn judge(state: &State, palette: &mut Palette) {
     }
 }
 
-/// Whether a fault is in words that are written to their end: the one at the cursor may still become right, and
-/// what is missing may still come.
+/// Whether a fault is in finished words: the one at the cursor may still become valid, and missing ones may follow.
 fn is_finished(line: &str, fault: &Diagnostic, cursor: usize) -> bool {
     let span = &fault.span;
     let goes_on = line
@@ -128,7 +126,7 @@ fn byte_cursor(input: &Input) -> usize {
     at.map_or(input.value().len(), |(at, _)| at)
 }
 
-/// Puts the next (or previous) choice in; with a single one, goes on to the next word.
+/// Inserts the next (or previous) completion; a single one is completed with a blank.
 fn complete(state: &mut State, mut palette: Palette, forward: bool) {
     let count = palette.completions.len();
     if count == 0 {
@@ -178,7 +176,7 @@ fn browse(state: &mut State, mut palette: Palette, older: bool) {
     edited(state, palette);
 }
 
-/// Gives a line as if it had been written; one that is wrong stays on the command line, with what is wrong with it.
+/// Gives a line; a faulty one stays on the command line with its fault.
 pub fn give(state: &mut State, line: &str) -> Effects {
     state.hush();
     let palette = Palette {
@@ -202,9 +200,9 @@ fn submit(state: &mut State, palette: Palette) -> Effects {
         Err(fault) => {
             state.pending.clear();
             match in_latin(state, &line) {
-                // What would be sent is shown first.
+                // Show the converted line before it is sent.
                 Some(latin) => open(state, latin),
-                // The line stays as it was written, with the wrong word marked.
+                // The line stays as typed, with the faulty word marked.
                 None => {
                     state.overlay = Some(Overlay::Palette(Palette {
                         fault: Some(fault),
@@ -217,7 +215,7 @@ fn submit(state: &mut State, palette: Palette) -> Effects {
     }
 }
 
-/// Gives the lines of a macro that wait, up to one that asks a question or is wrong.
+/// Gives the waiting lines of a macro, up to one that asks a question or has a fault.
 pub fn go_on(state: &mut State) -> Effects {
     let mut effects = Effects::none();
     for _ in 0..MACRO_LINES {
@@ -255,19 +253,19 @@ fn carry_out(state: &mut State, line: &str) -> Result<Effects, Diagnostic> {
     }
 }
 
-/// Whether a line, as far as it has been written, is to the console itself.
+/// Whether a line so far is for the console itself.
 pub fn is_to_console(state: &State, line: &str) -> bool {
     let said = state.with_context(|context| language::said(line, context));
     said.is_ok_and(|row| !row.scope.takes_targets())
 }
 
-/// Whether a line, as far as it has been written, is a word to the mission, which no vehicle hears.
+/// Whether a line so far is for the mission, and no vehicle.
 fn is_to_mission(state: &State, line: &str) -> bool {
     let said = state.with_context(|context| language::said(line, context));
     said.is_ok_and(|row| row.scope.takes_targets() && row.verb.counts_as == CountsAs::Word)
 }
 
-/// To whom a line goes as far as it has been written: it should never be a guess.
+/// The targets of a line so far, so that they are never a guess.
 fn recipients(state: &State, line: &str) -> Text {
     let is_to_none = is_to_console(state, line) || is_to_mission(state, line);
     if is_to_none || state.session.vehicles.is_empty() {

@@ -1,4 +1,4 @@
-//! Choosing, making and leaving a profile.
+//! Choosing, creating and leaving a profile.
 
 use crossterm::event::KeyEvent;
 
@@ -12,7 +12,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
 
-/// Opens the list. Whoever has begun a mission ends it first: its result is theirs.
+/// Opens the list. A mission must end first: its result belongs to its trainee.
 pub fn open(state: &mut State) {
     let is_mission = matches!(state.session.activity, Some(Activity::Mission { .. }));
     if is_mission && !state.session.over {
@@ -25,7 +25,7 @@ pub fn open(state: &mut State) {
     } else {
         None
     };
-    // Who has no profile is most likely to want one: the first that there is, or a new one.
+    // A guest most likely wants a profile: the first one, or a new one.
     let cursor = cursor.unwrap_or(0);
     state.overlay = Some(Overlay::Profiles { cursor });
 }
@@ -60,10 +60,10 @@ fn take(state: &mut State, trainee: Trainee) -> Effects {
     }
 }
 
-/// Takes the name of a new profile. The prompt stays until the profile is there, or says there why it is not.
+/// Creates a profile. The prompt stays open until the profile exists, or shows the error.
 ///
 /// # Errors
-/// There is no name.
+/// The name is empty.
 pub fn created(state: &mut State, entered: &str) -> Result<Effects, Text> {
     let name = entered.trim();
     if name.is_empty() {
@@ -78,8 +78,8 @@ pub fn created(state: &mut State, entered: &str) -> Result<Effects, Text> {
     ))))
 }
 
-/// Shows how far the trainee has come. Somebody else, or one more flight, puts the cursor of the home screen on what
-/// to do next.
+/// Takes the trainee's career. Another trainee, or one more flight, puts the home screen's cursor on the recommended
+/// mission.
 pub fn arrived(state: &mut State, career: Option<Career>) {
     let seen = |career: &Career| (career.name.clone(), career.standing.flights());
     let before = state.career.as_ref().map(seen);
@@ -93,7 +93,7 @@ pub fn arrived(state: &mut State, career: Option<Career>) {
     home::point_at(state, next.as_deref());
     let name = |seen: &Option<(String, u32)>| seen.as_ref().map(|(name, _)| name.clone());
     if name(&before) != name(&now) {
-        // What was chosen for missions was somebody else's.
+        // The fleets chosen were those of another trainee.
         state.fleets.clear();
         if let Some(language) = state.career.as_ref().and_then(|career| career.language) {
             state.speak(language);

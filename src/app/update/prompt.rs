@@ -11,7 +11,7 @@ use crate::app::room::{self, home, parameters, workshop};
 use crate::app::state::{Overlay, Prompt, Purpose};
 use crate::text::Text;
 
-/// A key for a line that is asked for.
+/// A key for a prompt.
 pub fn key(state: &mut State, mut prompt: Prompt, key: KeyEvent) -> Effects {
     let submitted = match state.keymap.action(key, Place::Prompt) {
         Some(Action::Escape) => return Effects::none(),
@@ -40,7 +40,7 @@ pub fn key(state: &mut State, mut prompt: Prompt, key: KeyEvent) -> Effects {
     effects
 }
 
-/// Applies a key to the line; false if it is no editing key. A letter replaces what was only proposed.
+/// Applies a key to the line; false if it is not an editing key. A letter replaces a proposed text.
 fn edit(prompt: &mut Prompt, key: KeyEvent) -> bool {
     let commands = KeyModifiers::CONTROL | KeyModifiers::ALT;
     let is_letter = matches!(key.code, KeyCode::Char(_)) && !key.modifiers.intersects(commands);
@@ -50,10 +50,10 @@ fn edit(prompt: &mut Prompt, key: KeyEvent) -> bool {
     keys::edit(&mut prompt.input, key)
 }
 
-/// Takes what was entered.
+/// Takes the line entered.
 ///
 /// # Errors
-/// What is wrong with it; the prompt stays open and says so.
+/// The fault of the line; the prompt stays open and shows it.
 fn take(state: &mut State, purpose: &Purpose, entered: &str) -> Result<Effects, Text> {
     match purpose {
         Purpose::Connect => home::connect(state, entered),

@@ -1,4 +1,4 @@
-//! Keys while help or notices are read.
+//! Keys of the help and of logs.
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
@@ -9,7 +9,7 @@ use crate::app::effect::Effects;
 use crate::app::keymap::Place;
 use crate::app::state::{HelpPage, Log, Overlay};
 
-/// A key for the help, which may be searched.
+/// A key for the help, which can be searched.
 pub fn help(state: &mut State, mut page: HelpPage, key: KeyEvent) {
     if page.is_searching && write(&mut page, key) {
         state.overlay = Some(Overlay::Help(page));
@@ -19,7 +19,7 @@ pub fn help(state: &mut State, mut page: HelpPage, key: KeyEvent) {
         Some(Action::Escape) if page.is_searching && key.code == KeyCode::Enter => {
             page.is_searching = false;
         }
-        // What was searched for is cleared first; only then the help closes.
+        // The search is cleared first; only then the help closes.
         Some(Action::Escape) if !page.search.is_empty() || page.is_searching => {
             page = HelpPage::default();
         }
@@ -44,7 +44,7 @@ pub fn help(state: &mut State, mut page: HelpPage, key: KeyEvent) {
     state.overlay = Some(Overlay::Help(page));
 }
 
-/// Takes a character of the search in, or the last one back; false if the key means something else.
+/// Adds a character to the search, or deletes the last one; false if the key means something else.
 fn write(page: &mut HelpPage, key: KeyEvent) -> bool {
     let plain = KeyModifiers::NONE | KeyModifiers::SHIFT;
     match key.code {
@@ -58,7 +58,7 @@ fn write(page: &mut HelpPage, key: KeyEvent) -> bool {
     true
 }
 
-/// A key for a log, whose newest entry stays under the cursor when newer ones come.
+/// A key for a log; on the newest entry, the cursor stays on the newest.
 pub fn log(state: &mut State, log: Log, cursor: Option<usize>, key: KeyEvent) -> Effects {
     let cursor = match state.keymap.action(key, Place::Reader) {
         Some(Action::Escape) if log == Log::Moments && key.code == KeyCode::Enter => {

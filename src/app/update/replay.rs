@@ -1,4 +1,4 @@
-//! The course of a replay, and what steers it.
+//! The course of a replay, and its control.
 
 use super::{act, telemetry};
 use crate::app::action::ReplayAction;
@@ -12,15 +12,15 @@ use crate::text::Text;
 use crate::vehicle::Severity;
 use std::time::Duration;
 
-/// How far the keys go.
+/// The jump of the keys.
 const KEY_STEP: Duration = Duration::from_secs(10);
-/// How slow and how fast a recording is played.
+/// The lowest and the highest rate of a replay.
 const SLOWEST: f64 = 0.1;
 const FASTEST: f64 = 64.0;
-/// Every press of a key makes it so many times as fast.
+/// The factor per key press.
 const KEY_FACTOR: f64 = 2.0;
 
-/// Takes in how a replay goes.
+/// Handles an event of a replay.
 pub fn happened(state: &mut State, event: ReplayEvent) {
     match event {
         ReplayEvent::Opened(view) => {
@@ -51,7 +51,7 @@ pub fn happened(state: &mut State, event: ReplayEvent) {
     state.touch();
 }
 
-/// Does what a key says.
+/// Carries out an action.
 pub fn act(state: &mut State, action: ReplayAction) -> Effects {
     let replay = state.replay.as_ref();
     let is_playing = replay.is_some_and(|it| it.position.is_playing);
@@ -78,13 +78,13 @@ pub fn act(state: &mut State, action: ReplayAction) -> Effects {
     Effects::from(Effect::Replay(effect))
 }
 
-/// Replays a file, or the newest record; asks first where something would be lost.
+/// Replays a file, or the newest record; asks first if something would be lost.
 pub fn open(state: &mut State, path: Option<String>, review: bool) -> Effects {
     let effect = Effect::Session(SessionEffect::Replay { path, review });
     act::guarded(state, text!("ask-start"), effect)
 }
 
-/// Goes to a moment of the list; none is the last.
+/// Goes to a moment of the list; `None` for the last.
 pub fn go_to(state: &State, moment: Option<usize>) -> Effects {
     let moments = state.replay.iter().flat_map(|it| it.moments.iter());
     let chosen = match moment {
@@ -97,7 +97,7 @@ pub fn go_to(state: &State, moment: Option<usize>) -> Effects {
     Effects::from(Effect::Replay(ReplayEffect::Show(moment.at)))
 }
 
-/// Carries out a line about what is replayed.
+/// Carries out a command about the replay.
 pub fn carry_out(state: &mut State, line: ReplayLine) -> Effects {
     let effect = match line {
         ReplayLine::Open(path) => return open(state, path, false),
@@ -112,12 +112,12 @@ pub fn carry_out(state: &mut State, line: ReplayLine) -> Effects {
     Effects::from(Effect::Replay(effect))
 }
 
-/// Plays, or stands still.
+/// Plays or pauses.
 pub fn play(plays: bool) -> Effects {
     Effects::from(Effect::Replay(ReplayEffect::Play(plays)))
 }
 
-/// Plays so many times as fast as it was recorded, as far as that goes.
+/// Sets the rate, within the limits.
 pub fn set_rate(state: &mut State, wanted: f64) -> Effects {
     let possible = wanted.clamp(SLOWEST, FASTEST);
     let text = text!("replay-rate", rate = rate(possible));
@@ -125,17 +125,17 @@ pub fn set_rate(state: &mut State, wanted: f64) -> Effects {
     Effects::from(Effect::Replay(ReplayEffect::Rate(possible)))
 }
 
-/// Plays faster or slower by a key.
+/// Changes the rate with a key.
 pub fn change_rate(state: &mut State, faster: bool) -> Effects {
     let now = state.replay.as_ref().map_or(1.0, |it| it.position.rate);
     let factor = if faster { KEY_FACTOR } else { 1.0 / KEY_FACTOR };
     set_rate(state, now * factor)
 }
 
-/// Sets a bookmark at this moment. In a replay it is kept beside the record, and one that is there gets the text.
+/// Sets a bookmark at this moment. In a replay it is stored beside the record; an existing one gets the new text.
 ///
 /// # Errors
-/// Nothing is flown or replayed, or there are too many bookmarks.
+/// There is no flight or replay, or there are too many bookmarks.
 pub fn bookmark(state: &mut State, text: String) -> Result<Effects, Text> {
     let Some(view) = &mut state.replay else {
         if state.session.activity.is_none() {
@@ -151,7 +151,7 @@ pub fn bookmark(state: &mut State, text: String) -> Result<Effects, Text> {
     Ok(kept)
 }
 
-/// Removes the bookmark that the replay shows.
+/// Removes the bookmark on the present frame.
 ///
 /// # Errors
 /// There is none here, or nothing is replayed.
@@ -164,7 +164,7 @@ pub fn unbookmark(state: &mut State) -> Result<Effects, Text> {
     Ok(kept)
 }
 
-/// Has what its user makes of a replay stored.
+/// Stores the user's review of a replay.
 pub fn keep(view: &mut ReplayView) -> Effects {
     view.take_bookmarks();
     let review = Box::new(view.review.clone());

@@ -1,4 +1,4 @@
-//! The review of what is replayed: what its pilot says of it.
+//! The pilot's review of the replay.
 
 use std::time::Duration;
 
@@ -13,10 +13,10 @@ use crate::text;
 use crate::text::{Text, utc_of};
 use crate::vehicle::Severity;
 
-/// Carries out a line about the review.
+/// Carries out a command about the review.
 ///
 /// # Errors
-/// Nothing is replayed, or what is said does not fit the review.
+/// There is no replay, or the command does not fit the review's state.
 pub fn carry_out(state: &mut State, line: ReviewLine) -> Result<Effects, Text> {
     if line == ReviewLine::Open {
         return Ok(open(state));
@@ -41,7 +41,7 @@ pub fn carry_out(state: &mut State, line: ReviewLine) -> Result<Effects, Text> {
     Ok(kept)
 }
 
-/// Shows the review of what is replayed; where nothing is, that of the flight that was recorded last.
+/// Shows the review of the replay; without one, that of the newest record.
 fn open(state: &mut State) -> Effects {
     if state.replay.is_none() {
         return replay::open(state, None, true);
@@ -50,8 +50,7 @@ fn open(state: &mut State) -> Effects {
     Effects::none()
 }
 
-/// The moment that a point is tied to: the one under the cursor where the moments are shown, else the one that the
-/// replay has come to.
+/// The time that a point refers to: the moment under the cursor if moments are shown, otherwise the replay's position.
 fn pointed(state: &State) -> Duration {
     let room = &state.rooms.review;
     let chosen = match room.page {
@@ -72,7 +71,7 @@ fn pointed(state: &State) -> Duration {
         .unwrap_or_default()
 }
 
-/// Has the review written as a document.
+/// Exports the review as a document.
 fn export(state: &State, path: String) -> Effects {
     let Some(view) = &state.replay else {
         return Effects::none();

@@ -24,9 +24,9 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
 
-/// Time passes by the clock on the wall; for what is flown it does too, unless that is replayed.
+/// Time passes by the wall clock; flight time does too, except in a replay.
 pub fn tick(state: &mut State, now: Duration, wall: Duration) {
-    // Messages live for whole seconds, and the debrief says when it hears keys.
+    // Messages live for whole seconds, and the debrief shows when it accepts keys.
     let before = (state.wall.as_secs(), state.is_deaf());
     state.wall = wall;
     if before != (wall.as_secs(), state.is_deaf()) {
@@ -37,9 +37,9 @@ pub fn tick(state: &mut State, now: Duration, wall: Duration) {
     }
 }
 
-/// Time passes for what is flown.
+/// Advances flight time.
 pub fn pass(state: &mut State, now: Duration) {
-    // The clock shows seconds: nothing else on the screen depends on time.
+    // The clock shows seconds; nothing else on the screen depends on time.
     let before = state.now.as_secs();
     state.now = now;
     map::tick(state);
@@ -78,7 +78,7 @@ pub fn vehicle(state: &mut State, vehicle: Arc<Vehicle>) {
     state.touch();
 }
 
-/// Says that a vehicle is heard that does not belong here.
+/// The notice of a vehicle that does not belong to the session.
 fn stranger(vehicle: VehicleId, now: Duration) -> Notice {
     Notice {
         at: now,
@@ -89,7 +89,7 @@ fn stranger(vehicle: VehicleId, now: Duration) -> Notice {
     }
 }
 
-/// Looks at all vehicles again: some alerts end by themselves.
+/// Checks all vehicles again: some alerts end with time.
 fn watch(state: &mut State) {
     let session = &mut state.session;
     for vehicle in session.vehicles.values() {
@@ -97,11 +97,11 @@ fn watch(state: &mut State) {
     }
 }
 
-/// What makes itself noticed now.
+/// The signals that are due.
 pub fn signals(state: &mut State) -> Effects {
     let due = state.session.alarms.due(state.now);
     if state.replay.is_some() {
-        // It has rung then.
+        // The bell rang when it was live.
         return Effects::none();
     }
     let alerts = &state.config.alerts;
@@ -121,7 +121,7 @@ pub fn started(state: &mut State, started: Started) {
     session.begin(state.now);
     if let Some(Activity::Connected { .. }) = session.activity {
         let written = state.config.connect.expect.as_deref();
-        // What the configuration says has been checked.
+        // The configuration has been checked.
         let ids = written.and_then(|ids| parse_ranges(ids).ok());
         session.expected = ids.into_iter().flatten().collect();
     }
@@ -130,11 +130,11 @@ pub fn started(state: &mut State, started: Started) {
         ..Hangar::default()
     };
     session.hangar = started.processes.map(starting);
-    // What was said and dropped before belongs to the session before.
+    // Earlier notices and drops belong to the previous session.
     state.notices = NoticeLog::default();
     state.reward = None;
     let is_again = session.activity == state.session.activity || state.replay.is_some();
-    // Who comes to a mission reads first what it is about; who flies it again knows.
+    // A first attempt begins with the brief; a repeat begins in flight.
     session.first_room = if state.replay.as_ref().is_some_and(|it| it.is_review) {
         Room::Review
     } else if session.listing.is_some() && !is_again {
@@ -153,7 +153,7 @@ pub fn started(state: &mut State, started: Started) {
     state.rooms.forget_session();
     map::began(state);
     state.typed.clear();
-    // Nothing can be flown before the vehicles are there: what is to be seen until then is how far they are.
+    // Until the vehicles are there, the hangar shows their start.
     state.room = if state.session.is_starting() {
         Room::Hangar
     } else {
@@ -167,7 +167,7 @@ pub fn started(state: &mut State, started: Started) {
 pub fn notice(state: &mut State, notice: &Notice) {
     state.touch();
     state.notices.push(notice.clone());
-    // What warns of no vehicle shows in no other place of the rooms that list no notices.
+    // A warning without a vehicle would not show in rooms without notices.
     if notice.vehicle.is_none() && notice.severity <= Severity::Warning && state.room != Room::Fly {
         state.say(notice.severity, notice.text.clone());
     }
@@ -188,7 +188,7 @@ pub fn progress(state: &mut State, mut progress: Progress) {
         if let (Some(career), Some(mission)) = (&state.career, state.flown_mission()) {
             career.fade(&mission.id, &mut progress);
         }
-        // What the trainee was to do then is no order now.
+        // In a replay, past advice is no advice now.
         if state.replay.is_some() {
             progress.lesson = None;
         }
@@ -202,9 +202,9 @@ pub fn progress(state: &mut State, mut progress: Progress) {
         note_height(&mut state.session, progress.elapsed);
         state.rooms.mission.hear(&progress);
         map::measured(state, &progress);
-        // What has come up goes by its name from now on.
+        // New places can be named from now on.
         state.session.places.extend(progress.places.clone());
-        // Events bring areas and take others away.
+        // Events add and remove areas.
         state.session.areas.clone_from(&progress.areas);
         let given = |progress: &Progress| progress.clues.given.len();
         let is_asked = state.session.mission.as_ref().map_or(0, given) < given(&progress);
@@ -215,7 +215,7 @@ pub fn progress(state: &mut State, mut progress: Progress) {
     }
 }
 
-/// Takes down how high the highest vehicle is that is heard.
+/// Records the height of the highest vehicle that is heard.
 fn note_height(session: &mut FlightView, elapsed: Duration) {
     let heard = session.vehicles.values().filter(|it| !it.link.lost);
     let heights_m = heard.filter_map(|it| it.altitude_m());
@@ -223,8 +223,8 @@ fn note_height(session: &mut FlightView, elapsed: Duration) {
     session.heights.note(elapsed, highest_m);
 }
 
-/// Shows the debrief. The command line stays open over it, or the rest of a line that is being typed
-/// would be taken as keys of the debrief.
+/// Shows the debrief. An open command line stays on top; otherwise the rest of a line being typed would act on the
+/// debrief.
 pub fn ended(state: &mut State, report: Box<Report>) {
     if !report.tries.is_empty() {
         let tries = report.tries.clone();
@@ -247,13 +247,13 @@ pub fn ended(state: &mut State, report: Box<Report>) {
     }
 }
 
-/// So many notices could not be taken in.
+/// Notes how many notices were dropped.
 pub fn dropped(state: &mut State, count: u64) {
     state.notices.dropped = count;
     state.touch();
 }
 
-/// The shell answers its user.
+/// Shows the shell's answer.
 pub fn answer(state: &mut State, text: Text) {
     state.say(Severity::Notice, text);
     state.touch();

@@ -1,4 +1,4 @@
-//! Where a hangar is.
+//! The address of a hangar.
 
 use std::fmt;
 use std::str::FromStr;
@@ -8,7 +8,7 @@ use crate::hangar::service::PORT;
 /// A hangar's address: `http://HOST:PORT`.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub struct HangarAddress {
-    /// A name or an address; that of IPv6 without its brackets.
+    /// A name or an address; IPv6 without its brackets.
     pub host: String,
     pub port: u16,
 }
@@ -16,12 +16,12 @@ pub struct HangarAddress {
 /// Why a text is no address of a hangar.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum HangarAddressError {
-    /// It is said to be encrypted.
+    /// It asks for encryption.
     #[error(
         "a hangar does not speak HTTPS: use `ssh -L {PORT}:127.0.0.1:{PORT} HOST` and http://127.0.0.1:{PORT}"
     )]
     Https,
-    /// It is something else.
+    /// Any other fault.
     #[error("`{0}` is not the address of a hangar: expected http://HOST:PORT")]
     Other(String),
 }

@@ -14,13 +14,13 @@ use tokio::time::timeout;
 use super::{ANSWER, ClientError, RemoteHangar};
 use crate::hangar::service::ServiceProblem;
 
-/// Bytes of an answer: a few hundred instances with their last output.
+/// The most bytes of an answer: a few hundred instances with their last output.
 const ANSWER_MAX: usize = 8 * 1024 * 1024;
-/// Characters of a foreign answer that are shown.
+/// Characters shown of an answer that is not a hangar's.
 const SHOWN: usize = 60;
 
 impl RemoteHangar {
-    /// Sends a request and takes in the whole answer of one that was met.
+    /// Sends a request and reads the whole answer of a successful one.
     pub(super) async fn exchange(
         &self,
         method: Method,
@@ -36,7 +36,7 @@ impl RemoteHangar {
         timeout(ANSWER, whole).await.map_err(late)?
     }
 
-    /// A request with what every request has.
+    /// A request with the common headers.
     pub(super) fn request(
         &self,
         method: Method,
@@ -62,7 +62,7 @@ impl RemoteHangar {
             .map_err(|error| self.unreachable(io::Error::other(error)))
     }
 
-    /// Sends a request; what answers is a hangar and has met it.
+    /// Sends a request; the answer is a hangar's, and successful.
     pub(super) async fn send(
         &self,
         request: Request<Full<Bytes>>,
@@ -71,13 +71,13 @@ impl RemoteHangar {
         let stream = TcpStream::connect(place)
             .await
             .map_err(|error| self.unreachable(error))?;
-        // Commands are small and must not wait for one another; failing that they only come later.
+        // Commands are small and must not wait for one another; without this option they are only slower.
         let _ = stream.set_nodelay(true);
         let foreign = |error: hyper::Error| self.broken(&error);
         let (mut sender, connection) = http1::handshake(TokioIo::new(stream))
             .await
             .map_err(foreign)?;
-        // Ends with the answer, or with the connection that it becomes.
+        // Ends with the answer, or with the upgraded connection.
         tokio::spawn(connection.with_upgrades());
         let response = sender.send_request(request).await.map_err(foreign)?;
         let status = response.status();

@@ -1,4 +1,4 @@
-//! Keeps up with what happens in a hangar.
+//! Follows the events of a hangar.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -17,19 +17,19 @@ use super::{ANSWER, ClientError, RemoteHangar};
 use crate::hangar::service::InstanceSnapshot;
 use crate::hangar::{Instance, InstanceId, Instances};
 
-/// A hangar that has said nothing for so long is taken for dead: it says something at least every 10 s.
+/// A hangar silent for this long is considered dead: it sends something at least every 10 s.
 const SILENCE: Duration = Duration::from_secs(25);
-/// Bytes of one event.
+/// The most bytes of one event.
 const EVENT_MAX: usize = 8 * 1024 * 1024;
 
-/// What is known of a hangar.
+/// The known state of a hangar.
 #[derive(Debug, Clone, Default)]
 pub struct HangarView {
-    /// The run of the service; `None` before it was ever heard.
+    /// The run of the service; `None` before the first contact.
     pub life: Option<String>,
-    /// Its instances as they were last heard of.
+    /// Its instances, as last received.
     pub instances: Instances,
-    /// Why nothing is heard of it now.
+    /// Why the connection is lost.
     pub lost: Option<Arc<ClientError>>,
 }
 
@@ -54,7 +54,7 @@ pub(super) async fn run(
     }
 }
 
-/// Follows one connection until it is lost, and tells how.
+/// Follows one connection until it is lost, and returns the reason.
 async fn follow(
     remote: &RemoteHangar,
     view: &watch::Sender<HangarView>,
@@ -129,13 +129,13 @@ fn take_in(view: &watch::Sender<HangarView>, name: &str, data: &str) -> Result<(
             let Gone { id } = serde_json::from_str(data).map_err(wrong)?;
             view.send_modify(|view| drop(Arc::make_mut(&mut view.instances).remove(&id)));
         }
-        // Of a newer hangar.
+        // From a newer hangar.
         _ => {}
     }
     Ok(())
 }
 
-/// Finds the events in a stream of `text/event-stream`.
+/// A parser of `text/event-stream`.
 #[derive(Debug, Default)]
 struct Events {
     bytes: Vec<u8>,
@@ -144,7 +144,7 @@ struct Events {
 }
 
 impl Events {
-    /// Takes in bytes; returns the names and the data of events that are complete.
+    /// Takes bytes; returns the names and the data of complete events.
     fn push(&mut self, bytes: &[u8]) -> Vec<(String, String)> {
         let mut found = Vec::new();
         self.bytes.extend_from_slice(bytes);
@@ -160,7 +160,7 @@ impl Events {
         found
     }
 
-    /// Bytes of the event that is not complete.
+    /// Bytes of the incomplete event.
     fn len(&self) -> usize {
         self.bytes.len() + self.data.len()
     }

@@ -1,4 +1,4 @@
-//! Carries a vehicle's bytes, however often the connection is lost.
+//! Carries a vehicle's bytes, across lost connections.
 
 use std::time::Duration;
 
@@ -15,10 +15,10 @@ use crate::hangar::InstanceId;
 use crate::hangar::service::MAVLINK;
 
 const READ_LEN: usize = 4096;
-/// How long the hangar may take nothing before the connection is taken for dead.
+/// The time without progress after which a connection is considered dead.
 const STALL: Duration = Duration::from_secs(10);
 
-/// Waits longer and longer.
+/// A growing delay between attempts.
 #[derive(Debug)]
 pub(super) struct Backoff(Duration);
 
@@ -32,7 +32,7 @@ impl Backoff {
     const FIRST: Duration = Duration::from_millis(100);
     const LAST: Duration = Duration::from_secs(5);
 
-    /// After a success the waiting is short again.
+    /// Resets the delay after a success.
     pub fn reset(&mut self) {
         self.0 = Self::FIRST;
     }
@@ -60,7 +60,7 @@ pub(super) async fn run(
                     return;
                 }
             }
-            // What is said to nobody is lost, and the end of whoever says it is noticed.
+            // Bytes without a receiver are dropped, and the end of their sender is noticed.
             tokio::select! {
                 () = backoff.pause() => {}
                 () = swallow(&mut pipe) => return,
@@ -130,7 +130,7 @@ async fn carry(pipe: &mut DuplexStream, upgraded: Upgraded) -> Lost {
     }
 }
 
-/// Reads and forgets until the other end is gone.
+/// Reads and discards until the other end is closed.
 async fn swallow(pipe: &mut DuplexStream) {
     let mut bytes = [0; READ_LEN];
     while pipe.read(&mut bytes).await.is_ok_and(|len| len > 0) {}

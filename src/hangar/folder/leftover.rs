@@ -1,4 +1,4 @@
-//! Processes of a hangar that is gone.
+//! Processes of a dead hangar.
 
 use std::fmt;
 use std::fs;
@@ -15,24 +15,24 @@ use utoipa::ToSchema;
 use super::INSTANCE;
 use crate::hangar::process::{self, ProcessIdentity};
 
-/// How long a process may take to end by itself when it is told to, and to be gone when it is killed.
+/// How long a process may take to end after a signal, and to disappear after being killed.
 const GRACE: Duration = Duration::from_secs(2);
-/// How often is looked whether a process is gone: it is no child of this one, so nothing tells.
+/// How often to check whether a process is gone: it is no child of this one, so there is no signal.
 const LOOK_EVERY: Duration = Duration::from_millis(20);
-/// More than any such file is long.
+/// The largest file that is read.
 const LARGEST_FILE: u64 = 64 * 1024;
 
-/// What a hangar notes about an instance's process.
+/// A hangar's record of an instance's process.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) struct Record {
     process: ProcessIdentity,
-    /// The file that it runs: of a script, its interpreter.
+    /// The file that it runs; for a script, its interpreter.
     executable: PathBuf,
     program: PathBuf,
 }
 
 impl Record {
-    /// `None` if there is no such process, or the system does not tell processes apart.
+    /// `None` if there is no such process, or the system cannot tell processes apart.
     pub fn of(pid: u32, program: &Path) -> Option<Self> {
         Some(Self {
             process: process::identity(pid)?,
@@ -41,7 +41,7 @@ impl Record {
         })
     }
 
-    /// Whether the process runs that was noted, and not another that has its number now.
+    /// Whether the recorded process runs, and not another one with its number.
     fn is_running(&self) -> bool {
         let pid = self.process.pid;
         process::is_running(&self.process)
@@ -49,7 +49,7 @@ impl Record {
             && process::executable(pid).as_ref() == Some(&self.executable)
     }
 
-    /// What the process has started, and has not taken with it: still of its session, and still in its folder.
+    /// Processes that it started and left behind: those of its session that are still in its folder.
     fn orphans(self, folder: &Path) -> impl Iterator<Item = Self> {
         let folder = folder.canonicalize().ok();
         let is_here = move |pid: u32| {
@@ -72,7 +72,7 @@ impl Record {
             && pid > 1
             && self.is_running()
         {
-            // With all of its group, if it leads one. Failing means that it is gone.
+            // With its whole group, if it leads one. An error means that it is gone.
             let pid = Pid::from_raw(pid);
             if killpg(pid, signal).is_err() {
                 let _ = kill(pid, signal);
@@ -80,10 +80,10 @@ impl Record {
         }
     }
 
-    /// Waits until it is gone, at most as long as it has time to.
+    /// Waits until it is gone, up to the time limit.
     async fn is_gone(&self) -> bool {
         let begun = Instant::now();
-        // One that is ending has no file any more, and is not gone yet.
+        // A process that is ending has no file any more, but is not gone yet.
         while process::is_running(&self.process) {
             if begun.elapsed() >= GRACE {
                 return false;
@@ -94,10 +94,10 @@ impl Record {
     }
 }
 
-/// A process that a hangar which is gone has left behind.
+/// A process left behind by a dead hangar.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, ToSchema)]
 pub struct Leftover {
-    /// The program that was started.
+    /// The program.
     pub program: String,
     /// The id of its process.
     pub pid: u32,
@@ -143,7 +143,7 @@ impl Leftover {
     }
 }
 
-/// What still runs of a run whose owner is gone.
+/// The remaining processes of a run whose owner is dead.
 pub(super) fn find(run: &Path, skipped: &mut Vec<String>) -> Vec<Leftover> {
     let mut found = Vec::new();
     let entries = match fs::read_dir(run) {
@@ -185,12 +185,12 @@ fn read(path: &Path) -> io::Result<Record> {
     Ok(serde_json::from_slice(&fs::read(path)?)?)
 }
 
-/// Tells leftovers to end, all at once, kills those that do not within two seconds, and notes which are gone.
+/// Signals all leftovers to end, kills those that do not within two seconds, and notes which are gone.
 pub(in crate::hangar) async fn end(leftovers: &mut [Leftover]) {
     for signal in [Signal::SIGTERM, Signal::SIGKILL] {
         for leftover in leftovers.iter().filter(|leftover| !leftover.ended) {
             leftover.record.signal(signal);
-            // One that is stopped hears of it only when it goes on.
+            // A stopped process receives it only after it is continued.
             leftover.record.signal(Signal::SIGCONT);
         }
         for leftover in leftovers.iter_mut() {

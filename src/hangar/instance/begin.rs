@@ -1,4 +1,4 @@
-//! Preparing an instance before its process is started: a folder, a listener, its files.
+//! Prepares an instance before its process is started: a folder, a listener, its files.
 
 use std::io;
 use std::net::SocketAddr;
@@ -19,9 +19,9 @@ use crate::hangar::roster::Taken;
 use crate::hangar::{HangarRefusal, Instance, InstanceRequest, Launch, Shared, SitlStage};
 use crate::sitl::{Recipe, SerialEndpoint};
 
-/// Simulated seconds per second until an instance is ready: a real boot takes 42 s.
+/// The speed-up until an instance is ready: a real boot takes 42 s.
 const BOOT_SPEEDUP: f64 = 10.0;
-/// Where SITL keeps its parameters, in its folder.
+/// SITL's parameter file in its folder.
 const MEMORY: &str = "eeprom.bin";
 
 /// Starts an instance and its task.
@@ -76,7 +76,7 @@ pub(in crate::hangar) async fn begin(
     Ok(())
 }
 
-/// Writes what the program reads, and returns its arguments.
+/// Writes the program's files, and returns its arguments.
 fn write_files(
     launch: &Launch,
     taken: Taken,
@@ -101,7 +101,7 @@ fn write_files(
     Ok(command.arguments)
 }
 
-/// An instance that had this number before leaves nothing that a new one would take for its own.
+/// Removes files of an earlier instance with this number, which a new one would read.
 fn forget_earlier(folder: &Path) -> io::Result<()> {
     match std::fs::remove_file(folder.join(MEMORY)) {
         Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),

@@ -1,4 +1,4 @@
-//! How a process has ended, in words.
+//! The end of a process, as text.
 
 use std::io;
 use std::os::unix::process::ExitStatusExt as _;
@@ -6,7 +6,7 @@ use std::process::ExitStatus;
 
 use nix::sys::signal::Signal;
 
-/// Says how a process has ended.
+/// The end of a process, as text.
 pub(super) fn words(status: io::Result<ExitStatus>) -> String {
     let status = match status {
         Ok(status) => status,

@@ -4,10 +4,10 @@ use std::time::Duration;
 
 use crate::hangar::process::{self, ProcessUsage};
 
-/// How often it is read.
+/// The interval of readings.
 const EVERY: Duration = Duration::from_secs(1);
 
-/// Reads what a process uses about once a second.
+/// Measures a process about once a second.
 pub(super) struct InstanceMeter {
     pid: u32,
     last: Option<(Duration, ProcessUsage)>,
@@ -24,7 +24,7 @@ impl InstanceMeter {
         }
     }
 
-    /// Reads it if it is time to; whether it was.
+    /// Reads it if due; returns whether it did.
     pub fn read(&mut self, now: Duration) -> bool {
         if self.last.is_some_and(|(at, _)| now < at + EVERY) {
             return false;
@@ -52,7 +52,7 @@ impl InstanceMeter {
             .map_or(0, |(_, usage)| usage.cpu.as_millis() as u64)
     }
 
-    /// What tells one that waits from one that spins.
+    /// The use as text, to tell a waiting process from a spinning one.
     pub fn told(&self) -> String {
         format!(", using {:.0} % of a core", 100.0 * self.cores)
     }

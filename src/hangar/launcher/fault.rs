@@ -17,12 +17,12 @@ pub(in crate::hangar) enum LaunchError {
     /// The path leads to a folder.
     #[error("{0} is a folder: name the program in it")]
     Folder(PathBuf),
-    /// The file is no program, or one for another machine.
+    /// The file is no program, or one for another architecture.
     #[error(
         "{0} is not a program that this machine can run: it may be built for another one, or damaged"
     )]
     NotAProgram(PathBuf),
-    /// What the program needs to be started is missing.
+    /// The interpreter of the program is missing.
     #[error("{0} is there, but not what runs it: its interpreter or its loader is missing")]
     NoInterpreter(PathBuf),
     /// The system does not allow it.
@@ -30,27 +30,27 @@ pub(in crate::hangar) enum LaunchError {
         "{0} must not be run by this user: allow it with chmod +x, and look whether its disk is mounted noexec"
     )]
     NotAllowed(PathBuf),
-    /// It is being written.
+    /// The file is being written.
     #[error("{0} is being written: try again when its build is over")]
     Busy(PathBuf),
-    /// It does not fit.
+    /// It exceeds the memory limit.
     #[error(
         "{program} does not fit into {memory_mib} MiB: raise the limit of an instance's memory"
     )]
     Memory {
-        /// What was to be started.
+        /// The requested program.
         program: PathBuf,
         memory_mib: u64,
     },
     /// Its folder cannot be entered.
     #[error("its folder {folder} cannot be entered: {source}")]
     NoFolder { folder: PathBuf, source: io::Error },
-    /// The system has no room for another process.
+    /// The system allows no further process.
     #[error(
         "the system allows no more processes or open files ({0}): stop some, or raise ulimit -u and ulimit -n"
     )]
     Exhausted(io::Error),
-    /// The program that becomes the other one cannot be started itself.
+    /// The stub itself cannot be started.
     #[error(
         "{sortie}, which starts the others, cannot be started itself: {source}; was it replaced while it runs?"
     )]
@@ -61,7 +61,7 @@ pub(in crate::hangar) enum LaunchError {
     },
     #[error("{program} cannot be started: {what}: {source}")]
     Other {
-        /// What was to be started.
+        /// The requested program.
         program: PathBuf,
         what: &'static str,
         source: io::Error,
@@ -72,7 +72,7 @@ pub(in crate::hangar) enum LaunchError {
 }
 
 impl LaunchError {
-    /// Whether trying again later may help without anybody's doing.
+    /// Whether a later attempt may succeed without intervention.
     pub fn may_pass(&self) -> bool {
         matches!(self, Self::Busy(_) | Self::Exhausted(_))
     }
@@ -87,7 +87,7 @@ impl LaunchError {
         }
     }
 
-    /// Of what the child said: the step that failed, and the system's number of the error.
+    /// From the child's report: the failed step, and the system's error number.
     pub(super) fn of_report(report: &str, order: &LaunchOrder, memory_mib: u64) -> Self {
         let (step, errno) = report.trim_end().split_once(' ').unwrap_or_default();
         let errno = errno.parse().unwrap_or_default();

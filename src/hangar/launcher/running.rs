@@ -1,4 +1,4 @@
-//! A process that runs, and its end.
+//! A running process, and its end.
 
 use std::io;
 use std::process::ExitStatus;
@@ -9,10 +9,10 @@ use nix::unistd::Pid;
 use tokio::process::{Child, ChildStderr, ChildStdout};
 use tokio::time::timeout;
 
-/// How long a process may take to end by itself when it is told to.
+/// How long a process may take to end after a signal.
 const GRACE: Duration = Duration::from_secs(2);
 
-/// A process that was started, with the processes that it makes: they are one group. Dropping it kills them.
+/// A started process with the processes that it creates, as one group. Dropping it kills them.
 #[derive(Debug)]
 pub(in crate::hangar) struct RunningProcess {
     child: Child,
@@ -23,7 +23,7 @@ pub(in crate::hangar) struct RunningProcess {
 
 impl Drop for RunningProcess {
     fn drop(&mut self) {
-        // The number is its own only as long as nobody has fetched how it ended.
+        // The number belongs to it only until its exit status is fetched.
         if self.child.id().is_some() {
             self.signal(Signal::SIGKILL);
         }
@@ -31,7 +31,7 @@ impl Drop for RunningProcess {
 }
 
 impl RunningProcess {
-    /// `None` if the child has ended and that is known already.
+    /// `None` if the child has ended and its status is known.
     pub(super) fn new(child: Child) -> Option<Self> {
         Some(Self {
             pid: Pid::from_raw(child.id()? as i32),
@@ -45,34 +45,33 @@ impl RunningProcess {
         self.pid.as_raw() as u32
     }
 
-    /// What it prints; only once.
+    /// Its output pipes; only once.
     pub fn take_output(&mut self) -> (Option<ChildStdout>, Option<ChildStderr>) {
         (self.child.stdout.take(), self.child.stderr.take())
     }
 
-    /// Waits until it has ended, and kills what it leaves behind in its group. Losing the future loses nothing.
+    /// Waits until it has ended, and kills the rest of its group. Dropping the future loses nothing.
     ///
     /// # Errors
     /// It cannot be waited for.
     pub async fn wait(&mut self) -> io::Result<ExitStatus> {
         if self.child.id().is_some() {
             self.ended().await;
-            // It is still there to be asked how it ended, so nobody else can have its number.
+            // Its exit status has not been fetched, so no other process can have its number.
             #[cfg(target_os = "linux")]
             self.signal(Signal::SIGKILL);
         }
         self.child.wait().await
     }
 
-    /// Tells it and all of its group to end, kills them if they do not within two seconds, and waits until it is
-    /// gone.
+    /// Signals it and its group to end, kills them if they do not within two seconds, and waits until it is gone.
     ///
     /// # Errors
     /// It cannot be waited for.
     pub async fn end(&mut self) -> io::Result<ExitStatus> {
         if self.child.id().is_some() {
             self.signal(Signal::SIGTERM);
-            // One that is stopped hears of it only when it goes on.
+            // A stopped process receives it only after it is continued.
             self.signal(Signal::SIGCONT);
             if let Ok(status) = timeout(GRACE, self.wait()).await {
                 return status;
@@ -82,15 +81,15 @@ impl RunningProcess {
         self.wait().await
     }
 
-    /// To its group; to itself if it does not lead one yet.
+    /// Signals its group, or the process alone if it does not lead one yet.
     fn signal(&self, signal: Signal) {
-        // Failing means that it is gone.
+        // An error means that it is gone.
         if killpg(self.pid, signal).is_err() {
             let _ = kill(self.pid, signal);
         }
     }
 
-    /// Waits until it has ended, and leaves it to be asked how.
+    /// Waits until it has ended, without fetching its status.
     #[cfg(target_os = "linux")]
     async fn ended(&mut self) {
         use nix::errno::Errno;
@@ -101,7 +100,7 @@ impl RunningProcess {
         if self.changes.is_none() {
             self.changes = signal(SignalKind::child()).ok();
         }
-        // Listened for before it is looked at, so that no end is missed.
+        // Subscribed before the check, so that no end is missed.
         let Some(changes) = &mut self.changes else {
             return;
         };

@@ -12,10 +12,10 @@ use nix::sys::resource::{Resource, setrlimit};
 use nix::unistd::{chdir, dup2_stdin, execv, getppid, setsid};
 use strum::{EnumString, IntoStaticStr};
 
-/// The exit code of shells for what cannot be run.
+/// The exit code of shells for a program that cannot be run.
 const CANNOT_RUN: u8 = 127;
 
-/// What is done before the program runs.
+/// A step before the program runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumString, IntoStaticStr)]
 #[strum(serialize_all = "lowercase")]
 pub(super) enum StubStep {
@@ -28,7 +28,7 @@ pub(super) enum StubStep {
 }
 
 impl StubStep {
-    /// What the step tries, for people.
+    /// The step's purpose, for people.
     pub fn attempt(self) -> &'static str {
         match self {
             Self::Understand => "understand its order",
@@ -40,14 +40,13 @@ impl StubStep {
     }
 }
 
-/// What the hidden subcommand does: `OWNER MEMORY FOLDER PROGRAM ARGUMENT...`. Returns only if the program cannot
-/// be started.
+/// The hidden subcommand: `OWNER MEMORY FOLDER PROGRAM ARGUMENT...`. Returns only if the program cannot be started.
 pub fn launch_stub(words: &[OsString]) -> ExitCode {
     ExitCode::from(run(words))
 }
 
 pub(super) fn run(words: &[OsString]) -> u8 {
-    // A copy that closes when this becomes the program.
+    // A copy that closes on exec.
     let report = std::io::stdin().as_fd().try_clone_to_owned();
     let (step, errno) = become_program(words);
     let written = report.and_then(|report| {
@@ -83,21 +82,21 @@ fn become_program(words: &[OsString]) -> (StubStep, Errno) {
     if let Err(fault) = prepared {
         return fault;
     }
-    // A terminal's Ctrl-C is for the owner. Failing to lead a session is no reason not to start.
+    // A terminal's Ctrl-C is for the owner. Without a session of its own the start still works.
     let _ = setsid();
     let run = File::open("/dev/null")
         .map_err(|error| Errno::from_raw(error.raw_os_error().unwrap_or_default()))
         .and_then(dup2_stdin)
-        // Not by way of the standard library, which makes a shell read whatever is no program.
+        // Not through the standard library, which has a shell run a file that is no program.
         .and_then(|()| execv(path, words));
     (StubStep::Become, run.err().unwrap_or(Errno::UnknownErrno))
 }
 
-/// Has this process killed when the thread that made it ends.
+/// Has the kernel kill this process when the thread that created it ends.
 fn end_with(owner: u64) -> nix::Result<()> {
     #[cfg(target_os = "linux")]
     nix::sys::prctl::set_pdeathsig(nix::sys::signal::Signal::SIGKILL)?;
-    // Whoever has ended before the line above sends no signal.
+    // An owner that ended before the line above sends no signal.
     if getppid().as_raw() as u64 == owner {
         Ok(())
     } else {
@@ -107,7 +106,7 @@ fn end_with(owner: u64) -> nix::Result<()> {
 
 fn limit(memory: u64) -> nix::Result<()> {
     let limited = setrlimit(Resource::RLIMIT_AS, memory, memory);
-    // Elsewhere the system may not know this limit.
+    // Other systems may not have this limit.
     if cfg!(target_os = "linux") {
         limited?;
     }

@@ -10,7 +10,7 @@ use super::*;
 
 const STUB: &str = "hangar::launcher::tests::this_program_becomes_another_when_it_is_told_to";
 
-/// Not a test of its own: the tests below start this program again with it, as a hangar starts `sortie`.
+/// Not a real test: the tests below start this program again with it, as a hangar starts `sortie`.
 #[test]
 fn this_program_becomes_another_when_it_is_told_to() {
     let mut words = std::env::args_os().skip_while(|word| word != "--");
@@ -39,7 +39,7 @@ pub(in crate::hangar) fn shell(script: &str) -> LaunchOrder {
     order("/bin/sh", &["-c", script])
 }
 
-/// The launcher as well: what it has started ends with it.
+/// Returns the launcher as well: its processes end with it.
 pub(in crate::hangar) async fn start(order: LaunchOrder) -> (Launcher, RunningProcess) {
     let launcher = launcher(HangarLimits::default());
     let running = launcher.launch(order).await.expect("it starts");
@@ -51,14 +51,14 @@ async fn fault(order: LaunchOrder) -> LaunchError {
     loop {
         let fault = launcher.launch(order.clone()).await;
         let fault = fault.expect_err("it does not start");
-        // A child that another test makes holds for a moment what this one has just written.
+        // A child of another test briefly holds the file that this one has just written.
         if !fault.may_pass() {
             return fault;
         }
     }
 }
 
-/// Waits until the program says a line that begins with a word, and gives the rest of the line.
+/// Waits for a line of the program that begins with a word, and returns the rest of the line.
 async fn hear(running: &mut RunningProcess, word: &str) -> String {
     let (out, _) = running.take_output();
     let mut lines = BufReader::new(out.expect("a pipe")).lines();
@@ -74,7 +74,7 @@ async fn hear(running: &mut RunningProcess, word: &str) -> String {
     }
 }
 
-/// The numbers of two processes, each of which the program names in a line that begins with a word.
+/// The numbers of two processes, from lines that begin with a word each.
 pub(in crate::hangar) async fn hear_two(
     running: &mut RunningProcess,
     one: &str,
@@ -212,7 +212,7 @@ async fn one_that_ends_when_told_has_time_to_do_so() {
     let (_launcher, mut running) = start(shell(script)).await;
     hear(&mut running, "ready").await;
     assert_eq!(running.end().await.expect("it ends").code(), Some(7));
-    // Again it is known already.
+    // A second time it is known already.
     assert_eq!(running.end().await.expect("it has ended").code(), Some(7));
 }
 
@@ -252,7 +252,7 @@ async fn one_that_nobody_holds_any_more_is_killed() {
     gone(&pid).await;
 }
 
-/// Waits until a process that was killed is gone: whoever inherits it fetches how it ended.
+/// Waits until a killed process is gone, which its new parent decides.
 async fn gone(pid: &str) {
     while is_alive(pid) {
         tokio::task::yield_now().await;
@@ -283,7 +283,7 @@ async fn nothing_of_the_hangar_is_open_in_the_program() {
         let lines = text.lines().skip_while(|line| *line != "0");
         lines.map(str::to_owned).collect()
     };
-    // What this program was given itself, and what `ls` opens.
+    // The descriptors of this program, and the one that `ls` opens.
     let usual = Command::new("/bin/ls").arg("/proc/self/fd").output();
     let usual = String::from_utf8(usual.await.expect("it runs").stdout).expect("numbers");
     let (_launcher, mut running) = start(order("/bin/ls", &["/proc/self/fd"])).await;
@@ -307,7 +307,7 @@ async fn a_launch_that_nobody_waits_for_leaves_nothing_behind() {
     order.folder = folder.path().to_owned();
     let asked = launcher.launch(order);
     assert!(tokio::time::timeout(Duration::ZERO, asked).await.is_err());
-    // The thread works in order: when the next runs, the first has been made or left out, and killed.
+    // The thread works in order: when the next one runs, the first has been started or skipped, and killed.
     let mut next = launcher.launch(shell("true")).await.expect("it starts");
     next.wait().await.expect("it ends");
 }

@@ -1,4 +1,4 @@
-//! The files to which output goes.
+//! The log files of output.
 
 use std::fs::{File, OpenOptions};
 use std::io::{self, Write as _};
@@ -9,14 +9,14 @@ use std::time::Duration;
 use tokio::time::Instant;
 
 const NAME: &str = "output.log";
-/// How the files before it end, newest first.
+/// The suffixes of older files, newest first.
 const OLDER: [&str; 2] = ["output.log.1", "output.log.2"];
-/// The size at which a file is full.
+/// The size of a full file.
 const FILE_LEN: u64 = 1024 * 1024;
-/// How long a file that cannot be written is left alone.
+/// How long to wait after a failed write.
 const AGAIN_AFTER: Duration = Duration::from_secs(10);
 
-/// A log in three files of a bounded size. What cannot be written is lost, and counted.
+/// A log in three files of bounded size. Lines that cannot be written are dropped and counted.
 #[derive(Debug)]
 pub(super) struct LogFile {
     folder: PathBuf,
@@ -35,7 +35,7 @@ impl LogFile {
         }
     }
 
-    /// Writes lines, and says so when that stops being possible, and when it is possible again.
+    /// Writes lines; returns a note when writing starts to fail, and when it works again.
     pub fn write(&mut self, lines: &[String], now: Instant) -> Option<String> {
         if self.again_at.is_some_and(|at| now < at) {
             self.lost += lines.len() as u64;
@@ -54,7 +54,7 @@ impl LogFile {
                 })
             }
             Err(error) => {
-                // However far it came, the next attempt looks again.
+                // The next attempt opens the file again.
                 self.open = None;
                 self.again_at = Some(now + AGAIN_AFTER);
                 let is_new = self.lost == 0;
@@ -100,7 +100,7 @@ impl LogFile {
         Ok(())
     }
 
-    /// Makes room for a new file; the oldest goes.
+    /// Rotates the files; the oldest is dropped.
     fn rotate(&self, path: &Path) -> io::Result<()> {
         let [newer, older] = OLDER.map(|name| self.folder.join(name));
         match std::fs::rename(&newer, older) {

@@ -1,19 +1,19 @@
-//! Cuts a stream of bytes into lines that can be shown.
+//! Splits a stream of bytes into lines for display.
 
 use crate::notice::sanitised;
 
-/// Characters of a line that are kept.
+/// The most characters kept of a line.
 const LINE_LEN: usize = 400;
-/// Bytes of a line that are looked at: the longest character has four.
+/// The most bytes read of a line: a character has up to four.
 const LINE_BYTES: usize = 4 * LINE_LEN;
-/// Stands at the end of a line of which more was printed.
+/// The mark at the end of a cut line.
 const MORE: char = '…';
 
-/// Holds the line that has only begun.
+/// Holds the unfinished line.
 #[derive(Debug, Default)]
 pub(super) struct Cutter {
     begun: Vec<u8>,
-    /// Whether more of the line was printed than is held.
+    /// Whether the line was longer than what is held.
     is_cut: bool,
 }
 
@@ -31,7 +31,7 @@ impl Cutter {
         lines
     }
 
-    /// The line that was never ended, if there is one.
+    /// The unfinished last line, if there is one.
     pub fn finish(&mut self) -> Option<String> {
         (!self.begun.is_empty()).then(|| self.take())
     }

@@ -194,7 +194,7 @@ async fn a_program_that_prints_without_end_is_read_and_ended() {
     let lines = output.since(0);
     assert_eq!(lines.len(), 200);
     assert!(sizes(folder.path()).iter().sum::<u64>() < 4 * 1024 * 1024);
-    // Numbers without gaps, though two pipes are read.
+    // Numbers have no gaps, although two pipes are read.
     let numbers: Vec<u64> = lines.iter().map(|line| line.number).collect();
     let last = *watch.borrow();
     assert_eq!(numbers, (last - 199..=last).collect::<Vec<_>>());

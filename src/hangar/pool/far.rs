@@ -13,36 +13,36 @@ use super::{InstancePlace, LaunchedVehicle, Seen};
 use crate::hangar::client::{ClientError, HangarView, RemoteHangar};
 use crate::hangar::{Capacity, HangarRefusal, Instance, InstanceId, Launch, OutputLine, SitlStage};
 
-/// What is launched ends when nobody has been attached to it for so long: the console was killed, or cut off.
+/// An instance ends after this long without an attached program: the console was killed, or cut off.
 const IDLE_S: u32 = 60;
-/// How long a console that ends waits until the hangars have been told.
+/// How long a closing console waits for the hangars.
 const STOP_WITHIN: Duration = Duration::from_secs(2);
-/// How many vehicles are ended at once then: fewer than a hangar takes connections.
+/// The most vehicles ended at once: fewer than a hangar's connections.
 const AT_ONCE: usize = 32;
 const SYSTEM_MAX: u8 = 254;
 
-/// Services, and what was launched by them.
+/// Services, and the vehicles launched through them.
 pub(super) struct Far {
     services: Vec<RemoteHangar>,
     fleet: Arc<FarFleet>,
     cancel: CancellationToken,
 }
 
-/// What was launched, and who is told of it.
+/// The launched vehicles, and the subscribers.
 struct FarFleet {
     ours: Mutex<BTreeMap<InstancePlace, Ours>>,
     seen: watch::Sender<Seen>,
 }
 
-/// An instance that was launched.
+/// A launched instance.
 struct Ours {
     shown: Instance,
-    /// The service that has launched it, as long as it is the same run of it.
+    /// The run of the service that has launched it.
     remote: RemoteHangar,
     life: String,
-    /// Whether the service was heard to have it: what is not there before that may still come.
+    /// Whether the service has listed it: before that, a missing one may still appear.
     is_known: bool,
-    /// Whether it has gone, and its number may be in use again.
+    /// Whether it is gone, so that its number may be reused.
     is_gone: bool,
     tunnel: CancellationToken,
 }
@@ -86,7 +86,7 @@ impl Far {
             here.filter(move |(_, (_, at))| **at == hangar)
                 .map(|(place, (launch, _))| (place, launch))
         };
-        // Each hangar is asked for one after the other, and all of them at once.
+        // Each hangar's requests go one after another, all hangars in parallel.
         let asked = (0..self.services.len()).map(async |hangar| {
             let mut begun = Vec::new();
             for (place, launch) in at(hangar) {
@@ -112,12 +112,12 @@ impl Far {
         let Some(refusal) = refused else {
             return Ok(launched);
         };
-        // One that cannot be ended now ends by itself: nobody is attached to it.
+        // One that cannot be stopped now ends by itself: no program is attached.
         join_all(launched.iter().map(|vehicle| self.stop(vehicle.place))).await;
         Err(refusal)
     }
 
-    /// A hangar for each vehicle, and the present life of each hangar. One that does not answer has no room.
+    /// A hangar for each vehicle, and the present run of each hangar. One that does not answer has no room.
     async fn plan(&self, count: usize) -> Result<(Vec<usize>, Vec<String>), HangarRefusal> {
         let asked = self.services.iter().map(RemoteHangar::status);
         let (mut rooms, mut lives, mut silent) = (Vec::new(), Vec::new(), None);
@@ -144,7 +144,7 @@ impl Far {
         Err(silent.unwrap_or(HangarRefusal::Full(running)))
     }
 
-    /// Gives system ids to those that have none, and what all need.
+    /// Gives system ids to launches without one, and the settings that all need.
     fn number(&self, launches: &mut [Launch]) {
         let ours = self.fleet.ours();
         let there = ours.values().filter(|one| !one.is_gone);
@@ -155,7 +155,7 @@ impl Far {
                 launch.system = (1..=SYSTEM_MAX).find(|system| !taken.contains(system));
                 taken.extend(launch.system);
             }
-            // Others may have launched at a service as well.
+            // Other consoles may use the service too.
             launch.id = None;
             launch.idle_s.get_or_insert(IDLE_S);
         }
@@ -231,7 +231,7 @@ impl Drop for Far {
         if orders.is_empty() {
             return;
         }
-        // The runtime that drops this may be ending, and cannot be waited in: a thread has one of its own.
+        // The runtime that drops this may be shutting down, and must not block: use a thread with its own runtime.
         let (done, told) = mpsc::channel();
         let thread = std::thread::Builder::new().name("stop-sitl".to_owned());
         let begun = thread.spawn(move || {
@@ -269,7 +269,7 @@ impl FarFleet {
         remote.ok_or(HangarRefusal::Unknown(place.id))
     }
 
-    /// Publishes what was launched.
+    /// Publishes the launched vehicles.
     fn show(&self) {
         let ours = self.ours();
         let all: Vec<_> = ours
@@ -286,7 +286,7 @@ impl FarFleet {
     }
 }
 
-/// Takes over what a service tells, until it is told no more.
+/// Follows a service until its stream ends.
 async fn keep_up(hangar: usize, mut views: watch::Receiver<HangarView>, fleet: Arc<FarFleet>) {
     loop {
         let view = views.borrow_and_update().clone();

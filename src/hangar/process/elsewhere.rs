@@ -1,4 +1,4 @@
-//! Systems without `/proc`: nothing is known, so nothing is taken for what it may not be.
+//! Systems without `/proc`: every query is unknown.
 
 use std::path::PathBuf;
 

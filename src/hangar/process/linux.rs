@@ -10,7 +10,7 @@ use nix::unistd::Pid;
 
 use super::{Connection, ProcessIdentity, ProcessSocket, ProcessUsage, plain};
 
-/// What the system adds to the path of a file that was replaced while it runs.
+/// What the system appends to the path of a file that was replaced while running.
 const DELETED: &str = " (deleted)";
 /// Fields of `/proc/PID/stat`, counted from the state, which follows the name.
 const STATE: usize = 0;
@@ -35,7 +35,7 @@ pub(super) fn identity(pid: u32) -> Option<ProcessIdentity> {
     })
 }
 
-/// The effective one: that is who may signal it.
+/// The effective one, which decides who may signal it.
 pub(super) fn user(pid: u32) -> Option<u32> {
     let status = read(pid, "status")?;
     let line = status.lines().find_map(|line| line.strip_prefix("Uid:"))?;
@@ -93,14 +93,14 @@ pub(super) fn socket(connection: Connection) -> Option<ProcessSocket> {
     found("tcp").or_else(|| found("tcp6"))
 }
 
-/// What a line of the system's table says, if it is the far end of the connection.
+/// The socket in a line of the system's table, if it is the far end of the connection.
 pub(super) fn socket_of(line: &str, connection: Connection) -> Option<ProcessSocket> {
     let fields: Vec<&str> = line.split_whitespace().collect();
     let address = |field: usize| fields.get(field).and_then(|text| address(text)).map(plain);
     let is_it = address(LOCAL) == Some(plain(connection.peer))
         && address(REMOTE) == Some(plain(connection.local));
     let inode = fields.get(INODE)?.parse().ok()?;
-    // One that was closed belongs to nobody any more, and says that it belongs to root.
+    // A closed socket belongs to no process, and is listed as root's.
     (is_it && inode != 0).then_some(ProcessSocket {
         user: fields.get(USER)?.parse().ok()?,
         inode,
@@ -135,7 +135,7 @@ fn read(pid: u32, name: &str) -> Option<String> {
     Some(String::from_utf8_lossy(&bytes).into_owned())
 }
 
-/// The fields of `/proc/PID/stat` behind the name, which may hold blanks and brackets.
+/// The fields of `/proc/PID/stat` after the name, which may contain blanks and parentheses.
 struct Stat(String);
 
 impl Stat {

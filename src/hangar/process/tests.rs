@@ -5,7 +5,7 @@ use tokio::net::{TcpListener, TcpStream};
 
 use super::*;
 
-/// A process that does nothing until it is dropped.
+/// A process that sleeps until it is dropped.
 struct Sleeper(Child);
 
 impl Sleeper {
@@ -48,7 +48,7 @@ fn a_process_is_known_while_it_runs() {
     assert_eq!(user(pid), Some(own_user()));
     assert!(executable(pid).is_some_and(|path| path.is_absolute()));
     sleeper.0.kill().expect("ours");
-    // It has ended when it can be waited for, and is not to be taken for running before that.
+    // It has ended when it can be waited for, and must not count as running before that.
     while is_running(&it) {
         std::thread::yield_now();
     }
@@ -101,7 +101,7 @@ async fn a_connection_belongs_to_the_process_that_holds_it() {
     assert_eq!(connection.user(), Some(own_user()));
     assert_eq!(connection.is_of_process(std::process::id()), Belongs::Yes);
     let sleeper = Sleeper::start();
-    // What the sleeper inherits is closed when it becomes `sleep`.
+    // Inherited files are closed when it becomes `sleep`.
     while executable(sleeper.0.id()) == executable(std::process::id()) {
         std::thread::yield_now();
     }
@@ -113,7 +113,7 @@ async fn a_connection_belongs_to_the_process_that_holds_it() {
 async fn a_connection_of_a_script_s_program_belongs_to_the_script() {
     let (_client, accepted) = connection("127.0.0.1:0", "127.0.0.1").await;
     let connection = Connection::of(&accepted).expect("connected");
-    // The script is whoever leads the session of this program.
+    // The script plays the leader of this program's session.
     let leader = nix::unistd::getsid(None).expect("it has one").as_raw() as u32;
     let me = std::process::id();
     assert!(leader == me || session(leader).contains(&me));

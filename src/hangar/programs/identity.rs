@@ -1,4 +1,4 @@
-//! Asks a program what it is: SITL says so on serial 0 as soon as it runs.
+//! Identifies a program: SITL announces itself on serial 0 as soon as it runs.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -18,15 +18,15 @@ use crate::hangar::launcher::{LaunchOrder, Launcher, RunningProcess};
 use crate::hangar::sockets::{self, ListeningSocket};
 use crate::sitl::SitlKind;
 
-/// How long a program may take; an idle machine needs a tenth of a second.
+/// How long to wait for a program; an idle machine needs a tenth of a second.
 pub const PATIENCE: Duration = Duration::from_secs(10);
-/// SITL says about a hundred bytes before its name is complete.
+/// The most bytes read from serial 0; SITL sends about a hundred before its name is complete.
 const GREETING_LEN: usize = 4096;
-/// SITL prints about a kilobyte until then.
+/// The most output read; SITL prints about a kilobyte until then.
 const OUTPUT_MAX: usize = 1024 * 1024;
 const TAIL_LEN: usize = 400;
 
-/// What a program of SITL is.
+/// The identity of a SITL program.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct ProgramIdentity {
     pub kind: SitlKind,
@@ -34,18 +34,18 @@ pub struct ProgramIdentity {
     pub version: String,
     /// The commit that it was built from, shortened.
     pub hash: String,
-    /// The sockets that others could talk to although it was asked to open none, as far as the host tells.
+    /// The sockets that others could reach although it was told to open none, as far as the host tells.
     pub sockets: Vec<ListeningSocket>,
 }
 
-/// Why a program has not said what it is.
+/// Why a program could not be identified.
 #[derive(Debug, thiserror::Error)]
 pub enum Unknown {
-    /// It cannot be a program.
+    /// The file is no program.
     #[error("{}: {reason}", file.display())]
     NoProgram {
         file: PathBuf,
-        /// What is wrong with it.
+        /// The fault.
         reason: String,
     },
     /// The host has no scratch folder or port for it.
@@ -54,35 +54,35 @@ pub enum Unknown {
     /// The host cannot run it.
     #[error("{0}")]
     Start(String),
-    /// It has ended instead.
+    /// It ended instead.
     #[error("{} is not a SITL program: it has ended ({status}){}", file.display(), said(.output))]
     Ended {
         file: PathBuf,
         status: ExitStatus,
-        /// What it printed last.
+        /// Its last output.
         output: String,
     },
     /// It prints without end.
     #[error("{} is not a SITL program: it prints without end{}", file.display(), said(.output))]
     Flood {
         file: PathBuf,
-        /// What it printed last.
+        /// Its last output.
         output: String,
     },
-    /// It has not said anything that makes sense.
+    /// It sent no valid announcement.
     #[error("{} has not said what it is within {patience:?}: it is not a SITL program, or it hangs{}", file.display(), said(.output))]
     Silent {
         file: PathBuf,
-        /// How long it had.
+        /// The time it had.
         patience: Duration,
-        /// What it printed last.
+        /// Its last output.
         output: String,
     },
-    /// It is a vehicle that the hangar does not start.
+    /// It is a kind of vehicle that the hangar does not start.
     #[error("{} is {vehicle}, and not one of copter, plane, rover and sub", file.display())]
     OtherVehicle {
         file: PathBuf,
-        /// What it calls itself.
+        /// The name it gives.
         vehicle: String,
     },
 }
@@ -92,10 +92,10 @@ fn said(output: &str) -> String {
     line.map_or_else(String::new, |line| format!("; it printed: {}", line.trim()))
 }
 
-/// Starts a program in a scratch folder, as a hangar does, hears what it is, and ends it.
+/// Starts a program in a scratch folder, as a hangar does, reads its announcement, and ends it.
 ///
 /// # Errors
-/// It does not say so in time.
+/// It does not identify itself in time.
 pub async fn identify(program: &Path, patience: Duration) -> Result<ProgramIdentity, Unknown> {
     let launcher = std::env::current_exe()
         .and_then(|sortie| Launcher::start(sortie, HangarLimits::default()))
@@ -128,12 +128,12 @@ pub(super) async fn identify_by(
     let mut trial = IdentityTrial::new(started.map_err(|error| Unknown::Start(error.to_string()))?);
     let heard = timeout(patience, trial.hear(&listener)).await;
     let identity = judge(program, patience, heard.ok(), &trial);
-    // Failing means that it has ended.
+    // An error means that it has ended.
     drop(trial.process.end().await);
     identity
 }
 
-/// Like a hangar's, without files: it only has to greet.
+/// A hangar's order without files: the program only has to announce itself.
 fn order(program: &Path, folder: &Path, port: u16) -> LaunchOrder {
     let door = format!("tcpclient:127.0.0.1:{port}");
     let words = ["--model", "quad", "--speedup", "1", "--slave", "0"];
@@ -153,7 +153,7 @@ fn order(program: &Path, folder: &Path, port: u16) -> LaunchOrder {
     }
 }
 
-/// What follows from what was heard, if anything was.
+/// The result of what was received.
 fn judge(
     program: &Path,
     patience: Duration,
@@ -217,7 +217,7 @@ impl IdentityTrial {
         let (mut words, mut out, mut err) = ([0; 512], [0; 4096], [0; 4096]);
         loop {
             let read = tokio::select! {
-                // What it has printed is told before that it has ended.
+                // Its output is handled before its end.
                 biased;
                 count = read(&mut self.output, &mut out) => Some(&out[..count]),
                 count = read(&mut self.errors, &mut err) => Some(&err[..count]),
@@ -254,7 +254,7 @@ impl IdentityTrial {
 
     fn tail(&self) -> String {
         let text = String::from_utf8_lossy(&self.tail);
-        // It goes to a terminal.
+        // The text goes to a terminal.
         let clean = |c: char| if c == '\n' || !c.is_control() { c } else { ' ' };
         text.chars().map(clean).collect()
     }
@@ -267,7 +267,7 @@ impl IdentityTrial {
     }
 }
 
-/// Reads; from a pipe that is closed, nothing ever comes.
+/// Reads from a pipe; a closed one stays pending for ever.
 async fn read(pipe: &mut Option<impl AsyncRead + Unpin>, bytes: &mut [u8]) -> usize {
     if let Some(open) = pipe {
         match open.read(bytes).await {

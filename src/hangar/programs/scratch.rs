@@ -1,14 +1,14 @@
-//! A folder that is there for a moment.
+//! A temporary folder.
 
 use std::fs::{self, DirBuilder};
 use std::os::unix::fs::DirBuilderExt as _;
 use std::path::{Path, PathBuf};
 use std::{env, io, process};
 
-/// How many names are tried.
+/// The number of names to try.
 const TRIES: u32 = 1000;
 
-/// A folder of this process alone, below that for temporary files; it goes with all that is in it.
+/// A folder for this process alone, below the system's temporary folder; dropping it removes it.
 pub(super) struct ScratchFolder(PathBuf);
 
 impl ScratchFolder {
@@ -16,7 +16,7 @@ impl ScratchFolder {
         let mut last = io::Error::from(io::ErrorKind::AlreadyExists);
         for number in 0..TRIES {
             let path = env::temp_dir().join(format!("{name}-{}-{number}", process::id()));
-            // Fails if anything of that name is there, a link of somebody else's too.
+            // Fails if the name exists, even as another user's link.
             match DirBuilder::new().mode(0o700).create(&path) {
                 Ok(()) => return Ok(Self(path)),
                 Err(error) if error.kind() == io::ErrorKind::AlreadyExists => last = error,
@@ -36,7 +36,7 @@ impl ScratchFolder {
 
 impl Drop for ScratchFolder {
     fn drop(&mut self) {
-        // What cannot be removed lies with other temporary files.
+        // What cannot be removed stays with other temporary files.
         let _ = fs::remove_dir_all(&self.0);
     }
 }

@@ -97,7 +97,7 @@ fn one_that_is_nowhere_tells_where_it_was_looked_for() {
     assert!(text.contains("/home/ardupilot/build/sitl/bin"), "{text}");
 }
 
-/// By this program itself, as `sortie` is not there.
+/// With this test program in place of `sortie`.
 async fn identify(program: &Path, patience: Duration) -> Result<ProgramIdentity, Unknown> {
     identify_by(&launcher(HangarLimits::default()), program, patience).await
 }
@@ -153,7 +153,7 @@ async fn one_that_hangs_is_ended_with_all_that_it_has_started() {
         children.display()
     );
     let patience = Duration::from_millis(300);
-    // A loaded machine may need several tries until the script comes that far.
+    // A loaded machine may need several attempts until the script gets that far.
     let child: i32 = loop {
         let text = refused(&home, &script, patience).await;
         assert!(
@@ -164,7 +164,7 @@ async fn one_that_hangs_is_ended_with_all_that_it_has_started() {
             break text.trim().parse().expect("a process id");
         }
     };
-    // Whoever adopts it reaps it at its leisure.
+    // Its new parent fetches the status at some point.
     let state = |pid| fs::read_to_string(format!("/proc/{pid}/stat")).unwrap_or_default();
     while !state(child).is_empty() && !state(child).contains(") Z ") {
         tokio::task::yield_now().await;

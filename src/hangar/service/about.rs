@@ -1,4 +1,4 @@
-//! The service's status.
+//! The service's status and description.
 
 use std::sync::Arc;
 
@@ -13,7 +13,7 @@ use super::{ServiceState, Status};
     (status = 200, description = "How the service is doing", body = Status),
 ))]
 pub(super) async fn status(State(state): State<Arc<ServiceState>>) -> Json<Status> {
-    // They are still being ended for a moment after the start.
+    // For a moment after the start they are still being ended.
     let leftovers = state.hangar.leftovers().now_or_never().unwrap_or_default();
     Json(Status {
         version: env!("SORTIE_VERSION").to_owned(),

@@ -1,4 +1,4 @@
-//! Takes connections and hangs up on those that are too many or too slow.
+//! Accepts connections and closes those that are too many or too slow.
 
 use std::convert::Infallible;
 use std::net::SocketAddr;
@@ -22,14 +22,14 @@ use super::guard::ConnectionEnds;
 use super::patient::Patient;
 use super::{ServiceProblem, ServiceState, expose, router};
 
-/// Bytes of a request's head, and of what is buffered of a connection.
+/// The most bytes of a request's head, and of a connection's buffer.
 const HEAD_MAX: usize = 16 * 1024;
 /// How long a rejected client may take to ask and to read the answer.
 const STOP_WITHIN: Duration = Duration::from_secs(1);
-/// How long to wait when the system gives no more connections.
+/// How long to wait when the system accepts no more connections.
 const PAUSE: Duration = Duration::from_millis(100);
 
-/// Takes connections until cancelled; returns those that are still there.
+/// Accepts connections until cancelled; returns those that are still open.
 pub(super) async fn run(listener: &TcpListener, state: &Arc<ServiceState>) -> JoinSet<()> {
     let mut tasks = JoinSet::new();
     if state.setup.expose {
@@ -69,17 +69,17 @@ fn ends_of(stream: &TcpStream, peer: SocketAddr) -> Option<ConnectionEnds> {
     Some(ConnectionEnds::new(peer, local))
 }
 
-/// Whether one more connection may enter, if it has found room. On this host, half of the room is the user's own: no other
-/// user can keep them out.
+/// Whether a connection may enter, if there is room. On this host, half of the room is reserved for the user's own
+/// programs.
 fn may_enter(room: &Semaphore, ends: Option<&ConnectionEnds>, state: &ServiceState) -> bool {
     let is_half_full = room.available_permits() < state.setup.bounds.connections / 2;
     let is_own = || ends.is_some_and(|ends| ends.is_own(state.setup.owner));
     !state.on_loopback || !is_half_full || is_own()
 }
 
-/// Answers the requests of one connection. A tunnel that it becomes is no longer counted.
+/// Answers the requests of one connection. After an upgrade to a tunnel it no longer counts.
 async fn talk(stream: TcpStream, ends: ConnectionEnds, router: Router, state: &ServiceState) {
-    // Answers are small and must not wait for one another; failing that they only come later.
+    // Answers are small and must not wait for one another; without this option they are only slower.
     let _ = stream.set_nodelay(true);
     let bounds = state.setup.bounds;
     let service = router.layer(Extension(Arc::new(ends)));
@@ -93,7 +93,7 @@ async fn talk(stream: TcpStream, ends: ConnectionEnds, router: Router, state: &S
         )
         .with_upgrades();
     tokio::pin!(connection);
-    // How a client leaves is its own affair.
+    // How a client disconnects does not matter.
     tokio::select! {
         _ = connection.as_mut() => return,
         () = state.cancel.cancelled() => connection.as_mut().graceful_shutdown(),
@@ -101,7 +101,7 @@ async fn talk(stream: TcpStream, ends: ConnectionEnds, router: Router, state: &S
     let _ = connection.await;
 }
 
-/// Answers the first request with 503 and hangs up.
+/// Answers the first request with 503 and closes the connection.
 async fn turn_away(stream: TcpStream, _permit: OwnedSemaphorePermit) {
     let refuse = service_fn(|_: Request<Incoming>| async {
         let problem = ServiceProblem::new(StatusCode::SERVICE_UNAVAILABLE, "too many connections");

@@ -1,4 +1,4 @@
-//! Reads what clients send: bodies, numbers in paths, queries.
+//! Parses requests: bodies, numbers in paths, queries.
 
 use axum::extract::{self, FromRequestParts, Path, Request};
 use axum::http::request::Parts;
@@ -12,7 +12,7 @@ use crate::hangar::InstanceId;
 /// The JSON of a request's body.
 ///
 /// # Errors
-/// It is none, or too long, or takes too long to come, or says what cannot be.
+/// It is not JSON, too long, too slow, or not valid.
 pub(super) async fn json<T: DeserializeOwned>(
     request: Request,
     bounds: ServiceBounds,
@@ -31,7 +31,7 @@ pub(super) async fn json<T: DeserializeOwned>(
         );
     }
     let bytes = read(request, bounds).await?;
-    // What is to have names may not come without them.
+    // An array would be accepted in place of a struct's named fields.
     if bytes.trim_ascii_start().first() == Some(&b'[') {
         let error = "the body: a list; expected an object at line 1 column 1";
         return Err(ServiceProblem::new(StatusCode::BAD_REQUEST, error));
@@ -86,7 +86,7 @@ impl<S: Send + Sync> FromRequestParts<S> for PathNumber {
     }
 }
 
-/// What a query says; it may say nothing else.
+/// The parameters of a query; others are refused.
 pub(super) struct Query<T>(pub T);
 
 impl<S: Send + Sync, T: DeserializeOwned> FromRequestParts<S> for Query<T> {

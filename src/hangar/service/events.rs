@@ -16,7 +16,7 @@ use utoipa::ToSchema;
 use super::{ServiceProblem, ServiceState};
 use crate::hangar::{Instance, InstanceId, Instances};
 
-/// The state when a client begins to follow.
+/// The state at the start of a stream.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
 #[schema(as = Snapshot)]
 pub struct InstanceSnapshot {
@@ -29,14 +29,13 @@ pub struct InstanceSnapshot {
 /// What has happened to an instance.
 #[derive(Debug, Clone, PartialEq)]
 pub enum InstanceChange {
-    /// It is new, or something about it is.
+    /// It is new, or has changed.
     Vehicle(Box<Instance>),
-    /// It is no more.
+    /// It is gone.
     Gone(InstanceId),
 }
 
-/// What has happened between two looks at the instances, by their numbers; those that are no more come first, for
-/// others may have their numbers later.
+/// The changes between two looks at the instances; the gone ones come first, since their numbers may be reused.
 pub fn changes(before: &Instances, after: &Instances) -> Vec<InstanceChange> {
     let gone = before.keys().filter(|id| !after.contains_key(id));
     let new = after
@@ -66,7 +65,7 @@ pub(super) async fn follow(
 struct Follower {
     state: Arc<ServiceState>,
     seen: watch::Receiver<Instances>,
-    /// What was told last; nothing before the snapshot.
+    /// The last state sent; `None` before the snapshot.
     told: Option<Instances>,
     waiting: VecDeque<InstanceChange>,
     _permit: OwnedSemaphorePermit,

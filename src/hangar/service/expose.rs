@@ -1,4 +1,4 @@
-//! A TCP port on loopback for each instance, for ground stations that know no tokens.
+//! A TCP port on loopback for each instance, for ground stations without support for tokens.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -11,7 +11,7 @@ use super::patient::Patient;
 use super::tunnel::carry;
 use crate::hangar::InstanceId;
 
-/// Opens a port for each instance that there is, and closes it with the instance.
+/// Opens a port for each instance, and closes it with the instance.
 pub(super) async fn run(state: Arc<ServiceState>) {
     let mut doors: BTreeMap<InstanceId, DropGuard> = BTreeMap::new();
     let mut seen = state.hangar.instances();
@@ -27,7 +27,7 @@ pub(super) async fn run(state: Arc<ServiceState>) {
             if doors.contains_key(&id) {
                 continue;
             }
-            // A host without free ports has more to worry about; the vehicle is still reached by its tunnel.
+            // Without a free port, the vehicle is still available through its tunnel.
             if let Some(door) = open(&state, id).await {
                 doors.insert(id, door);
             }
@@ -50,7 +50,7 @@ async fn open(state: &Arc<ServiceState>, id: InstanceId) -> Option<DropGuard> {
     Some(cancel.drop_guard())
 }
 
-/// Gives the vehicle's bytes to one at a time; others are hung up on.
+/// Serves the vehicle's bytes to one client at a time; others are disconnected.
 async fn serve(
     listener: TcpListener,
     state: Arc<ServiceState>,

@@ -1,8 +1,8 @@
 //! Access control.
 //!
-//! On loopback other users of the host can connect, and so can web pages that a user of the host looks at. So a
-//! connection is let in by the token, or if the program at its other end is the same user's; and a request that
-//! comes from a page of somebody else's is refused: it would come from the user's own browser.
+//! On loopback, other users of the host can connect, and so can web pages in a user's browser. So a connection is
+//! accepted with the token, or if the program at its other end belongs to the same user; and a request from a foreign
+//! web page is refused, since it comes from the user's own browser.
 
 use std::net::{IpAddr, SocketAddr};
 use std::sync::{Arc, OnceLock};
@@ -33,7 +33,7 @@ impl ConnectionEnds {
         }
     }
 
-    /// Whether the other end is a program of the user whose program this is, or of root.
+    /// Whether the program at the other end belongs to this program's user, or to root.
     pub fn is_own(&self, owner: Owner) -> bool {
         let on_loopback = |address: SocketAddr| address.ip().to_canonical().is_loopback();
         let uid = || *self.owner.get_or_init(|| owner(self.peer, self.local));
@@ -43,7 +43,7 @@ impl ConnectionEnds {
     }
 }
 
-/// Answers a request, or tells why not.
+/// Passes a request on, or refuses it with the reason.
 pub(super) async fn check(
     State(state): State<Arc<ServiceState>>,
     request: Request,
@@ -62,10 +62,10 @@ impl ServiceState {
             let error = "the request names its host more than once";
             return Err(ServiceProblem::new(StatusCode::BAD_REQUEST, error));
         }
-        // What a whole address in the request's line says counts before the header (RFC 9112, 3.2.2).
+        // An absolute address in the request line takes precedence over the header (RFC 9112, 3.2.2).
         let whole = request.uri().authority().map(Authority::as_str);
         let host = whole.or_else(|| text(headers, &header::HOST));
-        // Elsewhere the token is asked for, which no page of somebody else's knows.
+        // On other interfaces the token is required, which a foreign page does not know.
         if self.on_loopback && !host.is_some_and(is_this_host) {
             let host = host.unwrap_or("nothing");
             let error = format!("this host is asked for as `{host}`, which is not its name");
@@ -115,7 +115,7 @@ fn text<'a>(headers: &'a HeaderMap, name: &header::HeaderName) -> Option<&'a str
     headers.get(name)?.to_str().ok()
 }
 
-/// Whether a `HOST` or `HOST:PORT` names this host by itself. The port may be another's: of `ssh -L`.
+/// Whether a `HOST` or `HOST:PORT` names this host. The port may differ, as with `ssh -L`.
 fn is_this_host(host: &str) -> bool {
     let name = match host.rsplit_once(':') {
         Some((name, port)) if port.bytes().all(|byte| byte.is_ascii_digit()) => name,
@@ -126,8 +126,8 @@ fn is_this_host(host: &str) -> bool {
     by_address || name.eq_ignore_ascii_case("localhost")
 }
 
-/// Whether a browser says that a request comes from a page that is not ours. We have none, so that every page is
-/// foreign; a browser's address line is nobody's page.
+/// Whether a browser marks a request as sent by a foreign page. The service has no pages, so every page is foreign;
+/// typing an address is not a page.
 fn is_foreign_page(headers: &HeaderMap, host: Option<&str>) -> bool {
     let ours = format!("http://{}", host.unwrap_or_default());
     let origin = text(headers, &header::ORIGIN);

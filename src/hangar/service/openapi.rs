@@ -46,7 +46,7 @@ pub(super) fn document() -> OpenApi {
     let scheme = SecurityScheme::Http(Http::new(HttpAuthScheme::Bearer));
     let components = document.components.get_or_insert_default();
     components.add_security_scheme(SCHEME, scheme);
-    // On loopback the same user's programs need none.
+    // On loopback, programs of the same user need no token.
     document.security = Some(vec![
         SecurityRequirement::new(SCHEME, Vec::<String>::new()),
         SecurityRequirement::default(),
@@ -54,7 +54,7 @@ pub(super) fn document() -> OpenApi {
     document
 }
 
-// Pure modules know nothing of the service, so the schemas of their types are made here.
+// Pure modules do not depend on the service, so the schemas of their types are built here.
 
 impl ToSchema for SitlKind {
     fn name() -> Cow<'static, str> {
@@ -85,7 +85,7 @@ impl PartialSchema for Restart {
     }
 }
 
-/// The schema of an enum that is one of its names in JSON.
+/// The schema of an enum that is a name in JSON.
 fn words<T: VariantNames>(description: &str) -> RefOr<Schema> {
     ObjectBuilder::new()
         .schema_type(Type::String)

@@ -1,5 +1,5 @@
-//! The plain requests of the paper that this program builds on: start, stop and readiness by a vehicle's number,
-//! all of them GET, answered by a line of text or, if that is what is accepted, by JSON.
+//! The plain requests of the paper that this program builds on: start, stop and readiness by a vehicle's number, all
+//! with GET, answered with a line of text or, if the client accepts it, with JSON.
 
 use std::fmt::Write as _;
 use std::sync::Arc;
@@ -77,7 +77,7 @@ pub(super) async fn list(State(state): State<Arc<ServiceState>>, headers: Header
     either(&headers, lines, &json)
 }
 
-/// An instance in a line: number, stage, and what there is to say about it.
+/// An instance as a line: number, stage, and remarks.
 fn line(instance: &Instance) -> String {
     let mut line = format!("{} {}", instance.id, instance.stage.word());
     let [have, of] = instance.parameters;

@@ -1,4 +1,4 @@
-//! A connection that gives up on an other end that takes nothing.
+//! A connection that is closed when the other end stops reading.
 
 use std::future::Future as _;
 use std::io;
@@ -10,7 +10,7 @@ use tokio::io::{AsyncRead, AsyncWrite, ReadBuf};
 use tokio::net::TcpStream;
 use tokio::time::{Instant, Sleep, sleep};
 
-/// A connection. Sending fails once the other end has taken nothing for some time.
+/// A connection. Sending fails after the other end has read nothing for some time.
 pub(super) struct Patient {
     stream: TcpStream,
     limit: Duration,

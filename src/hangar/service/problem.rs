@@ -1,4 +1,4 @@
-//! The answer to a request that cannot be met.
+//! The answer to a failed request.
 
 use axum::Json;
 use axum::http::{Method, StatusCode, Uri, header};
@@ -86,21 +86,21 @@ impl From<HangarRefusal> for ServiceProblem {
     }
 }
 
-/// Answers a path that nothing is at.
+/// Answers a request for an unknown path.
 pub(super) async fn no_such_path(uri: Uri) -> ServiceProblem {
     let error = format!("there is nothing at {}", uri.path());
     ServiceProblem::new(StatusCode::NOT_FOUND, error)
         .hint("GET /openapi.json describes what there is")
 }
 
-/// Answers a method that a path does not have.
+/// Answers a method that a path does not support.
 pub(super) async fn no_such_method(method: Method, uri: Uri) -> ServiceProblem {
     let error = format!("{method} cannot be done to {}", uri.path());
     ServiceProblem::new(StatusCode::METHOD_NOT_ALLOWED, error)
         .hint("the header Allow tells what can be; GET /openapi.json describes it")
 }
 
-/// Answers HEAD where GET does something: whoever asks so wants nothing done.
+/// Answers HEAD where GET acts: HEAD must have no effect.
 pub(super) async fn not_by_head(uri: Uri) -> impl IntoResponse {
     let problem = no_such_method(Method::HEAD, uri).await;
     ([(header::ALLOW, "GET")], problem)

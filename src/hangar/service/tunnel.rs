@@ -38,7 +38,7 @@ pub(super) async fn open(
     let upgrade = hyper::upgrade::on(&mut request);
     let cancel = state.cancel.clone();
     tokio::spawn(async move {
-        // A client that leaves before that has let go of the vehicle.
+        // A client that leaves before that has released the vehicle.
         if let Ok(upgraded) = upgrade.await {
             carry(pipe, TokioIo::new(upgraded), &cancel).await;
         }

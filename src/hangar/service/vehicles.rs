@@ -1,4 +1,4 @@
-//! Instances: started, told of, ended.
+//! Requests about instances: start, list, stop.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -15,12 +15,12 @@ use super::body::{self, PathNumber, Query};
 use super::{ServiceProblem, ServiceState};
 use crate::hangar::{HangarRefusal, Instance, InstanceId, Launch, OutputLine, SitlStage};
 
-/// How long one waits for readiness unless told otherwise, and at most, in seconds.
+/// The default and the longest wait for readiness, in seconds.
 const READY_S: u32 = 60;
 const READY_MAX_S: u32 = 300;
-/// How long an answer waits for the port that an instance is exposed on.
+/// How long an answer waits for an instance's exposed port.
 const PORT_OPENED: Duration = Duration::from_secs(1);
-/// Lines of output that are told unless more are asked for.
+/// The default number of lines of output.
 const LINES: usize = 100;
 
 /// How readiness is waited for.
@@ -158,7 +158,7 @@ pub(super) async fn ready(
     readiness(&state, id)
 }
 
-/// How far an instance is, with the status that tells it.
+/// The stage of an instance, with the matching HTTP status.
 pub(super) fn readiness(
     state: &ServiceState,
     id: InstanceId,
@@ -204,7 +204,7 @@ pub(super) async fn output(
 }
 
 impl ServiceState {
-    /// Starts an instance, also if whoever has asked does not wait for it.
+    /// Starts an instance, even if the client stops waiting.
     pub(super) async fn launch(
         self: &Arc<Self>,
         launch: Launch,
@@ -215,20 +215,20 @@ impl ServiceState {
         if self.setup.expose {
             let mut ports = self.ports.subscribe();
             let opened = ports.wait_for(|ports| ports.contains_key(&id));
-            // A port that could not be opened is not told.
+            // A port that could not be opened is left out.
             let _ = tokio::time::timeout(PORT_OPENED, opened).await;
         }
         self.instance(id)
     }
 
-    /// Ends an instance, also if whoever has asked does not wait for it.
+    /// Ends an instance, even if the client stops waiting.
     pub(super) async fn stop(self: &Arc<Self>, id: InstanceId) -> Result<(), ServiceProblem> {
         let state = Arc::clone(self);
         let begun = tokio::spawn(async move { state.hangar.stop(id).await });
         Ok(begun.await.map_err(|_| HangarRefusal::Closing)??)
     }
 
-    /// A place among those that wait for something to happen.
+    /// A place among the waiting connections.
     pub(super) fn wait(&self) -> Result<OwnedSemaphorePermit, ServiceProblem> {
         Arc::clone(&self.waiting).try_acquire_owned().map_err(|_| {
             let error = format!(

@@ -1,12 +1,12 @@
 //! The probability that a detector finds an object in view.
 //!
-//! Mines, per pass: best probability of the sensor for the class, times `exp(-(max(0, h - h0) / hs)^2)`, times `1 / (1
-//! + exp((v - v0) / (0.15 v0)))`, times `L(2 x / W)` with `L(u) = 1` up to 0.8 and falling to 0 at 1.
+//! Mines, per pass: best probability of the sensor for the class, times `exp(-(max(0, h - h0) / hs)^2)`, times
+//! `1 / (1 + exp((v - v0) / (0.15 v0)))`, times `L(2 x / W)` with `L(u) = 1` up to 0.8 and falling to 0 at 1.
 //!
 //! Pictures, per look of 2 s: Johnson's criteria in the form of the targeting task performance metric. A pixel on the
 //! ground is `2 h tan(FOV / 2) / px`; cycles over the target are `N = d_c / (2 pixel)`, with `d_c` the root of its
 //! area; `P = x^E / (1 + x^E)`, `x = N / N50`, `E = 2.7 + 0.7 x`, where `N50` is 0.75 to detect and 3 to recognise.
-//! This is reduced by contrast, by what hides the object, by smoke and by whoever watches the pictures.
+//! This is reduced by contrast, by cover, by smoke, and by what the observer misses.
 
 use super::detector::{Band, Camera, DetectorSpec, Ground, MineSpec};
 use crate::commands::FindKind;

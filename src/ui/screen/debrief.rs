@@ -13,10 +13,10 @@ use crate::ui::widget::{below, centred, columns, put};
 
 mod summary;
 
-/// Rows of the screen that are no part of the room.
+/// Rows of the screen outside the room.
 const HEADER_AND_FOOTER: u16 = 2;
 
-/// Draws the text from the first line shown on; the last page stays full.
+/// Draws the text from its first visible line; the last page stays full.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let Some(debrief) = state.rooms().debrief() else {
         let line = Line::styled(panel.say("debrief-none"), panel.style(Role::Muted));
@@ -68,7 +68,7 @@ fn tone_role(tone: DebriefTone, passed: bool) -> Role {
     }
 }
 
-/// How what happened looks in the timeline.
+/// The role of an event in the timeline.
 fn event_role(mark: TimelineMark) -> Role {
     match mark {
         TimelineMark::Command => Role::Muted,

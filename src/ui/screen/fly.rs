@@ -11,18 +11,18 @@ use crate::ui::widget::{
     alerts, below, columns, ledger, map, mission, notices, swarm, telemetry, upper, urgent,
 };
 
-/// From this width on, telemetry and mission have a column each, and telemetry shows what an engineer reads.
+/// The least width with a column each for telemetry and mission, and with the detailed telemetry.
 const THREE_COLUMNS: u16 = 160;
 /// Columns of the telemetry pane, and of the mission below it.
 const SIDE_WIDTH: u16 = 40;
-/// Columns of the mission where it stands alone.
+/// Columns of the mission on its own.
 const MISSION_WIDTH: u16 = 56;
 /// Rows that the telemetry pane needs above a mission.
 const TELEMETRY_LEAST: u16 = 5;
-/// Rows from which on the notices have a pane over the whole width.
+/// The least rows for a pane of notices over the whole width.
 const NOTICES_LEAST: u16 = 6;
 
-/// A map smaller than this shows nothing worth its room.
+/// The least size of a useful map.
 const MAP_LEAST: (u16, u16) = (60, 9);
 /// Rows of the notices below a map.
 const NOTICES_MOST: u16 = 10;
@@ -34,18 +34,18 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let below_alerts = panel.below(alerts::height(state));
     urgent::draw(state, below_alerts.upper(urgent::height(state)), buffer);
     let body = below_alerts.below(urgent::height(state));
-    // Never more than half of the screen.
+    // At most half of the screen.
     let wanted = swarm::height(state, body.look, body.area.width);
     let rows = wanted.min(usize::from(body.area.height / 2)) as u16;
     swarm::draw(state, body.upper(rows), buffer);
     draw_panes(state, body.below(rows), buffer);
 }
 
-/// Draws what is below the table: where telemetry and mission leave rows free, the notices take them.
+/// Draws the panes below the table; the notices get the rows that telemetry and mission leave free.
 fn draw_panes(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let mut middle = side_height(state, panel.look, panel.area.width).max(panel.area.height / 2);
     if panel.area.width > SIDE_WIDTH + MAP_LEAST.0 {
-        // The rows are worth more to the map than to old notices.
+        // The map needs the rows more than old notices do.
         middle = middle.max(panel.area.height.saturating_sub(NOTICES_MOST));
     }
     let bottom = panel.area.height.saturating_sub(middle);
@@ -67,7 +67,7 @@ fn draw_panes(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// Draws the map where there is room for it, and returns what is left below it.
+/// Draws the map if there is room, and returns the rest below it.
 fn draw_map(state: &State, panel: Panel<'_>, notices_too: bool, buffer: &mut Buffer) -> Rect {
     let logs = if notices_too { 2 } else { 1 } * LEDGER_LEAST;
     let rows = panel.area.height.saturating_sub(logs);
@@ -78,7 +78,7 @@ fn draw_map(state: &State, panel: Panel<'_>, notices_too: bool, buffer: &mut Buf
     below(panel.area, rows)
 }
 
-/// What is told of a vehicle on a screen of a width.
+/// The level of detail for a vehicle on a screen of this width.
 fn detail(width: u16) -> Detail {
     if width >= THREE_COLUMNS {
         Detail::Engineer
@@ -99,7 +99,7 @@ fn side_height(state: &State, look: &Look, width: u16) -> u16 {
     }
 }
 
-/// Draws telemetry and mission and returns what is left beside them.
+/// Draws telemetry and mission and returns the rest beside them.
 fn draw_side(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
     let side = columns(panel.area, 0, SIDE_WIDTH);
     let log = columns(panel.area, SIDE_WIDTH + 1, panel.area.width);

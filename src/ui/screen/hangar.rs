@@ -1,4 +1,4 @@
-//! The hangar: a line for the process of each vehicle, and of the one under the cursor what ails it and what it says.
+//! The hangar: a line per process, and the fault and the output of the one under the cursor.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -15,13 +15,13 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, below, clip, put, row_of, wrap};
 
-/// Columns of the bar, of the one beside a name that needs the room, and of the words.
+/// Columns of the bar, of the bar beside a host name, and of the state.
 const BAR: usize = 12;
 const SHORT_BAR: usize = 5;
 const WORDS: usize = 22;
 /// Columns of all figures behind them.
 const FIGURES: usize = 32;
-/// Columns of a host at most.
+/// The most columns of a host.
 const HOST: usize = 24;
 
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
@@ -59,7 +59,7 @@ fn empty(panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// Draws the processes and returns what is left below.
+/// Draws the processes and returns the rest below.
 fn draw_list(state: &State, hangar: &Hangar, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
     let ready = text!(
         "hangar-ready",
@@ -79,7 +79,7 @@ fn draw_list(state: &State, hangar: &Hangar, panel: Panel<'_>, buffer: &mut Buff
     );
     let inner = below(inner, 1);
     if hangar.instances().is_empty() {
-        // The whole room is left for it.
+        // The whole room is free for it.
         draw_nothing(hangar, panel.at(below(panel.area, 2)), buffer);
     }
     draw_instances(
@@ -136,7 +136,7 @@ struct Columns {
 }
 
 impl Columns {
-    /// What is left; services are to be told apart, at the bar's expense.
+    /// The remaining columns: host names are kept at the bar's expense.
     fn new(hangar: &Hangar, width: u16) -> Self {
         let left = |bar| usize::from(width).saturating_sub(4 + bar + 1 + WORDS + 1 + FIGURES + 1);
         let names = hangar.instances().iter().filter_map(host_name);
@@ -149,7 +149,7 @@ impl Columns {
     }
 }
 
-/// Where the service is that runs a process, if it is one.
+/// The host of the service that runs a process, if there is one.
 fn host_name(instance: &Instance) -> Option<&str> {
     let url = instance.host.as_deref()?;
     Some(url.trim_start_matches("http://"))
@@ -179,7 +179,7 @@ fn line(instance: &Instance, Columns { host, bar }: Columns, look: &Look) -> Lin
     let words = clip(&look.text(&instance.says()), WORDS);
     let unknown = || "-".to_owned();
     let pid = instance.pid.map_or_else(unknown, |pid| pid.to_string());
-    // One that has not been measured yet has no figures.
+    // A process that has not been measured yet has no figures.
     let measured = instance.pid.filter(|_| instance.memory_bytes > 0);
     let memory = measured.map_or_else(unknown, |_| megabytes(instance.memory_bytes));
     let load = instance.processor_percent.filter(|_| measured.is_some());
@@ -267,7 +267,7 @@ fn where_kept(instance: &Instance, output: &[String]) -> text::Text {
     }
 }
 
-/// The output on the whole screen, ending so many lines before its end.
+/// The output on the whole screen, with the newest lines scrolled out of view.
 fn draw_output(
     instance: &Instance,
     output: &[String],

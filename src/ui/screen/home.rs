@@ -1,4 +1,4 @@
-//! The home screen: what there is to do, how far the trainee has come with it, and what it is about.
+//! The home screen: missions and other items, the trainee's progress with them, and details.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -21,18 +21,18 @@ use crate::ui::widget::{below, clip, columns, put, width};
 mod about;
 mod list;
 
-/// Columns of the list: as many as its longest line takes, between these.
+/// Columns of the list: as its longest line needs, between these limits.
 const LIST_LEAST: u16 = 34;
 const LIST_MOST: u16 = 60;
 /// Rows of the text above the sketch of a mission's area, without a career and with one.
 const TEXT_ROWS: u16 = 14;
 const CAREER_ROWS: u16 = 23;
-/// Columns of the text at most: longer lines are hard to read.
+/// The most columns of the text: longer lines are hard to read.
 const TEXT_WIDTH: u16 = 88;
 /// Columns of what a mission means to the career, and what it asks for, at least, where it stands beside the text.
 const FACTS_WIDTH: u16 = 50;
 
-/// Draws who trains here, the list with its cursor, and a text about the line under it.
+/// Draws the trainee, the list with its cursor, and a text about the chosen item.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let trainee = panel.at(draw_heads(state, panel, buffer));
     draw_trainee(state, trainee, buffer);
@@ -54,7 +54,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// Where the chosen mission is flown, below everything else where there is room; returns what is left above it.
+/// Draws the site of the chosen mission below everything else if there is room; returns the rest above it.
 fn draw_site<'a>(state: &State, panel: Panel<'a>, buffer: &mut Buffer) -> Panel<'a> {
     let text = if state.career().is_some() {
         CAREER_ROWS
@@ -71,7 +71,7 @@ fn draw_site<'a>(state: &State, panel: Panel<'a>, buffer: &mut Buffer) -> Panel<
     panel.upper(above)
 }
 
-/// What goes on, if anything does; returns what is left below it.
+/// Draws the session under way, if there is one; returns the rest below it.
 fn draw_heads(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
     let Some(activity) = state.session().activity() else {
         return panel.area;
@@ -92,7 +92,7 @@ fn draw_heads(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
     below(panel.area, 1)
 }
 
-/// Who trains here, what they have, and what to do next.
+/// Draws the trainee's name and account, and the recommended next step.
 fn draw_trainee(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let Some(career) = state.career() else {
         let line = Line::from(vec![
@@ -124,7 +124,7 @@ fn draw_trainee(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     ]);
     let left = usize::from(panel.area.width).saturating_sub(line.width() + 4);
     let end = put(buffer, panel.area, 0, &line).unwrap_or(panel.area.x);
-    // Where the whole advice does not fit, the mission matters most.
+    // If the whole advice does not fit, the mission matters most.
     let words: Vec<String> = advice(career).iter().map(|it| panel.text(it)).collect();
     let shown = words.iter().find(|text| width(text) <= left);
     if let Some(text) = shown.or(words.last()) {
@@ -134,7 +134,7 @@ fn draw_trainee(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// What to train next, and where: in full and in short.
+/// The recommended skill and mission, in full and in short.
 fn advice(career: &Career) -> Vec<Text> {
     let Some((skill, offer)) = career.next() else {
         return Vec::new();

@@ -1,4 +1,4 @@
-//! Every command so far, and what became of it with each vehicle.
+//! All commands and their outcome for each vehicle.
 
 use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};
@@ -15,14 +15,14 @@ use crate::ui::theme::Role;
 use crate::ui::widget::ledger::{entry_role, summary};
 use crate::ui::widget::{aligned, below, clip, clock, put, row_of, row_role, wrap};
 
-/// From this width on the rows of a command stand beside the list.
+/// The least width with the rows of a command beside the list.
 const BESIDE: u16 = 150;
-/// Columns of the fixed parts of a line: mark, time, vehicles, answer, tries.
+/// Columns of the fixed parts of a line: mark, time, vehicles, answer, attempts.
 const TIME_WIDTH: usize = 7;
 const COUNT_WIDTH: usize = 5;
 const ANSWER_WIDTH: usize = 8;
 const TRIES_WIDTH: usize = 5;
-/// Columns of what became of a command, where there is room for more than its line.
+/// The least columns of an outcome beside its command.
 const OUTCOME_LEAST: usize = 24;
 /// Columns of a vehicle's state.
 const STATE_WIDTH: usize = 16;
@@ -47,7 +47,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
             buffer,
         );
     } else {
-        // A third of the screen at most: the rest is one key away.
+        // At most a third of the screen: a key shows the rest.
         let wanted = 2 + lines(entry, panel.look, usize::from(panel.area.width)).len() as u16;
         let rows = wanted.clamp(4, (panel.area.height / 3).max(4));
         let list = panel.area.height.saturating_sub(rows);
@@ -78,7 +78,7 @@ fn draw_list(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
     let rows = usize::from(list.height);
     let place = room.place();
-    // The cursor stays in the middle while the list scrolls under it.
+    // The cursor stays in the centre while the list scrolls.
     let first = place
         .saturating_sub(rows / 2)
         .min(room.shown().len().saturating_sub(rows));
@@ -131,7 +131,7 @@ fn title(state: &State, look: &Look) -> String {
     look.text(&Text::joined("  ", parts))
 }
 
-/// Columns of the line of a command, and of what became of it.
+/// Columns of a command, and of its outcome.
 fn split(width: usize) -> (usize, usize) {
     let fixed = 2 + TIME_WIDTH + COUNT_WIDTH + ANSWER_WIDTH + TRIES_WIDTH + 2;
     let free = width.saturating_sub(fixed);
@@ -189,7 +189,7 @@ fn entry_line(
     ])
 }
 
-/// Seconds with as many decimals as matter.
+/// Seconds with a suitable number of decimals.
 fn seconds(time_s: f64) -> String {
     if time_s < 10.0 {
         format!("{time_s:.2} s")
@@ -198,7 +198,7 @@ fn seconds(time_s: f64) -> String {
     }
 }
 
-/// Draws what became of one command with each vehicle, what went wrong first.
+/// Draws the outcome of one command for each vehicle, failures first.
 fn draw_rows(state: &State, entry: &LedgerEntry, panel: Panel<'_>, buffer: &mut Buffer) {
     let time = clock(state.session().time(entry.at));
     let title = format!("{time} {}", entry.line);
@@ -244,7 +244,7 @@ fn lines(entry: &LedgerEntry, look: &Look, width: usize) -> Vec<Line<'static>> {
     lines.flat_map(|row| row_lines(row, look, width)).collect()
 }
 
-/// One vehicle: its state, its answer, its tries, and the reason in full.
+/// One vehicle: its state, its answer, its attempts, and the full reason.
 fn row_lines(row: &LedgerRow, look: &Look, width: usize) -> Vec<Line<'static>> {
     let muted = look.style(Role::Muted);
     let answer = row

@@ -1,4 +1,4 @@
-//! The links: a line for each, and of the one under the cursor what the doctor says and everything it counts.
+//! The links: a line for each, and the doctor's findings and all counters of the one under the cursor.
 
 use std::collections::VecDeque;
 
@@ -20,7 +20,7 @@ use crate::ui::widget::{below, clip, columns, put, row_of, upper, wrap};
 
 /// Columns of a label.
 const LABEL: usize = 16;
-/// Senders whose losses are named.
+/// The number of senders whose losses are listed.
 const LOSSES_SHOWN: usize = 5;
 /// Rows of a history curve.
 const CURVE_ROWS: u16 = 2;
@@ -121,7 +121,7 @@ fn list_line(
     ])
 }
 
-/// The word and the colour of a weight.
+/// The word and the role of a finding's severity.
 fn signed(weight: Weight) -> (&'static str, Role) {
     match weight {
         Weight::Fatal => ("links-fatal", Role::Danger),
@@ -131,7 +131,7 @@ fn signed(weight: Weight) -> (&'static str, Role) {
     }
 }
 
-/// What the doctor says of a link; returns what is left below.
+/// Draws the doctor's findings for a link; returns the rest below.
 fn draw_doctor(state: &State, link: usize, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
     let inner = panel.titled(&panel.say("links-doctor"), buffer);
     let width = usize::from(inner.width).saturating_sub(2);
@@ -161,7 +161,7 @@ fn draw_doctor(state: &State, link: usize, panel: Panel<'_>, buffer: &mut Buffer
     below(inner, row.max(1))
 }
 
-/// Everything that a link counts, and what it carried lately.
+/// Draws all counters of a link and its recent traffic.
 fn draw_link(state: &State, at: usize, panel: Panel<'_>, buffer: &mut Buffer) {
     let link = &state.session().links()[at];
     let inner = panel.titled(&format!("{} {}", at + 1, link.name), buffer);
@@ -229,7 +229,7 @@ fn counters(link: &LinkSummary, look: &Look) -> Vec<(Text, String)> {
     lines
 }
 
-/// Losses per sender, as `3/1: 12`, the worst first, and how many more lost something.
+/// Losses per sender, as `3/1: 12`, the worst first, and the number of others.
 fn losses(link: &LinkSummary) -> String {
     let mut lossy: Vec<_> = link.lost.iter().filter(|(_, count)| *count > 0).collect();
     lossy.sort_by_key(|(_, count)| std::cmp::Reverse(*count));

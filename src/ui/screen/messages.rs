@@ -1,4 +1,4 @@
-//! The inspector: the tree of all messages on the left, what the one under the cursor says on the right.
+//! The inspector: the tree of all messages on the left, the one under the cursor on the right.
 
 use std::time::Duration;
 
@@ -157,7 +157,7 @@ fn tree_line(
     ])
 }
 
-/// What a line of the tree is called.
+/// The label of a line of the tree.
 fn label(room: &Messages, node: Node, look: &Look) -> String {
     let traffic = room.traffic().get(node.link());
     match node {
@@ -188,7 +188,7 @@ fn label(room: &Messages, node: Node, look: &Look) -> String {
     }
 }
 
-/// What a component says it is, by its last heartbeat.
+/// The type of a component, by its last heartbeat.
 fn kind(room: &Messages, link: usize, source: FrameSource) -> String {
     let census = room.traffic().get(link).and_then(|it| it.census.as_ref());
     let heartbeat =
@@ -203,7 +203,7 @@ fn kind(room: &Messages, link: usize, source: FrameSource) -> String {
         .unwrap_or_default()
 }
 
-/// A rate with as many digits as it deserves.
+/// A rate with a suitable number of digits.
 fn hertz(hz: f64) -> String {
     if hz >= 99.95 {
         format!("{hz:.0}")

@@ -15,7 +15,7 @@ use crate::ui::screen::site::{self, SITE_ROWS};
 use crate::ui::theme::Role;
 use crate::ui::widget::{below, columns, put, row_of, upper};
 
-/// Draws the lines from the first one shown on; the last page stays full.
+/// Draws the page from its first visible line; the last page stays full.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let pages = mission::columns(state, &panel.look.locale, panel.area.width);
     if pages.is_empty() {

@@ -1,5 +1,5 @@
-//! The parameters of the vehicle under the cursor: how much of the list has come, the list itself, and below it
-//! what the parameter under the cursor is on every vehicle that a new value would go to.
+//! The parameters of the vehicle under the cursor: the progress of the download, the list, and below it the value of
+//! the parameter under the cursor on every target vehicle.
 
 use ratatui::buffer::Buffer;
 use ratatui::text::Line;
@@ -23,7 +23,7 @@ mod status;
 
 /// Rows of the status above the list.
 const STATUS_ROWS: u16 = 2;
-/// The list keeps at least so many rows.
+/// The least rows of the list.
 const LIST_LEAST: u16 = 8;
 
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
@@ -82,8 +82,8 @@ fn draw_nothing(state: &State, vehicle: VehicleId, panel: Panel<'_>, buffer: &mu
     put(buffer, row_of(panel.area, 1), 0, &line);
 }
 
-/// What became of a value that was asked for, in a word and its colour, and why: of a failure, and of a value that the
-/// vehicle has rounded. `now` is the value that the vehicle has.
+/// The outcome of a new value, in a word with its role, and the reason for a failure or for a value rounded by the
+/// vehicle. `now` is the vehicle's value.
 fn edited(
     state: &State,
     edit: Edit,

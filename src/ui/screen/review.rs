@@ -20,12 +20,12 @@ use crate::ui::widget::{put, row_of, wrap};
 
 mod curves;
 
-/// The share of the width that the moments take beside the map, and the most columns that they use.
+/// The moments get one column in this many beside the map; the most columns that they use.
 const LIST_SHARE: u16 = 2;
 const WIDEST_LIST: u16 = 80;
 /// Rows below the moments for the one under the cursor.
 const DETAIL_ROWS: u16 = 6;
-/// Rows of the line of pages, and one below it.
+/// Rows of the tabs and a blank one below.
 const HEAD_ROWS: u16 = 2;
 
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
@@ -52,7 +52,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// The names of the pages, that of the one shown marked, and those that are answered.
+/// The tabs of the pages, with the present one and the answered ones marked.
 fn pages<'a>(view: &ReplayView, shown: ReviewPage, panel: Panel<'_>) -> Line<'a> {
     let review = &view.review;
     let mut spans = vec![Span::raw(" ")];
@@ -112,7 +112,7 @@ fn draw_moments(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// All of a moment, the points that are tied to it, and the keys that add one.
+/// Draws a moment in full, the points tied to it, and the keys that add one.
 fn draw_detail(state: &State, moment: &Moment, panel: Panel<'_>, buffer: &mut Buffer) {
     let inner = panel.at(panel.titled(&panel.say("review-moment"), buffer));
     let how = text!(

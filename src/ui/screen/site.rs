@@ -1,4 +1,4 @@
-//! Where a mission is flown, and what it takes: a sketch of its area beside par, wind and the best so far.
+//! The site of a mission and its figures: a sketch of its area beside par, wind and the best score.
 
 use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};
@@ -17,7 +17,7 @@ use crate::ui::widget::{aligned, clip, clock, put, width};
 pub(super) const SITE_ROWS: u16 = 12;
 /// Columns of the figures at the right.
 const FIGURES: u16 = 30;
-/// Columns of the sketch at most: a sketch is no map.
+/// The most columns of the sketch.
 const SKETCH: u16 = 72;
 
 /// Draws the sketch and the figures below one rule.
@@ -52,7 +52,7 @@ fn draw_figures(state: &State, mission: &Listing, panel: Panel<'_>, buffer: &mut
     }
 }
 
-/// The best score with its medal: of the career, else of what was recorded.
+/// The best score with its medal: from the career, otherwise from the records.
 fn best(state: &State, mission: &Listing) -> Text {
     let career = state.career();
     let counted = career.and_then(|career| career.standing.best(&mission.id));

@@ -12,7 +12,7 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{centred, put, wrap};
 
-/// Says which size is needed and what it is now.
+/// Shows the required and the present size.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let text = panel.text(&text!(
         "small-needs",

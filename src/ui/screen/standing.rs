@@ -1,4 +1,4 @@
-//! Own progress: skills and why they moved, scores by mission, credits and experience.
+//! The trainee's progress: skills and why they changed, scores by mission, credits and experience.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -22,14 +22,14 @@ mod wealth;
 /// Rows of credits and experience on a screen that shows everything.
 const WEALTH_ROWS: u16 = 12;
 
-/// What is drawn, and how.
+/// What is drawn, with the look.
 struct Subject<'a> {
     state: &'a State,
     career: &'a Career,
     look: &'a Look,
 }
 
-/// Draws who it is about, and the pane that was chosen, or all where there is room.
+/// Draws the summary and the chosen pane, or all panes if there is room.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let Some(career) = state.career() else {
         return draw_nobody(state, panel, buffer);
@@ -76,7 +76,7 @@ fn draw_nobody(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// Name, level, credits, licence and how much advice comes by itself.
+/// Name, level, credits, licence and level of automatic advice.
 fn draw_summary(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     let look = subject.look;
     let standing = &subject.career.standing;
@@ -114,7 +114,7 @@ fn draw_summary(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
 }
 
 impl Subject<'_> {
-    /// A pane's rule with its title; that of the one that the cursor is in is heavy.
+    /// A pane's rule with its title; a heavy one for the pane with the cursor.
     fn pane(&self, pane: Pane, title: &str, area: Rect, buffer: &mut Buffer) -> Rect {
         Panel::new(self.look, area).focused(title, self.has_cursor(pane), buffer)
     }
@@ -125,7 +125,7 @@ impl Subject<'_> {
     }
 }
 
-/// Days from today in words: today, in so many days, so many days ago.
+/// A day relative to today: today, in so many days, so many days ago.
 fn days(from_today: i64) -> Text {
     match from_today {
         0 => text!("days-today"),

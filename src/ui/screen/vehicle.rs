@@ -1,4 +1,4 @@
-//! Everything about one vehicle. A large screen shows all panes at once, a smaller one shows them page by page.
+//! One vehicle in detail. A large screen shows all panes at once, a smaller one in pages.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -29,13 +29,13 @@ mod state;
 mod tape;
 mod texts;
 
-/// From this size on everything is shown at once.
+/// The least size to show everything at once.
 const WHOLE: (u16, u16) = (110, 34);
-/// Pages on smaller screens.
+/// The number of pages on smaller screens.
 const PAGES: usize = 3;
 /// Rows of the curves at one row each, with their title.
 const CURVES_ROWS: u16 = 8;
-/// Rows of the list of sensors where it stands over the whole width.
+/// Rows of the list of sensors over the whole width.
 const SENSORS_ROWS: u16 = 9;
 /// Rows of the outputs below others.
 const OUTPUTS_ROWS: u16 = 8;
@@ -82,7 +82,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// Which vehicle it is, and what the keys of the room do.
+/// Draws the vehicle's name and the room's keys.
 fn draw_name(subject: &Subject<'_>, page: Option<usize>, area: Rect, buffer: &mut Buffer) {
     let (session, look) = (subject.state.session(), subject.look);
     let place = look.text(&text!(
@@ -155,7 +155,7 @@ fn draw_whole(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     texts::draw(subject, texts, buffer);
 }
 
-/// First page: how it flies.
+/// First page: attitude and motion.
 fn draw_flight(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     let spare = area.height.saturating_sub(CURVES_ROWS);
     let curve_rows = if spare >= 28 { 2 } else { 1 };
@@ -176,7 +176,7 @@ fn draw_condition(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     outputs::draw(subject, below(area, top.height), buffer);
 }
 
-/// Third page: what it reports.
+/// Third page: its reports.
 fn draw_reports(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     sensors::draw(subject, upper(area, SENSORS_ROWS), buffer);
     texts::draw(subject, below(area, SENSORS_ROWS), buffer);
@@ -195,11 +195,11 @@ fn draw_attitude(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
         );
         return;
     };
-    // An odd number of rows, so that the horizon can lie in the row of the vehicle itself.
+    // An odd number of rows, so that the horizon can be level with the vehicle.
     let rows = inner.height.saturating_sub(TAPE_ROWS + 1);
     let view = upper(inner, rows - u16::from(rows > 0 && rows.is_multiple_of(2)));
     horizon::draw(attitude, Panel::new(look, view), buffer);
-    // Adding zero turns a rounded -0 into +0, which does not flicker.
+    // Adding zero turns a rounded -0 into +0, so that the sign does not flicker.
     let [roll, pitch] = [attitude.roll_deg, attitude.pitch_deg].map(|deg| deg.round() + 0.0);
     let angles = text!(
         "vehicle-angles",

@@ -1,4 +1,4 @@
-//! The workshop: the bench with its lists, figures and charts; all designs; two designs side by side; a fleet's seats.
+//! The workshop: the bench with its lists, figures and charts; all designs; a comparison; a fleet's seats.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -24,9 +24,9 @@ mod parts;
 mod shelf;
 mod slots;
 
-/// Rows from which on both lists are shown below each other.
+/// The least rows with both lists, one below the other.
 const TALL: u16 = 34;
-/// Columns from which on the lists have more than half, and rows of a chart below them at least.
+/// The least columns with wide lists, and the least rows of a chart below them.
 const ROOMY: u16 = 110;
 const CHART_ROWS: u16 = 9;
 /// Percent of a wide screen for the list of slots, and columns of the figures.
@@ -34,7 +34,7 @@ const SLOTS_PERCENT: u16 = 30;
 const WIDE_FIGURES: u16 = 56;
 /// Rows of the figures with their title.
 const FIGURES_ROWS: u16 = Measure::ALL.len() as u16 + 1;
-/// Rows of what speaks against a design, where something follows below.
+/// Rows of the design's problems, if something follows below.
 const FINDINGS_ROWS: u16 = 10;
 
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
@@ -47,7 +47,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// Everything at a time, in three columns.
+/// Draws everything at once, in three columns.
 fn draw_wide(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let slots_width = panel.area.width * SLOTS_PERCENT / 100;
     let middle = panel.area.width - slots_width - WIDE_FIGURES - 2;
@@ -65,10 +65,10 @@ fn draw_wide(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     mission::draw(state, panel.at(below(rest, half)), buffer);
 }
 
-/// The lists to the left, and what the user wants to see to the right.
+/// Draws the lists on the left, and the chosen view on the right.
 fn draw_narrow(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let room = state.rooms().workshop();
-    // The names of parts are longer than figures.
+    // Part names are longer than figures.
     let share = if panel.area.width >= ROOMY { 56 } else { 45 };
     let width = panel.area.width * share / 100;
     let left = columns(panel.area, 0, width);
@@ -101,7 +101,7 @@ fn draw_narrow(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// The first line of a list that is shown, so that the one under the cursor is.
+/// The first visible line of a list, so that the cursor is visible.
 fn first_shown(cursor: usize, count: usize, rows: u16) -> usize {
     let rows = usize::from(rows);
     cursor
@@ -109,7 +109,7 @@ fn first_shown(cursor: usize, count: usize, rows: u16) -> usize {
         .min(count.saturating_sub(rows))
 }
 
-/// Shows which line the cursor is on; of the list that does not have the keys only with a mark.
+/// Highlights the cursor's line; without the focus only with a mark.
 fn show_cursor(look: &Look, has_keys: bool, place: Rect, buffer: &mut Buffer) {
     if has_keys {
         Panel::new(look, row_of(place, 0)).mark_cursor(buffer);
@@ -118,7 +118,7 @@ fn show_cursor(look: &Look, has_keys: bool, place: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// Texts below each other, wrapped; returns what is left.
+/// Writes texts below each other, wrapped; returns the rest.
 fn put_wrapped(texts: &[(String, Style)], area: Rect, buffer: &mut Buffer) -> Rect {
     let mut row = 0;
     for (text, style) in texts {
@@ -130,7 +130,7 @@ fn put_wrapped(texts: &[(String, Style)], area: Rect, buffer: &mut Buffer) -> Re
     below(area, row)
 }
 
-/// A change with the sign that says whether it is for the better, so that no colour has to.
+/// A change with a sign for better or worse, readable without colour.
 fn change(measure: Measure, before: f64, after: f64) -> Option<(String, Role)> {
     let difference = measure.difference(before, after)?;
     let (sign, role) = match measure.is_gain(before, after) {
@@ -141,7 +141,7 @@ fn change(measure: Measure, before: f64, after: f64) -> Option<(String, Role)> {
     Some((format!("{sign}{difference}"), role))
 }
 
-/// What a mission is called.
+/// The title of the mission.
 fn mission_title(state: &State, look: &Look) -> String {
     let mission = crate::app::room::workshop::mission(state);
     let title = mission.map_or_else(|| text!("bench-no-mission"), |it| it.title.clone());

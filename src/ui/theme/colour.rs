@@ -1,11 +1,11 @@
-//! Colours for terminals that have fewer of them.
+//! Colours for terminals with fewer of them.
 
 use ratatui::style::Color;
 
-/// How many colours a terminal can show.
+/// The number of colours of a terminal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ColourDepth {
-    /// None: only bold, underline and reverse.
+    /// No colours: only bold, underline and reverse.
     None,
     /// The sixteen basic ones.
     Sixteen,
@@ -38,7 +38,7 @@ const LEAST_CHROMA: i32 = 48;
 const CUBE_STEPS: [u8; 6] = [0, 95, 135, 175, 215, 255];
 
 impl ColourDepth {
-    /// The nearest colour that the terminal has.
+    /// The nearest colour of the terminal.
     pub fn map(self, colour: Color) -> Color {
         match (self, colour) {
             (Self::None, _) => Color::Reset,
@@ -57,8 +57,8 @@ fn distance(a: [u8; 3], b: [u8; 3]) -> u32 {
         .sum()
 }
 
-/// A grey becomes the nearest grey, and a colour the basic one of its hue: by distance alone, a soft red would be
-/// a dark grey.
+/// A grey becomes the nearest grey, a colour the basic one of its hue: by distance alone, a soft red would become dark
+/// grey.
 fn nearest_basic(rgb: [u8; 3]) -> Color {
     let nearest = match hue_deg(rgb) {
         None => {

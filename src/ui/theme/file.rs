@@ -39,7 +39,7 @@ struct StyleEntry {
     reverse: bool,
 }
 
-/// The themes that are being read, each inherited by the one before it.
+/// The themes being read, each inherited by the one before it.
 pub struct Lineage<'a> {
     themes: &'a Themes,
     names: Vec<String>,
@@ -51,7 +51,7 @@ impl<'a> Lineage<'a> {
         Self { themes, names }
     }
 
-    /// The styles that the last theme inherits from `parent`, or why there are none.
+    /// The styles inherited from `parent`, or a fault.
     fn inherited(&self, parent: &Spanned<String>) -> Result<Styles, Diagnostic> {
         let name = parent.get_ref();
         if let Some(circle) = self.circle(name) {
@@ -72,7 +72,7 @@ impl<'a> Lineage<'a> {
                 Diagnostic::new(parent.span(), text).with_help(first.unwrap_or_default())
             });
         }
-        // An embedded theme knows only embedded ones.
+        // An embedded theme inherits only embedded ones.
         let embedded = Theme::named(name).map(|theme| theme.styles);
         embedded.ok_or_else(|| {
             let text = if is_itself {
@@ -86,13 +86,13 @@ impl<'a> Lineage<'a> {
         })
     }
 
-    /// The user's file that the last theme means by `name`. A user's `dark` that inherits `dark` means the embedded one.
+    /// The user's file for `name`. A user's `dark` that inherits `dark` means the embedded one.
     fn own(&self, name: &str) -> Option<&'a ThemeFile> {
         let is_itself = self.names.last().is_some_and(|last| last == name);
         self.themes.own(name).filter(|_| !is_itself)
     }
 
-    /// The themes that lead from the last one by way of `parent` to one that has been passed already.
+    /// The circle of inheritance through `parent`, if there is one.
     fn circle(&self, parent: &str) -> Option<String> {
         let mut names = self.names.clone();
         let mut next = parent.to_owned();
@@ -159,7 +159,7 @@ pub fn read(source: &str, lineage: &Lineage<'_>) -> Result<Styles, Vec<Diagnosti
     }
 }
 
-/// What is wrong with roles that are no tables: the reader of TOML would say it in terms of the program.
+/// The faults of roles that are not tables: the TOML reader would name Rust types.
 fn roles_without_table(source: &str) -> Vec<Diagnostic> {
     let (document, _) = DeTable::parse_recoverable(source);
     let roles = document.get_ref().get("roles").map(Spanned::get_ref);

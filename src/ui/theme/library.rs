@@ -1,4 +1,4 @@
-//! The themes on offer: the embedded ones, and those of the administrator's and the user's folders.
+//! The available themes: the embedded ones, and those of the administrator's and the user's folders.
 
 use std::collections::BTreeMap;
 
@@ -6,7 +6,7 @@ use super::{EMBEDDED, Theme, file};
 use crate::diagnostic::{Diagnostic, first_shown, nearest};
 use crate::text::Text;
 
-/// Themes by name. One of a file stands before the embedded one of the same name, and may inherit it.
+/// Themes by name. A theme file replaces the embedded theme of the same name, and may inherit it.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Themes {
     own: BTreeMap<String, ThemeFile>,
@@ -15,28 +15,28 @@ pub struct Themes {
 /// A theme file of the administrator's or the user's.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ThemeFile {
-    /// Under which faults in it are reported.
+    /// The path for fault reports.
     pub path: String,
     pub text: String,
 }
 
-/// A theme that could not be had.
+/// Why a theme is not available.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum ThemeError {
-    /// Nothing is called so.
+    /// No theme has that name.
     #[error("unknown theme `{name}`: choose one of {known}{guess}")]
     Unknown {
-        /// What was asked for.
+        /// The requested name.
         name: String,
         known: String,
-        /// The name that may have been meant, with the words around it.
+        /// The most similar name, with the words around it.
         guess: String,
     },
-    /// Its file is wrong.
+    /// Its file has faults.
     #[error("{}", one_by_one(file, faults))]
     Faulty {
         file: ThemeFile,
-        /// Every fault, with its place.
+        /// Every fault, with its position.
         faults: Vec<Diagnostic>,
     },
 }
@@ -44,7 +44,7 @@ pub enum ThemeError {
 impl From<&ThemeError> for Text {
     fn from(error: &ThemeError) -> Self {
         match error {
-            // The console offers names that there are; only a command line can ask for others.
+            // The console offers only existing names; just the command line can request others.
             ThemeError::Unknown { .. } => Self::verbatim(error.to_string()),
             ThemeError::Faulty { file, faults } => {
                 let (shown, rest) = first_shown(faults);
@@ -56,12 +56,12 @@ impl From<&ThemeError> for Text {
 }
 
 impl Themes {
-    /// Adds a theme of a file; it takes the place of one of the same name.
+    /// Adds a theme file; it replaces one of the same name.
     pub fn add(&mut self, name: String, file: ThemeFile) {
         self.own.insert(name, file);
     }
 
-    /// The names on offer: the embedded themes, then those of files.
+    /// The available names: the embedded themes, then those of files.
     pub fn names(&self) -> impl Iterator<Item = &str> {
         let added = self.own.keys().map(String::as_str);
         let embedded = EMBEDDED.iter().map(|&(name, _)| name);
@@ -71,7 +71,7 @@ impl Themes {
     /// The theme of that name.
     ///
     /// # Errors
-    /// There is none, or its file is wrong.
+    /// It does not exist, or its file has faults.
     pub fn named(&self, name: &str) -> Result<Theme, ThemeError> {
         if let Some(file) = self.own.get(name) {
             return self
@@ -89,10 +89,10 @@ impl Themes {
         })
     }
 
-    /// Reads the file of the theme `name`, which inherits from those on offer.
+    /// Reads the file of the theme `name`, which may inherit from the available ones.
     ///
     /// # Errors
-    /// Every fault of the file, each at its place.
+    /// Every fault of the file, with its position.
     pub fn read(&self, name: &str, source: &str) -> Result<Theme, Vec<Diagnostic>> {
         let lineage = file::Lineage::new(self, name);
         file::read(source, &lineage).map(|styles| Theme {
@@ -107,7 +107,7 @@ impl Themes {
     }
 }
 
-/// The faults of a file, a line each.
+/// The faults of a file, one per line.
 fn one_by_one(file: &ThemeFile, faults: &[Diagnostic]) -> String {
     let lines = faults
         .iter()

@@ -2,7 +2,7 @@ use super::*;
 
 mod vision;
 
-/// A library with these files of the user's: name and text.
+/// A library with these theme files of the user: name and text.
 fn library(files: &[(&str, &str)]) -> Themes {
     let mut themes = Themes::default();
     for &(name, text) in files {
@@ -57,7 +57,7 @@ fn a_theme_that_inherits_nothing_needs_no_role_that_has_a_stand_in() {
     );
 }
 
-/// The roles that must not look alike.
+/// Roles that must look different.
 const MEANINGS: [Role; 8] = [
     Role::Armed,
     Role::Ready,
@@ -184,7 +184,7 @@ fn the_users_themes_inherit_from_each_other_and_from_embedded_ones() {
             "base",
             "inherits = \"light\"\n[roles]\ninfo = { fg = \"red\" }",
         ),
-        // It stands before the embedded one of its name, which it builds on.
+        // It replaces the embedded theme of its name, and inherits from it.
         (
             "dark",
             "inherits = \"dark\"\n[roles]\nok = { fg = \"cyan\" }",

@@ -1,4 +1,4 @@
-//! The line of alerts: the worst one that is not acknowledged.
+//! The alert line: the worst unacknowledged alert.
 
 use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};
@@ -13,12 +13,12 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{clip, put, short_clock, width};
 
-/// Rows that the line takes: none while nothing presses.
+/// The rows of the line: none without an alert.
 pub fn height(state: &State) -> u16 {
     u16::from(state.session().alarms().pressing().is_some())
 }
 
-/// Draws the line, if anything presses.
+/// Draws the line if there is an alert.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let Some(pressing) = state.session().alarms().pressing() else {
         return;

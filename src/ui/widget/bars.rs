@@ -1,4 +1,4 @@
-//! A chart of bars with lines across it: values one by one against marks.
+//! A bar chart with horizontal lines: values compared with marks.
 
 use ratatui::buffer::Buffer;
 use ratatui::style::Style;
@@ -16,9 +16,9 @@ const STEP: usize = 6;
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bar {
-    /// How high it is.
+    /// Its value.
     pub value: f64,
-    /// What stands below it: five letters at most.
+    /// Its label: at most five letters.
     pub label: String,
     pub style: Style,
 }
@@ -68,13 +68,13 @@ pub fn draw(chart: &Bars<'_>, panel: Panel<'_>, buffer: &mut Buffer) {
 }
 
 impl Bars<'_> {
-    /// How high a value stands in eighths of a row; what is there at all is seen.
+    /// The height of a value in eighths of a row; at least one if it is above zero.
     fn eighths(&self, value: f64, rows: u16) -> usize {
         let share = (value / self.most).clamp(0.0, 1.0);
         ((share * f64::from(rows) * 8.0).round() as usize).max(1)
     }
 
-    /// The row, from the top, that a value lies in.
+    /// The row of a value, from the top.
     fn row(&self, value: f64, rows: u16) -> u16 {
         let eighths = self.eighths(value, rows).saturating_sub(1);
         rows - 1 - (eighths / 8) as u16

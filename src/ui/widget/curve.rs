@@ -23,7 +23,7 @@ pub struct Curve<'a> {
     pub style: Style,
 }
 
-/// How many values fit beside one another.
+/// The number of values that fit side by side.
 pub fn steps(width: u16, symbols: Symbols) -> usize {
     match symbols {
         Symbols::Braille => usize::from(width) * 2,
@@ -45,10 +45,10 @@ pub fn draw(curve: &Curve<'_>, symbols: Symbols, area: Rect, buffer: &mut Buffer
 }
 
 impl Curve<'_> {
-    /// How high a value is, in steps from 0 to `most`.
+    /// The height of a value, in steps from 0 to `most`.
     fn level(&self, value: f64, most: u16) -> u16 {
         let span = self.high - self.low;
-        // A curve that does not move lies in the middle.
+        // A constant curve is drawn in the middle.
         let share = if span > 0.0 {
             (value - self.low) / span
         } else {
@@ -96,7 +96,7 @@ fn bar(eighths: u16) -> char {
     BARS[usize::from(eighths.clamp(1, 8)) - 1]
 }
 
-/// Draws a bar per column; the least value is still seen.
+/// Draws a bar per column; the least value stays visible.
 fn draw_bars(curve: &Curve<'_>, area: Rect, buffer: &mut Buffer, bar: fn(u16) -> char) {
     for (at, value) in curve.values.iter().enumerate().take(area.width.into()) {
         let Some(value) = value else {

@@ -1,4 +1,4 @@
-//! The last line: what is being typed, else what the console has to say, else what the keys do.
+//! The last line: the text being typed, otherwise a message, otherwise the key hints.
 
 use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};
@@ -64,7 +64,7 @@ fn line<'a>(state: &'a State, panel: Panel<'_>) -> Line<'a> {
     Line::from(spans)
 }
 
-/// What can be done with the list of vehicles that is being typed.
+/// The actions for the vehicle list being typed.
 fn list_keys(state: &State) -> Text {
     let commands = state.keymap().command_labels(Place::In(state.room()));
     text!(

@@ -1,4 +1,4 @@
-//! Gauges: a share in a few cells, in the colour of what it means.
+//! Gauges: a share in a few cells, in the colour of its meaning.
 
 use ratatui::text::Span;
 
@@ -6,24 +6,24 @@ use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::vehicle::{HomeReach, LinkQuality};
 
-/// At these shares of its charge and below, a battery is low, and nearly empty.
+/// The battery levels for low and nearly empty, in percent.
 const LOW_PERCENT: u8 = 25;
 const EMPTY_PERCENT: u8 = 10;
-/// Of a good link so much is heard at least.
+/// The least share of messages received on a good link.
 const GOOD_PERCENT: u8 = 90;
 
 /// A share between nothing and all.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Gauge {
-    /// How much of it is filled, 0 to 1.
+    /// The filled share, 0 to 1.
     pub share: f64,
-    /// A share that matters beside it, such as what the way home takes of the battery.
+    /// A second share to mark, such as the battery needed for the way home.
     pub mark: Option<f64>,
     pub role: Role,
 }
 
 impl Gauge {
-    /// The gauge in so many cells: what is there at all is seen.
+    /// The gauge in so many cells; anything above zero is visible.
     pub fn spans(&self, cells: usize, look: &Look) -> Vec<Span<'static>> {
         let cell = |share: f64| (share.clamp(0.0, 1.0) * cells as f64).round() as usize;
         let least = usize::from(self.share > 0.0);
@@ -51,7 +51,7 @@ impl Gauge {
     }
 }
 
-/// How the charge of a battery looks.
+/// The role of a battery charge.
 pub fn battery_role(left_percent: u8) -> Role {
     if left_percent <= EMPTY_PERCENT {
         Role::Danger
@@ -62,7 +62,7 @@ pub fn battery_role(left_percent: u8) -> Role {
     }
 }
 
-/// How a link looks.
+/// The role of a link.
 pub fn link_role(link: &LinkQuality) -> Role {
     if link.lost {
         Role::Danger
@@ -73,7 +73,7 @@ pub fn link_role(link: &LinkQuality) -> Role {
     }
 }
 
-/// How the way home looks beside what is left.
+/// The role of the way home, compared with the battery left.
 pub fn reach_role(reach: HomeReach) -> Role {
     match reach {
         HomeReach::Ample => Role::Ok,

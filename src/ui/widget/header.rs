@@ -1,4 +1,4 @@
-//! The first line: where we are, how late it is, how many, over which links.
+//! The first line: room, time, vehicles, and links.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -34,7 +34,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
         String::new()
     };
     let left = width(&name) + width(&pace) + 1;
-    // The figures give way to the title as long as they lose no meaning by it.
+    // The figures are shortened for the title while they lose no meaning.
     let fits = |right: &String| left + width(&title) + 3 + width(right) < room;
     let long = right_part(state, panel.look, false);
     let right = if fits(&long) {
@@ -60,7 +60,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
     }
 }
 
-/// The figures; in a few letters where there is little room.
+/// The figures; abbreviated where there is little room.
 fn right_part(state: &State, look: &Look, short: bool) -> String {
     let is_reading = state.session().is_reading();
     if is_reading && short {
@@ -105,7 +105,7 @@ fn dropped(state: &State, short: bool) -> Option<Text> {
     })
 }
 
-/// The flight screen has a line of its own for it.
+/// The flight screen has its own line for it.
 fn pressing_alert(state: &State) -> Option<Text> {
     let session = state.session();
     let pressing = session.alarms().pressing()?;
@@ -114,7 +114,7 @@ fn pressing_alert(state: &State) -> Option<Text> {
     is_shown.then(|| text!("alert-header", count = count))
 }
 
-/// How long the mission's alert waits for its answer; two rooms tell what it is about.
+/// How long the mission's alert still waits for an answer; two rooms show the alert itself.
 fn mission_alert(state: &State) -> Option<Text> {
     let session = state.session();
     let alert = session.mission()?.alerts.first()?;
@@ -133,13 +133,13 @@ fn vehicles(state: &State, short: bool) -> Option<Text> {
         let vehicles = text!("count-vehicles", count = all);
         text!("header-armed", vehicles = vehicles, armed = armed)
     };
-    // The links of a recording are no longer there.
+    // The links of a recording no longer exist.
     let links = state.replay().is_none().then(|| links(state, short));
     let shown = std::iter::once(count).chain(links).collect();
     Some(Text::joined("   ", shown))
 }
 
-/// The time of day of what is replayed.
+/// The recorded time of day in a replay.
 fn recorded_at(state: &State, short: bool) -> Option<Text> {
     let view = state.replay()?;
     Some(replay::time_of_day(view, short).into())
@@ -150,7 +150,7 @@ fn links(state: &State, short: bool) -> Text {
     match links {
         [] => text!("header-no-link"),
         [link] if link.up => text!("header-link-up"),
-        // A long address is cut rather than the word that matters.
+        // A long address is cut rather than the state.
         [link] => {
             let name = clip(&link.name, if short { 14 } else { 24 });
             text!("header-link-down", name = name)

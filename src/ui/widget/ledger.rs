@@ -1,4 +1,4 @@
-//! The ledger pane: a line per command with what became of it, newest last.
+//! The ledger pane: a line per command with its outcome, newest last.
 
 use std::collections::BTreeMap;
 
@@ -20,9 +20,9 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{clip, clock, put, row_role, wrap};
 use crate::vehicle::VehicleId;
 
-/// Columns before what became of a command.
+/// The indent of an outcome.
 const INDENT: usize = 2;
-/// Columns of a remark that is a value rather than a sentence.
+/// The greatest width of a remark that is a value and not a sentence.
 const LONGEST_VALUE: usize = 24;
 
 /// Draws the newest entries that fit.
@@ -58,7 +58,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// Leaves out the lines that do not fit; the last one that stays says so.
+/// Drops the lines that do not fit; the last visible one is marked.
 fn cut(lines: &mut Vec<Line<'_>>, rows: usize, width: usize) {
     if lines.len() <= rows {
         return;
@@ -67,13 +67,13 @@ fn cut(lines: &mut Vec<Line<'_>>, rows: usize, width: usize) {
     let Some(line) = lines.last_mut() else { return };
     let before: usize = line.spans.iter().rev().skip(1).map(Span::width).sum();
     if let Some(last) = line.spans.last_mut() {
-        // One more letter than there is room for is what `clip` marks.
+        // A text one letter too long, which `clip` marks.
         let room = (width.saturating_sub(before)).min(last.width() + 1);
         last.content = clip(&format!("{}  ", last.content), room).into();
     }
 }
 
-/// A command, what became of it, and why.
+/// A command, its outcome, and the reasons.
 pub fn entry_lines<'a>(
     entry: &LedgerEntry,
     session: &FlightView,
@@ -82,7 +82,7 @@ pub fn entry_lines<'a>(
 ) -> Vec<Line<'a>> {
     let style = look.style(entry_role(entry));
     let mut lines = head_lines(entry, session, width, look);
-    // Where all rows ended with a remark, it stands in the place of their states.
+    // If all rows have ended with a remark, it replaces their states.
     let told = outcome(entry, look).is_some();
     let left = explanations(entry);
     for (text, vehicles) in left.into_iter().filter(|_| !told) {
@@ -98,7 +98,7 @@ pub fn entry_lines<'a>(
     lines
 }
 
-/// The command and what became of it: on one line where it fits, else below each other.
+/// The command and its outcome: on one line if they fit, otherwise below each other.
 fn head_lines<'a>(
     entry: &LedgerEntry,
     session: &FlightView,
@@ -132,7 +132,7 @@ fn indented<'a>(text: &str, style: Style) -> Line<'a> {
     Line::styled(format!("{:INDENT$}{text}", ""), style)
 }
 
-/// How many vehicles are in which state, in words.
+/// The number of vehicles in each state, as text.
 pub fn summary(entry: &LedgerEntry, look: &Look, with_count: bool) -> String {
     if let [row] = entry.rows.as_slice() {
         return look.text(&match row.state {
@@ -140,7 +140,7 @@ pub fn summary(entry: &LedgerEntry, look: &Look, with_count: bool) -> String {
             state => state.text(),
         });
     }
-    // How many percent each vehicle has done would be too much here.
+    // The progress of each vehicle in percent would be too much here.
     let mut counts: BTreeMap<u8, (RowState, usize)> = BTreeMap::new();
     for row in &entry.rows {
         let (_, count) = counts.entry(order(row.state)).or_insert((row.state, 0));
@@ -162,7 +162,7 @@ pub fn summary(entry: &LedgerEntry, look: &Look, with_count: bool) -> String {
     })
 }
 
-/// What went wrong comes last, where the explanation follows.
+/// Failures come last, next to their explanation.
 fn order(state: RowState) -> u8 {
     match state {
         RowState::Done => 0,
@@ -178,7 +178,7 @@ fn order(state: RowState) -> u8 {
     }
 }
 
-/// A command looks like the worst that became of it.
+/// The role of a command: that of its worst outcome.
 pub fn entry_role(entry: &LedgerEntry) -> Role {
     let worst = entry
         .rows
@@ -200,13 +200,13 @@ pub fn entry_role(entry: &LedgerEntry) -> Role {
     worst.map_or(Role::Muted, row_role)
 }
 
-/// What was asked for, once every vehicle has answered: `= 500`, or `1,3-4: 500   2: 700` where they differ.
+/// The answer to a query, once every vehicle has answered: `= 500`, or `1,3-4: 500   2: 700` where they differ.
 fn outcome(entry: &LedgerEntry, look: &Look) -> Option<String> {
     let told = |row: &LedgerRow| row.state == RowState::Done && row.explanation.is_some();
     if !entry.rows.iter().all(told) {
         return None;
     }
-    // The line has named already what the value belongs to.
+    // The line already names the value.
     let asked = entry.line.split_whitespace().next_back()?;
     let short = |text: &Text| {
         let text = look.text(text);
@@ -219,7 +219,7 @@ fn outcome(entry: &LedgerEntry, look: &Look) -> Option<String> {
     if let [(text, _)] = remarks.as_slice() {
         return Some(short(text));
     }
-    // Sentences that differ run together on one line: each gets its own below.
+    // Different sentences on one line would run together: each gets its own line.
     let is_long = |(text, _): &(Text, Vec<VehicleId>)| look.text(text).width() > LONGEST_VALUE;
     if remarks.iter().any(is_long) {
         return None;
@@ -231,7 +231,7 @@ fn outcome(entry: &LedgerEntry, look: &Look) -> Option<String> {
     Some(parts.collect::<Vec<_>>().join("   "))
 }
 
-/// The explanations of rows, those that differ only in their vehicle together, in the order of their first one.
+/// The explanations of rows, merged if they differ only in their vehicle, in the order of their first one.
 fn explanations(entry: &LedgerEntry) -> Vec<(Text, Vec<VehicleId>)> {
     let mut found: Vec<(Text, Vec<VehicleId>)> = Vec::new();
     let explained = |row: &&LedgerRow| row.state != RowState::Superseded;

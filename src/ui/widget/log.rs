@@ -1,4 +1,4 @@
-//! The notices over the whole screen, to look back.
+//! The notices on the whole screen.
 
 use std::ops::Range;
 
@@ -17,7 +17,7 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{put, row_of};
 
-/// Draws them, with the entry under the cursor marked and in sight.
+/// Draws them, with the entry under the cursor marked and visible.
 pub fn draw(state: &State, log: Log, cursor: Option<usize>, panel: Panel<'_>, buffer: &mut Buffer) {
     let count = state.log_length(log);
     let cursor = cursor.unwrap_or(count).min(count.saturating_sub(1));
@@ -30,7 +30,7 @@ pub fn draw(state: &State, log: Log, cursor: Option<usize>, panel: Panel<'_>, bu
         return;
     }
     let rows = usize::from(inner.height);
-    // Every entry has a line at least: more of them than rows on either side cannot be seen.
+    // Every entry has at least one line: only this many on either side can be visible.
     let near = cursor.saturating_sub(rows)..(cursor + rows + 1).min(count);
     let blocks = blocks(
         state,
@@ -41,7 +41,7 @@ pub fn draw(state: &State, log: Log, cursor: Option<usize>, panel: Panel<'_>, bu
     );
     let window = Window::around(cursor - near.start, blocks, rows);
     window.draw(panel.at(inner), buffer);
-    // Of what lies beyond, only the nearest lines were made.
+    // Beyond them, only the nearest lines were created.
     let above = near.start + window.first;
     let below = window.lines.len() - window.first + count.saturating_sub(near.end);
     panel.at(inner).mark_scroll(above, above + below, buffer);
@@ -76,7 +76,7 @@ struct Window<'a> {
 }
 
 impl<'a> Window<'a> {
-    /// The entry under the cursor stays in the middle while the list scrolls under it.
+    /// The entry under the cursor stays in the centre while the list scrolls.
     fn around(cursor: usize, blocks: Vec<Vec<Line<'a>>>, rows: usize) -> Self {
         let above: usize = blocks.iter().take(cursor).map(Vec::len).sum();
         let marked = above..above + blocks.get(cursor).map_or(0, Vec::len);
@@ -101,7 +101,7 @@ impl<'a> Window<'a> {
                 panel.at(row_of(inner, row as u16)).mark_cursor(buffer);
             }
             if at == self.marked.start {
-                // Seen without colour too, in the free column beside the frame.
+                // Visible without colour too, in the free column beside the frame.
                 let margin = Rect {
                     x: inner.x.saturating_sub(1),
                     ..inner

@@ -1,4 +1,4 @@
-//! The map: the swarm and what it flies over, seen from above.
+//! The map: the swarm and the ground below it, from above.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;

@@ -22,10 +22,10 @@ use crate::vehicle::Vehicle;
 const GAP: usize = 3;
 /// Columns of one cell in the grid.
 const CELL_WIDTH: u16 = 7;
-/// A grid is not drawn for cells that lie farther apart than this many cells.
+/// The largest grid that is drawn, in cells per side.
 const GRID_LIMIT: usize = 64;
 
-/// Rows that the pane would like to have.
+/// The preferred rows of the pane.
 pub fn height(progress: &Progress, width: u16, look: &Look) -> u16 {
     let grid = Grid::of(&progress.cells).map_or(0, |grid| grid.rows());
     let hint = hint_lines(progress, usize::from(width), look).len();
@@ -60,7 +60,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
     let hint = hint_lines(progress, width, panel.look);
     if let Some(grid) = Grid::of(&progress.cells) {
-        // The map has the cells too, the hint stands here only.
+        // The map has the cells too; the hint is only here.
         let rows = grid.rows() as u16;
         let free = upper(rest, rest.height.saturating_sub(hint.len() as u16));
         grid.draw(state, panel.at(upper(free, rows)), buffer);
@@ -69,7 +69,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     draw_hint(&hint, panel.at(rest), buffer);
 }
 
-/// Draws the hint; a mark says where it is cut.
+/// Draws the hint, with a mark if it is cut.
 fn draw_hint(lines: &[String], panel: Panel<'_>, buffer: &mut Buffer) {
     let rows = usize::from(panel.area.height);
     for (row, line) in lines.iter().take(rows).enumerate() {
@@ -84,7 +84,7 @@ fn draw_hint(lines: &[String], panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// What advises the trainee now, in lines of a width: what was asked for, until other advice comes by itself.
+/// The advice, wrapped: the requested hint, until new automatic advice.
 pub fn hint_lines(progress: &Progress, width: usize, look: &Look) -> Vec<String> {
     let asked_for = progress.clues.given.last();
     let given =
@@ -101,13 +101,13 @@ pub fn hint_lines(progress: &Progress, width: usize, look: &Look) -> Vec<String>
     lines.unwrap_or_default()
 }
 
-/// The step of the lesson, where there is one.
+/// The step of the lesson, if there is one.
 pub fn lesson(progress: &Progress) -> Option<Text> {
     let step = progress.lesson.as_ref()?;
     Some(text!("mission-lesson", step = &step.text))
 }
 
-/// What has been found and reported, and what the trainee has said: a line for each where there is anything.
+/// Contacts, reports, prediction and goal: a line for each that exists.
 fn counts(progress: &Progress) -> Vec<Text> {
     let trusted = |trust| {
         let contacts = progress.contacts.iter();
@@ -135,8 +135,8 @@ fn counts(progress: &Progress) -> Vec<Text> {
     contacts.into_iter().chain(marks).chain(said).collect()
 }
 
-/// A line for each objective. Where name and result do not fit into one, a result that was reached is left out; any other
-/// stands below its name if there are rows for it, else the name is cut.
+/// A line for each objective. If name and result do not fit on it, the result of a met objective is left out; any
+/// other is placed below its name if there are rows, otherwise the name is cut.
 fn objective_lines(
     progress: &Progress,
     width: usize,
@@ -169,7 +169,7 @@ fn objective_lines(
     lines
 }
 
-/// What the sensors show and what is left of the loads, as many to a line as fit.
+/// The sensors' readings and the loads left, as many per line as fit.
 fn readings(progress: &Progress, width: usize, look: &Look) -> Vec<Line<'static>> {
     let shown = progress.readings.iter().map(|it| {
         let value = format!("{} {}", amount(it.value), it.unit);
@@ -198,7 +198,7 @@ fn readings(progress: &Progress, width: usize, look: &Look) -> Vec<Line<'static>
     lines
 }
 
-/// A value with as many decimals as its size deserves.
+/// A value with a suitable number of decimals.
 fn amount(value: f64) -> String {
     let decimals = match value.abs() {
         size if size >= 100.0 => 0,
@@ -208,7 +208,7 @@ fn amount(value: f64) -> String {
     format!("{value:.decimals$}")
 }
 
-/// Cells with their places in rows (the northernmost first) and columns (the westernmost first).
+/// Cells in rows (the northernmost first) and columns (the westernmost first).
 struct Grid<'a> {
     cells: Vec<(usize, usize, &'a Cell)>,
     columns: usize,
@@ -253,7 +253,7 @@ impl<'a> Grid<'a> {
             .unwrap_or(0)
     }
 
-    /// A cell shows its name until it has been sampled, then what was found there.
+    /// A cell shows its name until it is sampled, then its value.
     fn draw(&self, state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         let fits = panel.area.width / self.columns.max(1) as u16;
         let width = fits.min(CELL_WIDTH);

@@ -18,13 +18,14 @@ use crate::vehicle::Severity;
 
 /// Columns of a severity.
 const SEVERITY_WIDTH: usize = 5;
-/// Lines that a notice may take that is no error.
+/// The most lines of a notice that is no error.
 const MOST_LINES: usize = 2;
 
-/// How long a notice of the console is kept in view among texts that vehicles send.
+/// How long a console's own notice stays visible among vehicles' texts.
 const KEPT_IN_VIEW: Duration = Duration::from_secs(30);
 
-/// Draws the newest notices that fit. Texts of vehicles leave half of the pane to the console's own while these are new.
+/// Draws the newest notices that fit. Vehicles' texts leave half of the pane to the console's own notices while these
+/// are new.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let inner = panel.titled(&panel.say("fly-notices"), buffer);
     let rows = usize::from(inner.height);
@@ -52,7 +53,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// Rows that texts of vehicles may take.
+/// The rows for vehicles' texts.
 fn rows_for_texts(state: &State, rows: usize) -> usize {
     let now = state.now();
     let is_new = |line: &&NoticeLine| now.saturating_sub(line.notice.at) <= KEPT_IN_VIEW;
@@ -64,7 +65,7 @@ fn rows_for_texts(state: &State, rows: usize) -> usize {
     }
 }
 
-/// A notice with its time, its severity and its vehicles, in a width and, if it is no error, at most so many lines.
+/// A notice with its time, severity and vehicles, wrapped; if it is no error, at most so many lines.
 pub fn lines<'a>(
     line: &NoticeLine,
     session: &FlightView,
@@ -94,9 +95,9 @@ pub fn lines<'a>(
     lines
 }
 
-/// The text in as many lines as it may take, with how often it came.
+/// The text in at most this many lines, with its count.
 fn texts(line: &NoticeLine, width: usize, most: usize, look: &Look) -> Vec<String> {
-    // Once from each of the vehicles that are named needs no count.
+    // Once from each of the listed vehicles needs no count.
     let once_each = line.count as usize <= line.vehicles.len().max(1);
     let count = if once_each {
         String::new()
@@ -107,7 +108,7 @@ fn texts(line: &NoticeLine, width: usize, most: usize, look: &Look) -> Vec<Strin
     let mut lines = wrap(&format!("{text}{count}"), width);
     let whole = line.notice.severity <= Severity::Error;
     if lines.len() > most && !whole {
-        // What is cut off must not take the count with it.
+        // The count must survive the cut.
         let rest = lines.drain(most - 1..).collect::<Vec<_>>().join(" ");
         let uncounted = rest.strip_suffix(&count).unwrap_or(&rest);
         let last = clip(uncounted, width.saturating_sub(count.len()));

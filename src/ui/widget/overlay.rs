@@ -1,4 +1,4 @@
-//! The overlays that are read: help, and the question before something dangerous.
+//! The text overlays: help, and the question before a dangerous action.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -37,7 +37,7 @@ pub fn draw(state: &State, overlay: &Overlay, panel: Panel<'_>, buffer: &mut Buf
     }
 }
 
-/// Draws a question as high as it is, with its reason, so that no word of it is cut.
+/// Draws a question in full with its reason, so that no word is cut.
 fn draw_confirm(state: &State, question: &Confirm, panel: Panel<'_>, buffer: &mut Buffer) {
     let width = usize::from(CONFIRM_WIDTH - CONFIRM_FRAME);
     let answer = question.wanted();
@@ -67,7 +67,7 @@ fn draw_confirm(state: &State, question: &Confirm, panel: Panel<'_>, buffer: &mu
     }
 }
 
-/// What has been typed of the answer, and what anything else means.
+/// The part of the answer typed, and the effect of other keys.
 fn typed_line(state: &State, question: &Confirm, panel: Panel<'_>) -> Line<'static> {
     if question.is_cancelled() {
         let text = panel.text(&text!(
@@ -83,7 +83,7 @@ fn typed_line(state: &State, question: &Confirm, panel: Panel<'_>) -> Line<'stat
     ])
 }
 
-/// A single key shows no place to type: what is pressed counts at once.
+/// A single key shows no text field: it takes effect at once.
 fn typed_so_far(question: &Confirm) -> String {
     if question.wants_one_key() {
         String::new()
@@ -92,7 +92,7 @@ fn typed_so_far(question: &Confirm) -> String {
     }
 }
 
-/// What the frame of the help says: what is searched for, and the keys.
+/// The title of the help: the search text, and the keys.
 fn help_title(state: &State, page: &HelpPage, look: &Look) -> String {
     let help = text!(
         "help-title",
@@ -180,7 +180,7 @@ mod tests {
 
     use super::*;
 
-    /// What stands in the box, in one line.
+    /// The content of the box, in one line.
     fn shown(question: &Text, reason: &Text, language: Language) -> String {
         let look = Look {
             locale: Arc::new(Locale::new(language)),
@@ -204,7 +204,7 @@ mod tests {
         words.split_whitespace().collect::<Vec<_>>().join(" ")
     }
 
-    /// Whatever is asked, and for whatever reason: any message can be either.
+    /// Any question with any reason: any message can be either.
     #[test]
     fn no_question_is_cut_on_a_small_screen() {
         for language in Language::ALL {

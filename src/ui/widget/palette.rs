@@ -1,4 +1,4 @@
-//! The command line: what could follow, what is wrong, and the line itself with the wrong word marked.
+//! The command line: completions, faults, and the line itself with the faulty word marked.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
@@ -19,31 +19,31 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{below, clip, mission, put, row_of, wrap};
 
-/// Rows of the box at most: frame, choices, message, line.
+/// The most rows of the box: frame, completions, message, line.
 const HEIGHT: u16 = 13;
 /// Rows and columns of its frame, with the margins inside it.
 const FRAME_ROWS: usize = 2;
 const FRAME: usize = 4;
-/// Below so many rows of the screen the box covers the mission's pane; rows of the running hint in it.
+/// Below this height of the screen the box covers the mission pane; rows of the lesson's step in it.
 const LOW: u16 = 36;
 const LESSON_ROWS: usize = 2;
-/// Rows of what is wrong with a word, and of how the verb is written.
+/// Rows of a fault, and of a verb's usage.
 const FAULT_ROWS: usize = 4;
 const HINT_ROWS: usize = 3;
-/// Columns of a wrong word in what is said about it.
+/// The most columns of a faulty word in its fault.
 const LONGEST_WORD: usize = 24;
 /// Columns before the line.
 const PROMPT: u16 = 2;
 
-/// What stands in the box above the line, from the top.
+/// The content of the box above the line, from the top.
 struct Above<'a> {
     lesson: Vec<Line<'static>>,
     choices: Vec<ChoiceRow<'a>>,
     said: Vec<Line<'static>>,
 }
 
-/// Draws the box above the footer, as high as what it says, and returns where the terminal's cursor belongs. The line
-/// is its last row, so that it stays in its place whatever is said above it.
+/// Draws the box above the footer, as high as its content, and returns the position of the terminal's cursor. The line
+/// is its last row, so that it stays in place.
 pub fn draw(state: &State, palette: &Palette, panel: Panel<'_>, buffer: &mut Buffer) -> Position {
     let above = Above::of(state, palette, panel);
     let place = at_the_bottom(panel.area, (FRAME_ROWS + 1 + above.rows()) as u16);
@@ -96,7 +96,7 @@ impl<'a> Above<'a> {
         self.lesson.len() + self.choices.len() + self.said.len()
     }
 
-    /// Draws it and returns what is left below it.
+    /// Draws it and returns the rest below it.
     fn draw(&self, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
         let mut rest = panel.area;
         for line in &self.lesson {
@@ -128,7 +128,7 @@ fn at_the_bottom(area: Rect, rows: u16) -> Rect {
     }
 }
 
-/// The running hint, on a screen so low that the box covers its pane: it is what is being typed.
+/// The lesson's step, on a screen so low that the box covers its pane.
 fn lesson(state: &State, height: u16, width: usize, look: &Look) -> Vec<Line<'static>> {
     let progress = state.session().mission();
     let Some(progress) = progress.filter(|_| state.room() == Room::Fly && height < LOW) else {
@@ -141,21 +141,21 @@ fn lesson(state: &State, height: u16, width: usize, look: &Look) -> Vec<Line<'st
         .collect()
 }
 
-/// What is wrong, how the verb is written, and what Enter would do.
+/// The fault, the verb's usage, and what Enter would do.
 fn explanation(palette: &Palette, grammar: &Text, width: usize, look: &Look) -> Vec<Line<'static>> {
     let fault = palette.fault().map(|fault| {
         let said = match &fault.help {
             Some(help) => format!("{} - {}", look.text(&fault.message), look.text(help)),
             None => look.text(&fault.message),
         };
-        // A word of many lines would leave no room for what is wrong with it.
+        // A word of many lines would leave no room for its fault.
         let (_, wrong, _) = parts(palette.input().value(), Some(fault));
         match clip(wrong, LONGEST_WORD) {
             whole if whole == wrong => said,
             cut => said.replace(wrong, &cut),
         }
     });
-    // A wrong line without a verb is not helped by the grammar.
+    // The grammar does not help a faulty line without a verb.
     let hint = match palette.hint() {
         Some(hint) => Some(look.text(hint)),
         None => fault.is_none().then(|| look.text(grammar)),
@@ -175,7 +175,7 @@ fn explanation(palette: &Palette, grammar: &Text, width: usize, look: &Look) -> 
     lines
 }
 
-/// Draws a prompt and its text, scrolled so that the cursor is seen; returns the cursor's place and the scroll.
+/// Draws a prompt and its text, scrolled so that the cursor is visible; returns the cursor's position and the scroll.
 pub fn draw_line(
     input: &Input,
     fault: Option<&Diagnostic>,
@@ -207,7 +207,7 @@ pub fn draw_line(
     (Position::new(x, text.y), scroll)
 }
 
-/// The line before the wrong word, the word, and the line after it.
+/// The line before the faulty word, the word, and the rest.
 fn parts<'a>(line: &'a str, fault: Option<&Diagnostic>) -> (&'a str, &'a str, &'a str) {
     let whole = (line, "", "");
     let Some(span) = fault.map(|fault| &fault.span) else {
@@ -223,7 +223,7 @@ fn parts<'a>(line: &'a str, fault: Option<&Diagnostic>) -> (&'a str, &'a str, &'
     }
 }
 
-/// Carets under the wrong word, so that it is marked without colour too.
+/// Carets under the faulty word, a mark without colour.
 fn draw_carets(
     line: &str,
     fault: &Diagnostic,
@@ -242,16 +242,16 @@ fn draw_carets(
     put(buffer, indented(panel.area), 0, &line);
 }
 
-/// A row of the list of choices.
+/// A row of the list of completions.
 struct ChoiceRow<'a> {
     line: Line<'a>,
     is_chosen: bool,
 }
 
-/// What could follow, in so many rows at most.
+/// The completions, in at most so many rows.
 fn choices<'a>(palette: &'a Palette, rows: usize, width: usize, look: &Look) -> Vec<ChoiceRow<'a>> {
     let choices = palette.completions();
-    // The chosen one is the last row once the list has to scroll.
+    // The chosen one is the last row once the list scrolls.
     let first = palette
         .chosen()
         .map_or(0, |chosen| (chosen + 1).saturating_sub(rows));
@@ -266,7 +266,7 @@ fn choices<'a>(palette: &'a Palette, rows: usize, width: usize, look: &Look) -> 
             rows.map(|line| ChoiceRow { line, is_chosen }).collect()
         })
         .collect();
-    // Each in full where there is room for all, else a line for each.
+    // Each in full if there is room for all, otherwise one line each.
     if blocks.iter().map(Vec::len).sum::<usize>() > rows {
         for block in &mut blocks {
             block.truncate(1);
@@ -275,7 +275,7 @@ fn choices<'a>(palette: &'a Palette, rows: usize, width: usize, look: &Look) -> 
     blocks.into_iter().flatten().collect()
 }
 
-/// A choice and what it means, in as many lines as that takes.
+/// A completion with its description, wrapped.
 fn choice_lines<'a>(
     choice: &'a Completion,
     is_chosen: bool,

@@ -1,4 +1,4 @@
-//! The list of who trains here.
+//! The list of profiles.
 
 use ratatui::buffer::Buffer;
 use ratatui::text::Line;

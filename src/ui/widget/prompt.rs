@@ -26,16 +26,16 @@ const EXAMPLES: &[(&str, &str)] = &[
 ];
 const HEIGHT: u16 = 14;
 const WIDTH: u16 = 72;
-/// Rows of a reason that fit into that height.
+/// Rows of a fault that fit into that height.
 const FAULT_ROWS: usize = 3;
-/// Rows of a prompt at the bottom: a frame, the line, and two lines for what is wrong with it.
+/// Rows of a prompt at the bottom: a frame, the line, and two lines for a fault.
 const BOTTOM_HEIGHT: u16 = 5;
 
-/// Draws the prompt and returns where the terminal's cursor belongs.
+/// Draws the prompt and returns the position of the terminal's cursor.
 pub fn draw(state: &State, prompt: &Prompt, panel: Panel<'_>, buffer: &mut Buffer) -> Position {
     let place = match prompt.purpose() {
         Purpose::Connect => centred(WIDTH, HEIGHT + long_fault(prompt, panel.look), panel.area),
-        // What the line is about stays in sight.
+        // The subject of the line stays visible.
         _ => at_the_bottom(panel.area),
     };
     let inner = panel
@@ -65,7 +65,7 @@ pub fn draw(state: &State, prompt: &Prompt, panel: Panel<'_>, buffer: &mut Buffe
     cursor
 }
 
-/// The rows that a reason takes beyond those there are for it anyway.
+/// The extra rows that a fault needs.
 fn long_fault(prompt: &Prompt, look: &Look) -> u16 {
     let fault = prompt.fault().map(|fault| look.text(fault));
     let lines = wrap(&fault.unwrap_or_default(), usize::from(WIDTH) - 4).len();
@@ -94,7 +94,7 @@ fn title(purpose: &Purpose, look: &Look) -> String {
     }
 }
 
-/// What else there is to know, below the line.
+/// Advice below the line.
 fn advice(state: &State, purpose: &Purpose) -> Text {
     match purpose {
         Purpose::Connect => Text::default(),

@@ -1,4 +1,4 @@
-//! What is shown of a replay in every room: that it is one, where it stands, and the moments in it.
+//! The replay's state in every room: a badge, the position, and the moments.
 
 use std::time::Duration;
 
@@ -17,12 +17,12 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, clip, clock, width};
 
-/// Cells of the time line at least; without room for them it is left out.
+/// The least cells of the time line; below that it is left out.
 const SHORTEST: usize = 10;
 /// Columns of a moment's kind in the list.
 const KIND_WIDTH: usize = 10;
 
-/// What the header says of the pace: that nothing here is now.
+/// The replay badge in the header, with the rate.
 pub fn badge(view: &ReplayView, look: &Look) -> String {
     let position = &view.position;
     let name = look.say("replay-badge");
@@ -51,7 +51,7 @@ pub fn time_of_day(view: &ReplayView, is_short: bool) -> String {
     time.format(format).to_string()
 }
 
-/// The last line of the screen: the place in the recording, its moments, and the keys that go elsewhere.
+/// The last line of the screen: the position in the recording, its moments, and the keys.
 pub fn bar<'a>(state: &State, view: &ReplayView, panel: Panel<'_>) -> Line<'a> {
     let look = panel.look;
     let position = &view.position;
@@ -80,7 +80,7 @@ pub fn bar<'a>(state: &State, view: &ReplayView, panel: Panel<'_>) -> Line<'a> {
     Line::from(spans)
 }
 
-/// The keys, as far as there is room for them.
+/// The keys, as many as fit.
 fn hints<'a>(state: &State, room: usize, look: &Look) -> Vec<Span<'a>> {
     use ReplayAction::{
         NextMoment, PlayReplay, PreviousMoment, ReplayBack, ReplayForward, ShowMoments,
@@ -112,8 +112,7 @@ fn hints<'a>(state: &State, room: usize, look: &Look) -> Vec<Span<'a>> {
     spans
 }
 
-/// The time line: what has been played, what has been read through, the moments, and the stretch that is played over and
-/// over.
+/// The time line: the played part, the indexed part, the moments, and the repeated stretch.
 fn line<'a>(view: &ReplayView, cells: usize, look: &Look) -> Vec<Span<'a>> {
     let cell = |at: Duration| {
         let share = at.as_secs_f64() / view.length.as_secs_f64().max(0.001);
@@ -127,7 +126,7 @@ fn line<'a>(view: &ReplayView, cells: usize, look: &Look) -> Vec<Span<'a>> {
             _ => ("·", Role::Muted),
         })
         .collect();
-    // Of the moments of one cell, the one that matters most is seen.
+    // In one cell, the most important moment is shown.
     let mut moments: Vec<&Moment> = view.moments.iter().collect();
     moments.sort_by_key(|moment| moment.kind.weight());
     for moment in moments {
@@ -143,7 +142,7 @@ fn line<'a>(view: &ReplayView, cells: usize, look: &Look) -> Vec<Span<'a>> {
         .collect()
 }
 
-/// How a moment is drawn on the time line.
+/// The sign of a moment on the time line.
 fn sign(kind: MomentKind) -> (&'static str, Role) {
     match kind {
         MomentKind::Bookmark => ("◆", Role::Selected),
@@ -157,7 +156,7 @@ fn sign(kind: MomentKind) -> (&'static str, Role) {
     }
 }
 
-/// What a moment was, and with which vehicles.
+/// A moment and its vehicles, as text.
 pub fn moment_text(moment: &Moment, look: &Look) -> String {
     let text = look.text(&moment.text);
     match ranges(moment.vehicles.iter().copied()) {
@@ -166,7 +165,7 @@ pub fn moment_text(moment: &Moment, look: &Look) -> String {
     }
 }
 
-/// A moment in the list of them.
+/// A moment in the list.
 pub fn moment_line<'a>(moment: &Moment, columns: usize, look: &Look) -> Line<'a> {
     let (sign, role) = sign(moment.kind);
     let time = clock(moment.at);

@@ -1,4 +1,4 @@
-//! The swarm table: a line per vehicle. Only the lines that are seen are built.
+//! The swarm table: a line per vehicle. Only visible lines are built.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;

@@ -186,7 +186,7 @@ impl Bench {
         self.change(self.design.without(part), air)
     }
 
-    /// Goes back by one change; false if there was none.
+    /// Undoes one change; false if there is none.
     pub fn undo(&mut self, air: Air) -> bool {
         let Some(before) = self.done.pop() else {
             return false;
@@ -196,7 +196,7 @@ impl Bench {
         true
     }
 
-    /// Does again what was taken back last; false if there is nothing.
+    /// Redoes the change undone last; false if there is none.
     pub fn redo(&mut self, air: Air) -> bool {
         let Some(after) = self.undone.pop() else {
             return false;
@@ -206,7 +206,7 @@ impl Bench {
         true
     }
 
-    /// Puts another design on the bench; what lay there can be brought back.
+    /// Opens another design on the bench; that can be undone.
     pub fn open(&mut self, design: Design, origin: Option<String>, air: Air) {
         if !self.is_untouched() {
             self.remember();
@@ -217,7 +217,7 @@ impl Bench {
         self.find_part();
     }
 
-    /// Takes the same design under another name, and the name under which it is kept.
+    /// Renames the design, with the name under which it is stored.
     pub fn rename(&mut self, design: Design, origin: Option<String>) {
         (self.design, self.origin) = (design, origin);
     }
@@ -258,7 +258,7 @@ impl Bench {
     fn lay(&mut self, kept: Kept, air: Air) {
         let slot = self.slot();
         (self.design, self.origin) = (kept.design, kept.origin);
-        // The slots below have moved by as many lines as a payload came or went.
+        // The slots below have moved by the payload lines added or removed.
         let rows = self.rows();
         if rows.get(self.row).is_none_or(|row| row.slot != slot) {
             let at = rows.iter().rposition(|row| row.slot == slot);
@@ -267,7 +267,7 @@ impl Bench {
         self.renew(air);
     }
 
-    /// Puts the cursor on what the row under the cursor holds, else on the first candidate.
+    /// Puts the cursor on the part in the current row, or on the first candidate.
     fn find_part(&mut self) {
         let rows = self.rows();
         let there = rows.get(self.row).and_then(|row| row.part);
@@ -301,7 +301,7 @@ impl Bench {
         Candidate {
             part,
             on_board,
-            // What is on board is not compared with two of its kind.
+            // A part on board is not shown with a second one of its kind.
             sheet: if on_board > 0 {
                 self.sheet.clone()
             } else {
@@ -311,7 +311,7 @@ impl Bench {
         }
     }
 
-    /// The first fault that a change of a slot has to answer for.
+    /// The first fault that a change of a slot causes.
     fn misfit(&self, slot: PartSlot, after: &[DesignFinding]) -> Option<Text> {
         let mut faults = after
             .iter()

@@ -1,4 +1,4 @@
-//! Designs by name, and designs in files.
+//! Designs by name, and in files.
 
 use super::shelf;
 use crate::app::State;
@@ -10,7 +10,7 @@ use crate::text::Text;
 use crate::vehicle::Severity;
 use crate::workshop::Design;
 
-/// Asks under which name the bench is kept.
+/// Asks for the name under which to store the design.
 pub(super) fn ask_save(state: &mut State) {
     if state.career.is_none() {
         let key = state.key(Action::Workshop(WorkshopAction::ExportDesign));
@@ -20,7 +20,7 @@ pub(super) fn ask_save(state: &mut State) {
     state.prompt(Purpose::SaveDesign, name);
 }
 
-/// Asks what a copy is called: of a design of the list, else of the bench.
+/// Asks for the name of a copy: of a design of the list, or of the one on the bench.
 pub(super) fn ask_copy(state: &mut State, design: Option<Design>) {
     if state.career.is_none() {
         let key = state.key(Action::Workshop(WorkshopAction::ExportDesign));
@@ -32,14 +32,14 @@ pub(super) fn ask_copy(state: &mut State, design: Option<Design>) {
     state.prompt(Purpose::CopyDesign(name), entered);
 }
 
-/// Asks for another name: of a design of the list, else of the bench.
+/// Asks for another name: of a design of the list, or of the one on the bench.
 pub(super) fn ask_rename(state: &mut State, design: Option<Design>) {
     let bench = &state.rooms.workshop.bench;
     let name = design.unwrap_or_else(|| bench.design().clone()).name;
     state.prompt(Purpose::RenameDesign(name.clone()), name);
 }
 
-/// Asks for the file that the bench is written to.
+/// Asks for the file to write the design to.
 pub(super) fn ask_export(state: &mut State) {
     let name = &state.rooms.workshop.bench.design().name;
     let letter = |c: char| {
@@ -58,10 +58,10 @@ pub(super) fn ask_import(state: &mut State) {
     state.prompt(Purpose::ImportDesign, "");
 }
 
-/// Keeps the bench under a name. Another design of that name is only replaced after a question.
+/// Stores the design under a name. Another design of that name is replaced only after a question.
 ///
 /// # Errors
-/// It is no name.
+/// The name is not valid.
 pub fn saved_as(state: &mut State, name: &str) -> Result<Effects, Text> {
     let design = state.rooms.workshop.bench.design().named(name)?;
     let bench = &mut state.rooms.workshop.bench;
@@ -81,10 +81,10 @@ pub fn saved_as(state: &mut State, name: &str) -> Result<Effects, Text> {
     ))))
 }
 
-/// Keeps a copy of the design of a name under another one, and goes on with the copy where the bench was copied.
+/// Stores a copy of a design under another name; if it is the one on the bench, the copy replaces it there.
 ///
 /// # Errors
-/// It is no name, or one that is taken.
+/// The name is not valid, or taken.
 pub fn copied(state: &mut State, of: &str, name: &str) -> Result<Effects, Text> {
     let bench = &state.rooms.workshop.bench;
     let is_listed = state.rooms.workshop.page == super::Page::Designs;
@@ -106,10 +106,10 @@ pub fn copied(state: &mut State, of: &str, name: &str) -> Result<Effects, Text> 
     ))))
 }
 
-/// Gives a design another name: one of the trainee's own where it is kept, and the bench if it is that one.
+/// Renames one of the trainee's own designs, also on the bench.
 ///
 /// # Errors
-/// It is no name, or one that is taken.
+/// The name is not valid, or taken.
 pub fn renamed(state: &mut State, old: &str, name: &str) -> Result<Effects, Text> {
     let bench = &state.rooms.workshop.bench;
     let is_listed = state.rooms.workshop.page == super::Page::Designs;
@@ -138,10 +138,10 @@ pub fn renamed(state: &mut State, old: &str, name: &str) -> Result<Effects, Text
     })))
 }
 
-/// Has the bench written to a file.
+/// Writes the design to a file.
 ///
 /// # Errors
-/// There is no name.
+/// The path is empty.
 pub fn exported(state: &State, path: &str) -> Result<Effects, Text> {
     Ok(Effects::from(Effect::File(FileEffect::Write {
         kind: FileKind::Design,
@@ -151,10 +151,10 @@ pub fn exported(state: &State, path: &str) -> Result<Effects, Text> {
     })))
 }
 
-/// Has a design read from a file.
+/// Reads a design from a file.
 ///
 /// # Errors
-/// There is no name.
+/// The path is empty.
 pub fn imported(path: &str) -> Result<Effects, Text> {
     Ok(Effects::from(Effect::File(FileEffect::Read {
         kind: FileKind::Design,
@@ -162,7 +162,7 @@ pub fn imported(path: &str) -> Result<Effects, Text> {
     })))
 }
 
-/// A file has been read: its design goes onto the bench, or the first fault is told.
+/// Handles a file that has been read: opens its design, or shows the first fault.
 pub fn read(state: &mut State, path: &str, content: &str) {
     match Design::from_toml(content) {
         Ok(design) => shelf::open(state, design),
@@ -175,7 +175,7 @@ pub fn read(state: &mut State, path: &str, content: &str) {
     }
 }
 
-/// The design of a name: an own one before a built-in one.
+/// The design with a name: an own one before a built-in one.
 fn named<'a>(state: &'a State, name: &str) -> Option<&'a Design> {
     let mut all = shelf::stored(state).into_iter();
     all.find(|it| it.design.name == name).map(|it| it.design)
@@ -190,7 +190,7 @@ fn is_taken(state: &State, name: &str) -> bool {
     own(state, name).is_some()
 }
 
-/// Profiles keep one design of a name, however it is written.
+/// Whether two names are the same for profiles, which ignore case.
 fn same(one: &str, other: &str) -> bool {
     one.eq_ignore_ascii_case(other)
 }

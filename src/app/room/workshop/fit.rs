@@ -1,4 +1,4 @@
-//! How the design on the bench stands to what the mission needs, computed when either changes.
+//! How the design on the bench meets a mission's needs, computed when either changes.
 
 use super::{Pane, mission};
 use crate::app::State;
@@ -8,26 +8,26 @@ use crate::text::Text;
 use crate::vehicle::VehicleId;
 use crate::workshop::Design;
 
-/// A design beside a mission.
+/// A design compared with a mission.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fit {
-    /// What some seats need, and what they get; seats that need the same are together.
+    /// The needs of some seats, compared; seats with equal needs share an entry.
     pub groups: Vec<(Vec<VehicleId>, Vec<Stand>)>,
     mission: String,
     design: Design,
     changed: Option<Design>,
 }
 
-/// One thing that is needed.
+/// One need, compared.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stand {
-    /// How the design stands to it: with the part that is being looked at, where one is.
+    /// The comparison, with the part under the cursor if there is one.
     pub line: FitLine,
-    /// What it has without that part, where this is something else.
+    /// The value without that part, if it differs.
     pub before: Option<Text>,
 }
 
-/// Keeps what is shown of the mission's needs up to date.
+/// Updates the comparison with the mission's needs.
 pub fn weigh(state: &mut State) {
     if state.room != Room::Workshop {
         return;

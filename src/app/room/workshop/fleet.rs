@@ -1,4 +1,4 @@
-//! The seats of a mission's fleet. The mission lends drones for all of them, or all are built: one design for each.
+//! The seats of a mission's fleet. Either the mission lends drones for all of them, or each gets a built design.
 
 use super::{lacking, mission};
 use crate::app::State;
@@ -10,12 +10,12 @@ use crate::text::Text;
 use crate::vehicle::Severity as Weight;
 use crate::workshop::{Design, FindingSeverity};
 
-/// A place in a fleet.
+/// A seat of a fleet.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Seat<'a> {
     /// Its number, from 1.
     pub number: usize,
-    /// The drone that was chosen for it; `None` where the mission lends one.
+    /// The design chosen for it; `None` where the mission lends a drone.
     pub design: Option<&'a Design>,
 }
 
@@ -35,7 +35,7 @@ pub fn seats<'a>(state: &'a State, mission: &Listing) -> Vec<Seat<'a>> {
         .collect()
 }
 
-/// What the chosen drones cost together, in credits.
+/// The price of all chosen drones, in credits.
 pub fn bill(state: &State, mission: &Listing) -> u32 {
     let seats = seats(state, mission).into_iter();
     seats
@@ -62,8 +62,8 @@ pub(super) fn assign_all(state: &mut State) {
     assign(state, None);
 }
 
-/// Chooses the design on the bench for a seat, or for all. The first choice is for all: a mission does not lend a part
-/// of a fleet.
+/// Chooses the design on the bench for a seat, or for all. The first choice is for all: a mission does not lend only
+/// part of a fleet.
 fn assign(state: &mut State, seat: Option<usize>) {
     let Some(mission) = mission(state) else {
         return state.say(Weight::Notice, text!("bench-no-mission"));
@@ -92,7 +92,7 @@ fn assign(state: &mut State, seat: Option<usize>) {
     state.say(Weight::Notice, text);
 }
 
-/// Why the design on the bench cannot be chosen for a mission: it is judged in the air that it will be flown in.
+/// Why the design on the bench cannot be chosen for a mission: it is checked in that mission's air.
 fn check(state: &State, mission: &Listing) -> Result<(), Text> {
     let design = state.rooms.workshop.bench.design();
     let air = mission.needs.first().map(|need| need.air);

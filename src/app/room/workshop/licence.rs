@@ -10,18 +10,18 @@ use crate::text::Text;
 use crate::vehicle::Severity;
 use crate::workshop::{Design, Part};
 
-/// Whether a part may be flown.
+/// Whether the trainee may use a part.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Licence {
-    /// It may; without a career everything may.
+    /// Yes; without a career, every part.
     Held,
-    /// After paying so many credits.
+    /// After paying this many credits.
     ForSale(u32),
-    /// After passing a mission of this title.
+    /// After passing the mission with this title.
     Locked(Text),
 }
 
-/// Whether the trainee may fly a part.
+/// Whether the trainee may use a part.
 pub fn licence(state: &State, part: &Part) -> Licence {
     let Some(career) = &state.career else {
         return Licence::Held;
@@ -33,7 +33,7 @@ pub fn licence(state: &State, part: &Part) -> Licence {
     }
 }
 
-/// The parts of a design that the trainee may not fly yet, each once.
+/// The parts of a design that the trainee may not use yet, each once.
 pub fn lacking(state: &State, design: &Design) -> Vec<&'static Part> {
     let Some(career) = &state.career else {
         return Vec::new();
@@ -42,7 +42,7 @@ pub fn lacking(state: &State, design: &Design) -> Vec<&'static Part> {
     missing.into_iter().map(|(part, _)| part).collect()
 }
 
-/// Asks before the right to use the part under the cursor is bought.
+/// Asks before buying the part under the cursor.
 pub(super) fn buy(state: &mut State) {
     let Some(part) = part_under_cursor(state) else {
         return;

@@ -11,7 +11,7 @@ use crate::text;
 use crate::vehicle::Severity;
 use crate::workshop::{Design, Sheet};
 
-/// A design that is kept.
+/// A stored design.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stored<'a> {
     pub design: &'a Design,
@@ -33,13 +33,13 @@ pub fn stored(state: &State) -> Vec<Stored<'_>> {
     own.chain(stock).collect()
 }
 
-/// Whether what lies on the bench is kept somewhere as it is, or nothing.
+/// Whether the design on the bench is stored as it is, or the bench is empty.
 pub fn is_saved(state: &State) -> bool {
     let design = state.rooms.workshop.bench.design();
     design.is_empty() || stored(state).iter().any(|it| it.design == design)
 }
 
-/// The trainee's own designs have changed: the bench may be one of them now.
+/// Handles a change of the trainee's own designs: the bench may match one of them now.
 pub fn heard(state: &mut State) {
     let bench = &mut state.rooms.workshop.bench;
     let own = state.career.iter().flat_map(|career| &career.designs);
@@ -50,7 +50,7 @@ pub fn heard(state: &mut State) {
     }
 }
 
-/// Lays a design onto the bench. Asks first where something would be replaced that is kept nowhere.
+/// Opens a design on the bench. Asks first if an unsaved one would be replaced.
 pub fn open(state: &mut State, design: Design) {
     if is_saved(state) {
         return lay(state, design);
@@ -67,7 +67,7 @@ pub fn open(state: &mut State, design: Design) {
     state.ask(question, reason, Consequence::Design(design));
 }
 
-/// Lays a design onto the bench.
+/// Opens a design on the bench.
 pub fn lay(state: &mut State, design: Design) {
     let career = state.career.as_ref();
     let is_own = career.is_some_and(|it| it.designs.contains(&design));
@@ -83,8 +83,7 @@ pub(super) fn begin(state: &mut State) {
     open(state, Design::new(name));
 }
 
-/// Compares with the design under the cursor of the list; from elsewhere, shows the list to choose from, or the bench
-/// again.
+/// On the list, compares with the design under the cursor; elsewhere, toggles the list to choose from.
 pub(super) fn compare_or_choose(state: &mut State) {
     let room = &mut state.rooms.workshop;
     match room.page {
@@ -119,7 +118,7 @@ pub(super) fn step(state: &mut State, step: Step) {
     state.rooms.workshop.shelf = step.apply(at, count);
 }
 
-/// Puts the design under the cursor on the bench.
+/// Opens the design under the cursor on the bench.
 pub(super) fn open_listed(state: &mut State) {
     if let Some(listed) = under_cursor(state) {
         open(state, listed.design);
@@ -154,7 +153,7 @@ pub(super) fn ask_take_out(state: &mut State) {
     }
 }
 
-/// Designs in stock stay as they are.
+/// Built-in designs cannot be changed.
 fn refuse(state: &mut State) {
     state.say(Severity::Notice, text!("bench-not-own"));
 }

@@ -24,7 +24,7 @@ fn starter() -> Design {
     Design::from_toml(STARTER).expect("it is good")
 }
 
-/// In the workshop with one design on offer, and one mission.
+/// The workshop with one design and one mission.
 fn workshop(career: Option<Career>) -> State {
     let mission = Mission::parse(MISSION).expect("it is good");
     let mut state = State::new(Setup {
@@ -85,7 +85,7 @@ fn press(state: &mut State, keys: &str) -> Vec<Effect> {
     effects
 }
 
-/// Moves to a slot and puts a part in as a user would.
+/// Selects a slot and installs a part with the keys a user would press.
 fn put(state: &mut State, slot: PartSlot, part: &str) {
     state.rooms.workshop.pane = Pane::Slots;
     press(state, "home");

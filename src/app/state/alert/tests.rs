@@ -152,7 +152,7 @@ fn a_failsafe_that_is_declared_over_is_no_reason_for_the_alert() {
     }
 }
 
-/// Vehicles with everything that can be wrong, as their STATUSTEXTs and figures tell it.
+/// Vehicles with every possible fault, by their STATUSTEXTs and values.
 fn troubled() -> Vec<Vehicle> {
     let said = [
         "Crash: Disarming: AngErr=57>30",

@@ -1,4 +1,4 @@
-//! What lies ahead: what to do next, what a mission would bring, and how much advice comes with it.
+//! The outlook: what to do next, what a mission would bring, and how much advice it gets.
 
 use super::Career;
 use crate::campaign::{
@@ -6,11 +6,11 @@ use crate::campaign::{
 };
 use crate::mission::Progress;
 
-/// Points of a perfect flight.
+/// The score of a perfect flight.
 const PERFECT: u16 = 1000;
 
 impl Career {
-    /// Where the trainee stands with a mission, if it is one of the course.
+    /// The state of a mission in the career, if it is in the course.
     pub fn stage(&self, mission: &str) -> Option<MissionStage> {
         let offer = self.course.offer(mission)?;
         Some(self.course.stage(offer, &self.standing, self.day))
@@ -21,14 +21,14 @@ impl Career {
         self.course.next(&self.standing, self.day)
     }
 
-    /// The mission to look at next: that of the drill, where a drill is next.
+    /// The mission to show next: if a drill is next, its mission.
     pub fn next_mission(&self) -> Option<&str> {
         let (_, offer) = self.next()?;
         let id = offer.drill_of.as_deref();
         Some(id.unwrap_or(&offer.id))
     }
 
-    /// The skills to be refreshed that a mission trains, if it was passed before.
+    /// The skills due for a refresher that a mission trains, if it has been passed.
     pub fn due(&self, offer: &Offer) -> Vec<Skill> {
         if !self.standing.has_passed(&offer.id) {
             return Vec::new();
@@ -37,7 +37,7 @@ impl Career {
         offer.skills.iter().copied().filter(is_due).collect()
     }
 
-    /// Credits that a perfect flight of a mission would still bring.
+    /// Credits that a perfect flight of a mission would still earn.
     pub fn credits_left(&self, offer: &Offer) -> u32 {
         let best = self.standing.best(&offer.id).and_then(|best| best.passed);
         let open = best.map_or(PERFECT, |best| PERFECT.saturating_sub(best));
@@ -55,11 +55,11 @@ impl Career {
         })
     }
 
-    /// Takes away the advice that the trainee does without.
+    /// Removes advice that the trainee no longer needs.
     pub fn fade(&self, mission: &str, progress: &mut Progress) {
         let offer = self.course.offer(mission);
         let skills = offer.iter().flat_map(|offer| &offer.skills);
-        // Advice is about the whole mission: it stays as long as one of its skills needs it.
+        // Advice concerns the whole mission: it stays while one of its skills needs it.
         let least = skills
             .map(|skill| self.standing.skill(*skill).chance(self.day))
             .fold(1.0, f64::min);

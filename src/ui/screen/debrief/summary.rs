@@ -1,5 +1,5 @@
-//! The result at a glance: outcome, medal and score; a bar for each component; how high was flown, and what happened
-//! along the way.
+//! The result at a glance: outcome, medal and score; a bar for each component; the height over time with the events of
+//! the flight.
 
 use ratatui::buffer::Buffer;
 use ratatui::style::Modifier;
@@ -16,22 +16,22 @@ use crate::ui::widget::curve::{self, Curve};
 use crate::ui::widget::gauge::Gauge;
 use crate::ui::widget::{aligned, clip, clock, put, width};
 
-/// Points of a perfect flight.
+/// The score of a perfect flight.
 const PERFECT: f64 = 1000.0;
 /// Cells of the bar of the score, and of those of its components.
 const SCORE_BAR: usize = 24;
 const BAR: usize = 14;
 /// Columns of a component's name.
 const NAME: usize = 12;
-/// Columns of the components; the flight has the rest.
+/// Columns of the components; the flight gets the rest.
 const COMPONENTS: u16 = 40;
 /// Columns before the curve of the height.
 const AXIS: u16 = 6;
-/// What of a component is good, and what is poor.
+/// The shares of a component's points that count as good, and as poor.
 const GOOD: f64 = 0.8;
 const POOR: f64 = 0.5;
 
-/// Draws it into the whole panel.
+/// Draws the summary into the whole panel.
 pub(super) fn draw(debrief: &Debrief, panel: Panel<'_>, buffer: &mut Buffer) {
     let report = debrief.report();
     put(buffer, panel.area, 0, &title(report, panel));
@@ -99,7 +99,7 @@ fn shown_stars(medal: Medal) -> &'static str {
     }
 }
 
-/// A bar for each: how much of its points there is.
+/// A bar for each component with its share of the points.
 fn components(report: &Report, panel: Panel<'_>) -> Vec<Line<'static>> {
     let line = |name: String, value: f64, points: f64, most: f64| {
         let role = match value {
@@ -126,7 +126,7 @@ fn components(report: &Report, panel: Panel<'_>) -> Vec<Line<'static>> {
         .collect()
 }
 
-/// The height over the time of the flight, and below it what happened.
+/// The height over time, and the events below it.
 fn draw_flight(debrief: &Debrief, panel: Panel<'_>, buffer: &mut Buffer) {
     let report = debrief.report();
     let rows = panel.area.height.saturating_sub(3);
@@ -171,7 +171,7 @@ fn strip_line(marks: &[Option<TimelineMark>], panel: Panel<'_>) -> Line<'static>
     spans.collect()
 }
 
-/// The time at both ends of the strip.
+/// The times at both ends of the strip.
 fn times(report: &Report, panel: Panel<'_>) -> Line<'static> {
     let end = clock(std::time::Duration::from_secs_f64(
         report.sim_time_s.max(0.0),
@@ -181,7 +181,7 @@ fn times(report: &Report, panel: Panel<'_>) -> Line<'static> {
     Line::styled(line, panel.style(Role::Muted))
 }
 
-/// As many values as there are steps: the highest of those that fall into each.
+/// The values resampled to `steps`: the highest of each step.
 fn spread(values: &[Option<f64>], steps: usize) -> Vec<Option<f64>> {
     let count = values.len();
     let highest = |step: usize| {

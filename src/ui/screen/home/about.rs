@@ -1,4 +1,4 @@
-//! The line under the cursor: its subject, its part in the trainee's career, its keys.
+//! Details of the chosen item: its subject, its part in the trainee's career, its keys.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -19,14 +19,14 @@ use crate::ui::screen::mission::{draw_line, tone_role};
 use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, below, clip, columns, put, reflow, row_of, upper, width, wrap};
 
-/// Lines that can be given as they stand, up to the one that takes a while.
+/// Commands for a first takeoff, in order; the last one takes a while.
 const FIRST_CLIMB: [&str; 3] = ["all guided", "all arm", "all takeoff 20"];
-/// Lines that can be given once the drones are up.
+/// Commands to give once the drones are in the air.
 const FIRST_FLIGHT: [&str; 2] = ["all goto by n 50", "all rtl"];
-/// Lines of the text that are shown at least, whatever else there is to say.
+/// The least lines of the text, whatever else is shown.
 const LEAST_TEXT: usize = 7;
 
-/// A key with what it does.
+/// A key and what it does.
 type KeyHint = (String, String);
 
 /// Draws the text with the keys below it. What the mission means to the career stands beside it with what it asks for, or
@@ -79,7 +79,7 @@ fn draw_tasks(state: &State, item: HomeItem, panel: Panel<'_>, buffer: &mut Buff
 }
 
 /// Draws the text and the groups of lines below it, with blank lines between. Where there is no room for all of it,
-/// the text is cut, then the groups before the last: the room of the mission has it all.
+/// the text is cut, then the groups before the last: the mission room shows everything.
 fn draw_text(text: &str, groups: &[Vec<Line<'_>>], area: Rect, buffer: &mut Buffer) {
     let rows = usize::from(area.height);
     let below_rows: usize = groups.iter().map(|group| group.len() + 1).sum();
@@ -106,8 +106,8 @@ fn draw_text(text: &str, groups: &[Vec<Line<'_>>], area: Rect, buffer: &mut Buff
     draw_lines(last, below(area, (row + 1).min(bottom)), buffer);
 }
 
-/// As many lines as there is room for, with a mark where they are cut: after a whole sentence, unless that would cost more
-/// than a third of them.
+/// As many lines as fit, with a mark at the cut: after a whole sentence, unless that would cost more than a third of
+/// them.
 fn cut_after_sentence(mut lines: Vec<String>, room: usize) -> Vec<String> {
     if lines.len() <= room {
         return lines;
@@ -143,7 +143,7 @@ fn draw_lines(lines: &[Line<'_>], area: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// What the mission means to the career, name by name.
+/// The career's facts with their labels.
 fn fact_lines(state: &State, item: HomeItem, look: &Look, columns: usize) -> Vec<Line<'static>> {
     let HomeItem::Mission(at) = item else {
         return Vec::new();
@@ -202,7 +202,7 @@ fn keys(state: &State, item: HomeItem, look: &Look) -> Vec<KeyHint> {
     keys
 }
 
-/// Keys in lines, as many to a line as fit.
+/// Keys in lines, as many per line as fit.
 fn key_lines(keys: &[KeyHint], columns: usize, look: &Look) -> Vec<Line<'static>> {
     let mut lines: Vec<Line<'static>> = Vec::new();
     for (key, what) in keys {
@@ -219,7 +219,7 @@ fn key_lines(keys: &[KeyHint], columns: usize, look: &Look) -> Vec<Line<'static>
     lines
 }
 
-/// The best of the recorded tries, in words.
+/// The best recorded attempt, as text.
 fn best_words(state: &State, item: HomeItem) -> Option<Text> {
     let HomeItem::Mission(at) = item else {
         return None;

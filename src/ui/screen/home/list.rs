@@ -1,4 +1,4 @@
-//! The list: missions by tier with how far the trainee has come with each, then everything else.
+//! The list: missions by tier with the trainee's progress, then everything else.
 
 use ratatui::buffer::Buffer;
 use ratatui::text::Line;
@@ -16,12 +16,12 @@ use crate::ui::widget::{aligned, below, put, row_of, stars, width};
 
 /// Headings of the missions by difficulty.
 const TIERS: [&str; 4] = ["home-tier-0", "home-tier-1", "home-tier-2", "home-tier-3"];
-/// Up to so many lines are set apart by blank ones.
+/// The most items with blank lines between groups.
 const FEW: usize = 12;
 /// Columns before a name, and of the best score after it.
 const MARKS: usize = 2;
 const BEST: usize = 10;
-/// What the signs before missions mean.
+/// The meaning of the signs before missions.
 const SIGNS: [(Sign, &str); 4] = [
     (Sign::Passed, "home-sign-passed"),
     (Sign::Next, "home-sign-next"),
@@ -29,28 +29,28 @@ const SIGNS: [(Sign, &str); 4] = [
     (Sign::Locked, "home-sign-locked"),
 ];
 
-/// How the trainee stands with a mission, most pressing first.
+/// The trainee's progress with a mission, most important first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Sign {
-    /// It is what to fly next.
+    /// It is recommended next.
     Next,
-    /// It was passed, and trains a skill that is due.
+    /// It is passed, and a skill that it trains is due for a refresher.
     Due,
     Passed,
-    /// It may not be flown yet.
+    /// It is locked.
     Locked,
-    /// It may be flown.
+    /// It can be flown.
     Open,
 }
 
-/// Columns that no line of the list would be cut in.
+/// The columns that the longest line needs.
 pub(super) fn wanted_width(state: &State, look: &Look) -> u16 {
     let items = items(state).into_iter();
     let longest = items.map(|item| width(&listed(state, item, look))).max();
     (longest.unwrap_or(0) + MARKS + BEST) as u16
 }
 
-/// Draws the list with its cursor in sight.
+/// Draws the list with its cursor visible.
 pub(super) fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let cursor = state.rooms().home().cursor();
     let lines = lines(state, panel.look);
@@ -89,7 +89,7 @@ pub(super) fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// What the signs mean, where there is room for it.
+/// Draws the meaning of the signs if there is room.
 fn draw_signs(panel: Panel<'_>, buffer: &mut Buffer) {
     for (row, (sign, meaning)) in SIGNS.into_iter().enumerate() {
         let text = format!("  {} {}", sign.symbol(), panel.say(meaning));
@@ -124,7 +124,7 @@ impl Sign {
         }
     }
 
-    /// The sign in a word, for missions that were not flown yet.
+    /// The sign as a word, for missions not flown yet.
     fn word(self, look: &Look) -> Option<String> {
         let id = match self {
             Self::Locked => "home-locked",
@@ -144,7 +144,7 @@ impl Sign {
     }
 }
 
-/// A line that can be taken: its cursor and sign, its name, and at the right the best score or the sign in a word.
+/// A line with an item: its cursor and sign, its name, and at the right the best score or the sign as a word.
 fn item_line(
     state: &State,
     item: HomeItem,
@@ -163,7 +163,7 @@ fn item_line(
         _ => (None, None),
     };
     let mark = sign.map_or(' ', Sign::symbol);
-    // The sign says the same as its word: a name is worth more.
+    // The sign means the same as its word: a name is worth more.
     let word = sign.and_then(|sign| sign.word(look));
     let word = word.filter(|word| 3 + width(word) + width(text) <= columns);
     let best = score.or(word).unwrap_or_default();
@@ -209,7 +209,7 @@ fn lines(state: &State, look: &Look) -> Vec<(Option<usize>, String)> {
             _ => None,
         };
         if let Some(heading) = heading {
-            // A blank line is worth less than a line of a long list.
+            // In a long list, items are worth more than blank lines.
             if at > 0 && items.len() <= FEW {
                 lines.push((None, String::new()));
             }
@@ -221,7 +221,7 @@ fn lines(state: &State, look: &Look) -> Vec<(Option<usize>, String)> {
     lines
 }
 
-/// An item as the list has it: missions with the number that `fly` takes.
+/// The label of an item: missions with the number that `fly` takes.
 fn listed(state: &State, item: HomeItem, look: &Look) -> String {
     let name = name(state, item, look);
     let HomeItem::Mission(at) = item else {

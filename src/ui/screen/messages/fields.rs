@@ -19,7 +19,7 @@ use crate::wire::Anatomy;
 use mavlink::MavlinkVersion;
 
 const DIGITS: &[u8; 16] = b"0123456789abcdef";
-/// Columns before a value that stands below its name.
+/// The indent of a value below its name.
 const INDENT: usize = 4;
 
 /// A line of the pane, and the field that it belongs to.
@@ -78,7 +78,7 @@ pub(super) fn draw(
     draw_rows(&rows, room.field(), panel.at(inner), buffer);
 }
 
-/// What there is to know while no message is under the cursor.
+/// Draws a hint while no message is under the cursor.
 fn draw_hint(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let inner = panel.titled(&panel.say("messages-fields"), buffer);
     let hint = text!(
@@ -106,7 +106,7 @@ fn draw_hint(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// How the last frame was dressed: version, signature, length, number.
+/// The last frame's properties: version, signature, length, number.
 fn dress(key: TallyKey, frame: &Anatomy<'_>, tally: &MessageTally, look: &Look) -> String {
     let version = match frame.version {
         MavlinkVersion::V1 => 1,
@@ -187,7 +187,7 @@ fn rows(
             rows.push((Some(field), Line::from(line)));
             continue;
         }
-        // What is too long for its column stands below its name.
+        // A value too long for its column is placed below its name.
         rows.push((Some(field), Line::from(line)));
         for part in wrap(&words, width.saturating_sub(INDENT).max(8)) {
             let text = format!("{:INDENT$}{part}", "");
@@ -197,7 +197,7 @@ fn rows(
     rows
 }
 
-/// A value with its unit and its names.
+/// A value with its unit and its enum names.
 fn words(value: &FieldReading, look: &Look) -> (String, Role) {
     if value.is_unknown {
         let text = text!("messages-unknown", value = value.figures());

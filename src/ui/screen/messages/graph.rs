@@ -12,11 +12,11 @@ use crate::ui::theme::Role;
 use crate::ui::widget::curve::{self, Curve};
 use crate::ui::widget::{below, clip, put};
 
-/// Rows of one graph with its title, where there is room for more than the least.
+/// The preferred rows of a graph with its title.
 const COMFORTABLE: u16 = 6;
 const LEAST: u16 = 4;
 
-/// Rows that the graphs take of the pane.
+/// Rows of the pane for the graphs.
 pub(super) fn height(room: &Messages, available: u16) -> u16 {
     let count = room.pins().len() as u16;
     let wanted = count * COMFORTABLE;
@@ -25,7 +25,7 @@ pub(super) fn height(room: &Messages, available: u16) -> u16 {
         .min(available)
 }
 
-/// Draws as many as fit, the newest ones first of all.
+/// Draws as many as fit, the newest first.
 pub(super) fn draw(room: &Messages, panel: Panel<'_>, buffer: &mut Buffer) {
     let fitting = (panel.area.height / LEAST).max(1);
     let shown = room.pins().len().min(fitting.into());
@@ -83,7 +83,7 @@ fn draw_pin(pin: &Pin, panel: Panel<'_>, buffer: &mut Buffer) {
     curve::draw(&curve, panel.look.symbols, plot, buffer);
 }
 
-/// The newest value, and the least and the greatest that are drawn, in so many digits.
+/// The newest, the least and the greatest value drawn, with so many digits.
 fn figures(pin: &Pin, extent: PinExtent, digits: i32, look: &Look) -> String {
     let mut figures = look.text(&text!(
         "messages-extent",
@@ -99,7 +99,7 @@ fn figures(pin: &Pin, extent: PinExtent, digits: i32, look: &Look) -> String {
     figures
 }
 
-/// The last value within each column's share of the time; the last known one where none came.
+/// The last value in each column's time span; without one, the last known.
 fn columns(pin: &Pin, count: usize) -> Vec<Option<f64>> {
     let mut columns = vec![None; count];
     for (at, value) in &pin.points {

@@ -1,4 +1,4 @@
-//! Below the list: the parameter under the cursor on each vehicle that a new value would go to.
+//! Below the list: the parameter under the cursor on each target vehicle.
 
 use std::collections::BTreeMap;
 
@@ -16,10 +16,10 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{put, wrap};
 use crate::vehicle::VehicleId;
 
-/// Vehicles with the same value and outcome share a line; more lines than this are not drawn anyway.
+/// The most lines; vehicles with the same value and outcome share one.
 const MOST_LINES: usize = 12;
 
-/// The lines: vehicles, their value, what became of the newest value they were told to take, and why.
+/// The lines: vehicles, their value, the outcome of the newest value commanded, and the reason.
 pub fn lines(
     state: &State,
     vehicle: VehicleId,
@@ -58,7 +58,7 @@ pub fn draw(name: &str, lines: &[Line<'static>], panel: Panel<'_>, buffer: &mut 
     }
 }
 
-/// How a parameter stands on a vehicle.
+/// The state of a parameter on a vehicle.
 struct Standing {
     value: Option<String>,
     before: Option<String>,

@@ -23,7 +23,7 @@ const STATE: usize = 24;
 /// Columns of a type.
 const KIND: usize = 6;
 
-/// The rows of one vehicle's list, with the place of the cursor in them.
+/// The rows of one vehicle's list, with the cursor.
 pub struct ShownRows<'a> {
     pub vehicle: VehicleId,
     pub rows: &'a [Row<'a>],
@@ -133,7 +133,7 @@ fn columns_used(is_compared: bool) -> usize {
     marks + NAME + 1 + VALUE + 1 + KIND + 1 + VALUE + 1 + STATE
 }
 
-/// The other vehicles that a value would be set on, as many as there is room for.
+/// The other target vehicles, as many as there is room for.
 fn others(state: &State, vehicle: VehicleId, width: u16) -> Vec<VehicleId> {
     let is_compared = state.rooms().parameters().comparison().is_some();
     let free = usize::from(width).saturating_sub(columns_used(is_compared));
@@ -144,7 +144,7 @@ fn others(state: &State, vehicle: VehicleId, width: u16) -> Vec<VehicleId> {
         .collect()
 }
 
-/// The value on another vehicle; one that is not the same stands out.
+/// The value on another vehicle; a different one is highlighted.
 fn value_of(state: &State, id: VehicleId, row: &Row<'_>, look: &Look) -> Span<'static> {
     let value = state
         .rooms()
@@ -174,7 +174,7 @@ fn mark(comparison: &Comparison, row: &Row<'_>, look: &Look) -> Span<'static> {
     }
 }
 
-/// The fifth column: what became of a value that was asked for, else how it differs.
+/// The fifth column: the outcome of a new value, otherwise the difference.
 fn standing(
     state: &State,
     vehicle: VehicleId,

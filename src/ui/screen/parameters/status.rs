@@ -1,4 +1,4 @@
-//! Above the list: whose it is, how much has come, what narrows it.
+//! Above the list: its vehicle, the download, and the filters.
 
 use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};
@@ -19,7 +19,7 @@ use crate::vehicle::VehicleId;
 /// Columns of the progress bar.
 const BAR: usize = 20;
 
-/// Draws a rule with the vehicle's number and a line that says how far things are.
+/// Draws a rule with the vehicle's number and a line with the progress.
 pub fn draw(
     state: &State,
     vehicle: VehicleId,
@@ -50,7 +50,7 @@ pub fn draw(
     put(buffer, inner, 0, &Line::from(spans));
 }
 
-/// What a list is compared with.
+/// The name of the other side of a comparison.
 pub fn named(other: &Other) -> Text {
     match other {
         Other::File { path, .. } => Text::verbatim(path.as_str()),
@@ -115,7 +115,7 @@ fn bar(received: usize, count: usize, look: &Look) -> [Span<'static>; 3] {
     ]
 }
 
-/// What narrows the list and what is going on.
+/// The filters of the list, and activities under way.
 fn remarks(state: &State, rows: &[Row<'_>]) -> Vec<(Text, Role)> {
     let room = state.rooms().parameters();
     let mut remarks = Vec::new();

@@ -1,4 +1,4 @@
-//! The heights and the batteries of two flights, over each other.
+//! The heights and the batteries of two flights, one over the other.
 
 use std::time::Duration;
 
@@ -17,7 +17,7 @@ use crate::ui::widget::put;
 /// A reading of a flight at a time of its mission.
 type Reading = fn(&ComparedFlight, Duration) -> Option<f64>;
 
-/// What is drawn: its name, how it is read, and what the top stands for at least.
+/// The curves: name, reading, and the least value at the top.
 const CURVES: [(&str, Reading, f64); 2] = [
     ("compare-height", ComparedFlight::height_m, 1.0),
     ("compare-battery", ComparedFlight::battery_percent, 100.0),

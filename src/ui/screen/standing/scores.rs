@@ -1,4 +1,4 @@
-//! The missions that were flown, and the scores of the one under the cursor, try by try.
+//! The missions flown, and the scores of the one under the cursor, attempt by attempt.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -15,12 +15,12 @@ use crate::ui::theme::Role;
 use crate::ui::widget::bars::{Bar, Bars, draw as draw_bars};
 use crate::ui::widget::{aligned, below, put, row_of, stars, upper, width};
 
-/// Rows of the chart at least, with its title and its axis.
+/// The least rows of the chart, with its title and its axis.
 const CHART: u16 = 12;
-/// Columns of a mission's name at most, and of the rest of its line at least.
+/// The most columns of a mission's name, and the least of the rest of its line.
 const NAME: usize = 30;
 const FIGURES: usize = 36;
-/// Points of a perfect flight.
+/// The score of a perfect flight.
 const PERFECT: f64 = 1000.0;
 
 /// Draws the list, and below it the chart.
@@ -53,7 +53,7 @@ pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     draw_chart(subject, flown[cursor], below(area, used), buffer);
 }
 
-/// A mission with its tries, its best and its last score.
+/// A mission with its attempts, its best and its last score.
 fn line(subject: &Subject<'_>, offer: &Offer, room: usize) -> String {
     let look = subject.look;
     let tries = subject.career.growth.tries(&offer.id);
@@ -111,7 +111,7 @@ fn medal_lines(medals: Medals) -> Vec<(f64, Medal)> {
     ]
 }
 
-/// A flight's bar: its points below it, with a sign where it did not pass or did not count.
+/// A flight's bar with its score below, and a sign if it was not passed or did not count.
 fn bar(one: &Try, style: ratatui::style::Style) -> Bar {
     let sign = match (one.passed, one.stake) {
         (false, _) => "x",

@@ -1,4 +1,4 @@
-//! The skills as bars, and what moved the one under the cursor.
+//! The skills as bars, and the evidence for the one under the cursor.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -13,14 +13,14 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, below, clip, put, row_of, upper, width};
 
-/// Columns of a skill's name, of its bar, and of where its owner stands with it.
+/// Columns of a skill's name, of its bar, and of its state.
 const NAME: usize = 34;
 const BAR: usize = 10;
 const MASTERY: usize = 16;
 /// Columns of everything but the name.
 const REST: usize = 54;
 
-/// Draws the list, and below it what moved the skill under the cursor.
+/// Draws the list, and below it the changes of the skill under the cursor.
 pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     let look = subject.look;
     let inner = subject.pane(Pane::Skills, &look.say("standing-skills"), area, buffer);
@@ -95,7 +95,7 @@ fn line(subject: &Subject<'_>, skill: Skill, under_cursor: bool, name: usize) ->
     ])
 }
 
-/// What moved a skill, the newest first.
+/// Draws the changes of a skill, newest first.
 fn draw_moves(subject: &Subject<'_>, skill: Skill, area: Rect, buffer: &mut Buffer) {
     let look = subject.look;
     let title = text!("standing-why", skill = skill.title());
@@ -132,7 +132,7 @@ fn draw_moves(subject: &Subject<'_>, skill: Skill, area: Rect, buffer: &mut Buff
     }
 }
 
-/// What is missing for mastery of a skill that was shown.
+/// What a skill still needs for mastery.
 fn lacks(subject: &Subject<'_>, skill: Skill) -> Option<Text> {
     let (known, day) = (subject.career.standing.skill(skill), subject.career.day);
     let lacks = known.lacks(day).into_iter().map(Lack::text).collect();

@@ -15,7 +15,7 @@ use crate::ui::widget::{below, columns, put, upper};
 
 /// Columns of the figures beside a curve.
 const FIGURES: u16 = 10;
-/// From this width on, the curves stand side by side.
+/// The least width with the curves side by side.
 const WIDE: u16 = 120;
 
 /// Draws both curves, below each other or side by side.
@@ -77,7 +77,7 @@ fn draw_curve(
     let high = values.iter().copied().fold(1.0, f64::max);
     let plot = columns(inner, FIGURES, inner.width);
     let steps = curve::steps(plot.width, look.symbols);
-    // Each entry has as many columns as there are for it; with more entries than columns, the last of a column counts.
+    // Each entry gets an equal share of the columns; with more entries than columns, the last one of a column counts.
     let spread: Vec<Option<f64>> = (0..steps)
         .map(|step| {
             let at = ((step + 1) * values.len()).div_ceil(steps.max(1));

@@ -17,14 +17,14 @@ const LABEL: usize = 12;
 const NUMBER: usize = 7;
 const UNIT: usize = 4;
 
-/// What is drawn of a channel.
+/// The curve of a channel.
 struct Curve {
     channel: Channel,
     /// The id of its name.
     name: &'static str,
     unit: &'static str,
     decimals: usize,
-    /// The least that the height of the curve stands for, so that noise stays flat.
+    /// The least range of the curve's axis, so that noise stays flat.
     least_span: f32,
 }
 
@@ -54,7 +54,7 @@ const fn curve(
     }
 }
 
-/// Draws every channel with what it is now, its curve, and the least and most within the window.
+/// Draws every channel with its present value, its curve, and its extremes within the span.
 pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     let (state, look) = (subject.state, subject.look);
     let window = state.rooms().vehicle().window();

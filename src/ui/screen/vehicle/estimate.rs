@@ -1,4 +1,4 @@
-//! The quality of the position: GPS, navigation filter, vibration, against their limits.
+//! The quality of the position: GPS, navigation filter and vibration, compared with their limits.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -13,16 +13,16 @@ use crate::ui::theme::Role;
 use crate::ui::widget::put;
 use crate::vehicle::{EkfFlags, Grade};
 
-/// Columns of a value that a word follows.
+/// Columns of a value before a word.
 const VALUE: usize = 19;
 /// Columns of a number before its bar, and of the bar.
 const NUMBER: usize = 6;
 const BAR: usize = VALUE - NUMBER - 1;
-/// What a full bar stands for: the limits, and a quarter more.
+/// The value of a full bar: the limit and a quarter more.
 const FULL_VARIANCE: f32 = 1.0;
 const FULL_VIBRATION: f32 = 75.0;
 
-/// Draws the readings with a word for each.
+/// Draws the readings with their grades.
 pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     let look = subject.look;
     let inner = Panel::new(look, area).titled(&look.say("vehicle-estimate"), buffer);
@@ -139,7 +139,7 @@ fn vibration(subject: &Subject<'_>) -> Vec<Line<'static>> {
     lines
 }
 
-/// A number and a bar.
+/// A number with a bar.
 fn measured(value: Option<f32>, decimals: usize, full: f32, look: &Look) -> String {
     let shown = number(value, decimals);
     let bar = value.map_or(String::new(), |value| bar(value / full, BAR, look.symbols));

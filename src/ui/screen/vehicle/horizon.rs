@@ -1,4 +1,4 @@
-//! The attitude indicator: where the ground is, as seen from the vehicle.
+//! The attitude indicator: the ground as seen from the vehicle.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
@@ -9,15 +9,15 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::vehicle::Attitude;
 
-/// Degrees of pitch from the middle of the indicator to its upper edge: more than a copter leans by itself (30).
+/// Degrees of pitch from the centre of the indicator to its upper edge: more than a copter normally leans (30).
 const HALF_VIEW_DEG: f64 = 40.0;
-/// The ladder of pitch: a rung every so many degrees, each so wide to either side, as a share of the half height.
+/// The pitch ladder: the spacing of its rungs, and their half width as a share of the half height.
 const RUNG_EVERY_DEG: f64 = 20.0;
 const RUNG_HALF_WIDTH: f64 = 0.35;
 /// Bits of the dots of a braille pattern, column by column from the top.
 const BRAILLE_DOTS: [[u32; 4]; 2] = [[0x01, 0x02, 0x04, 0x40], [0x08, 0x10, 0x20, 0x80]];
 
-/// What is seen at a point of the indicator.
+/// What is visible at a point of the indicator.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Seen {
     Sky,
@@ -46,10 +46,10 @@ impl View {
         }
     }
 
-    /// What lies at a point `right` and `up` of the middle; a line is as thick as `dot`.
+    /// What is visible at a point `right` and `up` of the centre; lines are `dot` thick.
     ///
-    /// The vehicle turns clockwise when it rolls to the right, so the world turns the other way: up points to the
-    /// left of the indicator, and the horizon rises to the right.
+    /// The vehicle turns clockwise when it rolls to the right, so the world turns the other way: up points to the left
+    /// of the indicator, and the horizon rises to the right.
     fn at(&self, right: f64, up: f64, dot: f64) -> Seen {
         let (sine, cosine) = self.roll;
         let elevation_deg = self.pitch_deg + self.degrees_per_row * (cosine * up - sine * right);
@@ -70,7 +70,7 @@ impl View {
     }
 }
 
-/// Draws the horizon over the whole area, and the vehicle in its middle.
+/// Draws the horizon over the whole area, with the vehicle in the centre.
 pub fn draw(attitude: &Attitude, panel: Panel<'_>, buffer: &mut Buffer) {
     let view = View::new(attitude, panel.area.height);
     for y in 0..panel.area.height {
@@ -84,7 +84,7 @@ pub fn draw(attitude: &Attitude, panel: Panel<'_>, buffer: &mut Buffer) {
     draw_vehicle(panel, buffer);
 }
 
-/// The wings and the nose of the vehicle itself, which do not move.
+/// Draws the fixed wings and nose of the vehicle.
 fn draw_vehicle(panel: Panel<'_>, buffer: &mut Buffer) {
     let mark = match panel.look.symbols {
         Symbols::Ascii => "--< + >--",
@@ -101,7 +101,7 @@ fn draw_vehicle(panel: Panel<'_>, buffer: &mut Buffer) {
     buffer.set_string(x, y, mark, panel.style(Role::Title));
 }
 
-/// What a cell shows.
+/// The content of a cell.
 fn cell(view: &View, symbols: Symbols, place: Position, area: Rect) -> (char, Role) {
     let (columns, rows) = match symbols {
         Symbols::Braille => (2, 4),
@@ -134,7 +134,7 @@ fn cell(view: &View, symbols: Symbols, place: Position, area: Rect) -> (char, Ro
     (symbol, role)
 }
 
-/// Lines in full; the ground as every fourth dot, so that it is told from the sky without colour.
+/// Lines in full; the ground as every fourth dot, which distinguishes it from the sky without colour.
 fn braille(seen: [[Seen; 4]; 2]) -> char {
     let mut bits = 0;
     for (column, dots) in seen.iter().enumerate() {

@@ -11,7 +11,7 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{columns, put};
 
-/// Pulses between which a bar is empty and full, in microseconds.
+/// The pulses of an empty and of a full bar, in microseconds.
 const SHORTEST_US: f32 = 1000.0;
 const LONGEST_US: f32 = 2000.0;
 /// Columns of a channel's number and pulse.
@@ -35,7 +35,7 @@ pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     draw_pulses(subject, &channels, inner, buffer);
 }
 
-/// Channels that carry something, down one column and, where it is wide enough, down the next.
+/// Channels in use, down one column and, if wide enough, down the next.
 fn draw_pulses(subject: &Subject<'_>, pulses_us: &[u16], area: Rect, buffer: &mut Buffer) {
     let look = subject.look;
     let used: Vec<(usize, u16)> = pulses_us

@@ -1,4 +1,4 @@
-//! The plan on board around the item being flown, and how much fence and how many rally points there are.
+//! The plan on board around the current item, and the size of the fence and the number of rally points.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -67,7 +67,7 @@ fn draw_others(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// What there is to say of a list: what is in it, or why nothing is known.
+/// The content of a list, or why it is unknown.
 fn standing(transfer: Transfer, is_known: bool, content: impl Fn() -> Text) -> Text {
     match transfer {
         _ if is_known => content(),
@@ -108,7 +108,7 @@ fn draw_items(subject: &Subject<'_>, plan: &Plan, area: Rect, buffer: &mut Buffe
     let skipped = plan.items.len() - items.len();
     let current = usize::from(vehicle.plan.current).checked_sub(skipped);
     let rows = usize::from(area.height);
-    // One item that is done stays above the current one, to see where it comes from.
+    // One finished item stays above the current one, to show where the vehicle comes from.
     let first = current
         .unwrap_or(0)
         .saturating_sub(1)
@@ -145,7 +145,7 @@ fn described(item: &PlanItem) -> String {
         item.altitude_m,
     ) {
         (true, Some(altitude_m)) => {
-            // Above home is the rule and needs no mark.
+            // Heights above home are usual and need no mark.
             let frame = match item.frame {
                 HeightFrame::SeaLevel => " ASL",
                 HeightFrame::Terrain => " AGL",
@@ -162,7 +162,7 @@ fn described(item: &PlanItem) -> String {
     )
 }
 
-/// Metres from the place before, or from the vehicle to the item being flown.
+/// Metres from the previous item, or from the vehicle for the current one.
 fn way_m(vehicle: &Vehicle, items: &[PlanItem], at: usize, is_current: bool) -> Option<f64> {
     let to = items[at].at_point.filter(|_| items[at].is_waypoint())?;
     let from: LatLon = if is_current {

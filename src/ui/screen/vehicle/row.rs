@@ -1,4 +1,4 @@
-//! Rows of a label and a value, bars, words for grades and arrows: what the panes share.
+//! Shared by the panes: labelled rows, bars, words for grades, and arrows.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -14,7 +14,7 @@ use crate::vehicle::Grade;
 
 /// Columns of a label, the blank after it included.
 pub const LABEL: usize = 12;
-/// What stands where nothing is known.
+/// The text for an unknown value.
 pub const UNKNOWN: &str = "-";
 
 /// Writes a label and a value into a row.
@@ -43,7 +43,7 @@ pub fn centred(buffer: &mut Buffer, area: Rect, line: &Line<'_>) {
     put(buffer, middle, 0, line);
 }
 
-/// A number with so many decimals, if it is one.
+/// A number with `decimals` decimals, if known.
 pub fn number(value: Option<f32>, decimals: usize) -> String {
     value.map_or_else(|| UNKNOWN.to_owned(), |value| figure(value, decimals))
 }
@@ -54,14 +54,14 @@ pub fn bar(share: f32, width: usize, symbols: Symbols) -> String {
         Symbols::Ascii => ('#', '.'),
         Symbols::Block | Symbols::Braille => ('█', '░'),
     };
-    // What is no number fills nothing: the cast of NaN is 0.
+    // NaN fills nothing: its cast is 0.
     let filled = ((share.clamp(0.0, 1.0) * width as f32).round() as usize).min(width);
     (0..width)
         .map(|at| if at < filled { full } else { empty })
         .collect()
 }
 
-/// The word of a grade; of what is not heard any more nothing can be said but that it is old.
+/// The word for a grade; values of a silent vehicle are marked as old.
 pub fn grade_word(look: &Look, grade: Grade, is_old: bool) -> Span<'static> {
     let (id, role) = match grade {
         _ if is_old => ("vehicle-grade-old", Role::Muted),
@@ -72,7 +72,7 @@ pub fn grade_word(look: &Look, grade: Grade, is_old: bool) -> Span<'static> {
     Span::styled(look.say(id), look.style(role))
 }
 
-/// An arrow into one of eight directions, straight ahead being up.
+/// An arrow in one of eight directions; up is straight ahead.
 pub fn arrow(direction_deg: f64, symbols: Symbols) -> &'static str {
     const ARROWS: [&str; 8] = ["↑", "↗", "→", "↘", "↓", "↙", "←", "↖"];
     const LETTERS: [&str; 8] = ["^", "^>", ">", "v>", "v", "<v", "<", "<^"];

@@ -13,7 +13,7 @@ use crate::vehicle::Health;
 
 /// Least columns of one entry.
 const ENTRY: u16 = 25;
-/// Columns of its state.
+/// The names of the `MAV_SYS_STATUS_SENSOR` bits, from bit 0, as message ids.
 const STATE: usize = 5;
 
 /// `MAV_SYS_STATUS_SENSOR`: bits from 0, with the ids of their names.
@@ -58,7 +58,7 @@ enum Condition {
     Off,
 }
 
-/// Draws what is fitted, what is wrong first.
+/// Draws the fitted sensors, faulty ones first.
 pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     let look = subject.look;
     let inner = Panel::new(look, area).titled(&look.say("vehicle-sensors"), buffer);
@@ -101,7 +101,7 @@ pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// What is fitted or in use, with its condition, in order of seriousness.
+/// The sensors fitted or in use with their condition, most serious first.
 fn fitted(health: &Health) -> Vec<(Condition, &'static str)> {
     let mut entries: Vec<_> = NAMES
         .into_iter()

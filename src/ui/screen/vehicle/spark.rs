@@ -1,4 +1,4 @@
-//! A curve of a few rows out of a list of readings.
+//! A curve of a few rows from a list of readings.
 
 use std::ops::RangeInclusive;
 
@@ -10,9 +10,8 @@ use crate::config::Symbols;
 const BLOCKS: [char; 9] = [' ', '▁', '▂', '▃', '▄', '▅', '▆', '▇', '█'];
 const LETTERS: [char; 9] = [' ', '_', '.', '-', '-', '=', '+', '*', '#'];
 
-/// The rows of a curve, from the top. `readings` end now; `samples` is how many the window has room for, so that a
-/// curve that is younger than its window begins in the middle. Gaps stay blank. `range` is what is drawn at the
-/// bottom and at the top.
+/// The rows of a curve, from the top. `readings` end now; `samples` is the capacity of the span, so that a shorter
+/// curve starts inside it. Gaps stay blank. `range` gives the values at the bottom and at the top.
 pub fn rows(
     readings: &[Option<f32>],
     samples: usize,
@@ -44,7 +43,7 @@ pub fn rows(
         .collect()
 }
 
-/// How high a value stands: at least one step, so that it is told from a gap.
+/// The height of a value: at least one step, to distinguish it from a gap.
 fn step(value: f32, range: &RangeInclusive<f32>, steps: usize) -> usize {
     let (low, high) = (*range.start(), *range.end());
     let share = if high > low {
@@ -60,7 +59,7 @@ fn columns(readings: &[Option<f32>], samples: usize, width: usize) -> Vec<Option
     let missing = samples.saturating_sub(readings.len());
     (0..width)
         .map(|column| {
-            // A window with fewer samples than columns gives each sample several columns.
+            // A span with fewer samples than columns gives each sample several columns.
             let from = column * samples / width;
             let to = ((column + 1) * samples / width).max(from + 1);
             let known = (from.max(missing)..to.max(missing))

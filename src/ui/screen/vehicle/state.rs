@@ -1,4 +1,4 @@
-//! State and needs of a vehicle, the most needed rows first.
+//! The state of a vehicle, the most important rows first.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -18,9 +18,9 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{clock, put, severity_role, wrap};
 use crate::vehicle::{Battery, LandedState, Vehicle};
 
-/// Nearer than this there is no direction to speak of, in metres.
+/// Closer than this, in metres, no direction is shown.
 const HERE_M: f64 = 1.0;
-/// The label of what is wrong, and the rows that it may take.
+/// The label of the alert, and the rows that it may take.
 const WARNING: &str = "vehicle-ready";
 const WARNING_ROWS: usize = 2;
 
@@ -35,7 +35,7 @@ pub(super) fn draw(subject: &Subject<'_>, area: Rect, buffer: &mut Buffer) {
     let mut row = 0;
     for (id, value, role) in entries(subject) {
         let label = look.say(id);
-        // Only a warning is long and has no columns of its own.
+        // Only the alert is long and has no columns.
         let parts = if id == WARNING {
             wrap(&value, width)
         } else {
@@ -94,11 +94,11 @@ fn mode(vehicle: &Vehicle, look: &Look) -> Entry {
     ("vehicle-mode", value, Role::Accent)
 }
 
-/// What is wrong, else whether it may be armed.
+/// The alert, or whether it can be armed.
 fn ready(subject: &Subject<'_>) -> Entry {
     let (vehicle, look) = (subject.vehicle, subject.look);
     if let Some(alert) = subject.state.session().alert(vehicle, subject.state.now()) {
-        // All reasons not to arm, where that is what is wrong.
+        // All reasons against arming, if that is the alert.
         let text = if alert.kind == AlertKind::Prearm && !vehicle.prearm.is_empty() {
             vehicle.prearm.join("; ")
         } else {
@@ -153,7 +153,7 @@ fn pack(pack: &Battery) -> String {
     parts.into_iter().flatten().collect::<Vec<_>>().join(" ")
 }
 
-/// Distance and bearing to a point, with an arrow as seen from the vehicle.
+/// Distance and bearing to a point, with an arrow relative to the vehicle's heading.
 fn way(vehicle: &Vehicle, to: LatLon, look: &Look) -> Option<String> {
     let here = vehicle.global?.at_point;
     let distance_m = here.distance_m(to);
@@ -197,7 +197,7 @@ fn target(vehicle: &Vehicle, look: &Look) -> String {
             up = up
         ))
     });
-    // ArduPilot says where it goes or how fast; with a place the speed is no target.
+    // ArduPilot reports a target place or a target speed; with a place, the speed is no target.
     let aimed_at = velocity.filter(|_| way.is_none());
     let parts: Vec<String> = [way, height, aimed_at].into_iter().flatten().collect();
     if parts.is_empty() {
@@ -207,7 +207,7 @@ fn target(vehicle: &Vehicle, look: &Look) -> String {
     }
 }
 
-/// For how long it is armed, or was in its last flight.
+/// How long it has been armed, or was in its last flight.
 fn flight(subject: &Subject<'_>) -> Entry {
     let history = subject.state.session().histories().of(subject.vehicle.id);
     let time = history.map(History::armed_for).filter(|it| !it.is_zero());
@@ -254,7 +254,7 @@ fn link(subject: &Subject<'_>) -> Entry {
 
 fn wind(vehicle: &Vehicle, look: &Look) -> String {
     vehicle.wind.map_or(UNKNOWN.to_owned(), |wind| {
-        // An autopilot that does not estimate the wind reports a calm from the north.
+        // An autopilot without a wind estimate reports no wind from the north.
         if wind.speed_m_s == 0.0 && wind.from_deg == 0.0 {
             return look.say("vehicle-wind-unknown");
         }

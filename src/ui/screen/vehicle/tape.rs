@@ -8,9 +8,9 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::put;
 
-/// How many degrees a column stands for.
+/// The degrees per column.
 const STEP_DEG: i32 = 3;
-/// A number every so many degrees, and a stroke every so many.
+/// The spacing of numbers and of strokes, in degrees.
 const NUMBER_EVERY_DEG: i32 = 30;
 const STROKE_EVERY_DEG: i32 = 15;
 /// Points of the compass, as on every compass card.
@@ -64,7 +64,7 @@ fn strip(heading_deg: f32, width: usize, symbols: Symbols) -> (String, String) {
     let mut strokes = vec![' '; width];
     for (column, place) in strokes.iter_mut().enumerate() {
         let from_middle = column as i32 - middle;
-        // The last multiple that this column has reached, so that each falls into exactly one column.
+        // The last multiple up to this column, so that each multiple is in exactly one column.
         let degrees = heading + from_middle * STEP_DEG;
         let lands = |every: i32| degrees.rem_euclid(every) < STEP_DEG;
         if lands(STROKE_EVERY_DEG) {
@@ -83,7 +83,7 @@ fn label(degrees: i32) -> String {
     point.map_or_else(|| degrees.to_string(), |(_, name)| (*name).to_owned())
 }
 
-/// Writes a label with its middle at a column; what does not fit is left out as a whole.
+/// Writes a label centred at a column, or nothing if it does not fit.
 fn write_at(row: &mut [char], column: usize, label: &str) {
     let Some(start) = column.checked_sub(label.len() / 2) else {
         return;

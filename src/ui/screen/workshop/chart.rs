@@ -15,10 +15,10 @@ use crate::workshop::{GOOD_THRUST, LEAST_THRUST};
 
 /// Columns of the figures beside the curve.
 const LABELS: u16 = 7;
-/// Rows of the curve at least.
+/// The least rows of the curve.
 const LEAST: u16 = 3;
 
-/// Draws the curve that is wanted.
+/// Draws the chosen curve.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let room = state.rooms().workshop();
     let is_payload = room.view() == View::Payload;
@@ -62,7 +62,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// What to read off the curve.
+/// A description of the curve.
 fn about(state: &State, is_payload: bool) -> Text {
     let Some(figures) = &state.rooms().workshop().bench().sheet().figures else {
         return text!("bench-no-curve");
@@ -119,7 +119,7 @@ fn draw_axis(points: &[(f64, f64)], unit: &str, panel: Panel<'_>, buffer: &mut B
     );
 }
 
-/// A curve's values at so many places from its first point to its last, between the points on straight lines.
+/// A curve's values at `count` equally spaced places, by linear interpolation.
 fn spread(points: &[(f64, f64)], count: usize) -> Vec<Option<f64>> {
     let (first, last) = match (points.first(), points.last()) {
         (Some(first), Some(last)) => (first.0, last.0),

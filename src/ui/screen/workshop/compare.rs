@@ -1,4 +1,4 @@
-//! Another design beside the one on the bench: parts, figures, and what changes from the other one to this one.
+//! A comparison with the design on the bench: parts, figures, and the changes.
 
 use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};
@@ -93,7 +93,7 @@ impl Table<'_> {
         ])
     }
 
-    /// The parts of a slot beside each other; lines that differ stand out.
+    /// The parts of a slot side by side; differing lines are highlighted.
     fn slot(&self, slot: PartSlot, one: &Design, two: &Design) -> Vec<Line<'static>> {
         let parts = |design: &Design| -> Vec<String> {
             let here = rows(design).into_iter().filter(|row| row.slot == slot);

@@ -1,4 +1,4 @@
-//! The design's performance, and with the part under the cursor.
+//! The design's figures, and the changes by the part under the cursor.
 
 use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};
@@ -37,7 +37,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         .is_none_or(|it| it.misfit.is_none());
     for (row, measure) in Measure::ALL.into_iter().enumerate() {
         let mut line = line(measure, room.bench().sheet(), candidate, panel.at(inner));
-        // No gain is one that cannot be had.
+        // A gain is not shown for a part that cannot be used.
         if let Some(change) = line
             .spans
             .last_mut()
@@ -49,7 +49,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// Name, value, and the value with another sheet's change.
+/// Name, value, and the change to another sheet.
 fn line(measure: Measure, now: &Sheet, then: Option<&Sheet>, panel: Panel<'_>) -> Line<'static> {
     let before = measure.of(now);
     let after = then.map(|sheet| measure.of(sheet));

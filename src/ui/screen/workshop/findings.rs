@@ -1,4 +1,4 @@
-//! Faults of the design, and parts that may not be flown yet.
+//! Faults of the design, and parts that are still locked.
 
 use ratatui::buffer::Buffer;
 use ratatui::style::Style;

@@ -1,4 +1,4 @@
-//! The seats of a mission's fleet, and what is chosen for them.
+//! The seats of a mission's fleet with their designs.
 
 use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};

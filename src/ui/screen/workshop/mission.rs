@@ -60,7 +60,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// What is needed with what there is: on one line, or the figures below where that is too long.
+/// Draws a need with the design's value: on one line, or with the values below if that is too long.
 fn draw_stand(stand: &Stand, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
     let line = &stand.line;
     let (mark, role) = match (line.met, line.is_block) {

@@ -1,4 +1,4 @@
-//! The parts for the slot under the cursor, and what each would change.
+//! The parts for the slot under the cursor, and the effect of each.
 
 use ratatui::buffer::Buffer;
 use ratatui::style::Style;
@@ -15,18 +15,18 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, below, columns, put, row_of, upper, wrap};
 use crate::workshop::{Measure, PartSlot, Sheet};
 
-/// Columns of what a part would cost, or why it cannot be had.
+/// Columns of a part's price, or of why it is locked.
 const LICENCE: usize = 8;
 /// Columns of a change; more where there is room for the name of the measure.
 const CHANGE: usize = 8;
 const WIDE_CHANGE: usize = 12;
-/// Columns of a name at least, and of one that is not cut.
+/// The least columns of a name, and those of an uncut one.
 const NAME: usize = 16;
 const LONG_NAME: usize = 34;
-/// Rows of what is told of the part under the cursor.
+/// Rows of the details of the part under the cursor.
 const DETAIL: u16 = 5;
 
-/// Draws the list, and below it what there is to know about the part under the cursor.
+/// Draws the list, and below it the details of the part under the cursor.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let bench = state.rooms().workshop().bench();
     let layout = Layout::new(state, panel.area.width);
@@ -112,7 +112,7 @@ impl Layout {
         }
     }
 
-    /// The slot, and the measure where there is one only.
+    /// The slot, and the measure if there is only one.
     fn title(&self, slot: PartSlot, look: &Look) -> String {
         let slot = look.text(&slot.name());
         match self.shown.as_slice() {
@@ -162,7 +162,7 @@ impl Layout {
             misfit => {
                 let mut changes = self.changes(&candidate.sheet, before, look);
                 if misfit.is_some() {
-                    // No gain is one that cannot be had.
+                    // A gain is not shown for a part that cannot be used.
                     for span in &mut changes {
                         span.style = look.style(Role::Muted);
                     }
@@ -189,7 +189,7 @@ impl Layout {
     }
 }
 
-/// The measures that tell most about a choice for a slot.
+/// The most important measures for a slot.
 fn telling(slot: PartSlot, has_figures: bool) -> &'static [Measure] {
     use Measure::{Cost, HoverTime, Mass, RadioReach, Range, Ratio, Spare, TopSpeed};
     match slot {
@@ -206,7 +206,7 @@ fn telling(slot: PartSlot, has_figures: bool) -> &'static [Measure] {
     }
 }
 
-/// Whether a part may be flown, in a word.
+/// Whether a part may be used, in a word.
 fn short(licence: &Licence, look: &Look) -> (String, Role) {
     match licence {
         Licence::Held => (String::new(), Role::Muted),
@@ -215,7 +215,7 @@ fn short(licence: &Licence, look: &Look) -> (String, Role) {
     }
 }
 
-/// The part's whole name, what it costs, whether it may be flown, and why it does not fit.
+/// Draws the part's full name, its price, whether it may be used, and why it does not fit.
 fn draw_detail(state: &State, candidate: &Candidate, panel: Panel<'_>, buffer: &mut Buffer) {
     let part = candidate.part;
     let whole = text!(

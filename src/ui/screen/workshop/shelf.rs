@@ -12,7 +12,7 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, below, clip, put, row_of};
 
-/// Columns of whose a design is, of mass and price.
+/// Columns of a design's owner, mass and price.
 const WHOSE: usize = 10;
 const MASS: usize = 9;
 const PRICE: usize = 10;

@@ -16,7 +16,7 @@ use crate::workshop::{Design, FindingSeverity, PartSlot};
 /// Columns of a slot's name.
 const NAME: usize = 12;
 const WIDE_NAME: usize = 18;
-/// Columns from which on mass and price are shown too.
+/// The least columns to show mass and price too.
 const ROOMY: usize = 50;
 /// Columns of mass and price.
 const MASS: usize = 8;
@@ -107,7 +107,7 @@ impl Row<'_> {
         Line::from(spans)
     }
 
-    /// How many pieces of the part the drone has.
+    /// The number of pieces of the part on the drone.
     fn pieces(&self, design: &Design) -> u32 {
         let count = self.there.count as u32;
         if self.there.slot.is_per_motor() {

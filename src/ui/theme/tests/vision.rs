@@ -1,4 +1,4 @@
-//! Whether themes can be read: contrast, and states that stay apart for every kind of colour vision.
+//! Legibility of themes: contrast, and states that stay distinct for every kind of colour vision.
 
 use ratatui::style::{Color, Style};
 
@@ -86,7 +86,7 @@ fn lab(rgb: Rgb) -> Rgb {
     [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
 }
 
-/// How far apart two colours look to such eyes.
+/// The difference of two colours for a kind of colour vision.
 fn distance(eyes: &[Rgb; 3], a: Color, b: Color) -> f64 {
     let seen = |colour| lab(times(eyes, linear(colour)).map(|value| value.clamp(0.0, 1.0)));
     let (a, b) = (seen(a), seen(b));
@@ -113,7 +113,7 @@ fn themes() -> impl Iterator<Item = Theme> {
         .map(|name| Theme::named(name).expect("embedded"))
 }
 
-/// What a role looks like: what it leaves out is that of ordinary text.
+/// The colours of a role; what it leaves out comes from ordinary text.
 fn colours(theme: &Theme, role: Role) -> (Color, Color) {
     let Style { fg, bg, .. } = theme.style(Role::Text).patch(theme.style(role));
     (fg.expect("text has one"), bg.expect("text has one"))
@@ -126,7 +126,7 @@ fn the_formulas_give_the_published_values() {
     // WCAG's own example of the lightest grey that passes on white.
     assert!((contrast(Color::Rgb(0x76, 0x76, 0x76), white) - 4.54).abs() < 0.01);
     assert!((distance(&VISIONS[0].1, black, white) - 100.0).abs() < 0.01);
-    // Red and green of equal lightness: what most people tell apart and the colour-blind do not.
+    // Red and green of equal lightness: distinct for most people, but not for the colour-blind.
     let (red, green) = (Color::Rgb(0xc0, 0x40, 0x20), Color::Rgb(0x60, 0x78, 0x00));
     assert!(distance(&VISIONS[0].1, red, green) > 60.0);
     assert!(distance(&VISIONS[2].1, red, green) < 15.0);
@@ -139,7 +139,7 @@ fn states_stay_apart_for_every_kind_of_colour_vision() {
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
-/// The pairs of these roles that some kind of colour vision sees closer to each other than `least`.
+/// The pairs of these roles that are closer than `least` for some kind of colour vision.
 fn faults_among(roles: &[Role], least: f64) -> Vec<String> {
     let mut faults = Vec::new();
     for theme in themes() {
@@ -180,8 +180,8 @@ fn text_has_enough_contrast_wherever_it_stands() {
         for &(name, role) in texts {
             let (fg, bg) = colours(&theme, role);
             let mut grounds = vec![bg];
-            // The line under the cursor and the first line only lay another ground under other roles, unless they
-            // give the text a colour too.
+            // The cursor's line and the header only add a background to other roles, unless they set a text colour
+            // too.
             for ground in [Role::Cursor, Role::Header] {
                 let style = theme.style(ground);
                 let shows_through = style.fg.is_none() || style.fg == theme.style(Role::Text).fg;

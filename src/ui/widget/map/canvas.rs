@@ -1,5 +1,4 @@
-//! A canvas of dots, two by four in every cell, shown with what the terminal has: braille patterns, half blocks or
-//! ASCII.
+//! A canvas of dots, two by four in every cell, drawn in braille patterns, half blocks or ASCII.
 
 use ratatui::buffer::Buffer;
 
@@ -20,13 +19,13 @@ const BRAILLE: u32 = 0x2800;
 pub struct Canvas {
     columns: u16,
     rows: u16,
-    /// Dots that are one where they are shown, along a line.
+    /// The length of the visible dots merged along a line.
     dots_seen: u32,
     symbols: Symbols,
     cells: Vec<(u8, Role)>,
 }
 
-/// How a line looks: lines that mean different things differ also without colour.
+/// The pattern of a line: lines of different meaning differ also without colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Stroke {
     pub role: Role,
@@ -128,7 +127,7 @@ impl Canvas {
         }
     }
 
-    /// The part of a line that lies on the canvas (Liang and Barsky's way of clipping).
+    /// The part of a line on the canvas (Liang-Barsky clipping).
     fn clipped(&self, from: Dot, to: Dot) -> Option<[Dot; 2]> {
         let right = f64::from(self.columns * DOTS_ACROSS) - 0.01;
         let bottom = f64::from(self.rows * DOTS_DOWN) - 0.01;
@@ -151,7 +150,7 @@ impl Canvas {
                 last = last.min(room / towards);
             }
         }
-        // Also false if anything is not a number.
+        // Also false for NaN.
         let is_on_it = first <= last && across.is_finite() && down.is_finite();
         is_on_it.then(|| [first, last].map(|share| from.towards(to, share)))
     }

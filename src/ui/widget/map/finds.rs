@@ -1,5 +1,5 @@
-//! Contacts and reports on the map. A sign before the name tells how far a contact is trusted, so that it shows
-//! without colours too.
+//! Contacts and reports on the map. A sign before the name shows how well a contact is confirmed, also without
+//! colours.
 
 use super::fire;
 use super::labels::Label;
@@ -9,14 +9,14 @@ use crate::mission::{Progress, ShownContact, Trust};
 use crate::ui::look::Look;
 use crate::ui::theme::Role;
 
-/// How much a contact is trusted, by sign, in the order of the legend.
+/// How well a contact is confirmed, by sign, in the order of the legend.
 pub const SIGNS: [(Trust, char, Role, &str); 3] = [
     (Trust::Seen, '?', Role::Contact, "map-legend-seen"),
     (Trust::Confirmed, '!', Role::Accent, "map-legend-confirmed"),
     (Trust::Reported, '#', Role::Ok, "map-legend-reported"),
 ];
 
-/// The words for what has been found and reported. A report that is a contact's has that one's name.
+/// The labels of contacts and reports. A report of a contact has its name.
 pub fn labels(state: &State, look: &Look, view: &Viewport) -> Vec<Label> {
     let Some(progress) = state.session().mission() else {
         return Vec::new();
@@ -34,7 +34,7 @@ pub fn labels(state: &State, look: &Look, view: &Viewport) -> Vec<Label> {
     }
     let nearest = nearest(state, progress, view);
     let is_near = |contact: &ShownContact| nearest.contains(&Some(contact.name.as_str()));
-    // The later ones are worth more where there is no room for all.
+    // Later ones take precedence where there is no room for all.
     let mut contacts: Vec<&ShownContact> = progress.contacts.iter().collect();
     contacts.sort_by_key(|contact| (is_near(contact), contact.trust));
     for contact in contacts {
@@ -57,14 +57,13 @@ pub fn labels(state: &State, look: &Look, view: &Viewport) -> Vec<Label> {
     labels
 }
 
-/// Whether a contact has its name on the map also where it is none of the nearest: one that more than one sensor has
-/// seen. A field of fire has no names.
+/// Whether a contact keeps its name on the map even if it is not among the nearest: one seen by several sensors. Fires
+/// have no names.
 fn is_named(contact: &ShownContact) -> bool {
     contact.trust > Trust::Seen && !fire::is_fire(contact)
 }
 
-/// The contacts that are nearest to the map's cursor and to the vehicle under the cursor: those that one is about to
-/// look at.
+/// The contacts nearest to the map's cursor and to the vehicle under the cursor.
 fn nearest<'a>(state: &State, progress: &'a Progress, view: &Viewport) -> [Option<&'a str>; 2] {
     let to = |place: LatLon| {
         let away = |contact: &&ShownContact| contact.at.distance_m(place);
@@ -84,7 +83,7 @@ fn nearest<'a>(state: &State, progress: &'a Progress, view: &Viewport) -> [Optio
     ]
 }
 
-/// Whether any contact or report is trusted so far.
+/// Whether any contact or report has this level of confirmation.
 pub fn has(state: &State, trust: Trust) -> bool {
     let progress = state.session().mission();
     progress.is_some_and(|progress| {

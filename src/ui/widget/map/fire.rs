@@ -1,5 +1,5 @@
-//! Fire as a field: burnt ground as it was seen last, and on it where sensors see flames. Dozens of contacts in a row
-//! would hide the very thing that they show.
+//! Fire as a field: burnt ground as last seen, and the flames that sensors see. Dozens of labels in a row would hide
+//! the fire itself.
 
 use std::collections::BTreeMap;
 
@@ -18,14 +18,13 @@ use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 
-/// Around a contact the ground is taken to burn so far, in metres from side to side: about what a thermal camera takes
-/// for one fire.
+/// The width of the burning area around a contact, in metres: about what a thermal camera sees as one fire.
 const FLAMES_M: f64 = 20.0;
 
-/// How strong fire is in a cell of the map, the weakest first.
+/// The strength of fire in a cell of the map, weakest first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum FireLevel {
-    /// A part of it has burnt.
+    /// Part of it has burnt.
     Scorched,
     /// All of it has burnt, or burns.
     Burnt,
@@ -55,7 +54,7 @@ impl FireLevel {
         }
     }
 
-    /// The message that says what it means.
+    /// The message for its meaning.
     const fn about(self) -> &'static str {
         match self {
             Self::Scorched => "map-fire-scorched",
@@ -74,8 +73,7 @@ pub fn sample(symbols: Symbols) -> String {
         .collect()
 }
 
-/// What fire is drawn in: the colour of danger, unless danger is said by the ground of a cell, which would turn the
-/// shades round.
+/// The role of fire: danger, unless the theme marks danger by the background, which would invert the shades.
 pub fn role(look: &Look) -> Role {
     let (danger, text) = (look.style(Role::Danger), look.style(Role::Text));
     let is_ground = danger.bg.is_some_and(|ground| Some(ground) != text.bg);
@@ -91,7 +89,7 @@ pub fn is_fire(contact: &ShownContact) -> bool {
     contact.kind == FindKind::Fire
 }
 
-/// Whether anything burns or has burnt, as far as is known.
+/// Whether any fire or burnt ground is known.
 pub fn is_any(state: &State) -> bool {
     let progress = state.session().mission();
     progress.is_some_and(|it| !it.mapped.is_empty() || it.contacts.iter().any(is_fire))

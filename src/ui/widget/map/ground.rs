@@ -1,4 +1,4 @@
-//! What lies on the ground: areas, survey cells, homes, and the ways of the vehicles.
+//! The ground: areas, survey cells, homes, and the paths of the vehicles.
 
 use std::collections::BTreeSet;
 
@@ -22,7 +22,7 @@ const CELL: Stroke = Stroke::dotted(Role::Muted);
 /// From the mark to the cursor.
 pub const RULER: Stroke = Stroke::dotted(Role::Key);
 
-/// How a line of some kind is drawn.
+/// The stroke of a kind of line.
 pub const fn stroke(kind: SketchKind) -> Stroke {
     match kind {
         SketchKind::Task => Stroke::dotted(Role::Info),
@@ -38,7 +38,7 @@ pub const fn stroke(kind: SketchKind) -> Stroke {
     }
 }
 
-/// What stands before the name of an area, so that its kind shows without colours too.
+/// The sign before an area's name, so that its kind shows without colours too.
 pub const fn sign(kind: SketchKind) -> &'static str {
     match kind {
         SketchKind::NoFly => "x ",
@@ -54,7 +54,7 @@ pub const fn sign(kind: SketchKind) -> &'static str {
     }
 }
 
-/// Draws all lines, and the words that belong to them.
+/// Draws all lines and adds their labels.
 pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mut Buffer) {
     let mut canvas = Canvas::new(GridSize::new(view.columns, view.rows), look.symbols);
     let mut labels = Vec::new();
@@ -77,7 +77,7 @@ pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mu
     labels::draw(labels, &vehicles, Panel::new(look, area), buffer);
 }
 
-/// What vehicles will cover: their signs, and brackets or numbers beside them.
+/// The cells that vehicles will cover with their signs, brackets and numbers.
 fn vehicle_cells(state: &State, view: &Viewport) -> BTreeSet<MapCell> {
     let vehicles = state.session().vehicles().values();
     let places = vehicles.filter_map(|vehicle| view.cell(vehicle.global?.at_point));
@@ -86,7 +86,7 @@ fn vehicle_cells(state: &State, view: &Viewport) -> BTreeSet<MapCell> {
         .collect()
 }
 
-/// The cells of surveys: their names until they are sampled, then what was found.
+/// Draws the cells of surveys: their names until they are sampled, then their values.
 fn draw_cells(state: &State, view: &Viewport, canvas: &mut Canvas, labels: &mut Vec<Label>) {
     let cells = state
         .session()
@@ -126,7 +126,7 @@ fn draw_sketch(sketch: &Sketch, view: &Viewport, canvas: &mut Canvas, labels: &m
             canvas.line(view.dot(pair[0]), view.dot(pair[1]), stroke);
         }
     }
-    // The name stands at the northernmost of the western corners.
+    // The name is at the northernmost of the western corners.
     let corner = points.iter().filter_map(|&point| view.cell(point));
     if let Some((column, row)) = corner.min_by_key(|&(column, row)| (row, column)) {
         labels.push(Label {
@@ -145,7 +145,7 @@ pub fn outline(corners: &[LatLon], view: &Viewport, canvas: &mut Canvas, stroke:
     }
 }
 
-/// Homes and named places; of several in one cell only the first.
+/// Homes and named places; in one cell only the first.
 fn draw_homes(state: &State, look: &Look, view: &Viewport, labels: &mut Vec<Label>) {
     let session = state.session();
     let mut homes: Vec<(u16, u16)> = session
@@ -166,7 +166,7 @@ fn draw_homes(state: &State, look: &Look, view: &Viewport, labels: &mut Vec<Labe
     let next = next_place(state);
     let places = session.places().iter();
     let named = places.filter(|(name, _)| !drawn.contains(name.as_str()) && *name != NEXT_PLACE);
-    // The later ones are worth more where there is no room for all.
+    // Later ones take precedence where there is no room for all.
     let (coming, others): (Vec<_>, Vec<_>) = named.partition(|(_, place)| Some(**place) == next);
     for (name, &place) in others.into_iter().chain(coming) {
         let cell = view.cell(place).filter(|cell| !homes.contains(cell));
@@ -188,13 +188,13 @@ fn draw_homes(state: &State, look: &Look, view: &Viewport, labels: &mut Vec<Labe
     }));
 }
 
-/// The place to go to next, where a mission has one.
+/// The next place to go to, if the mission has one.
 pub fn next_place(state: &State) -> Option<LatLon> {
     let mission = state.session().mission()?;
     mission.places.get(NEXT_PLACE).copied()
 }
 
-/// What stands before the name of the place to go to next.
+/// The sign before the name of that place.
 pub const fn next_sign(symbols: Symbols) -> &'static str {
     match symbols {
         Symbols::Braille | Symbols::Block => "»",
@@ -202,7 +202,7 @@ pub const fn next_sign(symbols: Symbols) -> &'static str {
     }
 }
 
-/// People, aircraft and drones of others, with what has to be kept clear around them.
+/// People, aircraft and drones of others, with the distance to keep from them.
 fn draw_movers(state: &State, view: &Viewport, canvas: &mut Canvas, labels: &mut Vec<Label>) {
     let movers = state
         .session()

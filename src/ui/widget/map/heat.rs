@@ -1,4 +1,4 @@
-//! What the sensors have shown, as shaded cells beneath everything else.
+//! The sensors' readings, as shaded cells beneath everything else.
 
 use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};
@@ -10,11 +10,11 @@ use crate::geo::Viewport;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 
-/// Shades from little to much.
+/// Shades in ascending order.
 const SHADES: [char; 4] = ['░', '▒', '▓', '█'];
-/// The same in ASCII, where digits can be read best.
+/// The same in ASCII, as digits.
 const DIGITS: [char; 9] = ['1', '2', '3', '4', '5', '6', '7', '8', '9'];
-/// Finer differences are no differences.
+/// The most decimals needed to distinguish values.
 const MOST_DECIMALS: usize = 4;
 
 pub fn draw(field: &SampleField, view: &Viewport, panel: Panel<'_>, buffer: &mut Buffer) {
@@ -33,13 +33,13 @@ pub fn draw(field: &SampleField, view: &Viewport, panel: Panel<'_>, buffer: &mut
     }
 }
 
-/// Explains the shades: each with the largest value that it stands for.
+/// Draws the shades, each with the largest value that it stands for.
 pub fn draw_scale(field: &SampleField, panel: Panel<'_>, buffer: &mut Buffer) {
     let shades = shades(panel.look.symbols);
     let top = field.top();
     let name = format!(" {}, {} ", panel.text(&field.name), field.unit);
     let mut spans = vec![Span::styled(name, panel.style(Role::Muted))];
-    // Nine digits need no nine numbers.
+    // Nine digits need only some of the numbers.
     let step = if shades.len() > SHADES.len() { 4 } else { 1 };
     let shown: Vec<(char, f64)> = (1..=shades.len())
         .step_by(step)
@@ -63,7 +63,7 @@ pub fn shade(share: f64, symbols: Symbols) -> Option<char> {
     shades.get(level.checked_sub(1)?).copied()
 }
 
-/// What stands between a shade and its figure: a digit beside a figure would be taken for a part of it.
+/// The separator between a shade and its value: a digit next to a value would read as part of it.
 fn between(symbols: Symbols) -> char {
     match symbols {
         Symbols::Ascii => '=',
@@ -71,7 +71,7 @@ fn between(symbols: Symbols) -> char {
     }
 }
 
-/// The shades with the share of the most that each stands for, in percent; of many, some.
+/// The shades with their shares of the maximum, in percent; of many, a selection.
 pub fn shares(symbols: Symbols) -> String {
     let shades = shades(symbols);
     let step = shades.len().div_ceil(SHADES.len());
@@ -90,7 +90,7 @@ fn shades(symbols: Symbols) -> &'static [char] {
     }
 }
 
-/// Rising values with as few decimals as tell them apart.
+/// Ascending values with as few decimals as distinguish them.
 fn figures(values: &[f64]) -> Vec<String> {
     let least = match values.last() {
         Some(most) if *most >= 100.0 => 0,
@@ -107,8 +107,8 @@ fn figures(values: &[f64]) -> Vec<String> {
     fitting.next().unwrap_or_else(|| with(MOST_DECIMALS))
 }
 
-/// The mean of what was shown in each cell of the view, row by row: of the square that the middle of the cell
-/// lies in, or of the squares that lie in the cell.
+/// The mean reading in each cell of the view, row by row: of the square at the cell's centre, or of the squares inside
+/// the cell.
 fn means(field: &SampleField, view: &Viewport) -> Vec<Option<f64>> {
     let (columns, rows) = (usize::from(view.columns), usize::from(view.rows));
     let mut sums = vec![(0.0, 0.0); columns * rows];
@@ -175,7 +175,7 @@ mod tests {
                 let cell = means[usize::from(row) * 60 + usize::from(column)];
                 prop_assert_eq!(cell, Some(3.0));
             }
-            // As many cells as a square of that size covers, and no more.
+            // Only as many cells as a square of that size covers.
             let across = field.side_m() / view.zoom.metres_per_column() + 1.0;
             let most = across * (across / 2.0 + 1.0);
             let shaded = means.iter().flatten().count();

@@ -1,4 +1,4 @@
-//! Words on the map. They stand on top of everything that is drawn, and nothing of it shows through.
+//! Labels on the map. They are on top of everything else, which does not show through.
 
 use std::collections::BTreeSet;
 
@@ -27,13 +27,13 @@ impl Label {
         self.text.width() as u16
     }
 
-    /// Whether it is no word, and would be read as a part of one that it stands beside.
+    /// Whether it is a sign, which would read as part of a word next to it.
     fn is_sign(&self) -> bool {
         self.text.chars().all(|c| !c.is_alphanumeric())
     }
 }
 
-/// Writes the labels that can be read, on a panel that is the map; `vehicles` are the cells that vehicles will cover.
+/// Draws the labels that can be read, on the map's panel; `vehicles` are the cells that vehicles will cover.
 pub fn draw(
     labels: Vec<Label>,
     vehicles: &BTreeSet<MapCell>,
@@ -57,7 +57,7 @@ pub fn draw(
             buffer,
         );
     }
-    // What lies beside a word must not be read as a part of it.
+    // Signs next to a word must not read as part of it.
     let written: BTreeSet<MapCell> = labels.iter().flat_map(cells).collect();
     for label in &labels {
         for cell in beside(label).filter(|cell| !written.contains(cell)) {
@@ -81,8 +81,8 @@ fn beside(label: &Label) -> impl Iterator<Item = MapCell> + use<> {
         .map(move |column| (column, row))
 }
 
-/// Writes a text from the first cell of a panel on, as far as the panel is wide, over whatever is there: neither its
-/// characters nor its styles show any more. Returns how many cells were written.
+/// Writes a text from the first cell of a panel on, over whatever is there, replacing characters and styles. Returns
+/// the number of cells written.
 pub fn stamp(text: &str, style: Style, panel: Panel<'_>, buffer: &mut Buffer) -> u16 {
     let area = panel.area;
     let width = (text.width() as u16).min(area.width);
@@ -109,7 +109,7 @@ pub fn stamp_right(line: &Line<'_>, panel: Panel<'_>, buffer: &mut Buffer) {
     put(buffer, right, 0, line);
 }
 
-/// Takes everything away from the cells of a panel, their styles too.
+/// Clears the cells of a panel, including their styles.
 pub fn blank(panel: Panel<'_>, buffer: &mut Buffer) {
     let area = panel.area.intersection(buffer.area);
     for place in area.positions() {
@@ -120,7 +120,7 @@ pub fn blank(panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// Makes a cell of the map blank if what it shows would be read as a part of the word beside it.
+/// Blanks a cell of the map if its content would read as part of the word next to it.
 pub fn part(panel: Panel<'_>, at: MapCell, buffer: &mut Buffer) {
     let (column, row) = at;
     let area = panel.area;
@@ -133,9 +133,8 @@ pub fn part(panel: Panel<'_>, at: MapCell, buffer: &mut Buffer) {
     }
 }
 
-/// The labels without those that would be read as one word with another: the later ones are worth more. Where only the
-/// name of something has no room, the sign that it begins with stays. Vehicles are drawn over everything: what they
-/// would leave a piece of goes as well.
+/// The labels without those that would run into another one: later ones take precedence. If only a name has no room,
+/// its sign stays. Vehicles are drawn over everything: a label that they would cover partly is left out as well.
 fn readable(labels: Vec<Label>, vehicles: &BTreeSet<MapCell>) -> Vec<Label> {
     let mut taken: BTreeSet<MapCell> = BTreeSet::new();
     let mut words: BTreeSet<MapCell> = BTreeSet::new();
@@ -143,7 +142,7 @@ fn readable(labels: Vec<Label>, vehicles: &BTreeSet<MapCell>) -> Vec<Label> {
     for mut label in labels.into_iter().rev() {
         let (column, row) = label.cell;
         let width = label.width();
-        // Words with a blank to both sides; signs may stand beside each other.
+        // Words need a blank on both sides; signs may be adjacent.
         let margin = u16::from(width > 1);
         let mut around = column.saturating_sub(margin)..column + width + margin;
         let is_cut = width > 1 && (column..column + width).any(|at| vehicles.contains(&(at, row)));

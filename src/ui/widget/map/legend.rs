@@ -1,4 +1,4 @@
-//! The scale bar, the north mark, and what the signs mean.
+//! The scale bar, the north mark, and the legend.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -22,14 +22,14 @@ use crate::ui::theme::Role;
 use crate::ui::widget::put;
 use crate::vehicle::VehicleId;
 
-/// Columns of the scale bar at most.
+/// The most columns of the scale bar.
 const LONGEST_BAR: u16 = 24;
-/// The vehicle whose colour the legend shows; the others have theirs.
+/// The vehicle whose colour the legend shows.
 const FIRST: VehicleId = 1;
 /// Columns of the signs in the legend.
 const SIGN_WIDTH: usize = 5;
 
-/// Draws a bar of a round length into the lower left corner, and north into the upper right one.
+/// Draws a bar of a round length in the lower left corner, and the north mark in the upper right one.
 pub fn draw_scale(look: &Look, view: &Viewport, area: Rect, buffer: &mut Buffer) {
     let (length_m, columns) = scale_bar(view.zoom, LONGEST_BAR.min(area.width / 4));
     let line = "─".repeat(usize::from(columns).saturating_sub(2));
@@ -59,7 +59,7 @@ pub fn draw_scale(look: &Look, view: &Viewport, area: Rect, buffer: &mut Buffer)
     );
 }
 
-/// A length in words: metres, or kilometres from one on.
+/// A length as text: metres, or kilometres from 1 km on.
 pub fn length(metres: f64) -> String {
     match metres {
         metres if metres >= 100_000.0 => format!("{:.0} km", metres / 1000.0),
@@ -72,7 +72,7 @@ pub fn length(metres: f64) -> String {
     }
 }
 
-/// Explains the signs, those that are on the map.
+/// Draws the legend with the signs that are on the map.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let lines = lines(state, panel.look);
     let inner =

@@ -1,4 +1,4 @@
-//! The vehicles on the map: a sign, a number beside it where there is room, one count where many are in one cell.
+//! The vehicles on the map: a sign, its number if there is room, and a count where several share a cell.
 
 use std::ops::Range;
 
@@ -18,7 +18,7 @@ use crate::vehicle::{Severity, Vehicle, VehicleId};
 
 /// Headings as arrows, clockwise from north.
 const ARROWS: [char; 8] = ['↑', '↗', '→', '↘', '↓', '↙', '←', '↖'];
-/// The same where only four arrows are to be had.
+/// The same for terminals with only four arrows.
 const FOUR_ARROWS: [char; 4] = ['↑', '→', '↓', '←'];
 const ASCII_ARROWS: [char; 4] = ['^', '>', 'v', '<'];
 
@@ -28,14 +28,14 @@ struct Marker {
     column: u16,
     row: u16,
     sign: char,
-    /// What follows its number.
+    /// The marks after its number.
     marks: String,
     role: Role,
-    /// Smaller ones get their number first.
+    /// Lower ranks get their number first.
     rank: u8,
 }
 
-/// Draws the vehicles that are in view; returns how many others have a place.
+/// Draws the vehicles in view; returns the number of others with a position.
 pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mut Buffer) -> usize {
     let (mut markers, outside) = markers(state, look, view);
     let cursor = state.session().cursor();
@@ -48,7 +48,7 @@ pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mu
     }
     let mut singles: Vec<&Marker> = Vec::new();
     for row in markers.chunk_by(|a, b| a.row == b.row) {
-        // The vehicle under the cursor parts its row.
+        // The vehicle under the cursor divides its row.
         let parts = chosen.iter().find(|it| it.marker.row == row[0].row);
         let (from, to) = parts.map_or((0, 0), |it| (it.from, it.end()));
         let (left, right) = row.split_at(row.partition_point(|it| it.column < from));
@@ -66,7 +66,7 @@ pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mu
     outside
 }
 
-/// The vehicles in view, and how many are not.
+/// The vehicles in view, and the number of others.
 fn markers(state: &State, look: &Look, view: &Viewport) -> (Vec<Marker>, usize) {
     let mut markers = Vec::new();
     let mut outside = 0;
@@ -82,7 +82,7 @@ fn markers(state: &State, look: &Look, view: &Viewport) -> (Vec<Marker>, usize) 
     (markers, outside)
 }
 
-/// The vehicle under the cursor: always with its number, and with how many others it hides.
+/// The vehicle under the cursor: always with its number, and with the number of vehicles that it hides.
 struct Chosen {
     marker: Marker,
     from: u16,
@@ -90,9 +90,9 @@ struct Chosen {
 }
 
 impl Chosen {
-    /// Takes those that it hides out of the others.
+    /// Removes the hidden vehicles from the others.
     fn new(marker: Marker, others: &mut Vec<Marker>) -> Self {
-        // At the left edge the sign itself must stay in its place.
+        // At the left edge the sign itself must keep its place.
         let bracket = if marker.column == 0 { "" } else { "[" };
         let bare = format!("{bracket}{}{}{}", marker.sign, marker.id, marker.marks);
         let mut chosen = Self {
@@ -179,8 +179,8 @@ pub fn arrow(heading_deg: f32, symbols: Symbols) -> char {
     arrows[turn % arrows.len()]
 }
 
-/// Finds the cells of a row that hold several vehicles, and writes a count there; what the count covers is counted
-/// with them. The others are left to be drawn one by one.
+/// Finds cells of a row with several vehicles, and writes a count there, including vehicles that the count covers. The
+/// others are left to be drawn singly.
 fn gather<'a>(
     row: &'a [Marker],
     columns: Range<u16>,
@@ -215,7 +215,7 @@ fn gather<'a>(
     }
 }
 
-/// The cells of the map and which of them hold a sign or a number already.
+/// The cells of the map that already have a sign or a number.
 struct Board<'a> {
     panel: Panel<'a>,
     buffer: &'a mut Buffer,
@@ -245,14 +245,14 @@ impl<'a> Board<'a> {
         self.taken[from..from + usize::from(written)].fill(true);
     }
 
-    /// Whether nothing stands there yet, and the row is long enough.
+    /// Whether the cells are free, and within the row.
     fn is_free(&self, column: u16, row: u16, width: u16) -> bool {
         let from = usize::from(row) * usize::from(self.panel.area.width) + usize::from(column);
         let fits = column + width <= self.panel.area.width;
         fits && !self.taken[from..from + usize::from(width)].contains(&true)
     }
 
-    /// Writes a vehicle's number beside its sign if there is room, else at least that it is selected or alerts.
+    /// Writes a vehicle's number beside its sign if there is room, otherwise at least its selection or alert mark.
     fn name(&mut self, marker: &Marker, look: &Look) {
         let whole = format!("{}{}", marker.id, marker.marks);
         if !self.write_beside(marker, &whole, look) && !marker.marks.is_empty() {
@@ -278,7 +278,7 @@ impl<'a> Board<'a> {
         true
     }
 
-    /// A figure of the ground right beside a number would read as a part of it.
+    /// A digit of the ground next to a number would read as part of it.
     fn part(&mut self, column: u16, row: u16) {
         if self.is_free(column, row, 1) {
             part(self.panel, (column, row), self.buffer);

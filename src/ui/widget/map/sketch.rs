@@ -1,4 +1,4 @@
-//! Where a mission will be flown, before it is: its areas, its places and its pads.
+//! A sketch of a mission's site before the flight: its areas, its places and its pads.
 
 use std::collections::BTreeSet;
 
@@ -14,9 +14,9 @@ use crate::mission::{AreaKind, Listing, is_pad};
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 
-/// Land around everything, as a share of it and in metres.
+/// The margin around everything, as a share of it and in metres.
 const EDGE: (f64, f64) = (0.05, 10.0);
-/// More places than these are the cells of a survey, whose area is drawn anyway.
+/// The most places shown; more are the cells of a survey, whose area is drawn anyway.
 const MOST_PLACES: usize = 8;
 
 /// A word at a cell of the sketch.
@@ -26,7 +26,7 @@ struct Word {
     role: Role,
 }
 
-/// Draws it into the whole panel; false where there is nothing to draw.
+/// Draws the sketch into the whole panel; false if there is nothing to draw.
 pub fn draw(mission: &Listing, panel: Panel<'_>, buffer: &mut Buffer) -> bool {
     let area = panel.area;
     let Some(extent) = extent(mission).filter(|_| !area.is_empty()) else {
@@ -54,7 +54,7 @@ pub fn draw(mission: &Listing, panel: Panel<'_>, buffer: &mut Buffer) -> bool {
     true
 }
 
-/// What the sketch has to show: the fence only where there is nothing else.
+/// The extent of the sketch; the fence counts only where there is nothing else.
 fn extent(mission: &Listing) -> Option<Extent> {
     let inside = mission
         .areas
@@ -67,7 +67,7 @@ fn extent(mission: &Listing) -> Option<Extent> {
     within.filter(has_size).or_else(|| Extent::around(all))
 }
 
-/// The pads first, then places, then areas: of words that would cover each other the first one stays.
+/// The labels: pads first, then places, then areas; of overlapping ones the first stays.
 fn words(mission: &Listing, view: &Viewport) -> Vec<Word> {
     let word = |at: LatLon, text: String, role| {
         let cell = view.cell(at)?;

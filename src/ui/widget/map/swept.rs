@@ -1,4 +1,4 @@
-//! Ground that has been searched or sampled, as a light shade beneath everything else.
+//! Searched or sampled ground, as a light shade beneath everything else.
 
 use std::collections::BTreeSet;
 
@@ -15,7 +15,7 @@ use crate::ui::theme::Role;
 /// The role of its shade.
 pub const ROLE: Role = Role::Ok;
 
-/// What its cells are filled with.
+/// The fill character of its cells.
 pub const fn sign(symbols: Symbols) -> char {
     match symbols {
         Symbols::Braille | Symbols::Block => '·',
@@ -41,7 +41,7 @@ pub fn draw(state: &State, view: &Viewport, panel: Panel<'_>, buffer: &mut Buffe
     }
 }
 
-/// The middles of what was searched or sampled, and how long its sides are.
+/// The centres of the searched or sampled squares, with the length of their sides.
 fn grounds(progress: &Progress) -> impl Iterator<Item = (LatLon, f64)> {
     let searched = progress.swept.iter().map(|it| (it.centre, it.side_m));
     let sampled = progress.cells.iter().filter(|cell| cell.sampled);

@@ -1,4 +1,4 @@
-//! The truth of a flight, on a map of its own: what was there, what was found of it, and where was flown.
+//! The truth of a flight, on a map of its own: what was there, what was found, and the tracks.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -17,16 +17,16 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{below, put, upper, wrap};
 
-/// Stands for the mission's origin: a report tells no more of places than metres from there.
+/// The mission's origin: a report gives places only in metres from there.
 const ORIGIN: LatLon = LatLon::new(0.0, 0.0);
-/// What was not covered.
+/// Ground not covered.
 const GAP: Stroke = Stroke::dotted(Role::Warning);
-/// A border that had to be kept.
+/// A fence.
 const FENCE: Stroke = Stroke::dashed(Role::Fence);
-/// Land around everything, as a share of it and in metres.
+/// The margin around everything, as a share of it and in metres.
 const EDGE: (f64, f64) = (0.04, 5.0);
 
-/// What a sign means: the sign alone tells, colours only help.
+/// A sign with its meaning, readable without colours.
 type Sign = (char, Role, &'static str);
 const FOUND: Sign = ('#', Role::Ok, "truth-found");
 const MISSED: Sign = ('X', Role::Danger, "truth-missed");
@@ -38,10 +38,10 @@ const GATE: Sign = ('G', Role::Info, "truth-gate");
 const PAD: Sign = ('H', Role::Title, "map-legend-home");
 const SIGNS: [Sign; 8] = [FOUND, MISSED, OVER, UNASKED, DECOY, FALSE, GATE, PAD];
 
-/// A sign in its place.
+/// A sign at its place.
 struct SignAt {
     sign: Sign,
-    /// Which of several it is, where their order matters.
+    /// Its number, if their order matters.
     number: Option<usize>,
     at: [f64; 2],
 }
@@ -61,7 +61,7 @@ impl SignAt {
     }
 }
 
-/// Draws the map as a pane with a title; the signs that are on it are explained below it.
+/// Draws the map as a pane with a title, and its legend below.
 pub fn draw(truth: &TruthReport, panel: Panel<'_>, buffer: &mut Buffer) {
     let inner = panel.titled(&panel.say("truth-title"), buffer);
     let Some(extent) = Extent::around(places(truth)) else {
@@ -115,7 +115,7 @@ fn place([east_m, north_m]: [f64; 2]) -> LatLon {
     ORIGIN.moved(north_m, east_m)
 }
 
-/// Everything that has to be on the map.
+/// All places on the map.
 fn places(truth: &TruthReport) -> impl Iterator<Item = LatLon> {
     let squares = truth.squares.iter().chain(&truth.gaps);
     let corners = squares.flat_map(|it| Outline::square(place(it.at), it.side_m).corners());
@@ -132,7 +132,7 @@ fn places(truth: &TruthReport) -> impl Iterator<Item = LatLon> {
     )
 }
 
-/// The signs with their places, the most important last.
+/// The signs at their places, the most important last.
 fn labels(truth: &TruthReport) -> Vec<SignAt> {
     let pads = truth.pads.iter().map(|&at| SignAt::new(PAD, at));
     let gates = (1..).zip(&truth.gates).map(|(number, &at)| SignAt {
@@ -154,7 +154,7 @@ fn labels(truth: &TruthReport) -> Vec<SignAt> {
         .filter(|mark| !mark.right)
         .map(|mark| SignAt::new(FALSE, mark.at));
     let mut labels: Vec<SignAt> = pads.chain(gates).chain(objects).chain(wrong).collect();
-    // What was missed shows also where it shares its cell with something else.
+    // Missed objects are visible even where they share a cell.
     labels.sort_by_key(|label| label.sign == MISSED);
     labels
 }
@@ -176,7 +176,7 @@ fn shade(square: &SquareReport, look: &Look, view: &Viewport, area: Rect, buffer
     let (right, bottom) = cell(east_m + half, north_m - half);
     let span = |from: f64, to: f64, count: u16| {
         let within = |at: f64| at.round().clamp(0.0, f64::from(count)) as u16;
-        // At least the cell that its middle is in.
+        // At least the cell of its centre.
         let middle = f64::midpoint(from, to).clamp(0.0, f64::from(count.saturating_sub(1))) as u16;
         within(from).min(middle)..within(to).max(middle + 1)
     };
@@ -189,7 +189,7 @@ fn shade(square: &SquareReport, look: &Look, view: &Viewport, area: Rect, buffer
     }
 }
 
-/// The signs that are on the map, with what they mean and how many there are, in as many lines as that takes.
+/// The legend of the signs on the map with their counts, in as many lines as needed.
 fn legend(truth: &TruthReport, labels: &[SignAt], look: &Look, width: usize) -> Vec<Line<'static>> {
     let mut words = Vec::new();
     for sign in SIGNS {
@@ -222,7 +222,7 @@ fn legend(truth: &TruthReport, labels: &[SignAt], look: &Look, width: usize) -> 
         .collect()
 }
 
-/// A piece of a line without a blank, at which the words of the legend would be broken.
+/// A piece of a line without a blank, where the legend would be wrapped.
 fn sample(stroke: Stroke, look: &Look) -> String {
     let line = stroke.sample(look.symbols);
     line.split(' ').next().unwrap_or_default().to_owned()

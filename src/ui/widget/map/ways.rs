@@ -1,4 +1,4 @@
-//! Where vehicles have been, and where they are going.
+//! The vehicles' trails and targets.
 
 use super::canvas::{Canvas, Stroke};
 use super::labels::Label;
@@ -11,24 +11,24 @@ use crate::ui::look::{Badge, Look};
 use crate::ui::theme::Role;
 use crate::vehicle::{Vehicle, VehicleId};
 
-/// Larger swarms show the trails and targets only of the vehicles that commands go to.
+/// Above this size of a swarm, only targeted vehicles have trails and targets.
 const MANY: usize = 64;
-/// Dots from one number of a trail to the next, where trails do not differ in colour.
+/// Dots between two numbers on a trail, where trails have the same colour.
 const NUMBER_EVERY: f64 = 24.0;
-/// A trail leads out of a narrow view for more dots than could be looked through.
+/// Dots after which a trail is followed no further outside a narrow view.
 const FAR: f64 = 10_000.0;
 
-/// Where a vehicle has been.
+/// The stroke of a vehicle's trail.
 pub fn trail(vehicle: VehicleId) -> Stroke {
     Stroke::solid(Badge::of_vehicle(vehicle).role)
 }
 
-/// Where it is going.
+/// The stroke to a vehicle's target.
 pub fn target(vehicle: VehicleId) -> Stroke {
     Stroke::dashed(Badge::of_vehicle(vehicle).role)
 }
 
-/// Trails; where they do not differ in colour, they have the vehicle's number at intervals.
+/// Draws trails; if their colours do not differ, with the vehicle's number at intervals.
 pub fn draw_trails(
     state: &State,
     look: &Look,
@@ -60,7 +60,7 @@ pub fn draw_trails(
             }));
         }
     }
-    // The first ones are worth least where there is no room for all.
+    // The first ones yield where there is no room for all.
     labels.splice(0..0, numbers);
 }
 
@@ -70,7 +70,7 @@ pub fn draw_targets(state: &State, view: &Viewport, canvas: &mut Canvas, labels:
         let Some((from, to)) = leg(vehicle) else {
             continue;
         };
-        // From the target, so that the dashes rest; to the cell of the vehicle, not to its last metre.
+        // From the target, so that the dashes stay in place; to the vehicle's cell, not to the last metre.
         let here = view.cell(from).map_or(from, |(column, row)| {
             view.middle_of(i32::from(column), i32::from(row))
         });
@@ -84,7 +84,7 @@ pub fn draw_targets(state: &State, view: &Viewport, canvas: &mut Canvas, labels:
     }
 }
 
-/// The other flight that is shown beside this one: its ways so far, and its vehicles with a `g` before their numbers.
+/// The other flight beside this one: its trails so far, and its vehicles with a `g` before their numbers.
 pub fn draw_ghost(state: &State, view: &Viewport, canvas: &mut Canvas, labels: &mut Vec<Label>) {
     let (Some(ghost), Some(time)) = (state.ghost(), state.ghost_time()) else {
         return;
@@ -107,7 +107,7 @@ pub fn draw_ghost(state: &State, view: &Viewport, canvas: &mut Canvas, labels: &
     }));
 }
 
-/// The vehicles whose ways are drawn.
+/// The vehicles with trails.
 fn shown(state: &State) -> impl Iterator<Item = &Vehicle> {
     let session = state.session();
     let many = session.vehicles().len() > MANY;
@@ -119,7 +119,7 @@ fn shown(state: &State) -> impl Iterator<Item = &Vehicle> {
         .take(MANY)
 }
 
-/// Points of a trail, from its beginning on, as far from each other as its numbers stand.
+/// Points along a trail at the distance of its numbers, from its start.
 fn along(dots: &[Dot]) -> Vec<Dot> {
     let mut found = Vec::new();
     let mut left = NUMBER_EVERY / 2.0;

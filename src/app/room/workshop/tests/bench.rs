@@ -1,4 +1,4 @@
-//! Building on the bench, and what may be built.
+//! Building on the bench, and its limits.
 
 use super::*;
 

@@ -1,4 +1,4 @@
-//! Designs: kept, listed and compared.
+//! Designs: stored, listed and compared.
 
 use super::*;
 
