@@ -4,13 +4,13 @@
 //! connects to a listener of the hangar on loopback, so that no other program can reach it; a program can
 //! [attach](Hangar::attach) to its byte stream.
 //!
-//! - `launcher` starts a process so that it cannot outlive this one; `folder` is where instances run, and knows what
-//!   an earlier hangar has left; `process` asks the system about processes; `output` keeps what they print.
+//! - `launcher` starts a process so that it cannot outlive this one; `folder` manages the instances' folders, and finds
+//!   what an earlier hangar has left; `process` queries the system about processes; `output` keeps what they print.
 //! - `launch` is a request to start an instance, `refusal` the reason against it; `roster` lists the instances and the
 //!   free numbers.
 //! - `instance` is one instance's task: its process, its connection, its stages, its end. `relay` carries bytes
-//!   between it and whoever is attached. `progress` is how far it has come: `probe` asks it, `stages` judges.
-//!   `restarts` says whether it is started again.
+//!   between it and the attached program. `progress` follows its start: `probe` queries it, `stages` evaluates.
+//!   `restarts` decides whether it is started again.
 
 use std::collections::BTreeMap;
 use std::io;

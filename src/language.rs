@@ -1,11 +1,11 @@
-//! The one language for lines: `[targets] verb [arguments]`, to vehicles, and what is said to the console itself.
+//! The command language: `[targets] verb [arguments]`, for vehicles and for the console itself.
 //!
-//! The palette, pilot scripts, mission injects, key bindings, the ledger and the debrief all speak it. One
-//! table ([`rows`]) declares every verb once; reading, completion, hints, help and the manual are made from it.
+//! The palette, pilot scripts, mission injects, key bindings, the ledger and the debrief all use it. One table
+//! ([`rows`]) declares every verb once; parser, completion, hints, help and the manual are generated from it.
 //!
-//! Targets are `3`, `1-4,7`, `@red` (a named group), `all`, or none for the current selection; they stand
-//! before the verb, or right after `wait`. Upper and lower case mean the same in verbs, keywords and modes. A
-//! number may carry its unit (`20m`, `5m/s`, `30s`, `3min`, `90deg`). `#` begins a comment.
+//! Targets are `3`, `1-4,7`, `@red` (a named group), `all`, or none for the current selection; they precede the verb,
+//! or right after `wait`. Upper and lower case mean the same in verbs, keywords and modes. A number may carry its unit
+//! (`20m`, `5m/s`, `30s`, `3min`, `90deg`). `#` begins a comment.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -59,27 +59,27 @@ pub use wait::{Field, Findings, Relation, Seen, Situation, Until, Wait};
 /// Named groups of vehicles, by their names without the `@`.
 pub type Groups = BTreeMap<String, Vec<VehicleId>>;
 
-/// What the words of a line may refer to.
+/// The names that a line may refer to.
 #[derive(Debug, Clone, Copy)]
 pub struct Context<'a> {
-    /// The groups that there are.
+    /// The known groups.
     pub groups: &'a Groups,
-    /// Named places; a name with blanks in it cannot be said. `None` when nobody knows yet, and then every name
-    /// will do: such a line is good to be checked, but a command that it builds leads nowhere.
+    /// Named places; names with blanks cannot be used. `None` if they are not known yet: then every name is accepted,
+    /// which suffices for a check, but the built command has no position.
     pub places: Option<&'a BTreeMap<String, LatLon>>,
-    /// Named areas; `None` when nobody knows yet, as with places.
+    /// Named areas; `None` if they are not known yet, as with places.
     pub areas: Option<&'a BTreeMap<String, Outline>>,
-    /// The vehicles there are; empty when nobody knows yet, and then every number will do.
+    /// The known vehicles; empty if they are not known yet, and then every number is accepted.
     pub vehicles: &'a [VehicleId],
-    /// Those of them that `all` means; none named means every one.
+    /// The vehicles that `all` means; empty for every one.
     pub expected: &'a BTreeSet<VehicleId>,
-    /// Whose mode names count. [`VehicleClass::Other`] takes those of every class.
+    /// The class whose mode names are valid. [`VehicleClass::Other`] accepts those of every class.
     pub class: VehicleClass,
-    /// The parameters of the vehicle that a line would go to first, as far as they are known.
+    /// The parameters of the line's first target, as far as known.
     pub parameters: Option<&'a ParameterList>,
     /// The names that only the console knows.
     pub names: &'a dyn Names,
-    /// Where the line comes from: not everything may be said everywhere.
+    /// The source of the line, which restricts the verbs.
     pub channel: Channel,
 }
 
@@ -108,27 +108,27 @@ impl Default for Context<'_> {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Statement {
     pub targets: Targets,
-    /// What it is said with.
+    /// Its verb.
     pub verb: &'static Verb,
-    /// Where that may be said.
+    /// Where the verb is allowed.
     pub scope: Scope,
-    /// What it asks for.
+    /// Its meaning.
     pub meaning: Meaning,
-    /// The line in its plainest spelling: single blanks, no comment, no aliases. It means the same.
+    /// The line in its canonical spelling: single blanks, no comment, no aliases.
     pub line: String,
 }
 
 impl Statement {
-    /// The order that it gives, where the selected vehicles are those meant by a line without targets.
+    /// The order that it gives; the selection replaces missing targets.
     ///
     /// # Errors
-    /// In plain words when no vehicle is meant (see [`Targets::resolve`]), and for what orders nothing.
+    /// A text without a target vehicle (see [`Targets::resolve`]), or if the line is no order.
     pub fn into_order(self, selection: &[VehicleId], context: &Context) -> Result<Order, Text> {
         let targets = self.targets.resolve(selection, context)?;
         let Meaning::Act(act) = self.meaning else {
             return Err(text!("order-none", verb = self.verb.name));
         };
-        // The ledger has to say who got it, also after the selection has changed. A word to the mission is to no vehicle.
+        // The ledger must list the targets, even after the selection has changed. A command to the mission has none.
         let line = match self.targets {
             Targets::Selection if self.verb.counts_as == CountsAs::Word => self.line,
             Targets::Selection => format!("{} {}", Targets::Ids(targets.clone()), self.line),

@@ -1,9 +1,8 @@
 //! The conversation with one vehicle, without any input or output of its own.
 //!
-//! A [`Session`] takes in frames and orders together with the time, keeps the [`Vehicle`] model, and gives
-//! out messages to send and things to report. The fleet drives one per vehicle from a task; an exercise
-//! drives them in lock step with the simulator. Both therefore behave the same, and every
-//! time-out and retry can be tested without waiting for it.
+//! A [`Session`] takes frames and orders with the time, updates the [`Vehicle`] model, and returns messages to send
+//! and reports. The fleet drives one per vehicle from a task; an exercise drives them in lock step with the simulator.
+//! Both therefore behave the same, and every time-out and retry can be tested without waiting for it.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -50,12 +49,12 @@ pub use radio::RadioFault;
 pub use settings::Want;
 pub use streams::{Stream, WANTED_STREAMS};
 
-/// How long a session may be left alone while an answer is awaited or something is said again and again.
+/// The most time between polls while an answer is awaited or something is repeated.
 const BUSY_POLL: Duration = Duration::from_millis(50);
-/// How long a session may be left alone otherwise.
+/// The most time between polls otherwise.
 const IDLE_POLL: Duration = Duration::from_millis(500);
 
-/// What a session has to send and to say.
+/// A session's messages and reports.
 #[derive(Debug, Clone, Default)]
 struct Output {
     messages: Vec<Outgoing>,
@@ -65,7 +64,7 @@ struct Output {
 }
 
 impl Output {
-    /// Says speeds again that the vehicle was asked for before.
+    /// Repeats speeds that the vehicle was given before.
     fn say_speeds(&mut self, speeds: Vec<Outgoing>) {
         let count = u8::try_from(speeds.len()).unwrap_or(u8::MAX);
         self.speed_acks = self.speed_acks.saturating_add(count);
@@ -92,15 +91,15 @@ pub struct Session {
     /// The radio between the vehicle and us.
     channel: radio::Channel,
     settings: settings::Settings,
-    /// What goes beside the radio.
+    /// Messages that bypass the simulated radio.
     beside: Vec<Outgoing>,
-    /// When time passed last.
+    /// The time of the last poll.
     now: Duration,
 }
 
 impl Session {
-    /// A conversation that begins now. Nothing is asked before the vehicle's first heartbeat: requests in
-    /// the first 40 ms of an ArduPilot's link are acknowledged and then lost.
+    /// A conversation that begins now. Nothing is requested before the vehicle's first heartbeat: requests in the
+    /// first 40 ms of an ArduPilot's link are acknowledged and then lost.
     pub fn new(system: SystemId, component: ComponentId, now: Duration) -> Self {
         Self {
             vehicle: Vehicle::new(system, component),
@@ -119,19 +118,19 @@ impl Session {
         }
     }
 
-    /// Asks for other telemetry than what the console shows.
+    /// Requests other telemetry than the console's.
     #[must_use]
     pub fn wanting(mut self, streams: &'static [Stream], now: Duration) -> Self {
         self.streams = Streams::new(streams, now);
         self
     }
 
-    /// The model as it is now.
+    /// The present model.
     pub fn vehicle(&self) -> &Vehicle {
         &self.vehicle
     }
 
-    /// The parameters that have passed so far, and how far their download is. Costs nothing: no value is copied.
+    /// The parameters received so far, and the state of their download. Cheap: no value is copied.
     pub fn parameters(&self) -> ParameterSnapshot {
         ParameterSnapshot {
             list: Arc::clone(self.inbox.parameters()),
@@ -140,15 +139,14 @@ impl Session {
         }
     }
 
-    /// Asks the vehicle for all its parameters, also for those that have come before; a download that is under way
-    /// goes on as it is.
+    /// Downloads all parameters of the vehicle, even known ones; a download under way continues.
     pub fn fetch_parameters(&mut self, now: Duration) {
         self.download.begin(&mut self.inbox);
         self.poll(now);
     }
 
-    /// Says by which link, by number, the vehicle is heard from now on. Also to be called when that link has
-    /// come up again: the vehicle may have rebooted, and what was asked of it is asked again.
+    /// Sets the number of the link by which the vehicle is heard. Must also be called when that link comes up again:
+    /// the vehicle may have rebooted, and requests are repeated.
     pub fn heard_via(&mut self, link: u16, now: Duration) {
         self.vehicle.link.via = Some(link);
         self.streams.forget(now);
@@ -156,8 +154,8 @@ impl Session {
         self.download.resume(now);
     }
 
-    /// Takes in one frame from this vehicle's system. Only its autopilot counts as being heard: a companion
-    /// computer with the same system id goes on talking when the autopilot has stopped.
+    /// Takes one frame from this vehicle's system. Only its autopilot counts as heard: a companion computer with the
+    /// same system id may keep sending when the autopilot has stopped.
     pub fn receive(&mut self, frame: &Frame, now: Duration) {
         self.now = now;
         if frame.component == self.vehicle.component && frame.is_verified() {
@@ -175,13 +173,13 @@ impl Session {
         self.take_in_arrived(now);
     }
 
-    /// Nothing could be heard for so long, whatever the vehicle has said: it was not silent.
+    /// Notes a pause in which nothing could be heard: it does not count as silence.
     pub fn rest(&mut self, lasted: Duration) {
         let link = &mut self.vehicle.link;
         link.last_heard = link.last_heard.map(|heard| heard + lasted);
     }
 
-    /// Has something done to the vehicle's simulator or to the radio between it and us, from now on.
+    /// Applies a change to the vehicle's simulator or to the radio link.
     pub fn carry_out(&mut self, want: Want) {
         match want {
             Want::Parameter { name, value } => self.settings.want(name, value),
@@ -189,7 +187,7 @@ impl Session {
         }
     }
 
-    /// Whether nothing comes through between the vehicle and us, heartbeats of ours included.
+    /// Whether the radio link is cut, also for our heartbeats.
     pub fn is_cut(&self) -> bool {
         self.channel.is_cut()
     }
@@ -223,8 +221,8 @@ impl Session {
         }
     }
 
-    /// Says that the autopilot was started anew: whoever has done that need not wait until its clock tells so, and
-    /// what it said before is forgotten, with its mode and whether it is armed.
+    /// Notes a restart of the autopilot before its clock shows it; its earlier state is forgotten, including its mode
+    /// and whether it is armed.
     pub fn restarted(&mut self, now: Duration) {
         let mut notices = Vec::new();
         self.inbox.restarted(&mut self.vehicle, now, &mut notices);
@@ -232,13 +230,13 @@ impl Session {
         self.begin_anew(now);
     }
 
-    /// Asks again for all that was asked of the autopilot before it rebooted.
+    /// Repeats all requests to the autopilot after a reboot.
     fn begin_anew(&mut self, now: Duration) {
         self.streams.forget(now);
         self.plans.forget();
         self.settings.forget();
         self.download.begin_anew(&mut self.inbox);
-        // What was meant for the vehicle before must not reach the one that has just booted.
+        // Messages for the vehicle before its reboot must not reach it afterwards.
         let newer = text!("outcome-the-reboot");
         let (line, mut moment) = self.line(now);
         line.clear(&newer, &mut moment);
@@ -252,17 +250,17 @@ impl Session {
         line.order(order, moment);
     }
 
-    /// Says where the vehicle is to be, as a part of what several do together: no command, nothing is awaited and
-    /// nothing is noted but that earlier movements end.
+    /// Sends a vehicle's setpoint in a joint manoeuvre: it is no command, has no answer, and only ends earlier
+    /// movements.
     ///
     /// # Errors
-    /// In plain words when there is no such place to fly to; nothing was sent.
+    /// A text if the place does not exist; nothing is sent.
     pub fn steer(&mut self, steering: &Steering, now: Duration) -> Result<(), Text> {
         let (line, moment) = self.line(now);
         line.steer(steering, moment)
     }
 
-    /// Lets time pass: retries, deadlines, silence. Call it at least as often as [`Self::patience`] says.
+    /// Advances time: retries, deadlines, silence. Must be called at least as often as [`Self::patience`] says.
     pub fn poll(&mut self, now: Duration) {
         self.now = now;
         self.take_in_arrived(now);
@@ -287,7 +285,7 @@ impl Session {
         self.advance(now);
     }
 
-    /// How long the session may be left alone if nothing arrives.
+    /// The most time until the next poll if nothing arrives.
     pub fn patience(&self) -> Duration {
         let is_fetching = self.plans.is_busy() || self.download.fetching().is_under_way();
         let is_late = !self.channel.is_clear() || !self.settings.are_settled();
@@ -298,7 +296,7 @@ impl Session {
         }
     }
 
-    /// The messages to send, in order; they are gone from the session then.
+    /// Takes the messages to send, in order.
     pub fn take_outgoing(&mut self) -> Vec<Outgoing> {
         let said = std::mem::take(&mut self.output.messages);
         if self.channel.is_clear() && self.beside.is_empty() {
@@ -309,7 +307,7 @@ impl Session {
         there
     }
 
-    /// What there is to report, in order; it is gone from the session then.
+    /// Takes the reports, in order.
     pub fn take_reports(&mut self) -> Vec<Report> {
         std::mem::take(&mut self.output.reports)
     }
@@ -326,7 +324,7 @@ impl Session {
         self.say(back);
     }
 
-    /// Looks for answers to what we asked, and for questions to us.
+    /// Looks for answers to our requests, and answers the vehicle's.
     fn answer(&mut self, frame: &Frame, now: Duration) {
         if let Content::Message(message) = &frame.content {
             let (reply, round_trip) = self.timesync.receive(message, self.vehicle.system, now);
@@ -342,7 +340,7 @@ impl Session {
         self.line.receive(frame, now, &mut self.output);
     }
 
-    /// A command that waits for its answer goes before a list that nobody waits for.
+    /// A command that waits for its answer takes precedence over lists.
     fn read_plans(&mut self, now: Duration) {
         if self.line.is_free() || self.plans.is_busy() {
             let mut messages = Vec::new();
@@ -361,7 +359,7 @@ impl Session {
         self.output.reports.extend(reports);
     }
 
-    /// Moves all orders as far as they will go.
+    /// Advances all orders as far as possible.
     fn advance(&mut self, now: Duration) {
         let (line, moment) = self.line(now);
         line.advance(moment);

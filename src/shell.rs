@@ -1,7 +1,7 @@
 //! The running console: terminal, keys, time and the session, brought together.
 //!
-//! One loop feeds [`App::update`] with events, carries its effects out, and draws when something visible has
-//! changed and the terminal can take a frame. Time, telemetry and missions go on at their own pace.
+//! One loop feeds events to [`App::update`], carries out its effects, and draws when something visible has changed and
+//! the terminal is ready for a frame. Time, telemetry and missions run independently of drawing.
 
 use std::collections::VecDeque;
 use std::io;
@@ -49,18 +49,18 @@ use session::{RunningSession, SessionEnding, SessionPlan};
 use sight::Sight;
 use signals::{Happened, Signals};
 
-/// How often what other consoles and commands have stored is looked for.
+/// The interval of checks for changes by other consoles and commands.
 const LOOK_EVERY: Duration = Duration::from_secs(2);
 
-/// Keys that are taken before a frame is drawn, so that a flood of them cannot hold up the screen.
+/// The most keys handled before a frame, so that a flood of them cannot block the screen.
 const KEYS_PER_FRAME: usize = 64;
-/// How long the end of the program waits for what the terminal has yet to answer.
+/// How long the program waits at its end for answers of the terminal.
 const LAST_ANSWER_PATIENCE: Duration = Duration::from_millis(500);
 
-/// Runs the console until the user leaves it or the terminal goes away.
+/// Runs the console until the user quits or the terminal disappears.
 ///
 /// # Errors
-/// There is no terminal, or it has gone away.
+/// There is no terminal, or it has disappeared.
 pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
     let mut signals = Signals::new()?;
     let mut screen = Screen::open(
@@ -104,7 +104,7 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
                     break;
                 };
                 console.hear(input, &mut screen).await;
-                // What was typed meanwhile is one frame with it.
+                // Keys typed meanwhile share one frame.
                 for _ in 0..KEYS_PER_FRAME {
                     let Some(input) = keyboard.ready() else {
                         break;
@@ -121,7 +121,7 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// An answer of the terminal that comes after us would be typed into the shell.
+/// Reads the terminal's last answer, which would otherwise be typed into the shell.
 async fn hear_last_answer(screen: &mut Screen, keyboard: &mut Keyboard) {
     let answer = async {
         while screen.expects_answer() {
@@ -132,11 +132,11 @@ async fn hear_last_answer(screen: &mut Screen, keyboard: &mut Keyboard) {
             }
         }
     };
-    // Past that it is no use: the terminal has stalled.
+    // After that the terminal has stalled.
     drop(tokio::time::timeout(LAST_ANSWER_PATIENCE, answer).await);
 }
 
-/// The lines that were entered before, oldest first. A history that cannot be read is one warning more.
+/// The command history, oldest first. A history that cannot be read adds a warning.
 fn earlier_lines(history: Option<&History>, warnings: &mut Vec<Text>) -> Vec<String> {
     let Some(history) = history else {
         return Vec::new();
@@ -166,30 +166,30 @@ struct Console {
     app: App,
     sight: Sight,
     running: Option<RunningSession>,
-    /// The recording that is replayed instead.
+    /// The replay, if there is one.
     replaying: Option<Replay>,
-    /// When the messages of the recording are looked at again.
+    /// When to count the replay's messages again.
     next_traffic: Duration,
-    /// The try at what runs.
+    /// The number of the present attempt.
     attempt: Attempt,
-    /// Who trains here; `None` where profiles are not kept or cannot be had.
+    /// The profiles; `None` if they are not used or not available.
     careers: Option<Careers>,
-    /// When to look again at what others have changed.
+    /// When to check for changes by others.
     next_look: Duration,
-    /// Whether everything stands still until the brief is left.
+    /// Whether time is stopped until the brief is left.
     awaits_reader: bool,
-    /// Events that are to be taken in, oldest first.
+    /// Events to handle, oldest first.
     inbox: VecDeque<Event>,
-    /// What is left of the session before.
+    /// The rest of the previous session.
     ending: SessionEnding,
-    /// What has to be said at the start.
+    /// Warnings to show at the start.
     warnings: Vec<Text>,
-    /// The last line of the history that its file has.
+    /// The last history line in its file.
     kept: Option<String>,
     over: bool,
-    /// Whether the terminal has gone away, or the program is told to end: the trainee has not left the flight.
+    /// Whether the terminal has disappeared or the program was told to end: the trainee did not abandon the flight.
     is_cut_off: bool,
-    /// Another flight of the mission that is being read or flown.
+    /// The work on another flight of the mission, to show beside this one.
     ghost: Option<ghost::GhostWork>,
 }
 
@@ -246,11 +246,11 @@ impl Console {
     }
 
     async fn begin(&mut self) {
-        // A mission that is flown at once is checked against the career that was opened.
+        // A mission that starts at once is checked against the opened career.
         self.show_reviews();
         self.take_in().await;
         self.open().await;
-        // The first one last, because it is the one that stays on the last line of the screen.
+        // In reverse, because the last one stays on the last line of the screen.
         for warning in std::mem::take(&mut self.warnings).into_iter().rev() {
             self.post(Event::Failed(warning));
         }
@@ -268,7 +268,7 @@ impl Console {
         self.tell_failure(outcome);
     }
 
-    /// Draws if something changed and the terminal can take a frame.
+    /// Draws if something changed and the terminal is ready for a frame.
     async fn draw(&mut self, screen: &mut Screen) -> io::Result<()> {
         if self.sight.next_frame_in(self.app.state(), screen) != Some(Duration::ZERO) {
             return Ok(());
@@ -302,7 +302,7 @@ impl Console {
         }
     }
 
-    /// The size of the terminal may have changed.
+    /// Checks the size of the terminal.
     async fn measure(&mut self) {
         if let Ok((columns, rows)) = crossterm::terminal::size() {
             self.feed(TerminalEvent::Resize { columns, rows }).await;
@@ -341,7 +341,7 @@ impl Console {
         if let Some(running) = &mut self.running {
             running.look_at_output(wanted, now);
         }
-        // The mission sees what has just been collected.
+        // The mission sees the telemetry just collected.
         let flown = match &mut self.running {
             Some(running) => running.fly(now, self.app.state().session()),
             None => Vec::new(),
@@ -370,7 +370,7 @@ impl Console {
         }
     }
 
-    /// Keeps what became of commands in the log.
+    /// Writes the outcome of commands to the log.
     fn log(&self, event: &Event) {
         let Event::Vehicle(VehicleEvent::Row(row)) = event else {
             return;

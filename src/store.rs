@@ -1,8 +1,8 @@
 //! Files of the user and of the program: missions, pilots, designs, themes, settings, profiles, runs. The hangar keeps
 //! the folders of its processes, and a link plays recordings, themselves.
 //!
-//! Missions, designs and themes are embedded in the program. A file of the same name in a folder of the administrator takes
-//! the place of the embedded one, one in the user's configuration folder that of both, and a path on the command line is
+//! Missions, designs and themes are embedded in the program. A file of the same name in an administrator's folder
+//! replaces the embedded one, one in the user's configuration folder replaces both, and a path on the command line is
 //! read as it is.
 
 use std::collections::BTreeMap;
@@ -49,18 +49,18 @@ pub use signature::{RecordKey, RecordPublicKey, SignatureError};
 pub use source::{Source, StoreError, read, user_path};
 
 mod shipped {
-    //! What is embedded: `build.rs` lists the files of `missions/`, so that a new mission is there without being named.
+    //! The embedded files: `build.rs` lists `missions/`, so that a new mission needs no further entry.
 
     include!(concat!(env!("OUT_DIR"), "/shipped.rs"));
 }
 
 use shipped::{DESIGNS, MISSIONS, PILOTS};
 
-/// The mission of a path, else of the id that it gives itself, else of a name or number.
-/// `missions/01-air-sample.toml`, `01-air-sample` and `01` all do.
+/// A mission by path, by the id in its file, by name or by number, in this order: `missions/01-air-sample.toml`,
+/// `01-air-sample` and `01` are all valid.
 ///
 /// # Errors
-/// There is no such mission, the file cannot be read, or what it says is faulty.
+/// No such mission exists, or its file cannot be read or has faults.
 pub fn mission(path_or_name: &str) -> Result<Mission, StoreError> {
     let source = at_path("file-mission", path_or_name).unwrap_or_else(|| {
         let all = missions();
@@ -78,8 +78,8 @@ pub fn mission(path_or_name: &str) -> Result<Mission, StoreError> {
     })
 }
 
-/// The names of the missions that give themselves an id, apart from those that lie elsewhere. The first is the one
-/// that the id finds.
+/// The names of the missions whose file gives this id, without those whose file has another one. The id alone finds
+/// the first.
 pub fn missions_with_id(id: &str) -> Vec<String> {
     let all = missions().into_iter();
     let same = all.filter(|it| Mission::parse(&it.text).is_ok_and(|mission| mission.id == id));
@@ -97,10 +97,10 @@ pub fn drill_of(mission: &str) -> Option<String> {
     drills.next().map(|source| source.stem().to_owned())
 }
 
-/// The pilot script of a path, else of a name or number.
+/// A pilot script by path, by name or by number.
 ///
 /// # Errors
-/// There is no such file or name, or the file cannot be read.
+/// No such script exists, or its file cannot be read.
 pub fn pilot(path_or_name: &str) -> Result<Source, StoreError> {
     at_path("file-pilot", path_or_name).unwrap_or_else(|| {
         let all = merged("file-pilot", PILOTS, "missions/pilots", "pilot");
@@ -108,10 +108,10 @@ pub fn pilot(path_or_name: &str) -> Result<Source, StoreError> {
     })
 }
 
-/// The design of a path, else of a name.
+/// A design by path or by name.
 ///
 /// # Errors
-/// There is no such file or name, the file cannot be read, or what it says is faulty.
+/// No such design exists, or its file cannot be read or has faults.
 pub fn design(path_or_name: &str) -> Result<Design, StoreError> {
     let source = at_path("file-design", path_or_name)
         .unwrap_or_else(|| named("file-design", path_or_name, &designs()))?;
@@ -121,12 +121,12 @@ pub fn design(path_or_name: &str) -> Result<Design, StoreError> {
     })
 }
 
-/// All designs of files: the embedded ones, with those of the folders added or in their place, by name.
+/// All designs by name: the embedded ones, with those of the folders added or replacing them.
 pub fn designs() -> Vec<Source> {
     merged("file-design", DESIGNS, "designs", "toml")
 }
 
-/// All missions: the embedded ones, with those of the folders added or in their place, by name.
+/// All missions by name: the embedded ones, with those of the folders added or replacing them.
 pub fn missions() -> Vec<Source> {
     merged("file-mission", MISSIONS, "missions", "toml")
 }
@@ -149,7 +149,7 @@ fn course_missions() -> Vec<Mission> {
         let Ok(mission) = Mission::parse(&source.text) else {
             continue;
         };
-        // The first of an id is the one that its id finds.
+        // The first file with an id is the one that the id finds.
         let stands_in = is_embedded(&mission.id) && mission.id != name;
         if !stands_in && known.iter().all(|other| other.id != mission.id) {
             known.push(mission);
@@ -169,14 +169,14 @@ pub fn mission_file(mission: &Mission) -> MissionFile {
     }
 }
 
-/// Adds to a report what the flight itself does not know: the drill for its mission, and how the mission compares with
+/// Adds to a report two things from outside the flight: the drill for its mission, and how the mission compares with
 /// that of the course.
 pub fn complete(report: &mut Report, mission: &Mission) {
     report.drill = drill_of(&report.mission);
     report.mission_file = Some(mission_file(mission));
 }
 
-/// What a pilot script's text makes of a flight.
+/// What a pilot script makes of a flight: flown by the reference pilot or by a script.
 pub fn script_kind(pilot: &Source) -> FlownBy {
     if PILOTS.iter().any(|(_, text)| *text == pilot.text) {
         FlownBy::BundledPilot
@@ -185,7 +185,7 @@ pub fn script_kind(pilot: &Source) -> FlownBy {
     }
 }
 
-/// The missions that a career consists of, by name; those that cannot be read are left out.
+/// The missions of the course, by name; those that cannot be read are left out.
 pub fn course() -> MissionCourse {
     MissionCourse::new(course_missions().iter().map(Offer::of).collect::<Vec<_>>())
 }
@@ -215,7 +215,7 @@ pub fn files(folder: &Path, kind: &'static str, ending: &str) -> Vec<Source> {
     sources
 }
 
-/// The paths in a folder and below it whose names end so, by name. Links to folders are not followed.
+/// The paths in a folder and below it with these endings, by name. Links to folders are not followed.
 pub fn paths_below(folder: &Path, endings: &[&str]) -> Vec<PathBuf> {
     let found = fs::read_dir(folder).into_iter().flatten().flatten();
     let mut entries: Vec<fs::DirEntry> = found.collect();
@@ -235,14 +235,13 @@ pub fn paths_below(folder: &Path, endings: &[&str]) -> Vec<PathBuf> {
     paths
 }
 
-/// The file of that path, if there is one. A folder is none: it may be called like a mission.
+/// The file of that path, if there is one. A folder does not count: it may have the name of a mission.
 fn at_path(kind: &'static str, path: &str) -> Option<Result<Source, StoreError>> {
     let path = Path::new(path);
     (path.exists() && !path.is_dir()).then(|| read(path, kind))
 }
 
-/// What is embedded and what the folders have of a kind, by name: the user's own comes before the administrator's, and
-/// that before the embedded.
+/// All files of a kind by name: the user's own replace the administrator's, and those the embedded ones.
 fn merged(kind: &'static str, known: &[(&str, &str)], folder: &str, ending: &str) -> Vec<Source> {
     let mut all: BTreeMap<String, Source> = known
         .iter()
@@ -257,7 +256,7 @@ fn merged(kind: &'static str, known: &[(&str, &str)], folder: &str, ending: &str
     all.into_values().collect()
 }
 
-/// The one that is meant by a name, a number or a beginning.
+/// The file with a name, a number, or a unique prefix.
 fn named(kind: &'static str, name: &str, all: &[Source]) -> Result<Source, StoreError> {
     let names: Vec<&str> = all.iter().map(Source::stem).collect();
     let found = names

@@ -1,7 +1,7 @@
 //! A remote hangar, through its HTTP service.
 //!
-//! - `address` is where it is; `call` sends one request; `follow` keeps up with its events; `pump` carries a vehicle's
-//!   bytes, for ever.
+//! - `address` is its address; `call` sends one request; `follow` receives its events; `pump` carries a vehicle's
+//!   bytes and reconnects.
 
 use std::fmt;
 use std::io;

@@ -8,28 +8,28 @@ use crate::geo::{LatLon, Outline};
 use crate::text;
 use crate::text::Text;
 
-/// More words to choose from than these would make a usage unreadable.
+/// The most choices listed in a usage.
 const CHOICES_IN_USAGE: usize = 10;
 
 /// One argument of a [`Form`](super::Form).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Argument {
-    /// What the builder calls it; in capitals it stands for its value in the usage.
+    /// Its name for the builder; in capitals, the placeholder of its value in the usage.
     pub name: &'static str,
-    /// The word that goes before the value; empty where the value stands alone.
+    /// The word before the value; empty for a value alone.
     pub keyword: &'static str,
-    /// What the value is.
+    /// The kind of value.
     pub kind: Kind,
-    /// Whether it may be left out.
+    /// Whether it is optional.
     pub optional: bool,
-    /// Whether it may be given several times.
+    /// Whether it can be repeated.
     pub repeated: bool,
-    /// The id of the message that says what it means; empty where that is plain.
+    /// The message that explains it; empty if it is obvious.
     pub help: &'static str,
 }
 
 impl Argument {
-    /// A value that stands alone.
+    /// A value without a keyword.
     pub(super) const fn value(name: &'static str, kind: Kind, help: &'static str) -> Self {
         Self {
             name,
@@ -70,7 +70,7 @@ impl Argument {
         }
     }
 
-    /// The same, but it may be left out.
+    /// The same as an optional argument.
     pub(super) const fn optional(self) -> Self {
         Self {
             optional: true,
@@ -78,7 +78,7 @@ impl Argument {
         }
     }
 
-    /// The same, but it may be given several times, or not at all.
+    /// The same as a repeatable, optional argument.
     pub(super) const fn repeated(self) -> Self {
         Self {
             optional: true,
@@ -87,7 +87,7 @@ impl Argument {
         }
     }
 
-    /// The value in a usage line: its name in capitals, or the words to choose from if those are few.
+    /// The placeholder of the value in a usage line: its name in capitals, or a short list of choices.
     pub(super) fn placeholder(&self) -> String {
         match self.kind {
             Kind::Choice(words) if self.kind.fits_a_usage() => words.join("|"),
@@ -107,7 +107,7 @@ impl Argument {
         }
     }
 
-    /// A fault in a number, with the argument that it belongs to: of a row of numbers nobody knows which was meant.
+    /// A fault in a number, with its argument: in a row of numbers the reader needs to know which one.
     pub(super) fn about(&self, message: Text) -> Text {
         match self.kind {
             Kind::Number(..) | Kind::Whole(..) => {
@@ -117,14 +117,14 @@ impl Argument {
         }
     }
 
-    /// What it means and which values it takes: "height above home, 0.5 to 1000 m".
+    /// Its meaning and its valid values: "height above home, 0.5 to 1000 m".
     pub(super) fn explained(&self) -> Text {
         let meaning = Some(self.meaning()).filter(|text| !text.is_empty());
         let parts = meaning.into_iter().chain(self.kind.limits());
         Text::joined(", ", parts.collect())
     }
 
-    /// What it means, without its values.
+    /// Its meaning, without the values.
     pub(super) fn meaning(&self) -> Text {
         match self.help {
             "" => Text::default(),
@@ -133,10 +133,10 @@ impl Argument {
     }
 }
 
-/// What kind of value an argument takes; it also says what can complete it.
+/// The kind of value of an argument; it also provides the completions.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Kind {
-    /// None: the keyword is all.
+    /// None: only the keyword.
     Flag,
     /// A number with a unit, from a least to a greatest value.
     Number(Unit, f64, f64),
@@ -154,25 +154,26 @@ pub enum Kind {
     Message,
     /// A `MAV_CMD`, by name or number.
     MavCommand,
-    /// One of the names that only the console knows.
+    /// A name from a list that only the console knows.
     Name(NameList),
-    /// The name of a group, there or not, with or without `@`.
+    /// The name of a group, existing or new, with or without `@`.
     Group,
-    /// Vehicles for the console: targets, `none`, `filter` or `invert`. Which there are shows only when it is done.
+    /// Vehicles for the console: targets, `none`, `filter` or `invert`. They are resolved when the line is carried
+    /// out.
     Vehicles,
-    /// A column of the swarm table, with - before it for the largest first.
+    /// A column of the swarm table, with `-` before it for descending order.
     Sort,
-    /// Everything up to the end of the line, as it was written.
+    /// The rest of the line, as typed.
     Rest,
 }
 
 impl Kind {
-    /// Whether the words to choose from, if it is a choice, are few enough to be listed in a usage.
+    /// Whether a choice is short enough to be listed in a usage.
     pub(super) fn fits_a_usage(self) -> bool {
         !matches!(self, Self::Choice(words) if words.len() > CHOICES_IN_USAGE)
     }
 
-    /// The range of a number in words, or the words of a long choice.
+    /// The range of a number as text, or the words of a long choice.
     pub(super) fn limits(self) -> Option<Text> {
         if let Self::Choice(words) = self
             && !self.fits_a_usage()
@@ -199,7 +200,7 @@ impl Kind {
     }
 }
 
-/// What a number counts.
+/// The unit of a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Unit {
     None,
@@ -214,12 +215,12 @@ pub enum Unit {
 }
 
 impl Unit {
-    /// How it is written.
+    /// Its symbol.
     pub fn symbol(self) -> &'static str {
         self.spellings().first().map_or("", |&(symbol, _)| symbol)
     }
 
-    /// The spellings that are understood and what each multiplies the number by; the first is the unit itself.
+    /// The accepted spellings with their factors; the first is the unit itself.
     pub(super) fn spellings(self) -> &'static [(&'static str, f64)] {
         match self {
             Self::None => &[],
@@ -241,7 +242,7 @@ impl Unit {
     }
 }
 
-/// A value as it was read.
+/// A parsed value.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Value {
     Flag,
@@ -252,7 +253,7 @@ pub(super) enum Value {
     Area(Outline),
 }
 
-/// A fault in arguments that only show together.
+/// A fault in the combination of arguments.
 pub(super) struct Problem {
     /// The argument to point at.
     pub argument: &'static str,
@@ -287,7 +288,7 @@ impl Arguments {
             .map(|(_, value, _)| value)
     }
 
-    /// Where an argument was written.
+    /// The position of an argument.
     pub fn span(&self, name: &str) -> Option<Range<usize>> {
         self.values
             .iter()
@@ -321,7 +322,7 @@ impl Arguments {
         }
     }
 
-    /// Every value of an argument that may be given several times.
+    /// All values of a repeatable argument.
     pub fn words(&self, name: &str) -> Vec<&str> {
         let named = self.values.iter().filter(|(known, _, _)| *known == name);
         let words = named.filter_map(|(_, value, _)| match value {

@@ -1,4 +1,4 @@
-//! Vehicles as a line to the console names them.
+//! Vehicles in a line to the console.
 
 use super::lexer::Word;
 use super::parse_ranges;
@@ -6,14 +6,14 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
-/// Vehicles as a line to the console names them. Which of them there are shows when the line is carried out.
+/// Vehicles in a line to the console. They are resolved when the line is carried out.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum VehicleChoice {
     All,
     None,
-    /// Those that the table shows.
+    /// Those in the filtered table.
     Filter,
-    /// Those that the table shows and that are not selected.
+    /// Those in the filtered table that are not selected.
     Invert,
     /// These, sorted, each once.
     Ids(Vec<VehicleId>),

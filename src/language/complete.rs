@@ -1,4 +1,4 @@
-//! Completion: what could come next in a line.
+//! Completion: the possible next words of a line.
 
 use std::cmp::Reverse;
 use std::ops::Range;
@@ -16,22 +16,22 @@ use super::{Context, Targets, rows};
 use crate::text;
 use crate::text::Text;
 
-/// How many completions are worth showing.
+/// The most completions.
 const SHOWN: usize = 200;
 
-/// A word that could stand at the cursor.
+/// A possible word at the cursor.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Completion {
-    /// The word as it would be inserted.
+    /// The word to insert.
     pub text: String,
     pub hint: Text,
-    /// What it takes the place of, in bytes of the line; empty where a new word begins.
+    /// The bytes of the line that it replaces; empty where a new word begins.
     pub replaces: Range<usize>,
 }
 
-/// The words that could stand at the cursor (in bytes of the line), best first: those that begin as written, the
-/// everyday ones of these before the others, then those of which a part does. Where there is neither, matching is
-/// fuzzy: `tko` finds `takeoff`. Numbers cannot be completed; [`hint`] tells about them.
+/// The possible words at the cursor (in bytes of the line), best first: prefix matches, with common words first, then
+/// matches of a later part. Without either, matching is fuzzy: `tko` finds `takeoff`. Numbers cannot be completed;
+/// [`hint`] describes them.
 pub fn complete(line: &str, cursor: usize, context: &Context) -> Vec<Completion> {
     let cursor = floor_boundary(line, cursor);
     if comment_start(line).is_some_and(|at| at < cursor) {
@@ -58,9 +58,9 @@ pub fn complete(line: &str, cursor: usize, context: &Context) -> Vec<Completion>
         .collect()
 }
 
-/// What to write next. Where the line fits one form of the verb, that form with the next argument between ‹ and ›
-/// and what it means: "takeoff ‹ALTITUDE›: height above home, 0.5 to 1000 m". Where several fit, the arguments
-/// that could come next. When nothing can, what the verb does. `None` before there is a verb, and after a fault.
+/// A hint for the next word. If the line fits one form of the verb, that form with the next argument between ‹ and ›
+/// and its meaning: "takeoff ‹ALTITUDE›: height above home, 0.5 to 1000 m". If several fit, the possible next
+/// arguments. If the line is complete, the verb's summary. `None` without a verb, and after a fault.
 pub fn hint(line: &str, context: &Context) -> Option<Text> {
     let words = words(line);
     let head = head(&words, context).ok()?;
@@ -91,14 +91,14 @@ pub fn hint(line: &str, context: &Context) -> Option<Text> {
     }
 }
 
-/// The row of the verb that a line begins with, also where its targets or arguments are wrong.
+/// The row of a line's verb, even if its targets or arguments are wrong.
 pub fn begun(line: &str) -> Option<&'static VerbRow> {
     let mut first = words(line).into_iter().take(2);
     first.find_map(|word| super::row(word.text))
 }
 
-/// The lines to the console itself that can be listed as a whole, with what each means: those without arguments, and
-/// those of which every argument is a word of a list.
+/// All lines to the console that can be listed completely, with their meaning: those without arguments, and those
+/// whose arguments are all words of a list.
 pub fn lines(context: &Context) -> Vec<(String, Text)> {
     let own =
         rows().filter(|row| !row.scope.takes_targets() && row.scope.includes(context.channel));
@@ -127,18 +127,18 @@ fn lines_of(row: &VerbRow, form: &'static Form, context: &Context) -> Vec<(Strin
                 .map(|(word, meaning)| (format!("{start} {word}"), meaning))
                 .collect()
         }
-        // The first of several has no list.
+        // Several arguments have no list.
         [_, _, ..] => Vec::new(),
     }
 }
 
-/// A word and what it means, if that is to be said.
+/// A word with its meaning, if it has one.
 fn described(word: Text, meaning: Text) -> Text {
     let parts = [word, meaning].into_iter();
     Text::joined(": ", parts.filter(|part| !part.is_empty()).collect())
 }
 
-/// The argument that should come next: one that is required, else any.
+/// The next argument: a required one first.
 fn next_argument(fit: &Fit) -> Option<&'static Argument> {
     fit.expected
         .iter()
@@ -147,11 +147,11 @@ fn next_argument(fit: &Fit) -> Option<&'static Argument> {
         .or_else(|| fit.expected.first().map(|expected| expected.argument()))
 }
 
-/// Everything that could follow these words, with what it means.
+/// Everything that could follow these words, with its meaning.
 fn candidates(before: &[Word], context: &Context) -> Vec<(String, Text)> {
     match before {
         [] => {
-            // What is meant most often comes first: verbs, then `all`, then modes, then single vehicles.
+            // The most common meaning comes first: verbs, then `all`, then modes, then single vehicles.
             let mut all = verb_names(|row| row.scope.includes(context.channel));
             let mut targets = target_names(context);
             all.extend(targets.drain(..1));
@@ -222,7 +222,7 @@ fn names(expected: Expected, context: &Context) -> Vec<(String, Text)> {
 fn verb_names(fits: impl Fn(&VerbRow) -> bool) -> Vec<(String, Text)> {
     let explained = |row: &VerbRow| {
         let usage = row.usage().join(" | ");
-        // A verb without arguments has its name for a usage: once is enough.
+        // The usage of a verb without arguments is its name: once is enough.
         let hint = if usage == row.name() {
             row.summary()
         } else {
@@ -233,7 +233,7 @@ fn verb_names(fits: impl Fn(&VerbRow) -> bool) -> Vec<(String, Text)> {
     rows().filter(|row| fits(row)).map(explained).collect()
 }
 
-/// The modes whose names alone change to them, unless a verb is called so.
+/// The modes whose name alone changes to them, unless a verb has that name.
 fn modes_as_verbs(context: &Context) -> Vec<(String, Text)> {
     let described = |mode: &'static str| {
         let mut hint = vec![text!("grammar-change-mode", mode = mode)];
@@ -262,14 +262,14 @@ fn target_names(context: &Context) -> Vec<(String, Text)> {
     names
 }
 
-/// How a word matches what is written, best first.
+/// How a word matches the text, best first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Match {
-    /// It begins as written.
+    /// It begins with the text.
     Beginning,
     /// A part after a `_` does.
     Part,
-    /// It has the letters, scattered.
+    /// It contains the letters, scattered.
     Scattered,
 }
 
@@ -286,9 +286,8 @@ impl Match {
     }
 }
 
-/// Those that match what is written, best first; all in their order where nothing is written yet. Words that begin
-/// as written keep their order, too. Where there are such words, scattered letters are no match: nobody who
-/// wrote `al` meant `interval`.
+/// The matching words, best first; all in their order for an empty text. Prefix matches keep their order. If there are
+/// any, scattered letters do not count: `al` never means `interval`.
 fn ranked(candidates: Vec<(String, Text)>, written: &str) -> Vec<(String, Text)> {
     if written.is_empty() {
         return candidates;
@@ -308,12 +307,12 @@ fn ranked(candidates: Vec<(String, Text)>, written: &str) -> Vec<(String, Text)>
             Some((Match::of(&candidate.0, written), score, candidate))
         })
         .collect();
-    // A single letter is scattered over nearly everything.
+    // A single letter matches nearly everything.
     let is_letter = written.chars().nth(1).is_none();
     if is_letter || scored.iter().any(|(how, ..)| *how == Match::Beginning) {
         scored.retain(|(how, ..)| *how != Match::Scattered);
     }
-    // Of equally good ones the shorter is nearer to what was written.
+    // Of equal matches the shorter is closer.
     scored.sort_by_key(|(how, score, (text, _))| match how {
         Match::Beginning => (*how, Reverse(0), 0),
         Match::Part | Match::Scattered => (*how, Reverse(*score), text.len()),

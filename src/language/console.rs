@@ -8,188 +8,188 @@ use crate::config::{Column, LiveSetting, TableSort};
 use crate::moment::{Alignment, MomentKind};
 use crate::vehicle::VehicleId;
 
-/// A line that the console carries out itself: no vehicle hears of it.
+/// A line that the console carries out itself, without any vehicle.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ConsoleLine {
-    /// Show something: on a screen its room, without one as text.
+    /// Show a report: in its room, or as text without a screen.
     Report(Report),
     Select(VehicleChoice),
-    /// Give vehicles a group's name.
+    /// Define a group.
     Group {
         /// The name, without `@`.
         name: String,
-        /// `None` means the selection.
+        /// `None` for the selection.
         vehicles: Option<VehicleChoice>,
     },
-    /// Forget the name of a group, given without `@`.
+    /// Delete the group with this name, given without `@`.
     Ungroup(String),
-    /// Forget vehicles whose link is lost: these, or all of them.
+    /// Forget vehicles whose link is lost: these, or all.
     Forget(Option<VehicleChoice>),
-    /// Go to the room of this name.
+    /// Go to the room with this name.
     Show(String),
-    /// Start the mission of this id.
+    /// Start the mission with this id.
     Fly(String),
     /// Fly simulated vehicles without a mission.
     FlyFree,
     /// Connect to these addresses.
     Connect(Vec<String>),
-    /// Have something happen in the mission.
+    /// Trigger an inject of the mission.
     Inject(String),
-    /// Give the lines of a macro.
+    /// Run a macro.
     Macro(String),
     /// Change a setting for this session.
     Set(LiveSetting),
-    /// Something about the parameters of the vehicle under the cursor.
+    /// A command about the parameters of the vehicle under the cursor.
     Parameters(ParametersLine),
-    /// Something about the process of a vehicle.
+    /// A command about the process of a vehicle.
     Process {
         /// What to do with it.
         deed: ProcessDeed,
         /// The vehicle whose process it is.
         vehicle: VehicleId,
     },
-    /// Something about the table of vehicles.
+    /// A command about the table of vehicles.
     Table(TableLine),
     /// Acknowledge, mute or list alerts.
     Alerts(AlertLine),
-    /// Let the session stand still.
+    /// Pause the session.
     Pause,
-    /// Let it go on.
+    /// Resume it.
     Continue,
-    /// Have so many seconds pass in one.
+    /// Set the speed-up.
     Speedup(f64),
-    /// Something about what is replayed.
+    /// A command about the replay.
     Replay(ReplayLine),
     /// Set a bookmark at this moment, with a text.
     Bookmark(String),
-    /// Remove the bookmark of this moment, in a replay.
+    /// Remove the bookmark at this moment of a replay.
     Unbookmark,
-    /// Something about the review of what is replayed.
+    /// A command about the review.
     Review(ReviewLine),
-    /// Something about another flight beside this one.
+    /// A command about the other flight beside this one.
     Ghost(GhostLine),
-    /// Give the mission up and show its debrief.
+    /// Abandon the mission and show its debrief.
     Abandon,
-    /// The same mission again.
+    /// Restart the same mission.
     Restart,
-    /// Back to the home screen.
+    /// Return to the home screen.
     Leave,
     Quit,
 }
 
-/// What can be shown.
+/// A report to show.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Report {
-    /// What can be said and pressed.
+    /// The commands and keys.
     Help,
     /// Each link with its traffic and findings.
     Links,
-    /// The commands given so far and what became of them.
+    /// The commands so far with their outcome.
     Ledger,
-    /// What vehicles and console have said so far.
+    /// The notices so far.
     Notices,
     /// The processes of simulated vehicles.
     Hangar,
     /// The task, its rules and how it is scored.
     Brief,
-    /// How vehicles are: these, else the selected ones, else all.
+    /// The state of vehicles: these, otherwise the selected ones, otherwise all.
     Status(Option<VehicleChoice>),
-    /// How the mission stands.
+    /// The state of the mission.
     Objectives,
-    /// What detectors have found.
+    /// The contacts.
     Contacts,
 }
 
-/// What the console does with parameters.
+/// A command about parameters.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum ParametersLine {
     /// Opens the room of parameters.
     Show,
-    /// Asks the vehicle for all of them again.
+    /// Downloads all of them again.
     Fetch,
     /// Saves them to a file.
     Save(String),
-    /// Loads a file, or compares with one or with another vehicle: first the differences show.
+    /// Compares with a file or another vehicle, to set differences.
     Compare(String),
 }
 
-/// What can be done with the process of a vehicle.
+/// An action on the process of a vehicle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ProcessDeed {
-    /// It is ended, if it runs, and started again.
+    /// Restart it.
     Restart,
-    /// Ends it for good.
+    /// Stop it for good.
     Stop,
 }
 
-/// A line about the table of vehicles.
+/// A command about the table of vehicles.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum TableLine {
     /// Order by a column.
     Sort(TableSort),
-    /// Show only what fits; everything if empty.
+    /// Show only matching vehicles; all if empty.
     Filter(String),
     /// Show these columns; as many as fit if empty.
     Columns(Vec<Column>),
 }
 
-/// A line about what is replayed.
+/// A command about the replay.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ReplayLine {
     /// Replay this file, or the newest record.
     Open(Option<String>),
     /// Go to a moment.
     Seek(SeekTarget),
-    /// Play from one time to another over and over; `None` ends that.
+    /// Repeat a stretch; `None` ends that.
     Loop(Option<(Duration, Duration)>),
-    /// Stop at moments of these kinds; none plays through.
+    /// Stop at moments of these kinds; empty for none.
     StopAt(Vec<MomentKind>),
-    /// Play from here back to the beginning.
+    /// Play backwards.
     Rewind,
 }
 
-/// What a line says about the review of a recorded flight.
+/// A command about the review of a record.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum ReviewLine {
-    /// Review what is replayed, or what was flown last.
+    /// Review the replay, or the last flight.
     Open,
-    /// Why it went as it did.
+    /// The reasons for the result.
     Why(String),
-    /// What is to be done next time.
+    /// The plan for next time.
     Next(String),
     /// Something that went well, at the moment shown.
     Sustain(String),
-    /// Something to do otherwise, at the moment shown.
+    /// Something to improve, at the moment shown.
     Improve(String),
-    /// Remove the point of this number, from 1.
+    /// Remove the point with this number, from 1.
     Remove(usize),
     /// Write the review as Markdown into this file.
     Export(String),
 }
 
-/// What a line says about another flight that is shown beside this one.
+/// A command about the other flight beside this one.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum GhostLine {
     /// Show this flight.
     Show(GhostSource),
-    /// Lay its times upon this one's by something that happened in both.
+    /// Align it with this one at an event of both flights.
     AlignedBy(Alignment),
-    /// Show it no longer.
+    /// Hide it.
     Off,
 }
 
 /// Another flight of the same mission.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum GhostSource {
-    /// The best one of the trainee's own.
+    /// The trainee's best one.
     Best,
-    /// That of the reference pilot, flown now.
+    /// The reference pilot's, flown now.
     Reference,
-    /// That of a record, by one of its files.
+    /// A record's, by one of its files.
     File(String),
 }
 
-/// Where in a recording to go.
+/// A target in a recording.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SeekTarget {
     /// A time from the beginning.
@@ -205,12 +205,12 @@ pub enum SeekTarget {
     End,
 }
 
-/// A line about alerts.
+/// A command about alerts.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum AlertLine {
-    /// Keep a kind of alert silent; none asks which are.
+    /// Mute a kind of alert; `None` lists the muted ones.
     Mute(Option<AlertKind>),
-    /// Let a kind ring again; none means all.
+    /// Unmute a kind; `None` for all.
     Unmute(Option<AlertKind>),
     /// Acknowledge the worst alerts.
     AcknowledgeWorst,

@@ -1,4 +1,4 @@
-//! Fits the words of a line to the forms of a verb.
+//! Matches the words of a line with the forms of a verb.
 
 use super::Context;
 use super::argument::{Argument, Arguments, Kind, Value};
@@ -7,23 +7,23 @@ use super::read::Misread;
 use super::verb::Form;
 use crate::text::Text;
 
-/// How far the words of a line fit a form.
+/// How far the words of a line match a form.
 pub(super) struct Fit {
     pub arguments: Arguments,
-    /// What may come after the last word.
+    /// What may follow the last word.
     pub expected: Vec<Expected>,
     /// Whether nothing is missing.
     pub complete: bool,
-    /// The first word that does not fit.
+    /// The first word that does not match.
     pub misfit: Option<Misfit>,
 }
 
-/// A word that does not fit.
+/// A word that does not match.
 pub(super) struct Misfit {
     pub word: usize,
-    /// Whether it is of the right kind and only its value is wrong.
+    /// Whether it is of the right kind and only its value is invalid.
     pub specific: bool,
-    /// What is wrong, if only one thing was possible.
+    /// The fault, if only one kind was possible.
     pub message: Option<Text>,
     /// What was expected instead.
     pub expected: Vec<Expected>,
@@ -39,14 +39,14 @@ pub(super) enum Expected {
 }
 
 impl Expected {
-    /// The argument that is meant.
+    /// Its argument.
     pub fn argument(self) -> &'static Argument {
         match self {
             Self::Keyword(argument) | Self::Value(argument) => argument,
         }
     }
 
-    /// In an error or a hint: "`up`" or "ALTITUDE (height above home, 0.5 to 1000 m)".
+    /// Its description in an error or a hint: "`up`" or "ALTITUDE (height above home, 0.5 to 1000 m)".
     pub fn describe(self) -> Text {
         match self {
             Self::Keyword(argument) => format!("`{}`", argument.keyword).into(),
@@ -63,7 +63,7 @@ impl Expected {
     }
 }
 
-/// Where the reading stands.
+/// The state of the matching.
 struct Reader<'a> {
     form: &'static Form,
     context: &'a Context<'a>,
@@ -71,14 +71,14 @@ struct Reader<'a> {
     arguments: Arguments,
 }
 
-/// What one step of reading came to.
+/// The result of one step.
 enum Step {
     Took(usize),
     Unfinished(&'static Argument),
     Misfit(Misfit),
 }
 
-/// Fits words to a form as far as they go.
+/// Matches words with a form as far as possible.
 pub(super) fn fit(form: &'static Form, words: &[Word], context: &Context) -> Fit {
     let mut reader = Reader {
         form,
@@ -119,7 +119,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The arguments that may come now: all up to the first that has to come before the rest.
+    /// The arguments possible now: all up to the first that must precede the rest.
     fn open(&self) -> Vec<usize> {
         let mut open = Vec::new();
         for (index, argument) in self.form.arguments.iter().enumerate() {

@@ -1,11 +1,11 @@
-//! Sets of vehicles as people write them: `1-4,7`.
+//! Sets of vehicles in the notation `1-4,7`.
 
 use super::Targets;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{HIGHEST_VEHICLE, VehicleId};
 
-/// Ids as ranges, `1-4,7`. The ids have to be sorted.
+/// Ids as ranges, `1-4,7`. The ids must be sorted.
 pub fn ranges(ids: impl IntoIterator<Item = VehicleId>) -> String {
     Targets::Ids(ids.into_iter().collect()).to_string()
 }
@@ -13,7 +13,7 @@ pub fn ranges(ids: impl IntoIterator<Item = VehicleId>) -> String {
 /// Reads what [`ranges`] writes, in any order.
 ///
 /// # Errors
-/// Plain words when a part is neither a number from 1 to 9999 nor a range of them.
+/// A text if a part is neither a number from 1 to 9999 nor a range of them.
 pub fn parse_ranges(text: &str) -> Result<Vec<VehicleId>, Text> {
     let mut ids = Vec::new();
     for part in text.split(',') {

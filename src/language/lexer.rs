@@ -1,24 +1,24 @@
-//! A line to words.
+//! From a line to words.
 
 use std::ops::Range;
 
-/// A word and where it lies, in bytes of the line.
+/// A word and its position, in bytes of the line.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Word<'a> {
-    /// As it was written.
+    /// As typed.
     pub text: &'a str,
     pub span: Range<usize>,
-    /// The line from its beginning to the end, without a comment.
+    /// The line from here to the end, without a comment.
     pub tail: &'a str,
 }
 
 impl Word<'_> {
-    /// Whether it is this word, upper or lower case.
+    /// Whether it is this word, ignoring case.
     pub fn is(&self, other: &str) -> bool {
         self.text.eq_ignore_ascii_case(other)
     }
 
-    /// Whether it is meant as targets: `all`, or a number or `@` at its beginning.
+    /// Whether it means targets: `all`, or a digit or `@` at its beginning.
     pub fn is_targets(&self) -> bool {
         self.is("all")
             || self
@@ -27,8 +27,8 @@ impl Word<'_> {
     }
 }
 
-/// The words of a line: separated by blanks, comparison signs stand for themselves, and a `#` that begins a word
-/// begins a comment.
+/// The words of a line: separated by blanks; comparison signs are words; a `#` at the beginning of a word starts a
+/// comment.
 pub fn words(line: &str) -> Vec<Word<'_>> {
     let code = &line[..comment_start(line).unwrap_or(line.len())];
     let mut words = Vec::new();

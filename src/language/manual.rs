@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use super::{Scope, rows};
 use crate::verb::Danger;
 
-/// The manual of the language: how a line is built, then every verb with its forms, arguments and examples.
+/// The manual of the language: the structure of a line, then every verb with its forms, arguments and examples.
 pub fn manual() -> String {
     let mut text = INTRODUCTION.to_owned();
     for row in rows() {

@@ -1,11 +1,11 @@
-//! Flight modes as lines name them, with warnings about some.
+//! Flight modes in lines, with warnings about some.
 
 use super::Context;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Mode, VehicleClass};
 
-/// The modes of every day, the most used first.
+/// The common modes, the most used first.
 const EVERYDAY_MODES: [&str; 8] = [
     "GUIDED",
     "LOITER",
@@ -27,7 +27,7 @@ pub(super) fn mode_named(text: &str, context: &Context) -> Option<&'static str> 
         .find_map(|class| class.mode(text).and_then(Mode::name))
 }
 
-/// What a pilot without a stick in the hand should know before entering a mode.
+/// A warning for pilots without a stick before they enter a mode.
 pub(super) fn mode_warning(name: &str, context: &Context) -> Option<Text> {
     if !matches!(context.class, VehicleClass::Copter | VehicleClass::Other) {
         None
@@ -40,7 +40,7 @@ pub(super) fn mode_warning(name: &str, context: &Context) -> Option<Text> {
     }
 }
 
-/// The names of all modes, each once, those of every day first.
+/// The names of all modes, each once, common ones first.
 pub(super) fn mode_names(context: &Context) -> Vec<&'static str> {
     let mut names: Vec<&'static str> = Vec::new();
     for (_, name) in classes(context).iter().flat_map(|class| class.modes()) {

@@ -1,4 +1,4 @@
-//! Names that only the console knows, as words of lines.
+//! Names that only the console knows, in lines.
 
 use std::fmt;
 
@@ -10,43 +10,43 @@ use crate::text::Text;
 pub enum NameList {
     /// The rooms of the console.
     Room,
-    /// Themes, those of files too.
+    /// Themes, including those of files.
     Theme,
     /// The missions, by id.
     Mission,
-    /// What an instructor may have happen in the mission under way.
+    /// The injects that an instructor may trigger in the present mission.
     Inject,
-    /// Macros of the settings.
+    /// Macros in the settings.
     Macro,
 }
 
-/// A name that may stand in a line.
+/// A name for lines.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Named {
     /// The name as it is typed.
     pub name: String,
-    /// What it stands for.
+    /// Its meaning.
     pub meaning: Text,
 }
 
-/// What a list holds now.
+/// The present content of a list.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Listed {
     /// Not known yet: every name is accepted.
     Anything,
     /// One of these names.
     Names(Vec<Named>),
-    /// Nothing can be named now, for this reason.
+    /// No name is valid now, for this reason.
     Nothing(Text),
 }
 
-/// Tells what the lists hold.
+/// Access to the lists.
 pub trait Names: fmt::Debug {
-    /// What a list holds now.
+    /// The present content of a list.
     fn listed(&self, list: NameList) -> Listed;
 }
 
-/// Lists of which nothing is known.
+/// Lists with unknown content.
 #[derive(Debug, Clone, Copy)]
 pub struct UnknownNames;
 
@@ -57,7 +57,7 @@ impl Names for UnknownNames {
 }
 
 impl Listed {
-    /// The names; none where every name will do.
+    /// The names; empty if every name is accepted.
     pub(super) fn names(self) -> Vec<Named> {
         match self {
             Self::Names(names) => names,
@@ -65,10 +65,10 @@ impl Listed {
         }
     }
 
-    /// The name that a word means, as the list spells it.
+    /// The name that a word means, in the list's spelling.
     ///
     /// # Errors
-    /// No name is meant, or none can be now.
+    /// No name matches, or none is valid now.
     pub(super) fn meant(self, list: NameList, written: &str) -> Result<String, Text> {
         let names = match self {
             Self::Anything => return Ok(written.to_owned()),
@@ -87,8 +87,8 @@ impl Listed {
     }
 }
 
-/// Which of the missions, by id, a word means: the one that is called so, else the first of that number, else the
-/// only one that begins so.
+/// The mission that a word means, by id: an exact match, otherwise the first with that number, otherwise the only one
+/// with that prefix.
 pub fn mission_meant<'a>(written: &str, ids: &[&'a str]) -> Option<&'a str> {
     let by_number = format!("{written}-");
     let mut beginning = ids

@@ -1,4 +1,4 @@
-//! A line to a statement.
+//! From a line to a statement.
 
 use std::ops::Range;
 
@@ -18,16 +18,16 @@ use crate::text::Text;
 pub(super) struct Head {
     pub targets: Targets,
     pub row: &'static VerbRow,
-    /// How the verb was said: its name, or the name of a mode.
+    /// The verb as typed: its name, or the name of a mode.
     pub said: String,
-    /// How many words there are before the arguments; a mode that stands for `mode MODE` is an argument.
+    /// The number of words before the arguments; a mode in place of `mode MODE` is an argument.
     pub len: usize,
 }
 
 /// Reads a line.
 ///
 /// # Errors
-/// The first fault, with its place in the line.
+/// The first fault, with its position in the line.
 pub fn parse(line: &str, context: &Context) -> Result<Statement, Diagnostic> {
     let words = words(line);
     let head = head(&words, context)?;
@@ -45,10 +45,10 @@ pub fn parse(line: &str, context: &Context) -> Result<Statement, Diagnostic> {
     })
 }
 
-/// The verb that a line begins with, after targets that there may be.
+/// The verb of a line, after optional targets.
 ///
 /// # Errors
-/// There is none, it may not be said there, or the targets are wrong.
+/// It is missing or not allowed there, or the targets are wrong.
 pub fn said(line: &str, context: &Context) -> Result<&'static VerbRow, Diagnostic> {
     head(&words(line), context).map(|head| head.row)
 }
@@ -56,7 +56,7 @@ pub fn said(line: &str, context: &Context) -> Result<&'static VerbRow, Diagnosti
 /// Reads targets and verb.
 ///
 /// # Errors
-/// When there is none, or they are wrong.
+/// They are missing or wrong.
 pub(super) fn head(words: &[Word], context: &Context) -> Result<Head, Diagnostic> {
     let mut at = 0;
     let mut targets = Targets::Selection;
@@ -103,7 +103,7 @@ pub(super) fn head(words: &[Word], context: &Context) -> Result<Head, Diagnostic
     Ok(head)
 }
 
-/// A verb that is said where it may not be.
+/// The fault of a verb that is not allowed there.
 fn out_of_place(word: &Word, scope: Scope) -> Diagnostic {
     let fault = |message: Text| Diagnostic::new(word.span.clone(), message);
     match scope {
@@ -115,7 +115,7 @@ fn out_of_place(word: &Word, scope: Scope) -> Diagnostic {
     }
 }
 
-/// The targets of a `wait` may stand after it.
+/// Reads targets after `wait`.
 fn targets_after(head: &mut Head, words: &[Word], context: &Context) -> Result<(), Diagnostic> {
     let left = words.len() - head.len;
     let Some(word) = words.get(head.len) else {
@@ -143,7 +143,7 @@ fn targets_of_wait(word: &Word, left: usize) -> bool {
         && (!word.text.starts_with(|c: char| c.is_ascii_digit()) || numbers && left > 1)
 }
 
-/// Builds the meaning with the form that fits, and says which.
+/// Builds the meaning with the matching form, and returns its index.
 pub(super) fn understand(
     head: &Head,
     rest: &[Word],
@@ -168,7 +168,7 @@ pub(super) fn understand(
     Err(fault(head.row, &fits, rest, all, context))
 }
 
-/// The fault of the form that the line comes closest to.
+/// The fault of the form that matches best.
 fn fault(
     row: &'static VerbRow,
     fits: &[Fit],
@@ -188,7 +188,7 @@ fn fault(
         .unzip();
     let Some(word) = rest.get(furthest.0) else {
         let expected = closest.iter().flat_map(|fit| fit.expected.iter());
-        // A value is missing even of an optional argument once its keyword stands there.
+        // After its keyword, even an optional argument needs its value.
         let needed = |item: &Expected| match item {
             Expected::Keyword(argument) => !argument.optional,
             Expected::Value(argument) => !argument.optional || !argument.keyword.is_empty(),
@@ -209,7 +209,7 @@ fn fault(
     misfit_fault(row, word, &misfits, context)
 }
 
-/// Why nothing can be named where a name is expected.
+/// Why no name is valid where one is expected.
 fn unavailable(expected: Expected, context: &Context) -> Option<Text> {
     let Kind::Name(list) = expected.argument().kind else {
         return None;
@@ -220,13 +220,13 @@ fn unavailable(expected: Expected, context: &Context) -> Option<Text> {
     }
 }
 
-/// The ways to say a verb: "`ack` or `ack KIND`".
+/// The usages of a verb: "`ack` or `ack KIND`".
 fn usages(row: &VerbRow) -> Text {
     let usages = row.usage().into_iter();
     either(usages.map(|usage| format!("`{usage}`").into()).collect())
 }
 
-/// An example of one of these forms of a verb, the first if there is none.
+/// An example of one of these forms of a verb, otherwise the first one.
 fn example_of(row: &'static VerbRow, forms: &[usize]) -> &'static str {
     let context = Context {
         channel: Channel::Plain,
@@ -288,7 +288,7 @@ fn misfit_fault(row: &VerbRow, word: &Word, misfits: &[&Misfit], context: &Conte
     }
 }
 
-/// Where only a name of a list was possible: which there are.
+/// Where only a name from a list was possible: the names.
 fn there_are(names: &[String], misfits: &[&Misfit]) -> Option<Text> {
     let mut expected = misfits.iter().flat_map(|misfit| misfit.expected.iter());
     let is_name = |item: &Expected| matches!(item.argument().kind, Kind::Name(_));
@@ -298,7 +298,7 @@ fn there_are(names: &[String], misfits: &[&Misfit]) -> Option<Text> {
     })
 }
 
-/// The words that something expected can be.
+/// The words that are possible for an expected argument.
 fn names_of(expected: Expected, context: &Context) -> Vec<String> {
     match expected {
         Expected::Keyword(argument) => vec![argument.keyword.to_owned()],
@@ -352,13 +352,13 @@ fn unknown_verb(word: &Word, context: &Context) -> Diagnostic {
     fault.with_nearest(word.text, names.chain(mode_names(context)))
 }
 
-/// The place right after the last word.
+/// The position after the last word.
 fn end_of(words: &[Word]) -> Range<usize> {
     let end = words.last().map_or(0, |word| word.span.end);
     end..end
 }
 
-/// The line in its plainest spelling.
+/// The line in its canonical spelling.
 fn normalised(head: &Head, rest: &[Word]) -> String {
     let targets = head.targets.to_string();
     let mut parts: Vec<&str> = vec![&targets, &head.said];

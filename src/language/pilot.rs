@@ -1,4 +1,4 @@
-//! Pilot scripts: lines of the language, one after the other.
+//! Pilot scripts: lines of the language, in sequence.
 
 use std::time::Duration;
 
@@ -9,7 +9,7 @@ use crate::diagnostic::Diagnostic;
 use crate::text;
 use crate::vehicle::VehicleId;
 
-/// A script that has no fault.
+/// A script without faults.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Script {
     steps: Vec<Step>,
@@ -20,16 +20,16 @@ struct Step {
     /// Its line in the source, counted from 1.
     line: usize,
     statement: Statement,
-    /// The vehicles that are meant; `None` is all there are when it comes to it.
+    /// The target vehicles; `None` for all that exist when the line is reached.
     vehicles: Option<Vec<VehicleId>>,
 }
 
 impl Script {
-    /// Reads a script. Empty lines and comments (`#`) are fine. A script has no selection: every line but a wait
-    /// for a time or for contacts says whom it means.
+    /// Reads a script. Empty lines and comments (`#`) are allowed. A script has no selection: every line except a wait
+    /// for a time or for contacts must have targets.
     ///
     /// # Errors
-    /// Every fault, with its place in the whole source.
+    /// Every fault, with its position in the whole source.
     pub fn parse(source: &str, context: &Context) -> Result<Self, Vec<Diagnostic>> {
         let context = &Context {
             channel: Channel::Script,
@@ -82,7 +82,7 @@ fn step(line: &str, number: usize, context: &Context) -> Result<Step, Diagnostic
     })
 }
 
-/// The line with `all` where the targets go.
+/// The line with `all` as its targets.
 fn with_all(statement: &Statement) -> String {
     match statement.line.strip_prefix("wait ") {
         Some(rest) => format!("wait all {rest}"),
@@ -90,22 +90,22 @@ fn with_all(statement: &Statement) -> String {
     }
 }
 
-/// Something that a script does.
+/// An action of a script.
 #[derive(Debug, Clone, PartialEq)]
 pub enum PilotEvent {
-    /// This is to be carried out now.
+    /// Carry this out now.
     Do(Statement),
-    /// A wait went on for too long; the script continues.
+    /// A wait timed out; the script continues.
     WaitTimedOut {
         /// Its line in the source, counted from 1.
         line: usize,
         text: String,
     },
-    /// The script is over. Comes once.
+    /// The script is over; sent once.
     Finished,
 }
 
-/// A script being flown.
+/// A running script.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pilot {
     script: Script,
@@ -115,7 +115,7 @@ pub struct Pilot {
 }
 
 impl Pilot {
-    /// At the beginning of a script.
+    /// A script at its beginning.
     pub fn new(script: Script) -> Self {
         Self {
             script,
@@ -125,10 +125,10 @@ impl Pilot {
         }
     }
 
-    /// What the script does now.
+    /// The script's next actions.
     ///
-    /// The caller opens the ledger's entries for the statements before the next step: a wait that follows a
-    /// command is looked at no earlier than that, so that `wait all arrived` means the goto before it.
+    /// The caller opens the ledger's entries for the statements before the next step: a wait that follows a command is
+    /// evaluated only then, so that `wait all arrived` means the goto before it.
     pub fn step(&mut self, now: Duration, seen: Seen<'_>) -> Vec<PilotEvent> {
         let mut events = Vec::new();
         let mut acted = false;
@@ -170,7 +170,7 @@ fn is_over(wait: &Wait, waited: Duration) -> bool {
 }
 
 impl Step {
-    /// Whether the condition holds for all that are meant, and for one at least.
+    /// Whether the condition holds for all targets, of which there must be at least one.
     fn met(&self, wait: &Wait, seen: Seen<'_>) -> bool {
         let vehicles = seen.vehicles;
         match &self.vehicles {

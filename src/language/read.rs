@@ -1,4 +1,4 @@
-//! Words to values.
+//! From words to values.
 
 use mavlink::dialects::ardupilotmega::MavMessage;
 
@@ -18,15 +18,15 @@ use crate::vehicle::VehicleClass;
 /// Message ids have 24 bits.
 const HIGHEST_MESSAGE: u32 = 0x00FF_FFFF;
 
-/// Why words are not the value that was expected.
+/// Why words are not the expected value.
 pub(super) enum Misread {
-    /// The value has more words than there are.
+    /// Words of the value are missing.
     Incomplete,
-    /// This one is wrong.
+    /// A word is wrong.
     Wrong {
-        /// Which word, counted from the first of the value.
+        /// The index of the word in the value.
         word: usize,
-        /// Whether it is of the right kind and only its value is wrong: then no other argument was meant.
+        /// Whether it is of the right kind and only its value is invalid: then no other argument was meant.
         specific: bool,
         message: Text,
     },
@@ -49,7 +49,7 @@ impl Misread {
         }
     }
 
-    /// The same for a part of a value, by its place and name.
+    /// The same for a part of a value, by its index and name.
     fn part(self, at: usize, name: &'static str) -> Self {
         match self {
             Self::Wrong {
@@ -67,7 +67,7 @@ impl Misread {
 }
 
 impl Kind {
-    /// Reads a value off the beginning of `words`, of which there is one at least. Also says how many it took.
+    /// Parses a value at the beginning of `words`, which must not be empty. Also returns the number of words used.
     pub(super) fn read(self, words: &[Word], context: &Context) -> Result<(Value, usize), Misread> {
         let Some(first) = words.first() else {
             return Err(Misread::Incomplete);
@@ -108,7 +108,7 @@ impl Kind {
         Ok((value, 1))
     }
 
-    /// That a word is none of the choices, which are named where there are few.
+    /// The fault of a word that is none of the choices, with a short list of them.
     fn none_of(self, choices: &[&str], word: &str) -> Misread {
         Misread::kind(if self.fits_a_usage() {
             let choices = choices.join(", ");
@@ -118,7 +118,7 @@ impl Kind {
         })
     }
 
-    /// The words that this kind of value can be, with what each means.
+    /// The words that are possible for this kind of value, with their meaning.
     pub(super) fn names(self, context: &Context) -> Vec<(String, Text)> {
         match self {
             Self::Choice(choices) => unexplained(choices).collect(),
@@ -197,7 +197,7 @@ fn parameters(context: &Context) -> Vec<(String, Text)> {
         .collect()
 }
 
-/// A number in its range, its unit taken off.
+/// A number in its range, without its unit.
 fn number(text: &str, unit: Unit, least: f64, greatest: f64) -> Result<f64, Misread> {
     let (digits, suffix) = text.split_at(number_length(text));
     let Ok(written) = digits.parse::<f64>() else {
@@ -213,7 +213,7 @@ fn number(text: &str, unit: Unit, least: f64, greatest: f64) -> Result<f64, Misr
         (None, _) => return Err(Misread::value(wrong_unit(text, suffix, unit))),
     };
     let value = written * factor;
-    // Not a plain comparison of the two ends: it has to fail for what is no number, too.
+    // A range check that also fails for NaN.
     if (least..=greatest).contains(&value) {
         return Ok(value);
     }
@@ -236,7 +236,7 @@ fn wrong_unit(text: &str, suffix: &str, unit: Unit) -> Text {
     }
 }
 
-/// How many bytes of `text` are a decimal number: sign, digits with a point, exponent.
+/// The length in bytes of the decimal number at the start of `text`: sign, digits with a point, exponent.
 fn number_length(text: &str) -> usize {
     let bytes = text.as_bytes();
     let digits = |from: usize| {
@@ -282,7 +282,7 @@ fn sort(text: &str) -> Result<String, Misread> {
     }
 }
 
-/// A place of which only the name is known: no vehicle could go there.
+/// The position of a place known only by name, where no vehicle can fly.
 const NOWHERE: LatLon = LatLon::new(f64::NAN, f64::NAN);
 
 fn point(words: &[Word], context: &Context) -> Result<(Value, usize), Misread> {
@@ -308,7 +308,7 @@ fn point(words: &[Word], context: &Context) -> Result<(Value, usize), Misread> {
     Ok((Value::Point(LatLon::new(lat_deg, lon_deg)), 2))
 }
 
-/// An area of which only the name is known has no corners: nobody could fly there.
+/// An area known only by name has no corners, so no vehicle can fly there.
 fn area(text: &str, context: &Context) -> Result<Outline, Misread> {
     match context.areas {
         None if number_length(text) == 0 => Ok(Outline::Polygon(Vec::new())),

@@ -17,23 +17,23 @@ mod session;
 mod swarm;
 mod waiting;
 
-/// The whole table, in the order in which it is shown.
+/// The whole table, in display order.
 pub fn rows() -> impl Iterator<Item = &'static VerbRow> {
     TABLE.into_iter().flatten()
 }
 
-/// The row of a word, which may be an alias, upper or lower case.
+/// The row of a word, which may be an alias; case does not matter.
 pub fn row(word: &str) -> Option<&'static VerbRow> {
     rows().find(|row| row.is_called(word))
 }
 
-/// The verbs of orders, by the names that the ledger writes: `arm`, `relay to`.
+/// The verbs of orders, by their names in the ledger: `arm`, `relay to`.
 pub fn verbs() -> impl Iterator<Item = &'static Verb> {
     let orders = rows().filter(|row| row.scope == Scope::Everywhere);
     orders.flat_map(VerbRow::verbs)
 }
 
-/// The verb of an order, by the name that the ledger writes.
+/// The verb of an order, by its name in the ledger.
 pub fn verb(name: &str) -> Option<&'static Verb> {
     verbs().find(|verb| verb.name == name)
 }
@@ -53,17 +53,17 @@ static TABLE: [&[VerbRow]; 10] = [
 
 /// A motor that starts late can hurt a person: give up soon.
 const AT_ONCE: Retry = Retry::new(3, 1000, 3500);
-/// What is harmless when it arrives a little late.
+/// Harmless commands, even if late.
 const CHANGE: Retry = Retry::new(5, 1000, 8000);
-/// What is right whenever it arrives: coming down.
+/// Landing commands, which are right at any time.
 const COME_DOWN: Retry = Retry::new(15, 1000, 20_000);
-/// What must get through.
+/// Commands that must get through.
 const STOP_MOTORS: Retry = Retry::new(10, 300, 3500);
-/// Questions, and settings of devices.
+/// Queries, and settings of devices.
 const ASK: Retry = Retry::new(3, 1000, 4000);
-/// Setpoints: no answer ever comes, they are sent again until the effect shows.
+/// Setpoints, which have no answer: repeated until the effect shows.
 const SETPOINT: Retry = Retry::new(3, 1000, 4000);
-/// What must not happen twice.
+/// Commands that must not take effect twice.
 const ONCE: Retry = Retry::new(1, 1000, 3000);
 
 type Built = Result<Meaning, Problem>;
@@ -100,7 +100,7 @@ fn console(line: ConsoleLine) -> Built {
     Ok(Meaning::Console(line))
 }
 
-/// The first of these arguments that is given, to point at.
+/// The first of these arguments that is present, to point at.
 fn given(arguments: &Arguments, names: &[&'static str]) -> Option<&'static str> {
     names.iter().copied().find(|name| arguments.flag(name))
 }

@@ -1,4 +1,4 @@
-//! The vehicles that a line is for.
+//! The target vehicles of a line.
 
 use std::fmt;
 
@@ -9,10 +9,10 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{HIGHEST_VEHICLE, VehicleId};
 
-/// Whom a line concerns.
+/// The targets of a line.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Targets {
-    /// Those that are selected in the console.
+    /// The selected vehicles.
     Selection,
     All,
     /// These, sorted, each once.
@@ -22,7 +22,7 @@ pub enum Targets {
 }
 
 impl fmt::Display for Targets {
-    /// As it is written in a line; nothing for the selection. Runs are joined.
+    /// Its notation in a line; empty for the selection. Consecutive ids are joined.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Selection => Ok(()),
@@ -46,10 +46,10 @@ impl fmt::Display for Targets {
 }
 
 impl Targets {
-    /// The vehicles that are meant.
+    /// The target vehicles.
     ///
     /// # Errors
-    /// In plain words when nobody is meant: an empty selection, a group or a vehicle that does not exist.
+    /// A text without any target: an empty selection, or an unknown group or vehicle.
     pub fn resolve(
         &self,
         selection: &[VehicleId],

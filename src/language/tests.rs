@@ -26,7 +26,7 @@ pub(super) fn groups() -> Groups {
     BTreeMap::from([("red".to_owned(), vec![1, 3]), ("none".to_owned(), vec![])])
 }
 
-/// Reads a line where there are vehicles 1 to 8, the group `red` and the place `tower`.
+/// Parses a line with vehicles 1 to 8, the group `red` and the place `tower`.
 fn read(line: &str) -> Result<Statement, crate::diagnostic::Diagnostic> {
     let (groups, places) = (groups(), places());
     parse(line, &context(&groups, &places))
@@ -334,7 +334,7 @@ fn the_manual_tells_about_every_verb() {
     assert!(manual.contains("60 s"), "{manual}");
 }
 
-/// Lines made of the language's own words, which reach further than random letters do.
+/// Lines from the language's own words, which reach deeper than random letters.
 fn likely_line() -> impl Strategy<Value = String> {
     let names: Vec<String> = rows().map(|row| row.name().to_owned()).collect();
     let word = prop_oneof![

@@ -7,39 +7,38 @@ use crate::commands::Act;
 use crate::text::Text;
 use crate::verb::Verb;
 
-/// A row of the table: a verb and its grammar. The message `verb-NAME` says what it does.
+/// A row of the table: a verb and its grammar. The message `verb-NAME` is its summary.
 #[derive(Debug, Clone, Copy)]
 pub struct VerbRow {
-    /// What holds for all its orders.
+    /// The properties of its orders.
     pub verb: Verb,
-    /// Where it may be said.
+    /// Where it is allowed.
     pub scope: Scope,
-    /// Other words for it.
+    /// Its aliases.
     pub aliases: &'static [&'static str],
     /// Lines that use it.
     pub examples: &'static [&'static str],
-    /// The ways to say it.
+    /// Its forms.
     pub forms: &'static [Form],
 }
 
-/// Where a verb may be said.
+/// Where a verb is allowed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Scope {
     /// On the command line and in scripts, to vehicles.
     Everywhere,
-    /// Only where lines are given one after the other, which it holds up: in scripts and through a pipe. Its targets may
-    /// follow it.
+    /// Only in sequences of lines, which it delays: in scripts and through a pipe. Its targets may follow it.
     Scripts,
-    /// To the console, with or without a screen.
+    /// For the console, with or without a screen.
     Console,
-    /// To the console; without a screen it does nothing.
+    /// For the console; without a screen it does nothing.
     Screen,
-    /// Only to the console without a screen: the rooms of a screen show the same.
+    /// Only for the plain console: the rooms of a screen show the same.
     Plain,
 }
 
 impl Scope {
-    /// Whether a verb of this scope may be said there.
+    /// Whether a verb of this scope is allowed there.
     pub fn includes(self, channel: Channel) -> bool {
         match self {
             Self::Everywhere => true,
@@ -49,7 +48,7 @@ impl Scope {
         }
     }
 
-    /// Whether it is said to vehicles, so that a line may name them.
+    /// Whether it is for vehicles, so that a line may have targets.
     pub fn takes_targets(self) -> bool {
         match self {
             Self::Everywhere | Self::Scripts => true,
@@ -58,47 +57,47 @@ impl Scope {
     }
 }
 
-/// Where a line comes from.
+/// The source of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Channel {
     /// The command line of the console, its keys and macros.
     Screen,
-    /// The input of the console without a screen.
+    /// The input of the plain console.
     Plain,
     /// The lines of a script.
     Script,
 }
 
-/// One way to say a verb: its arguments, and what is built of them.
+/// One form of a verb: its arguments, and its builder.
 #[derive(Debug, Clone, Copy)]
 pub struct Form {
-    /// In order. Values without a keyword come in this order; those with one come in any.
+    /// In order: values without a keyword must keep it, those with one may come in any order.
     pub arguments: &'static [Argument],
-    /// The verb that this form means, where it is not that of the row.
+    /// The verb that this form means, if it is not that of the row.
     pub(super) means: Option<&'static Verb>,
-    /// Whether another verb says the same, so that its lines need not be offered twice.
+    /// Whether another verb means the same, so that its lines need not be offered twice.
     pub(super) is_shortcut: bool,
     pub(super) build: fn(&Arguments) -> Result<Meaning, Problem>,
 }
 
-/// What a line asks for.
+/// The meaning of a line.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Meaning {
-    /// Its targets shall do something.
+    /// A command to its targets.
     Act(Act),
-    /// A script is to hold until something is true of all targets.
+    /// A wait until a condition holds for all targets.
     Wait(Wait),
-    /// The console shall do something.
+    /// A command to the console.
     Console(ConsoleLine),
 }
 
 impl VerbRow {
-    /// How it is called.
+    /// Its name.
     pub fn name(&self) -> &'static str {
         self.verb.name
     }
 
-    /// Whether it is called that.
+    /// Whether a word is its name or an alias.
     pub fn is_called(&self, word: &str) -> bool {
         self.name().eq_ignore_ascii_case(word)
             || self
@@ -107,12 +106,12 @@ impl VerbRow {
                 .any(|alias| alias.eq_ignore_ascii_case(word))
     }
 
-    /// What it does, in one line.
+    /// Its summary in one line.
     pub fn summary(&self) -> Text {
         Text::new(format!("verb-{}", self.name()), Vec::new())
     }
 
-    /// How to say it, a line per form: "takeoff ALTITUDE".
+    /// Its usage, a line per form: "takeoff ALTITUDE".
     pub fn usage(&self) -> Vec<String> {
         self.forms
             .iter()
@@ -120,13 +119,13 @@ impl VerbRow {
             .collect()
     }
 
-    /// Whether one of its arguments is the name of a parameter.
+    /// Whether one of its arguments is a parameter's name.
     pub fn names_parameters(&self) -> bool {
         let mut arguments = self.forms.iter().flat_map(|form| form.arguments);
         arguments.any(|argument| argument.kind == Kind::Parameter)
     }
 
-    /// Its verb, and those of the forms that mean another one.
+    /// Its verb, and those of forms with another meaning.
     pub(super) fn verbs(&'static self) -> impl Iterator<Item = &'static Verb> {
         let others = self.forms.iter().filter_map(|form| form.means);
         std::iter::once(&self.verb).chain(others)
@@ -146,7 +145,7 @@ impl Form {
         }
     }
 
-    /// The same, but it means another verb than that of its row.
+    /// The same with another verb than that of its row.
     pub(super) const fn meaning(self, verb: &'static Verb) -> Self {
         Self {
             means: Some(verb),
@@ -154,7 +153,7 @@ impl Form {
         }
     }
 
-    /// The same, but another verb says it, too.
+    /// The same as a shortcut of another verb.
     pub(super) const fn shortcut(self) -> Self {
         Self {
             is_shortcut: true,
@@ -162,7 +161,7 @@ impl Form {
         }
     }
 
-    /// How to say it; the argument at `marked` stands between ‹ and ›.
+    /// Its usage, with the argument at `marked` between ‹ and ›.
     pub(super) fn usage(&self, verb: &str, marked: Option<&Argument>) -> String {
         let mut usage = verb.to_owned();
         for argument in self.arguments {

@@ -7,68 +7,67 @@ use crate::ledger::{Ledger, RowState};
 use crate::vehicle::{Mode, Vehicle, VehicleId, Vehicles};
 use crate::verb::Arrival;
 
-/// How long a wait lasts at most, unless it says otherwise.
+/// The default time-out of a wait.
 pub(super) const DEFAULT_TIMEOUT: Duration = Duration::from_secs(60);
-/// How near to its target a vehicle has arrived, in metres, where the ledger cannot tell.
+/// The distance to its target at which a vehicle has arrived, in metres, where the ledger cannot tell.
 const ARRIVED_M: f64 = 2.0;
-/// Slower than this is standing still.
+/// A speed below this counts as standing still.
 const STILL_M_S: f32 = 0.5;
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wait {
     pub until: Until,
-    /// When to go on regardless.
+    /// The time-out.
     pub timeout: Duration,
 }
 
-/// What a script can see, to tell whether a wait is over.
+/// What a script can see to evaluate a wait.
 #[derive(Debug, Clone, Copy)]
 pub struct Seen<'a> {
-    /// The vehicles that there are.
+    /// The known vehicles.
     pub vehicles: &'a Vehicles,
-    /// What was commanded, and what became of it.
+    /// The commands with their outcome.
     pub ledger: &'a Ledger,
-    /// What the mission has shown.
+    /// The findings of the mission.
     pub findings: &'a Findings,
 }
 
-/// What a mission has shown so far: what sensors found, never the truth. Empty without a mission.
+/// The findings of a mission so far: what sensors found, never the truth. Empty without a mission.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Findings {
-    /// How many contacts there are.
+    /// The number of contacts.
     pub contacts: usize,
-    /// What the first sensor of each vehicle shows, in its unit.
+    /// The reading of each vehicle's first sensor, in its unit.
     pub readings: BTreeMap<VehicleId, f64>,
 }
 
-/// What a script waits for, of every target.
+/// The condition of a wait, for every target.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Until {
-    /// So much time has passed; targets play no part.
+    /// A time has passed, without targets.
     Passed(Duration),
-    /// The vehicle is in this situation.
+    /// The vehicle is in this state.
     Situation(Situation),
-    /// The vehicle is in the mode of this name or number.
+    /// The vehicle is in the mode with this name or number.
     Mode(String),
-    /// A figure is above or below a value.
+    /// A value is above or below a bound.
     Compared {
         field: Field,
-        /// How it has to compare.
+        /// The comparison.
         relation: Relation,
-        /// With what, in the field's unit.
+        /// The bound, in the field's unit.
         value: f64,
     },
 }
 
-/// A situation that a vehicle can be in.
+/// A state of a vehicle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Situation {
     /// Its motors are armed.
     Armed,
     /// Its motors are disarmed.
     Disarmed,
-    /// The last order that moved it has been carried out: it has reached where that was to bring it, or has done its part
-    /// of what several were to do together.
+    /// The last movement order was carried out: it has reached its target, or completed its part of a joint manoeuvre.
     Arrived,
     /// It is on the ground.
     Landed,
@@ -77,7 +76,7 @@ pub enum Situation {
     Ready,
 }
 
-/// A figure that can be compared.
+/// A value that can be compared.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Field {
     /// Height above home in metres.
@@ -90,13 +89,13 @@ pub enum Field {
     Distance,
     Heading,
     Satellites,
-    /// What the first sensor shows, in its unit.
+    /// The reading of the first sensor, in its unit.
     Reading,
-    /// Contacts of all vehicles together.
+    /// The number of contacts of all vehicles.
     Contacts,
 }
 
-/// How a figure has to compare.
+/// A comparison.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Relation {
     Above,
@@ -146,7 +145,7 @@ impl Field {
         })
     }
 
-    /// The figure, if it is known.
+    /// Its present value, if known.
     pub fn of(self, vehicle: &Vehicle, findings: &Findings) -> Option<f64> {
         match self {
             Self::Altitude => vehicle.altitude_m(),
@@ -172,7 +171,7 @@ impl Relation {
         })
     }
 
-    /// Whether it holds between two numbers.
+    /// Whether it holds for a value and a bound.
     pub fn holds(self, figure: f64, value: f64) -> bool {
         match self {
             Self::Above => figure > value,
@@ -184,7 +183,7 @@ impl Relation {
 }
 
 impl Until {
-    /// Whether it is about vehicles, so that a script has to say which; a time and the contacts of all are not.
+    /// Whether it concerns vehicles, so that a script must name them; a time and the contacts do not.
     pub(super) fn is_of_vehicles(&self) -> bool {
         !matches!(
             self,
@@ -196,7 +195,7 @@ impl Until {
         )
     }
 
-    /// Whether it is true of a vehicle. A time is never true of one.
+    /// Whether it holds for a vehicle. A time never does.
     pub fn holds(&self, vehicle: &Vehicle, seen: Seen<'_>) -> bool {
         match self {
             Self::Passed(_) => false,
@@ -218,7 +217,7 @@ impl Until {
     }
 }
 
-/// Whether the last order that moved the vehicle has brought it to where it was to be.
+/// Whether the vehicle has reached the target of its last movement order.
 fn arrived(vehicle: &Vehicle, ledger: &Ledger) -> bool {
     let last = ledger.entries().rev().find_map(|entry| {
         let arrival = entry.verb.movement.arrival()?;
@@ -230,7 +229,7 @@ fn arrived(vehicle: &Vehicle, ledger: &Ledger) -> bool {
         Some((Arrival::Landed, _)) => vehicle.is_on_the_ground(),
         Some((Arrival::Mode, RowState::Done)) => !comes_down(vehicle) || vehicle.is_on_the_ground(),
         Some((Arrival::Done, RowState::Done)) => true,
-        // There was nothing for it to do.
+        // There was nothing to do.
         Some((Arrival::Done, RowState::NoEffect)) if vehicle.target.is_none() => true,
         // The ledger did not see the effect, or cannot: standing still at the target counts.
         Some((Arrival::Done | Arrival::Mode | Arrival::AtTarget, _)) | None => {

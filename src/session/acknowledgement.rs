@@ -1,4 +1,4 @@
-//! `COMMAND_ACK`, also where its command is newer than the dialect.
+//! `COMMAND_ACK`, also for commands unknown to the dialect.
 
 use std::time::Duration;
 
@@ -16,7 +16,7 @@ pub(super) struct Acknowledgement {
     /// The `MAV_CMD` that it answers.
     pub command: u16,
     pub result: AckResult,
-    /// How far it is with it, 0 to 100; 255 where it does not say.
+    /// The progress, 0 to 100; 255 if unknown.
     pub progress: u8,
 }
 
@@ -48,8 +48,8 @@ impl Acknowledgement {
     }
 }
 
-/// Acknowledgements that may still come for commands whose answer nobody waits for any longer. Without them
-/// the late answer to an arm would be taken for the answer to the kill that replaced it: both are one `MAV_CMD`.
+/// Acknowledgements that may still arrive for commands that are no longer waited for. Without them the late answer to
+/// an arm would be taken for the answer to the kill that replaced it: both are one `MAV_CMD`.
 #[derive(Debug, Clone, Default)]
 pub(super) struct OwedAcks(Vec<(u16, Duration)>);
 
@@ -58,12 +58,12 @@ pub(super) struct OwedAcks(Vec<(u16, Duration)>);
 const OWED_FOR: Duration = Duration::from_secs(2);
 
 impl OwedAcks {
-    /// So many acknowledgements of a command may still come.
+    /// Adds acknowledgements that may still arrive for a command.
     pub fn add(&mut self, command: u16, count: u8, now: Duration) {
         self.0.extend((0..count).map(|_| (command, now + OWED_FOR)));
     }
 
-    /// Whether an acknowledgement of the command was owed; it is not any longer.
+    /// Removes an expected acknowledgement; returns whether there was one.
     pub fn take(&mut self, command: u16, now: Duration) -> bool {
         self.0.retain(|(_, until)| now < *until);
         let owed = self.0.iter().position(|(owed, _)| *owed == command);

@@ -1,5 +1,5 @@
-//! The download of a vehicle's parameters: the list is asked for once, and what did not come is asked for by its
-//! place, a few at a time, until all is there.
+//! The download of a vehicle's parameters: the list is requested once, and missing values are requested by index, a
+//! few at a time, until all are there.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -13,30 +13,30 @@ use crate::parameters::{Fetching, ParameterList};
 use crate::vehicle::Vehicle;
 use crate::wire::Outgoing;
 
-/// Places that are asked for at one time. `ArduPilot` keeps 20 such requests and answers some every 100 ms; a slow
-/// radio must not be filled with our questions.
+/// Values requested at a time. `ArduPilot` queues 20 such requests and answers some every 100 ms; a slow radio must
+/// not be filled with requests.
 const AT_ONCE: usize = 10;
-/// The list has ended if nothing new has come for this long.
+/// The list counts as ended after this long without a new value.
 const LIST_SILENCE: Duration = Duration::from_secs(1);
-/// A question for one place was lost if it is not answered for this long; `ArduPilot` takes up to 104 ms.
+/// A request for one value counts as lost after this long; `ArduPilot` takes up to 104 ms.
 const PLACE_SILENCE: Duration = Duration::from_millis(400);
-/// Fruitless requests make the next one wait twice as long, but not longer than this many times.
+/// Each fruitless request doubles the next wait, up to this factor.
 const LONGEST_WAIT: u32 = 8;
-/// So many requests without any news mean that nothing more will come.
+/// After this many fruitless requests the download is given up.
 const FRUITLESS: u16 = 24;
-/// What one missing place costs, with ten asked for at a time and some of the questions lost. Where the list as a
-/// whole would come sooner, it is asked for again.
+/// The cost of one missing value, with ten requested at a time and some requests lost. If the whole list is faster, it
+/// is requested again.
 const PLACE_COST: Duration = Duration::from_millis(30);
-/// After so many lists of which much was lost, places are asked for.
+/// After this many lists with many losses, only single values are requested.
 const LISTS: u8 = 4;
-/// A vehicle whose number of parameters changes is read anew, but not for ever.
+/// How often a list is read again because the number of parameters has changed.
 const RESTARTS: u8 = 3;
 
-/// What a download is waiting for.
+/// What a download waits for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Phase {
     Idle,
-    /// The first list has to be requested yet.
+    /// The first list is not requested yet.
     Asking,
     Listing,
     Filling,
@@ -48,29 +48,29 @@ enum Phase {
 #[derive(Debug, Clone)]
 pub(super) struct Download {
     phase: Phase,
-    /// Since when nothing new has come, or since when that was found out last.
+    /// The time of the last new value, or of the last fruitless request.
     quiet_since: Duration,
-    /// How many places had come when we looked last.
+    /// The number of values received at the last look.
     received: u16,
-    /// How many values of the list had passed by then, those that were known included.
+    /// The number of list values seen by then, including known ones.
     passed: u64,
-    /// The numbering of the list that is being filled.
+    /// The length of the list being received.
     count: Option<u16>,
-    /// The places that are asked for, and when.
+    /// The requested indices, with their time.
     asked: BTreeMap<u16, Duration>,
-    /// Where to look for the next missing place: one that is never answered must not hold up the others.
+    /// Where to search for the next missing index, so that one without an answer does not block the others.
     next: u16,
     fruitless: u16,
-    /// How many lists have brought anything.
+    /// The number of lists that brought anything.
     lists: u8,
-    /// When the list was asked for last, and how long it went on coming then.
+    /// When the list was last requested, and how long it took.
     listed_at: Duration,
     list_took: Duration,
     restarts: u8,
 }
 
 impl Download {
-    /// One that was not requested yet.
+    /// A download that has not started.
     pub fn new() -> Self {
         Self {
             phase: Phase::Idle,
@@ -88,7 +88,7 @@ impl Download {
         }
     }
 
-    /// Asks for all parameters, also for those that have come before; one that is under way goes on as it is.
+    /// Downloads all parameters, even known ones; a download under way continues.
     pub fn begin(&mut self, inbox: &mut Inbox) {
         if !self.fetching().is_under_way() {
             *self = Self {
@@ -100,8 +100,7 @@ impl Download {
         }
     }
 
-    /// The vehicle has booted and may have other values than before, or other parameters: what was known of them says
-    /// nothing any more. If they had been asked for, they are again.
+    /// Handles a reboot: the vehicle may have other values or other parameters. An earlier request is repeated.
     pub fn begin_anew(&mut self, inbox: &mut Inbox) {
         inbox.forget_parameters();
         if self.phase != Phase::Idle {
@@ -112,7 +111,7 @@ impl Download {
         }
     }
 
-    /// How far it is.
+    /// The progress.
     pub fn fetching(&self) -> Fetching {
         match self.phase {
             Phase::Idle => Fetching::NotAsked,
@@ -124,7 +123,8 @@ impl Download {
         }
     }
 
-    /// The link or the vehicle has come back: what was asked before will not be answered, and patience begins anew.
+    /// Handles the return of the link or the vehicle: earlier requests will not be answered, and time-outs start
+    /// again.
     pub fn resume(&mut self, now: Duration) {
         self.asked.clear();
         self.fruitless = 0;
@@ -170,7 +170,7 @@ impl Download {
         }
     }
 
-    /// Whether the list has to be read anew because the vehicle has another number of parameters by now.
+    /// Whether the list must be read again because the number of parameters has changed.
     fn is_to_restart(&self, parameters: &ParameterList) -> bool {
         let is_stale = parameters.is_outdated() || !parameters.is_complete();
         self.phase == Phase::Complete && is_stale && self.restarts < RESTARTS
@@ -183,7 +183,7 @@ impl Download {
             self.received = 0;
         }
         let is_news = parameters.received() > self.received;
-        // A list that comes again brings known places first: it must not be cut off for that.
+        // A repeated list starts with known values: it must not be cut off for that.
         let is_coming = self.phase == Phase::Listing && parameters.passed() != self.passed;
         if is_news || is_coming {
             self.quiet_since = now;
@@ -198,7 +198,7 @@ impl Download {
     fn note_silence(&mut self, now: Duration) {
         if self.phase == Phase::Listing {
             self.list_took = self.quiet_since.saturating_sub(self.listed_at);
-            // A request for the list that was lost does not count.
+            // A lost request for the list does not count.
             self.lists += u8::from(self.quiet_since > self.listed_at);
         }
         self.fruitless += 1;
@@ -212,11 +212,11 @@ impl Download {
         };
         let missing = u32::from(count - parameters.received());
         let again = self.list_took + LIST_SILENCE;
-        // A list that has not begun is asked for as long as there is patience.
+        // A list that has not begun is requested again as long as the limits allow.
         parameters.received() == 0 || (self.lists < LISTS && PLACE_COST * missing > again)
     }
 
-    /// How long to wait for anything new; longer the longer there was none, and where the way is long.
+    /// How long to wait for a new value; longer after fruitless requests and on slow links.
     fn wait(&self, vehicle: &Vehicle) -> Duration {
         let silence = match self.phase {
             Phase::Filling => PLACE_SILENCE,
@@ -227,8 +227,8 @@ impl Download {
         silence.max(round_trip(vehicle) * 3 / 2) * self.patience()
     }
 
-    /// When a place is asked for again. On a long way that is before the answer can have come: a second question costs
-    /// less than the wait for one that was lost.
+    /// When to repeat a request for a value. On a slow link that is before the answer can arrive: a second request
+    /// costs less than waiting for a lost one.
     fn asked_again_after(&self, vehicle: &Vehicle) -> Duration {
         PLACE_SILENCE.max(round_trip(vehicle) / 2) * self.patience()
     }
@@ -255,7 +255,7 @@ impl Download {
     ) -> Vec<Outgoing> {
         let wait = self.asked_again_after(vehicle);
         let missing: Vec<u16> = parameters.missing().collect();
-        // What was answered is not missing any more; what was lost is asked for again.
+        // Answered indices are no longer missing; lost ones are requested again.
         self.asked
             .retain(|index, at| missing.binary_search(index).is_ok() && now < *at + wait);
         let from = missing.partition_point(|&index| index < self.next);
@@ -277,7 +277,7 @@ fn round_trip(vehicle: &Vehicle) -> Duration {
     vehicle.link.round_trip.unwrap_or_default()
 }
 
-/// Asks for a parameter by its place in the list.
+/// Requests a parameter by its index.
 fn read(vehicle: &Vehicle, index: u16) -> Outgoing {
     MavMessage::PARAM_REQUEST_READ(PARAM_REQUEST_READ_DATA {
         param_index: index as i16,

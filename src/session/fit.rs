@@ -1,4 +1,4 @@
-//! Whether a vehicle could take a parameter's new value.
+//! Whether a vehicle can take a parameter's new value.
 
 use crate::commands::{Command, ParameterCommand};
 use crate::diagnostic::nearest;
@@ -6,11 +6,11 @@ use crate::parameters::ParameterList;
 use crate::text;
 use crate::text::Text;
 
-/// Checks a command as far as the vehicle's list or the parameter's type is known. `ArduPilot` itself would be silent
-/// about a name that it lacks, and cut a value down to something else.
+/// Checks a command against the vehicle's list or the parameter's type, as far as known. `ArduPilot` itself ignores
+/// unknown names, and truncates values silently.
 ///
 /// # Errors
-/// Why it could not be.
+/// The reason against the value.
 pub(super) fn check(command: &Command, list: &ParameterList) -> Result<(), Text> {
     let Command::Parameter(ParameterCommand::Set { name, value }) = command else {
         return Ok(());
@@ -26,13 +26,13 @@ pub(super) fn check(command: &Command, list: &ParameterList) -> Result<(), Text>
     checked.map(drop).map_err(|unfit| unfit.text(name))
 }
 
-/// Whether a vehicle lacks what is not on its list.
+/// Whether a parameter missing on its list is really missing.
 pub(super) fn is_known(list: &ParameterList) -> bool {
-    // Others may have appeared since if their number has changed.
+    // A changed number means that others may have appeared.
     list.is_complete() && !list.is_outdated()
 }
 
-/// That a vehicle has no such parameter, and which one may be meant.
+/// The notice that a vehicle lacks a parameter, with the most similar name.
 fn lacking(name: &str, list: &ParameterList) -> Text {
     let known = list.iter().map(|(name, _)| name);
     match nearest(name, known) {

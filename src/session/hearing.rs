@@ -1,4 +1,4 @@
-//! Whether a vehicle is heard: how much of what it says arrives, and for how long nothing has.
+//! Whether a vehicle is heard: the share of its messages that arrive, and its silence.
 
 use std::time::Duration;
 
@@ -11,18 +11,18 @@ use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle};
 use crate::wire::{ComponentId, Content, Frame, LossMeter};
 
-/// A vehicle that has been silent for this long counts as lost; people must see it within 3 s.
+/// The time of silence after which a vehicle counts as lost; it must show within 3 s.
 pub const LOST_AFTER: Duration = Duration::from_millis(2500);
 
 const TYPE_GROUND_STATION: u8 = MavType::MAV_TYPE_GCS as u8;
-/// A component that does not fly anything.
+/// The autopilot type of a component without one.
 const AUTOPILOT_NONE: u8 = MavAutopilot::MAV_AUTOPILOT_INVALID as u8;
 
-/// The component that steers, if the frame is the heartbeat of something that flies (or drives or dives).
+/// The autopilot's component id, if the frame is a heartbeat of a vehicle.
 pub fn autopilot_of(frame: &Frame) -> Option<ComponentId> {
     let (mav_type, autopilot) = match &frame.content {
         Content::Message(MavMessage::HEARTBEAT(beat)) => (beat.mavtype as u8, beat.autopilot as u8),
-        // The dialect lacks the type or the autopilot; the numbers lie at their places all the same.
+        // Unknown types and autopilots are still at their fixed positions.
         Content::Undecoded { id: 0, payload } => (payload[4], payload[5]),
         Content::Message(_) | Content::Undecoded { .. } | Content::Unknown { .. } => return None,
     };
@@ -30,14 +30,14 @@ pub fn autopilot_of(frame: &Frame) -> Option<ComponentId> {
         .then_some(frame.component)
 }
 
-/// Listens to one vehicle.
+/// Monitors the messages of one vehicle.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Hearing {
     loss: LossMeter,
 }
 
 impl Hearing {
-    /// Counts a frame of the vehicle's autopilot; says so if the vehicle was lost before.
+    /// Counts a frame of the vehicle's autopilot; returns a notice if the vehicle was lost before.
     pub fn hear(&mut self, frame: &Frame, vehicle: &mut Vehicle, now: Duration) -> Option<Notice> {
         self.loss.note(frame);
         if !frame.is_verified() {
@@ -57,7 +57,7 @@ impl Hearing {
     }
 }
 
-/// Says so if the vehicle has just been silent for too long.
+/// Returns a notice if the vehicle has just become silent for too long.
 pub(super) fn watch_silence(vehicle: &mut Vehicle, now: Duration) -> Option<Notice> {
     let link = &mut vehicle.link;
     let silent = link

@@ -1,6 +1,6 @@
-//! The line to a vehicle: orders that wait for their turn, the one whose answer is awaited, and those whose effect is.
+//! The line to a vehicle: waiting orders, the one that awaits its answer, and those that await their effect.
 //!
-//! One order at a time is answered, because an acknowledgement names a command and not who gave it.
+//! Only one order at a time awaits its answer, because an acknowledgement names just the command.
 
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -18,38 +18,38 @@ use crate::text::Text;
 use crate::vehicle::Vehicle;
 use crate::wire::Frame;
 
-/// Orders that may wait for one vehicle; more are refused.
+/// The most orders that wait for one vehicle; more are refused.
 const MOST_WAITING: usize = 32;
 
-/// How often a manoeuvre's setpoints are followed by the speeds that were asked for: the first may be lost on the way.
+/// How often the vehicle's speeds are repeated with a manoeuvre's setpoints: the first may be lost.
 const SPEEDS_SAID: u8 = 3;
 
 /// The orders of one vehicle.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Line {
-    /// Those that wait for the line to be free, with the time they were given.
+    /// Those that wait for their turn, with the time they were given.
     queue: VecDeque<(VehicleCommand, Duration)>,
-    /// Finds the vehicle's name for the parameter of the one that is next.
+    /// Finds the vehicle's name for the next order's parameter.
     search: Search,
-    /// The one whose answer is awaited.
+    /// The one that awaits its answer.
     active: Option<Transaction>,
-    /// Those that were accepted and whose effect is awaited.
+    /// Those that were accepted and await their effect.
     watched: Vec<Transaction>,
-    /// The one that was carried out last, as long as it holds.
+    /// The last one carried out, while its effect lasts.
     holding: Option<Holding>,
-    /// Setpoints of a manoeuvre in a row that lead to a place at rest.
+    /// The number of consecutive manoeuvre setpoints that lead to a place at rest.
     places_in_a_row: u8,
     owed: OwedAcks,
 }
 
-/// An order that was carried out, and what is true of the vehicle while it holds.
+/// An order that was carried out, and the claim that holds while its effect lasts.
 #[derive(Debug, Clone)]
 struct Holding {
     entry: EntryId,
     claim: Claim,
 }
 
-/// What orders are judged by at one moment, and where what comes of them goes.
+/// The inputs of orders at one moment, and the output.
 pub(super) struct Moment<'a> {
     pub vehicle: &'a mut Vehicle,
     pub parameters: &'a ParameterList,
@@ -66,7 +66,7 @@ impl Moment<'_> {
 }
 
 impl Line {
-    /// Takes an order. Urgent ones (kill, disarm, land, return, hold) go before everything that waits.
+    /// Takes an order. Urgent ones (kill, disarm, land, return, hold) go before all waiting orders.
     pub fn order(&mut self, mut order: VehicleCommand, mut moment: Moment) {
         if precedence::is_urgent(&order, moment.vehicle) {
             self.clear(&order.verb.name.into(), &mut moment);
@@ -85,7 +85,7 @@ impl Line {
         }
     }
 
-    /// Remembers what the vehicle says meanwhile; it may be the reason of a refusal.
+    /// Keeps status texts; they may be the reason for a refusal.
     pub fn hear_texts(&mut self, notices: &[Notice]) {
         if let Some(active) = &mut self.active {
             for notice in notices {
@@ -94,7 +94,7 @@ impl Line {
         }
     }
 
-    /// Looks for the answer that is awaited in a frame of the vehicle's autopilot.
+    /// Looks for the awaited answer in a frame of the vehicle's autopilot.
     pub fn receive(&mut self, frame: &Frame, now: Duration, output: &mut Output) {
         let ack = Acknowledgement::from_frame(frame);
         if ack.is_some_and(|ack| self.owed.take(ack.command, now)) {
@@ -105,13 +105,12 @@ impl Line {
         }
     }
 
-    /// An acknowledgement of a command may come that no order waits for.
+    /// Notes that an acknowledgement may come that no order waits for.
     pub fn expect_ack(&mut self, command: u16, now: Duration) {
         self.owed.add(command, 1, now);
     }
 
-    /// Gives up everything that waits or has not been answered, because of something newer. What flies goes on until
-    /// that has been accepted.
+    /// Cancels all waiting and unanswered orders because of a newer one. A movement continues until that is accepted.
     pub fn clear(&mut self, newer: &Text, moment: &mut Moment) {
         let reason = text!("outcome-superseded", by = newer);
         for (order, _) in self.queue.drain(..) {
@@ -125,7 +124,7 @@ impl Line {
         }
     }
 
-    /// A vehicle flies to one place at a time: what it was doing before is not awaited any longer.
+    /// Supersedes earlier movements: a vehicle flies to one place at a time.
     pub fn supersede_movements(&mut self, newer: &Text, now: Duration, output: &mut Output) {
         let reason = text!("outcome-superseded", by = newer);
         self.watched.retain(|transaction| {
@@ -137,7 +136,7 @@ impl Line {
         });
     }
 
-    /// Says where the vehicle is to be, as a part of what several do together.
+    /// Sends a vehicle's setpoint in a joint manoeuvre.
     pub fn steer(&mut self, steering: &Steering, moment: Moment) -> Result<(), Text> {
         let Moment {
             vehicle,
@@ -155,7 +154,7 @@ impl Line {
         } else {
             0
         };
-        // The first ones may be lost on the way.
+        // The first ones may be lost.
         if is_place && self.places_in_a_row <= SPEEDS_SAID {
             output.say_speeds(commands::asked_again(vehicle)?);
         }
@@ -163,7 +162,7 @@ impl Line {
         Ok(())
     }
 
-    /// Moves everything as far as it will go.
+    /// Advances everything as far as possible.
     pub fn advance(&mut self, mut moment: Moment) {
         let now = moment.now;
         loop {
@@ -187,7 +186,7 @@ impl Line {
         self.note_speeds(now, moment.output);
     }
 
-    /// The line is free of an order that was accepted, or has ended.
+    /// Handles an order that was accepted or has ended.
     fn settle(&mut self, order: Transaction, progress: Progress, moment: &mut Moment) {
         if order.is_accepted() {
             if let &Command::Motion(MotionCommand::Speed { axis, speed_m_s }) = &order.order.command
@@ -201,7 +200,7 @@ impl Line {
         }
         if order.moves_the_vehicle() {
             self.supersede_movements(&order.verb().name.into(), moment.now, moment.output);
-            // Where it was heading says nothing any more; the next message of it does.
+            // Its old target is void; the next message has the new one.
             moment.vehicle.target = None;
         }
         match progress {
@@ -211,10 +210,10 @@ impl Line {
         }
     }
 
-    /// Looks for the effects that are awaited, and whether something else has taken the vehicle.
+    /// Checks for awaited effects, and whether another source has taken control.
     fn watch(&mut self, moment: &mut Moment) {
         let (vehicle, now) = (&*moment.vehicle, moment.now);
-        // What an order of ours is about to change is not taken by something else.
+        // A change that our own order is about to cause is not another source.
         let is_ours = self
             .active
             .as_ref()
@@ -238,7 +237,7 @@ impl Line {
         }
     }
 
-    /// Remembers an order that was carried out.
+    /// Keeps an order that was carried out.
     fn hold(&mut self, order: &Transaction) {
         if order.is_done() && !order.claim().is_empty() {
             self.holding = Some(Holding {
@@ -248,7 +247,7 @@ impl Line {
         }
     }
 
-    /// That what was carried out last does not hold any longer.
+    /// The row update when the last order's effect has ended.
     fn ended(&self, vehicle: &Vehicle, now: Duration) -> Option<RowUpdate> {
         let holding = self.holding.as_ref()?;
         let by = holding.claim.contradicted(vehicle)?;
@@ -262,7 +261,7 @@ impl Line {
         })
     }
 
-    /// The answers to speeds that were said again are not those that an order waits for.
+    /// Answers to repeated speeds are not those that an order waits for.
     fn note_speeds(&mut self, now: Duration, output: &mut Output) {
         let count = std::mem::take(&mut output.speed_acks);
         self.owed.add(commands::CHANGE_SPEED, count, now);
@@ -272,20 +271,20 @@ impl Line {
         self.active.is_none()
     }
 
-    /// Whether something has to be said again and again, or is waited for.
+    /// Whether something must be repeated or is awaited.
     pub fn is_busy(&self) -> bool {
-        // An effect shows in what arrives, and its deadline is seconds away.
+        // Effects show in arriving messages, and their deadline is seconds away.
         let is_kept_up = |watched: &Transaction| watched.order.command.repeat().is_some();
         self.active.is_some() || !self.queue.is_empty() || self.watched.iter().any(is_kept_up)
     }
 
-    /// The order whose turn has come, with the vehicle's own name for its parameter. `None` if there is none, or
-    /// while that name is not known.
+    /// The next order, with the vehicle's own name for its parameter. `None` without one, or while that name is
+    /// unknown.
     fn next(&mut self, moment: &mut Moment) -> Option<(VehicleCommand, Duration)> {
         loop {
             let (order, given) = self.queue.front_mut()?;
             let (state, reason) = if naming::settle(order, moment.parameters) {
-                // A name that was found only now has not been checked.
+                // A name found only now has not been checked.
                 let is_new = order.renamed.is_some();
                 match fit::check(&order.command, moment.parameters) {
                     Err(reason) if is_new => (RowState::Refused, reason),
@@ -302,7 +301,7 @@ impl Line {
                         return None;
                     }
                     Searching::Wait => return None,
-                    // Its transaction ends it at once, and says so.
+                    // Its transaction ends it at once, with a report.
                     Searching::TooLate => return self.queue.pop_front(),
                     Searching::Over => {
                         naming::not_found(&order.command, moment.parameters, moment.vehicle)

@@ -1,4 +1,4 @@
-//! The vehicle's name of a parameter: versions of the firmware differ, most of all in how faults are made (`SIM_*`).
+//! The vehicle's name of a parameter: versions of the firmware differ, mostly for simulated faults (`SIM_*`).
 
 use std::time::Duration;
 
@@ -12,16 +12,16 @@ use crate::text::Text;
 use crate::vehicle::Vehicle;
 use crate::wire::Outgoing;
 
-/// The name that was written, where the vehicle has another one for it.
+/// The name as typed, where the vehicle has another one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Renamed {
-    /// As it was written.
+    /// The name as typed.
     from: String,
     sense: AliasSense,
 }
 
 impl Renamed {
-    /// What a parameter's value is, with the name that was written.
+    /// The outcome with the name as typed.
     pub(super) fn remark(&self, outcome: &Text) -> Text {
         match self.sense {
             AliasSense::Same => text!("outcome-other-name", outcome = outcome, name = &self.from),
@@ -36,8 +36,8 @@ impl Renamed {
     }
 }
 
-/// Gives the parameter of an order the name that the vehicle has for it. False if that has to be asked first:
-/// vehicles say nothing to a name that they lack.
+/// Replaces the parameter's name in an order by the vehicle's. False if the vehicle must be asked first: vehicles
+/// ignore unknown names.
 pub(super) fn settle(order: &mut VehicleCommand, list: &ParameterList) -> bool {
     let (name, value) = match &mut order.command {
         Command::Parameter(ParameterCommand::Get { name }) => (name, None),
@@ -53,7 +53,7 @@ pub(super) fn settle(order: &mut VehicleCommand, list: &ParameterList) -> bool {
         return true;
     };
     if list.get(other).is_none() {
-        // What is not listed cannot be set, but some of it can be read.
+        // Unlisted parameters cannot be set, but some can be read.
         return value.is_some() && fit::is_known(list);
     }
     if let (Some(value), AliasSense::Opposite) = (value, sense) {
@@ -64,7 +64,7 @@ pub(super) fn settle(order: &mut VehicleCommand, list: &ParameterList) -> bool {
     true
 }
 
-/// Asks a vehicle by which of two names it knows the parameter of the order that is next.
+/// Asks a vehicle which of two names it has for the next order's parameter.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Search {
     /// The order that it is for.
@@ -73,19 +73,19 @@ pub(super) struct Search {
     asked: Duration,
 }
 
-/// What comes of a search.
+/// The result of a search.
 pub(super) enum Searching {
-    /// These are to be sent.
+    /// Send these requests.
     Ask(Vec<Outgoing>),
     Wait,
-    /// The order's time was over before it could be asked as often as it should.
+    /// The order's deadline passed before enough requests were sent.
     TooLate,
-    /// The vehicle has neither.
+    /// The vehicle has neither name.
     Over,
 }
 
 impl Search {
-    /// Lets time pass while an order waits that is to be sent until `deadline`.
+    /// Advances time while an order waits, until `deadline`.
     pub fn poll(
         &mut self,
         order: &VehicleCommand,
@@ -115,7 +115,7 @@ impl Search {
             Command::Parameter(ParameterCommand::Get { name }).request(vehicle, 0)
         };
         let (name, other) = names(&order.command);
-        // A name that cannot be asked for is no name of the vehicle's.
+        // A name that cannot be requested is not one of the vehicle's.
         let requests = [read(name), read(other)].into_iter().flatten();
         Searching::Ask(requests.flat_map(|request| request.messages).collect())
     }
@@ -137,7 +137,7 @@ fn names(command: &Command) -> (&str, &str) {
     }
 }
 
-/// How an order ends whose parameter the vehicle has under neither name.
+/// The end of an order whose parameter the vehicle does not have.
 pub(super) fn not_found(
     command: &Command,
     list: &ParameterList,

@@ -18,29 +18,29 @@ pub struct VehicleCommand {
     /// The verb it was given with: retries, precedence.
     pub verb: &'static Verb,
     pub command: Command,
-    /// What its parameter was called by whoever gave it, where the vehicle calls it differently.
+    /// The parameter's name as typed, where the vehicle has another one.
     pub renamed: Option<Renamed>,
 }
 
-/// One vehicle's part in what several do together, at one moment.
+/// One vehicle's part in a joint manoeuvre, at one moment.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Steering {
-    /// What they do, for explanations.
+    /// The manoeuvre's verb, for explanations.
     pub verb: &'static Verb,
-    /// Where the vehicle is to be.
+    /// The vehicle's setpoint.
     pub setpoint: Setpoint,
 }
 
 #[derive(Debug, Clone, PartialEq)]
 pub enum Report {
-    /// A command has come further.
+    /// A command made progress.
     Row(RowUpdate),
-    /// A human should hear of it.
+    /// A notice for the user.
     Notice(Notice),
 }
 
 impl VehicleCommand {
-    /// What the autopilot is to do for an order.
+    /// A command for an order.
     pub fn new(entry: EntryId, verb: &'static Verb, command: Command) -> Self {
         Self {
             entry,
@@ -50,7 +50,7 @@ impl VehicleCommand {
         }
     }
 
-    /// What a `PARAM_VALUE` says about it, with the name that was written if the vehicle has another.
+    /// The outcome from a `PARAM_VALUE`, with the name as typed if the vehicle has another.
     pub(super) fn parameter_outcome(&self, value: f32) -> Result<Text, Text> {
         let Command::Parameter(command) = &self.command else {
             return Ok(value.to_string().into());
@@ -62,7 +62,7 @@ impl VehicleCommand {
         }
     }
 
-    /// The last word on a command that was never sent.
+    /// The final row of a command that was never sent.
     pub fn unsent(
         &self,
         vehicle: VehicleId,

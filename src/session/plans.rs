@@ -1,11 +1,10 @@
-//! Reads the plan, the fence and the rally points of a vehicle: once when it is ready, and again when something
-//! says that they have changed.
+//! Reads the plan, the fence and the rally points of a vehicle: once when it is ready, and again after changes.
 //!
-//! One list at a time, one question at a time. A list has changed when `MISSION_CURRENT` gives another count or
-//! id, when the vehicle has accepted somebody else's upload, or, as `ArduPilot` gives no ids, when it says so in
-//! a text or by its parameters `FENCE_TOTAL` and `RALLY_TOTAL`. An upload of as many items over another link shows
-//! in none of these, so a list without an id is read again now and then. A list that the vehicle does not offer is not
-//! asked for; one that does not come is asked for again, ever more seldom, and then left alone.
+//! One list at a time, one question at a time. A list has changed when `MISSION_CURRENT` gives another count or id,
+//! when the vehicle has accepted somebody else's upload, or, as `ArduPilot` gives no ids, when it says so in a text or
+//! by its parameters `FENCE_TOTAL` and `RALLY_TOTAL`. An upload of the same length over another link shows in none of
+//! these, so a list without an id is read again periodically. A list that the vehicle does not offer is not requested;
+//! a failed one is requested again at growing intervals, and then given up.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -25,22 +24,22 @@ mod wire;
 use download::{Download, Step};
 use wire::Answer;
 
-/// A vehicle that has just been heard is left in peace for so long: `ArduPilot` stalls while it boots.
+/// How long a new vehicle is not queried: `ArduPilot` stalls while it boots.
 const AFTER_FIRST_HEARD: Duration = Duration::from_secs(3);
-/// Vehicles of a swarm begin so much after one another, by system id, in so many groups.
+/// The delay between groups of a swarm's vehicles, by system id, and the number of groups.
 const STAGGER: Duration = Duration::from_millis(100);
 const STAGGER_GROUPS: u32 = 16;
-/// A vehicle that has not said what it can do by then is asked for its plan all the same, which all have.
+/// A vehicle without reported capabilities by then is asked for its plan anyway, which all have.
 const CAPABILITIES_WITHIN: Duration = Duration::from_secs(10);
-/// An upload is left alone for so long after the last sign of it.
+/// How long after its last sign an upload counts as under way.
 const SETTLED_AFTER: Duration = Duration::from_millis(1500);
-/// The same list is not read again sooner after it was read.
+/// The least time between two readings of the same list.
 const NOT_AGAIN_WITHIN: Duration = Duration::from_secs(3);
-/// A list without an id is read again after so long, and so much longer for each of its items: on average that is
-/// less than one small message a second.
+/// The interval for reading a list without an id again, and the extra time per item: on average less than one small
+/// message a second.
 const AGAIN_AFTER: Duration = Duration::from_secs(120);
 const AGAIN_PER_ITEM: Duration = Duration::from_secs(1);
-/// How long to wait after the first, the second... failure; after the last, nothing is asked any more.
+/// The waits after the first, second and later failures; after the last, nothing more is requested.
 const AFTER_FAILURE: [Duration; 3] = [
     Duration::from_secs(20),
     Duration::from_secs(60),
@@ -52,7 +51,7 @@ const MISSION_INT: u64 = MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_MISSION_
 const MISSION_FENCE: u64 = MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_MISSION_FENCE.bits();
 const MISSION_RALLY: u64 = MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_MISSION_RALLY.bits();
 
-/// What `ArduPilot` says after an upload (`GCS_MAVLINK::handle_mission_item`, `AC_PolyFence_loader`).
+/// `ArduPilot`'s texts after an upload (`GCS_MAVLINK::handle_mission_item`, `AC_PolyFence_loader`).
 const UPLOAD_TEXTS: [(&[u8], PlanKind); 2] = [
     (b"Flight plan received", PlanKind::Plan),
     (b"Fence Indexed OK", PlanKind::Fence),
@@ -68,16 +67,16 @@ const NO_INDEX: u16 = u16::MAX;
 /// Reads the lists of one vehicle.
 #[derive(Debug, Clone, Default)]
 pub(super) struct PlanReader {
-    /// When the vehicle was heard first.
+    /// When the vehicle was first heard.
     heard_at: Option<Duration>,
-    /// Whether what the vehicle can do has been looked at.
+    /// Whether the vehicle's capabilities have been evaluated.
     knows_capabilities: bool,
-    /// When each list is to be read; none if it is not.
+    /// When each list is due; `None` if it is not.
     due: [Option<Duration>; 3],
-    /// When each list was read last, and how often it has failed since.
+    /// When each list was last read, and its number of failures since.
     read_at: [Option<Duration>; 3],
     failures: [usize; 3],
-    /// Lists that the vehicle has refused to give: it is not asked again.
+    /// Lists that the vehicle has refused: they are not requested again.
     refused: [bool; 3],
     download: Option<Download>,
     /// Count and ids of `MISSION_CURRENT`.
@@ -85,7 +84,7 @@ pub(super) struct PlanReader {
 }
 
 impl PlanReader {
-    /// Starts again: the vehicle has rebooted, or is reached by another way.
+    /// Starts again after a reboot, or with another link.
     pub fn forget(&mut self) {
         *self = Self::default();
     }
@@ -95,7 +94,7 @@ impl PlanReader {
         self.download.is_some()
     }
 
-    /// Takes in a frame of the autopilot.
+    /// Takes a frame of the autopilot.
     pub fn receive(
         &mut self,
         vehicle: &mut Vehicle,
@@ -112,7 +111,7 @@ impl PlanReader {
         }
     }
 
-    /// Begins what is due, and asks again for what has not come.
+    /// Starts due downloads, and repeats requests.
     pub fn poll(&mut self, vehicle: &mut Vehicle, now: Duration, out: &mut Vec<MavMessage>) {
         let heard_at = *self.heard_at.get_or_insert(now);
         let lead = STAGGER * (u32::from(vehicle.system) % STAGGER_GROUPS);
@@ -160,7 +159,7 @@ impl PlanReader {
         }
     }
 
-    /// Whether a list has not been asked for at all.
+    /// Whether a list has never been requested.
     fn is_fresh(&self, list: usize) -> bool {
         let is_coming = |download: &Download| download.kind as usize == list;
         self.due[list].is_none()
@@ -199,7 +198,7 @@ impl PlanReader {
         }
     }
 
-    /// Writes down how the download stands, and ends it if it has.
+    /// Notes the state of the download, and ends it if it is over.
     fn note(&mut self, vehicle: &mut Vehicle, step: Step, now: Duration) {
         let Some(download) = self.download.take() else {
             return;
@@ -231,7 +230,7 @@ impl PlanReader {
             Step::Failed => {
                 let wait = AFTER_FAILURE.get(self.failures[list]);
                 self.failures[list] += 1;
-                // A sign that it has changed may have come meanwhile, and is the better reason.
+                // A sign of a change may have come meanwhile, and takes precedence.
                 self.due[list] = self.due[list].or(wait.map(|wait| now + *wait));
                 Transfer::Failed
             }
@@ -259,13 +258,13 @@ impl PlanReader {
         }
     }
 
-    /// Whether `MISSION_CURRENT` gives the list an id, which tells every change.
+    /// Whether `MISSION_CURRENT` has an id of the list, which reveals every change.
     fn has_id(&self, kind: PlanKind) -> bool {
         let id = self.announced.map(|announced| announced[1 + kind as usize]);
         id.is_some_and(|id| id != 0)
     }
 
-    /// The first announcement is about what is being read anyway; later ones are compared with it.
+    /// Compares announcements: the first one concerns the list being read anyway.
     fn compare(&mut self, data: &MISSION_CURRENT_DATA, now: Duration, out: &mut Vec<MavMessage>) {
         let [total, plan, fence, rally] = [
             u32::from(data.total),
@@ -287,8 +286,8 @@ impl PlanReader {
         }
     }
 
-    /// A list has changed. It is read again once the upload has settled, if it was asked for at all: what is being
-    /// read right now is part of the list before.
+    /// Handles a changed list. It is read again once the upload has settled, if it was requested at all; a download
+    /// under way belongs to the old list.
     fn changed(&mut self, kind: PlanKind, now: Duration, out: &mut Vec<MavMessage>) {
         let list = kind as usize;
         if self.refused[list] || self.is_fresh(list) {

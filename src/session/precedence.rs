@@ -1,11 +1,11 @@
-//! Which commands give way to which.
+//! The precedence of commands.
 
 use super::VehicleCommand;
 use crate::commands::{Command, FlightCommand};
 use crate::vehicle::Vehicle;
 use crate::verb::Precedence;
 
-/// Whether everything that waits or flies must give way: the operator wants it to stop, land or come home now.
+/// Whether everything else must give way: the operator wants the vehicle to stop, land or return now.
 pub(super) fn is_urgent(order: &VehicleCommand, vehicle: &Vehicle) -> bool {
     match order.verb.precedence {
         Precedence::InTurn | Precedence::Awaited => false,
@@ -21,8 +21,8 @@ pub(super) fn is_urgent(order: &VehicleCommand, vehicle: &Vehicle) -> bool {
     }
 }
 
-/// Whether later commands are judged by its effect, so that they wait for it to show: a takeoff that is looked at
-/// before the heartbeat says "armed" would be refused, although the vehicle is about to arm.
+/// Whether later commands wait for its effect: a takeoff checked before the heartbeat says "armed" would be refused,
+/// although the vehicle is about to arm.
 pub(super) fn later_ones_depend_on_it(order: &VehicleCommand) -> bool {
     match order.verb.precedence {
         Precedence::Awaited | Precedence::ByMode => true,

@@ -1,5 +1,4 @@
-//! A radio link that is not perfect: what a vehicle and we say to each other is lost at times, comes late, or not at
-//! all.
+//! A simulated imperfect radio link: messages in both directions can be lost or delayed.
 
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -13,14 +12,14 @@ use crate::geo::LatLon;
 use crate::vehicle::Unheard;
 use crate::wire::{Content, Frame, Outgoing};
 
-/// What is wrong with a radio link.
+/// The state of an imperfect radio link.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct RadioFault {
-    /// The share of frames that are lost either way, 0 to 1; from [`RadioFault::SILENT`] on, nothing comes through.
+    /// The share of frames lost in either direction, 0 to 1; from [`RadioFault::SILENT`] on, nothing arrives.
     pub loss: f64,
-    /// How late what comes through is, each way.
+    /// The delay in each direction.
     pub delay: Duration,
-    /// Decides which frames are lost.
+    /// The seed of the losses.
     pub seed: u64,
 }
 
@@ -28,12 +27,12 @@ impl RadioFault {
     /// A link that loses more than this is cut.
     pub const SILENT: f64 = 0.97;
 
-    /// Whether nothing comes through.
+    /// Whether nothing arrives.
     pub fn is_cut(self) -> bool {
         self.loss >= Self::SILENT
     }
 
-    /// Whether it differs so much that it makes a difference.
+    /// Whether the difference is noticeable.
     pub fn differs(self, other: Self) -> bool {
         let delays = self.delay.abs_diff(other.delay);
         (self.loss - other.loss).abs() > 0.01
@@ -48,7 +47,7 @@ impl RadioFault {
 pub(super) struct Channel {
     fault: RadioFault,
     random: ChaCha8Rng,
-    /// When its time comes, and what it is.
+    /// The arrival time of each frame, and the frame.
     inbound: VecDeque<(Duration, Frame)>,
     outbound: VecDeque<(Duration, Outgoing)>,
 }
@@ -63,7 +62,7 @@ impl Channel {
         }
     }
 
-    /// From now on the link is like this; `vehicle` tells links of one flight apart.
+    /// Sets the state of the link; `vehicle` distinguishes the links of one flight.
     pub fn set(&mut self, fault: RadioFault, vehicle: u64) {
         if fault.seed != self.fault.seed {
             self.random = ChaCha8Rng::seed_from_u64(fault.seed);
@@ -72,7 +71,7 @@ impl Channel {
         self.fault = fault;
     }
 
-    /// Whether it is a perfect link, with nothing on its way.
+    /// Whether the link is perfect and has nothing in transit.
     pub fn is_clear(&self) -> bool {
         self.fault.loss <= 0.0
             && self.fault.delay.is_zero()
@@ -80,7 +79,7 @@ impl Channel {
             && self.outbound.is_empty()
     }
 
-    /// Whether nothing comes through.
+    /// Whether nothing arrives.
     pub fn is_cut(&self) -> bool {
         self.fault.is_cut()
     }
@@ -90,7 +89,7 @@ impl Channel {
             || self.fault.loss > 0.0 && self.random.random::<f64>() < self.fault.loss
     }
 
-    /// A frame sets out for us; false if it is lost.
+    /// Accepts a frame from the vehicle; false if it is lost.
     pub fn hear(&mut self, frame: &Frame, now: Duration) -> bool {
         let passes = !self.loses();
         if passes {
@@ -109,7 +108,7 @@ impl Channel {
         self.inbound.pop_front().map(|(_, frame)| frame)
     }
 
-    /// Messages set out for the vehicle; returns those that are there.
+    /// Accepts messages to the vehicle; returns those that have arrived.
     pub fn say(&mut self, messages: Vec<Outgoing>, now: Duration) -> Vec<Outgoing> {
         for message in messages {
             if !self.loses() {
@@ -123,7 +122,7 @@ impl Channel {
     }
 }
 
-/// Where a frame says that its vehicle is.
+/// The vehicle's position in a frame.
 pub(super) fn position(frame: &Frame) -> Option<Unheard> {
     let Content::Message(MavMessage::GLOBAL_POSITION_INT(data)) = &frame.content else {
         return None;

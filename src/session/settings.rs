@@ -1,7 +1,7 @@
-//! Parameters that a mission keeps at a value, without anybody having ordered it: weather and faults of a simulator.
+//! Parameters that a mission keeps at a value without an order: weather and faults of a simulator.
 //!
-//! They go beside the radio and beside the orders: a simulator is told by other means than its vehicle. Each is said
-//! until the vehicle answers with the value, by the name that the vehicle has for it, and again after a reboot.
+//! They bypass the simulated radio and the orders. Each is sent under the vehicle's own name until the vehicle
+//! confirms the value, and again after a reboot.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -14,24 +14,23 @@ use crate::parameters::other_name;
 use crate::vehicle::Vehicle;
 use crate::wire::{Content, Frame, Outgoing};
 
-/// How long an answer may take.
+/// The first time-out of an answer.
 const FIRST_PATIENCE: Duration = Duration::from_millis(400);
-/// A vehicle that does not answer is asked less and less often, up to this.
+/// The longest time-out; it grows while the vehicle does not answer.
 const LONGEST_PATIENCE: Duration = Duration::from_secs(5);
-/// So many are under way at once; a link of 57600 baud has room for them.
+/// The most settings under way; a link of 57600 baud has room for them.
 const MOST_AT_ONCE: usize = 8;
 
-/// What is done to a simulator or a link without a word about it. It holds until something else of the same kind is
-/// wanted.
+/// A change to a simulator or a link without a notice. It holds until it is replaced by another of its kind.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Want {
-    /// A parameter of the simulator has a value.
+    /// Sets a parameter of the simulator.
     Parameter {
-        /// As `ArduCopter` 4.6 calls it.
+        /// Its name in `ArduCopter` 4.6.
         name: &'static str,
         value: f64,
     },
-    /// The radio link is like this.
+    /// Sets the state of the radio link.
     Radio(RadioFault),
 }
 
@@ -40,22 +39,22 @@ struct Setting {
     value: f64,
     holds: bool,
     tries: u32,
-    /// When it is said again.
+    /// When it is due to be sent again.
     due: Duration,
 }
 
-/// All of one vehicle's.
+/// All settings of one vehicle.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Settings {
-    /// Whether anything was ever heard from it: before that, it would not listen.
+    /// Whether the vehicle was ever heard: before that, sending is pointless.
     is_there: bool,
     wanted: BTreeMap<&'static str, Setting>,
-    /// Whether the vehicle has the other firmware's name for one.
+    /// Whether the vehicle uses the other firmware's name.
     renamed: BTreeMap<&'static str, bool>,
 }
 
 impl Settings {
-    /// A parameter is to have a value from now on.
+    /// Sets the value that a parameter must have.
     pub fn want(&mut self, name: &'static str, value: f64) {
         let setting = Setting {
             value,
@@ -66,19 +65,19 @@ impl Settings {
         self.wanted.insert(name, setting);
     }
 
-    /// The vehicle has rebooted: nothing is certain any more.
+    /// Handles a reboot: all settings are uncertain.
     pub fn forget(&mut self) {
         for setting in self.wanted.values_mut() {
             (setting.holds, setting.tries, setting.due) = (false, 0, Duration::ZERO);
         }
     }
 
-    /// Whether all of them hold.
+    /// Whether all of them are confirmed.
     pub fn are_settled(&self) -> bool {
         self.wanted.values().all(|setting| setting.holds)
     }
 
-    /// Takes in an answer.
+    /// Takes an answer.
     pub fn receive(&mut self, frame: &Frame) {
         self.is_there = true;
         let Content::Message(MavMessage::PARAM_VALUE(data)) = &frame.content else {
@@ -96,12 +95,12 @@ impl Settings {
             let value = converted(name, setting.value, name != heard);
             let said = f64::from(data.param_value);
             let near = 1e-7 + value.abs() * 1e-5;
-            // Whoever sets it to something else has it set back.
+            // A value changed by another program is set back.
             setting.holds = (said - value).abs() <= near;
         }
     }
 
-    /// What there is to say now.
+    /// The messages that are due.
     pub fn poll(&mut self, vehicle: &Vehicle, now: Duration) -> Vec<Outgoing> {
         let mut messages = Vec::new();
         if !self.is_there {
@@ -114,7 +113,7 @@ impl Settings {
             }
             let renamed = match self.renamed.get(name) {
                 Some(renamed) => *renamed,
-                // A vehicle says nothing to a name that it lacks: each is tried in turn.
+                // A vehicle ignores unknown names: each is tried in turn.
                 None => other_name(name).is_some() && setting.tries % 2 == 1,
             };
             let patience = FIRST_PATIENCE * 2u32.saturating_pow(setting.tries / 2).min(64);
@@ -134,7 +133,7 @@ impl Settings {
     }
 }
 
-/// The value of a parameter under the name that the vehicle has for it.
+/// The value of a parameter under the vehicle's name.
 fn converted(name: &str, value: f64, renamed: bool) -> f64 {
     match other_name(name).filter(|_| renamed) {
         Some((_, sense)) => f64::from(sense.convert(value as f32)),

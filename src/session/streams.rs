@@ -1,8 +1,7 @@
-//! Asks a vehicle for the telemetry that is shown, without competing with other ground stations for the rates.
+//! Requests the telemetry for display, without competing with other ground stations for the rates.
 //!
-//! What arrives is counted. A message that comes often enough is left alone, whoever asked for it; one that
-//! comes too seldom is asked for, a few times at most: if another ground station keeps setting it back,
-//! it wins.
+//! What arrives is counted. A message that comes often enough is left alone, whoever requested it; one that comes too
+//! seldom is requested, a few times at most: if another ground station keeps changing it back, that one wins.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -20,7 +19,7 @@ use crate::commands::{Answer, Command, QueryCommand};
 use crate::vehicle::Vehicle;
 use crate::wire::Outgoing;
 
-/// A message and how often it is wanted.
+/// A message with its wanted rate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stream {
     pub message: u32,
@@ -32,7 +31,7 @@ const fn stream(message: u32, rate_hz: f64) -> Stream {
     Stream { message, rate_hz }
 }
 
-/// What the console shows, and how often it needs it.
+/// The console's messages and their rates.
 pub const WANTED_STREAMS: &[Stream] = &[
     stream(GLOBAL_POSITION_INT_DATA::ID, 5.0),
     stream(ATTITUDE_DATA::ID, 5.0),
@@ -55,16 +54,16 @@ pub const WANTED_STREAMS: &[Stream] = &[
 const HOME_POSITION: u32 = HOME_POSITION_DATA::ID;
 const AUTOPILOT_VERSION: u32 = AUTOPILOT_VERSION_DATA::ID;
 
-/// Rates are judged over this long.
+/// The time over which rates are measured.
 const WINDOW: Duration = Duration::from_secs(4);
-/// The first look is earlier, so that a new vehicle shows its telemetry soon.
+/// The first measurement is shorter, so that a new vehicle shows its telemetry soon.
 const FIRST_LOOK: Duration = Duration::from_millis(150);
-/// A message is asked for this often before it is left alone.
+/// How often a message is requested before it is given up.
 const TRIES: u32 = 3;
-/// A home that is not known is asked for at ever longer pauses, but at least every so many windows: it is set when
-/// the position is found, which may take long.
+/// An unknown home is requested at growing intervals, at most this many windows: it is set when the position is found,
+/// which may take long.
 const HOME_EVERY: u32 = 16;
-/// What arrives at this share of the wanted rate is good enough.
+/// The share of the wanted rate that is sufficient.
 const GOOD_ENOUGH: f64 = 0.7;
 
 /// Watches the rates of one vehicle.
@@ -88,17 +87,17 @@ impl Streams {
         }
     }
 
-    /// Starts again: the link or the vehicle has, and rates may be gone.
+    /// Starts again after a reconnection or a reboot, which may have reset the rates.
     pub fn forget(&mut self, now: Duration) {
         *self = Self::new(self.wanted, now);
     }
 
-    /// Takes note of a message that arrived.
+    /// Counts a received message.
     pub fn note(&mut self, message: u32) {
         *self.arrived.entry(message).or_default() += 1;
     }
 
-    /// Requests that are due, each with the `MAV_CMD` that will be acknowledged for it.
+    /// Due requests, each with the `MAV_CMD` that will be acknowledged for it.
     pub fn poll(&mut self, vehicle: &Vehicle, now: Duration) -> Vec<(Outgoing, u16)> {
         if now < self.next_look {
             return Vec::new();

@@ -1,4 +1,4 @@
-//! Sessions against a scripted vehicle, with the time in the test's hands.
+//! Sessions against a scripted vehicle, with simulated time.
 
 use std::time::Duration;
 
@@ -139,7 +139,7 @@ impl Scene {
         }
     }
 
-    /// The `COMMAND_LONGs` of a kind that were sent.
+    /// The `COMMAND_LONG`s sent with a command.
     fn longs(&self, command: MavCmd) -> Vec<&COMMAND_LONG_DATA> {
         self.sent
             .iter()

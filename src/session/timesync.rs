@@ -6,17 +6,17 @@ use mavlink::dialects::ardupilotmega::{MavMessage, TIMESYNC_DATA};
 
 use crate::wire::{MavAddress, Outgoing, SystemId};
 
-/// How often the round trip is measured.
+/// The interval of measurements.
 const EVERY: Duration = Duration::from_secs(5);
 
-/// Measures the way to a vehicle and back.
+/// Measures the round trip to a vehicle.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Timesync {
     asked_at: Option<Duration>,
 }
 
 impl Timesync {
-    /// A request, when one is due.
+    /// A request, if due.
     pub fn poll(&mut self, vehicle: MavAddress, now: Duration) -> Option<Outgoing> {
         if self.asked_at.is_some_and(|asked| now < asked + EVERY) {
             return None;
@@ -25,7 +25,7 @@ impl Timesync {
         Some(message(0, nanoseconds(now), vehicle))
     }
 
-    /// Looks at a message: a reply to send, if the vehicle asked, and the round trip, if it answered us.
+    /// Handles a message: returns a reply to the vehicle's request, or the round trip from its answer.
     pub fn receive(
         &mut self,
         message_in: &MavMessage,

@@ -19,23 +19,23 @@ const SETTLE_PATIENCE: Duration = Duration::from_millis(1500);
 /// What a transaction needs next.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Progress {
-    /// The line stays taken.
+    /// The line stays occupied.
     Waiting,
     /// The line is free; the effect is still awaited.
     Watching,
-    /// Nothing more will happen.
+    /// It is over.
     Ended,
 }
 
-/// Where a transaction stands.
+/// The phase of a transaction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Phase {
-    /// Sent; the answer is awaited.
+    /// Sent, awaiting the answer.
     AwaitingAnswer {
         deadline: Duration,
         /// The vehicle works on it, so it is not sent again.
         in_progress: bool,
-        /// It has said "not now": worth another try.
+        /// It was temporarily rejected: worth another attempt.
         rejected: bool,
     },
     /// Refused; the reason may still come.
@@ -43,12 +43,12 @@ enum Phase {
     /// Accepted, or sent where no answer exists.
     AwaitingEffect {
         since: Duration,
-        /// How often a setpoint, which nothing answers, has been said again.
+        /// How often a setpoint, which has no answer, was repeated.
         repeated: u8,
     },
-    /// Carried out: nothing more will happen.
+    /// Carried out.
     Done,
-    /// Refused, silent, without effect, or taken over by something else.
+    /// Refused, unanswered, without effect, or taken over.
     Over,
 }
 
@@ -65,23 +65,23 @@ pub(super) struct Transaction {
     /// Built once, from the state at the first transmission: a repeated "10 m further" must not add up.
     request: Request,
     effect: Effect,
-    /// The effect was there before the command was: only telemetry that is newer proves anything.
+    /// The effect was present before the command: only newer telemetry proves it.
     effect_was_there: bool,
-    /// It was accepted, or sent where nothing accepts it.
+    /// It was accepted, or sent where no acceptance exists.
     is_accepted: bool,
-    /// What stays true while it holds.
+    /// The claim that holds while its effect lasts.
     claim: Claim,
     /// Since when telemetry has shown that.
     holds_since: Option<Duration>,
-    /// The effect has shown while setpoints were being repeated.
+    /// The effect showed while setpoints were being repeated.
     effect_has_shown: bool,
-    /// What the vehicle said since the first transmission.
+    /// The vehicle's texts since the first transmission.
     texts: Vec<Text>,
 }
 
 impl Transaction {
-    /// Sends a command that was given at some time, now that the line is free. `None` when it had to end at
-    /// once: too late, or senseless for this vehicle.
+    /// Sends a command that was given earlier, now that the line is free. `None` if it ended at once: too late, or
+    /// invalid for this vehicle.
     pub fn start(
         order: VehicleCommand,
         given: Duration,
@@ -130,22 +130,22 @@ impl Transaction {
         Some(transaction)
     }
 
-    /// The verb it was given with.
+    /// Its verb.
     pub fn verb(&self) -> &'static Verb {
         self.order.verb
     }
 
-    /// Whether it decides where the vehicle flies from now on.
+    /// Whether it decides where the vehicle flies.
     pub fn moves_the_vehicle(&self) -> bool {
         self.is_accepted && self.order.verb.movement.moves()
     }
 
-    /// Whether the vehicle has accepted it, or it was sent where nothing accepts it.
+    /// Whether the vehicle has accepted it, or no acceptance exists.
     pub fn is_accepted(&self) -> bool {
         self.is_accepted
     }
 
-    /// What stays true while it holds.
+    /// The claim that holds while its effect lasts.
     pub fn claim(&self) -> Claim {
         self.claim
     }
@@ -155,12 +155,12 @@ impl Transaction {
         self.phase == Phase::Done
     }
 
-    /// Whether a newer movement ends what is awaited of it.
+    /// Whether a newer movement supersedes it.
     pub fn gives_way_to_movement(&self) -> bool {
         self.order.verb.movement.gives_way()
     }
 
-    /// The command whose acknowledgements may still come although nobody waits for them, and how many.
+    /// The command with acknowledgements that may still arrive unawaited, and their number.
     pub fn owed_acks(&self) -> Option<(u16, u8)> {
         match (&self.request.answer, self.phase) {
             (Answer::Ack(command), Phase::AwaitingAnswer { .. }) => Some((*command, self.tries)),
@@ -173,14 +173,14 @@ impl Transaction {
         self.report(RowState::Superseded, Some(reason.clone()), now, output);
     }
 
-    /// Remembers what the vehicle says meanwhile; it may be the reason of a refusal.
+    /// Keeps a status text; it may be the reason for a refusal.
     pub fn hear_text(&mut self, notice: &Notice) {
         if notice.severity <= Severity::Warning {
             self.texts.push(notice.text.clone());
         }
     }
 
-    /// Ends it if something else has taken the vehicle, which no order of ours is changing.
+    /// Ends it if another source has taken over the vehicle, and none of our orders is changing it.
     pub fn yield_to_others(&mut self, vehicle: &Vehicle, now: Duration, output: &mut Output) {
         let by = self.claim.contradicted(vehicle);
         match by {
@@ -194,7 +194,7 @@ impl Transaction {
         }
     }
 
-    /// Lets time pass and reports what changed.
+    /// Advances time and reports changes.
     pub fn poll(&mut self, vehicle: &Vehicle, now: Duration, output: &mut Output) -> Progress {
         match self.phase {
             Phase::AwaitingAnswer { .. } => self.await_answer(vehicle, now, output),
@@ -223,7 +223,7 @@ impl Transaction {
         !is_awaited || now >= since + SETTLE_PATIENCE
     }
 
-    /// Puts the messages into the output, followed by the speeds that the vehicle forgets with them.
+    /// Adds the messages to the output, followed by the speeds that the vehicle forgets with them.
     fn transmit(&self, output: &mut Output) {
         let Request {
             messages, speeds, ..
@@ -273,7 +273,7 @@ impl Transaction {
     }
 }
 
-/// The request of an order whose turn has come, or how it ends unsent.
+/// The request of the next order, or its end without sending.
 fn prepare(
     order: &VehicleCommand,
     deadline: Duration,

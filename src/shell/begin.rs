@@ -20,7 +20,7 @@ use crate::store;
 use crate::text;
 use crate::text::Text;
 
-/// How long the end of the program waits for the processes of its vehicles to end.
+/// How long the program waits at its end for its vehicles' processes.
 const LAST_PROCESS_PATIENCE: Duration = Duration::from_secs(2);
 
 impl Console {
@@ -34,7 +34,7 @@ impl Console {
         self.launch(mission, launch.stake, launch.seed).await
     }
 
-    /// Starts a mission under the rules of its stake. Says so if it can only be flown for practice.
+    /// Starts a mission under the rules of its stake. Shows a notice if it can only be flown for practice.
     pub(super) async fn launch(
         &mut self,
         mission: Arc<Mission>,
@@ -56,7 +56,7 @@ impl Console {
         Ok(())
     }
 
-    /// What decides how a mission counts if it is flown now.
+    /// What decides how a mission would count if flown now.
     fn terms<'a>(
         &'a self,
         mission: &'a Mission,
@@ -90,14 +90,14 @@ impl Console {
         }
     }
 
-    /// Starts something else than a mission.
+    /// Starts a session other than a mission.
     pub(super) async fn start_afresh(&mut self, plan: SessionPlan) -> Result<(), Text> {
         self.attempt = Attempt::practice(self.options.seed);
         self.start(plan).await
     }
 
-    /// Starts what runs once more: with another seed, unless the user has chosen one or wants the same. What was said
-    /// before a launch that did not come holds for the next one.
+    /// Starts the present session again: with a new seed, unless the user has chosen one or wants the same. A
+    /// prediction and a goal from before launch are kept.
     pub(super) async fn start_again(&mut self, alike: bool) -> Result<(), Text> {
         let Some(plan) = self.running.as_ref().map(RunningSession::plan) else {
             return Ok(());
@@ -118,7 +118,8 @@ impl Console {
         outcome
     }
 
-    /// Ends the session. Its processes may take a while: `ending` is waited for before the next session or the end.
+    /// Ends the session. Its processes may take a while: the next session, or the end of the program, waits for
+    /// `ending`.
     pub(super) fn end_session(&mut self) {
         self.go_on();
         self.replaying = None;
@@ -132,8 +133,8 @@ impl Console {
         }
     }
 
-    /// A flight that counts and is left after its clock has started is given up there: what was flown of it counts. One
-    /// that is cut off by the end of the terminal does not, but for an exam, which the next start makes up for and says so.
+    /// Abandons a flight that counts if it is left after its clock has started. If the terminal disappears, the flight
+    /// does not count, except for an exam, which the next start recovers with a notice.
     fn end_flight(&mut self) {
         let Some(running) = &mut self.running else {
             return;
@@ -142,18 +143,18 @@ impl Console {
             return running.forget_unbegun();
         }
         running.abandon();
-        // What happens at the end belongs to a session that is no longer shown.
+        // The last events belong to a session that is no longer shown.
         drop(running.fly(self.clock.now(), self.app.state().session()));
         if let Some(finished) = running.take_finished() {
             self.settle(&finished);
         }
     }
 
-    /// Ends everything, and waits for it a little: what then still runs ends with this program.
+    /// Ends everything, with a short wait: the rest ends with the program.
     pub(super) async fn close(&mut self) {
         self.end_session();
         self.store_flights();
-        // The plain console still tells what could not be stored.
+        // The plain console still reports what could not be stored.
         self.take_in().await;
         let ending = std::mem::take(&mut self.ending);
         ending.over(LAST_PROCESS_PATIENCE).await;

@@ -47,7 +47,7 @@ impl Console {
         self.show_career();
     }
 
-    /// Changes something about the trainee, and shows what has become of it.
+    /// Changes the profile's data, and shows the result.
     pub(super) fn change_career(&mut self, change: CareerEffect) {
         let Some(careers) = &mut self.careers else {
             return self.post(Event::Failed(text!("career-nowhere")));
@@ -72,12 +72,12 @@ impl Console {
         self.show_career();
     }
 
-    /// Whose flights are kept at the moment, by name.
+    /// The profile whose flights are stored now, by name.
     pub(super) fn trainee(&self) -> Option<&str> {
         self.careers.as_ref()?.name()
     }
 
-    /// The trainee's tries at what is to be flown, oldest first.
+    /// The trainee's attempts at a planned mission, oldest first.
     pub(super) fn tries_before(&self, plan: &SessionPlan) -> Vec<TryReport> {
         let SessionPlan::Mission(mission) = plan else {
             return Vec::new();
@@ -91,7 +91,7 @@ impl Console {
         runs.map_or_else(Vec::new, |runs| runs.tries_at(None, id, revision))
     }
 
-    /// Stores what has just been flown for somebody's career, and shows what it has brought.
+    /// Stores a finished flight in its career, and shows the rewards.
     pub(super) fn settle(&mut self, finished: &Finished) {
         let Some(whose) = finished.occasion.profile.as_deref() else {
             return;
@@ -110,7 +110,7 @@ impl Console {
         self.store_flights();
     }
 
-    /// Stores the flights that are waiting. A flight that cannot be stored is reported, and tried again with the next one.
+    /// Stores the flights that are waiting. A failure is reported, and tried again with the next flight.
     pub(super) fn store_flights(&mut self) {
         let waits = |careers: &&mut Careers| careers.has_waiting();
         let Some(careers) = self.careers.as_mut().filter(waits) else {
@@ -130,7 +130,7 @@ impl Console {
         self.tell_failure(outcome);
     }
 
-    /// Shows what other consoles and commands have changed meanwhile.
+    /// Shows changes by other consoles and commands.
     pub(super) fn look_for_changes(&mut self) {
         let has_changed = |careers: &mut Careers| careers.has_changed_elsewhere();
         if self.careers.as_mut().is_some_and(has_changed) {
@@ -138,7 +138,7 @@ impl Console {
         }
     }
 
-    /// Hands the career to the state as it is now.
+    /// Passes the present career to the state.
     pub(super) fn show_career(&mut self) {
         let Some(careers) = &mut self.careers else {
             return;
@@ -168,7 +168,7 @@ impl Console {
         self.show_reviews();
     }
 
-    /// The tries without a profile.
+    /// The attempts without a profile.
     fn tries_of_guests(&self) -> Tries {
         let runs = self.options.preferences.runs.as_ref();
         runs.map_or_else(Tries::new, |runs| runs.all_tries(None))

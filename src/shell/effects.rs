@@ -1,4 +1,4 @@
-//! Carries effects out, and takes in what comes of them.
+//! Carries out effects and handles the resulting events.
 
 use super::Console;
 use super::begin::parse;
@@ -10,19 +10,18 @@ use crate::terminal::Environment;
 use crate::text::Text;
 
 impl Console {
-    /// Takes an event in, with everything that is waiting.
+    /// Handles an event, and everything that is queued.
     pub(super) async fn feed(&mut self, event: impl Into<Event>) {
         self.post(event);
         self.take_in().await;
     }
 
-    /// Puts an event behind those that are waiting. What happens while an effect is carried out is posted, so that
-    /// it is taken in like any other event.
+    /// Queues an event. Events that arise while an effect is carried out are handled like any other.
     pub(super) fn post(&mut self, event: impl Into<Event>) {
         self.inbox.push_back(event.into());
     }
 
-    /// Takes in what is waiting, and carries out what comes of it, until nothing is left.
+    /// Handles the queued events and their effects until none is left.
     pub(super) async fn take_in(&mut self) {
         while let Some(event) = self.inbox.pop_front() {
             if let Some(running) = &self.running {
@@ -124,7 +123,7 @@ impl Console {
         }
     }
 
-    /// Says why something could not be done.
+    /// Shows why an effect failed.
     pub(super) fn tell_failure(&mut self, outcome: Result<(), Text>) {
         if let Err(error) = outcome {
             self.post(Event::Failed(error));

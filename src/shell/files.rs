@@ -30,7 +30,7 @@ impl Console {
         self.post(event);
     }
 
-    /// Writes a line that is new in the history to its file. A folder on a slow disk holds up nothing.
+    /// Appends a new history line to its file, without waiting for a slow disk.
     pub(super) fn keep_line(&mut self) {
         let newest = self.app.state().last_line();
         let Some(history) = self.options.preferences.history.clone() else {

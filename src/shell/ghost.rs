@@ -1,4 +1,4 @@
-//! Other flights of a mission, read or flown in a thread of their own.
+//! Other flights of a mission, read or flown in a thread.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -16,29 +16,29 @@ use crate::store::{self, RecordFiles, read_run, user_path};
 use crate::text;
 use crate::text::Text;
 
-/// Work on a ghost that is under way.
+/// The work on a ghost under way.
 pub(super) type GhostWork = JoinHandle<Result<Ghost, Text>>;
 
-/// The mission that is flown or replayed.
+/// The mission in flight or in replay.
 #[derive(Debug)]
 pub(super) struct ShownMission {
     pub mission: Arc<Mission>,
     pub seed: u64,
-    /// What its run is called, if it is recorded.
+    /// The id of its run, if recorded.
     pub run: Option<String>,
 }
 
-/// What another flight is made from.
+/// The source of another flight.
 enum GhostPlan {
     Record(PathBuf),
     Reference(Box<ShownMission>),
 }
 
 impl Console {
-    /// Begins to fetch another flight of the mission; [`take_ghost`](Self::take_ghost) shows it.
+    /// Starts to fetch another flight of the mission; [`take_ghost`](Self::take_ghost) shows it.
     ///
     /// # Errors
-    /// There is no such flight; in words.
+    /// No such flight exists; as text.
     pub(super) fn fetch_ghost(&mut self, source: GhostSource) -> Result<(), Text> {
         let shown = self
             .shown_mission()
@@ -77,7 +77,7 @@ impl Console {
         Ok(())
     }
 
-    /// Shows the other flight once it is there.
+    /// Shows the other flight once it is ready.
     pub(super) fn take_ghost(&mut self) {
         let Some(work) = self.ghost.take_if(|it| it.is_finished()) else {
             return;
@@ -103,7 +103,7 @@ impl Console {
         })
     }
 
-    /// The record of the best flight of the mission, other than the one that is shown.
+    /// The record of the best other flight of the mission.
     fn best_run(&self, shown: &ShownMission) -> Result<PathBuf, Text> {
         let runs = self.options.preferences.runs.as_ref();
         let mission = &shown.mission;

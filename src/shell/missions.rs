@@ -1,4 +1,4 @@
-//! The missions on offer.
+//! The available missions.
 
 use std::collections::BTreeMap;
 
@@ -11,10 +11,10 @@ use crate::text;
 use crate::text::Text;
 use crate::workshop::Design;
 
-/// Tries by mission, oldest first.
+/// Attempts by mission, oldest first.
 pub type Tries = BTreeMap<String, Vec<TryReport>>;
 
-/// Those tries that are at missions as they are now.
+/// The attempts at missions' current revisions.
 pub fn current(mut tries: Tries, missions: &[MissionListing]) -> Tries {
     tries.retain(|id, tries| {
         let mission = missions.iter().find(|mission| mission.id == *id);
@@ -31,7 +31,7 @@ pub fn stock() -> Vec<Design> {
     designs.filter_map(Result::ok).collect()
 }
 
-/// The missions that can be flown, the course that they make, and what is wrong with the others.
+/// The available missions, the course that they form, and the faults of the others.
 pub fn listings() -> (Vec<MissionListing>, MissionCourse, Vec<Text>) {
     let mut listings: Vec<MissionListing> = Vec::new();
     let mut offers: Vec<Offer> = Vec::new();

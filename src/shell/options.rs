@@ -1,4 +1,4 @@
-//! How the console is set up.
+//! The options of the console.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -13,37 +13,37 @@ use crate::store::{History, Records, Runs};
 use crate::text::Text;
 use crate::ui::{Look, Themes};
 
-/// What the console begins with.
+/// What the console starts with.
 #[derive(Debug, Clone)]
 pub enum Opening {
     Home,
     Mission(Arc<Mission>),
     Free,
-    /// Vehicles that are already there.
+    /// Running vehicles at these addresses.
     Connect(Vec<Address>),
     /// A recording, by one of its files.
     Replay(PathBuf),
 }
 
-/// How the console is set up.
+/// The options of the console.
 #[derive(Debug, Clone)]
 pub struct ConsoleOptions {
-    /// What it begins with.
+    /// What it starts with.
     pub opening: Opening,
     pub backend: VehicleBackend,
-    /// ArduPilot's SITL where it could be started without being asked for.
+    /// ArduPilot's SITL, if it is available for a choice on the home screen.
     pub ardupilot: Option<SitlSource>,
     /// Simulated vehicles in free flight.
     pub vehicles: u8,
-    /// What varies missions and simulation; `None` leaves it to the console.
+    /// The seed of missions and simulation; `None` for a random one.
     pub seed: Option<u64>,
-    /// Simulated seconds per second.
+    /// The speed-up of simulated time.
     pub speedup: f64,
-    /// What gives the commands: a person, or a pipe.
+    /// The source of the commands: a person, or a pipe.
     pub flown_by: FlownBy,
     /// What it looks like.
     pub look: Look,
-    /// What its user has set.
+    /// The user's preferences.
     pub preferences: Preferences,
 }
 
@@ -65,26 +65,26 @@ impl ConsoleOptions {
     }
 }
 
-/// What a user brings along.
+/// The preferences of a user.
 #[derive(Debug, Clone, Default)]
 pub struct Preferences {
     pub config: Config,
-    /// Whether the command line says the language: then no profile changes it.
+    /// Whether the command line sets the language: then no profile changes it.
     pub is_lang_given: bool,
-    /// What the keys mean.
+    /// The key bindings.
     pub keymap: Keymap,
-    /// The themes on offer.
+    /// The available themes.
     pub themes: Themes,
-    /// Where the lines of the command line are kept; nowhere for measurements.
+    /// The command history; `None` for measurements.
     pub history: Option<History>,
-    /// Where flown missions are recorded; nowhere for measurements.
+    /// The folder for records of missions; `None` for measurements.
     pub runs: Option<Runs>,
-    /// Where flights are recorded to be replayed; nowhere for measurements, or if the user does not want it.
+    /// The folder for records of flights; `None` for measurements, or if the user does not want them.
     pub records: Option<Records>,
-    /// The folder of profiles; none are kept for measurements.
+    /// The folder of profiles; `None` for measurements.
     pub data: Option<PathBuf>,
-    /// Whose career it is, by name.
+    /// The profile to use, by name.
     pub profile: Option<String>,
-    /// What has to be said at the start: what is wrong with the user's files.
+    /// Warnings to show at the start: faults in the user's files.
     pub warnings: Vec<Text>,
 }

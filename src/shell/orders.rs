@@ -12,7 +12,7 @@ use crate::text;
 use crate::text::Text;
 
 impl Console {
-    /// Carries out an order whose entry is open already, and posts what comes of it.
+    /// Carries out an order that already has an entry, and queues the resulting events.
     pub(super) fn order(&mut self, entry: EntryId, order: &Order) {
         let now = self.clock.now();
         self.note_order(entry, order, now);
@@ -47,7 +47,7 @@ impl Console {
     }
 }
 
-/// The explanation of a row whose order could not be given.
+/// The explanation of a row whose order could not be sent.
 pub(super) fn not_sent(error: Unreachable) -> Text {
     text!("outcome-not-sent", reason = Text::from(error))
 }

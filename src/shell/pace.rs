@@ -1,13 +1,13 @@
-//! How often the console ticks: more often the faster the vehicles live.
+//! The console's ticks: more frequent the faster simulated time runs.
 
 use std::time::Duration;
 
 use tokio::time::{Interval, MissedTickBehavior};
 
-/// The simulated time between two ticks, at which telemetry is collected and missions are stepped: a mission sees
-/// as much of its vehicles at any speedup.
+/// The simulated time between two ticks, in which telemetry is collected and missions are stepped: a mission gets the
+/// same detail at any speed-up.
 pub(super) const TICK: Duration = Duration::from_millis(100);
-/// However fast simulated time passes, there is this much between two ticks.
+/// The least time between two ticks, at any speed-up.
 const LEAST_TICK: Duration = Duration::from_millis(5);
 
 /// The ticks of a console.
@@ -17,14 +17,14 @@ pub(super) struct Pace {
 }
 
 impl Pace {
-    /// For vehicles that live so many seconds per second.
+    /// Ticks for a speed-up.
     pub fn of(speedup: f64) -> Self {
         let mut ticks = tokio::time::interval(tick_every(speedup));
         ticks.set_missed_tick_behavior(MissedTickBehavior::Skip);
         Self { ticks }
     }
 
-    /// Ticks more or less often once the vehicles live faster or slower.
+    /// Adjusts the ticks to a new speed-up.
     pub fn keep(&mut self, speedup: f64) {
         if self.ticks.period() != tick_every(speedup) {
             *self = Self::of(speedup);
@@ -45,7 +45,7 @@ fn tick_every(speedup: f64) -> Duration {
 mod tests {
     use super::*;
 
-    /// At 20 seconds per second a tick of 100 ms let a mission see its vehicles every other second only.
+    /// At a speed-up of 20, a tick of 100 ms would show a mission its vehicles only every other second.
     #[tokio::test]
     async fn a_mission_sees_as_much_of_its_vehicles_at_any_speedup() {
         for (speedup, every_ms) in [(0.5, 100), (1.0, 100), (4.0, 25), (20.0, 5), (1000.0, 5)] {

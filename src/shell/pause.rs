@@ -9,7 +9,7 @@ use crate::text;
 use crate::vehicle::Severity;
 
 impl Console {
-    /// Stops the simulator and the clock by which every deadline, every link's silence and the mission count.
+    /// Stops the simulator and the clock of all deadlines, link time-outs and the mission.
     pub(super) fn pause(&mut self) {
         let Some(running) = &self.running else {
             return;
@@ -19,7 +19,7 @@ impl Console {
         self.post(SessionEvent::Paused(true));
     }
 
-    /// Resumes; does nothing unless the session stands still.
+    /// Resumes; does nothing unless paused.
     pub(super) fn go_on(&mut self) {
         let Some(lasted) = self.clock.go_on() else {
             return;
@@ -40,7 +40,7 @@ impl Console {
         }
     }
 
-    /// Has simulated time pass faster or slower.
+    /// Changes the speed-up of simulated time.
     pub(super) fn set_speedup(&mut self, change: PaceChange) {
         let now = self.clock.now();
         if let Some(running) = &mut self.running {
@@ -51,14 +51,14 @@ impl Console {
         }
     }
 
-    /// Seconds that pass for the vehicles in one of the program's.
+    /// The seconds of the vehicles' time per second of the program's.
     pub(super) fn speedup(&self) -> f64 {
         let running = self.running.as_ref();
         running.map_or(self.options.speedup, RunningSession::speedup)
     }
 
-    /// While a brief is read for the first time, a mission in the embedded simulator stands still as soon as its
-    /// vehicles are there, and goes on once the brief is left.
+    /// On the first reading of a brief, stops a mission in the embedded simulator once its vehicles are there, and
+    /// resumes it when the brief is left.
     pub(super) fn wait_for_reader(&mut self) {
         let session = self.app.state().session();
         let is_reading = session.is_reading();
@@ -76,7 +76,7 @@ impl Console {
         }
     }
 
-    /// Has something happen in the mission, and says what or why not.
+    /// Triggers an inject, and shows its title or the reason against it.
     pub(super) fn inject(&mut self, name: &str) {
         let Some(outcome) = self.running.as_mut().and_then(|it| it.inject(name)) else {
             return;
@@ -116,7 +116,7 @@ mod tests {
 
     const FIRST: &str = include_str!("../../missions/00-first-flight.toml");
 
-    /// A console in which the brief of a mission is shown.
+    /// A console that shows the brief of a mission.
     async fn reading() -> Console {
         let mission = Mission::parse(FIRST).expect("it is good");
         let options = ConsoleOptions::for_test(Opening::Mission(Arc::new(mission)));
@@ -155,7 +155,7 @@ mod tests {
         assert!(!session.is_reading() && !session.is_paused());
         let late = Duration::from_secs(5).saturating_sub(elapsed(&console));
         assert!(late < Duration::from_secs(1), "{late:?}");
-        // It is told when a pause has ended; nothing of it here.
+        // A pause shows a message when it ends; reading does not.
         assert_eq!(console.app.state().message(), None);
     }
 

@@ -1,12 +1,11 @@
 //! The console without a screen: lines in, lines out, for screen readers and for pipes.
 //!
-//! It is the same console: the same [`App`](crate::app::App) and session. Only what a screen would show is said in lines,
-//! each once: what was noticed, what became of commands, how objectives stand, the debrief. Nothing but text is
-//! written.
+//! It is the same console: the same [`App`](crate::app::App) and session. What a screen would show is printed as
+//! lines, each once: notices, outcomes of commands, the state of objectives, the debrief. The output is plain text.
 //!
-//! From a person every line is taken as it comes. From a pipe the first line waits until the vehicles are ready, the
-//! next one until the commands before it have come to their end, and `wait` holds it longer; the end of the pipe is the
-//! end of the flight, and outside of missions a line that failed makes the flight one that failed.
+//! A person's lines are carried out at once. From a pipe, the first line waits until the vehicles are ready, each next
+//! one until the earlier commands have ended, and `wait` can delay it further. The end of the pipe ends the flight;
+//! outside of missions a failed line makes the whole flight fail.
 
 use std::time::Duration;
 
@@ -33,13 +32,13 @@ use input::PlainLine;
 use output::PlainOutput;
 use report::PlainReport;
 
-/// How often news is said: what many vehicles say at once becomes one line.
+/// The interval of news: reports of several vehicles are merged into one line.
 const NEWS_EVERY: Duration = Duration::from_millis(500);
 /// How long the end of the input waits for a mission to end by itself.
 const LANDING_PATIENCE: Duration = Duration::from_secs(10);
 
-/// Runs the plain console until its user leaves it or its input ends; whether the mission, if one was flown, was
-/// passed, or else whether all lines from a pipe were carried out.
+/// Runs the plain console until its user quits or its input ends. Returns whether the mission was passed, or without a
+/// mission, whether all lines from a pipe were carried out.
 ///
 /// # Errors
 /// The session could not be started, or the output is closed.
@@ -59,7 +58,7 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<bool> {
         landing: Patience::new(LANDING_PATIENCE),
         failed: false,
     };
-    // Nothing is drawn: no size is too small.
+    // Nothing is drawn: every size is large enough.
     let (columns, rows) = (u16::MAX, u16::MAX);
     plain
         .console
@@ -94,7 +93,7 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<bool> {
     plain.finish(told_to_end)
 }
 
-/// How many vehicles there will be, if that is known.
+/// The number of vehicles, if known.
 fn expected(options: &ConsoleOptions) -> usize {
     match &options.opening {
         Opening::Mission(mission) => mission.vehicles,
@@ -107,7 +106,7 @@ struct Plain {
     console: Console,
     report: PlainReport,
     output: PlainOutput,
-    /// The wait that holds the next line.
+    /// The wait that delays the next line.
     pilot: Option<Pilot>,
     /// What the first line waits for.
     beginning: Beginning,
@@ -115,11 +114,11 @@ struct Plain {
     /// Whether the input has ended.
     ended: bool,
     said_at: Duration,
-    /// Vehicles that do not start are waited for so long.
+    /// The limit for vehicles that do not start.
     start: Patience,
-    /// A mission that is as good as passed is waited for so long.
+    /// The limit for a mission that is about to pass.
     landing: Patience,
-    /// Whether the vehicles did not start, or a line from a pipe could not be carried out.
+    /// Whether the vehicles did not start, or a line from a pipe failed.
     failed: bool,
 }
 
@@ -190,7 +189,7 @@ impl Plain {
         self.output.prompt();
     }
 
-    /// Goes on with a wait.
+    /// Advances a wait.
     fn hold(&mut self) {
         let Some(pilot) = &mut self.pilot else { return };
         let state = self.console.app.state();
@@ -235,7 +234,7 @@ impl Plain {
             self.answer(&answer, line).await;
         } else if !line.is_empty() && !line.starts_with('#') {
             if !self.is_person {
-                // What came of the lines before belongs before this one.
+                // The results of earlier lines are printed before this one.
                 self.tell_news();
                 self.say(&Text::from(format!("> {line}")));
             }
@@ -258,7 +257,7 @@ impl Plain {
         }
     }
 
-    /// What a screen would have answered to a line.
+    /// Prints what a screen would show after a line.
     async fn tell_outcome(&mut self) {
         let state = self.console.app.state();
         let mut texts = Vec::new();
@@ -279,7 +278,7 @@ impl Plain {
             }
             _ => {}
         }
-        // A line that leads to another room has nothing to show here.
+        // A line that leads to another room has nothing to print here.
         if state.session().activity().is_some()
             && state.rooms().debrief().is_none()
             && state.room() != Room::Fly
@@ -292,10 +291,10 @@ impl Plain {
         }
     }
 
-    /// Lines that show something, and waits; true if it was one of them.
+    /// Carries out reports and waits; true if the line was one.
     fn carry_out_here(&mut self, line: &str) -> bool {
         let state = self.console.app.state();
-        // What is wrong with a line is told where all lines are given.
+        // Faults are reported where all lines are given.
         let Ok(statement) = state.with_context(|context| language::parse(line, context)) else {
             return false;
         };
@@ -325,7 +324,7 @@ impl Plain {
         }
     }
 
-    /// Holds the lines that follow, as in a script.
+    /// Delays the following lines, as in a script.
     fn wait(&mut self, line: &str) {
         let script = self
             .console
@@ -364,7 +363,7 @@ impl Plain {
         }
     }
 
-    /// Ends the flight: without a person, nobody restarts the vehicles.
+    /// Ends the flight: in a pipe, no user can restart the vehicles.
     fn give_up(&mut self) {
         self.tell_news();
         self.say(&text!("hangar-plain-given-up"));
@@ -390,7 +389,7 @@ impl Plain {
     }
 }
 
-/// A fault in words, with what to do about it.
+/// A fault with its advice.
 fn explained(fault: &Diagnostic) -> Text {
     let help = fault.help.clone();
     Text::joined(

@@ -1,4 +1,4 @@
-//! Recordings that are replayed.
+//! The replay of recordings.
 
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -14,12 +14,12 @@ use crate::store::user_path;
 use crate::text;
 use crate::text::Text;
 
-/// The messages are looked at this often.
+/// The interval of counting messages.
 const LOOK_EVERY: Duration = Duration::from_millis(250);
 
 impl Console {
-    /// Replays a recording in place of what runs, or begins with its review: that of a path, else that of the session that
-    /// is there, else the newest of the trainee.
+    /// Replays a recording in place of the present session, or starts with its review: the one at a path, otherwise
+    /// the present session's, otherwise the trainee's newest.
     pub(super) fn replay(&mut self, path: Option<&str>, review: bool) -> Result<(), Text> {
         if let Some(path) = path {
             let path = user_path(path);
@@ -30,7 +30,7 @@ impl Console {
             None => self.newest_record(),
         };
         let path = path.ok_or_else(|| text!("records-none"))?;
-        // What is still being recorded ends first.
+        // A recording under way ends first.
         self.end_session();
         self.open_replay(&path, review)
     }
@@ -59,7 +59,7 @@ impl Console {
         Ok(())
     }
 
-    /// Has the replay do what its user wants.
+    /// Carries out the user's control of a replay.
     pub(super) fn steer_replay(&mut self, effect: ReplayEffect) {
         let is_review = matches!(effect, ReplayEffect::Keep(_));
         let events = self.replaying.as_mut().map(|it| it.steer(effect));
@@ -71,7 +71,7 @@ impl Console {
         }
     }
 
-    /// Shows what the trainee has made of earlier flights.
+    /// Shows the trainee's reviews of earlier flights.
     pub(super) fn show_reviews(&mut self) {
         if let Some(records) = &self.options.preferences.records {
             let reviews = records.newest_reviews(self.trainee());
@@ -79,7 +79,7 @@ impl Console {
         }
     }
 
-    /// Lets the replay go on.
+    /// Advances the replay.
     pub(super) async fn go_on_replaying(&mut self, now: Duration) {
         let Some(replaying) = &mut self.replaying else {
             return;
@@ -138,7 +138,7 @@ mod tests {
         console.feed(TerminalEvent::Line(line.to_owned())).await;
     }
 
-    /// What a mission has come to, as the console shows it.
+    /// The mission's state as the console shows it.
     fn told(state: &State) -> (Option<Duration>, Vec<String>, Vec<String>) {
         let session = state.session();
         let entries = session.ledger().entries();
@@ -189,7 +189,7 @@ mod tests {
             .clone()
             .expect("a debrief");
 
-        // Another console records a flight that is newer.
+        // Another console is recording a newer flight.
         let records = Records::within(data.path(), limits);
         let head = Head::new(Subject::Free, 4_000_000_000_000_000);
         let other = records.begin(&head, None, "2999-01-01T00:00:00Z", Vec::new);

@@ -38,7 +38,7 @@ use mission_run::MissionRun;
 use recorder::FlightRecorder;
 pub(super) use start::{SessionBackend, SessionPlan};
 
-/// Fleet events taken over per tick, so that a flood of notices cannot hold up the screen.
+/// The most fleet events per tick, so that a flood of notices cannot block the screen.
 const EVENTS_PER_TICK: usize = 2000;
 
 /// A running session. Dropping it ends its tasks.
@@ -50,30 +50,30 @@ pub(super) struct RunningSession {
     parameters: Vec<(VehicleId, watch::Receiver<ParameterSnapshot>)>,
     links: SessionLinks,
     inspection: Inspection,
-    /// Reports that the fleet dropped so far.
+    /// The number of reports that the fleet dropped so far.
     dropped: u64,
     mission_run: Option<MissionRun>,
-    /// How fast the embedded simulator runs, and whether it is paused.
+    /// The embedded simulator's speed, and whether it is paused.
     pace: watch::Sender<SimulatorPace>,
     operator: Operator,
-    /// What was shown last of what vehicles do together.
+    /// The paths of manoeuvres, as last shown.
     paths: Vec<Path>,
-    /// The time by which the vehicles move.
+    /// The vehicles' clock.
     vehicle_time: PacedClock,
     /// The processes of its vehicles.
     processes: Option<Processes>,
-    /// What is recorded of it, if anything is.
+    /// Its recorder, if it is recorded.
     recorder: Option<FlightRecorder>,
     cancel: CancellationToken,
 }
 
 impl RunningSession {
-    /// What the session was to be, for starting it again.
+    /// The session's plan, to start it again.
     pub fn plan(&self) -> SessionPlan {
         self.plan.clone()
     }
 
-    /// The mission that is flown, if one is.
+    /// The mission, if there is one.
     pub fn shown_mission(&self) -> Option<ShownMission> {
         let run = self.mission_run.as_ref()?;
         Some(ShownMission {
@@ -83,7 +83,7 @@ impl RunningSession {
         })
     }
 
-    /// Asks vehicles for all their parameters. Those that cannot be asked now are asked again at a later tick.
+    /// Downloads all parameters of vehicles. Those that cannot be asked now are asked at a later tick.
     pub fn fetch_parameters(&self, vehicles: &[VehicleId]) {
         for &vehicle in vehicles {
             if self.fleet.fetch_parameters(vehicle).is_err() {
@@ -108,12 +108,12 @@ impl RunningSession {
         self.pace.send_modify(|pace| pace.held = held);
     }
 
-    /// Seconds that pass for the vehicles in one of the program's.
+    /// The seconds of the vehicles' time per second of the program's.
     pub fn speedup(&self) -> f64 {
         self.pace.borrow().speedup
     }
 
-    /// Runs the embedded simulator and the mission faster or slower from now on.
+    /// Changes the speed-up of the embedded simulator and the mission.
     pub fn set_speedup(&mut self, speedup: f64, now: Duration) {
         self.pace.send_modify(|pace| pace.speedup = speedup);
         self.vehicle_time.set_rate(speedup, now);
@@ -122,12 +122,12 @@ impl RunningSession {
         }
     }
 
-    /// Everything stood still until now.
+    /// Notes that everything was paused until now.
     pub fn rest(&mut self, now: Duration) {
         self.inspection.rest(now);
     }
 
-    /// What has happened since the last tick. Telemetry is merged: one event per vehicle that changed.
+    /// The events since the last tick. Telemetry is merged: one event per vehicle that changed.
     pub fn collect(&mut self, now: Duration) -> Vec<Event> {
         let mut collected = self.hear_processes(now);
         for _ in 0..EVENTS_PER_TICK {
@@ -173,19 +173,19 @@ impl RunningSession {
         collected
     }
 
-    /// Where its frames are recorded, if they are.
+    /// The path of its recorded frames, if recorded.
     pub fn record(&self) -> Option<&std::path::Path> {
         self.recorder.as_ref()?.frames()
     }
 
-    /// Notes in the session's record that something happened.
+    /// Adds an occurrence to the session's journal.
     pub fn note_down(&self, now: Duration, what: Happening) {
         if let Some(recorder) = &self.recorder {
             recorder.note(now, what);
         }
     }
 
-    /// Notes in the session's record what neither telemetry nor the mission says again.
+    /// Adds an event to the session's journal if neither telemetry nor the mission repeats it.
     pub fn note_event(&self, now: Duration, event: &Event) {
         if let Event::Vehicle(event) = event
             && let Some(what) = recorder::happening(event)
@@ -194,7 +194,7 @@ impl RunningSession {
         }
     }
 
-    /// What is to be said of the record.
+    /// A notice of the recorder, if any.
     fn hear_recorder(&mut self, now: Duration) -> Option<Event> {
         let recorder = self.recorder.as_mut()?;
         recorder.pass_inputs();
@@ -202,7 +202,7 @@ impl RunningSession {
         Some(Event::Notice(Notice::general(now, Severity::Warning, text)))
     }
 
-    /// The lists that have changed.
+    /// The parameter lists that have changed.
     fn changed_parameters(&mut self) -> impl Iterator<Item = Event> + '_ {
         self.parameters
             .iter_mut()
@@ -214,7 +214,7 @@ impl RunningSession {
             })
     }
 
-    /// A look at the links' messages, if one is wanted and due.
+    /// A count of the links' messages, if needed and due.
     pub fn inspect(&mut self, wanted: Option<&Wanted>, now: Duration) -> Option<Event> {
         self.inspection.look(self.links.all(), wanted?, now)
     }

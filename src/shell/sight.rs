@@ -1,4 +1,4 @@
-//! The console on the terminal: its look, and what waits for the next frame.
+//! The console on the terminal: its look, and pending output for the next frame.
 
 use std::io;
 use std::sync::Arc;
@@ -8,16 +8,16 @@ use crate::app::State;
 use crate::terminal::Screen;
 use crate::ui::{self, Look};
 
-/// The look, what was drawn with it, and what waits for the next frame.
+/// The look, the last frame, and pending output for the next one.
 pub(super) struct Sight {
     pub look: Look,
-    /// The revision of the state that was drawn last.
+    /// The revision of the state in the last frame.
     drawn: Option<u64>,
-    /// A new limit for frames, until the screen has heard of it.
+    /// A new frame limit not passed on yet.
     pub fps: Option<u8>,
-    /// Whether the bell is to ring.
+    /// Whether the bell must ring.
     pub bell: bool,
-    /// Desktop notifications that are to be shown.
+    /// Pending desktop notifications.
     pub notes: Vec<String>,
 }
 
@@ -32,26 +32,26 @@ impl Sight {
         }
     }
 
-    /// The terminal no longer shows what was drawn.
+    /// Notes that the terminal no longer shows the last frame.
     pub fn forget(&mut self) {
         self.drawn = None;
     }
 
-    /// How long the frame that is wanted has to wait; `None` if none is wanted or only the terminal can tell.
+    /// How long the next frame has to wait; `None` if none is needed or only the terminal decides.
     pub fn next_frame_in(&self, state: &State, screen: &mut Screen) -> Option<Duration> {
         let wanted = self.bell || !self.notes.is_empty() || self.drawn != Some(state.revision());
         wanted.then(|| screen.next_frame_in()).flatten()
     }
 
-    /// Tells the screen what goes before the next frame.
+    /// Passes on the output that precedes the next frame.
     ///
     /// # Errors
-    /// The terminal has gone away.
+    /// The terminal has disappeared.
     pub fn prepare(&mut self, screen: &mut Screen) -> io::Result<()> {
         if let Some(fps) = self.fps.take() {
             screen.limit(fps);
         }
-        // A bell that waits is one bell, however often it was to ring.
+        // Pending rings are merged into one.
         if std::mem::take(&mut self.bell) {
             screen.ring()?;
         }
@@ -64,7 +64,7 @@ impl Sight {
     /// Draws a frame.
     ///
     /// # Errors
-    /// The terminal has gone away.
+    /// The terminal has disappeared.
     pub fn draw(&mut self, state: &State, screen: &mut Screen) -> io::Result<()> {
         self.drawn = Some(state.revision());
         self.look.locale = Arc::clone(state.locale());

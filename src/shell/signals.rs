@@ -7,19 +7,19 @@ use std::task::Poll;
 use nix::sys::signal::Signal as Number;
 use tokio::signal::unix::{Signal, SignalKind, signal};
 
-/// What the operating system can tell the console.
+/// A signal to the console.
 pub enum Happened {
-    /// The program is to end.
+    /// The program must end.
     End,
     /// The terminal has another size.
     Resized,
-    /// The program is to stop until it is continued.
+    /// The program must stop until it is continued.
     Stopped,
     /// The program was continued after a stop.
     Continued,
 }
 
-/// The signals that end the program. Left to themselves, all of them would end it with the terminal in raw mode.
+/// The signals that end the program. By default each would end it with the terminal in raw mode.
 const ENDS: &[Number] = &[
     Number::SIGTERM,
     Number::SIGHUP,
@@ -34,7 +34,7 @@ const ENDS: &[Number] = &[
     Number::SIGXFSZ,
 ];
 
-/// Signals; Ctrl-C, Ctrl-\ and Ctrl-Z are keys in raw mode, so that all of these come from elsewhere.
+/// Signals; in raw mode Ctrl-C, Ctrl-\ and Ctrl-Z are keys, so that all signals come from other programs.
 pub struct Signals {
     ends: Vec<Signal>,
     resized: Signal,
@@ -43,7 +43,7 @@ pub struct Signals {
 }
 
 impl Signals {
-    /// Listens from now on.
+    /// Subscribes to the signals.
     ///
     /// # Errors
     /// The operating system refuses.
@@ -61,7 +61,7 @@ impl Signals {
         })
     }
 
-    /// Waits for the next one.
+    /// Waits for the next signal.
     pub async fn next(&mut self) -> Happened {
         let ends = &mut self.ends;
         let end = poll_fn(|context| {

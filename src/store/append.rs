@@ -1,4 +1,4 @@
-//! Files that only grow, and are whole whenever they are looked at.
+//! Append-only files that are valid at any time.
 
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, Write as _};
@@ -6,13 +6,13 @@ use std::path::{Path, PathBuf};
 
 use super::{StoreError, sharing};
 
-/// A file that is written for its owner, and for whom the folder is shared with. While it is open it is locked, which tells other consoles that it
-/// is still written.
+/// A file for its owner and the readers of its folder. It is locked while open, which shows other consoles that it is
+/// still being written.
 #[derive(Debug)]
 pub(super) struct AppendFile {
     file: File,
     path: PathBuf,
-    /// Bytes that were written whole.
+    /// Bytes written completely.
     len: u64,
 }
 
@@ -24,23 +24,23 @@ impl AppendFile {
             Err(error) if error.kind() == io::ErrorKind::AlreadyExists => Ok(None),
             Err(error) => Err(StoreError::Unwritable { path, error }),
             Ok(file) => {
-                // Where files cannot be locked, one that was left cannot be told from one that is written.
+                // Without file locks, an abandoned file cannot be told from one being written.
                 drop(file.try_lock());
                 Ok(Some(Self { file, path, len: 0 }))
             }
         }
     }
 
-    /// Adds bytes as a whole. Where that fails, what was written before is left, and no file where that is nothing.
+    /// Appends bytes completely. On failure the earlier content stays; an empty file is removed.
     ///
     /// # Errors
-    /// The disk is full or gone.
+    /// The disk is full or unavailable.
     pub fn append(&mut self, bytes: &[u8]) -> Result<(), StoreError> {
         let Err(error) = self.file.write_all(bytes) else {
             self.len += bytes.len() as u64;
             return Ok(());
         };
-        // A disk that is gone takes no tidying up either.
+        // An unavailable disk cannot be tidied up either.
         drop(if self.len == 0 {
             fs::remove_file(&self.path)
         } else {
@@ -54,21 +54,21 @@ impl AppendFile {
         &self.path
     }
 
-    /// From now on it takes nothing, as on a disk that is full.
+    /// Refuses further bytes, as on a full disk.
     #[cfg(test)]
     pub fn make_read_only(&mut self) {
         self.file = File::open(&self.path).expect("it is there");
     }
 
-    /// Bytes that were written.
+    /// The number of bytes written.
     pub fn len(&self) -> u64 {
         self.len
     }
 }
 
-/// Whether a file may still be written: the console that writes it holds a lock on it.
+/// Whether a file may still be written: its console holds a lock on it.
 pub(super) fn is_written(path: &Path) -> bool {
     let lock = File::open(path).map(|file| file.try_lock_shared());
-    // Where files cannot be locked, whoever writes one cannot be seen: only what is known counts.
+    // Without file locks, a writer cannot be seen: only a known lock counts.
     matches!(lock, Ok(Err(TryLockError::WouldBlock)))
 }

@@ -5,7 +5,7 @@ use std::{env, iter};
 
 use etcetera::BaseStrategy as _;
 
-/// Where themes lie in a folder.
+/// The name of the folder for themes.
 pub(super) const THEMES: &str = "themes";
 const CONFIG_FILE: &str = "config.toml";
 
@@ -16,17 +16,17 @@ pub struct Folders {
     pub config: PathBuf,
     /// What the program makes and the user keeps.
     pub data: PathBuf,
-    /// What may be lost: the history of the command line, logs.
+    /// Expendable files: the history of the command line, logs.
     pub state: PathBuf,
-    /// What the administrator has set for everybody on this machine, the folder that counts most first.
+    /// The administrator's settings for all users, in descending precedence.
     pub system_config: Vec<PathBuf>,
-    /// What the administrator has installed for everybody, the folder that counts most first.
+    /// Files that the administrator installed for all users, in descending precedence.
     pub system_data: Vec<PathBuf>,
 }
 
 impl Folders {
-    /// By `XDG_CONFIG_HOME`, `XDG_DATA_HOME`, `XDG_STATE_HOME`, `XDG_CONFIG_DIRS`, `XDG_DATA_DIRS` or their defaults;
-    /// `None` without a home folder.
+    /// The folders from `XDG_CONFIG_HOME`, `XDG_DATA_HOME`, `XDG_STATE_HOME`, `XDG_CONFIG_DIRS`, `XDG_DATA_DIRS` or
+    /// their defaults; `None` without a home folder.
     pub fn find() -> Option<Self> {
         let base = etcetera::choose_base_strategy().ok()?;
         let data = base.data_dir();
@@ -42,26 +42,26 @@ impl Folders {
         })
     }
 
-    /// The folders that hold missions, designs or themes. Of files with one name the last folder's counts: the
-    /// user's, then those of the administrator.
+    /// The folders that hold missions, designs or themes. Of files with the same name the last folder's counts; the
+    /// user's folder is the last.
     pub fn layers(&self) -> impl Iterator<Item = &PathBuf> {
         let system = self.system_data.iter().rev();
         let configured = system.chain(self.system_config.iter().rev());
         configured.chain(iter::once(&self.config))
     }
 
-    /// The configuration files of the administrator. What the last one says counts.
+    /// The configuration files of the administrator. Later ones take precedence.
     pub fn system_files(&self) -> impl Iterator<Item = PathBuf> {
         let folders = self.system_config.iter().rev();
         folders.map(|folder| folder.join(CONFIG_FILE))
     }
 
-    /// The configuration file that is read unless another is named.
+    /// The default configuration file.
     pub fn config_file(&self) -> PathBuf {
         self.config.join(CONFIG_FILE)
     }
 
-    /// The keymap file that is read unless another is named.
+    /// The default keymap file.
     pub fn keymap_file(&self) -> PathBuf {
         self.config.join("keymap.toml")
     }
@@ -71,7 +71,8 @@ impl Folders {
     }
 }
 
-/// The program's folders below those of a variable or its default. The specification has relative paths ignored.
+/// The program's folders below those of a variable or its default. Relative paths are ignored, as the specification
+/// requires.
 fn system(variable: &str, usual: &str) -> Vec<PathBuf> {
     let set = env::var_os(variable).filter(|value| !value.is_empty());
     let list = set.unwrap_or_else(|| usual.into());

@@ -1,4 +1,4 @@
-//! The command line's history across sessions: a line each, the newest last, for its user's eyes only.
+//! The command line's history across sessions: one line each, newest last, readable only by the user.
 
 use std::fs::{self, OpenOptions};
 use std::io::{self, Write as _};
@@ -7,9 +7,9 @@ use std::path::{Path, PathBuf};
 
 use super::links;
 
-/// Lines that are kept.
+/// The number of lines kept.
 const HISTORY_KEPT: usize = 200;
-/// A file longer than this is no history of ours; it is left alone.
+/// The largest history file; a longer one is not ours and is left alone.
 const LONGEST: u64 = 1024 * 1024;
 
 /// The file of the history. Several consoles may add to it at the same time.
@@ -19,7 +19,7 @@ pub struct History {
 }
 
 impl History {
-    /// The history in the program's folder for state.
+    /// The history in the program's state folder.
     pub fn within(state: &Path) -> Self {
         Self {
             path: state.join("history"),
@@ -30,10 +30,10 @@ impl History {
         &self.path
     }
 
-    /// The lines of earlier sessions, oldest first, each once; shortens the file where it has become long.
+    /// The lines of earlier sessions, oldest first, each once; shortens a long file.
     ///
     /// # Errors
-    /// There is such a file, but it cannot be read or shortened.
+    /// The file exists, but cannot be read or shortened.
     pub fn read(&self) -> io::Result<Vec<String>> {
         match fs::metadata(&self.path) {
             Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
@@ -70,7 +70,7 @@ impl History {
         }
         let mut private = OpenOptions::new();
         private.create(true).append(true).mode(0o600);
-        // One write, so that lines of several consoles do not mix.
+        // A single write, so that lines of several consoles do not mix.
         self.folder()?;
         let mut file = links::open_own(&mut private, &self.path)?;
         file.write_all(format!("{line}\n").as_bytes())
@@ -86,7 +86,7 @@ impl History {
         fs::rename(new, &self.path)
     }
 
-    /// Makes the folder, which the specification wants to be private.
+    /// Creates the folder, private as the specification requires.
     fn folder(&self) -> io::Result<()> {
         let folder = self.path.parent().unwrap_or(Path::new("."));
         fs::DirBuilder::new()
@@ -96,7 +96,7 @@ impl History {
     }
 }
 
-/// What the command line could have taken: a line that does nothing to a terminal.
+/// Whether a line could come from the command line: it has no control characters.
 fn is_plain(line: &str) -> bool {
     !line.trim().is_empty() && !line.chars().any(char::is_control)
 }
@@ -144,7 +144,7 @@ mod tests {
         symlink(&target, &history.path).expect("linked");
         history.add("rtl").expect("the user's own link is followed");
         assert_eq!(fs::read_to_string(&target).expect("there"), "keptrtl\n");
-        // Only the superuser can give a link away.
+        // Only the superuser can change the owner of a link.
         if lchown(&history.path, Some(65_533), None).is_err() {
             return;
         }

@@ -1,11 +1,12 @@
-//! From a finished flight to what a career keeps of it; and runs that a killed program has recorded but not stored.
+//! The step from a finished flight to its entry in a career; and recovery of runs that a killed program recorded but
+//! did not store.
 //!
-//! A run's record is written line by line, its end last; only then the profile gets it. What lies between is made up for
-//! at the next start: a finished record that names a profile and that the profile does not have is scored again and
-//! stored. So is the record of an exam that was left: the exam counts as ended there.
+//! A run's record is written line by line, its end last; only then it is stored in the profile. If the program is
+//! killed in between, the next start recovers it: a finished record of a profile that lacks it is scored again and
+//! stored. So is the record of an abandoned exam: it counts as ended there.
 //!
-//! A record is a file that anybody may have written. What it was flown for holds only as far as the career allows it:
-//! the mission is that of the course and open to the trainee, and an exam has its seed. Anything else is practice.
+//! A record is an untrusted file. Its stake holds only if the career allows it: the mission is that of the course and
+//! open to the trainee, and an exam has its seed. Anything else is practice.
 
 use std::path::Path;
 use std::time::{SystemTime, UNIX_EPOCH};
@@ -27,12 +28,12 @@ use crate::workshop::Design;
 /// Seconds of a day.
 const DAY_S: u64 = 24 * 60 * 60;
 
-/// What a flight does not know of itself when it has ended.
+/// Facts about a finished flight from outside of it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Landing {
-    /// What no other run is called: [`RunFile::id`](super::RunFile::id).
+    /// The unique id of the run: [`RunFile::id`](super::RunFile::id).
     pub id: String,
-    /// Whether its record is whole.
+    /// Whether its record is complete.
     pub is_recorded: bool,
     pub when: SystemTime,
     pub stake: Stake,
@@ -45,13 +46,13 @@ pub fn day_of(time: SystemTime) -> i64 {
 }
 
 impl RunEntry {
-    /// What a profile keeps of a finished flight: the mission as it was flown, and its report.
+    /// The profile's entry for a finished flight: the mission as flown, and its report.
     pub fn of(mission: &Mission, report: &Report, landing: Landing) -> Self {
         let (day, stake) = day_and_stake(landing.stake, report.seed, day_of(landing.when));
         Self {
             when: utc(landing.when),
             flight: CareerFlight::of(mission, report, stake, day),
-            // What the shell adds belongs to the moment at which it is shown.
+            // The shell's additions belong to the moment of display.
             report: Report {
                 drill: None,
                 tries: Vec::new(),
@@ -70,11 +71,11 @@ impl RunEntry {
 pub struct Recovery {
     pub profile: String,
     pub mission: String,
-    /// What it was scored.
+    /// Its score.
     pub score: u16,
-    /// Whether it is an exam that was left before its end.
+    /// Whether it is an abandoned exam.
     pub is_left_exam: bool,
-    /// Why it counts for less than the record says, if it does.
+    /// Why it counts for less than its record says, if it does.
     pub reduced: Vec<PracticeReason>,
 }
 
@@ -105,10 +106,10 @@ impl Recovery {
     }
 }
 
-/// Opens the profiles of a data folder and makes up for what was left undone. The texts tell what was.
+/// Opens the profiles of a data folder and recovers unfinished work; the texts report it.
 ///
 /// # Errors
-/// The profiles cannot be had; see [`Profiles::open`].
+/// The profiles cannot be opened; see [`Profiles::open`].
 pub fn open_profiles(data: &Path) -> Result<(Profiles, Vec<Text>), ProfileError> {
     let (mut profiles, rescue) = Profiles::open(data)?;
     let mut told: Vec<Text> = rescue.iter().map(super::Rescue::text).collect();
@@ -121,12 +122,12 @@ pub fn open_profiles(data: &Path) -> Result<(Profiles, Vec<Text>), ProfileError>
     Ok((profiles, told))
 }
 
-/// Stores the finished runs of a folder that name a profile and that no profile has, and the exams that were left; each
-/// once, also when several consoles start together. Where none is missing, only the names of files are read, and the
-/// first and last lines of records without a profile.
+/// Stores the finished runs of a folder that belong to a profile but are missing there, and abandoned exams; each
+/// once, even if several consoles start together. If none is missing, it reads only file names, and the first and last
+/// lines of records without a profile.
 ///
 /// # Errors
-/// The database cannot be read or written; what was stored until then stays.
+/// The database cannot be read or written; entries stored before that stay.
 pub fn recover(profiles: &mut Profiles, runs: &Runs) -> Result<Vec<Recovery>, ProfileError> {
     let others = runs.others(&profiles.run_ids()?);
     let everybody = profiles.list()?;
@@ -151,7 +152,7 @@ pub fn recover(profiles: &mut Profiles, runs: &Runs) -> Result<Vec<Recovery>, Pr
     Ok(recovered)
 }
 
-/// A recorded run that its trainee's profile does not have.
+/// A recorded run that is missing in its trainee's profile.
 struct LeftRun<'a> {
     profile: &'a Profile,
     head: Head,
@@ -162,8 +163,8 @@ struct LeftRun<'a> {
 }
 
 impl<'a> LeftRun<'a> {
-    /// Reads a record; `None` if it names none of these profiles, or is not over. A profile that is younger than the
-    /// record has only the name in common with the one that flew it.
+    /// Reads a record; `None` if it belongs to none of these profiles, or is not over. A profile created after the
+    /// record merely has the same name.
     fn read(path: &Path, everybody: &'a [Profile]) -> Option<Self> {
         let (head, end) = outline(path).ok()?;
         let is_left_exam = end.is_none() && head.stake == Stake::Exam && !is_written(path);
@@ -180,7 +181,7 @@ impl<'a> LeftRun<'a> {
             stored.end()?;
         }
         let mut report = stored.rescore().ok()?.report;
-        // Who only read the brief of an exam has not begun it.
+        // An exam whose brief was only read has not begun.
         if is_left_exam && report.sim_time_s <= 0.0 {
             return None;
         }
@@ -202,7 +203,7 @@ impl<'a> LeftRun<'a> {
         })
     }
 
-    /// Why it counts for practice only, although the record says more.
+    /// Why it counts only as practice, although the record says more.
     fn practice_reasons(&self, standing: &CareerStanding) -> Vec<PracticeReason> {
         if self.head.stake == Stake::Practice {
             return Vec::new();
@@ -218,7 +219,7 @@ impl<'a> LeftRun<'a> {
             }),
             means: AttemptMeans {
                 mission_file: super::mission_file(&self.mission),
-                // Records that are older than this field counted as they say.
+                // Records older than this field counted as they say.
                 flown_by: self.head.flown_by.unwrap_or_default(),
                 has_own_airframes: false,
                 speedup: 1.0,
@@ -233,7 +234,7 @@ impl<'a> LeftRun<'a> {
         reasons
     }
 
-    /// What its profile keeps of it.
+    /// Its profile's entry.
     fn entry(&self, is_reduced: bool) -> RunEntry {
         let stake = if is_reduced {
             Stake::Practice

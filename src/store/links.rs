@@ -1,7 +1,6 @@
-//! Links at the end of a path that the program writes unasked: a user's own are followed, another user's are not.
+//! Links in paths that the program writes on its own: the user's own are followed, those of others are not.
 //!
-//! In a folder that others may write to, a link that one of them has laid would lead what this user writes into any of this
-//! user's files.
+//! In a folder writable by others, a link planted there could redirect a write into any of this user's files.
 
 use std::fs::{self, File, OpenOptions};
 use std::io;
@@ -10,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 use nix::fcntl::OFlag;
 
-/// As many links may lead from one to the next as Linux follows.
+/// The most links in a chain, as in Linux.
 const MOST_LINKS: usize = 40;
 /// The superuser, whose links lead to devices such as `/dev/stderr`.
 const ROOT: u32 = 0;
@@ -24,19 +23,19 @@ pub fn open_own(options: &mut OpenOptions, path: &Path) -> io::Result<File> {
         return options.open(path);
     }
     let target = end_of_links(path, nix::unistd::geteuid().as_raw())?;
-    // A link that takes the place of the target meanwhile is an error.
+    // If a link replaces the target meanwhile, that is an error.
     let flags = OFlag::O_NOFOLLOW.bits();
     options.custom_flags(flags).open(target)
 }
 
-/// Whether a path names a file that is open already, such as `/dev/stdout`: its links lead to no place in a folder.
+/// Whether a path names an open file, such as `/dev/stdout`: its links do not lead to a folder.
 pub(super) fn is_open_file(path: &Path) -> bool {
     let is_descriptor = path.parent().is_some_and(|folder| folder.ends_with("fd"));
     let is_standard = path == Path::new("/dev/stdout") || path == Path::new("/dev/stderr");
     is_standard || (is_descriptor && (path.starts_with("/dev") || path.starts_with("/proc")))
 }
 
-/// Where the links lead that a path ends with, if all belong to this user or to the superuser.
+/// The target of the links at the end of a path, if all belong to this user or to the superuser.
 fn end_of_links(path: &Path, user: u32) -> io::Result<PathBuf> {
     let mut end = path.to_owned();
     for _ in 0..MOST_LINKS {
@@ -61,7 +60,7 @@ mod tests {
 
     use super::*;
 
-    /// Neither the superuser nor whoever runs the tests.
+    /// A user id that is neither the superuser's nor the tester's.
     const OTHER: u32 = 65_533;
 
     #[test]
@@ -73,7 +72,7 @@ mod tests {
         symlink(&near, &far).expect("linked");
         let owner = fs::symlink_metadata(&near).expect("there").uid();
         assert_eq!(end_of_links(&far, owner).expect("ours"), target);
-        // Only the superuser can give a link away; the rule is the same for a user to whom it never belonged.
+        // Only the superuser can change the owner of a link; the rule is the same for a user who never owned it.
         let is_given = lchown(&near, Some(OTHER), None).is_ok();
         let stranger = if is_given { owner } else { OTHER };
         let refused = end_of_links(&far, stranger).expect_err("a link of another user");

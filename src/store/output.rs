@@ -1,4 +1,5 @@
-//! Writing a file whole or not at all, into whatever the path names: a file, a link, a device, a FIFO, standard output.
+//! Writing a file completely or not at all, whatever the path names: a file, a link, a device, a FIFO, standard
+//! output.
 
 use std::ffi::OsStr;
 use std::fs::{File, Metadata, OpenOptions};
@@ -11,18 +12,18 @@ use crate::config::Readers;
 
 /// The path that stands for standard output.
 const STANDARD_OUTPUT: &str = "-";
-/// The mode of what is no trainee's result.
+/// The mode of files that are not a trainee's results.
 const PUBLIC: u32 = 0o666;
-/// As many links may lead from one to the next as Linux follows.
+/// The most links in a chain, as in Linux.
 const MOST_LINKS: usize = 40;
 
-/// How a file gets a second name; file systems without hard links refuse it.
+/// Creates a hard link; file systems without them refuse it.
 type LinkFile = fn(&Path, &Path) -> io::Result<()>;
 
-/// Writes a text file whole or not at all: a reader finds the old one or the new one.
+/// Writes a text file completely or not at all: a reader finds the old one or the new one.
 ///
-/// A link stays a link, and its target is written. A file that is replaced keeps its mode, and its owner where the
-/// system lets us. Anything that is not a regular file (a device, a FIFO) is written into; a FIFO needs a reader.
+/// A link stays a link, and its target is written. A file that is replaced keeps its mode, and its owner if the system
+/// allows it. Anything that is not a regular file (a device, a FIFO) is written into; a FIFO needs a reader.
 ///
 /// # Errors
 /// It cannot be written, or it exists already and is not to be replaced.
@@ -51,7 +52,7 @@ fn write_with_mode(path: &Path, text: &str, replace: bool, mode: u32) -> Result<
     })
 }
 
-/// Writes results of a trainee: `-` is standard output, a file is replaced. A new one is for these readers.
+/// Writes results of a trainee: `-` is standard output, a file is replaced. `readers` may read a new one.
 ///
 /// # Errors
 /// It cannot be written.
@@ -73,7 +74,7 @@ pub fn write_output(path: &Path, text: &str, readers: Readers) -> Result<(), Sto
         })
 }
 
-/// What a path names, links followed.
+/// The metadata of a path, links followed.
 fn present(path: &Path) -> io::Result<Option<Metadata>> {
     match fs::metadata(path) {
         Ok(found) => Ok(Some(found)),
@@ -86,7 +87,7 @@ fn present(path: &Path) -> io::Result<Option<Metadata>> {
 fn append(path: &Path, text: &str) -> io::Result<()> {
     use std::os::unix::fs::OpenOptionsExt as _;
 
-    // A FIFO without a reader is an error here; it would hold up the console until one comes.
+    // A FIFO without a reader is an error here; otherwise it would block the console.
     let flags = nix::fcntl::OFlag::O_NONBLOCK.bits();
     let target = OpenOptions::new()
         .append(true)
@@ -113,25 +114,25 @@ fn replace_file(path: &Path, text: &str, found: &Metadata) -> io::Result<()> {
     fs::rename(&part.path, &target)
 }
 
-/// A new file; one that has appeared meanwhile is replaced.
+/// Writes a new file; one that has appeared meanwhile is replaced.
 fn put_file(path: &Path, text: &str, mode: u32) -> io::Result<()> {
     let target = end_of_links(path)?;
     let part = Part::write(&target, text, PartMode::New(mode))?;
     fs::rename(&part.path, &target)
 }
 
-/// A new file; one that has appeared meanwhile stays.
+/// Writes a new file; one that has appeared meanwhile stays.
 fn create_file(path: &Path, text: &str, mode: u32, link: LinkFile) -> io::Result<()> {
     let target = end_of_links(path)?;
     let part = Part::write(&target, text, PartMode::New(mode))?;
-    // Linking fails if the name is taken meanwhile, where renaming would replace what is there.
+    // Linking fails if the name is taken meanwhile; renaming would replace that file.
     match link(&part.path, &target) {
         Err(error) if error.kind() != io::ErrorKind::AlreadyExists => write_new(&target, text),
         linked => linked,
     }
 }
 
-/// Where a link leads whose target is not there yet; any other path itself.
+/// The target of a dangling link; any other path unchanged.
 fn end_of_links(path: &Path) -> io::Result<PathBuf> {
     let mut end = path.to_owned();
     for _ in 0..MOST_LINKS {
@@ -143,7 +144,7 @@ fn end_of_links(path: &Path) -> io::Result<PathBuf> {
     Err(io::Error::other("too many links lead from one to the next"))
 }
 
-/// Without hard links: the name is taken first, so that nothing is replaced, and given up if the text does not fit.
+/// Without hard links: creates the name first, so that nothing is replaced, and removes it if writing fails.
 fn write_new(target: &Path, text: &str) -> io::Result<()> {
     let mut file = OpenOptions::new()
         .write(true)
@@ -158,16 +159,16 @@ fn write_new(target: &Path, text: &str) -> io::Result<()> {
     written
 }
 
-/// Who may do what with a file that is written.
+/// The mode of a part file.
 #[derive(Clone, Copy)]
 enum PartMode<'a> {
-    /// Mode and owner of the file whose place it is to take.
+    /// Mode and owner of the file that it will replace.
     Of(&'a Metadata),
-    /// These bits, without those that the process withholds (its umask).
+    /// These bits, reduced by the umask.
     New(u32),
 }
 
-/// A file beside the one that is to be, which is gone when it is no longer needed.
+/// A temporary file beside the target, removed when it is no longer needed.
 struct Part {
     path: PathBuf,
 }
@@ -182,7 +183,7 @@ impl Part {
         beside.push(name);
         beside.push(format!(".{}.part", std::process::id()));
         let path = target.with_file_name(beside);
-        // What a program that was killed has left; nothing is written through a link that lies there.
+        // A leftover of a killed program; a link planted there must not be followed.
         drop(fs::remove_file(&path));
         let mut file = new_file(&path, mode)?;
         let part = Self { path };
@@ -193,13 +194,13 @@ impl Part {
 }
 
 impl Drop for Part {
-    /// A part that has become the file is no longer there.
+    /// Removes the part, unless it has become the file.
     fn drop(&mut self) {
         drop(fs::remove_file(&self.path));
     }
 }
 
-/// A new file that never is more open than the one whose place it is to take.
+/// A new file that is never more accessible than the one it will replace.
 #[cfg(unix)]
 fn new_file(path: &Path, mode: PartMode<'_>) -> io::Result<File> {
     use std::os::unix::fs::{MetadataExt as _, OpenOptionsExt as _, fchown};
@@ -211,7 +212,7 @@ fn new_file(path: &Path, mode: PartMode<'_>) -> io::Result<File> {
         PartMode::Of(replaced) => replaced,
     };
     let file = options.mode(0o600).open(path)?;
-    // Only the superuser may give a file away; for everyone else the new file is their own.
+    // Only the superuser can change the owner; otherwise the new file belongs to this user.
     drop(fchown(&file, Some(replaced.uid()), Some(replaced.gid())));
     file.set_permissions(replaced.permissions())?;
     Ok(file)
@@ -359,7 +360,7 @@ mod tests {
                 let fifo = fifo.clone();
                 thread::spawn(move || fs::read_to_string(fifo).expect("readable"))
             };
-            // Until the reader is there, writing fails.
+            // Without a reader, writing fails.
             while write(&fifo, "text", true).is_err() {
                 thread::yield_now();
             }

@@ -1,9 +1,9 @@
-//! Profiles: the trainees, their flights, purchases and designs, in one `SQLite` file. Whoever may read its folder may
-//! read it.
+//! Profiles: the trainees, their flights, purchases and designs, in one `SQLite` file. Readers of its folder can read
+//! it.
 //!
-//! A career is a history that only grows ([`crate::campaign`]); this file keeps it, and a run's whole report with it. Every
-//! change is one transaction, written ahead to a log, so that a killed program loses nothing that it has reported as stored,
-//! and several consoles may write at the same time. A run's id makes it count once, however often it is handed in.
+//! A career is an append-only history ([`crate::campaign`]); this file stores it with the full report of each run.
+//! Every change is one transaction with a write-ahead log, so that a killed program loses nothing that it has reported
+//! as stored, and several consoles may write at the same time. A run with the same id is stored only once.
 
 mod error;
 mod flights;
@@ -36,11 +36,11 @@ pub use mend::MendedRows;
 pub use rescue::Rescue;
 pub use transfer::ProfileFile;
 
-/// The file in the program's folder for data.
+/// The file in the program's data folder.
 const FILE: &str = "profiles.sqlite";
-/// How long one console waits for another's write.
+/// How long a console waits for another's write.
 const PATIENCE: Duration = Duration::from_secs(5);
-/// Letters of a profile's name.
+/// The greatest length of a profile's name.
 const LONGEST_NAME: usize = 40;
 
 /// The profiles of a data folder.
@@ -55,9 +55,9 @@ pub struct Profiles {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Profile {
     key: i64,
-    /// The name; upper and lower case are the same.
+    /// The name; case does not matter.
     pub name: String,
-    /// When it was made, in UTC: `2026-11-20T14:03:22Z`.
+    /// Its creation time in UTC: `2026-11-20T14:03:22Z`.
     pub since: String,
     pub settings: ProfileSettings,
 }
@@ -72,11 +72,11 @@ pub struct ProfileSettings {
 }
 
 impl Profiles {
-    /// Opens the profiles of a data folder; makes folder and file if need be. A damaged file is set aside and replaced by
-    /// the last good copy, which the [`Rescue`] tells.
+    /// Opens the profiles of a data folder; creates folder and file if needed. A damaged file is set aside and
+    /// replaced by the last good copy, which the [`Rescue`] reports.
     ///
     /// # Errors
-    /// The folder is not writable, or a newer version of the program made the file. Neither is changed then.
+    /// The folder is not writable, or a newer version of the program wrote the file. Neither is changed then.
     pub fn open(data: &Path) -> Result<(Self, Option<Rescue>), ProfileError> {
         let path = data.join(FILE);
         let unusable = |error| ProfileError::Unusable {
@@ -85,7 +85,7 @@ impl Profiles {
         };
         match sharing::private_folder(data).and_then(|()| private(&path)) {
             Ok(_) => {}
-            // The results of another user, or a folder that is not written to.
+            // Another user's results, or a read-only folder.
             Err(error) if is_forbidden(&error) && path.is_file() => {
                 return Ok((Self::read_only(path)?, None));
             }
@@ -101,8 +101,8 @@ impl Profiles {
         Ok((profiles, rescue))
     }
 
-    /// Opens a file that may only be read. Where it is not written to, there is no log beside it; then it is read without
-    /// the locks for which `SQLite` would have to write.
+    /// Opens a file read-only. In a read-only folder there is no log beside it; then it is read without the locks that
+    /// `SQLite` would have to write.
     fn read_only(path: PathBuf) -> Result<Self, ProfileError> {
         let database = |error| ProfileError::Database {
             path: path.clone(),
@@ -137,12 +137,12 @@ impl Profiles {
         }
     }
 
-    /// Whether it can be read, and not be written.
+    /// Whether it was opened read-only.
     pub fn is_read_only(&self) -> bool {
         self.is_read_only
     }
 
-    /// Reads rows that are damaged from the copies, as far as these have them. `None`: none was.
+    /// Restores damaged rows from the copies, as far as possible; `None` without any damage.
     ///
     /// # Errors
     /// The database cannot be read or written.
@@ -157,7 +157,7 @@ impl Profiles {
         };
         let mut connection = Connection::open(path).map_err(database)?;
         connection.busy_timeout(PATIENCE).map_err(database)?;
-        // What was reported as stored is on the disk, even if the machine loses power.
+        // Data reported as stored is on the disk, even if the machine loses power.
         connection
             .execute_batch(
                 "PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON;",
@@ -174,7 +174,7 @@ impl Profiles {
         Ok(connection)
     }
 
-    /// A number that is another one once another program has written.
+    /// A number that changes when another program has written.
     ///
     /// # Errors
     /// The database cannot be read.
@@ -196,10 +196,10 @@ impl Profiles {
         rows.map_err(|error| self.fault(error))
     }
 
-    /// One by name.
+    /// A profile by name.
     ///
     /// # Errors
-    /// There is none of this name; the error tells who there is.
+    /// No profile has this name; the error lists the names.
     pub fn find(&self, name: &str) -> Result<Profile, ProfileError> {
         let mut query =
             self.ask("SELECT key, name, since, settings FROM profiles WHERE name = ?1")?;
@@ -217,10 +217,10 @@ impl Profiles {
         })
     }
 
-    /// A new one.
+    /// Creates a profile.
     ///
     /// # Errors
-    /// There is one of this name, the name is none, or the database cannot be written.
+    /// The name is taken or not valid, or the database cannot be written.
     pub fn create(&self, name: &str, when: &str) -> Result<Profile, ProfileError> {
         let name = checked_name(name)?;
         let added = self.connection.execute(
@@ -235,7 +235,7 @@ impl Profiles {
         }
     }
 
-    /// Removes a profile with all that it has.
+    /// Removes a profile with all its data.
     ///
     /// # Errors
     /// The database cannot be written.
@@ -262,7 +262,7 @@ impl Profiles {
         changed.map(drop).map_err(|error| self.fault(error))
     }
 
-    /// Copies the file aside, for the day on which it is damaged.
+    /// Makes a backup copy.
     ///
     /// # Errors
     /// The copy cannot be written; the last one stays.
@@ -280,7 +280,7 @@ impl Profiles {
             .map_err(|error| self.fault(error))
     }
 
-    /// Everything until its commit, or nothing; other consoles wait.
+    /// A transaction: everything up to its commit, or nothing; other consoles wait.
     fn transaction(&self) -> Result<Transaction<'_>, ProfileError> {
         Transaction::new_unchecked(&self.connection, TransactionBehavior::Immediate)
             .map_err(|error| self.fault(error))
@@ -297,17 +297,17 @@ impl Profiles {
         }
     }
 
-    /// What was stored as JSON. It was written by a version that this program knows: anything else is damage.
+    /// Parses stored JSON. This or an older version wrote it: anything else is damage.
     fn read<T: serde::de::DeserializeOwned>(&self, json: &str) -> Result<T, ProfileError> {
         serde_json::from_str(json).map_err(|error| ProfileError::Damaged {
             path: self.path.clone(),
-            // It quotes what it found.
+            // The message quotes the content.
             fault: sanitised(&error.to_string()),
         })
     }
 }
 
-/// A name that can be a profile's.
+/// Checks a profile's name.
 fn checked_name(name: &str) -> Result<&str, ProfileError> {
     let name = name.trim();
     let is_fine =
@@ -320,7 +320,7 @@ fn profile(row: &rusqlite::Row<'_>) -> rusqlite::Result<Profile> {
         key: row.get(0)?,
         name: sanitised(&row.get::<_, String>(1)?),
         since: sanitised(&row.get::<_, String>(2)?),
-        // What a newer version has written, or a hand: nothing that is worth losing a profile for.
+        // Unknown settings, of a newer version or edited by hand, are not worth losing a profile for.
         settings: serde_json::from_str(&row.get::<_, String>(3)?).unwrap_or_default(),
     })
 }
@@ -330,13 +330,13 @@ fn json<T: serde::Serialize>(value: &T) -> String {
     serde_json::to_string(value).unwrap_or_default()
 }
 
-/// Makes sure that there is a file that only the readers of its folder read, before `SQLite` makes one that others may.
+/// Creates a private file, or one for its folder's readers, before `SQLite` would create a public one.
 fn private(path: &Path) -> io::Result<File> {
     let mut file = OpenOptions::new();
     sharing::open(file.create(true).truncate(false).write(true), path)
 }
 
-/// Whether a file is there and must not be written.
+/// Whether the file exists and must not be written.
 fn is_forbidden(error: &io::Error) -> bool {
     matches!(
         error.kind(),

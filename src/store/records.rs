@@ -1,8 +1,8 @@
 //! Records of flights: the frames of their links and their journals, written as they happen.
 //!
-//! The files of a record lie beside each other and have one stem: that of the mission's run, where there is one. They
-//! are written once a quarter of a second by a thread of their own, so that a disk that stalls holds nothing up, and a
-//! program that is killed loses no more than that.
+//! The files of a record are in one folder and share a stem: that of the mission's run, if there is one. A thread
+//! writes them every quarter of a second, so that a slow disk blocks nothing, and a killed program loses no more than
+//! that.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -21,24 +21,24 @@ mod signature;
 pub use recording::{RecordPiece, RecordWriter, Recording, RecordingFault};
 pub use signature::RecordSignature;
 
-/// How the files of a record end.
+/// The suffix of frames.
 const FRAMES: &str = ".tlog";
 const JOURNAL: &str = ".flight.jsonl";
-/// How the review of a record ends.
+/// The suffix of a review.
 const REVIEW: &str = ".review.json";
-/// How the record of a mission's run ends, which `runs` keeps.
+/// The suffix of a mission's run, which `runs` stores.
 const RUN: &str = ".run.jsonl";
-/// How the file of what entered simulated vehicles ends.
+/// The suffix of the inputs of simulated vehicles.
 const INPUTS: &str = super::runs::INPUTS;
-/// A head is no longer than this.
+/// The most bytes of a head.
 const HEAD_LEN: u64 = 256 * 1024;
 
-/// How much is kept.
+/// The limits of the stored records.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct RecordLimits {
-    /// Records that are kept; the oldest go first.
+    /// The most records; the oldest are removed first.
     pub count: usize,
-    /// Bytes that they may take together. One record may take half of it.
+    /// The most bytes of all. One record may take half of it.
     pub bytes: u64,
 }
 
@@ -59,27 +59,27 @@ pub struct Records {
     limits: RecordLimits,
 }
 
-/// The files of one record; `None` for each one that is missing.
+/// The files of one record; `None` for a missing one.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct RecordFiles {
-    /// Their common name without endings.
+    /// Their common name without suffix.
     pub stem: String,
     /// The frames of its links.
     pub frames: Option<PathBuf>,
-    /// What happened beside them.
+    /// Its journal.
     pub journal: Option<PathBuf>,
     /// The record of the mission's run.
     pub run: Option<PathBuf>,
-    /// Where the review is, or would be.
+    /// The path of the review, whether it exists or not.
     pub review: PathBuf,
-    /// What entered its simulated vehicles.
+    /// The inputs of its simulated vehicles.
     pub inputs: Option<PathBuf>,
     /// Bytes of frames and journal.
     pub bytes: u64,
 }
 
 impl RecordFiles {
-    /// The files that lie beside one of them. A file with another ending is taken for frames.
+    /// The files that belong to one of them. A file with another suffix counts as frames.
     pub fn beside(path: &Path) -> Self {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let stem = [JOURNAL, RUN, INPUTS, FRAMES]
@@ -125,7 +125,7 @@ impl RecordFiles {
     /// The first line of its journal.
     ///
     /// # Errors
-    /// There is none, or it cannot be read.
+    /// It has no journal, or that cannot be read.
     pub fn head(&self) -> io::Result<Head> {
         use std::io::{BufRead as _, BufReader, Read as _};
 
@@ -146,8 +146,8 @@ impl RecordFiles {
     /// # Errors
     /// One of them cannot be removed.
     pub fn delete(&self) -> Result<(), StoreError> {
-        // The journal goes last: without it, the others could not be found again.
-        // Without a run, nothing is left that the inputs could prove.
+        // The journal goes last: without it, the others could not be found again. Without a run, the inputs prove
+        // nothing.
         let inputs = self.inputs.as_ref().filter(|_| self.run.is_none());
         for path in [self.frames.as_ref(), inputs, self.journal.as_ref()]
             .into_iter()
@@ -221,7 +221,7 @@ impl Records {
         self.list().into_iter().rev().find_map(|it| it.frames)
     }
 
-    /// The same of the records of a profile, or of those without one.
+    /// The same for the records of a profile, or for those without one.
     pub fn newest_of(&self, profile: Option<&str>) -> Option<PathBuf> {
         let is_theirs = |files: &RecordFiles| {
             let head = files.head();
@@ -231,7 +231,7 @@ impl Records {
         newest_first.find_map(|it| it.frames.clone().filter(|_| is_theirs(&it)))
     }
 
-    /// Begins a record that a thread writes, which fetches frames from `source`.
+    /// Starts a record, with a thread that fetches frames from `source` and writes.
     ///
     /// # Errors
     /// As [`create`](Self::create).
@@ -246,8 +246,8 @@ impl Records {
         Recording::start(writer, source).map_err(|error| unwritable(&self.folder, error))
     }
 
-    /// Creates the files of a record; makes room for it. Its stem is that of a run, or made of the time of day `when` (as
-    /// [`utc`](super::utc) writes it) and the subject.
+    /// Creates the files of a record, after making room. Its stem is that of a run, or consists of the time of day
+    /// `when` (as [`utc`](super::utc) writes it) and the subject.
     ///
     /// # Errors
     /// The files cannot be created.
@@ -296,16 +296,16 @@ impl Records {
         ))
     }
 
-    /// Removes the oldest records, as far as there are too many; those that are still written stay.
+    /// Removes the oldest records above the limits, except those being written.
     fn make_room(&self) {
         let mut bytes = 0;
         for (newer, files) in self.list().into_iter().rev().enumerate() {
             bytes += files.bytes;
-            // Room is made for one more, which may take half of all.
+            // Leaves room for one more, which may take half of the total.
             let is_too_much =
                 newer + 1 >= self.limits.count || bytes > self.limits.bytes - self.limits.bytes / 2;
             if newer > 0 && is_too_much && !files.is_written() {
-                // What cannot be removed stays; the new record is worth more than the order.
+                // A file that cannot be removed stays; the new record is more important.
                 drop(files.delete());
             }
         }

@@ -1,8 +1,8 @@
-//! Recorded runs: a file each, for the readers of their folder.
+//! Recorded runs, one file each, readable for the readers of their folder.
 //!
-//! A file is called after the time and the mission, so that the tries at a mission are found without opening the
-//! others. What is written comes in whole lines, also when the disk is full; a crash loses what was not yet written
-//! and nothing else. Only files that are called so are ever removed, and only in the program's own folder.
+//! A file's name has the time and the mission, so that the attempts at a mission are found without opening the others.
+//! Lines are written completely, even when the disk is full; a crash loses only what was not written yet. Only files
+//! with such names are ever removed, and only in the program's own folder.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsStr;
@@ -20,21 +20,21 @@ use crate::campaign::is_practice;
 use crate::mission::record::{End, Head};
 use crate::scoring::TryReport;
 
-/// How a time of day is written, in UTC: `2026-11-20T14:03:22Z`.
+/// The format of a time of day in UTC: `2026-11-20T14:03:22Z`.
 const MOMENT: &str = "%Y-%m-%dT%H:%M:%SZ";
-/// How a run's file ends.
+/// The suffix of a run's file.
 pub(super) const ENDING: &str = ".run.jsonl";
-/// How the file of what entered its simulated vehicles ends.
+/// The suffix of the inputs of its simulated vehicles.
 pub(super) const INPUTS: &str = ".inputs.jsonl";
-/// How its name begins, with any digits.
+/// The pattern of its prefix, with any digits.
 const STAMP: &str = "0000-00-00T00-00-00Z_";
-/// Runs that are kept; the oldest go first.
+/// The most runs; the oldest are removed first.
 const RUNS_KEPT: usize = 300;
-/// Bytes that they may take together.
+/// The most bytes of all runs.
 const BYTES_KEPT: u64 = 256 * 1024 * 1024;
-/// A run longer than this is none of ours.
+/// The largest run.
 const LARGEST_RUN: u64 = 64 * 1024 * 1024;
-/// The head with the mission's text is no longer than this, and the end no longer than that.
+/// The most bytes of the head with the mission's text, and of the end.
 const HEAD_LEN: u64 = 2 * 1024 * 1024;
 const TAIL_LEN: u64 = 16 * 1024;
 
@@ -42,7 +42,7 @@ const TAIL_LEN: u64 = 16 * 1024;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Runs {
     folder: PathBuf,
-    /// Whether old runs make room for new ones.
+    /// Whether old runs are removed for new ones.
     is_bounded: bool,
 }
 
@@ -71,7 +71,7 @@ impl Runs {
         &self.folder
     }
 
-    /// Begins the file of a run; makes room for it. `when` is the time of day in UTC, as [`utc`] writes it.
+    /// Creates the file of a run, after making room. `when` is the time of day in UTC, as [`utc`] writes it.
     ///
     /// # Errors
     /// It cannot be created.
@@ -90,7 +90,7 @@ impl Runs {
         }
         let when = when.replace(':', "-");
         let process = std::process::id();
-        // Two tries in one second, or of two consoles, get names of their own.
+        // Two attempts in one second, or of two consoles, get different names.
         for number in 0..100 {
             let name = format!("{when}_{mission}_{process}-{number:02}{ENDING}");
             if let Some(file) = AppendFile::create(self.folder.join(name))? {
@@ -103,8 +103,8 @@ impl Runs {
         ))
     }
 
-    /// The tries of a profile, or those without a profile, at a revision of a mission, oldest first: those that compare with
-    /// each other. Only the first and the last line of each file are read; one that cannot be read is left out.
+    /// The comparable attempts of a profile, or of guests, at a revision of a mission, oldest first. Only the first
+    /// and the last line of each file are read; unreadable ones are left out.
     pub fn tries_at(&self, whose: Option<&str>, mission: &str, revision: u32) -> Vec<TryReport> {
         let part = format!("_{mission}_");
         let of_it = |path: &Path| {
@@ -116,7 +116,7 @@ impl Runs {
         tries
     }
 
-    /// The tries at all missions, by the mission's id, oldest first; as [`tries_at`](Self::tries_at) reads them.
+    /// The attempts at all missions, by the mission's id, oldest first; as [`tries_at`](Self::tries_at) reads them.
     pub fn all_tries(&self, whose: Option<&str>) -> BTreeMap<String, Vec<TryReport>> {
         self.tries(whose, |_| true)
     }
@@ -128,7 +128,7 @@ impl Runs {
     ) -> BTreeMap<String, Vec<TryReport>> {
         let mut tries: BTreeMap<String, Vec<TryReport>> = BTreeMap::new();
         let files = self.files().into_iter().filter(|path| wanted(path));
-        // What is being flown is no try yet.
+        // A flight under way is no attempt yet.
         let outlines = files.filter_map(|path| {
             let (head, end) = outline(&path).ok()?;
             (end.is_some() || !is_written(&path)).then_some((head, end))
@@ -163,7 +163,7 @@ impl Runs {
         scored.max_by_key(|(score, _)| *score).map(|(_, path)| path)
     }
 
-    /// The run that began last.
+    /// The newest run.
     pub fn newest(&self) -> Option<PathBuf> {
         self.files().pop()
     }
@@ -186,7 +186,7 @@ impl Runs {
         files
     }
 
-    /// Removes the oldest runs, as far as there are too many; the newest stays whatever its size.
+    /// Removes the oldest runs above the limits; the newest stays whatever its size.
     fn make_room(&self) {
         let mut bytes = 0;
         for (newer, path) in self.files().into_iter().rev().enumerate() {
@@ -194,7 +194,7 @@ impl Runs {
             bytes += len(&path) + len(&inputs_of(&path));
             let is_too_much = newer + 1 >= RUNS_KEPT || bytes > BYTES_KEPT;
             if newer > 0 && is_too_much {
-                // What cannot be removed stays; the new run is worth more than the order.
+                // A file that cannot be removed stays; the new run is more important.
                 for path in [inputs_of(&path), path] {
                     drop(fs::remove_file(signature_of(&path)));
                     drop(fs::remove_file(path));
@@ -205,10 +205,10 @@ impl Runs {
 }
 
 impl RunFile {
-    /// Adds whole lines. Where that fails, the lines before are left, and no file where there are none.
+    /// Appends whole lines. On failure the earlier lines stay; an empty file is removed.
     ///
     /// # Errors
-    /// The disk is full or gone.
+    /// The disk is full or unavailable.
     pub fn append(&mut self, lines: &str) -> Result<(), StoreError> {
         self.0.append(lines.as_bytes())
     }
@@ -217,30 +217,30 @@ impl RunFile {
         self.0.path()
     }
 
-    /// Removes the file. Where it cannot be, it stays a flight without an end, which counts for nothing.
+    /// Removes the file. If that fails, it stays as a flight without an end, which counts for nothing.
     pub fn discard(self) {
         drop(fs::remove_file(inputs_of(self.path())));
         drop(fs::remove_file(self.path()));
     }
 
-    /// What no other run is called: the file's name without its ending.
+    /// Its unique id: the file's name without its suffix.
     pub fn id(&self) -> &str {
         run_id(self.0.path())
     }
 }
 
-/// The file of what entered a run's simulated vehicles, by the run's file.
+/// The path of the inputs, from the run's path.
 fn inputs_of(run: &Path) -> PathBuf {
     run.with_file_name(format!("{}{INPUTS}", run_id(run)))
 }
 
-/// The id of a run by its file.
+/// The id of a run, from its path.
 pub(super) fn run_id(path: &Path) -> &str {
     let name = path.file_name().and_then(OsStr::to_str).unwrap_or_default();
     name.strip_suffix(ENDING).unwrap_or(name)
 }
 
-/// Whether a file is called like a run.
+/// Whether a file has the name of a run.
 fn is_run(path: &Path) -> bool {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let mut stamp = name.bytes().zip(STAMP.bytes());
@@ -248,7 +248,7 @@ fn is_run(path: &Path) -> bool {
     name.len() > STAMP.len() && stamp.all(fits) && name.ends_with(ENDING)
 }
 
-/// Reads a run. What is not UTF-8 in it is damage that the record finds.
+/// Reads a run. Invalid UTF-8 counts as damage of the record.
 ///
 /// # Errors
 /// It cannot be read, or is too long to be a run.
@@ -266,7 +266,7 @@ pub fn read_run(path: &Path) -> io::Result<String> {
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
-/// A time of day in UTC: `2026-11-20T14:03:22Z`. Times before 1970 become its first second.
+/// A time of day in UTC: `2026-11-20T14:03:22Z`. Times before 1970 become the start of 1970.
 pub fn utc(time: SystemTime) -> String {
     let since = time.duration_since(UNIX_EPOCH).unwrap_or_default();
     let seconds = i64::try_from(since.as_secs()).ok();
@@ -279,7 +279,7 @@ pub(super) fn is_moment(text: &str) -> bool {
     moment(text).is_some()
 }
 
-/// The time of day that [`utc`] has written; `None` for anything else.
+/// Parses a time of day in the format of [`utc`]; `None` for anything else.
 pub(super) fn moment(text: &str) -> Option<SystemTime> {
     let time = NaiveDateTime::parse_from_str(text, MOMENT).ok()?;
     let is_ours = time.format(MOMENT).to_string() == text;

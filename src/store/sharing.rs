@@ -1,7 +1,7 @@
 //! Readers of a trainee's results: the trainee alone, or a group as well.
 //!
-//! The folder of the data says so itself: one whose group may read it and whose set-group-ID bit is set holds files that
-//! the group may read, in folders of the same kind.
+//! The data folder's mode decides: if its group may read it and its set-group-ID bit is set, its files are readable
+//! for the group, in folders of the same kind.
 
 use std::fs::{self, DirBuilder, File, OpenOptions, Permissions};
 use std::io;
@@ -10,15 +10,15 @@ use std::path::Path;
 
 use super::links;
 
-/// The bits of a folder that is shared: set-group-ID, and the group may read and enter it.
+/// The mode bits of a shared folder: set-group-ID, and read and enter for the group.
 const SHARED_FOLDER: u32 = 0o2050;
-/// The bit of a file in such a folder.
+/// The mode bit of a file in such a folder.
 const SHARED_FILE: u32 = 0o040;
 
-/// Lets the group of a data folder read all that is in it; makes the folder if need be.
+/// Lets the group of a data folder read all that is in it; creates the folder if needed.
 ///
 /// # Errors
-/// The folder cannot be made, or belongs to another user.
+/// The folder cannot be created, or belongs to another user.
 pub fn share_with_group(data: &Path) -> io::Result<()> {
     private_folder(data)?;
     allow(data, SHARED_FOLDER)?;
@@ -34,18 +34,18 @@ pub fn share_with_group(data: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// Makes a folder, and those above it, for its owner alone.
+/// Creates a folder, and those above it, for its owner alone.
 ///
 /// # Errors
-/// It cannot be made.
+/// It cannot be created.
 pub(super) fn private_folder(path: &Path) -> io::Result<()> {
     DirBuilder::new().recursive(true).mode(0o700).create(path)
 }
 
-/// Makes a folder within another that its readers may read as well.
+/// Creates a folder inside another, with the same readers.
 ///
 /// # Errors
-/// It cannot be made.
+/// It cannot be created.
 pub(super) fn folder_within(above: &Path, path: &Path) -> io::Result<()> {
     if !is_shared(above) {
         return private_folder(path);
@@ -55,7 +55,7 @@ pub(super) fn folder_within(above: &Path, path: &Path) -> io::Result<()> {
     allow(path, SHARED_FOLDER)
 }
 
-/// Opens a file to be written: with these options, and, if it is new, for the readers of its folder.
+/// Opens a file for writing with these options; a new one gets the readers of its folder.
 ///
 /// # Errors
 /// It cannot be opened.
@@ -73,7 +73,7 @@ fn is_shared(folder: &Path) -> bool {
     facts.is_ok_and(|facts| facts.permissions().mode() & SHARED_FOLDER == SHARED_FOLDER)
 }
 
-/// Adds bits to a mode that lacks them.
+/// Adds missing bits to a mode.
 fn allow(path: &Path, bits: u32) -> io::Result<()> {
     let mode = fs::metadata(path)?.permissions().mode();
     if mode & bits == bits {
@@ -109,7 +109,7 @@ mod tests {
         folder_within(&data, &data.join("runs")).expect("made");
         made(&late);
         assert_eq!((mode(&data.join("runs")), mode(&late)), (0o2750, 0o640));
-        // Not every folder that a group may read was meant to be shared.
+        // Not every folder readable for a group is meant to be shared.
         let other = home.path().join("other");
         private_folder(&other).expect("made");
         allow(&other, 0o055).expect("ours");

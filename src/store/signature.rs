@@ -1,5 +1,5 @@
-//! Keys and signatures of files, in the format of [minisign](https://jedisct1.github.io/minisign/), which checks them as
-//! well. The signature of a file lies beside it and is called like it, with `.minisig` added.
+//! Keys and signatures of files, in the format of [minisign](https://jedisct1.github.io/minisign/), which can check
+//! them too. The signature of a file is beside it, with `.minisig` added to its name.
 
 use std::fmt;
 use std::fs::{self, DirBuilder, OpenOptions};
@@ -14,23 +14,23 @@ use minisign::{
 use crate::text;
 use crate::text::Text;
 
-/// What is added to a file's name for its signature.
+/// The suffix of a signature file.
 const SIGNATURE: &str = ".minisig";
-/// What `minisign -G` calls the two files of a key.
+/// The names of a key's two files, as `minisign -G` uses them.
 const SECRET_KEY: &str = "minisign.key";
 const PUBLIC_KEY: &str = "minisign.pub";
 
-/// What is wrong with a key, or why a record cannot be signed.
+/// A fault of a key, or the reason why a record cannot be signed.
 #[derive(Debug, thiserror::Error)]
 #[error("{}", Text::from(self))]
 pub enum SignatureError {
     /// A file cannot be read or written.
     File { path: PathBuf, error: io::Error },
-    /// The key file is none, or its password is another.
+    /// The file is no key, or the password is wrong.
     Key { path: PathBuf, why: String },
-    /// The key has no password, or it cannot be asked for.
+    /// The password is missing or cannot be asked for.
     Password(String),
-    /// A file of a key is there already.
+    /// A key file exists already.
     Exists(PathBuf),
     /// The record is still being written.
     BeingWritten,
@@ -66,7 +66,7 @@ impl RecordKey {
     /// Reads the key of a file, as `minisign -G` writes it. Asks on the terminal for the password of an encrypted one.
     ///
     /// # Errors
-    /// The file cannot be read, is no key, or the password is another.
+    /// The file cannot be read, is no key, or the password is wrong.
     pub fn read(path: &Path) -> Result<Self, SignatureError> {
         let text = fs::read_to_string(path).map_err(|error| unreadable(path, error))?;
         let invalid = |error: PError| SignatureError::Key {
@@ -74,17 +74,17 @@ impl RecordKey {
             why: error.to_string(),
         };
         let stored = || SecretKeyBox::from_string(&text);
-        // A key without a password must not ask for one.
+        // A key without a password must not prompt for one.
         let key = stored().and_then(SecretKeyBox::into_unencrypted_secret_key);
         let key = key.or_else(|_| stored().and_then(|it| it.into_secret_key(None)));
         key.map(Self).map_err(invalid)
     }
 
-    /// Makes a new key in a folder: the two files that `minisign -G` writes. Asks on the terminal for a password, unless
-    /// it is to have none. Returns the key and the files.
+    /// Creates a key in a folder: the two files that `minisign -G` writes. Asks on the terminal for a password, unless
+    /// it should have none. Returns the key and the files.
     ///
     /// # Errors
-    /// There is a key already, the files cannot be written, or no password was given.
+    /// A key exists already, the files cannot be written, or no password was given.
     pub fn create(
         folder: &Path,
         has_password: bool,
@@ -126,12 +126,12 @@ impl RecordKey {
     }
 }
 
-/// The public key with which signatures are checked.
+/// The public key that checks signatures.
 #[derive(Debug)]
 pub struct RecordPublicKey(PublicKey);
 
 impl RecordPublicKey {
-    /// Reads a key: the text of one, or a file as `minisign -G` writes it.
+    /// Reads a public key from its text, or from a file of `minisign -G`.
     ///
     /// # Errors
     /// It is neither.
@@ -149,7 +149,7 @@ impl RecordPublicKey {
     }
 }
 
-/// Signs a file; the signature says `about` it, and replaces one that is there. Returns where it is.
+/// Signs a file; the signature contains the comment `about`, and replaces an existing one. Returns its path.
 ///
 /// # Errors
 /// The file cannot be read, or the signature cannot be written.
@@ -166,16 +166,16 @@ pub(super) fn sign(path: &Path, key: &RecordKey, about: &str) -> Result<PathBuf,
     Ok(into)
 }
 
-/// What a signature says.
+/// A checked signature.
 #[derive(Debug)]
 pub(super) struct FileSignature {
     /// The id of the key.
     pub key: String,
-    /// What it says about the file.
+    /// Its comment about the file.
     pub about: String,
 }
 
-/// Reads the signature of a file, and checks it with a key, where one is given. `None` where the file has none.
+/// Reads the signature of a file, and checks it with a key, where one is given. `None` if the file has none.
 ///
 /// # Errors
 /// The signature is damaged, belongs to another file or key, or the file was changed.
@@ -194,7 +194,7 @@ pub(super) fn check(
             let file = BufReader::new(fs::File::open(path)?);
             minisign::verify(key, &signature, file, true, false, false)?;
         }
-        // A signature names its file, so that the signed files of a record cannot change places.
+        // A signature names its file, so that the signed files of a record cannot be swapped.
         let comment = signature.trusted_comment()?;
         let about = comment.strip_prefix(&format!("file:{}\t", name(path)));
         Ok(FileSignature {
@@ -210,15 +210,15 @@ fn name(path: &Path) -> String {
     name.to_string_lossy().into_owned()
 }
 
-/// Where the signature of a file is.
+/// The path of a file's signature.
 pub(super) fn signature_of(path: &Path) -> PathBuf {
     let mut name = path.as_os_str().to_owned();
     name.push(SIGNATURE);
     PathBuf::from(name)
 }
 
-/// Whether a signature has its four lines, the second and the last of them as long as they must be. The library panics at
-/// a last line that is too short.
+/// Whether a signature has its four lines, with the second and the last of the required length. The library panics if
+/// the last line is too short.
 fn is_whole(text: &str) -> bool {
     /// Base64 of two bytes for the algorithm, eight for the key and 64 for the signature; and of 64 bytes.
     const SIGNED: [usize; 2] = [100, 88];
@@ -226,7 +226,7 @@ fn is_whole(text: &str) -> bool {
     matches!(lines[..], [_, file, _, comment] if [file.len(), comment.len()] == SIGNED)
 }
 
-/// An id as minisign shows it: the eight bytes as a number, the least significant first.
+/// An id as minisign shows it: the eight bytes as a little-endian number.
 fn key_id(number: &[u8]) -> String {
     let mut bytes = [0; 8];
     bytes.copy_from_slice(number);

@@ -1,4 +1,4 @@
-//! Text files, read with a limit, and why one could not be had.
+//! Text files, read with a size limit, and their errors.
 
 use std::ffi::OsStr;
 use std::io::Read as _;
@@ -9,10 +9,10 @@ use crate::diagnostic::{self, Diagnostic};
 use crate::text;
 use crate::text::Text;
 
-/// Files larger than this are refused: no mission, script or theme comes near it.
+/// The largest text file: no mission, script or theme comes near it.
 pub(super) const LARGEST_FILE: u64 = 1024 * 1024;
 
-/// A text with the name under which faults in it are reported.
+/// A text with its name for fault reports.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Source {
     /// The path, or the name of an embedded file.
@@ -28,35 +28,35 @@ impl Source {
     }
 }
 
-/// A file that could not be had.
+/// Why a file is not available.
 #[derive(Debug, thiserror::Error)]
 #[error("{}", Text::from(self))]
 pub enum StoreError {
-    /// It could not be read.
+    /// It cannot be read.
     Unreadable { path: PathBuf, error: io::Error },
-    /// It is too large to be what was asked for.
+    /// It is too large.
     TooLarge {
         path: PathBuf,
-        /// The id of the message that says what was expected.
+        /// The message that says what was expected.
         kind: &'static str,
     },
-    /// It could not be written.
+    /// It cannot be written.
     Unwritable { path: PathBuf, error: io::Error },
-    /// There is a file already, which is not to be lost.
+    /// A file exists that must not be lost.
     Exists { path: PathBuf },
     /// Neither a file nor a known name.
     Unknown {
-        /// The id of the message that says what was expected.
+        /// The message that says what was expected.
         kind: &'static str,
-        /// What was asked for.
+        /// The requested name.
         name: String,
-        /// The names of those there are.
+        /// The known names.
         known: String,
     },
-    /// It was read, but makes no sense.
+    /// It was read, but has faults.
     Faulty {
         file: Source,
-        /// Every fault, with its place.
+        /// Every fault, with its position.
         faults: Vec<Diagnostic>,
     },
 }
@@ -96,7 +96,7 @@ impl From<&StoreError> for Text {
     }
 }
 
-/// Reads a text file of at most 1 MiB. `kind` is the id of the message that says what it is to be.
+/// Reads a text file of at most 1 MiB. `kind` is the message that says what it should be.
 ///
 /// # Errors
 /// It does not exist, cannot be read, is not UTF-8 or is too large.
@@ -105,7 +105,7 @@ pub fn read(path: &Path, kind: &'static str) -> Result<Source, StoreError> {
         path: path.to_owned(),
         error,
     };
-    // A size that a file claims says nothing of what a device or a pipe gives, so what is read is limited.
+    // A claimed size means nothing for a device or a pipe, so the reading itself is limited.
     let mut bytes = Vec::new();
     fs::File::open(path)
         .and_then(|file| file.take(LARGEST_FILE + 1).read_to_end(&mut bytes))
@@ -124,7 +124,7 @@ pub fn read(path: &Path, kind: &'static str) -> Result<Source, StoreError> {
     })
 }
 
-/// A path as a person writes it: `~/` is their home folder.
+/// A path as typed: `~/` is the home folder.
 pub fn user_path(written: &str) -> PathBuf {
     let in_home = written.strip_prefix("~/").zip(etcetera::home_dir().ok());
     in_home.map_or_else(|| PathBuf::from(written), |(rest, home)| home.join(rest))

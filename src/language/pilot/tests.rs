@@ -41,7 +41,7 @@ fn pilot(source: &str) -> Pilot {
     Pilot::new(Script::parse(source, &Context::default()).expect("a good script"))
 }
 
-/// What a pilot does, without any mission.
+/// A pilot's actions without a mission.
 fn step(pilot: &mut Pilot, seconds: f64, vehicles: &Vehicles, ledger: &Ledger) -> Vec<PilotEvent> {
     let findings = Findings::default();
     let seen = Seen {

@@ -26,7 +26,7 @@ const FPS: Kind = Kind::Whole(
     Setting::FPS_MOST as f64,
 );
 
-/// A verb that only shows something; without a screen, as text.
+/// A verb that only shows a report; without a screen, as text.
 const fn shows(
     name: &'static str,
     aliases: &'static [&'static str],
@@ -38,7 +38,7 @@ const fn shows(
     }
 }
 
-/// A verb that no vehicle hears, and that is understood without an example.
+/// A console verb that needs no example.
 const fn said(name: &'static str, scope: Scope, forms: &'static [Form]) -> VerbRow {
     VerbRow {
         verb: Verb::unsent(name),
@@ -69,7 +69,7 @@ fn set(setting: LiveSetting) -> Built {
     console(ConsoleLine::Set(setting))
 }
 
-/// A word that its kind has let through, as what it stands for.
+/// The value of a word that its kind has accepted.
 fn meant<T>(
     given: &Arguments,
     name: &'static str,

@@ -9,7 +9,7 @@ use crate::verb::{CountsAs, Danger, Movement, Precedence, Verb};
 
 pub(super) static ROWS: &[VerbRow] = &[SERVO, RELAY, REBOOT, INTERVAL, REQUEST, PARAM, LONG, INT];
 
-/// Whatever fits a float on the wire.
+/// Any value that fits a float on the wire.
 const ANY: Kind = Kind::Number(Unit::None, -(f32::MAX as f64), f32::MAX as f64);
 const ANY_I32: Kind = Kind::Whole(Unit::None, i32::MIN as f64, i32::MAX as f64);
 

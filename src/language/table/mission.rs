@@ -1,4 +1,4 @@
-//! Verbs that a mission understands: payloads, reports, and the trainee's word before launch.
+//! Verbs that a mission understands: payloads, reports, and the trainee's prediction and goal.
 
 use std::time::Duration;
 

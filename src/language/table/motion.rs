@@ -1,4 +1,4 @@
-//! Verbs that move a vehicle in GUIDED, and what it looks at and comes home to.
+//! Verbs that move a vehicle in GUIDED, its point of interest and its home.
 
 use std::time::Duration;
 
@@ -12,7 +12,7 @@ use crate::verb::{Arrival, CountsAs, Danger, Movement, Precedence, Verb};
 
 pub(super) static ROWS: &[VerbRow] = &[GOTO, ALTITUDE, SPEED, YAW, VELOCITY, ORBIT, ROI, HOME];
 
-/// Heights above home or the origin; below lies the ground.
+/// Heights above home or the origin, above the ground.
 const HEIGHT: Kind = Kind::Number(Unit::Metres, 0.5, 10_000.0);
 /// Distances in the local frame.
 const WAY: Kind = Kind::Number(Unit::Metres, -100_000.0, 100_000.0);

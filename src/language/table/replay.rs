@@ -1,4 +1,4 @@
-//! Verbs about recordings: what is replayed, and which moments are worth coming back to.
+//! Verbs about replays and their moments.
 
 use std::time::Duration;
 
@@ -12,7 +12,7 @@ use crate::verb::Verb;
 
 pub(super) static ROWS: &[VerbRow] = &[REPLAY, SEEK, REWIND, LOOP, STOP_AT, BOOKMARK];
 
-/// A verb that is said to the console and is understood by its examples.
+/// A console verb with examples.
 const fn said(
     name: &'static str,
     scope: Scope,
@@ -154,7 +154,7 @@ fn seek_target(word: &str) -> Option<SeekTarget> {
     }
 }
 
-/// A time as clocks show it: `90`, `1:30`, `1:02:30.5`; `s` may follow seconds alone.
+/// A time in clock notation: `90`, `1:30`, `1:02:30.5`; plain seconds may have an `s`.
 fn time(word: &str) -> Option<Duration> {
     let word = word.strip_suffix('s').unwrap_or(word);
     let mut seconds = 0.0;

@@ -1,4 +1,4 @@
-//! Verbs that begin, steer and end what the console runs.
+//! Verbs that start, control and end sessions.
 
 use super::console;
 use crate::language::argument::{Argument, Kind, Unit};
@@ -16,7 +16,7 @@ const VEHICLE: Kind = Kind::Whole(Unit::None, 1.0, HIGHEST_VEHICLE as f64);
 
 const SPEEDUP_RATE: Kind = Kind::Number(Unit::None, 0.1, 1000.0);
 
-/// A verb that is said to the console, screen or not.
+/// A console verb, with or without a screen.
 const fn said(
     name: &'static str,
     examples: &'static [&'static str],

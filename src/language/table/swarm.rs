@@ -13,7 +13,7 @@ pub(super) static ROWS: &[VerbRow] = &[SURVEY, SEARCH, FORMATION, FOLLOW, SPREAD
 const HEIGHT: Kind = Kind::Number(Unit::Metres, 0.5, 10_000.0);
 const WAY: Kind = Kind::Number(Unit::Metres, -100_000.0, 100_000.0);
 const HEADING: Kind = Kind::Number(Unit::Degrees, 0.0, 360.0);
-/// Between vehicles and between lines.
+/// The gap between vehicles or lines.
 const GAP: Kind = Kind::Number(Unit::Metres, 1.0, 1000.0);
 const RADIUS: Kind = Kind::Number(Unit::Metres, 1.0, 10_000.0);
 const VEHICLE: Kind = Kind::Whole(Unit::None, 1.0, HIGHEST_VEHICLE as f64);
@@ -171,7 +171,7 @@ const FOLLOW: VerbRow = VerbRow {
     )],
 };
 
-/// What keeps a follower clear of a leader that stops at once.
+/// The distance that keeps a follower clear of a leader that stops suddenly.
 const FOLLOW_DISTANCE_M: f64 = 15.0;
 
 const SPREAD: VerbRow = VerbRow {
@@ -256,7 +256,7 @@ const DISBAND: Verb = Verb {
     counts_as: CountsAs::Task,
 };
 
-/// The forms of `relay` that make a chain of vehicles; those that switch a relay stand in the table of devices.
+/// The forms of `relay` that form a chain of vehicles; those that switch a relay are in the table of devices.
 pub(super) const CHAIN_TO_PLACE: Form = Form::new(&[TO, NORTH, EAST, UP], |given| {
     chain(given, FarEnd::Place(local(given, "north", "east")?))
 })

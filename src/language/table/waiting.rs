@@ -1,4 +1,4 @@
-//! The verb that holds a script.
+//! The verb that delays a script.
 
 use std::time::Duration;
 
@@ -161,7 +161,7 @@ fn wait(given: &Arguments, until: Until) -> Built {
     Ok(Meaning::Wait(Wait { until, timeout }))
 }
 
-/// The ranges of the table keep it from being negative or endless.
+/// The ranges of the table exclude negative and infinite times.
 fn seconds(time: f64) -> Duration {
     Duration::try_from_secs_f64(time).unwrap_or(DEFAULT_TIMEOUT)
 }

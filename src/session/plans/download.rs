@@ -1,4 +1,4 @@
-//! One download of one list: how long it is, then item by item, each asked for again when it does not come.
+//! The download of one list: its length, then item by item, each repeated when it is missing.
 
 use std::time::Duration;
 
@@ -11,13 +11,13 @@ use crate::wire::MavAddress;
 /// How long an answer may take on a link without delay (the protocol proposes 0.25 to 1.5 s; vehicles answer within
 /// 30 ms, but stall for up to a second while they boot).
 const ANSWER_WITHIN: Duration = Duration::from_secs(1);
-/// The longest that an answer is waited for, however slow the link.
+/// The longest wait for an answer, even on a slow link.
 const LONGEST_WAIT: Duration = Duration::from_secs(5);
-/// How often a question is asked before the download is given up (MAVLink's protocol: 5 retries).
+/// How often a request is sent before the download is given up (MAVLink's protocol: 5 retries).
 const TRIES: u8 = 6;
-/// An item that has not come after so many questions is asked for in the other form from then on.
+/// After this many requests for an item, the other form is used.
 const TRIES_PER_FORM: u8 = 3;
-/// No list is longer; `ArduPilot` stores some hundreds.
+/// The longest list; `ArduPilot` stores some hundreds.
 const MOST_ITEMS: u16 = 5000;
 
 /// A download under way.
@@ -26,18 +26,18 @@ pub(super) struct Download {
     pub kind: PlanKind,
     address: MavAddress,
     form: Form,
-    /// Whether the vehicle has said that it knows items as integers. Floats are worth 2 m at best, so loss alone
+    /// Whether the vehicle is known to support integer items. Floats have a precision of 2 m at best, so losses alone
     /// must not lead to them then.
     is_int_certain: bool,
-    /// How many items there are, once the vehicle has said so.
+    /// The number of items, once known.
     total: Option<u16>,
     items: Vec<PlanItem>,
-    /// How often the present question has been asked, and when last.
+    /// How often the present request was sent, and when last.
     tries: u8,
     asked_at: Duration,
 }
 
-/// How a download stands.
+/// The state of a download.
 #[derive(Debug, PartialEq)]
 pub(super) enum Step {
     Going,
@@ -45,12 +45,12 @@ pub(super) enum Step {
     Done(Vec<PlanItem>),
     /// The vehicle has no such list.
     Unsupported,
-    /// It did not come.
+    /// The download failed.
     Failed,
 }
 
 impl Download {
-    /// Nothing asked yet. `knows_int` is what the vehicle has said about items as integers.
+    /// A new download. `knows_int` tells whether the vehicle supports integer items, if known.
     pub fn new(kind: PlanKind, address: MavAddress, knows_int: Option<bool>) -> Self {
         let is_float = knows_int == Some(false);
         Self {
@@ -65,7 +65,7 @@ impl Download {
         }
     }
 
-    /// What a person may see of it.
+    /// Its state for display.
     pub fn transfer(&self) -> Transfer {
         Transfer::Coming {
             received: u16::try_from(self.items.len()).unwrap_or(u16::MAX),
@@ -73,7 +73,7 @@ impl Download {
         }
     }
 
-    /// Asks, and asks again. `round_trip` is the delay of the link.
+    /// Sends and repeats requests. `round_trip` is the delay of the link.
     pub fn poll(&mut self, round_trip: Duration, now: Duration, out: &mut Vec<MavMessage>) -> Step {
         let wait = (ANSWER_WITHIN + 2 * round_trip).min(LONGEST_WAIT);
         if self.tries > 0 && now < self.asked_at + wait {
@@ -82,7 +82,7 @@ impl Download {
         if self.tries == TRIES {
             return Step::Failed;
         }
-        // Only the first item tells which form the vehicle knows.
+        // Only the first item shows which form the vehicle supports.
         let is_first_item = self.total.is_some() && self.items.is_empty();
         if self.tries == TRIES_PER_FORM && is_first_item && !self.is_int_certain {
             self.form = match self.form {
@@ -103,7 +103,7 @@ impl Download {
         }
     }
 
-    /// Tells the vehicle that nothing more is wanted.
+    /// Tells the vehicle that the transfer is over.
     pub fn cancel(&self, out: &mut Vec<MavMessage>) {
         let cancelled = MavMissionResult::MAV_MISSION_OPERATION_CANCELLED;
         out.push(wire::acknowledge(self.address, self.kind, cancelled));
@@ -111,14 +111,14 @@ impl Download {
 
     fn count(&mut self, count: u16, now: Duration, out: &mut Vec<MavMessage>) -> Step {
         if self.total == Some(count) {
-            // Our question was asked twice, and so it is answered twice.
+            // Our request was sent twice, and so it is answered twice.
             return Step::Going;
         }
         if count > MOST_ITEMS {
             self.cancel(out);
             return Step::Failed;
         }
-        // Another count in between: it is another list now.
+        // A different count in between: it is another list now.
         self.total = Some(count);
         self.items.clear();
         self.go_on(now, out)
@@ -133,7 +133,7 @@ impl Download {
         self.go_on(now, out)
     }
 
-    /// A vehicle that does not know the question for items as integers is asked for floats.
+    /// Switches to floats for a vehicle that does not support integer items.
     fn refused(
         &mut self,
         result: MavMissionResult,
@@ -141,7 +141,7 @@ impl Download {
         out: &mut Vec<MavMessage>,
     ) -> Step {
         match result {
-            // The end of somebody's upload, not an answer to us.
+            // The end of another program's upload, not an answer to us.
             MavMissionResult::MAV_MISSION_ACCEPTED => Step::Going,
             MavMissionResult::MAV_MISSION_UNSUPPORTED if self.total.is_none() => Step::Unsupported,
             MavMissionResult::MAV_MISSION_UNSUPPORTED

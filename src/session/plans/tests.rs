@@ -22,11 +22,11 @@ fn ms(milliseconds: u64) -> Duration {
     Duration::from_millis(milliseconds)
 }
 
-/// How the vehicle answers.
+/// How the vehicle answers requests.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Manner {
     Modern,
-    /// Only to the older question, and with the older item.
+    /// Only the older request, with the older item.
     Legacy,
     /// Refuses every list.
     Refusing,
@@ -346,7 +346,7 @@ fn a_fence_is_read_as_its_areas() {
 }
 
 proptest! {
-    /// Whatever is lost, as long as it is not everything for long, every item arrives once and in order.
+    /// With any losses that do not last too long, every item arrives once and in order.
     #[test]
     fn a_plan_survives_losses(
         losses in proptest::collection::vec(proptest::bool::weighted(0.2), 0..200),
@@ -355,7 +355,7 @@ proptest! {
         let mut scene = Scene::new(Manner::Modern, count);
         scene.losses = losses;
         scene.pass(Duration::from_secs(900));
-        // It may just be read again, because its list has no id that tells of changes.
+        // It may just be read again, because its list has no id.
         let is_done = |scene: &Scene| scene.vehicle.plans.plan.transfer == Transfer::Done;
         for _ in 0..60 {
             if !is_done(&scene) {

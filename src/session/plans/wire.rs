@@ -20,25 +20,25 @@ use crate::wire::{Content, Frame, GROUND_STATION_SYSTEM, MavAddress};
 const MISSION_ITEM: u32 = MISSION_ITEM_DATA::ID;
 const MISSION_ITEM_INT: u32 = MISSION_ITEM_INT_DATA::ID;
 
-/// Something about a list that the vehicle says to us.
+/// A vehicle's answer about a list.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Answer {
-    /// How many items there are (`MISSION_COUNT`).
+    /// The number of items (`MISSION_COUNT`).
     Count(u16),
     /// One item (`MISSION_ITEM_INT` or `MISSION_ITEM`).
     Item(PlanItem),
-    /// `MISSION_ACK`: to a reader always a refusal.
+    /// `MISSION_ACK`: for a reader always a refusal.
     Refused(MavMissionResult),
 }
 
-/// How items are asked for: with places as integers, or as floats by vehicles that know nothing better.
+/// The form of items: positions as integers, or as floats for vehicles that support only those.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Form {
     Int,
     Float,
 }
 
-/// The answer in a frame, with the list that it is about. What is meant for other ground stations is none.
+/// The answer in a frame, with the list that it is about. Answers to other ground stations do not count.
 pub(super) fn answer(frame: &Frame) -> Option<(PlanKind, Answer)> {
     let (target, kind, answer) = match &frame.content {
         Content::Message(MavMessage::MISSION_COUNT(data)) => {
@@ -66,7 +66,7 @@ pub(super) fn answer(frame: &Frame) -> Option<(PlanKind, Answer)> {
     (target == 0 || target == GROUND_STATION_SYSTEM).then_some((kind, answer))
 }
 
-/// The list whose upload by somebody else the vehicle has just accepted.
+/// The list of another program's upload that the vehicle has just accepted.
 pub(super) fn others_upload(frame: &Frame) -> Option<PlanKind> {
     match &frame.content {
         Content::Message(MavMessage::MISSION_ACK(data))
@@ -78,7 +78,7 @@ pub(super) fn others_upload(frame: &Frame) -> Option<PlanKind> {
     }
 }
 
-/// Asks how long a list is.
+/// Requests the length of a list.
 pub(super) fn request_list(vehicle: MavAddress, kind: PlanKind) -> MavMessage {
     MavMessage::MISSION_REQUEST_LIST(MISSION_REQUEST_LIST_DATA {
         target_system: vehicle.system,
@@ -87,7 +87,7 @@ pub(super) fn request_list(vehicle: MavAddress, kind: PlanKind) -> MavMessage {
     })
 }
 
-/// Asks for one item.
+/// Requests one item.
 pub(super) fn request_item(
     vehicle: MavAddress,
     kind: PlanKind,
@@ -111,7 +111,7 @@ pub(super) fn request_item(
     }
 }
 
-/// Ends a transfer: everything is here, or it is broken off.
+/// Ends a transfer: complete or cancelled.
 pub(super) fn acknowledge(
     vehicle: MavAddress,
     kind: PlanKind,
@@ -139,7 +139,7 @@ fn kind(mission_type: u8) -> Option<PlanKind> {
     kinds.find(|kind| self::mission_type(*kind) as u8 == mission_type)
 }
 
-/// What both messages that carry an item say in the same fields, with its place.
+/// The common fields of both item messages.
 macro_rules! wire_item {
     ($data:expr, $place:expr) => {
         WireItem {
@@ -161,8 +161,8 @@ fn item_float(data: &MISSION_ITEM_DATA) -> PlanItem {
     wire_item!(data, LatLon::new(f64::from(data.x), f64::from(data.y))).read()
 }
 
-/// An item whose command or frame is newer than the dialect, by its layout on the wire: four parameters, x, y,
-/// z, the number, the command, target system and component, the frame.
+/// An item whose command or frame is unknown to the dialect, by its layout on the wire: four parameters, x, y, z, the
+/// number, the command, target system and component, the frame.
 fn item_by_hand(payload: &[u8; 255], is_int: bool) -> PlanItem {
     let word = |at: usize| {
         [
@@ -189,7 +189,7 @@ fn item_by_hand(payload: &[u8; 255], is_int: bool) -> PlanItem {
     .read()
 }
 
-/// What the forms of an item have in common.
+/// The common content of both forms of an item.
 struct WireItem {
     seq: u16,
     command: u16,
@@ -197,7 +197,7 @@ struct WireItem {
     frame: u8,
     params: [f32; 4],
     place: LatLon,
-    /// Metres; what from, the frame says.
+    /// Metres above the reference of the frame.
     z: f32,
 }
 

@@ -122,14 +122,14 @@ fn parameters_are_said_until_they_hold_by_the_name_that_the_vehicle_has() {
         }
         std::mem::take(&mut names)
     };
-    // Nobody is there yet.
+    // The vehicle is not heard yet.
     assert!(say(&mut settings, 1).is_empty());
     settings.receive(&frame(&ground_station_heartbeat()));
     assert_eq!(say(&mut settings, 2), [("SIM_GPS_DISABLE".to_owned(), 1.0)]);
     assert_eq!(say(&mut settings, 3), [("SIM_GPS1_ENABLE".to_owned(), 0.0)]);
     settings.receive(&value("SIM_GPS1_ENABLE", 0.0));
     assert!(settings.are_settled() && say(&mut settings, 60).is_empty());
-    // Somebody switches it on again, or the vehicle reboots.
+    // Another program switches it on again, or the vehicle reboots.
     settings.receive(&value("SIM_GPS1_ENABLE", 1.0));
     assert_eq!(
         say(&mut settings, 70),

@@ -1,4 +1,4 @@
-//! The download of parameters over links that lose, double and delay.
+//! The download of parameters over links with losses, duplicates and delays.
 
 use mavlink::dialects::ardupilotmega::{MavParamType, PARAM_VALUE_DATA, TIMESYNC_DATA};
 use proptest::prelude::*;
@@ -11,11 +11,11 @@ use crate::parameters::Fetching;
 /// The step of these tests.
 const STEP: Duration = Duration::from_millis(20);
 
-/// A vehicle with so many parameters, and a link of which each direction loses a share of the messages.
+/// A vehicle with many parameters behind a lossy link.
 struct Far {
     scene: Scene,
     count: u16,
-    /// What comes down, with the time of its arrival.
+    /// Messages in transit, with their arrival times.
     coming: Vec<(Duration, MavMessage)>,
     random: ChaCha8Rng,
     loss: f64,
@@ -25,9 +25,9 @@ struct Far {
     reads: usize,
     most_at_once: usize,
     is_answering: bool,
-    /// Between two values of a list; 0 is 2300 a second.
+    /// The time between two values of a list; 0 is 2300 a second.
     pace_ms: u64,
-    /// How long a message takes each way.
+    /// The one-way delay.
     way: Duration,
 }
 
@@ -65,7 +65,7 @@ impl Far {
         })
     }
 
-    /// Answers what was sent: a list in order, single places 100 ms later.
+    /// Answers requests: a list in order, single values 100 ms later.
     fn answer(&mut self) {
         self.scene.collect();
         let sent: Vec<Outgoing> = self.scene.sent[self.read..].to_vec();
@@ -254,7 +254,7 @@ fn another_number_of_parameters_is_read_anew() {
 
 #[test]
 fn a_list_that_comes_again_over_a_slow_link_is_not_cut_off_while_it_brings_what_is_known() {
-    // 70 a second: a serial radio.
+    // 70 values a second: a serial radio.
     let mut far = Far::new(700, 0.0, 3);
     far.pace_ms = 14;
     far.pass(ms(5000));

@@ -1,4 +1,4 @@
-//! Messages that a session hears, asks for and answers.
+//! Messages that a session receives, requests and answers.
 
 use super::*;
 

@@ -1,16 +1,16 @@
-//! Parameters that versions of the firmware call differently.
+//! Parameters with different names across firmware versions.
 
 use mavlink::dialects::ardupilotmega::{MavParamType, PARAM_VALUE_DATA};
 use mavlink::types::CharArray;
 
 use super::*;
 
-/// A vehicle that has one parameter, and says nothing to other names.
+/// A vehicle with one parameter, which ignores other names.
 struct Firmware {
     scene: Scene,
     name: &'static str,
     value: f32,
-    /// How many of its answers are lost.
+    /// The number of its answers that are lost.
     losses: usize,
 }
 
@@ -34,7 +34,7 @@ impl Firmware {
         }));
     }
 
-    /// Lets time pass while it answers.
+    /// Advances time while it answers.
     fn pass(&mut self, time: Duration) {
         for step in 0..time.as_millis() / 50 {
             self.scene.pass(ms(50));
@@ -168,7 +168,7 @@ fn a_parameter_is_read_by_the_name_that_the_firmware_has() {
 #[test]
 fn a_vehicle_with_neither_name_refuses_and_names_the_nearest() {
     let mut vehicle = Firmware::new("SIM_GPS_DISABLED");
-    // Its list is not complete, so that it has to be asked.
+    // Its list is incomplete, so it must be asked.
     vehicle.say(u16::MAX);
     vehicle.set("SIM_GPS_DISABLE", 1.0);
     let says = "not sent: the vehicle answers neither to SIM_GPS_DISABLE nor to SIM_GPS1_ENABLE; did you mean SIM_GPS_DISABLED?";

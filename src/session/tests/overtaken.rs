@@ -1,4 +1,4 @@
-//! Orders whose vehicle something else has taken.
+//! Orders of vehicles that another source has taken over.
 
 use mavlink::dialects::ardupilotmega::{EXTENDED_SYS_STATE_DATA, MavLandedState};
 
@@ -12,7 +12,7 @@ fn last(scene: &Scene, entry: u32) -> RowState {
     *scene.states(entry).last().expect("a row")
 }
 
-/// Under way to a target, and then ordered home by entry 2, which the vehicle has accepted.
+/// On the way to a target, then ordered home by entry 2, which the vehicle has accepted.
 fn returning() -> Scene {
     let mut scene = under_way();
     scene.order(2, "rtl", Command::Flight(FlightCommand::ReturnToLaunch));

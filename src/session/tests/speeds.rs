@@ -1,4 +1,4 @@
-//! Speeds that the autopilot forgets are said again.
+//! Speeds that the autopilot forgets are repeated.
 
 use super::targets::under_way;
 use super::*;

@@ -1,4 +1,4 @@
-//! Where a vehicle is heading, and when that is no longer true.
+//! A vehicle's target, and when it becomes void.
 
 use mavlink::dialects::ardupilotmega::{
     EXTENDED_SYS_STATE_DATA, GLOBAL_POSITION_INT_DATA, MavFrame, MavLandedState,
@@ -8,7 +8,7 @@ use mavlink::dialects::ardupilotmega::{
 use super::*;
 use crate::geo::LatLon;
 
-/// In the air in GUIDED on its way to a target, as the vehicle says.
+/// In the air in GUIDED on its way to a target, by its telemetry.
 pub(super) fn under_way() -> Scene {
     let mut scene = Scene::new();
     scene.heartbeat(GUIDED, true);

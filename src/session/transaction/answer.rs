@@ -1,4 +1,4 @@
-//! The answer to a command: that it was heard, and whether it is done.
+//! The answer to a command: its reception and its result.
 
 use std::time::Duration;
 
@@ -14,11 +14,11 @@ use crate::text::Text;
 use crate::vehicle::Vehicle;
 use crate::wire::{Content, Frame};
 
-/// Status texts that explain a refusal may come a little after it.
+/// How long status texts may follow a refusal to explain it.
 const REASON_PATIENCE: Duration = Duration::from_millis(300);
-/// A vehicle that says "in progress" is given this long until it says something again.
+/// The time-out after "in progress" until the next sign.
 const PROGRESS_PATIENCE: Duration = Duration::from_secs(20);
-/// The progress that `COMMAND_ACK` carries where it says nothing about it.
+/// The value of `COMMAND_ACK` without a progress.
 const PROGRESS_UNKNOWN: u8 = 255;
 
 impl Transaction {
@@ -48,7 +48,7 @@ impl Transaction {
         }
     }
 
-    /// Lets time pass while the answer is awaited: tries again, or gives up.
+    /// Advances time while the answer is awaited: retries, or gives up.
     pub(super) fn await_answer(&mut self, vehicle: &Vehicle, now: Duration, output: &mut Output) {
         let Phase::AwaitingAnswer {
             deadline,
@@ -88,7 +88,7 @@ impl Transaction {
         let seconds = format!("{seconds:.1}");
         let silence = text!("outcome-no-answer", tries = self.tries, seconds = seconds);
         match &self.request.answer {
-            // Vehicles say nothing at all to the name of a parameter that they lack.
+            // Vehicles ignore unknown parameter names.
             Answer::Parameter(name) => {
                 let guess = text!("outcome-no-parameter", name = name);
                 Text::joined("; ", vec![silence, guess])

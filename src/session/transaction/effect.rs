@@ -10,14 +10,14 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
 
-/// A velocity that is held for less than this may end before the vehicle has gathered speed (0 to 5 m/s takes
-/// an ArduCopter 2.4 s), so that nothing follows from not having seen it.
+/// A velocity shorter than this may end before the vehicle has accelerated (0 to 5 m/s takes an ArduCopter 2.4 s), so
+/// that a missing effect proves nothing.
 const GATHERING_SPEED: Duration = Duration::from_secs(4);
-/// A vehicle takes up what it has accepted within this time: the change shows with its next heartbeat.
+/// How long a vehicle may take to start an accepted command: the change shows with its next heartbeat.
 const BEGINS_WITHIN: Duration = Duration::from_secs(3);
 
 impl Transaction {
-    /// Lets time pass while the effect is awaited.
+    /// Advances time while the effect is awaited.
     pub(super) fn await_effect(
         &mut self,
         since: Duration,
@@ -39,13 +39,12 @@ impl Transaction {
         }
     }
 
-    /// Whether the vehicle has taken up what it was asked to do.
+    /// Whether the vehicle has started what was commanded.
     fn has_begun(&self, vehicle: &Vehicle) -> bool {
         self.holds_since.is_some() || self.claim.contradicted(vehicle).is_none()
     }
 
-    /// Nothing acknowledges a setpoint, so it is said again in case it was lost. That is no new try: nobody
-    /// knows that the first one failed.
+    /// Repeats a setpoint, which has no acknowledgement, in case it was lost. That does not count as a new attempt.
     fn repeat_setpoint(&mut self, now: Duration, output: &mut Output) {
         let Phase::AwaitingEffect { repeated, .. } = &mut self.phase else {
             return;
@@ -61,7 +60,7 @@ impl Transaction {
         }
     }
 
-    /// A velocity is said again and again for its time, and then a stop.
+    /// Repeats a velocity for its duration, and then sends a stop.
     pub(super) fn keep_up(
         &mut self,
         repeat: Repeat,
@@ -86,8 +85,8 @@ impl Transaction {
         }
     }
 
-    /// Whether telemetry shows the effect of this very command; `None` where there is nothing to see. What was
-    /// there before has to be confirmed by a heartbeat that came after the command.
+    /// Whether telemetry shows the effect of this very command; `None` if the effect is not observable. An effect that
+    /// was present before must be confirmed by a later heartbeat.
     pub(super) fn effect_shows(&self, vehicle: &Vehicle) -> Option<bool> {
         let seen = self.effect.seen(vehicle)?;
         let is_news = !self.effect_was_there

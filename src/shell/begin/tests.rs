@@ -15,7 +15,7 @@ fn first() -> Arc<Mission> {
     Arc::new(Mission::parse(FIRST).expect("it is good"))
 }
 
-/// A console in which the brief of a mission is shown, whose tries are kept in a folder.
+/// A console that shows the brief of a mission, with its attempts stored in a folder.
 async fn reading(runs: &Runs) -> Console {
     let mut options = ConsoleOptions::for_test(Opening::Mission(first()));
     options.seed = None;

@@ -13,23 +13,24 @@ use crate::store::{self, Profile, ProfileError, ProfileSettings, Profiles, RunEn
 use crate::text::{Language, Text};
 use crate::workshop::Design;
 
-/// The profiles of the data folder, and the one that is in use.
+/// The profiles of the data folder, and the one in use.
 #[derive(Debug)]
 pub(in crate::shell) struct Careers {
     profiles: Profiles,
     course: MissionCourse,
     current: Option<Profile>,
-    /// Flights that are not stored yet, oldest first, and whose they are: the disk may be full for a while.
+    /// Flights not stored yet with their profiles, oldest first: the disk may be full for a while.
     waiting: VecDeque<(String, RunEntry)>,
-    /// How often others had written at the last look.
+    /// The change counter at the last look.
     seen: Option<i64>,
 }
 
 impl Careers {
-    /// Opens the profiles of a data folder, with none chosen. Returns warnings about repaired files and recovered flights.
+    /// Opens the profiles of a data folder, with none chosen. Returns warnings about repaired files and recovered
+    /// flights.
     ///
     /// # Errors
-    /// They cannot be had; the console works without them.
+    /// They are not available; the console works without them.
     pub fn open(data: &Path, course: MissionCourse) -> Result<(Self, Vec<Text>), ProfileError> {
         let (profiles, told) = store::open_profiles(data)?;
         let careers = Self {
@@ -47,13 +48,13 @@ impl Careers {
         self.current.as_ref().map(|profile| profile.name.as_str())
     }
 
-    /// The names of all who have a profile, in order.
+    /// The names of all profiles, in order.
     pub fn names(&self) -> Result<Vec<String>, ProfileError> {
         let all = self.profiles.list()?;
         Ok(all.into_iter().map(|profile| profile.name).collect())
     }
 
-    /// Goes on with the profile of this name.
+    /// Switches to the profile with this name.
     pub fn choose(&mut self, name: &str) -> Result<(), ProfileError> {
         self.current = Some(self.profiles.find(name)?);
         Ok(())
@@ -64,12 +65,12 @@ impl Careers {
         Ok(())
     }
 
-    /// Goes on without a trainee.
+    /// Continues without a profile.
     pub fn leave(&mut self) {
         self.current = None;
     }
 
-    /// Remembers something that was chosen.
+    /// Stores a setting.
     pub fn set(&mut self, change: impl FnOnce(&mut ProfileSettings)) -> Result<(), ProfileError> {
         let Some(profile) = &mut self.current else {
             return Ok(());
@@ -107,7 +108,7 @@ impl Careers {
         profile.map_or(Ok(()), |profile| self.profiles.drop_design(profile, name))
     }
 
-    /// Takes a flight that is to be stored in a career.
+    /// Queues a flight for a career.
     pub fn put(&mut self, whose: &str, run: RunEntry) {
         self.waiting.push_back((whose.to_owned(), run));
     }
@@ -117,19 +118,19 @@ impl Careers {
         !self.waiting.is_empty()
     }
 
-    /// Copies the profiles, in case their file is lost.
+    /// Backs up the profiles.
     pub fn back_up(&self) -> Result<(), ProfileError> {
         self.profiles.back_up().map(drop)
     }
 
-    /// Stores the flights that wait for it in the careers that they were flown for; tells what they have brought there.
-    /// Those that cannot be stored now go on waiting.
+    /// Stores the waiting flights in their careers, and returns the rewards. Those that cannot be stored now keep
+    /// waiting.
     pub fn enter(&mut self) -> (Vec<Reward>, Result<(), ProfileError>) {
         let mut rewards = Vec::new();
         while let Some((whose, run)) = self.waiting.front() {
             match enter(&mut self.profiles, &self.course, whose, run) {
                 Ok(reward) => rewards.extend(reward),
-                // Who was deleted meanwhile has no career any more.
+                // A profile deleted meanwhile has no career any more.
                 Err(error @ ProfileError::Unknown { .. }) => {
                     self.waiting.pop_front();
                     return (rewards, Err(error));
@@ -141,7 +142,7 @@ impl Careers {
         (rewards, Ok(()))
     }
 
-    /// The trainee's tries at a revision of a mission, oldest first; `None` without a trainee.
+    /// The trainee's attempts at a revision of a mission, oldest first; `None` without a trainee.
     pub fn tries_at(&self, mission: &str, revision: u32) -> Option<Vec<TryReport>> {
         let tries = self
             .profiles
@@ -149,7 +150,7 @@ impl Careers {
         tries.ok()
     }
 
-    /// All of them, by mission.
+    /// All attempts, by mission.
     pub fn tries(&self) -> Result<Option<Tries>, ProfileError> {
         let Some(profile) = &self.current else {
             return Ok(None);
@@ -164,7 +165,7 @@ impl Careers {
         Ok(Some(tries))
     }
 
-    /// Goes on without a trainee whose profile somebody has deleted; says so.
+    /// Continues without a profile that was deleted elsewhere; returns a notice.
     pub fn forget_deleted(&mut self) -> Option<Text> {
         let found = self.profiles.find(&self.current.as_ref()?.name);
         let Err(error @ ProfileError::Unknown { .. }) = found else {
@@ -180,7 +181,7 @@ impl Careers {
         std::mem::replace(&mut self.seen, now) != now
     }
 
-    /// How far the trainee has come; `None` without one.
+    /// The trainee's career; `None` without one.
     pub fn career(&self) -> Result<Option<Career>, ProfileError> {
         let Some(profile) = &self.current else {
             return Ok(None);
@@ -196,7 +197,7 @@ impl Careers {
     }
 }
 
-/// Stores a flight in somebody's career. One that is stored already has brought nothing more.
+/// Stores a flight in a career. One that is stored already brings nothing more.
 fn enter(
     profiles: &mut Profiles,
     course: &MissionCourse,

@@ -1,10 +1,10 @@
-//! The brief of a mission, in lines.
+//! The brief of a mission as lines.
 
 use crate::app::State;
 use crate::mission::{Listing, ObjectiveListing};
 use crate::text::{Text, text};
 
-/// The brief, the objectives with their points, and what is asked before takeoff.
+/// The brief, the objectives with their points, and the questions before takeoff.
 pub(super) fn lines(state: &State) -> Vec<Text> {
     let Some(mission) = state.flown_mission() else {
         return Vec::new();

@@ -1,4 +1,4 @@
-//! When a flight begins, when it is not waited for any longer, and whether it went well.
+//! The start, the time limits and the result of a flight.
 
 use std::time::Duration;
 
@@ -9,11 +9,11 @@ use crate::mission::ObjectiveState;
 
 /// How long lines from a pipe wait for the vehicles to be heard.
 const HEARD_PATIENCE: Duration = Duration::from_secs(30);
-/// How long lines from a pipe wait for a process that has crashed, and for one that cannot be had at all: longer than
-/// any pause before it is started again. Vehicles that are there but not ready to arm are waited for as long.
+/// How long lines from a pipe wait for a crashed or missing process: longer than any delay before a restart. The same
+/// limit applies to vehicles that are not ready to arm.
 pub(super) const START_PATIENCE: Duration = Duration::from_secs(12);
 
-/// Waits for something to change that has been so for a while.
+/// A time limit on a condition.
 #[derive(Debug)]
 pub(super) struct Patience {
     lasts: Duration,
@@ -25,7 +25,7 @@ impl Patience {
         Self { lasts, since: None }
     }
 
-    /// Whether it has been so for too long.
+    /// Whether the condition has lasted for too long.
     pub fn is_over(&mut self, is_so: bool, now: Duration) -> bool {
         if !is_so {
             self.since = None;
@@ -35,17 +35,17 @@ impl Patience {
     }
 }
 
-/// What holds the first line from a pipe: until the vehicles are ready, or that was waited for long enough.
+/// What delays the first line from a pipe: vehicles that are not ready yet, up to a time limit.
 #[derive(Debug)]
 pub(super) struct Beginning {
-    /// How many vehicles will be heard, if that is known.
+    /// The number of vehicles, if known.
     expected: usize,
-    /// Vehicles that are heard but not ready to arm are waited for so long; `None` once lines are taken.
+    /// The limit for vehicles that are heard but not ready to arm; `None` once lines are accepted.
     ready: Option<Patience>,
 }
 
 impl Beginning {
-    /// A person waits for nothing.
+    /// A person's lines need no wait.
     pub fn of(expected: usize, is_person: bool) -> Self {
         Self {
             expected,
@@ -53,7 +53,7 @@ impl Beginning {
         }
     }
 
-    /// Whether lines are taken.
+    /// Whether lines are accepted.
     pub fn is_over(&self) -> bool {
         self.ready.is_none()
     }
@@ -73,7 +73,7 @@ impl Beginning {
     }
 }
 
-/// Whether the vehicles, which have to be started first, do not start.
+/// Whether the vehicles' processes fail to start.
 pub(super) fn cannot_start(state: &State) -> bool {
     let hangar = state.session().hangar();
     hangar
@@ -83,19 +83,19 @@ pub(super) fn cannot_start(state: &State) -> bool {
         })
 }
 
-/// Whether every vehicle can be armed, or is already.
+/// Whether every vehicle can be armed, or is armed already.
 fn is_ready(session: &FlightView) -> bool {
     let mut vehicles = session.vehicles().values();
     vehicles.all(|vehicle| vehicle.ready_to_arm() || vehicle.armed())
 }
 
-/// Whether a command ended otherwise than was wanted.
+/// Whether a command failed.
 pub(super) fn has_failures(ledger: &Ledger) -> bool {
     let mut rows = ledger.entries().flat_map(|entry| &entry.rows);
     rows.any(|row| row.state.is_failure())
 }
 
-/// Whether a mission is about to end by itself: all objectives are met, and all vehicles are down.
+/// Whether a mission is about to pass: all objectives are met, and all vehicles are down.
 pub(super) fn is_as_good_as_passed(state: &State) -> bool {
     let session = state.session();
     let mission = session.mission();

@@ -4,7 +4,7 @@ use std::io::{BufRead, ErrorKind};
 
 use tokio::sync::mpsc;
 
-/// Lines that may be given ahead.
+/// The most lines read ahead.
 const LINES_AHEAD: usize = 16;
 
 /// A line as it was read.
@@ -16,7 +16,7 @@ pub(super) enum PlainLine {
     Garbled(String),
 }
 
-/// Begins to read standard input.
+/// Starts to read standard input.
 pub(super) fn read() -> mpsc::Receiver<PlainLine> {
     let (sender, lines) = mpsc::channel(LINES_AHEAD);
     std::thread::spawn(move || {

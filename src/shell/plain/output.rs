@@ -1,4 +1,4 @@
-//! Lines for standard output, which may be read slowly or not at all.
+//! Lines for standard output, whose reader may be slow or absent.
 
 use std::io::{self, Write as _};
 use std::sync::mpsc::{Receiver, SyncSender, channel, sync_channel};
@@ -9,15 +9,15 @@ use crate::notice::sanitised;
 use crate::text::Text;
 use crate::ui::{Look, ascii};
 
-/// Lines that may wait to be read; what is said beyond is left out, and how many lines that were is told.
+/// The most waiting lines; further ones are dropped and counted.
 const LINES_WAITING: usize = 2000;
-/// How long a program that has been told to end waits for its reader.
+/// How long a program told to end waits for its reader.
 const LAST_PATIENCE: Duration = Duration::from_millis(500);
 
 pub struct PlainOutput {
     pieces: SyncSender<String>,
     outcome: Receiver<io::Result<()>>,
-    /// Whether lines come from a person, who sees a prompt.
+    /// Whether lines come from a person, who needs a prompt.
     is_person: bool,
     /// Whether the present line begins with the prompt.
     prompted: bool,
@@ -48,7 +48,7 @@ impl PlainOutput {
         }
     }
 
-    /// Says a text on a line of its own.
+    /// Prints a text on a line of its own.
     pub fn say(&mut self, look: &Look, text: &Text) {
         let translated = sanitised(&look.locale.text(text));
         let words = match look.symbols {
@@ -71,14 +71,14 @@ impl PlainOutput {
         }
     }
 
-    /// Shows a person the prompt, unless it is there already.
+    /// Shows a person the prompt, unless it is shown already.
     pub fn prompt(&mut self) {
         if self.is_person && !self.prompted {
             self.prompted = self.pieces.try_send("> ".to_owned()).is_ok();
         }
     }
 
-    /// The person has ended the line that the prompt began.
+    /// Notes that the person has ended the prompt's line.
     pub fn line_ended(&mut self) {
         self.prompted = false;
     }
@@ -94,13 +94,13 @@ impl PlainOutput {
         }
     }
 
-    /// Writes what is left; not for long if the program has been told to end.
+    /// Writes the rest; with a short time limit if the program was told to end.
     ///
     /// # Errors
     /// The output is closed.
     pub fn finish(self, told_to_end: bool) -> anyhow::Result<()> {
         if self.prompted {
-            // Whoever comes after us begins on a line of its own.
+            // The shell's prompt starts on a line of its own.
             drop(self.pieces.try_send("\n".to_owned()));
         }
         drop(self.pieces);

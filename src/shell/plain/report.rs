@@ -1,4 +1,4 @@
-//! Reports in lines: news, each once, and the state on demand.
+//! Reports as lines: news, each once, and the state on demand.
 
 use std::collections::BTreeMap;
 
@@ -13,31 +13,31 @@ use crate::notice::Notice;
 use crate::text::{Text, text};
 use crate::vehicle::{Severity, Vehicle, VehicleId};
 
-/// How long the newest notice may still be joined by equal ones.
+/// How long the newest notice may still collect equal ones.
 const FOLD_TIME: std::time::Duration = std::time::Duration::from_secs(10);
-/// Commands and notices that are listed on demand.
+/// The number of commands and notices listed on demand.
 const LISTED: usize = 20;
 
-/// What has been said.
+/// What has been printed so far.
 #[derive(Debug, Default)]
 pub struct PlainReport {
-    /// The newest notice that has been said, and how many it stood for.
+    /// The newest printed notice, and its count.
     notice: Option<(Notice, u32)>,
-    /// The first command whose end has not been looked for.
+    /// The first command whose outcome is not printed yet.
     next: Option<EntryId>,
     /// Commands that had not ended.
     open: Vec<EntryId>,
-    /// The objectives that were decided, and the hint.
+    /// The decided objectives, and the hint.
     objectives: BTreeMap<usize, ObjectiveState>,
     hint: Option<Text>,
-    /// How many contacts have been told of.
+    /// The number of contacts printed.
     contacts: usize,
-    /// The stages of vehicles that were being started.
+    /// The last printed stages of starting vehicles.
     stages: Option<Text>,
 }
 
 impl PlainReport {
-    /// What has happened since it was asked last.
+    /// The news since the last call.
     pub fn news(&mut self, state: &State) -> Vec<Text> {
         let mut texts: Vec<Text> = self.new_stages(state).into_iter().collect();
         texts.extend(self.new_notices(state));
@@ -47,7 +47,7 @@ impl PlainReport {
         texts
     }
 
-    /// How far the vehicles' processes are, while they are waited for.
+    /// The stages of the vehicles' processes, while they start.
     fn new_stages(&mut self, state: &State) -> Option<Text> {
         let hangar = state
             .session()
@@ -139,7 +139,7 @@ impl PlainReport {
     }
 }
 
-/// The stages of processes, vehicles that are equally far together.
+/// The stages of processes; vehicles of equal stage are merged.
 fn stages(hangar: &Hangar) -> Text {
     let mut together: Vec<(Text, Vec<VehicleId>)> = Vec::new();
     for instance in hangar.instances() {
@@ -192,10 +192,10 @@ fn notice_text(line: &NoticeLine, session: &FlightView) -> Text {
     Text::joined(": ", parts)
 }
 
-/// How a command went with a vehicle: its state, and why.
+/// The outcome of a command for a vehicle: its state, and the reason.
 type Fate = (Text, Option<Text>);
 
-/// A command and what became of it, vehicles that fared the same together.
+/// A command and its outcome; vehicles with the same outcome are merged.
 fn outcome(entry: &LedgerEntry) -> Text {
     let mut groups: Vec<(Fate, Vec<VehicleId>)> = Vec::new();
     for row in &entry.rows {
@@ -255,7 +255,7 @@ fn contact_text(contact: &ShownContact) -> Text {
     )
 }
 
-/// What detectors have found, and what the trainee has reported.
+/// The contacts, and the trainee's reports.
 fn contacts(state: &State) -> Vec<Text> {
     let Some(mission) = state.session().mission() else {
         return vec![text!("mission-none")];
@@ -265,7 +265,7 @@ fn contacts(state: &State) -> Vec<Text> {
     contacts.chain([marks]).collect()
 }
 
-/// How vehicles are: those that are named, else those that a command would go to, else all.
+/// The state of vehicles: the chosen ones, otherwise the targets of a command, otherwise all.
 fn status(state: &State, choice: Option<&VehicleChoice>) -> Vec<Text> {
     let vehicles = state.session().vehicles();
     let chosen = match choice {
@@ -330,7 +330,7 @@ fn ledger(state: &State) -> Vec<Text> {
     entries.skip(skipped).map(outcome).collect()
 }
 
-/// How the links are doing, and what ails them.
+/// The state of the links, and their faults.
 fn links(state: &State) -> Vec<Text> {
     let session = state.session();
     let links = session.links().iter().map(|link| {
@@ -357,7 +357,7 @@ fn notices(state: &State) -> Vec<Text> {
         .collect()
 }
 
-/// What a report says.
+/// The lines of a report.
 pub fn texts(report: &Report, state: &State) -> Vec<Text> {
     match report {
         Report::Status(vehicles) => status(state, vehicles.as_ref()),

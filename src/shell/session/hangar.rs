@@ -1,4 +1,4 @@
-//! The processes of a session's vehicles. A task launches them, so that the screen does not wait.
+//! The processes of a session's vehicles, launched by a task so that the screen does not block.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -24,14 +24,14 @@ mod usage;
 
 use usage::{ProcessUsage, shown};
 
-/// How long the processes of an earlier session may take to end before new ones are started.
+/// How long to wait for an earlier session's processes before new ones start.
 const ENDING_PATIENCE: Duration = Duration::from_secs(5);
-/// What a process prints is looked at so often.
+/// The interval of reading a process's output.
 const LOOK_EVERY: Duration = Duration::from_millis(500);
-/// Things that may wait to be told.
+/// The most waiting news.
 const NEWS_KEPT: usize = 64;
 
-/// What comes of launching, and of what is asked of processes.
+/// The results of launches and requests.
 enum ProcessNews {
     /// The hangars are open.
     Opened(Arc<Hangars>),
@@ -39,7 +39,7 @@ enum ProcessNews {
     Launched(Vec<LaunchedVehicle>),
     /// They could not be launched.
     NotLaunched(Text),
-    /// Something could not be done.
+    /// A request failed.
     Failed(Text),
     /// What a vehicle's process has printed, from the line with this number on.
     Printed(VehicleId, u64, Vec<OutputLine>),
@@ -47,38 +47,38 @@ enum ProcessNews {
 
 /// The processes of a session. Dropping it ends them.
 pub(super) struct Processes {
-    /// How many there are to be.
+    /// The expected number.
     pub count: usize,
     news: mpsc::Receiver<ProcessNews>,
     sender: mpsc::Sender<ProcessNews>,
     hangars: Option<Arc<Hangars>>,
     seen: Option<watch::Receiver<Seen>>,
     usage: BTreeMap<InstancePlace, ProcessUsage>,
-    /// How often each was started again.
+    /// The number of restarts of each.
     restarts: BTreeMap<VehicleId, u32>,
     looking: Option<Looking>,
 }
 
-/// The process whose output is looked at.
+/// The process whose output is on the screen.
 #[derive(Debug)]
 struct Looking {
     vehicle: VehicleId,
-    /// The number of the line that comes next.
+    /// The number of the next line.
     next: u64,
-    /// When it was asked for last.
+    /// The time of the last request.
     asked_at: Option<Duration>,
     is_asked: bool,
 }
 
-/// Processes that are being ended.
+/// Processes that are ending.
 #[derive(Debug, Default)]
 pub(in crate::shell) struct SessionEnding(Option<watch::Receiver<Seen>>);
 
 impl SessionEnding {
-    /// Waits until they are gone, for a while.
+    /// Waits until they are gone, up to a time limit.
     pub async fn over(self, patience: Duration) {
         if let Some(mut seen) = self.0 {
-            // They are gone too when nobody is left to tell of them.
+            // They are gone, too, if the sender has gone.
             let gone = seen.wait_for(|all| all.is_empty());
             drop(tokio::time::timeout(patience, gone).await);
         }
@@ -86,7 +86,7 @@ impl SessionEnding {
 }
 
 impl Processes {
-    /// Begins to launch vehicles, once the processes before them are gone.
+    /// Starts to launch vehicles, once earlier processes are gone.
     pub fn launch(
         source: SitlSource,
         launches: Vec<Launch>,
@@ -126,7 +126,7 @@ impl Processes {
         }
     }
 
-    /// What there is to tell.
+    /// The next news, if any.
     fn hear(&mut self) -> Option<ProcessNews> {
         let news = self.news.try_recv().ok()?;
         if let ProcessNews::Opened(hangars) = &news {
@@ -136,7 +136,7 @@ impl Processes {
         Some(news)
     }
 
-    /// How the processes are doing, if that has changed.
+    /// The state of the processes, if it has changed.
     fn changed(&mut self, now: Duration) -> Option<Vec<Instance>> {
         let seen = self.seen.as_mut()?;
         if !seen.has_changed().unwrap_or(false) {
@@ -183,7 +183,7 @@ impl Processes {
         });
     }
 
-    /// The vehicles whose processes were started again since they were looked at last.
+    /// The vehicles whose processes were restarted since the last call.
     fn started_again(&mut self, instances: &[Instance]) -> Vec<VehicleId> {
         let mut again = Vec::new();
         for instance in instances {
@@ -199,7 +199,7 @@ impl Processes {
         again
     }
 
-    /// Looks at what the process of a vehicle prints; it is told as [`ProcessNews::Printed`].
+    /// Requests the output of a vehicle's process; it arrives as [`ProcessNews::Printed`].
     fn look(&mut self, wanted: Option<VehicleId>, now: Duration) {
         let Some(vehicle) = wanted else {
             self.looking = None;
@@ -222,7 +222,7 @@ impl Processes {
         (looking.asked_at, looking.is_asked) = (Some(now), true);
         let (sender, next) = (self.sender.clone(), looking.next);
         tokio::spawn(async move {
-            // Of one that does not tell nothing more is shown.
+            // Without an answer, nothing more is shown.
             let lines = hangars.output(place, next).await.unwrap_or_default();
             drop(
                 sender
@@ -232,7 +232,7 @@ impl Processes {
         });
     }
 
-    /// Takes over what a process has printed, if it is still looked at.
+    /// Takes a process's output, if it is still on the screen.
     fn printed(&mut self, vehicle: VehicleId, from: u64, lines: &[OutputLine]) -> Option<Event> {
         let mut process = self.looking.as_mut();
         let looking = process.take_if(|one| (one.vehicle, one.next) == (vehicle, from))?;
@@ -246,7 +246,7 @@ impl Processes {
         Some(printed.into())
     }
 
-    /// Where the process of a vehicle is.
+    /// The hangar and the instance of a vehicle.
     fn place(&self, vehicle: VehicleId) -> Option<(Arc<Hangars>, InstancePlace)> {
         let seen = self.seen.as_ref()?.borrow();
         let mine = |(_, instance): &&(InstancePlace, hangar::Instance)| {
@@ -256,34 +256,34 @@ impl Processes {
         Some((self.hangars.clone()?, *place))
     }
 
-    /// Tells when the processes are gone, once this is dropped.
+    /// Reports when the processes are gone, once this is dropped.
     pub fn ending(&self) -> SessionEnding {
         SessionEnding(self.seen.clone())
     }
 }
 
 impl RunningSession {
-    /// What of the session takes a while to end, once this is dropped.
+    /// The parts of the session that take a while to end, once this is dropped.
     pub fn ending(&self) -> SessionEnding {
         let processes = self.processes.as_ref();
         processes.map_or_else(SessionEnding::default, Processes::ending)
     }
 
-    /// Has the process of a vehicle ended or started again.
+    /// Stops or restarts the process of a vehicle.
     pub fn process(&self, deed: ProcessDeed, vehicle: VehicleId) {
         if let Some(processes) = &self.processes {
             processes.order(deed, vehicle);
         }
     }
 
-    /// Looks at what the process of a vehicle prints, if one is wanted.
+    /// Reads the output of a vehicle's process, if one is on the screen.
     pub fn look_at_output(&mut self, wanted: Option<VehicleId>, now: Duration) {
         if let Some(processes) = &mut self.processes {
             processes.look(wanted, now);
         }
     }
 
-    /// What has become of the vehicles' processes.
+    /// The news of the vehicles' processes.
     pub(super) fn hear_processes(&mut self, now: Duration) -> Vec<Event> {
         let Some(processes) = &mut self.processes else {
             return Vec::new();
@@ -309,7 +309,7 @@ impl RunningSession {
         }
         if let Some(instances) = processes.changed(now) {
             for vehicle in processes.started_again(&instances) {
-                // A fleet that cannot keep up sees it by the vehicle's clock.
+                // A fleet that cannot keep up notices it by the vehicle's clock.
                 let _ = self.fleet.restarted(vehicle);
             }
             events.push(ProcessEvent::Instances(instances).into());
@@ -324,7 +324,7 @@ async fn open_and_launch(
     told: &mpsc::Sender<ProcessNews>,
 ) -> Result<(), Text> {
     let hangars = Arc::new(source.open()?);
-    // Whoever does not want to hear it any more has cancelled this too.
+    // A receiver that is gone has cancelled this too.
     drop(told.send(ProcessNews::Opened(Arc::clone(&hangars))).await);
     let launched = hangars
         .launch(launches)

@@ -1,4 +1,4 @@
-//! Looks at the links: for the doctor once a second, and for the messages room as often as it wants to be drawn.
+//! Examines the links: for the doctor once a second, and for the messages room as often as it is drawn.
 
 use std::collections::BTreeSet;
 use std::time::Duration;
@@ -11,11 +11,11 @@ use crate::doctor::{Chart, Way, diagnose};
 use crate::inspector::TallyKey;
 use crate::link::{LinkStatus, Tap};
 
-/// The doctor looks this often.
+/// The interval of the doctor's examinations.
 const EXAMINE_EVERY: Duration = Duration::from_secs(1);
-/// The messages are looked at this often,
+/// The interval of counting messages,
 const LOOK_EVERY: Duration = Duration::from_millis(250);
-/// and this often where there are very many kinds of them.
+/// and the one with very many kinds of them.
 const LOOK_AT_MANY_EVERY: Duration = Duration::from_secs(1);
 const MANY: usize = 4000;
 
@@ -36,12 +36,12 @@ impl Inspection {
         self.taps.push(tap);
     }
 
-    /// Nothing was heard because nothing moved: the doctor is asked only when something could be heard again.
+    /// Notes a pause, in which nothing could be heard: the doctor waits until messages can arrive again.
     pub fn rest(&mut self, now: Duration) {
         self.next_exam = now + EXAMINE_EVERY;
     }
 
-    /// What the doctor says, if it is time to ask.
+    /// The doctor's findings, if due.
     pub fn examine(
         &mut self,
         links: &[watch::Receiver<LinkStatus>],
@@ -58,7 +58,7 @@ impl Inspection {
         Some(LinkEvent::Findings(diagnose(&self.charts)).into())
     }
 
-    /// A look at the messages, if it is time for one.
+    /// A count of the messages, if due.
     pub fn look(
         &mut self,
         links: &[watch::Receiver<LinkStatus>],
@@ -90,7 +90,7 @@ impl Inspection {
         Some(LinkEvent::Traffic(traffic).into())
     }
 
-    /// Has every frame of these kinds kept, and of no others.
+    /// Keeps every frame of these kinds, and of no others.
     fn watch(&mut self, watched: &BTreeSet<(usize, TallyKey)>) {
         if self.watched == *watched {
             return;

@@ -1,4 +1,4 @@
-//! A session's links as they are shown, and their notices.
+//! A session's links for display, and their notices.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -14,16 +14,16 @@ use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle};
 use crate::wire::{ComponentId, SystemId};
 
-/// A link that was down is up again once it has been for so long.
+/// How long a link must stay up before it is reported as up again.
 const UP_HOLDS: Duration = Duration::from_secs(2);
 
 /// The links of a session.
 #[derive(Default)]
 pub(super) struct SessionLinks {
     all: Vec<watch::Receiver<LinkStatus>>,
-    /// What was heard and said of each.
+    /// The state and the last notice of each.
     heard: Vec<LinkHeard>,
-    /// How many had ended when they were shown last.
+    /// The number of ended links at the last display.
     ended: usize,
 }
 
@@ -39,7 +39,7 @@ impl SessionLinks {
         &self.all
     }
 
-    /// What a human should hear of them: that one is down and why, and that it is up again.
+    /// Notices of the links: one is down and why, or up again.
     pub fn hear(&mut self, now: Duration) -> impl Iterator<Item = Notice> {
         let links = self.all.iter().zip(&mut self.heard);
         links.filter_map(move |(link, heard)| {
@@ -49,9 +49,9 @@ impl SessionLinks {
         })
     }
 
-    /// How they are, if that has changed.
+    /// Their state, if it has changed.
     pub fn changed(&mut self, vehicles: &[watch::Receiver<Arc<Vehicle>>]) -> Option<Event> {
-        // A link that has ended has changed for the last time; its last state still has to be shown.
+        // An ended link does not change any more, but its last state must still be shown.
         let links = self.all.iter();
         let ended = links.filter(|link| link.has_changed().is_err()).count();
         let has_changed = |link: &watch::Receiver<LinkStatus>| link.has_changed().unwrap_or(false);
@@ -68,12 +68,12 @@ impl SessionLinks {
     }
 }
 
-/// What was heard and said of a link.
+/// The state and the last notice of a link.
 struct LinkHeard {
-    /// How it was when it was looked at last, and since when.
+    /// The last state seen, and since when.
     seen: LinkNews,
     since: Duration,
-    /// What was said of it last.
+    /// The last notice given.
     said: LinkNews,
 }
 
@@ -86,8 +86,8 @@ impl LinkHeard {
         }
     }
 
-    /// What is to be said now. That a link is up again is said once that has held: of one that goes up and down, the same
-    /// is said again and again, which folds into one line.
+    /// The notice that is due. A link counts as up again only after a while; one that goes up and down repeats the
+    /// same notice, which is folded.
     fn note(&mut self, news: LinkNews, now: Duration) -> Option<LinkNews> {
         if news == LinkNews::Silent {
             return None;
@@ -98,7 +98,7 @@ impl LinkHeard {
             self.since = now;
         }
         let is_said = match self.seen {
-            // It has come up for the first time, as usual.
+            // Its first start is normal.
             LinkNews::Up if self.said == LinkNews::Silent => {
                 self.said = LinkNews::Up;
                 false
@@ -114,7 +114,7 @@ impl LinkHeard {
     }
 }
 
-/// What is worth saying of a link.
+/// A state of a link worth a notice.
 #[derive(Debug, Clone, PartialEq, Eq)]
 enum LinkNews {
     /// Nothing has been heard yet.
@@ -123,7 +123,7 @@ enum LinkNews {
     Up,
     /// It does not, for this reason.
     Down(Text),
-    /// Closed for good, as a recording that has been played to its end.
+    /// Closed for good, such as a recording played to its end.
     Ended,
 }
 
@@ -150,7 +150,7 @@ impl LinkNews {
     }
 }
 
-/// The shortest round trip of the vehicles that are heard by a link.
+/// The shortest round trip of the vehicles heard on a link.
 fn round_trip(vehicles: &[watch::Receiver<Arc<Vehicle>>], link: LinkId) -> Option<Duration> {
     let quality = |vehicle: &watch::Receiver<Arc<Vehicle>>| vehicle.borrow().link;
     vehicles
@@ -161,7 +161,7 @@ fn round_trip(vehicles: &[watch::Receiver<Arc<Vehicle>>], link: LinkId) -> Optio
         .min()
 }
 
-/// The senders whose frames are missing, and how many.
+/// The senders with missing frames, and their number.
 fn lost(status: &LinkStatus) -> Vec<((SystemId, ComponentId), u64)> {
     let senders = status.numbered.iter();
     senders
@@ -197,7 +197,7 @@ fn summary(status: &LinkStatus, round_trip: Option<Duration>) -> LinkSummary {
 mod tests {
     use super::*;
 
-    /// Looks ten times a second for so long; what was said.
+    /// Checks ten times a second for a time; returns the notices.
     fn said(heard: &mut LinkHeard, from_ms: u64, to_ms: u64, news: &LinkNews) -> Vec<LinkNews> {
         (from_ms..to_ms)
             .step_by(100)

@@ -1,4 +1,4 @@
-//! The record of the mission that is flown, written once a second.
+//! The record of the mission in flight, written once a second.
 
 use std::time::{Duration, SystemTime};
 
@@ -10,22 +10,22 @@ use crate::store::{RunFile, Runs, StoreError, utc};
 use crate::text;
 use crate::text::Text;
 
-/// A crash loses no more than this of a flight.
+/// The interval of writing, and so the most that a crash loses.
 const WRITE_EVERY: Duration = Duration::from_secs(1);
 
 /// Writes the record of a flight.
 pub(super) struct Logbook {
     occasion: Occasion,
     run_id: String,
-    /// The trainee's tries before it, oldest first.
+    /// The trainee's attempts before it, oldest first.
     earlier: Vec<TryReport>,
-    /// The file, or what keeps it from being written, until that is said.
+    /// The file, or the error that prevents writing until it is reported.
     file: Result<RunFile, Option<Text>>,
     written: Option<Duration>,
 }
 
 impl Logbook {
-    /// Begins the record of a flight, which is told which try it is; `earlier` are those before it.
+    /// Starts the record of a flight and sets its attempt number; `earlier` are those before it.
     pub fn begin(
         runs: &Runs,
         flight: &mut Flight,
@@ -55,7 +55,7 @@ impl Logbook {
         }
     }
 
-    /// Writes what is due, everything once the flight is over; returns what is to be said of it.
+    /// Writes what is due, and everything once the flight is over; returns a notice, if any.
     pub fn keep(&mut self, flight: &mut Flight, now: Duration) -> Option<Text> {
         let file = match &mut self.file {
             Ok(file) => file,
@@ -80,22 +80,22 @@ impl Logbook {
         }
     }
 
-    /// What the run is called, which no other is.
+    /// The unique id of the run.
     pub fn run_id(&self) -> &str {
         &self.run_id
     }
 
-    /// Whether the record is whole so far.
+    /// Whether the record is complete so far.
     pub fn is_whole(&self) -> bool {
         self.file.is_ok()
     }
 
-    /// For whose career it is flown, and how it counts there.
+    /// The career and the stake of the flight.
     pub fn occasion(&self) -> &Occasion {
         &self.occasion
     }
 
-    /// The tries at the mission, the one with this report last.
+    /// The attempts at the mission, the one with this report last.
     pub fn tries(&self, report: &Report) -> Vec<TryReport> {
         let mut tries = self.earlier.clone();
         tries.push(TryReport {

@@ -1,4 +1,4 @@
-//! A mission that is flown: how far it has been stepped, and by whose clock.
+//! A mission in flight: its steps and its clock.
 
 use std::collections::{BTreeSet, VecDeque};
 use std::sync::Arc;
@@ -19,15 +19,15 @@ use crate::store::{self, Runs};
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 
-/// A mission that is flown.
+/// A mission in flight.
 pub(super) struct MissionRun {
     driver: FlightDriver,
     logbook: Option<Logbook>,
-    /// What its vehicles are.
+    /// The simulator of its vehicles.
     backend: FlightBackend,
-    /// Where what enters its simulated vehicles is taken down.
+    /// The recorder of its simulated vehicles' inputs.
     inputs: Option<InputSink>,
-    /// What the mission demands of vehicles that have not been told yet, oldest first.
+    /// The mission's demands on vehicles not sent yet, oldest first.
     wanted: VecDeque<Demand>,
     /// The vehicles whose processes have ended.
     lost: BTreeSet<VehicleId>,
@@ -40,18 +40,18 @@ pub(super) struct MissionRun {
 pub(in crate::shell) struct Finished {
     /// The mission that was flown.
     pub mission: Arc<Mission>,
-    /// What came of it.
+    /// Its report.
     pub report: Report,
-    /// For whose career it was flown, and how it counts there.
+    /// The career and the stake of the flight.
     pub occasion: Occasion,
-    /// What the run is called, which no other is.
+    /// The unique id of the run.
     pub run_id: String,
-    /// Whether its record is whole.
+    /// Whether its record is complete.
     pub is_recorded: bool,
 }
 
 impl MissionRun {
-    /// The try at the mission.
+    /// The flight.
     pub fn flight_mut(&mut self) -> &mut Flight {
         self.driver.flight_mut()
     }
@@ -60,7 +60,7 @@ impl MissionRun {
         self.driver.flight()
     }
 
-    /// A mission with the embedded simulator, so many simulated seconds per second.
+    /// A mission with the embedded simulator, at a speed-up.
     pub fn embedded(flight: Flight, speedup: f64, inputs: Option<InputSink>) -> Self {
         let clock = PacedClock::new(speedup, Duration::ZERO);
         let driver = FlightDriver::new(flight, FlightPace::Scaled(clock));
@@ -89,12 +89,12 @@ impl MissionRun {
         }
     }
 
-    /// Has mission time pass faster or slower from now on.
+    /// Changes the speed-up of mission time.
     pub fn set_speedup(&mut self, speedup: f64, now: Duration) {
         self.driver.set_rate(speedup, now);
     }
 
-    /// Begins its record, and tells it which try it is; `earlier` are those before it.
+    /// Starts its record, and sets its attempt number; `earlier` are those before it.
     pub fn record(&mut self, runs: &Runs, occasion: Occasion, earlier: Vec<TryReport>) {
         let occasion = Occasion {
             backend: self.backend,
@@ -104,18 +104,18 @@ impl MissionRun {
         self.logbook = Some(logbook);
     }
 
-    /// What its run is called, where it is recorded.
+    /// The id of its run, if recorded.
     pub fn run_id(&self) -> Option<&str> {
         let logbook = self.logbook.as_ref().filter(|it| it.is_whole())?;
         Some(logbook.run_id())
     }
 
-    /// How late it is in the mission.
+    /// Mission time.
     fn elapsed(&self) -> Duration {
         self.driver.flight().elapsed()
     }
 
-    /// Steps the mission up to now and returns what came of it. It stands still until its vehicles are there.
+    /// Steps the mission up to now and returns the events. It does not start until its vehicles are there.
     pub fn fly(&mut self, now: Duration, shown: &FlightView) -> Vec<Event> {
         if self.ended {
             return Vec::new();
@@ -144,7 +144,7 @@ impl MissionRun {
         events
     }
 
-    /// Names the tries in the report, and keeps it for the career that it was flown for.
+    /// Adds the attempts to the report, and keeps it for its career.
     fn finish(&mut self, report: &mut Report) {
         let Some(logbook) = &self.logbook else {
             return;
@@ -159,13 +159,13 @@ impl MissionRun {
         });
     }
 
-    /// Writes what was recorded; that it cannot be is said once.
+    /// Writes the record; a failure is reported once.
     fn keep_record(&mut self, now: Duration) -> Option<Event> {
         let text = self.logbook.as_mut()?.keep(self.driver.flight_mut(), now)?;
         Some(Event::Notice(Notice::general(now, Severity::Warning, text)))
     }
 
-    /// Vehicles whose processes have ended by themselves do not come back.
+    /// Marks vehicles as lost whose processes have ended by themselves.
     fn note_losses(&mut self, now: Duration, shown: &FlightView) -> Vec<Event> {
         if !self.driver.has_begun() {
             return Vec::new();
@@ -185,14 +185,14 @@ impl MissionRun {
         events
     }
 
-    /// Mission time, which passes once the vehicles are there and heard.
+    /// Mission time, which starts once the vehicles are heard.
     fn time(&mut self, now: Duration, shown: &FlightView) -> Duration {
         if !shown.is_starting() && !shown.is_reading() {
             let wanted = self.driver.flight().mission().vehicles;
             self.driver
                 .begin_when_heard(now, shown.vehicles().len() >= wanted);
         }
-        // A vehicle that boots runs at another speed.
+        // A booting vehicle runs at another speed.
         let flies = |id| {
             let hangar = shown.hangar();
             let instance = hangar.and_then(|hangar| hangar.of(id));
@@ -204,13 +204,13 @@ impl MissionRun {
     }
 }
 
-/// What the mission says is on its own clock; the console's notices are on the program's.
+/// The mission's notices, converted from mission time to the program's clock.
 fn heard(said: Vec<Notice>, now: Duration) -> impl Iterator<Item = Event> {
     said.into_iter()
         .map(move |notice| Event::Notice(Notice { at: now, ..notice }))
 }
 
-/// Tells the demands on vehicles that are heard, oldest first, until one cannot be told: it and what follows stay.
+/// Sends demands to vehicles that are heard, oldest first, until one fails: it and the rest stay.
 fn tell_demands(
     wanted: &mut VecDeque<Demand>,
     is_heard: impl Fn(VehicleId) -> bool,
@@ -227,7 +227,7 @@ fn tell_demands(
 }
 
 impl RunningSession {
-    /// Steps the mission up to now and returns what came of it.
+    /// Steps the mission up to now and returns the events.
     pub fn fly(&mut self, now: Duration, shown: &FlightView) -> Vec<Event> {
         let Some(mission_run) = &mut self.mission_run else {
             return Vec::new();
@@ -238,7 +238,7 @@ impl RunningSession {
         mission_run
             .wanted
             .extend(mission_run.driver.flight_mut().take_demands());
-        // What a vehicle cannot be told before it is heard waits until it is.
+        // Demands on a vehicle that is not heard yet wait.
         let recorder = self.recorder.as_ref();
         tell_demands(
             &mut mission_run.wanted,
@@ -264,31 +264,31 @@ impl RunningSession {
         self.mission_run.as_mut()?.finished.take()
     }
 
-    /// What the trainee has said before launch, as long as nothing has flown.
+    /// The trainee's prediction and goal, while nothing has flown.
     pub fn open_pledge(&self) -> Option<Pledge> {
         self.mission_run.as_ref()?.driver.flight().open_pledge()
     }
 
-    /// Takes over what the trainee has said before the try before this one, in which nothing has flown.
+    /// Takes over the prediction and the goal of the previous attempt, in which nothing flew.
     pub fn renew(&mut self, pledge: Pledge) {
         if let Some(mission_run) = &mut self.mission_run {
             mission_run.driver.flight_mut().renew(pledge);
         }
     }
 
-    /// Has something happen in the mission; `None` without one.
+    /// Triggers an inject; `None` without a mission.
     pub fn inject(&mut self, name: &str) -> Option<Result<Text, Text>> {
         Some(self.mission_run.as_mut()?.driver.flight_mut().inject(name))
     }
 
-    /// Whether everything can stand still until the brief has been read: the simulator is our own, and so many vehicles
-    /// that are heard are all of them.
+    /// Whether everything can be stopped until the brief has been read: the simulator is the embedded one, and all
+    /// vehicles are heard.
     pub fn can_wait_for_reader(&self, vehicles: usize) -> bool {
         let mission = self.mission_run.as_ref().map(|run| run.driver.flight());
         self.processes.is_none() && mission.is_some_and(|it| vehicles >= it.mission().vehicles)
     }
 
-    /// Takes down in the mission's record that all stood still for so long.
+    /// Adds a pause of this length to the mission's record.
     pub fn note_pause(&mut self, lasted: Duration, now: Duration) -> Option<Notice> {
         let notice = self
             .mission_run
@@ -299,7 +299,7 @@ impl RunningSession {
         Some(Notice { at: now, ..notice })
     }
 
-    /// Whether leaving now means giving up a flight that counts: its clock has started, and it is not over.
+    /// Whether leaving now abandons a flight that counts: its clock has started, and it is not over.
     pub fn counts_when_left(&self) -> bool {
         self.mission_run.as_ref().is_some_and(|run| {
             let occasion = run.logbook.as_ref().map(Logbook::occasion);
@@ -308,7 +308,7 @@ impl RunningSession {
         })
     }
 
-    /// Leaves no record of a mission whose clock has not started.
+    /// Removes the record of a mission whose clock has not started.
     pub fn forget_unbegun(&mut self) {
         let run = self.mission_run.as_mut();
         if let Some(run) = run.filter(|run| !run.driver.has_begun()) {

@@ -1,4 +1,4 @@
-//! Orders of a session: to its vehicles, to its mission, and to several vehicles together.
+//! Orders of a session: to its vehicles, to its mission, and for joint manoeuvres.
 
 use std::time::Duration;
 
@@ -14,7 +14,7 @@ use crate::shell::orders::not_sent;
 use crate::vehicle::{Severity, VehicleId, Vehicles};
 
 impl RunningSession {
-    /// Carries out an order whose entry is open already; returns what comes of it at once.
+    /// Carries out an order that already has an entry; returns its immediate events.
     pub fn carry_out(
         &mut self,
         entry: EntryId,
@@ -31,7 +31,7 @@ impl RunningSession {
         self.dispatch(work, now)
     }
 
-    /// Leads what vehicles do together; returns what came of it.
+    /// Advances joint manoeuvres; returns their events.
     pub fn conduct(&mut self, now: Duration, vehicles: &Vehicles) -> Vec<Event> {
         let work = self.operator.conduct(vehicles, self.vehicle_time.at(now));
         let mut events = self.dispatch(work, now);
@@ -43,7 +43,7 @@ impl RunningSession {
         events
     }
 
-    /// Does the operator's work; its times become those of the program's clock.
+    /// Carries out the operator's work; its times are converted to the program's clock.
     fn dispatch(&mut self, work: Vec<Dispatch>, now: Duration) -> Vec<Event> {
         let events = work.into_iter().filter_map(|work| match work.at(now) {
             Dispatch::Row(row) => Some(VehicleEvent::Row(row).into()),
@@ -62,7 +62,7 @@ impl RunningSession {
         events.collect()
     }
 
-    /// Gives a command to one vehicle. One that cannot be given ends its row and holds up no other.
+    /// Sends a command to one vehicle. A failure ends only its own row.
     fn command(
         &self,
         vehicle: VehicleId,

@@ -1,4 +1,4 @@
-//! The record of a session: its frames, and what happens beside them.
+//! The record of a session: its frames and its journal.
 
 use std::path::Path;
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
@@ -12,23 +12,23 @@ use crate::store::{Recording, Records, utc};
 use crate::text;
 use crate::text::Text;
 
-/// Records a session. Its clock is the session's, which stands still in a pause.
+/// Records a session by the session's clock, which stops in a pause.
 pub(super) struct FlightRecorder {
     sink: FrameSink,
-    /// Where what enters simulated vehicles waits.
+    /// Waiting inputs of simulated vehicles.
     inputs: InputSink,
     began_unix_us: u64,
     /// When it began, on the program's clock.
     began_at: Duration,
     recording: Option<Recording>,
-    /// What has to be said of it.
+    /// An error to report.
     fault: Option<Text>,
-    /// Whether frames that were left out have been told of.
+    /// Whether dropped frames have been reported.
     has_told_loss: bool,
 }
 
 impl FlightRecorder {
-    /// Takes frames down from now on.
+    /// Starts to collect frames.
     pub fn new(clock: &FleetClock) -> Self {
         let since_1970 = SystemTime::now().duration_since(UNIX_EPOCH);
         let began_unix_us = micros(since_1970.unwrap_or_default());
@@ -46,24 +46,24 @@ impl FlightRecorder {
         }
     }
 
-    /// Where frames are taken down.
+    /// The sink for frames.
     pub fn sink(&self) -> FrameSink {
         self.sink.clone()
     }
 
-    /// Where what enters simulated vehicles is taken down.
+    /// The sink for inputs of simulated vehicles.
     pub fn inputs(&self) -> InputSink {
         self.inputs.clone()
     }
 
-    /// Hands over what has entered simulated vehicles.
+    /// Passes on the inputs of simulated vehicles.
     pub fn pass_inputs(&self) {
         if let Some(recording) = &self.recording {
             recording.note_inputs(&self.inputs.take());
         }
     }
 
-    /// Begins the files of a session that has started; those of a mission are called like its run.
+    /// Creates the files of a session that has started; those of a mission have its run's name.
     pub fn begin(
         &mut self,
         records: &Records,
@@ -85,7 +85,7 @@ impl FlightRecorder {
         }
     }
 
-    /// Notes that something happened.
+    /// Adds an occurrence.
     pub fn note(&self, now: Duration, what: Happening) {
         if let Some(recording) = &self.recording {
             let at = now.saturating_sub(self.began_at);
@@ -93,7 +93,7 @@ impl FlightRecorder {
         }
     }
 
-    /// Notes that the session was ended as usual.
+    /// Notes the regular end of the session.
     pub fn end(&self) {
         self.pass_inputs();
         if let Some(recording) = &self.recording {
@@ -101,12 +101,12 @@ impl FlightRecorder {
         }
     }
 
-    /// Where frames are written, if they are.
+    /// The path of the frames, if recorded.
     pub fn frames(&self) -> Option<&Path> {
         self.recording.as_ref().map(Recording::frames)
     }
 
-    /// Why nothing is recorded any more, once.
+    /// Why recording has stopped; returned once.
     pub fn take_fault(&mut self) -> Option<Text> {
         if let Some(fault) = self.recording.as_ref().and_then(Recording::take_fault) {
             self.recording = None;
@@ -131,7 +131,7 @@ impl Drop for FlightRecorder {
     }
 }
 
-/// What of an event goes into the journal: what neither telemetry nor the mission says again.
+/// The occurrence for the journal: only what neither telemetry nor the mission repeats.
 pub(super) fn happening(event: &VehicleEvent) -> Option<Happening> {
     match event {
         VehicleEvent::Row(row) => Some(Happening::Row(RowLine::of(row))),

@@ -31,25 +31,25 @@ use crate::swarm::Rules;
 use crate::text;
 use crate::text::Text;
 
-/// Where free flight begins.
+/// The start of free flight.
 const FREE_FLIGHT_START: Start = Start {
     at: LatLon::new(50.4501, 30.5234),
     altitude_amsl_m: 180.0,
     heading_deg: 0.0,
 };
 
-/// What a session is to be.
+/// The plan of a session.
 #[derive(Debug, Clone)]
 pub(in crate::shell) enum SessionPlan {
     /// A mission of the catalogue or of a file.
     Mission(Arc<Mission>),
-    /// Simulated vehicles without a task; by these processes, if any are named.
+    /// Simulated vehicles without a task, in the given SITL if any.
     Free(Option<SitlSource>),
-    /// Vehicles at these addresses.
+    /// Running vehicles at these addresses.
     Connect(Vec<Address>),
 }
 
-/// What sessions are started with.
+/// The services that sessions need.
 #[derive(Debug, Clone)]
 pub(in crate::shell) struct SessionBackend {
     pub simulation: Simulation,
@@ -57,18 +57,18 @@ pub(in crate::shell) struct SessionBackend {
     pub vehicles: u8,
     pub seed: u64,
     pub speedup: f64,
-    /// Where missions are recorded.
+    /// The folder for records of missions.
     pub runs: Option<Runs>,
-    /// Where flights are recorded to be replayed.
+    /// The folder for records of flights.
     pub records: Option<Records>,
-    /// How a mission counts, and for whose career.
+    /// The stake and the career of a mission.
     pub occasion: Occasion,
-    /// The trainee's tries at it before this one, oldest first.
+    /// The trainee's attempts before this one, oldest first.
     pub earlier: Vec<TryReport>,
 }
 
 impl SessionPlan {
-    /// What holds for vehicles that do something together.
+    /// The rules of joint manoeuvres.
     fn swarm_rules(&self) -> Rules {
         match self {
             Self::Mission(mission) => mission.swarm_rules(),
@@ -78,7 +78,7 @@ impl SessionPlan {
 }
 
 impl SessionPlan {
-    /// Whether a session is recorded. One that plays a recording is not: it is one already.
+    /// Whether a session is recorded. One that plays a recording is not.
     fn is_recorded(&self, backend: &SessionBackend) -> bool {
         let plays = |address: &Address| matches!(address, Address::File { .. });
         let is_playback = match self {
@@ -194,7 +194,7 @@ impl RunningSession {
         })
     }
 
-    /// Starts the vehicles of a world: in the embedded simulator at once, as processes in a while.
+    /// Starts the vehicles of a world: in the embedded simulator at once, as processes with some delay.
     async fn simulate(
         &mut self,
         world: WorldConfig,
@@ -232,7 +232,7 @@ impl RunningSession {
     }
 }
 
-/// What a flight is called: a trainee sees what it counts for, where that is not the usual.
+/// The title of a flight, with its stake where that is not the usual one.
 fn titled(mission: &Mission, occasion: &Occasion) -> Text {
     let title = mission.title.clone();
     if occasion.profile.is_none() {
@@ -246,7 +246,7 @@ fn titled(mission: &Mission, occasion: &Occasion) -> Text {
     }
 }
 
-/// The places of free flight: where it begins, as a mission's pad is called and as the vehicles call it.
+/// The places of free flight: its start, under the names of a mission's pad and of home.
 fn free_flight_places() -> BTreeMap<String, LatLon> {
     ["home", "pad"]
         .map(|name| (name.to_owned(), FREE_FLIGHT_START.at))

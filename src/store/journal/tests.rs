@@ -18,7 +18,7 @@ fn profiles(data: &Path) -> Profiles {
     Profiles::open(data).expect("a folder of our own").0
 }
 
-/// Records a flight in which nothing is commanded, up to its end or without it; returns the mission and the report.
+/// Records a flight without commands, to its end or without one; returns the mission and the report.
 fn recorded(
     runs: &Runs,
     profile: Option<&str>,
@@ -76,7 +76,7 @@ fn a_finished_record_that_nobody_stored_is_made_up_for_once() {
         stake: Stake::Graded,
     };
     let run = RunEntry::of(&mission, &report, landing);
-    // The same as if it had been stored when it ended, but for the day: texts are compared in English.
+    // The same as if stored when it ended, except for the day: texts are compared in English.
     let json = |evidence: &[Evidence]| serde_json::to_string(evidence).expect("plain");
     let flight = &stored[0].flight;
     assert_eq!(json(&flight.evidence), json(&run.flight.evidence));
@@ -163,12 +163,12 @@ fn own_drones_wear_and_lent_ones_do_not() {
     assert!(standing.credits() < 500);
 }
 
-/// Begins the record of an exam of drill d00 with a seed, and returns it with a few seconds of flight in it.
+/// Starts the record of an exam of drill d00 with a seed, with a few seconds of flight in it.
 fn exam(runs: &Runs, seed: u64) -> RunFile {
     exam_of(runs, seed, Duration::from_secs(12))
 }
 
-/// The same with so much of a flight.
+/// The same with a given length of flight.
 fn exam_of(runs: &Runs, seed: u64, length: Duration) -> RunFile {
     let source = include_str!("../../../missions/drills/d00-arm-and-hover.toml");
     let mission = Arc::new(
@@ -236,7 +236,7 @@ fn a_record_counts_for_no_more_than_the_career_allows() {
     let runs = Runs::within(data.path());
     let mut profiles = profiles(data.path());
     let anna = profiles.create("Anna", BEGUN).expect("new");
-    // An exam on a seed that no exam has; a mission that somebody has rewritten.
+    // An exam with a seed that no exam has; a mission with a changed text.
     drop(exam(&runs, 1));
     let (id, ..) = recorded(&runs, Some("Anna"), true);
     let path = runs.folder().join(format!("{id}{ENDING}"));

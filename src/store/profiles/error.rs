@@ -1,4 +1,4 @@
-//! Why profiles cannot be had.
+//! Errors of profiles.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -7,13 +7,13 @@ use crate::campaign::PurchaseRefusal;
 use crate::text;
 use crate::text::Text;
 
-/// Why profiles cannot be had.
+/// Why profiles are not available.
 #[derive(Debug, thiserror::Error)]
 #[error("{}", self.text())]
 pub enum ProfileError {
     /// The folder or the file cannot be read or written.
     Unusable { path: PathBuf, error: io::Error },
-    /// A newer version of the program made it.
+    /// A newer version of the program wrote it.
     Newer {
         path: PathBuf,
         /// The version of its tables.
@@ -21,32 +21,32 @@ pub enum ProfileError {
         /// The newest version that this program knows.
         known: i32,
     },
-    /// An older version of the program made it, and it may only be read.
+    /// An older version of the program wrote it, and it is read-only.
     Older { path: PathBuf },
-    /// The database says no.
+    /// The database reports an error.
     Database {
         path: PathBuf,
         error: rusqlite::Error,
     },
-    /// It holds something that this program did not write.
+    /// It contains data that this program did not write.
     Damaged {
         path: PathBuf,
-        /// What is wrong with it.
+        /// The fault.
         fault: String,
     },
-    /// There is no such profile.
+    /// No profile has this name.
     Unknown {
-        /// Who was asked for.
+        /// The requested name.
         name: String,
         known: Vec<String>,
     },
-    /// There is one of this name.
+    /// The name is taken.
     Exists { name: String },
-    /// The name is none.
+    /// The name is not valid.
     Name,
-    /// A file that should be a profile is none.
+    /// A file contains no profile.
     NoProfile {
-        /// What is wrong with it.
+        /// The fault.
         fault: String,
     },
     /// A part cannot be bought.

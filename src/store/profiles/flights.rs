@@ -12,11 +12,11 @@ use crate::scoring::{FlightBackend, Report, TryReport};
 /// A finished run, to be stored.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RunEntry {
-    /// What no other run is called: its recording's name.
+    /// Its unique id: the name of its recording.
     pub id: String,
     /// When it ended, in UTC.
     pub when: String,
-    /// What it means to the career.
+    /// Its entry in the career.
     pub flight: CareerFlight,
     /// Everything about it: revision, seed, ledger, events, score.
     pub report: Report,
@@ -26,10 +26,10 @@ pub struct RunEntry {
     pub recording: Option<String>,
 }
 
-/// A run that a profile has.
+/// A stored run.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PastRun {
-    /// What no other run is called.
+    /// Its unique id.
     pub id: String,
     /// When it ended, in UTC.
     pub when: String,
@@ -40,12 +40,12 @@ pub struct PastRun {
     pub backend: FlightBackend,
     /// The recorded run's file, if it was recorded.
     pub recording: Option<String>,
-    /// What it means to the career.
+    /// Its entry in the career.
     pub flight: CareerFlight,
 }
 
 impl PastRun {
-    /// The same as one of the tries at its mission, counted from 1.
+    /// The same as an attempt at its mission, counted from 1.
     pub fn as_try(&self, attempt: u32) -> TryReport {
         TryReport {
             attempt,
@@ -61,11 +61,10 @@ impl PastRun {
 }
 
 impl Profiles {
-    /// What a profile's career consists of, oldest first. What cannot have happened ([`CareerEntry::fault`]) is left out, and told
-    /// in the log.
+    /// A profile's history, oldest first. Impossible entries ([`CareerEntry::fault`]) are left out and logged.
     ///
     /// # Errors
-    /// The database cannot be read, or holds what no version has written.
+    /// The database cannot be read, or contains data that no version writes.
     pub fn history(&self, profile: &Profile) -> Result<Vec<CareerEntry>, ProfileError> {
         let mut query =
             self.ask("SELECT id, entry FROM entries WHERE profile = ?1 ORDER BY number")?;
@@ -79,7 +78,7 @@ impl Profiles {
         entries.filter_map(Result::transpose).collect()
     }
 
-    /// An entry of a history, unless it cannot have happened.
+    /// An entry of a history, unless it is impossible.
     fn entry(&self, id: &str, json: &str) -> Result<Option<CareerEntry>, ProfileError> {
         let entry: CareerEntry = self.read(json)?;
         let fault = entry.fault();
@@ -136,7 +135,7 @@ impl Profiles {
         Ok(runs)
     }
 
-    /// A profile's tries at a revision of a mission, oldest first: those that compare with each other.
+    /// A profile's attempts at a revision of a mission, which are comparable, oldest first.
     ///
     /// # Errors
     /// The database cannot be read.
@@ -164,7 +163,7 @@ impl Profiles {
         rows.map_err(|error| self.fault(error))
     }
 
-    /// Stores a finished run. Handed in again it changes nothing; tells whether it was new.
+    /// Stores a finished run, unless it is stored already; returns whether it was new.
     ///
     /// # Errors
     /// The database cannot be written; nothing of the run is stored then.
@@ -194,7 +193,7 @@ impl Profiles {
     }
 }
 
-/// A finished run as the tables have it.
+/// A finished run as a row of the tables.
 pub(super) struct RunRow<'a> {
     pub id: &'a str,
     pub ended: &'a str,

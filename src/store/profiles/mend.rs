@@ -1,6 +1,6 @@
-//! Rows that cannot be read, and their mending from a copy of the database.
+//! Repair of unreadable rows from a copy of the database.
 //!
-//! `SQLite` looks after its pages; what a disk does to a byte inside a text it does not see.
+//! `SQLite` detects damaged pages, but not a damaged byte inside a text.
 
 use std::path::Path;
 
@@ -11,7 +11,7 @@ use super::schema::{DOCUMENTS, DocumentColumn, Notation};
 use crate::text;
 use crate::text::Text;
 
-/// Rows of the profiles that were damaged and have been read from a copy.
+/// The number of damaged rows restored from a copy.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct MendedRows(usize);
 
@@ -21,14 +21,14 @@ impl MendedRows {
     }
 }
 
-/// A row whose document cannot be read.
+/// A row with an unreadable document.
 struct RottenRow {
     profile: i64,
     key: String,
 }
 
-/// Reads the rows that cannot be read from the newest copy that has them; what no copy has stays as it is. `None`: there
-/// was nothing to mend.
+/// Restores unreadable rows from the newest copy that has them; others stay as they are. `None` if there was no
+/// damage.
 pub(super) fn mend_rows(
     connection: &mut Connection,
     path: &Path,
@@ -74,7 +74,7 @@ fn rotten_rows(
     while let Some(row) = rows.next()? {
         let bytes = row.get_ref(2)?.as_bytes().unwrap_or_default();
         if readable(bytes, *notation).is_none() {
-            // A row whose key is damaged as well is found in no copy.
+            // A row whose key is damaged as well is in no copy.
             if let (Ok(profile), Ok(key)) = (row.get(0), row.get(1)) {
                 rotten.push(RottenRow { profile, key });
             }
@@ -100,7 +100,7 @@ fn kept(copy: &Path, column: &DocumentColumn, row: &RottenRow) -> Option<String>
     readable(text.as_bytes(), *notation).map(str::to_owned)
 }
 
-/// A document that the program can have written.
+/// A document that the program could have written.
 fn readable(document: &[u8], notation: Notation) -> Option<&str> {
     let text = std::str::from_utf8(document).ok()?;
     let is_sound = match notation {

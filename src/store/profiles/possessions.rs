@@ -1,4 +1,4 @@
-//! A trainee's possessions: rights to use parts, and designs.
+//! A trainee's possessions: licences for parts, and designs.
 
 use rusqlite::params;
 
@@ -7,10 +7,10 @@ use crate::campaign::{CareerEntry, CareerStanding, MissionCourse, Purchase};
 use crate::workshop::Design;
 
 impl Profiles {
-    /// Buys the right to use a part. Two consoles cannot spend the same credits.
+    /// Buys the licence for a part. Two consoles cannot spend the same credits.
     ///
     /// # Errors
-    /// Why it cannot be bought, or that the database cannot be written; nothing is paid then.
+    /// The reason against the purchase, or the database cannot be written; nothing is paid then.
     pub fn buy(
         &mut self,
         profile: &Profile,
@@ -42,14 +42,14 @@ impl Profiles {
             .query_map([profile.key], |row| row.get::<_, String>(0))
             .and_then(Iterator::collect::<Result<Vec<_>, _>>)
             .map_err(|error| self.fault(error))?;
-        // A design with a part that this version does not know is left out here, and stays in the file.
+        // A design with an unknown part is left out here, and stays in the file.
         Ok(rows
             .iter()
             .filter_map(|toml| Design::from_toml(toml).ok())
             .collect())
     }
 
-    /// Keeps a design, in place of one of the same name.
+    /// Stores a design; it replaces one of the same name.
     ///
     /// # Errors
     /// The database cannot be written.
@@ -74,7 +74,7 @@ impl Profiles {
         removed.map(drop).map_err(|error| self.fault(error))
     }
 
-    /// Keeps a design under its new name, in place of the one that was called `from`: both, or nothing.
+    /// Renames a design from `from`, in one transaction.
     ///
     /// # Errors
     /// The database cannot be written.
@@ -85,7 +85,7 @@ impl Profiles {
         design: &Design,
     ) -> Result<(), ProfileError> {
         let transaction = self.transaction()?;
-        // The old one goes first: the names may differ in case only.
+        // The old one goes first: the names may differ only in case.
         self.drop_design(profile, from)?;
         self.keep_design(profile, design)?;
         transaction.commit().map_err(|error| self.fault(error))

@@ -1,4 +1,4 @@
-//! Copies of the database, and what happens when it is damaged.
+//! Backups of the database, and its rescue from damage.
 
 use std::fs::{self, File};
 use std::io;
@@ -11,19 +11,19 @@ use crate::store::utc;
 use crate::text;
 use crate::text::Text;
 
-/// Copies that are kept: after the newest run, and the one before it.
+/// The two backups: after the newest run, and the one before.
 const COPIES: [&str; 2] = ["backup", "backup-before"];
-/// What a check says of a database that is whole.
+/// The result of a successful check.
 const SOUND: &str = "ok";
 
 /// A damaged database that was set aside.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Rescue {
-    /// Where the damaged file is now.
+    /// The new path of the damaged file.
     pub damaged: PathBuf,
-    /// The copy that took its place; `None`: there was no good one, the profiles begin anew.
+    /// The copy that replaced it; `None` if no good one existed and the profiles start empty.
     pub copy: Option<PathBuf>,
-    /// What is wrong with it.
+    /// The damage.
     pub fault: Text,
 }
 
@@ -43,8 +43,8 @@ impl Rescue {
     }
 }
 
-/// Looks at a database before it is used. One that is damaged is renamed, with its log, and the newest good copy takes its
-/// place. Of several consoles that see the damage, one does it.
+/// Checks a database before use. A damaged one is renamed, with its log, and the newest good copy replaces it. If
+/// several consoles see the damage, only one does it.
 pub(super) fn rescue(path: &Path) -> io::Result<Option<Rescue>> {
     if damage(path).is_none() {
         return Ok(None);
@@ -62,7 +62,8 @@ pub(super) fn rescue(path: &Path) -> io::Result<Option<Rescue>> {
         .transpose()?;
     let when = utc(SystemTime::now()).replace(':', "-");
     let damaged = beside(path, &format!("damaged-{when}"));
-    // Whoever is killed from here on leaves no file or an empty one, which the copies show to be damage.
+    // If the program is killed from here on, there is no file or an empty one, which counts as damage while copies
+    // exist.
     rename(path, &damaged)?;
     for log in ["-wal", "-shm"] {
         let log_of = |path: &Path| PathBuf::from(format!("{}{log}", path.display()));
@@ -80,13 +81,13 @@ pub(super) fn rescue(path: &Path) -> io::Result<Option<Rescue>> {
     }))
 }
 
-/// What only one console does at a time, whatever becomes of the database's own file.
+/// The lock for work that only one console may do at a time, independent of the database's file.
 fn lock_file(path: &Path) -> io::Result<File> {
     super::private(&beside(path, "lock"))
 }
 
-/// What is wrong with a database. An empty file, or none, is a new one where there is no copy. Being busy, or of a file
-/// system that refuses, is no damage.
+/// The damage of a database. A missing or empty file is a new database if there is no copy. A busy database or a
+/// refusing file system is no damage.
 fn damage(path: &Path) -> Option<Text> {
     if is_empty(path) {
         return good_copy(path).map(|_| text!("profiles-fault-empty"));
@@ -105,12 +106,12 @@ fn damage(path: &Path) -> Option<Text> {
     }
 }
 
-/// `SQLite`'s own words are English in every language.
+/// `SQLite`'s own messages are English in every language.
 fn faulty(words: String) -> Text {
     text!("profiles-fault-database", words = words)
 }
 
-/// What `SQLite` says of a database: [`SOUND`], or what is wrong.
+/// The result of `SQLite`'s check: [`SOUND`], or the damage.
 fn check(path: &Path) -> rusqlite::Result<String> {
     let flags = OpenFlags::SQLITE_OPEN_READ_WRITE | OpenFlags::SQLITE_OPEN_NO_MUTEX;
     let connection = Connection::open_with_flags(path, flags)?;
@@ -118,12 +119,12 @@ fn check(path: &Path) -> rusqlite::Result<String> {
     connection.query_row("PRAGMA quick_check(1)", [], |row| row.get(0))
 }
 
-/// The copies of a database, the newest first, whether they are there or not.
+/// The paths of the copies, newest first, whether they exist or not.
 pub(super) fn copies(path: &Path) -> [PathBuf; 2] {
     COPIES.map(|name| beside(path, name))
 }
 
-/// The newest copy of a database that is whole.
+/// The newest intact copy.
 fn good_copy(path: &Path) -> Option<PathBuf> {
     copies(path)
         .into_iter()
@@ -137,10 +138,10 @@ fn is_empty(path: &Path) -> bool {
     )
 }
 
-/// Writes a copy once more, beside the database whose place it takes then; it is on the disk before that.
+/// Duplicates a copy beside the database that it will replace; synced to the disk first.
 fn duplicate(copy: &Path, path: &Path) -> io::Result<PathBuf> {
     let restored = beside(path, "restored");
-    // What is left of a rescue that was interrupted.
+    // A leftover of an interrupted rescue.
     remove(&restored)?;
     let mut file = super::private(&restored)?;
     io::copy(&mut File::open(copy)?, &mut file)?;
@@ -148,7 +149,7 @@ fn duplicate(copy: &Path, path: &Path) -> io::Result<PathBuf> {
     Ok(restored)
 }
 
-/// Removes what is there.
+/// Removes a file, if it exists.
 fn remove(path: &Path) -> io::Result<()> {
     match fs::remove_file(path) {
         Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
@@ -156,7 +157,7 @@ fn remove(path: &Path) -> io::Result<()> {
     }
 }
 
-/// Renames what is there.
+/// Renames a file, if it exists.
 fn rename(from: &Path, to: &Path) -> io::Result<()> {
     match fs::rename(from, to) {
         Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
@@ -164,14 +165,14 @@ fn rename(from: &Path, to: &Path) -> io::Result<()> {
     }
 }
 
-/// Makes what was renamed in a file's folder outlive a loss of power.
+/// Makes renames in a file's folder survive a loss of power.
 fn sync_folder(path: &Path) -> io::Result<()> {
     let folder = path.parent().filter(|it| !it.as_os_str().is_empty());
     File::open(folder.unwrap_or(Path::new(".")))?.sync_all()
 }
 
-/// Copies the database as it is now. The copy is whole and sound before it takes the place of the last one. Where another
-/// console is at it, this one leaves it alone.
+/// Backs the database up. The copy is checked before it replaces the last one. If another console is doing it, this
+/// one does not.
 pub(super) fn back_up(connection: &Connection, path: &Path) -> rusqlite::Result<()> {
     let [newest, before] = COPIES.map(|name| beside(path, name));
     let fresh = beside(path, "backup-new");
@@ -180,7 +181,7 @@ pub(super) fn back_up(connection: &Connection, path: &Path) -> rusqlite::Result<
     if lock.try_lock().is_err() {
         return Ok(());
     }
-    // What is left of a copy that was interrupted, or a link that another user has laid.
+    // A leftover of an interrupted copy, or a link planted by another user.
     remove(&fresh).map_err(io)?;
     drop(super::private(&fresh).map_err(io)?);
     connection.backup("main", &fresh, None)?;

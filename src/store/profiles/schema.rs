@@ -1,4 +1,4 @@
-//! The tables, and how those of earlier versions become today's.
+//! The tables, and their migration from earlier versions.
 
 use rusqlite::{Connection, TransactionBehavior};
 
@@ -40,19 +40,19 @@ const STEPS: [&str; 1] = ["
     ) STRICT, WITHOUT ROWID;
 "];
 
-/// How a document of this program is written in a column.
+/// The notation of a document in a column.
 #[derive(Clone, Copy)]
 pub(super) enum Notation {
     Json,
     Toml,
 }
 
-/// A column that holds a document in each row.
+/// A column with a document in each row.
 #[derive(Clone, Copy)]
 pub(super) struct DocumentColumn {
     pub table: &'static str,
     pub column: &'static str,
-    /// The column that tells the rows of one profile apart.
+    /// The column that identifies a row within one profile.
     pub key: &'static str,
     pub notation: Notation,
 }
@@ -82,8 +82,7 @@ pub(super) const DOCUMENTS: [DocumentColumn; 3] = [
 /// The version of the tables that this program writes.
 pub(super) const VERSION: i32 = STEPS.len() as i32;
 
-/// Brings the tables up to date, in one transaction. Returns the version that is there now: a newer one than
-/// [`VERSION`] is left as it is.
+/// Migrates the tables in one transaction. Returns the resulting version: one newer than [`VERSION`] is left as it is.
 pub(super) fn migrate(connection: &mut Connection) -> rusqlite::Result<i32> {
     let found = version(connection)?;
     if found >= VERSION {

@@ -29,7 +29,7 @@ fn open(data: &Path) -> Profiles {
     profiles
 }
 
-/// That of a flight that has not begun.
+/// The report of a flight that has not begun.
 fn report() -> Report {
     let mission = include_str!("../../../missions/00-first-flight.toml");
     let mission = Mission::parse(mission).expect("no faults");
@@ -310,7 +310,7 @@ fn a_folder_that_cannot_be_written_is_named() {
     assert!(refused.to_string().contains("profiles.sqlite"), "{refused}");
 }
 
-/// Something that a console can do to a profile.
+/// An action of a console on a profile.
 #[derive(Debug, Clone)]
 enum Deed {
     Fly(u8, u16, u32),
@@ -381,7 +381,7 @@ fn profiles_that_may_not_be_written_are_read() {
         let all = profiles.list().expect("readable").into_iter();
         all.map(|profile| profile.name).collect::<Vec<_>>()
     };
-    // While a console has them open, and after that.
+    // While a console has it open, and afterwards.
     let beside = Profiles::read_only(path.clone()).expect("readable");
     assert_eq!(names(&beside), ["anna"]);
     drop((beside, profiles));

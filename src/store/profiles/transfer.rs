@@ -1,4 +1,4 @@
-//! A profile as a file, to carry it to another machine.
+//! Export and import of a profile, to move it to another machine.
 
 use std::fs::File;
 use std::io::Read as _;
@@ -18,18 +18,18 @@ mod claim;
 
 /// The version of the format.
 const SCHEMA: u32 = 1;
-/// A file longer than this is no profile.
+/// The largest profile file.
 const LARGEST: u64 = 256 * 1024 * 1024;
-/// Bytes of an id or a name.
+/// The most bytes of an id or a name.
 const LONGEST_LINE: usize = 200;
 
-/// A profile with all that it has.
+/// A profile with all its data.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ProfileFile {
     /// The version of the format.
     sortie_profile: u32,
-    /// The name that it had.
+    /// Its name at the export.
     pub name: String,
     since: String,
     settings: ProfileSettings,
@@ -64,7 +64,7 @@ impl ProfileFile {
     /// Reads the file of an exported profile.
     ///
     /// # Errors
-    /// It cannot be read, or is none; the error names the file.
+    /// It cannot be read, or is no profile; the error names the file.
     pub fn open(path: &Path) -> Result<Self, ProfileError> {
         let shown = path.display();
         let mut text = String::new();
@@ -91,7 +91,7 @@ impl ProfileFile {
     /// Reads an exported profile.
     ///
     /// # Errors
-    /// It is none, of a version that this program does not know, or holds what cannot have happened.
+    /// It is no profile, has an unknown version, or contains impossible entries.
     pub fn read(source: &str) -> Result<Self, ProfileError> {
         let fault = |fault: String| ProfileError::NoProfile { fault };
         let file: Self =
@@ -108,7 +108,7 @@ impl ProfileFile {
         }
     }
 
-    /// What cannot have happened, in English: anybody may have written the file.
+    /// The first impossible entry, in English: the file is untrusted.
     fn fault(&self) -> Option<String> {
         let since = || faulty_moment("since", &self.since);
         let entries = || {
@@ -140,7 +140,7 @@ impl ProfileFile {
 }
 
 impl Profiles {
-    /// A profile with all that it has.
+    /// Exports a profile with all its data.
     ///
     /// # Errors
     /// The database cannot be read.
@@ -211,10 +211,10 @@ impl Profiles {
             .map_err(|error| self.fault(error))
     }
 
-    /// Takes in an exported profile, all or nothing, under a name that is not taken.
+    /// Imports a profile completely or not at all, under a free name.
     ///
     /// # Errors
-    /// The name is taken or none; the database cannot be written.
+    /// The name is taken or not valid; the database cannot be written.
     pub fn import(&mut self, file: &ProfileFile, name: &str) -> Result<Profile, ProfileError> {
         let name = checked_name(name)?;
         if self

@@ -1,4 +1,4 @@
-//! A record while it is written: lines and frames wait in memory until a thread appends them to the files.
+//! Writing a record: lines and frames wait in memory until a thread appends them to the files.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -11,10 +11,10 @@ use crate::record::{Happening, JournalLine};
 use crate::text;
 use crate::text::Text;
 
-/// How often what has happened is written.
+/// The interval of writing.
 const WRITE_EVERY: Duration = Duration::from_millis(250);
 
-/// A record that is being written. Dropping it writes what is left.
+/// A record being written. Dropping it writes the rest.
 #[derive(Debug)]
 pub struct Recording {
     stem: String,
@@ -31,26 +31,26 @@ struct Shared {
 
 #[derive(Debug, Default)]
 struct RecordingState {
-    /// Lines of the journal that wait.
+    /// Waiting lines of the journal.
     lines: String,
-    /// Lines of what entered simulated vehicles that wait.
+    /// Waiting lines of the inputs.
     inputs: String,
     /// The time of the last one.
     last_at: Duration,
     is_over: bool,
     /// Bytes written so far.
     bytes: u64,
-    /// Why nothing more is written.
+    /// Why writing has stopped.
     fault: Option<RecordingFault>,
     has_stopped: bool,
 }
 
-/// Why nothing more of a flight is recorded.
+/// Why recording has stopped.
 #[derive(Debug)]
 pub enum RecordingFault {
-    /// The disk is full or gone.
+    /// The disk is full or unavailable.
     Unwritable(StoreError),
-    /// The record has grown as large as it may, in bytes.
+    /// The record has reached its limit, in bytes.
     Full(u64),
 }
 
@@ -70,7 +70,7 @@ impl Shared {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Writes what has happened until the record is over or cannot be written.
+    /// Writes until the record is over or writing fails.
     fn write(&self, mut writer: RecordWriter, mut source: impl FnMut() -> Vec<u8>) {
         loop {
             let (lines, inputs, is_over) = {
@@ -102,7 +102,7 @@ impl Shared {
 }
 
 impl Recording {
-    /// Has a thread write what frames it fetches from `source`, and what lines are noted.
+    /// Starts a thread that writes frames from `source`, and noted lines.
     pub(super) fn start(
         writer: RecordWriter,
         source: impl FnMut() -> Vec<u8> + Send + 'static,
@@ -121,17 +121,17 @@ impl Recording {
         })
     }
 
-    /// What its files are called without their endings.
+    /// The name of its files without suffix.
     pub fn stem(&self) -> &str {
         &self.stem
     }
 
-    /// Where its frames are written.
+    /// The path of its frames.
     pub fn frames(&self) -> &Path {
         &self.frames
     }
 
-    /// Adds a line to the journal, whose times never go back.
+    /// Adds a line to the journal; times must not go back.
     pub fn note(&self, line: JournalLine) {
         let mut state = self.shared.state();
         let line = line.not_before(state.last_at);
@@ -141,7 +141,7 @@ impl Recording {
         }
     }
 
-    /// Adds lines about what entered simulated vehicles.
+    /// Adds lines about the inputs of simulated vehicles.
     pub fn note_inputs(&self, lines: &str) {
         let mut state = self.shared.state();
         if !state.has_stopped {
@@ -149,7 +149,7 @@ impl Recording {
         }
     }
 
-    /// Adds that the session was ended as usual, at the time of the last line.
+    /// Notes the regular end of the session, at the time of the last line.
     pub fn note_end(&self) {
         let mut state = self.shared.state();
         let line = JournalLine::new(state.last_at, Happening::End).to_line();
@@ -163,7 +163,7 @@ impl Recording {
         self.shared.state().bytes
     }
 
-    /// Why nothing more is written, once.
+    /// Why writing has stopped; returned once.
     pub fn take_fault(&self) -> Option<RecordingFault> {
         self.shared.state().fault.take()
     }
@@ -174,41 +174,41 @@ impl Drop for Recording {
         self.shared.state().is_over = true;
         self.shared.changed.notify_all();
         if let Some(thread) = self.thread.take() {
-            // A writer that panicked has nothing more to write.
+            // A writer that panicked has nothing left to write.
             drop(thread.join());
         }
     }
 }
 
-/// The files of a record that is being written.
+/// The files of a record being written.
 #[derive(Debug)]
 pub struct RecordWriter {
     pub(super) stem: String,
     pub(super) frames: AppendFile,
     pub(super) journal: AppendFile,
-    /// What entered simulated vehicles: made when there is something.
+    /// The inputs of simulated vehicles; created when needed.
     pub(super) inputs: Option<AppendFile>,
     pub(super) most_bytes: u64,
 }
 
-/// A piece of each file of a record.
+/// The next piece of each file.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct RecordPiece<'a> {
     /// Entries of a tlog.
     pub frames: &'a [u8],
     /// Lines of the journal.
     pub lines: &'a str,
-    /// Lines about what entered simulated vehicles.
+    /// Lines about the inputs of simulated vehicles.
     pub inputs: &'a str,
 }
 
 impl RecordWriter {
-    /// Adds to the files.
+    /// Appends to the files.
     ///
     /// # Errors
-    /// The disk is full or gone, or the record has grown as large as it may; then frames are left out.
+    /// The disk is full or unavailable, or the record has reached its limit; then frames are dropped.
     pub fn append(&mut self, piece: &RecordPiece<'_>) -> Result<(), RecordingFault> {
-        // Frames first: a journal may lack its last lines, but names no frame that is not there.
+        // Frames first: a journal may lack its last lines, but never refers to missing frames.
         let is_full = self.len() + piece.frames.len() as u64 > self.most_bytes;
         let written = if is_full {
             Ok(())

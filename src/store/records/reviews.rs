@@ -10,14 +10,14 @@ use crate::review::Review;
 use crate::text;
 use crate::text::Text;
 
-/// No review is longer than this.
+/// The largest review.
 const LONGEST: u64 = 1024 * 1024;
 
 impl RecordFiles {
     /// The review of the record, if there is one.
     ///
     /// # Errors
-    /// It cannot be read, or is none; in words.
+    /// It cannot be read, or is no review; as text.
     pub fn read_review(&self) -> Result<Option<Review>, Text> {
         match read(&self.review) {
             Ok(text) => Review::read(&text).map(Some),
@@ -65,7 +65,7 @@ impl Records {
             .map(|entry| entry.file_name().to_string_lossy().into_owned())
             .filter(|name| name.ends_with(REVIEW))
             .collect();
-        // Names begin with the time of day: the newest of a mission takes the place of the others.
+        // Names begin with the time of day: a mission's newest review replaces the others.
         names.sort();
         let mut newest = BTreeMap::new();
         for name in names {

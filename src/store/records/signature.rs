@@ -1,23 +1,23 @@
-//! Signatures of a whole record. Each file that the flight left is signed by itself; reviews are not: they grow after the
-//! flight.
+//! Signatures of a whole record. Each file of the flight is signed separately; reviews are not, since they change
+//! after the flight.
 
 use std::path::PathBuf;
 
 use super::RecordFiles;
 use crate::store::signature::{self, FileSignature, RecordKey, RecordPublicKey, SignatureError};
 
-/// What the signatures of a record say.
+/// The result of checking a record's signatures.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum RecordSignature {
     /// No file is signed.
     None,
-    /// Files are signed, and no key was given to check that with. What the signature names is not to be relied on.
+    /// Files are signed, but no key was given to check them: the named key is not reliable.
     Unchecked { key: String },
     /// Each file is signed by the key, with this comment.
     Valid { key: String, comment: String },
-    /// A file was changed after it had been signed, or another key has signed it.
+    /// A file was changed after signing, or signed with another key.
     Invalid { file: String },
-    /// A file has no signature, others have.
+    /// One file has no signature, while others have.
     Partial { file: String },
 }
 
@@ -29,8 +29,8 @@ impl RecordFiles {
             .flatten()
     }
 
-    /// Signs each file of the record; the signatures say `about` it. Signatures that are there are replaced. Returns the
-    /// files of the signatures.
+    /// Signs each file of the record; the signatures say `about` it. Existing signatures are replaced. Returns the
+    /// signature files.
     ///
     /// # Errors
     /// A console still writes the record, a file cannot be read, or a signature cannot be written.
@@ -43,7 +43,7 @@ impl RecordFiles {
             .collect()
     }
 
-    /// What the signatures say; they are checked with a key, where one is given.
+    /// The state of the signatures; checked with a key, if one is given.
     pub fn signature(&self, key: Option<&RecordPublicKey>) -> RecordSignature {
         let mut found = None;
         let mut unsigned = None;

@@ -73,7 +73,7 @@ fn shared() -> (tempfile::TempDir, Runs) {
     (data, runs)
 }
 
-/// Files that are called otherwise than runs.
+/// Files that do not have the name of a run.
 const FOREIGN: [&str; 4] = [
     "0000.run.jsonl",
     "2026-11-20T14-03-22Z.run.jsonl",

@@ -26,7 +26,7 @@ fn current(total: u16, mission_id: u32, fence_id: u32) -> MavMessage {
     })
 }
 
-/// Another ground station has uploaded rally points.
+/// Another ground station's upload of rally points.
 fn others_upload() -> MavMessage {
     MavMessage::MISSION_ACK(MISSION_ACK_DATA {
         target_system: 254,
@@ -82,7 +82,7 @@ fn signs_that_come_all_the_time_do_not_flood_the_vehicle() {
         scene.announce(step, 0);
         scene.pass(ms(100));
     }
-    // An upload that does not end is waited for.
+    // An upload under way is waited for.
     let during = scene.asked_for(is_list);
     assert!(during <= 4, "{during}");
     scene.pass(Duration::from_secs(10));

@@ -1,4 +1,4 @@
-//! A process as the room Hangar shows it.
+//! A process as the hangar room shows it.
 
 use std::time::Duration;
 
@@ -6,12 +6,12 @@ use crate::app::state::Instance;
 use crate::hangar;
 use crate::notice::sanitised;
 
-/// Processor time is looked at over at least this long.
+/// The least time over which processor use is measured.
 const USAGE_OVER: Duration = Duration::from_secs(2);
-/// What the hangar within this program is called.
+/// The name of this program's own hangar.
 const OWN: &str = "here";
 
-/// Processor time that a process has taken.
+/// A process's use of processor time.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ProcessUsage {
     at: Duration,
@@ -20,7 +20,7 @@ pub(super) struct ProcessUsage {
 }
 
 impl ProcessUsage {
-    /// That of a process of which nothing was known before.
+    /// The use of a new process.
     pub fn of(cpu_ms: u64, now: Duration) -> Self {
         Self {
             at: now,
@@ -29,11 +29,11 @@ impl ProcessUsage {
         }
     }
 
-    /// Takes down what it has taken by now; returns the share of a processor that it takes, as far as that is known.
+    /// Notes the total so far; returns the share of a processor, if known.
     pub fn note(&mut self, cpu_ms: u64, now: Duration) -> Option<f32> {
         let over = now.saturating_sub(self.at);
         if cpu_ms < self.cpu_ms {
-            // Another process.
+            // It is another process.
             *self = Self::of(cpu_ms, now);
         } else if over >= USAGE_OVER {
             let spent_ms = (cpu_ms - self.cpu_ms) as f32;
@@ -47,7 +47,7 @@ impl ProcessUsage {
     }
 }
 
-/// What is shown of a process in a hangar.
+/// The console's view of a process in a hangar.
 pub(super) fn shown(
     instance: &hangar::Instance,
     host: &str,

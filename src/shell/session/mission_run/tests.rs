@@ -1,4 +1,4 @@
-//! Missions that begin late, lose vehicles, and have a fleet that does not keep up.
+//! Missions that start late, lose vehicles, and have a slow fleet.
 
 use super::*;
 use crate::app::event::{ProcessEvent, Started, VehicleEvent};
@@ -15,16 +15,16 @@ const fn s(s: u64) -> Duration {
     Duration::from_secs(s)
 }
 
-/// Three vehicles are to fly.
+/// A flight for three vehicles.
 fn flight() -> Flight {
     Flight::new(Mission::parse(FORMATION).expect("it is good").into(), 1)
 }
 
-/// What the console shows of a session.
+/// A console's view of a session.
 struct Console(App);
 
 impl Console {
-    /// A session whose vehicles are simulated by so many processes, where there are any.
+    /// A session with `processes` simulator processes, if any.
     fn start(processes: Option<usize>, heard: &[u8]) -> Self {
         let mut console = Self(App::new(Setup::default()));
         console.hear(SessionEvent::Started(Box::new(Started {
@@ -73,7 +73,7 @@ fn instance(vehicle: VehicleId, stage: SitlStage) -> Instance {
     }
 }
 
-/// The vehicles that were told to be lost.
+/// The vehicles reported as lost.
 fn lost(events: &[Event]) -> Vec<VehicleId> {
     let gone = |event: &Event| match event {
         Event::Notice(notice) if notice.text == text!("mission-vehicle-gone") => notice.vehicle,
@@ -139,7 +139,7 @@ fn a_demand_that_cannot_be_told_stays_before_the_newer_ones() {
     let mut wanted = VecDeque::from(all);
     let mut told = Vec::new();
     let is_heard = |vehicle| vehicle != 9;
-    // The fleet takes one more, then none.
+    // The fleet accepts one more, then none.
     tell_demands(&mut wanted, is_heard, |demand| {
         let has_room = told.is_empty();
         told.extend(has_room.then_some(demand));

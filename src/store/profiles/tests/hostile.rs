@@ -1,4 +1,4 @@
-//! Files and rows that another program has written.
+//! Files and rows written by another program.
 
 use serde_json::{Value, json};
 

@@ -1,4 +1,4 @@
-//! What a file that was written by hand brings, and what it does not.
+//! The effect of importing a hand-written file.
 
 use std::sync::Arc;
 use std::time::{Duration, UNIX_EPOCH};
@@ -56,7 +56,7 @@ fn document() -> Value {
     serde_json::from_str(&exported).expect("just written")
 }
 
-/// What a document brings to a new profile: the standing, its flights and what was said.
+/// The result of importing a document into a new profile: the standing, its flights and the remarks.
 fn brought(document: &Value) -> (CareerStanding, Value, Vec<String>) {
     let data = tempfile::tempdir().expect("a folder");
     let mut profiles = open(data.path());

@@ -1,4 +1,4 @@
-//! Damage, and what is left after it.
+//! Damage, and its repair.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -29,7 +29,7 @@ fn flights(profiles: &Profiles) -> usize {
     profiles.history(&anna).expect("readable").len()
 }
 
-/// How many files of the folder have this in their names.
+/// The number of files in the folder with this in their name.
 fn files(data: &Path, part: &str) -> usize {
     let files = fs::read_dir(data).expect("there").flatten();
     files
@@ -89,7 +89,7 @@ fn damage_in_the_middle_is_found_and_without_a_copy_it_begins_anew() {
     assert_eq!(profiles.list().expect("readable"), []);
 }
 
-/// Replaces one byte within the document of a flight by one that no UTF-8 text holds.
+/// Replaces one byte in the document of a flight with invalid UTF-8.
 fn rot(file: &Path) {
     let mut bytes = fs::read(file).expect("readable");
     let document = b"\"mission\":\"one\"";
@@ -178,7 +178,7 @@ fn an_empty_copy_is_none() {
 #[test]
 fn a_rescue_goes_on_after_one_that_was_killed() {
     let (data, file) = folder_with_copy(1);
-    // It had set the file aside, and its copy was not whole yet.
+    // It had set the file aside, and its copy was not complete yet.
     fs::rename(&file, data.path().join("profiles.sqlite.damaged-then")).expect("renamed");
     let rest = vec![0x55; 1024 * 1024];
     fs::write(data.path().join("profiles.sqlite.restored"), rest).expect("writable");

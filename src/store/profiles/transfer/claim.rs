@@ -1,6 +1,6 @@
-//! What an imported profile may claim. A file that a trainee has carried here proves nothing by itself: of each flight only
-//! its report counts, under the missions of this course and in the order in which they were flown. What the report does
-//! not bear out is left out or practice, and whatever is taken over is marked as imported.
+//! Checks of an imported profile. A file proves nothing by itself: of each flight only its report counts, for missions
+//! of this course and in the order in which they were flown. Claims that the report does not support are left out or
+//! count as practice, and all entries are marked as imported.
 
 use std::collections::BTreeSet;
 
@@ -19,7 +19,7 @@ use crate::text::Text;
 use crate::workshop::Design;
 
 impl ProfileFile {
-    /// The same with as much as its reports bear out, and what that leaves out or makes practice, in words.
+    /// The profile reduced to what its reports support, and remarks on what that leaves out or turns into practice.
     #[must_use]
     pub fn borne_out(self) -> (Self, Vec<Text>) {
         let missions = course_missions();
@@ -58,11 +58,11 @@ impl ProfileFile {
     }
 }
 
-/// What is known while the entries of a file are gone through, oldest first.
+/// The state while the entries of a file are checked, oldest first.
 struct Claims<'a> {
     missions: &'a [Mission],
     course: &'a MissionCourse,
-    /// How far the trainee had come by then.
+    /// The trainee's standing so far.
     standing: CareerStanding,
     ids: BTreeSet<String>,
     /// The reports of the flights that counted.
@@ -71,7 +71,7 @@ struct Claims<'a> {
 }
 
 impl Claims<'_> {
-    /// What an entry counts for.
+    /// The checked version of an entry.
     ///
     /// # Errors
     /// The reason why the import leaves the flight out.
@@ -176,7 +176,7 @@ fn with_airframes(mission: &Mission, run: &RunDocument) -> Option<Mission> {
     mission.with_fleet(fleet).ok()
 }
 
-/// A flight that brings nothing. What its own drones lost is still lost.
+/// The flight as practice, which earns nothing. Its own drones that were lost stay lost.
 fn practice(claimed: &CareerFlight, run: &RunDocument) -> CareerFlight {
     let report = &run.report;
     CareerFlight {
@@ -196,7 +196,7 @@ fn day(run: &RunDocument) -> i64 {
     moment(&run.ended).map_or(0, day_of)
 }
 
-/// What a report says that a flight of the mission cannot have brought, in English.
+/// What in a report is impossible for a flight of the mission, in English.
 fn unlike(mission: &Mission, report: &Report) -> Option<String> {
     if report.medal > mission.scoring.medals.won(report.score, true) {
         return Some(format!("no such medal for {} points", report.score));
