@@ -1,8 +1,9 @@
-//! A trainee's career: what is unlocked, earned, owned and known.
+//! A trainee's career: unlocks, earnings, possessions and skills.
 //!
-//! A career is a history of [`CareerEntry`]s, flights and purchases, that only grows. Everything else follows from it:
-//! [`CareerStanding::of`] folds a history into credits, experience, licences, parts and skills, so that nothing can
-//! contradict itself and a formula can be mended for past flights too. What each figure came from can be told.
+//! A career is a history of [`CareerEntry`]s, flights and purchases, which is append-only. Everything else follows
+//! from it: [`CareerStanding::of`] folds a history into credits, experience, licences, parts and skills, so that the
+//! figures are always consistent and a corrected formula applies to past flights too. Every figure can be traced to
+//! its entries.
 
 mod aids;
 mod attempt;
@@ -44,7 +45,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::scoring::{FlownBy, Medal};
 
-/// Something that a career keeps for good.
+/// A permanent entry of a career.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case", tag = "entry")]
 pub enum CareerEntry {
@@ -53,8 +54,8 @@ pub enum CareerEntry {
     Purchase(Purchase),
 }
 
-/// A finished flight, as far as a career is concerned. What the mission offered is kept with it: a mission that is
-/// changed later changes no past.
+/// A finished flight in a career. It stores the mission's rewards, so that later changes of the mission do not affect
+/// it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CareerFlight {
     /// Id of the mission.
@@ -65,11 +66,11 @@ pub struct CareerFlight {
     pub tier: u8,
     /// Credits for a perfect first pass.
     pub reward: u32,
-    /// How many vehicles flew.
+    /// The number of vehicles.
     pub vehicles: u8,
-    /// What it was flown for.
+    /// Its stake.
     pub stake: Stake,
-    /// What gave the commands; `None` in careers that are older than this.
+    /// The source of the commands; `None` in older careers.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub flown_by: Option<FlownBy>,
     /// The day on which it ended, in days since 1970 (UTC).
@@ -78,18 +79,18 @@ pub struct CareerFlight {
     pub score: u16,
     /// Whether all mandatory objectives were met.
     pub passed: bool,
-    /// The medal, if one was won.
+    /// The medal, if any.
     pub medal: Option<Medal>,
-    /// What it tells of the trainee's skills, in order.
+    /// The evidence on the trainee's skills, in order.
     pub evidence: Vec<Evidence>,
-    /// What was worn, lost or used up of own parts, in credits.
+    /// The cost of wear and loss of own parts, in credits.
     pub wear: u32,
-    /// Whether it came with an imported profile: nothing but the file says so.
+    /// Whether it came with an imported profile, and is unverified.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub imported: bool,
 }
 
-/// The right to use a kind of part.
+/// The licence for a kind of part.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Purchase {
     /// Id of the part.

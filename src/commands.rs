@@ -1,8 +1,8 @@
 //! Typed commands to a vehicle.
 //!
-//! Each command is a value with named fields in physical units. It knows how to become a MAVLink request
-//! for a given vehicle ([`Command::request`]), what answer to wait for ([`Request::answer`]) and what
-//! telemetry will show once it works ([`Command::effect`]).
+//! Each command is a value with named fields in physical units. It can be encoded as a MAVLink request for a given
+//! vehicle ([`Command::request`]), what answer to wait for ([`Request::answer`]) and what telemetry will show once it
+//! works ([`Command::effect`]).
 
 use crate::ledger::Risk;
 use crate::text::Text;
@@ -52,35 +52,34 @@ pub use request::{Answer, Repeat, Request};
 pub use setpoint::{Setpoint, ready_for};
 pub use speeds::{CHANGE_SPEED, asked_again};
 
-/// A command to one vehicle, by subject. Every variant is said with one verb of the grammar.
+/// A command to one vehicle, by subject. Every variant has one verb of the grammar.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Command {
-    /// Motors on and off.
+    /// Arms and disarms.
     Arming(ArmingCommand),
-    /// What begins, ends and interrupts a flight.
+    /// Begins, ends and interrupts a flight.
     Flight(FlightCommand),
-    /// Where and how a vehicle flies, what it looks at, and where its home is.
+    /// Sets where and how a vehicle flies, its point of interest, and its home.
     Motion(MotionCommand),
     /// Outputs, and the autopilot as a device.
     Device(DeviceCommand),
-    /// What a vehicle is to say.
+    /// Requests messages.
     Query(QueryCommand),
     Parameter(ParameterCommand),
-    /// Sent as it is written, without being understood.
+    /// Sent as typed, without interpretation.
     Raw(RawCommand),
 }
 
 impl Command {
-    /// What to send to `vehicle`, as it is now.
+    /// The messages for `vehicle` in its present state.
     ///
-    /// Relative commands (an offset, the present height) are worked out here from the vehicle's state, so
-    /// call it once per transaction and send the same messages again for another try
-    /// ([`Request::again`]): asking anew would move the target.
+    /// Relative commands (an offset, the present height) are resolved here from the vehicle's state, so call it once
+    /// per transaction and resend the same messages for another attempt ([`Request::again`]): a second call would move
+    /// the target.
     ///
     /// # Errors
-    /// Plain words when it makes no sense for this vehicle now: a mode that its class lacks, a setpoint outside
-    /// GUIDED (ArduCopter would ignore it silently), a relative target without a position, a value that is
-    /// no finite number.
+    /// A text if it is not possible for this vehicle now: a mode that its class lacks, a setpoint outside GUIDED
+    /// (ArduCopter would ignore it silently), a relative target without a position, a value that is no finite number.
     pub fn request(&self, vehicle: &Vehicle, confirmation: u8) -> Result<Request, Text> {
         let long = |fields| Request::long(vehicle, &fields, confirmation);
         match self {
@@ -94,7 +93,7 @@ impl Command {
         }
     }
 
-    /// Whether and how its message has to be repeated to keep working.
+    /// Whether and how its message must be repeated.
     pub fn repeat(&self) -> Option<Repeat> {
         match self {
             Self::Motion(command) => command.repeat(),
@@ -107,7 +106,7 @@ impl Command {
         }
     }
 
-    /// What telemetry will show once it works, given the vehicle as it was when the command was sent.
+    /// The effect to expect in telemetry, given the vehicle when the command was sent.
     pub fn effect(&self, before: &Vehicle) -> Effect {
         match self {
             Self::Arming(command) => command.effect(),
@@ -118,7 +117,7 @@ impl Command {
         }
     }
 
-    /// What it sets at risk, whichever way it was said.
+    /// Its risk, whichever form it was given in.
     pub fn risk(&self) -> Risk {
         match self {
             Self::Arming(command) => command.risk(),

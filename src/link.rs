@@ -1,8 +1,8 @@
-//! Links: how MAVLink frames reach this program and leave it.
+//! Links: input and output of MAVLink frames.
 //!
-//! One task per link owns the socket, finds frames, counts what it drops, says once a second that a ground
-//! station is here, and reconnects for ever. What it reads goes to one bounded channel that all links share;
-//! what it is to send comes through its [`LinkHandle`]; how it is doing is in its [`LinkStatus`].
+//! One task per link owns the socket, finds frames, counts dropped ones, sends a ground station's heartbeat every
+//! second, and keeps reconnecting. Received frames go to one bounded channel shared by all links; messages to send
+//! come through its [`LinkHandle`]; its state is published as [`LinkStatus`].
 
 use std::fmt;
 use std::net::SocketAddr;
@@ -50,31 +50,31 @@ pub use sink::{FrameSink, WaitingFrames};
 pub use tap::Tap;
 pub use tlog::{TlogError, TlogPiece, TlogReader, TlogRecord, TlogSalvage, TlogWriter};
 
-/// How many messages wait for a link before more are dropped.
+/// The most messages that wait for a link; more are dropped.
 const OUTBOX_LEN: usize = 256;
 
-/// Names a link within this program.
+/// The number of a link within this program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct LinkId(pub u16);
 
-/// Who speaks on a link: TCP, serial, pipe and file have one peer (0), a UDP socket has one per remote
-/// address, `tcpin` one per client. Numbers are not used again while the link is open.
+/// A sender on a link: TCP, serial, pipe and file have one peer (0), a UDP socket has one per remote address, `tcpin`
+/// one per client. Numbers are not reused while the link is open.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct LinkPeer(pub u32);
 
-/// Frames that came in together.
+/// Frames received together.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Inbound {
-    /// The link they came by.
+    /// Their link.
     pub link: LinkId,
     pub peer: LinkPeer,
-    /// The frames, never none.
+    /// The frames, at least one.
     pub frames: Vec<Frame>,
     /// When their bytes were read.
     pub at: Instant,
 }
 
-/// For whom a message is.
+/// The receiver of a message.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum To {
     /// Every peer of the link; on a link that sends to one UDP address, that address.
@@ -82,7 +82,7 @@ pub enum To {
     Peer(LinkPeer),
 }
 
-/// What a link is made of.
+/// The transport of a link.
 #[derive(Debug)]
 pub enum Transport {
     /// A socket, a serial port or a recording.
@@ -91,7 +91,7 @@ pub enum Transport {
     Pipe(DuplexStream),
 }
 
-/// How a link presents itself.
+/// The options of a link.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LinkConfig {
     /// The system id to send as.
@@ -103,7 +103,7 @@ pub struct LinkConfig {
 }
 
 impl Default for LinkConfig {
-    /// A ground station; recordings at the speed at which they were made.
+    /// A ground station; recordings at their original speed.
     fn default() -> Self {
         Self {
             system: GROUND_STATION_SYSTEM,
@@ -116,9 +116,9 @@ impl Default for LinkConfig {
 /// How fast a recording is played.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Playback {
-    /// By its time stamps, this many times as fast as it was recorded.
+    /// By its time stamps, at this multiple of the recorded speed.
     Speed(f64),
-    /// As fast as its frames are taken.
+    /// As fast as its frames are accepted.
     AsFastAsPossible,
 }
 
@@ -127,9 +127,9 @@ pub enum Playback {
 pub enum LinkState {
     Connecting,
     Up,
-    /// Failed or lost; it is tried again.
+    /// Failed or lost; another attempt follows.
     Waiting {
-        /// How long after this state was published.
+        /// The delay after this state was published.
         retry_in: Duration,
     },
     /// Closed for good: cancelled, a recording's end, or a pipe whose other end is gone.
@@ -137,7 +137,7 @@ pub enum LinkState {
 }
 
 impl LinkState {
-    /// In a few words.
+    /// The state in a few words.
     pub fn text(self) -> Text {
         match self {
             Self::Connecting => text!("transport-connecting"),
@@ -167,7 +167,7 @@ pub struct Rates {
     pub messages_out_s: f32,
 }
 
-/// How a link is doing. Counters run from the link's opening, over all reconnections.
+/// The state of a link. Counters run from the link's opening, across reconnections.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LinkStatus {
     pub id: LinkId,
@@ -175,24 +175,24 @@ pub struct LinkStatus {
     pub name: String,
     /// Whether it carries data.
     pub state: LinkState,
-    /// The socket's own address while there is one: which port a listener got.
+    /// The socket's local address, if open; it shows the port of a listener.
     pub local: Option<SocketAddr>,
-    /// How many peers it has: always 1 for an open stream.
+    /// The number of peers: always 1 for an open stream.
     pub peers: usize,
-    /// What its decoders have seen.
+    /// The counters of its decoders.
     pub decoder: Counters,
-    /// Bytes sent, or about to be: a peer that does not read may never get the last of them.
+    /// Bytes sent or queued: a peer that does not read may miss the last ones.
     pub sent_bytes: u64,
-    /// Messages sent, or about to be, heartbeats included; one to three peers counts three times.
+    /// Messages sent or queued, with heartbeats; one to three peers counts three times.
     pub sent_messages: u64,
-    /// Messages that were not sent: the queue was full, the link down, the peer gone or not reading.
+    /// Dropped messages: the queue was full, the link down, the peer gone or not reading.
     pub dropped_out: u64,
     pub rates: Rates,
-    /// What each sender's numbering shows.
+    /// The sequence numbers of each sender.
     pub numbered: NumberedSenders,
-    /// How often the link has come up again.
+    /// The number of reconnections.
     pub reconnects: u32,
-    /// What went wrong last; cleared when the link comes up.
+    /// The last error; cleared when the link comes up.
     pub last_error: Option<Text>,
 }
 
@@ -215,13 +215,13 @@ impl LinkStatus {
         }
     }
 
-    /// Frames that never came, by the gaps in their senders' numbering.
+    /// Lost frames, from gaps in their senders' sequence numbers.
     pub fn lost(&self) -> u64 {
         self.numbered.values().map(|frames| frames.lost).sum()
     }
 }
 
-/// The way to a link's task. The task lives on without it.
+/// The handle of a link's task. The task does not end with it.
 #[derive(Debug, Clone)]
 pub struct LinkHandle {
     id: LinkId,
@@ -234,7 +234,7 @@ pub struct LinkHandle {
 }
 
 impl LinkHandle {
-    /// Withholds the link's heartbeats, or lets them go out again; everything else goes out all the same.
+    /// Suppresses or resumes the link's heartbeats; other messages are not affected.
     pub fn hush(&self, hushed: bool) {
         self.hushed.store(hushed, Ordering::Relaxed);
     }
@@ -244,9 +244,8 @@ impl LinkHandle {
         self.id
     }
 
-    /// Gives the link a message to send and returns whether it took it. It does not while it is down, since
-    /// a command that arrives after a reconnection would come too late, nor when its queue is full; both count
-    /// as dropped. A recording takes nothing.
+    /// Queues a message; returns whether it was accepted. It is not while the link is down, since a command after a
+    /// reconnection would come too late, nor when the queue is full; both count as dropped. A recording accepts none.
     pub fn send(&self, to: To, outgoing: Outgoing) -> bool {
         let taken = self.can_send
             && self.status.borrow().state == LinkState::Up
@@ -257,20 +256,20 @@ impl LinkHandle {
         taken
     }
 
-    /// Where the link's frames can be watched.
+    /// The tap to watch the link's frames.
     pub fn tap(&self) -> Tap {
         self.tap.clone()
     }
 
-    /// Follows the link's status, which is published about four times a second and at every change of state.
+    /// The link's status, to be followed, which is published about four times a second and at every change of state.
     pub fn status(&self) -> watch::Receiver<LinkStatus> {
         self.status.clone()
     }
 }
 
-/// Opens a link as a ground station would. Nothing fails here: what cannot be opened is tried for ever and says
-/// so in the status. Ends with `cancel`, or when the receiver of `inbound` is gone. Awaiting room in `inbound`
-/// is what slows a fast sender down; what UDP drops meanwhile, the kernel drops.
+/// Opens a link as a ground station would. Opening never fails: errors are shown in the status, and attempts continue.
+/// Ends with `cancel`, or when the receiver of `inbound` is gone. A full `inbound` slows a fast sender down; with UDP,
+/// the kernel drops datagrams then.
 ///
 /// Needs a tokio runtime.
 pub fn open(
@@ -282,7 +281,7 @@ pub fn open(
     open_with(id, transport, LinkConfig::default(), inbound, cancel)
 }
 
-/// Opens a link as [`open`] does, and has its frames taken down.
+/// Opens a link as [`open`] does, and records its frames.
 pub fn open_recorded(
     id: LinkId,
     transport: Transport,

@@ -1,8 +1,8 @@
 //! The score of a flight: eight components between 0 and 1, their weights, medals and grades.
 //!
-//! `score = 1000 * hint factor * sum(weight * value)`. The facts of a flight go in, points and the reasons for them come out;
-//! nothing here knows mission files or telemetry formats except [`CommandLog`] (reads the ledger).
-//! Points are kept in tenths, so that the components printed in a debrief add up to the score exactly.
+//! `score = 1000 * hint factor * sum(weight * value)`. The input is the facts of a flight, the output points with
+//! reasons; only [`CommandLog`] depends on more, since it reads the ledger. Points are kept in tenths, so that the
+//! components printed in a debrief add up to the score exactly.
 
 use std::time::Duration;
 
@@ -39,22 +39,22 @@ use crate::text;
 use crate::text::Text;
 use serde::{Deserialize, Serialize};
 
-/// How a mission wants to be scored.
+/// The scoring rules of a mission.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ScoreRules {
     /// The components' weights; they sum to 1.
     pub weights: Weights,
-    /// A flight this short gets all points for time.
+    /// The flight time that earns full points.
     pub par_time: Duration,
-    /// A flight this frugal gets all points for energy, in Wh.
+    /// The energy that earns full points, in Wh.
     pub par_energy_wh: f64,
-    /// A flight this long gets none for time.
+    /// The flight time that earns no points for time.
     pub time_limit: Duration,
     /// Points needed for gold, silver and bronze.
     pub medals: Medals,
-    /// What gold needs besides points.
+    /// Conditions for gold besides points.
     pub gold_requires: Vec<Gate>,
-    /// Refusals that cost nothing, because the lesson asks for them.
+    /// The number of refusals that cost nothing, because the lesson causes them.
     pub free_refusals: u32,
 }
 
@@ -67,7 +67,7 @@ pub struct Medals {
 }
 
 impl Medals {
-    /// The medal for so many points; gold only where nothing else is missing for it.
+    /// The medal for a number of points; gold only if its other conditions are met.
     pub fn won(self, points: u16, gold_open: bool) -> Option<Medal> {
         if points >= self.gold && gold_open {
             Some(Medal::Gold)
@@ -101,65 +101,65 @@ impl Medal {
     }
 }
 
-/// How one objective went.
+/// The result of one objective.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ObjectiveFact {
     /// Its id in the mission file.
     pub id: String,
     pub title: Text,
-    /// Its share of the objectives' points.
+    /// Its weight among the objectives.
     pub value: f64,
     /// How far it was reached, 0 to 1.
     pub fraction: f64,
-    /// The measured quantity that gates may compare, such as cells sampled.
+    /// The measured quantity that gates compare, such as cells sampled.
     pub measure: f64,
     /// Whether it was reached.
     pub met: bool,
     /// Whether the mission fails without it.
     pub mandatory: bool,
-    /// The measured result in words.
+    /// The measured result as text.
     pub result: Text,
-    /// What was asked for, in words.
+    /// The target as text.
     pub target: Text,
-    /// What would have reached it, in words.
+    /// Advice on how to reach it.
     pub advice: Text,
-    /// Its product; `None` where it makes none.
+    /// Its product, if it has one.
     pub product: Option<Product>,
 }
 
-/// What an objective has the trainee make: a map, reports.
+/// A product of the trainee's work: a map, or reports.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Product {
-    /// How good it is, 0 to 1.
+    /// Its quality, 0 to 1.
     pub quality: f64,
-    /// What the quality comes from, in words.
+    /// The reasons for the quality, as text.
     pub words: Text,
-    /// What would make it better, in words; may be empty.
+    /// Advice to improve it; may be empty.
     pub advice: Text,
-    /// Whether the objective measures it, so that what makes it better reaches the objective.
+    /// Whether the objective measures it, so that a better product reaches the objective.
     pub is_measured: bool,
 }
 
 /// Everything about a flight that the score depends on.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Facts {
-    /// How the objectives went, in the mission's order.
+    /// The results of the objectives, in file order.
     pub objectives: Vec<ObjectiveFact>,
-    /// How much mission time has passed.
+    /// Mission time used.
     pub elapsed: Duration,
     /// Energy used by all vehicles in Wh; `None` where no vehicle reports it.
     pub energy_wh: Option<f64>,
-    /// The rules that were broken.
+    /// The broken rules.
     pub safety: Vec<SafetyEvent>,
-    /// How the commands went.
+    /// The tally of commands.
     pub commands: CommandTally,
     /// Alerts that had to be answered.
     pub alerts: Vec<AlertFact>,
-    /// How many vehicles took part.
+    /// The number of vehicles.
     pub vehicles: usize,
-    /// How each of them was used.
+    /// The use of each vehicle.
     pub usage: Vec<VehicleUse>,
-    /// Hints that were asked for.
+    /// Hints given on request.
     pub hints: HintsUsed,
     /// Whether the trainee gave up.
     pub given_up: bool,
@@ -170,15 +170,15 @@ pub struct Facts {
 pub struct Score {
     /// All components that apply, in the order of [`Component::ALL`].
     pub components: Vec<ComponentScore>,
-    /// What the components sum to, in tenths of a point, before hints.
+    /// The sum of the components, in tenths of a point, before hints.
     pub subtotal_tenths: u32,
-    /// What hints leave of it, 0.7 to 1.
+    /// The factor for hints, 0.7 to 1.
     pub hint_factor: f64,
     /// The points, 0 to 1000.
     pub points: u16,
-    /// The medal, if it earned one.
+    /// The medal, if any.
     pub medal: Option<Medal>,
-    /// What kept it from gold although the points would do, in words.
+    /// Conditions that prevented gold despite the points, as text.
     pub gold_missing: Vec<Text>,
 }
 
@@ -190,10 +190,10 @@ impl Score {
     }
 }
 
-/// A flight that did people harm gets no more than this.
+/// The most points of a flight that harmed people.
 pub const HARM_POINTS: u16 = 300;
 
-/// Scores a flight by its facts.
+/// The score of a flight from its facts.
 pub fn score(rules: &ScoreRules, facts: &Facts) -> Score {
     let components = component::all(rules, facts);
     let tenths: u32 = components.iter().map(|c| c.points_tenths).sum();
@@ -218,7 +218,7 @@ pub fn score(rules: &ScoreRules, facts: &Facts) -> Score {
     }
 }
 
-/// What a flight cannot get more than: giving up earns nothing.
+/// The cap on a flight's points: giving up earns none.
 fn most_points(facts: &Facts) -> u16 {
     if facts.given_up {
         0

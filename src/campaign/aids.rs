@@ -1,4 +1,4 @@
-//! How much a trainee is helped.
+//! The level of help for a trainee.
 
 use serde::{Deserialize, Serialize};
 use strum::{EnumString, IntoStaticStr, VariantArray};
@@ -6,10 +6,10 @@ use strum::{EnumString, IntoStaticStr, VariantArray};
 use crate::text;
 use crate::text::Text;
 
-/// A hint of the level fades out once the skill is this likely; above the last of these, no hint is needed.
+/// The skill probabilities at which hints of levels 1 to 3 fade out.
 const FADES_AT: [f64; 3] = [0.40, 0.65, 0.85];
 
-/// A level of difficulty: it changes what helps, never the physics and never the score.
+/// A level of help: it changes the advice, never the physics or the score.
 #[derive(
     Debug,
     Clone,
@@ -26,12 +26,12 @@ const FADES_AT: [f64; 3] = [0.40, 0.65, 0.85];
 #[serde(rename_all = "snake_case")]
 #[strum(serialize_all = "snake_case")]
 pub enum Aids {
-    /// All advice that comes by itself.
+    /// All automatic advice.
     Full,
-    /// Less of it the better a skill is known.
+    /// Less advice the better a skill is mastered.
     #[default]
     Fading,
-    /// None that was not asked for.
+    /// No automatic advice.
     None,
 }
 
@@ -44,7 +44,7 @@ impl Aids {
         self.into()
     }
 
-    /// The level of a code.
+    /// The level with a code.
     pub fn of(code: &str) -> Option<Self> {
         code.parse().ok()
     }
@@ -68,7 +68,7 @@ impl Aids {
         }
     }
 
-    /// One line that explains the level to the trainee.
+    /// A one-line explanation for the trainee.
     pub fn explained(self) -> Text {
         match self {
             Self::Full => text!("aids-full-about"),
@@ -77,8 +77,8 @@ impl Aids {
         }
     }
 
-    /// Whether a hint comes by itself: its level, from 1 (the routine) to 3 (the whole way), and how likely the skill
-    /// is that it is about, 0 to 1.
+    /// Whether a hint is shown automatically, from its level, 1 (the routine) to 3 (the steps), and the probability of
+    /// its skill, 0 to 1.
     pub fn shows_hint(self, level: u8, chance: f64) -> bool {
         match self {
             Self::Full => true,
@@ -90,7 +90,7 @@ impl Aids {
         }
     }
 
-    /// Whether the line of feedback is shown. It tells what came of what was done, so it does not fade.
+    /// Whether the feedback line is shown. It reports results, so it does not fade.
     pub fn shows_feedback(self) -> bool {
         self != Self::None
     }

@@ -1,4 +1,4 @@
-//! The stake of a try, and the layout that it is flown on.
+//! The stake of an attempt, and its layout.
 
 use super::{
     CareerStanding, LockReason, MissionCourse, MissionStage, PartState, Stake, daily_seed,
@@ -10,64 +10,65 @@ use crate::text;
 use crate::text::Text;
 use crate::workshop::{Design, Part};
 
-/// The seed of the first try without a chosen seed and without a profile.
+/// The seed of the first attempt without a chosen seed and without a profile.
 const FIRST_SEED: u64 = 1;
-/// Fresh seeds are below this: small enough to be typed.
+/// The upper limit of random seeds: small enough to be typed.
 const FRESH_SEEDS: u64 = 1_000_000;
 
-/// One of the tries at what is flown.
+/// An attempt at a mission.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Attempt {
     /// The seed of the mission's world.
     pub seed: u64,
-    /// How it counts for a career.
+    /// What it counts as in a career.
     pub stake: Stake,
-    /// How it was to count. The next try counts like this if it can.
+    /// The requested stake. The next attempt counts as this if possible.
     pub wanted: Stake,
 }
 
-/// What decides how a try counts. Without a trainee nothing is kept, and everything may be flown.
+/// The circumstances that decide how an attempt counts. Without a profile nothing is stored, and every mission may be
+/// flown.
 #[derive(Debug, Clone, Copy)]
 pub struct AttemptTerms<'a> {
     /// The mission, under the rules of what it is flown for ([`Mission::flown_for`]).
     pub mission: &'a Mission,
-    /// How it is to count.
+    /// The requested stake.
     pub wanted: Stake,
-    /// The seed that the user has chosen.
+    /// The seed chosen by the user.
     pub seed: Option<u64>,
-    /// For whose career it is flown.
+    /// The trainee, if there is a profile.
     pub trainee: Option<AttemptTrainee<'a>>,
-    /// What it is flown with.
+    /// The means of the flight.
     pub means: AttemptMeans,
     /// The day of the flight, in days since 1970 (UTC).
     pub day: i64,
-    /// A random number, for a layout that the trainee has not seen; `None` if the system has none.
+    /// A random number for an unknown layout; `None` if the system has none.
     pub random: Option<u64>,
 }
 
-/// The trainee of a try.
+/// The trainee of an attempt.
 #[derive(Debug, Clone, Copy)]
 pub struct AttemptTrainee<'a> {
-    /// How far the trainee has come.
+    /// The trainee's standing.
     pub standing: &'a CareerStanding,
     /// The missions of the career.
     pub course: &'a MissionCourse,
 }
 
-/// What a try is flown with.
+/// The means of an attempt.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AttemptMeans {
     /// How the mission compares with that of the course.
     pub mission_file: MissionFile,
-    /// What gives the commands.
+    /// The source of the commands.
     pub flown_by: FlownBy,
     /// Whether the airframes are replaced by files of the user.
     pub has_own_airframes: bool,
-    /// Simulated seconds per second.
+    /// The speed-up of simulated time.
     pub speedup: f64,
 }
 
-/// Why a flight counts for practice only, although more was wanted.
+/// Why a flight counts only as practice.
 #[derive(Debug, Clone, PartialEq)]
 pub enum PracticeReason {
     /// The user has chosen the seed of a graded flight.
@@ -78,9 +79,9 @@ pub enum PracticeReason {
     OwnMission,
     /// The mission's text is not that of the course.
     AlteredMission,
-    /// The trainee may not fly the mission yet.
+    /// The mission is locked for the trainee.
     Locked(Vec<LockReason>),
-    /// Parts of a design are not the trainee's.
+    /// The trainee does not own all parts of a design.
     MissingParts {
         /// The name of the design.
         design: String,
@@ -89,12 +90,12 @@ pub enum PracticeReason {
     },
     /// The airframes are files of the user.
     OwnAirframes,
-    /// Time passes more slowly than in reality.
+    /// Time runs slower than in reality.
     SlowMotion,
 }
 
-/// Whether a flight is practice as far as tries are counted: what a script has flown is no try of the trainee. Records that are older
-/// than the second were flown by hand.
+/// Whether a flight does not count as an attempt: practice, or flown by a script. Records without a source of commands
+/// were flown by hand.
 pub fn is_practice(stake: Stake, flown_by: Option<FlownBy>) -> bool {
     let by_hand = match flown_by {
         None | Some(FlownBy::Hand) => true,
@@ -103,8 +104,8 @@ pub fn is_practice(stake: Stake, flown_by: Option<FlownBy>) -> bool {
     stake == Stake::Practice || !by_hand
 }
 
-/// The number of the try that follows these, from 1. A flight that was never finished does not count, and neither does
-/// practice: it takes no free hints away.
+/// The number of the attempt after these, from 1. Unfinished flights and practice do not count: they use up no free
+/// hints.
 pub fn next_try<'a>(earlier: impl IntoIterator<Item = &'a TryReport>) -> u32 {
     let finished = earlier
         .into_iter()
@@ -112,8 +113,8 @@ pub fn next_try<'a>(earlier: impl IntoIterator<Item = &'a TryReport>) -> u32 {
     u32::try_from(finished.count() + 1).unwrap_or(u32::MAX)
 }
 
-/// The day that a finished flight belongs to, and how it counts. A flight with the seed of a day belongs to that day, also
-/// if it ends on the next one; with any other seed it is practice.
+/// The day of a finished flight, and its stake. A flight with the seed of a day belongs to that day, even if it ends
+/// on the next one; with any other seed it is practice.
 pub fn day_and_stake(stake: Stake, seed: u64, ended: i64) -> (i64, Stake) {
     if stake != Stake::Daily {
         return (ended, stake);
@@ -124,7 +125,7 @@ pub fn day_and_stake(stake: Stake, seed: u64, ended: i64) -> (i64, Stake) {
 }
 
 impl Attempt {
-    /// A try for practice, for what is no mission.
+    /// A practice flight without a mission.
     pub fn practice(seed: Option<u64>) -> Self {
         Self {
             seed: seed.unwrap_or(FIRST_SEED),
@@ -133,12 +134,12 @@ impl Attempt {
         }
     }
 
-    /// Whether it counts for less than was wanted.
+    /// Whether it counts for less than requested.
     pub fn is_reduced(&self) -> bool {
         self.stake != self.wanted
     }
 
-    /// The same layout again. A layout that was seen before is practice, unless everybody sees it before.
+    /// The same layout again. A layout seen before is practice, unless it is common to all trainees.
     #[must_use]
     pub fn repeated(self) -> Self {
         let stake = match self.stake {
@@ -150,7 +151,7 @@ impl Attempt {
 }
 
 impl PracticeReason {
-    /// The reason in words.
+    /// The reason as text.
     pub fn text(&self) -> Text {
         match self {
             Self::ChosenSeed => text!("practice-seed"),
@@ -171,7 +172,7 @@ impl PracticeReason {
         }
     }
 
-    /// Why a flight is for practice, in a sentence.
+    /// The reasons for practice, as a sentence.
     pub fn sentence(reasons: &[Self]) -> Text {
         let reasons = reasons.iter().map(Self::text).collect();
         text!("launch-practice", why = Text::joined("; ", reasons))
@@ -179,12 +180,12 @@ impl PracticeReason {
 }
 
 impl AttemptTerms<'_> {
-    /// How the first try counts, and its layout.
+    /// The stake and the layout of the first attempt.
     pub fn decide(&self) -> Attempt {
         self.with_seed(self.layout().unwrap_or(FIRST_SEED))
     }
 
-    /// The try after another one: on another layout, unless the user has chosen it or everybody has it in common.
+    /// The next attempt: on another layout, unless the user chose it or it is common to all trainees.
     pub fn decide_after(&self, previous: &Attempt) -> Attempt {
         self.with_seed(
             self.layout()
@@ -192,7 +193,7 @@ impl AttemptTerms<'_> {
         )
     }
 
-    /// Why the try counts for practice only, if more is wanted; nothing if it counts as wanted.
+    /// Why the attempt counts only as practice; empty if it counts as requested.
     pub fn practice_reasons(&self) -> Vec<PracticeReason> {
         let mut reasons = Vec::new();
         if self.wanted == Stake::Graded && self.seed.is_some() {
@@ -238,7 +239,7 @@ impl AttemptTerms<'_> {
         reasons
     }
 
-    /// The seed that the terms lead to; `None` if any will do.
+    /// The seed that the circumstances require; `None` for any.
     fn layout(&self) -> Option<u64> {
         match self.wanted {
             Stake::Exam => Some(exam_seed(&self.mission.id, self.mission.rev)),
@@ -248,7 +249,7 @@ impl AttemptTerms<'_> {
         }
     }
 
-    /// A layout that the trainee has not flown; where no flights are kept, tries are the same every time.
+    /// A layout that the trainee has not flown; without a profile, always the same sequence.
     fn fresh_seed(&self) -> Option<u64> {
         self.trainee?;
         self.random.map(|random| random % FRESH_SEEDS)

@@ -6,32 +6,32 @@ use crate::scoring::{Component, Medal};
 use crate::text;
 use crate::text::Text;
 
-/// A mission as a campaign sees it.
+/// A mission in a campaign.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Offer {
     /// The id of the mission.
     pub id: String,
-    /// Its name for people.
+    /// Its title.
     pub title: Text,
     /// Difficulty, 0 to 3.
     pub tier: u8,
-    /// How many drones it takes.
+    /// The number of drones.
     pub vehicles: u8,
     /// The mission that it is a drill for.
     pub drill_of: Option<String>,
-    /// What has to be shown before.
+    /// Its requirements.
     pub requires: Requires,
     /// Credits for a perfect first pass.
     pub credits: u32,
-    /// Parts that passing it puts on sale.
+    /// Parts that passing it unlocks.
     pub parts: Vec<String>,
     /// The skills that it trains.
     pub skills: Vec<Skill>,
-    /// What its objectives are called.
+    /// The names of its objectives.
     pub objectives: Vec<Text>,
 }
 
-/// All missions of a campaign, in their order.
+/// All missions of a campaign, in order.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct MissionCourse {
     offers: Vec<Offer>,
@@ -40,7 +40,7 @@ pub struct MissionCourse {
 /// Whether a mission may be flown.
 #[derive(Debug, Clone, PartialEq)]
 pub enum MissionStage {
-    /// Not yet, and why.
+    /// Locked, and why.
     Locked(Vec<LockReason>),
     /// Open, and not passed yet.
     Open,
@@ -48,21 +48,21 @@ pub enum MissionStage {
     Passed(Option<Medal>),
 }
 
-/// Why a mission is not on offer yet.
+/// Why a mission is locked.
 #[derive(Debug, Clone, PartialEq)]
 pub enum LockReason {
     /// Another mission has to be passed.
     Pass(Text),
-    /// Another mission needs a medal at least.
+    /// Another mission needs at least this medal.
     Medal(Text, Medal),
-    /// A skill has to be this likely, in percent, and is that.
+    /// A skill needs the first probability, in percent, and has the second.
     Skill(Skill, u8, u8),
     /// The mission needs the first number of drones; the licence covers only the second.
     Licence(u8, u8),
 }
 
 impl LockReason {
-    /// In words: what to do.
+    /// What to do, as text.
     pub fn text(&self) -> Text {
         match self {
             Self::Pass(title) => text!("locked-pass", mission = title.clone()),
@@ -89,7 +89,7 @@ impl LockReason {
 }
 
 impl Offer {
-    /// What a campaign needs to know of a mission.
+    /// The campaign's view of a mission.
     pub fn of(mission: &Mission) -> Self {
         let parts = mission
             .rewards
@@ -135,12 +135,12 @@ impl MissionCourse {
         }
     }
 
-    /// The missions, in their order.
+    /// The missions, in order.
     pub fn offers(&self) -> &[Offer] {
         &self.offers
     }
 
-    /// A flight with what it has shown in all languages: profiles keep the English names of objectives and components.
+    /// A flight with its evidence in all languages: profiles store the English names of objectives and components.
     #[must_use]
     pub fn translated(&self, mut flight: CareerFlight) -> CareerFlight {
         let objectives = self.offer(&flight.mission).map(|it| it.objectives.clone());
@@ -155,12 +155,12 @@ impl MissionCourse {
         flight
     }
 
-    /// The mission of an id.
+    /// The mission with an id.
     pub fn offer(&self, id: &str) -> Option<&Offer> {
         self.offers.iter().find(|offer| offer.id == id)
     }
 
-    /// A trainee's standing with a mission on a day. A drill is open with the mission that it is for.
+    /// The state of a mission for a trainee on a day. A drill opens with its mission.
     pub fn stage(&self, offer: &Offer, standing: &CareerStanding, day: i64) -> MissionStage {
         if let Some(best) = standing
             .best(&offer.id)
@@ -210,9 +210,8 @@ impl MissionCourse {
             .collect()
     }
 
-    /// What to train next, and the mission that trains it best among those that may be flown: a skill that is due; else the
-    /// least likely one that a new mission trains; else the least likely one. Drills come first for a skill that is shaky,
-    /// whole missions for one that grows.
+    /// The recommended skill, and the best open mission for it: a skill due for a refresher; otherwise the weakest one
+    /// that a new mission trains; otherwise the weakest one. Weak skills get drills first, better ones whole missions.
     pub fn next(&self, standing: &CareerStanding, day: i64) -> Option<(Skill, &Offer)> {
         let mut skills: Vec<(bool, f64, Skill)> = Skill::ALL
             .iter()
@@ -240,14 +239,14 @@ impl MissionCourse {
                         && (may_be_known(!is_fresh) || !is_known(offer))
                         && (offer.drill_of.is_none() || chance < SHAKY)
                 });
-                // A new mission before a known one; among equals the easiest.
+                // New missions before known ones; among equals the easiest.
                 let best = trains.min_by_key(|offer| {
                     let is_drill = offer.drill_of.is_some();
                     (is_known(offer), is_drill != (chance < SHAKY), tier(offer))
                 });
                 best.map(|offer| (is_fresh, skill, offer))
             });
-            // What is due first, then what is new and easiest; of equals the skill that is the shakiest.
+            // Due skills first, then new and easy missions; of equals the weakest skill.
             let first =
                 best.min_by_key(|(is_fresh, _, offer)| (*is_fresh, is_known(offer), tier(offer)));
             first.map(|(_, skill, offer)| (skill, offer))
@@ -256,13 +255,13 @@ impl MissionCourse {
     }
 }
 
-/// Whether the advice may name it: a drill is for those who have tried the mission.
+/// Whether a mission can be recommended: a drill only after an attempt at its mission.
 fn is_advisable(offer: &Offer, standing: &CareerStanding) -> bool {
     let of = offer.drill_of.as_deref();
     of.is_none_or(|mission| standing.best(mission).is_some())
 }
 
-/// Below this, a skill is better drilled than used.
+/// Below this probability, a skill is better drilled than used.
 const SHAKY: f64 = 0.4;
 
 fn percent(share: f64) -> u8 {

@@ -1,6 +1,6 @@
-//! Seeds that all trainees have in common.
+//! Seeds common to all trainees.
 
-/// The seed of a day (days since 1970, UTC): the same for all trainees, another one tomorrow.
+/// The seed of a day (days since 1970, UTC): the same for all trainees, it changes daily.
 pub fn daily_seed(day: i64) -> u64 {
     mixed(day as u64 ^ 0x7361_696c_7964_6179)
 }
@@ -14,7 +14,7 @@ pub fn exam_seed(mission: &str, revision: u32) -> u64 {
         })
 }
 
-/// Neighbours go far apart (the finaliser of `SplitMix64`). Small enough to be typed.
+/// Scatters neighbouring values (the finaliser of `SplitMix64`). Small enough to be typed.
 fn mixed(value: u64) -> u64 {
     let mut mixed = value.wrapping_add(0x9e37_79b9_7f4a_7c15);
     for (shift, factor) in [(30, 0xbf58_476d_1ce4_e5b9), (27, 0x94d0_49bb_1331_11eb)] {

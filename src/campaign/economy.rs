@@ -3,18 +3,18 @@
 use super::CareerFlight;
 use crate::geo::maths;
 
-/// What a career begins with.
+/// The initial credits of a career.
 pub(super) const START_CREDITS: u32 = 500;
-/// The right to use a part costs this share of its price.
+/// The licence for a part costs this share of its price.
 const LICENCE_SHARE: f64 = 0.4;
-/// Of a first pass's reward, this much is for passing, the rest for the score.
+/// The share of a first pass's reward for passing; the rest depends on the score.
 const FOR_PASSING: f64 = 0.5;
 /// Experience of a perfect flight of tier 1; tier 0 counts as half of it.
 const EXPERIENCE: f64 = 150.0;
 const NEW_BEST: f64 = 1.25;
-/// The first flight of a day that refreshes a skill that is due.
+/// The factor for the first flight of a day that refreshes a due skill.
 const DUE_SKILL: f64 = 1.2;
-/// A pass that is worse than the best one still teaches something.
+/// The share of experience for a pass below the best score.
 const REPEAT: f64 = 0.25;
 /// Level n needs `LEVEL * n^1.5`.
 const LEVEL: f64 = 250.0;
@@ -33,13 +33,13 @@ pub const STARTER_PARTS: [&str; 10] = [
     "s_voc",
 ];
 
-/// What the right to use a part of a price costs, in credits.
+/// The price of a part's licence, in credits.
 pub fn licence_price(credits: u32) -> u32 {
     (f64::from(credits) * LICENCE_SHARE).ceil() as u32
 }
 
-/// Credits for a flight that counts, with the best score of the passes before it at the mission, if there is one: all for the first pass,
-/// after that only for what is better than ever. A drill's reward is what its file says, like a mission's.
+/// Credits for a flight that counts, given the best score of earlier passes, if any: the full reward for the first
+/// pass, then only for improvements. A drill's reward is set in its file, like a mission's.
 pub(super) fn pay(flight: &CareerFlight, best: Option<u16>) -> u32 {
     if !flight.passed {
         return 0;
@@ -52,8 +52,8 @@ pub(super) fn pay(flight: &CareerFlight, best: Option<u16>) -> u32 {
     (reward * share).round() as u32
 }
 
-/// Experience for a flight that counts, with the best score before it; the first flight of a mission is its best. One that did not
-/// pass brings none, as it brings no credits: a few reports from above the pad would do for it.
+/// Experience for a flight that counts, given the best score before it. A failed flight earns none, nor credits:
+/// otherwise a few reports from above the pad would earn some.
 pub(super) fn experience(flight: &CareerFlight, best: Option<u16>, refreshes: bool) -> u32 {
     if !flight.passed {
         return 0;
@@ -65,12 +65,12 @@ pub(super) fn experience(flight: &CareerFlight, best: Option<u16>, refreshes: bo
     (EXPERIENCE * tier * thousandths(flight.score) * worth * due).round() as u32
 }
 
-/// The level that an experience makes.
+/// The level for an amount of experience.
 pub(super) fn level(experience: u64) -> u32 {
     maths::powf(experience as f64 / LEVEL, 2.0 / 3.0).floor() as u32
 }
 
-/// The experience that a level needs.
+/// The experience needed for a level.
 pub(super) fn level_experience(level: u32) -> u64 {
     (LEVEL * maths::powf(f64::from(level), 1.5)).ceil() as u64
 }

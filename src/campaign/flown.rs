@@ -1,18 +1,18 @@
-//! A finished flight as a part of a career.
+//! A finished flight as an entry of a career.
 
 use super::{CareerFlight, Evidence, FlownDesign, Stake, wear};
 use crate::mission::Mission;
 use crate::scoring::Report;
 
 impl CareerFlight {
-    /// A flight of a mission, as it was flown, that ended on a day (since 1970, UTC).
+    /// A flight of a mission that ended on a day (since 1970, UTC).
     pub fn of(mission: &Mission, report: &Report, stake: Stake, day: i64) -> Self {
         Self {
             mission: mission.id.clone(),
             drill_of: mission.drill_of.clone(),
             tier: mission.rewards.xp_tier,
             reward: mission.rewards.credits,
-            // One that was given up before any drone was heard counts as well.
+            // One abandoned before any drone was heard counts as well.
             vehicles: u8::try_from(report.vehicles).unwrap_or(u8::MAX).max(1),
             stake,
             flown_by: report.flown_by,
@@ -27,7 +27,7 @@ impl CareerFlight {
     }
 }
 
-/// The trainee's own drones on a flight. Those of the mission are lent.
+/// The trainee's own drones on a flight, without those that the mission lent.
 fn own<'a>(mission: &'a Mission, report: &'a Report) -> impl Iterator<Item = FlownDesign<'a>> {
     let seats = mission.fleet().iter().zip(&report.usage);
     seats.map(|(design, used)| FlownDesign {

@@ -1,5 +1,5 @@
-//! How a career came to be what it is: the same history as [`CareerStanding`], step by step, for charts and for the question
-//! why a skill moved.
+//! The growth of a career: the same history as in [`CareerStanding`], step by step, for charts and to explain changes
+//! of a skill.
 
 use std::collections::BTreeMap;
 
@@ -15,7 +15,7 @@ pub struct Growth {
     moves: BTreeMap<Skill, Vec<SkillMove>>,
 }
 
-/// What there was after an entry.
+/// Credits and experience after an entry.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Wealth {
     /// Credits left after the entry.
@@ -33,31 +33,31 @@ pub struct Try {
     pub score: u16,
     /// Whether all mandatory objectives were met.
     pub passed: bool,
-    /// The medal, if one was won.
+    /// The medal, if any.
     pub medal: Option<Medal>,
-    /// What it was flown for.
+    /// Its stake.
     pub stake: Stake,
 }
 
-/// How one flight moved a skill.
+/// The change of a skill by one flight.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SkillMove {
     /// Id of the mission.
     pub mission: String,
     /// The day, in days since 1970 (UTC).
     pub day: i64,
-    /// What was looked at.
+    /// The basis of the evidence.
     pub what: Text,
-    /// How well it went, 0 to 1.
+    /// The outcome, 0 to 1.
     pub outcome: f64,
-    /// How likely the skill was on that day before, 0 to 1.
+    /// The probability of mastery on that day before, 0 to 1.
     pub before: f64,
-    /// How likely it was afterwards.
+    /// The probability afterwards.
     pub after: f64,
 }
 
 impl Growth {
-    /// What a history was step by step, oldest entry first.
+    /// The steps of a history, oldest entry first.
     pub fn of<'a>(history: impl IntoIterator<Item = &'a CareerEntry>) -> Self {
         let mut growth = Self::default();
         let mut standing = CareerStanding::default();
@@ -103,7 +103,7 @@ impl Growth {
         }
     }
 
-    /// What there was after each entry, oldest first.
+    /// Credits and experience after each entry, oldest first.
     pub fn wealth(&self) -> &[Wealth] {
         &self.wealth
     }
@@ -113,7 +113,7 @@ impl Growth {
         self.tries.get(mission).map_or(&[], Vec::as_slice)
     }
 
-    /// What moved a skill, oldest first.
+    /// The changes of a skill, oldest first.
     pub fn moves(&self, skill: Skill) -> &[SkillMove] {
         self.moves.get(&skill).map_or(&[], Vec::as_slice)
     }

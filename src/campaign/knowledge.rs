@@ -1,4 +1,4 @@
-//! How likely a skill is mastered: Bayesian knowledge tracing (Corbett and Anderson 1995) with forgetting.
+//! The probability that a skill is mastered: Bayesian knowledge tracing (Corbett and Anderson 1995) with forgetting.
 
 use std::collections::BTreeSet;
 
@@ -9,35 +9,35 @@ use crate::geo::maths;
 use crate::text;
 use crate::text::Text;
 
-/// Before anything was seen.
+/// The probability before any evidence.
 const START: f64 = 0.20;
-/// Of an opportunity that was missed although the skill is there.
+/// The probability of a failure although the skill is mastered.
 const SLIP: f64 = 0.08;
-/// Of one that was met by luck; less so in hard missions.
+/// The probability of a success by luck; lower in hard missions.
 const GUESS: f64 = 0.20;
 const GUESS_HARD: f64 = 0.10;
 const HARD_TIER: u8 = 3;
-/// How likely an opportunity teaches a skill that is not there.
+/// The probability of learning a skill at an opportunity.
 const LEARN: f64 = 0.12;
-/// What is left of everything forgotten.
+/// The probability left after complete forgetting.
 const FLOOR: f64 = 0.15;
-/// Days after which half is forgotten; each review in time makes it longer.
+/// The half-life of forgetting in days; each timely review extends it.
 const HALF_LIFE_DAYS: f64 = 14.0;
 const REVIEW_GROWTH: f64 = 1.8;
 const LONGEST_HALF_LIFE_DAYS: f64 = 180.0;
-/// What mastery asks for.
+/// The probability required for mastery.
 const MASTERED: f64 = 0.95;
 const OPPORTUNITIES: u32 = 4;
 const MISSIONS: usize = 2;
 const DAYS: usize = 2;
-/// A mastered skill is due when it is less likely than this.
+/// The probability below which a mastered skill is due for a refresher.
 const DUE: f64 = 0.80;
-/// One flight proves little: it moves a skill by no more than this.
+/// The greatest change by one flight, which proves little.
 const MOST_AT_ONCE: f64 = 0.25;
-/// An outcome of this much counts as a success.
+/// The least outcome of a success.
 const SUCCESS: f64 = 0.5;
 
-/// What is known of one skill.
+/// The knowledge of one skill.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Knowledge {
     chance: f64,
@@ -57,27 +57,27 @@ pub enum Mastery {
     Unknown,
     /// Shown, but not mastered yet.
     Learning,
-    /// Likely and shown often, in several missions, on several days.
+    /// Probable, and shown often, in several missions, on several days.
     Mastered,
-    /// Mastered once, and to be refreshed.
+    /// Mastered before, and due for a refresher.
     Due,
 }
 
-/// Something that mastery still asks for.
+/// What mastery still requires.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Lack {
-    /// To be this likely, in percent.
+    /// This probability, in percent.
     Chance(u8),
-    /// To be shown in so many more flights.
+    /// This many more flights.
     Flights(usize),
-    /// In so many other missions.
+    /// This many other missions.
     Missions(usize),
-    /// On so many other days.
+    /// This many other days.
     Days(usize),
 }
 
 impl Lack {
-    /// What it is, in words.
+    /// The requirement as text.
     pub fn text(self) -> Text {
         match self {
             Self::Chance(percent) => text!("lack-chance", percent = percent),
@@ -115,7 +115,7 @@ impl Default for Knowledge {
 }
 
 impl Knowledge {
-    /// How likely the skill is there on a day, 0 to 1.
+    /// The probability of mastery on a day, 0 to 1.
     pub fn chance(&self, day: i64) -> f64 {
         if self.opportunities == 0 {
             return START;
@@ -125,7 +125,7 @@ impl Knowledge {
         FLOOR + (self.chance - FLOOR).max(0.0) * left
     }
 
-    /// Where its owner stands on a day.
+    /// The state of the skill on a day.
     pub fn mastery(&self, day: i64) -> Mastery {
         if self.opportunities == 0 {
             Mastery::Unknown
@@ -138,18 +138,18 @@ impl Knowledge {
         }
     }
 
-    /// The day on which it will be due, if it was mastered once.
+    /// The day on which it will be due, if it was ever mastered.
     pub fn due_day(&self) -> Option<i64> {
         if !self.was_mastered {
             return None;
         }
-        // By the formula, not by trying days: where chance(day) falls to DUE, and no later than the half-life.
+        // Solved for the day on which chance(day) falls to DUE, and no later than the half-life.
         let above = (self.chance - FLOOR).max(1e-9) / (DUE - FLOOR);
         let days = self.half_life_days() * maths::log2(above).clamp(0.0, 1.0);
         Some(self.last_day + days.ceil() as i64)
     }
 
-    /// What is missing for mastery on a day; nothing once it was mastered.
+    /// What mastery still requires on a day; empty once mastered.
     pub fn lacks(&self, day: i64) -> Vec<Lack> {
         if self.was_mastered {
             return Vec::new();
@@ -166,23 +166,23 @@ impl Knowledge {
         let days = more(self.days.len(), DAYS);
         lacks.extend((days > 0).then_some(Lack::Days(days)));
         if lacks.is_empty() {
-            // All was there at some time, but not together: the next good flight decides.
+            // Everything was met at some time, but not together: the next good flight decides.
             lacks.push(Lack::Flights(1));
         }
         lacks
     }
 
-    /// In how many flights it was shown.
+    /// The number of flights that showed it.
     pub fn opportunities(&self) -> u32 {
         self.opportunities
     }
 
-    /// In how many missions it was shown.
+    /// The number of missions that showed it.
     pub fn missions(&self) -> usize {
         self.missions.len()
     }
 
-    /// What a flight with an outcome of 0 to 1 makes of it.
+    /// Updates it with a flight's outcome, 0 to 1.
     pub(super) fn observe(&mut self, outcome: f64, tier: u8, mission: &str, day: i64) {
         let before = self.chance(day);
         if self.mastery(day) == Mastery::Due && outcome >= SUCCESS {

@@ -9,32 +9,32 @@ use super::{
 use crate::scoring::Medal;
 use crate::text::Text;
 
-/// Own progress on a day.
+/// The progress on a day.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct CareerProgress {
     /// Credits that can be spent.
     pub credits: u32,
     /// Experience points in all.
     pub experience: u64,
-    /// The level that it makes.
+    /// The level.
     pub level: u32,
     /// Experience that the next level needs.
     pub next_level_experience: u64,
-    /// How many drones may be flown at a time.
+    /// The most drones that may be flown at a time.
     pub licence: u8,
-    /// How many flights were finished.
+    /// The number of finished flights.
     pub flights: u32,
-    /// How many of them came with an imported profile and were not verified.
+    /// The number of them from an imported profile, which are unverified.
     pub imported_flights: usize,
-    /// What to train next, and where.
+    /// The recommended training.
     pub next: Option<TrainingAdvice>,
-    /// The missions, in the order of the course; those that are not in it and were flown come last.
+    /// The missions, in the order of the course; others that were flown come last.
     pub missions: Vec<MissionProgress>,
     /// The skills, in their order.
     pub skills: Vec<SkillProgress>,
 }
 
-/// What to train next.
+/// Recommended training.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct TrainingAdvice {
     /// The skill to train.
@@ -47,66 +47,66 @@ pub struct TrainingAdvice {
     pub mission_title: Text,
 }
 
-/// How far a mission has come.
+/// The progress with a mission.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct MissionProgress {
     /// The id of the mission.
     pub id: String,
     /// Its name for people.
     pub title: Text,
-    /// How many drones it takes.
+    /// The number of drones.
     pub vehicles: u8,
     /// Whether it is locked, open or passed.
     pub state: MissionState,
     /// Why it is locked, if it is.
     pub reasons: Vec<Text>,
-    /// The tries: flights that were no practice and flown by hand.
+    /// The number of attempts: flights by hand that were no practice.
     pub tries: usize,
     /// The best score of flights that count.
     pub best: Option<u16>,
     /// The best medal of flights that count.
     pub medal: Option<Medal>,
-    /// The score of the first try.
+    /// The score of the first attempt.
     pub first: Option<u16>,
-    /// The score of the last try.
+    /// The score of the last attempt.
     pub last: Option<u16>,
-    /// Points per try, by least squares over all tries; `None` for fewer than two.
+    /// Points per attempt, by least squares over all attempts; `None` for fewer than two.
     pub trend: Option<f64>,
 }
 
-/// Where a mission stands.
+/// The state of a mission.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum MissionState {
-    /// Not on offer yet.
+    /// Locked.
     Locked,
-    /// On offer, not passed.
+    /// Open, not passed yet.
     Open,
     /// Passed at least once.
     Passed,
 }
 
-/// How far a skill has come.
+/// The progress of a skill.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SkillProgress {
-    /// The skill that this is about.
+    /// The skill.
     pub skill: Skill,
     /// Its name for people.
     pub title: Text,
-    /// How likely it is there today, in percent.
+    /// The probability of mastery today, in percent.
     pub percent: u8,
-    /// Where its owner stands with it.
+    /// The state of the skill.
     pub mastery: Mastery,
-    /// How often it could be shown.
+    /// The number of opportunities to show it.
     pub opportunities: u32,
-    /// In how many missions it was shown.
+    /// The number of missions that showed it.
     pub missions: usize,
-    /// The day on which it will be due, in days since 1970 (UTC), if it was mastered once.
+    /// The day on which it will be due, in days since 1970 (UTC), if it was ever mastered.
     pub due_day: Option<i64>,
 }
 
 impl CareerProgress {
-    /// Where a history leads on a course, seen from a day.
+    /// The progress of a history in a course, on a day.
     pub fn of(course: &MissionCourse, history: &[CareerEntry], day: i64) -> Self {
         let standing = CareerStanding::of(history);
         let (experience, level, next_level_experience) = standing.experience();
@@ -142,7 +142,7 @@ impl CareerProgress {
         }
     }
 
-    /// How likely skills are mastered on average, in percent.
+    /// The mean probability of mastery over all skills, in percent.
     pub fn mean_skill_percent(&self) -> f64 {
         let sum: u32 = self.skills.iter().map(|it| u32::from(it.percent)).sum();
         f64::from(sum) / self.skills.len().max(1) as f64
@@ -204,7 +204,7 @@ impl MissionProgress {
         }
     }
 
-    /// How an open mission was flown so far.
+    /// The progress with an open mission.
     fn new(
         id: &str,
         title: Text,
@@ -248,7 +248,7 @@ impl SkillProgress {
     }
 }
 
-/// The slope of the line through scores that fits best, in points per try, to a tenth.
+/// The slope of the regression line through scores, in points per attempt, to a tenth.
 fn trend(scores: &[u16]) -> Option<f64> {
     let count = scores.len() as f64;
     if scores.len() < 2 {

@@ -9,43 +9,43 @@ use crate::text;
 use crate::text::Text;
 use crate::workshop::parts;
 
-/// What a flight changed in a career.
+/// The changes of a career by a flight.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Reward {
-    /// What the flight was flown for.
+    /// The stake of the flight.
     pub stake: Stake,
     /// Whether the exam was passed, if it was one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub exam_passed: Option<bool>,
-    /// Credits that were earned.
+    /// Credits earned.
     pub pay_credits: u32,
-    /// Credits that wear and loss of own drones took.
+    /// Credits deducted for wear and loss of own drones.
     pub wear_credits: u32,
-    /// Credits that there are now.
+    /// The resulting credits.
     pub credits: u32,
-    /// Experience that was earned.
+    /// Experience earned.
     pub experience: u64,
     /// The level before the flight.
     pub level_before: u32,
     /// The level after the flight.
     pub level: u32,
-    /// Experience that the next level still needs.
+    /// Experience missing for the next level.
     pub experience_left: u64,
-    /// How many drones the licence was for.
+    /// The number of drones of the licence before.
     pub licence_before: u8,
-    /// How many it is for now.
+    /// The number of drones of the licence now.
     pub licence: u8,
-    /// The missions that are on offer now and were not before.
+    /// The newly opened missions.
     pub missions: Vec<OpenedItem>,
-    /// The parts that are on sale now and were not before.
+    /// The parts newly for sale.
     pub parts: Vec<OpenedItem>,
-    /// The skills of which something was seen, in their order.
+    /// The skills with evidence, in order.
     pub skills: Vec<SkillChange>,
-    /// Why nothing was paid, if nothing was.
+    /// Why no credits were paid, if so.
     pub unpaid: Option<Text>,
 }
 
-/// Something that was locked before.
+/// Something newly unlocked.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct OpenedItem {
     /// The id of the mission or part.
@@ -54,25 +54,25 @@ pub struct OpenedItem {
     pub title: Text,
 }
 
-/// A skill before and after.
+/// A skill before and after the flight.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SkillChange {
-    /// The skill that has changed.
+    /// The skill.
     pub skill: Skill,
     /// Its name for people.
     pub title: Text,
-    /// Whether no flight had shown it before.
+    /// Whether it was shown for the first time.
     pub is_new: bool,
-    /// How likely it was, in percent.
+    /// The probability before, in percent.
     pub before_percent: u8,
-    /// How likely it is now, in percent.
+    /// The probability now, in percent.
     pub after_percent: u8,
-    /// What was seen of it.
+    /// The evidence.
     pub why: Vec<Evidence>,
 }
 
 impl Reward {
-    /// What a flight made of the standing before it.
+    /// The changes that a flight made to a standing.
     pub fn between(
         before: &CareerStanding,
         after: &CareerStanding,
@@ -103,7 +103,7 @@ impl Reward {
         }
     }
 
-    /// In words, the most important first.
+    /// The changes as text, most important first.
     pub fn lines(&self) -> Vec<Text> {
         let mut lines = Vec::new();
         lines.extend(self.exam_passed.map(|passed| {
@@ -164,7 +164,7 @@ impl Reward {
 }
 
 impl SkillChange {
-    /// In words: from where to where, and what was seen.
+    /// The change as text, with the evidence.
     pub fn text(&self) -> Text {
         let seen = |it: &Evidence| {
             let percent = (it.outcome * 100.0).round() as u32;
@@ -185,7 +185,7 @@ impl SkillChange {
     }
 }
 
-/// Why nothing was paid.
+/// Why no credits were paid.
 fn unpaid(before: &CareerStanding, flight: &CareerFlight) -> Text {
     let best = before.best(&flight.mission).and_then(|best| best.passed);
     match best {

@@ -1,4 +1,4 @@
-//! The competencies of a swarm operator, and what a flight tells of them.
+//! The competencies of a swarm operator, and a flight's evidence on them.
 
 use std::collections::BTreeMap;
 
@@ -10,7 +10,7 @@ use crate::scoring::{Component, ENERGY_NEEDS_OBJECTIVES, Report};
 use crate::text;
 use crate::text::Text;
 
-/// The skill that a component of the score stands for.
+/// The skill that a component of the score shows.
 fn shown_by(component: Component) -> Option<Skill> {
     match component {
         Component::Command => Some(Skill::K2),
@@ -22,36 +22,36 @@ fn shown_by(component: Component) -> Option<Skill> {
     }
 }
 
-/// One opportunity to show a skill, and how well it went.
+/// One opportunity to show a skill, and its outcome.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Evidence {
-    /// The skill that was shown.
+    /// The skill.
     pub skill: Skill,
-    /// How well it went, 0 to 1.
+    /// The outcome, 0 to 1.
     pub outcome: f64,
-    /// What was looked at.
+    /// The basis of the evidence.
     pub what: Text,
 }
 
-/// A prediction that is off by so many points shows nothing.
+/// The error of a prediction, in points, at which the outcome is zero.
 const BLIND_POINTS: f64 = 250.0;
-/// Outcomes are kept to this fraction, so that a career comes back from a file as it was.
+/// Outcomes are rounded to this fraction, so that a career is unchanged by storage.
 const STEPS: f64 = 1000.0;
-/// What went worse than this counts against a skill in any flight.
+/// An outcome below this counts against a skill in any flight.
 const FAULT: f64 = 0.1;
 
-/// All that a flight tells of one skill. It counts once: what is shown three times in one flight is no surer for it.
+/// A flight's evidence on one skill. It counts once: showing it three times in one flight is no stronger evidence.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct SkillShown {
     pub skill: Skill,
     /// The mean of the outcomes, 0 to 1.
     pub outcome: f64,
-    /// What was looked at.
+    /// The basis of the evidence.
     pub what: Text,
 }
 
 impl CareerFlight {
-    /// What the flight tells of each skill that it shows, in the order of the skills.
+    /// The flight's evidence on each skill, in order.
     pub(super) fn shown_skills(&self) -> Vec<SkillShown> {
         let mut by_skill: BTreeMap<Skill, Vec<&Evidence>> = BTreeMap::new();
         for evidence in &self.evidence {
@@ -75,9 +75,9 @@ impl Evidence {
         }
     }
 
-    /// What a flight of a mission tells: every objective that was tried of the skill that its kind needs, the components of the score that
-    /// stand for one, and the prediction. Nothing for a flight that was given up before anything was commanded; of one that failed,
-    /// only what went wrong: a hover with a few blind reports keeps all rules.
+    /// A flight's evidence: every attempted objective for the skill of its kind, the components of the score that show
+    /// a skill, and the prediction. None for a flight abandoned before any command; for a failed flight, only what
+    /// went wrong: a hover with a few blind reports keeps all rules.
     pub fn of(report: &Report, mission: &Mission) -> Vec<Self> {
         if report.ledger.is_empty() {
             return Vec::new();
@@ -96,15 +96,15 @@ impl Evidence {
                     Some(Trying::Report) => !report.truth.marks.is_empty(),
                     Some(Trying::Progress) | None => false,
                 };
-            // Whoever only arms has shown nothing yet.
+            // Arming alone shows nothing yet.
             (is_tried && (has_flown || share <= 0.0)).then_some(())?;
             Some(Self::new(skill, share, objective.title.clone()))
         });
         let components = report.components.iter().filter_map(|shown| {
             let component = Component::ALL.into_iter().find(|it| shown.is(*it))?;
             let skill = shown_by(component)?;
-            // A component without weight had nothing to judge, and neither had one of a flight that never began; energy is
-            // not judged at all where too little was reached.
+            // A component without weight, or of a flight that never began, has nothing to judge; energy is not judged
+            // if too little was reached.
             let is_shown = match component {
                 Component::Command => true,
                 Component::Energy => has_flown && reached >= ENERGY_NEEDS_OBJECTIVES,
@@ -180,7 +180,7 @@ mod tests {
         pilot.land();
         pilot.flight.abandon();
         let (mission, mut report) = (pilot.flight.mission(), pilot.report());
-        // However much of what it was for it has reached.
+        // Regardless of the objective's share.
         for objective in &mut report.objectives {
             objective.points = objective.points_max * 0.9;
         }

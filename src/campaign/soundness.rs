@@ -1,23 +1,23 @@
-//! Whether an entry of a history can have happened: files may have been edited by hand.
+//! Whether an entry of a history is possible: files may have been edited by hand.
 
 use std::fmt::Debug;
 use std::ops::RangeInclusive;
 
 use super::{CareerEntry, CareerFlight, Purchase};
 
-/// Days since 1970 for which there are dates with four digits.
+/// Days since 1970 with dates of four-digit years.
 const DAYS: RangeInclusive<i64> = 0..=1_000_000;
 const TIERS: RangeInclusive<u8> = 0..=3;
 const SCORES: RangeInclusive<u16> = 0..=1000;
 const OUTCOMES: RangeInclusive<f64> = 0.0..=1.0;
-/// What a mission may offer and a part may cost, in credits.
+/// Possible rewards of a mission and prices of a part, in credits.
 const CREDITS: RangeInclusive<u32> = 0..=100_000;
-/// What a whole swarm may cost that fell, in credits.
+/// Possible costs of a lost swarm, in credits.
 const WEAR: RangeInclusive<u32> = 0..=1_000_000;
 const LONGEST_ID: usize = 64;
 
 impl CareerEntry {
-    /// Why this cannot have happened, in English; `None` for what can.
+    /// Why this is impossible, in English; `None` if it is possible.
     pub fn fault(&self) -> Option<String> {
         match self {
             Self::Flight(flight) => flight.fault(),
@@ -60,7 +60,7 @@ fn beyond<T: Copy + PartialOrd + Debug>(
     (!range.contains(&value)).then(|| format!("`{name}` is {value:?}, not {least:?} to {most:?}"))
 }
 
-/// Small letters, digits and a few marks.
+/// A fault unless `id` has only lower-case letters, digits and a few marks.
 fn malformed(name: &str, id: &str, marks: &str) -> Option<String> {
     let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || marks.contains(c);
     let is_fine = (1..=LONGEST_ID).contains(&id.len()) && id.chars().all(plain);

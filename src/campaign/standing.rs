@@ -24,26 +24,26 @@ pub struct CareerStanding {
     flights: u32,
 }
 
-/// A trainee's best flight of one mission; practice does not count.
+/// A trainee's best results in one mission, without practice.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Best {
-    /// How many graded flights there were.
+    /// The number of graded flights.
     pub tries: u32,
-    /// The highest score of all; `None` where no flight earned a point.
+    /// The highest score; `None` if no flight earned a point.
     pub score: Option<u16>,
-    /// The highest score of those that passed.
+    /// The highest score of passed flights.
     pub passed: Option<u16>,
     /// The best medal of all graded flights.
     pub medal: Option<Medal>,
-    /// The best of its exams, if one was taken.
+    /// The best exam result, if one was taken.
     pub exam: Option<ExamResult>,
-    /// The most drones with which a silver medal or a better one was won.
+    /// The most drones in a flight with at least silver.
     silver_with: u8,
     /// The same for gold.
     gold_with: u8,
 }
 
-/// How an exam went; of two the better one is greater.
+/// The result of an exam, ordered by quality.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct ExamResult {
     /// Whether it was passed.
@@ -55,29 +55,29 @@ pub struct ExamResult {
 /// Whether a part may be used.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum PartState {
-    /// The trainee owns the right to use it.
+    /// The trainee owns its licence.
     Owned,
     /// After paying this many credits.
     ForSale(u32),
-    /// After passing the mission of this id.
+    /// After passing the mission with this id.
     Locked(String),
 }
 
-/// Why something cannot be bought.
+/// Why a part cannot be bought.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum PurchaseRefusal {
-    /// There is no such part.
+    /// The part is unknown.
     Unknown,
     /// It is owned already.
     Owned,
-    /// A mission has to be passed first.
+    /// A mission must be passed first.
     Locked(String),
-    /// It costs the first, and there is the second.
+    /// It costs the first amount, but only the second is available.
     TooDear(u32, u32),
 }
 
 impl PurchaseRefusal {
-    /// The reason for people.
+    /// The reason as text.
     pub fn text(&self) -> Text {
         match self {
             Self::Unknown => text!("buy-unknown"),
@@ -106,7 +106,7 @@ impl Default for CareerStanding {
 }
 
 impl CareerStanding {
-    /// What a history amounts to, oldest entry first.
+    /// The standing of a history, oldest entry first.
     pub fn of<'a>(history: impl IntoIterator<Item = &'a CareerEntry>) -> Self {
         let mut standing = Self::default();
         for entry in history {
@@ -115,8 +115,7 @@ impl CareerStanding {
         standing
     }
 
-    /// Adds one entry. Flights bring credits and never take more than there are; a purchase that there are no credits for
-    /// has no effect.
+    /// Adds one entry. Wear never takes more credits than available; a purchase without enough credits has no effect.
     pub fn enter(&mut self, entry: &CareerEntry) {
         match entry {
             CareerEntry::Flight(flight) => self.fly(flight),
@@ -144,7 +143,7 @@ impl CareerStanding {
         }
         self.credits = self.credits.saturating_sub(flight.wear);
         self.flights += 1;
-        // A layout that was seen before shows what was remembered, not what is known.
+        // A layout seen before shows memory, not skill.
         if counts {
             for shown in flight.shown_skills() {
                 let known = self.skills.entry(shown.skill).or_default();
@@ -161,7 +160,7 @@ impl CareerStanding {
         }
     }
 
-    /// Whether a flight counts for more than practice. With the seed of the day, the first one of the day does.
+    /// Whether a flight counts for more than practice. Of daily flights, the first one of the day does.
     pub(super) fn counts(&self, flight: &CareerFlight) -> bool {
         match flight.stake {
             Stake::Graded | Stake::Exam => true,
@@ -170,7 +169,7 @@ impl CareerStanding {
         }
     }
 
-    /// What a flight is paid by this standing, in credits, before its wear is taken.
+    /// The payment for a flight in credits, before wear.
     pub(super) fn pay(&self, flight: &CareerFlight) -> u32 {
         if !self.counts(flight) {
             return 0;
@@ -179,7 +178,7 @@ impl CareerStanding {
         economy::pay(flight, best.and_then(|best| best.passed))
     }
 
-    /// A purchase of the right to use a part.
+    /// A purchase of a part's licence.
     ///
     /// # Errors
     /// Why it cannot be bought.
@@ -216,7 +215,7 @@ impl CareerStanding {
         }
     }
 
-    /// The parts of a design that may not be used yet, in the order of building, each once.
+    /// The parts of a design without a licence, in the order of its slots, each once.
     pub fn missing_parts(
         &self,
         design: &Design,
@@ -238,18 +237,18 @@ impl CareerStanding {
         self.credits
     }
 
-    /// Experience so far, the level that it makes, and the experience that the next one needs.
+    /// Total experience, the level, and the experience needed for the next one.
     pub fn experience(&self) -> (u64, u32, u64) {
         let level = economy::level(self.experience);
         (self.experience, level, economy::level_experience(level + 1))
     }
 
-    /// How many flights were finished.
+    /// The number of finished flights.
     pub fn flights(&self) -> u32 {
         self.flights
     }
 
-    /// The best of a mission; `None` before the first graded flight.
+    /// The best results of a mission; `None` before the first graded flight.
     pub fn best(&self, mission: &str) -> Option<&Best> {
         self.missions.get(mission)
     }
@@ -259,18 +258,18 @@ impl CareerStanding {
         self.best(mission).is_some_and(|best| best.passed.is_some())
     }
 
-    /// What is known of a skill.
+    /// The knowledge of a skill.
     pub fn skill(&self, skill: Skill) -> Knowledge {
         self.skills.get(&skill).cloned().unwrap_or_default()
     }
 
-    /// How many drones may be flown in missions at a time.
+    /// The most drones that may be flown in missions at a time.
     pub fn licence(&self) -> u8 {
         self.licence
     }
 
-    /// The licence grows with what was shown: two drones after the first pass, four after the second, eight after silver in
-    /// two missions with three drones or more, 16 after silver with eight, 32 after gold with eight.
+    /// The licence by results: two drones after the first pass, four after the second, eight after silver in two
+    /// missions with three drones or more, 16 after silver with eight, 32 after gold with eight.
     fn earned_licence(&self) -> u8 {
         let missions = || self.missions.values();
         let passes = missions().filter(|best| best.passed.is_some()).count();

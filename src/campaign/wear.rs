@@ -2,25 +2,25 @@
 
 use crate::workshop::{Design, PartSlot};
 
-/// A flight takes this much of a battery's life.
+/// The share of a battery's life used by a flight.
 const BATTERY_SHARE: f64 = 0.01;
-/// An hour in the air takes this much of a motor's.
+/// The share of a motor's life used by an hour in the air.
 const MOTOR_SHARE_PER_HOUR: f64 = 0.002;
-/// A drone that fell is worth this much less.
+/// The share of its price that a crashed drone loses.
 const CRASH_SHARE: f64 = 0.5;
 
 /// A drone of the trainee's own on a flight.
 #[derive(Debug, Clone, Copy)]
 pub struct FlownDesign<'a> {
-    /// What it was built of.
+    /// Its design.
     pub design: &'a Design,
     /// Time in the air, in seconds.
     pub airborne_s: f64,
     pub has_crashed: bool,
 }
 
-/// What a flight costs in credits: wear of batteries and motors, and half of what fell. A drone that stayed on its pad costs
-/// nothing, nor do those that a mission lends.
+/// The costs of a flight in credits: wear of batteries and motors, and half the price of crashed drones. A drone that
+/// stayed on its pad costs nothing, nor do lent ones.
 pub fn wear<'a>(flown: impl IntoIterator<Item = FlownDesign<'a>>) -> u32 {
     let credits: f64 = flown.into_iter().map(|one| one.wear()).sum();
     credits.round() as u32

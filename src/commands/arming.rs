@@ -63,14 +63,14 @@ impl ArmingCommand {
     }
 }
 
-/// Makes ArduPilot disarm in flight.
+/// The magic number that makes ArduPilot disarm in flight.
 const FORCE_DISARM: f32 = 21196.0;
-/// Makes ArduPilot arm whatever its checks say; [`FORCE_DISARM`] does too.
+/// The magic number that makes ArduPilot arm regardless of its checks; [`FORCE_DISARM`] does too.
 const FORCE_ARM: f32 = 2989.0;
 /// The parameter that arms rather than disarms.
 const ARM: f32 = 1.0;
 
-/// What a command by number sets at risk, if it arms or disarms.
+/// The risk of a command by number, if it arms or disarms.
 pub(super) fn risk_of_number(command: u16, arm: f32, magic: f32) -> Risk {
     let disarms_by_force = magic == FORCE_DISARM;
     if command != MavCmd::MAV_CMD_COMPONENT_ARM_DISARM as u16 {

@@ -1,4 +1,4 @@
-//! The state of a vehicle that a command holds it in.
+//! A command's claim on a vehicle's state.
 
 use super::modes::{holding_mode, mode_named};
 use super::{ArmingCommand, Command, FlightCommand, MotionCommand};
@@ -6,8 +6,8 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Mode, Vehicle};
 
-/// What stays true of a vehicle while a command holds. Once it is not true any longer, something else has the vehicle:
-/// another ground station, a failsafe, a pilot's stick, or the autopilot that disarms by itself.
+/// The state of a vehicle while a command is in effect. When it ends, another source controls the vehicle: another
+/// ground station, a failsafe, a pilot's stick, or the autopilot that disarms by itself.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Claim {
     mode: Option<Mode>,
@@ -15,12 +15,12 @@ pub struct Claim {
 }
 
 impl Claim {
-    /// Whether the command leaves open what the vehicle does.
+    /// Whether the command makes no claim.
     pub fn is_empty(&self) -> bool {
         self.mode.is_none() && self.armed.is_none()
     }
 
-    /// What shows that it has begun to be true.
+    /// Its description: what shows that it holds.
     pub fn describe(&self) -> Text {
         match self.mode {
             Some(mode) => text!("effect-mode", mode = mode.to_string()),
@@ -29,7 +29,7 @@ impl Claim {
         }
     }
 
-    /// What contradicts it, in a few words: `by RTL`. `None` while it is true.
+    /// The contradiction in a few words: `by RTL`. `None` while it holds.
     pub fn contradicted(&self, vehicle: &Vehicle) -> Option<Text> {
         let now = vehicle.heartbeat?;
         if let Some(mode) = self.mode
@@ -46,7 +46,7 @@ impl Claim {
 }
 
 impl Command {
-    /// What stays true while it holds, given the vehicle as it was when the command was sent.
+    /// Its claim, given the vehicle when the command was sent.
     pub fn claim(&self, before: &Vehicle) -> Claim {
         match self {
             Self::Arming(command) => Claim {
@@ -65,7 +65,7 @@ impl Command {
     }
 }
 
-/// To fly in the mode that it is in.
+/// A claim to fly in the present mode.
 fn flight_in_this_mode(before: &Vehicle) -> Claim {
     Claim {
         mode: before.mode(),
@@ -73,7 +73,7 @@ fn flight_in_this_mode(before: &Vehicle) -> Claim {
     }
 }
 
-/// To be in a mode, on the ground too.
+/// A claim to be in a mode, on the ground too.
 fn mode(before: &Vehicle, name: &str) -> Claim {
     Claim {
         mode: mode_named(before, name),

@@ -1,4 +1,5 @@
-//! Deeds: what a mission is asked, not an autopilot. Payloads, reports of finds, and the trainee's word before launch.
+//! Deeds: commands to the mission, not to an autopilot. Payloads, reports of contacts, and the trainee's prediction
+//! and goal.
 
 use std::fmt;
 use std::time::Duration;
@@ -10,26 +11,26 @@ use crate::geo::LatLon;
 use crate::text;
 use crate::text::Text;
 
-/// Something that only means anything within a mission.
+/// A command to the mission.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Deed {
     Mark {
         subject: Subject,
-        /// What it is said to be; `None` where the mission asks for one kind only.
+        /// The reported kind; `None` if the mission has only one kind.
         kind: Option<FindKind>,
     },
-    /// Take back the report that is nearest to a place.
+    /// Withdraw the report nearest to a place.
     Unmark { spot: Spot },
-    /// Take a sample where the vehicle is.
+    /// Take a sample at the vehicle's position.
     Sample,
-    /// Let go of one piece of the vehicle's load.
+    /// Release one piece of the vehicle's load.
     Drop,
     /// Open or close the sprayer.
     Spray { on: bool },
-    /// Say beforehand what the score will be.
+    /// Predict the score before launch.
     Predict {
-        /// The score that the trainee expects, 0 to 1000.
+        /// The expected score, 0 to 1000.
         points: u16,
     },
     /// Set a goal for the flight.
@@ -39,7 +40,7 @@ pub enum Deed {
 }
 
 impl Deed {
-    /// Whether it concerns the mission as a whole: done with one vehicle, it is done with all.
+    /// Whether it concerns the mission as a whole, so that one vehicle does it for all.
     pub fn is_of_all(&self) -> bool {
         match self {
             Self::Mark {
@@ -61,42 +62,42 @@ impl Deed {
     }
 }
 
-/// What a report is about.
+/// The subject of a report.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Subject {
     Spot(Spot),
-    /// Each contact that has not been reported.
+    /// Each unreported contact.
     Contacts {
-        /// Only those that two kinds of sensors have seen.
+        /// Only contacts seen by two kinds of sensors.
         confirmed: bool,
     },
 }
 
-/// A place as it was named.
+/// A place as given.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Spot {
     /// Where the vehicle is.
     Here,
     At(LatLon),
-    /// From the mission's origin, in metres.
+    /// Metres from the mission's origin.
     Offset {
         north_m: f64,
         east_m: f64,
     },
 }
 
-/// What a trainee wants to reach, besides the mission's objectives.
+/// A trainee's own goal, besides the mission's objectives.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Goal {
-    /// Be done within this time.
+    /// Finish within this time.
     Time(Duration),
     /// Land every vehicle with at least this much battery, in percent.
     Battery(f64),
     Safety,
-    /// Give no command that is refused.
+    /// Give no refused command.
     Commands,
     /// Answer every alert in time.
     Attention,
@@ -105,7 +106,7 @@ pub enum Goal {
 }
 
 impl Goal {
-    /// What it asks for, in words.
+    /// Its description.
     pub fn title(self) -> Text {
         match self {
             Self::Time(most) => text!("mission-goal-time", seconds = most.as_secs()),
@@ -121,7 +122,7 @@ impl Goal {
 }
 
 impl fmt::Display for Goal {
-    /// As the grammar writes it, after `goal`.
+    /// In the grammar's notation after `goal`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Time(within) => write!(f, "time {}s", within.as_secs_f64()),

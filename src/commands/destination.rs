@@ -1,8 +1,8 @@
-//! Where a `goto` leads, and what the nose does on the way.
+//! The destination of a `goto`, and the heading on the way.
 
 use crate::geo::LatLon;
 
-/// Where a `goto` leads.
+/// The destination of a `goto`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Destination {
     /// A point on the earth; `None` keeps the present height.
@@ -20,7 +20,7 @@ pub enum Destination {
         /// Metres above the estimator's origin; `None` keeps the height.
         up_m: Option<f64>,
     },
-    /// Metres from where the vehicle is when the command is sent.
+    /// Metres from the vehicle's position when the command is sent.
     Offset {
         north_m: f64,
         east_m: f64,
@@ -28,12 +28,12 @@ pub enum Destination {
     },
 }
 
-/// What the nose does during a `goto`.
+/// The vehicle's heading during a `goto`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Heading {
-    /// As the autopilot is set up (ArduCopter by default faces the way it flies).
+    /// As the autopilot is configured (ArduCopter by default faces the direction of flight).
     Auto,
-    /// Stays as it is.
+    /// The present heading.
     Keep,
     /// A fixed heading, degrees clockwise from north.
     Fixed(f64),

@@ -47,7 +47,7 @@ impl DeviceCommand {
 
     pub(super) fn effect(self, before: &Vehicle) -> Effect {
         match self {
-            // Outputs that are not streamed stay at 0 and show nothing.
+            // Outputs that are not in the telemetry stay at 0 and show nothing.
             Self::Servo { output, pulse_us } if before.servos_us.iter().any(|&us| us != 0) => {
                 Effect::new(Watched::Servo { output, pulse_us }, SOON)
             }

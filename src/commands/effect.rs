@@ -10,22 +10,22 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Mode, Vehicle, VehicleClass};
 
-/// How near counts as reached, horizontally.
+/// The horizontal tolerance of a reached place.
 const ARRIVED_M: f64 = 1.5;
-/// How near counts as reached, vertically.
+/// The vertical tolerance of a reached place.
 const ARRIVED_HEIGHT_M: f64 = 1.0;
-/// The last of a climb, which gets slower: a target that came sooner would break a takeoff off.
+/// The last part of a climb, which is slower: an earlier setpoint would abort a takeoff.
 const CLIMB_ENDS_M: f64 = 1.5;
-/// How near counts as turned.
+/// The tolerance of a turn.
 const TURNED_DEG: f64 = 5.0;
-/// How near home must be to where it was set.
+/// The tolerance of a set home.
 const HOME_M: f64 = 5.0;
-/// Slower than this is standing still.
+/// A speed below this counts as standing still.
 const STILL_M_S: f64 = 0.5;
 /// A change of a state bit shows with the next heartbeat.
 pub(super) const SOON: Duration = Duration::from_secs(3);
 
-/// What to watch for after a command was accepted.
+/// The effect to watch for after a command was accepted.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Effect {
     watched: Watched,
@@ -37,7 +37,7 @@ pub(super) enum Watched {
     Nothing,
     Armed(bool),
     Mode(Mode),
-    /// On the ground, brought down by a mode.
+    /// On the ground, landed by a mode.
     Landed(Mode),
     Still,
     Altitude {
@@ -58,7 +58,7 @@ pub(super) enum Watched {
 }
 
 impl Effect {
-    /// Whether it shows: `None` when there is nothing to watch and acceptance is all there is to know.
+    /// Whether it shows; `None` if there is nothing to watch beyond the acceptance.
     pub fn seen(&self, vehicle: &Vehicle) -> Option<bool> {
         Some(match &self.watched {
             Watched::Nothing => return None,
@@ -93,12 +93,12 @@ impl Effect {
         })
     }
 
-    /// How long after acceptance to wait for it.
+    /// How long to wait for it after the acceptance.
     pub fn within(&self) -> Duration {
         self.within
     }
 
-    /// What is waited for, in plain words, as "armed" or "within 1.5 m of the target".
+    /// Its description, such as "armed" or "within 1.5 m of the target".
     pub fn describe(&self) -> Text {
         match &self.watched {
             Watched::Nothing => text!("effect-nothing"),
@@ -144,7 +144,7 @@ pub(super) fn mode_effect(before: &Vehicle, name: &str) -> Effect {
     }
 }
 
-/// On the ground in a mode that brings a multirotor down. For other classes the change of mode alone counts as done.
+/// Landing in a mode that lands a multirotor. For other classes only the change of mode is checked.
 pub(super) fn landing_effect(before: &Vehicle, name: &str) -> Effect {
     match mode_named(before, name) {
         Some(mode) if mode.class == VehicleClass::Copter => {
@@ -157,8 +157,8 @@ pub(super) fn landing_effect(before: &Vehicle, name: &str) -> Effect {
     }
 }
 
-/// Within a share of the height, at least 1 m and at most 1.5 m, but never more than half the height, so that the ground
-/// does not count. The time that it may take assumes 0.5 m/s.
+/// Within a share of the height, limited to 1 to 1.5 m and to half the height, so that the ground does not count. The
+/// time limit assumes 0.5 m/s.
 pub(super) fn altitude_effect(before: &Vehicle, altitude_m: f64, share: f64) -> Effect {
     let way_m = (altitude_m - before.altitude_m().unwrap_or(0.0)).abs();
     let tolerance_m = (share * altitude_m)
@@ -191,7 +191,7 @@ pub(super) fn yaw_effect(
     )
 }
 
-/// At a speed slower than people fly, with time to get going and to settle.
+/// The time at a speed below the usual one, with time to accelerate and to settle.
 pub(super) fn travel_time(before: &Vehicle, place: TravelEnd) -> Duration {
     match separation(before, place) {
         Some((horizontal_m, vertical_m)) => patience(horizontal_m / 1.5 + vertical_m / 0.5 + 20.0),
@@ -199,7 +199,7 @@ pub(super) fn travel_time(before: &Vehicle, place: TravelEnd) -> Duration {
     }
 }
 
-/// A time span from a figure that may be anything.
+/// A duration from any number.
 fn patience(seconds: f64) -> Duration {
     Duration::try_from_secs_f64(seconds.clamp(0.0, 86_400.0)).unwrap_or(SOON)
 }
@@ -210,7 +210,7 @@ fn arrived(vehicle: &Vehicle, place: TravelEnd) -> bool {
     })
 }
 
-/// Metres to a place, horizontally and vertically.
+/// The distance to a place in metres, horizontally and vertically.
 fn separation(vehicle: &Vehicle, place: TravelEnd) -> Option<(f64, f64)> {
     match place {
         TravelEnd::Global { point, altitude_m } => {

@@ -1,5 +1,4 @@
-//! Commands as MAVLink messages. Nothing leaves here that is not a finite number: one NaN in a setpoint
-//! stops ArduPilot's simulator for good.
+//! Commands as MAVLink messages. Only finite numbers are encoded: one NaN in a setpoint crashes ArduPilot's simulator.
 
 use mavlink::dialects::ardupilotmega::{
     COMMAND_INT_DATA, COMMAND_LONG_DATA, MavCmd, MavFrame, MavMessage, MavParamType,
@@ -16,7 +15,7 @@ use crate::wire::Outgoing;
 
 const COMMAND_INT: u32 = COMMAND_INT_DATA::ID;
 const COMMAND_LONG: u32 = COMMAND_LONG_DATA::ID;
-/// Where `COMMAND_LONG`'s payload carries the confirmation.
+/// The offset of the confirmation in `COMMAND_LONG`'s payload.
 const CONFIRMATION_OFFSET: usize = 32;
 
 /// `MAV_FRAME_GLOBAL`: heights above mean sea level.
@@ -47,7 +46,7 @@ pub(super) struct LongFields {
 }
 
 impl LongFields {
-    /// The first parameters are given; the others are 0.
+    /// Fields with the first parameters given and the others 0.
     pub fn new(command: MavCmd, given: &[f32]) -> Self {
         let mut params = [0.0; 7];
         params[..given.len()].copy_from_slice(given);
@@ -85,7 +84,7 @@ pub(super) struct IntFields {
 }
 
 impl IntFields {
-    /// A command about a place, in degrees, with a height that `frame` gives the meaning of.
+    /// A command with a place in degrees, and a height that depends on `frame`.
     pub fn at(
         command: MavCmd,
         frame: u8,
@@ -121,7 +120,7 @@ pub(super) fn int(vehicle: &Vehicle, fields: &IntFields) -> Result<Outgoing, Tex
     Ok(outgoing(COMMAND_INT, payload))
 }
 
-/// A message of the dialect where it has names for all numbers in the payload, else the raw payload.
+/// A message of the dialect if that has names for all numbers in the payload, otherwise the raw payload.
 fn outgoing(id: u32, payload: Vec<u8>) -> Outgoing {
     match MavMessage::parse(MavlinkVersion::V2, id, &payload) {
         Ok(message) => message.into(),
@@ -129,7 +128,7 @@ fn outgoing(id: u32, payload: Vec<u8>) -> Outgoing {
     }
 }
 
-/// Counts a `COMMAND_LONG`'s confirmation up; other messages have none.
+/// Increments the confirmation of a `COMMAND_LONG`; other messages have none.
 pub(super) fn confirm_again(outgoing: &mut Outgoing) {
     match outgoing {
         Outgoing::Message(MavMessage::COMMAND_LONG(long)) => {
@@ -220,7 +219,7 @@ pub(super) fn global_position(
     )
 }
 
-/// A position target on the earth that moves, in m/s north, east, down.
+/// A moving position target on the earth, with its velocity in m/s north, east, down.
 pub(super) fn moving_position(
     vehicle: &Vehicle,
     point: LatLon,
@@ -237,7 +236,7 @@ pub(super) fn moving_position(
     Ok(message)
 }
 
-/// Asks for a parameter by its name.
+/// Requests a parameter by name.
 pub(super) fn read_parameter(vehicle: &Vehicle, name: &str) -> Result<Outgoing, Text> {
     Ok(MavMessage::PARAM_REQUEST_READ(PARAM_REQUEST_READ_DATA {
         param_index: -1,

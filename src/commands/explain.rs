@@ -1,4 +1,4 @@
-//! Why a command was refused, in plain words.
+//! The reasons for refused commands, as text.
 
 use mavlink::dialects::ardupilotmega::MavResult;
 
@@ -7,28 +7,28 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
 
-/// `MAV_RESULT`: what a `COMMAND_ACK` says.
+/// `MAV_RESULT`: the result in a `COMMAND_ACK`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AckResult {
     Accepted,
     /// Not now; it may work later.
     TemporarilyRejected,
-    /// Never with these parameters.
+    /// Not possible with these parameters.
     Denied,
     /// The autopilot does not know the command.
     Unsupported,
     /// It should have worked but did not.
     Failed,
-    /// At work; another answer follows.
+    /// In progress; another answer follows.
     InProgress,
     Cancelled,
-    /// The command is taken only as a `COMMAND_LONG`.
+    /// The command is only accepted as a `COMMAND_LONG`.
     LongOnly,
-    /// The command is taken only as a `COMMAND_INT`.
+    /// The command is only accepted as a `COMMAND_INT`.
     IntOnly,
-    /// Not with this frame.
+    /// Not possible with this frame.
     UnsupportedFrame,
-    /// A number newer than this program.
+    /// A number unknown to this program.
     Other(u8),
 }
 
@@ -52,15 +52,15 @@ const NAMED: [(MavResult, AckResult); 10] = [
 ];
 
 impl AckResult {
-    /// From the wire number.
+    /// The result with a number.
     pub fn from_wire(number: u8) -> Self {
         let named = NAMED.iter().find(|(wire, _)| *wire as u8 == number);
         named.map_or(Self::Other(number), |(_, result)| *result)
     }
 }
 
-/// "arm refused: `PreArm`: Need Position Estimate": the result of a command with the status texts that came with
-/// it. ArduPilot says nothing at all with many refusals; then the reason is read off the vehicle's state.
+/// "arm refused: `PreArm`: Need Position Estimate": the result of a command with the status texts that came with it.
+/// ArduPilot refuses many commands without a text; then the reason is derived from the vehicle's state.
 pub fn explain(
     verb: &'static str,
     result: AckResult,
@@ -90,7 +90,7 @@ pub fn explain(
     }
 }
 
-/// What the vehicle's state says about a refusal without words.
+/// The likely reason for a refusal without a text, from the vehicle's state.
 fn likely_reason(result: AckResult, vehicle: &Vehicle, command: &Command) -> Option<Text> {
     let is_unknown = result == AckResult::Unsupported;
     match command {

@@ -1,4 +1,4 @@
-//! The kinds that a find can be reported as.
+//! The kinds of reports.
 
 use serde::{Deserialize, Serialize};
 use strum::{EnumString, IntoStaticStr, VariantNames};
@@ -6,7 +6,7 @@ use strum::{EnumString, IntoStaticStr, VariantNames};
 use crate::text;
 use crate::text::Text;
 
-/// A kind of find. Its word is the same in commands, records and reports.
+/// A kind of report. Its word is the same in commands, records and reports.
 #[derive(
     Debug,
     Clone,
@@ -26,14 +26,14 @@ use crate::text::Text;
 pub enum FindKind {
     Mine,
     Person,
-    /// Where radiation comes from.
+    /// A source of radiation.
     Source,
-    /// Where gas comes out.
+    /// A source of gas.
     Leak,
     Fire,
-    /// A fault of a line or a structure.
+    /// A defect of a line or a structure.
     Defect,
-    /// Where a sensor shows the most.
+    /// The highest reading of a sensor.
     Peak,
 }
 
@@ -45,7 +45,7 @@ impl FindKind {
         self.into()
     }
 
-    /// What people call it.
+    /// Its name for people.
     pub fn title(self) -> Text {
         match self {
             Self::Mine => text!("contact-mine"),

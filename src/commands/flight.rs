@@ -11,10 +11,10 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
 
-/// What begins, ends and interrupts a flight.
+/// Begins, ends and interrupts a flight.
 #[derive(Debug, Clone, PartialEq)]
 pub enum FlightCommand {
-    /// Change the flight mode, by name; which number that is depends on the vehicle.
+    /// Change the flight mode by name; its number depends on the vehicle.
     SetMode {
         /// The mode's name, such as `GUIDED`.
         name: String,
@@ -24,12 +24,12 @@ pub enum FlightCommand {
         /// Height above home to climb to.
         altitude_m: f64,
     },
-    /// Land where it is.
+    /// Land at the present position.
     Land,
     ReturnToLaunch,
     /// Stop and stay (pause in GUIDED and AUTO, BRAKE in other modes).
     Hold,
-    /// Go on after a hold.
+    /// Resume after a hold.
     Resume,
 }
 

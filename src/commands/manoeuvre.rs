@@ -5,65 +5,65 @@
 use crate::geo::{LatLon, Outline};
 use crate::vehicle::VehicleId;
 
-/// Something that several vehicles do together. One alone may do it, too.
+/// A manoeuvre of several vehicles. A single one can do it, too.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Manoeuvre {
-    /// Fly parallel lines over an area, each vehicle its share.
+    /// Fly parallel lines over an area, each vehicle a part of it.
     Survey {
         ground: Ground,
-        /// Between two lines; `None` takes the width that the sensor sees.
+        /// The line spacing; `None` for the width that the sensor covers.
         spacing_m: Option<f64>,
-        /// Height above home; `None` is that of the first vehicle.
+        /// Height above home; `None` for that of the first vehicle.
         up_m: Option<f64>,
-        /// Course of the lines, degrees clockwise from north; `None` is the one with the fewest turns.
+        /// Course of the lines, degrees clockwise from north; `None` for the fewest turns.
         course_deg: Option<f64>,
     },
-    /// Take places around the first vehicle, and keep them while it goes somewhere.
+    /// Take places around the first vehicle, and keep them while it moves.
     Formation {
-        /// How the places lie.
+        /// The arrangement of the places.
         shape: Shape,
-        /// Between neighbours; `None` takes a width that suits.
+        /// The distance between neighbours; `None` for a suitable one.
         spacing_m: Option<f64>,
-        /// Height above home; `None` is that of the first vehicle.
+        /// Height above home; `None` for that of the first vehicle.
         up_m: Option<f64>,
-        /// Which way it faces, degrees clockwise from north; `None` turns it into the course.
+        /// Its heading, degrees clockwise from north; `None` to follow the course.
         face_deg: Option<f64>,
     },
     /// End a formation: all members stay where they are.
     Disband,
-    /// Fly behind another vehicle, one after the other.
+    /// Follow another vehicle in a line.
     Follow {
         leader: VehicleId,
-        /// Between one and the next.
+        /// The distance between neighbours.
         distance_m: f64,
-        /// Height of the first of them above home; `None` begins one step above the leader.
+        /// The first follower's height above home; `None` for one step above the leader.
         up_m: Option<f64>,
     },
-    /// Move apart until no vehicle has a neighbour nearer than this.
+    /// Move apart until every distance is at least this.
     Spread { spacing_m: f64 },
     /// Search around a place.
     Search {
-        /// The way it is flown.
+        /// The search pattern.
         pattern: Pattern,
-        /// Where what is searched for is most likely to be.
+        /// The most likely position of the object.
         datum: Datum,
-        /// How far from there.
+        /// The radius of the search.
         radius_m: Option<f64>,
-        /// Between two turns of the square; `None` takes the width that the sensor sees.
+        /// The spacing of the square's turns; `None` for the width that the sensor covers.
         spacing_m: Option<f64>,
-        /// Height above home of the lowest; `None` is that of the first vehicle.
+        /// The lowest height above home; `None` for that of the first vehicle.
         up_m: Option<f64>,
     },
-    /// Stand in a chain between home and something far away, so that messages can be handed on.
+    /// Form a chain between home and a distant end, to relay messages.
     Chain {
-        /// The far end, where no vehicle of the chain stands.
+        /// The far end, which has no vehicle of the chain.
         to: FarEnd,
-        /// Height above home; `None` is that of the first vehicle.
+        /// Height above home; `None` for that of the first vehicle.
         up_m: Option<f64>,
     },
 }
 
-/// A place as it was said.
+/// A place as given.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Datum {
     Global(LatLon),
@@ -82,12 +82,12 @@ pub enum FarEnd {
     Vehicle(VehicleId),
 }
 
-/// An area as it was said.
+/// An area as given.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Ground {
-    /// One that is known by name.
+    /// A named area.
     Outline(Outline),
-    /// An upright rectangle, by two opposite corners.
+    /// A rectangle along the axes, by two opposite corners.
     Between(Datum, Datum),
     Around {
         centre: Datum,
@@ -95,7 +95,7 @@ pub enum Ground {
     },
 }
 
-/// How the places of a formation lie; the first vehicle is at the front.
+/// The arrangement of a formation; the first vehicle is at the front.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Shape {
     /// Side by side, the first in the middle.
@@ -113,7 +113,7 @@ impl Shape {
     /// The words of the grammar.
     pub const NAMES: &'static [&'static str] = &["line", "column", "wedge", "grid", "circle"];
 
-    /// The one that is called so.
+    /// The shape with a name.
     pub fn named(word: &str) -> Option<Self> {
         Some(match word {
             "line" => Self::Line,
@@ -126,12 +126,12 @@ impl Shape {
     }
 }
 
-/// How a search goes (IAMSAR Manual, volume II, chapter 5).
+/// A search pattern (IAMSAR Manual, volume II, chapter 5).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Pattern {
     /// Expanding square: outwards from the datum.
     Square,
-    /// Sector search: through the datum again and again.
+    /// Sector search: repeatedly through the datum.
     Sector,
 }
 
@@ -139,7 +139,7 @@ impl Pattern {
     /// The words of the grammar.
     pub const NAMES: &'static [&'static str] = &["square", "sector"];
 
-    /// The one that is called so.
+    /// The pattern with a name.
     pub fn named(word: &str) -> Option<Self> {
         Some(match word {
             "square" => Self::Square,

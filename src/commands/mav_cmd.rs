@@ -1,4 +1,4 @@
-//! The commands that MAVLink has names for.
+//! The `MAV_CMD`s that have names.
 
 /// The number of a `MAV_CMD` by its name, upper or lower case, with or without the `MAV_CMD_` before it.
 pub fn command_by_name(name: &str) -> Option<u16> {
@@ -23,7 +23,7 @@ pub fn command_names() -> &'static [(u16, &'static str)] {
     COMMANDS
 }
 
-/// The dialect's enum, which itself can neither be listed nor asked for a name.
+/// The dialect's commands, since its enum can neither be listed nor queried by name.
 const COMMANDS: &[(u16, &str)] = &[
     (16, "NAV_WAYPOINT"),
     (17, "NAV_LOITER_UNLIM"),

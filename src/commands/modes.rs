@@ -4,7 +4,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Mode, Vehicle, VehicleClass};
 
-/// The mode in which a vehicle stays where it is; `None` where pausing does it.
+/// The mode that holds the position; `None` where pausing does it.
 pub(super) fn holding_mode(vehicle: &Vehicle) -> Option<&'static str> {
     let mode = vehicle.mode()?;
     match mode.class {
@@ -17,7 +17,7 @@ pub(super) fn holding_mode(vehicle: &Vehicle) -> Option<&'static str> {
     }
 }
 
-/// The number of a mode; a plain number is taken as it is.
+/// The number of a mode; a plain number is used as it is.
 pub(super) fn mode_number(vehicle: &Vehicle, name: &str) -> Result<u32, Text> {
     if let Ok(number) = name.parse::<u8>() {
         return Ok(u32::from(number));
@@ -32,7 +32,7 @@ pub(super) fn mode_number(vehicle: &Vehicle, name: &str) -> Result<u32, Text> {
         .ok_or_else(|| text!("refused-no-mode", mode = name))
 }
 
-/// A mode by name, or by a plain number; `None` where this vehicle has none of the name.
+/// A mode by name, or by a plain number; `None` if this vehicle has no such mode.
 pub(super) fn mode_named(vehicle: &Vehicle, name: &str) -> Option<Mode> {
     let class = vehicle.heartbeat?.class;
     let number = mode_number(vehicle, name).ok()?;

@@ -1,4 +1,4 @@
-//! Where and how a vehicle flies, what it looks at, and where its home is.
+//! Where and how a vehicle flies, its point of interest, and its home.
 
 use std::time::Duration;
 
@@ -19,16 +19,16 @@ use crate::vehicle::{SpeedAxis, Vehicle};
 /// How often a velocity is repeated; ArduCopter stops 3 s after the last one (`GUID_TIMEOUT`).
 const SETPOINT_EVERY: Duration = Duration::from_millis(200);
 
-/// Where and how a vehicle flies, what it looks at, and where its home is.
+/// Sets where and how a vehicle flies, its point of interest, and its home.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum MotionCommand {
     /// Fly to a place in GUIDED.
     Goto {
         destination: Destination,
-        /// What the nose does on the way.
+        /// The heading on the way.
         heading: Heading,
     },
-    /// Change height where it is, in GUIDED.
+    /// Change the height at the present position, in GUIDED.
     Altitude {
         /// New height above home.
         altitude_m: f64,
@@ -44,10 +44,10 @@ pub enum MotionCommand {
         angle_deg: f64,
         /// Whether the angle counts from the present heading (clockwise positive).
         relative: bool,
-        /// How fast to turn in deg/s; `None` leaves it to the autopilot.
+        /// The turn rate in deg/s; `None` leaves it to the autopilot.
         rate_deg_s: Option<f64>,
     },
-    /// Fly with a velocity for a time in GUIDED, then stop.
+    /// Fly at a velocity for a time in GUIDED, then stop.
     Velocity {
         /// North, east, down, in m/s.
         ned_m_s: [f64; 3],
@@ -59,18 +59,18 @@ pub enum MotionCommand {
         radius_m: f64,
         /// Tangential speed in m/s.
         speed_m_s: f64,
-        /// The centre; `None` is where the vehicle is.
+        /// The centre; `None` for the vehicle's position.
         centre: Option<LatLon>,
-        /// Height above home; `None` is the present one.
+        /// Height above home; `None` for the present one.
         altitude_m: Option<f64>,
     },
     /// Point the nose and camera at a place; `None` stops that.
     RegionOfInterest {
-        /// Where to look and its height above home.
+        /// The place and its height above home.
         target: Option<(LatLon, f64)>,
     },
     SetHome {
-        /// Where and how high above sea level; `None` is where the vehicle is.
+        /// The place and its height above sea level; `None` for the vehicle's position.
         place: Option<(LatLon, f64)>,
     },
 }
@@ -116,7 +116,7 @@ impl MotionCommand {
                 centre,
                 altitude_m,
             } => {
-                // Parameter 3: face the centre; 4: circle until told otherwise.
+                // Parameter 3: face the centre; 4: circle until a new command.
                 let ring = [radius_m as f32, speed_m_s as f32, 0.0, 0.0];
                 orbit(vehicle, ring, centre, altitude_m)
             }
@@ -169,7 +169,7 @@ impl MotionCommand {
     }
 }
 
-/// Circles around a centre at a height above home; without them, around where the vehicle is and as high.
+/// Circles around a centre at a height above home; by default, around the present position.
 fn orbit(
     vehicle: &Vehicle,
     ring: [f32; 4],
@@ -183,7 +183,7 @@ fn orbit(
     Request::int(vehicle, &fields)
 }
 
-/// Points the nose or the camera at a place with its height above home, or at nothing any more.
+/// Points the nose or the camera at a place with its height above home, or stops that.
 fn look_at(vehicle: &Vehicle, target: Option<(LatLon, f64)>) -> Result<Request, Text> {
     let fields = match target {
         Some((point, height_m)) => {
@@ -202,7 +202,7 @@ fn look_at(vehicle: &Vehicle, target: Option<(LatLon, f64)>) -> Result<Request, 
     Request::int(vehicle, &fields)
 }
 
-/// Makes a place with its height above sea level home, or where the vehicle is.
+/// Sets home to a place with its height above sea level, or to the vehicle's position.
 fn set_home(
     vehicle: &Vehicle,
     place: Option<(LatLon, f64)>,
@@ -218,7 +218,7 @@ fn set_home(
 }
 
 /// `CONDITION_YAW` with an absolute heading and a direction: 1 clockwise, -1 counter-clockwise, 0 the shortest. A
-/// relative turn is worked out here, since a vehicle that is asked twice for a relative one turns twice.
+/// relative turn is converted here, since a repeated relative command would turn twice.
 fn yaw_params(
     vehicle: &Vehicle,
     angle_deg: f64,

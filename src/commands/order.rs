@@ -1,24 +1,24 @@
-//! An order: what vehicles are asked to do, from the line that said it to those who carry it out.
+//! An order: a line for vehicles, from the command line to its execution.
 
 use super::{Command, Deed, Manoeuvre};
 use crate::ledger::{Given, Risk};
 use crate::vehicle::VehicleId;
 use crate::verb::Verb;
 
-/// A line that asks vehicles for something.
+/// A command to vehicles or the mission.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Order {
-    /// The line in its plainest spelling, always with its targets.
+    /// The line in its canonical spelling, always with its targets.
     pub line: String,
     pub verb: &'static Verb,
-    /// The vehicles; where it matters, the leader is the first.
+    /// The vehicles; where the order matters, the leader is first.
     pub targets: Vec<VehicleId>,
-    /// What they are to do.
+    /// The action.
     pub act: Act,
 }
 
 impl Order {
-    /// As the ledger takes it down.
+    /// Its form for the ledger.
     pub fn given(&self) -> Given<'_> {
         Given {
             line: &self.line,
@@ -28,7 +28,7 @@ impl Order {
     }
 }
 
-/// What an order asks for, and so who carries it out.
+/// The action of an order, by who carries it out.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Act {
     /// The autopilot of each target.
@@ -39,7 +39,7 @@ pub enum Act {
 }
 
 impl Act {
-    /// What it sets at risk.
+    /// Its risk.
     pub fn risk(&self) -> Risk {
         match self {
             Self::Command(command) => command.risk(),

@@ -7,7 +7,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
 
-/// The parameter that chooses the checks before arming; 0 is none.
+/// The parameter that selects the checks before arming; 0 for none.
 const ARMING_CHECK: &str = "ARMING_CHECK";
 
 #[derive(Debug, Clone, PartialEq)]
@@ -17,7 +17,7 @@ pub enum ParameterCommand {
     },
     Set {
         name: String,
-        /// The new value as it was written; `PARAM_SET` carries the nearest `f32`.
+        /// The new value as typed; `PARAM_SET` carries the nearest `f32`.
         value: f64,
     },
 }
@@ -33,12 +33,12 @@ impl ParameterCommand {
         Ok(Request::new(message, Answer::Parameter(name.clone())))
     }
 
-    /// What a `PARAM_VALUE` says about it, as "`WPNAV_SPEED` = 500". It also says so where rounding has made another
-    /// value of the one that was asked for.
+    /// The outcome from a `PARAM_VALUE`, such as "`WPNAV_SPEED` = 500", with a remark if rounding has changed the
+    /// value.
     ///
     /// # Errors
-    /// In plain words when the vehicle kept another value than was set. Whole-numbered parameters cut off the
-    /// fraction, which is no fault.
+    /// A text if the vehicle has another value than was set. Integer parameters truncate the fraction, which is no
+    /// fault.
     pub fn outcome(&self, value: f32) -> Result<Text, Text> {
         let (name, wanted) = match self {
             Self::Set { name, value } => (name, *value),
@@ -75,7 +75,7 @@ impl ParameterCommand {
     }
 }
 
-/// Whether a value is the one that was written: exactly, or as the shortest number that means it (0.1).
+/// Whether a value is the typed one: exactly, or as its shortest notation (0.1).
 pub fn is_written_so(value: f32, written: f64) -> bool {
     let differs = |value: f64| (value - written).abs() > 0.0;
     let shortest = value.to_string().parse().unwrap_or(f64::NAN);

@@ -4,7 +4,7 @@ use mavlink::dialects::ardupilotmega::MavCmd;
 
 use super::encode::LongFields;
 
-/// What a vehicle is to say.
+/// Requests messages.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum QueryCommand {
     /// Ask for a message at a rate on this link.

@@ -7,7 +7,7 @@ use crate::ledger::Risk;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
 
-/// Commands that are sent as they are written, without being understood.
+/// Commands sent as typed, without interpretation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum RawCommand {
     /// Any `MAV_CMD` as `COMMAND_LONG`.
@@ -23,11 +23,11 @@ pub enum RawCommand {
         frame: u8,
         /// Parameters 1 to 4.
         params: [f32; 4],
-        /// Parameter 5: latitude in degrees times 1e7, or as the command says.
+        /// Parameter 5: latitude in degrees times 1e7, or as the command defines.
         x: i32,
-        /// Parameter 6: longitude in degrees times 1e7, or as the command says.
+        /// Parameter 6: longitude in degrees times 1e7, or as the command defines.
         y: i32,
-        /// Parameter 7: height in metres, or as the command says.
+        /// Parameter 7: height in metres, or as the command defines.
         z: f32,
     },
 }

@@ -7,27 +7,27 @@ use crate::text::Text;
 use crate::vehicle::Vehicle;
 use crate::wire::Outgoing;
 
-/// What answers a request.
+/// The answer to a request.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Answer {
     /// `COMMAND_ACK` of this `MAV_CMD`.
     Ack(u16),
     /// `PARAM_VALUE` of this parameter.
     Parameter(String),
-    /// Nothing ever comes (setpoints): only the effect tells.
+    /// No answer (setpoints): only the effect shows.
     None,
 }
 
-/// What goes out for a command.
+/// The messages of a command.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Request {
     /// The messages, in order; usually one.
     pub messages: Vec<Outgoing>,
-    /// The speeds that were asked for, sent again after the messages of each try. Their acknowledgements are ignored.
+    /// The commanded speeds, sent again after the messages of each attempt. Their acknowledgements are ignored.
     pub speeds: Vec<Outgoing>,
-    /// What to wait for.
+    /// The answer to wait for.
     pub answer: Answer,
-    /// Sent once when a [`Repeat`] is over: a velocity ends with a stop.
+    /// Sent once after a [`Repeat`]: a velocity ends with a stop.
     pub closing: Option<Outgoing>,
 }
 
@@ -55,7 +55,7 @@ impl Request {
         Ok(Self::new(message, Answer::Ack(fields.command)))
     }
 
-    /// Prepares the next try: the same messages, with the confirmation of a `COMMAND_LONG` counted up.
+    /// Prepares the next attempt: the same messages, with an incremented confirmation in a `COMMAND_LONG`.
     pub fn again(&mut self) {
         for message in &mut self.messages {
             encode::confirm_again(message);
@@ -63,10 +63,10 @@ impl Request {
     }
 }
 
-/// Setpoints that have to be repeated.
+/// Setpoints that must be repeated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Repeat {
-    /// The time between two.
+    /// Their interval.
     pub every: Duration,
     pub lasting: Duration,
 }

@@ -1,4 +1,4 @@
-//! Setpoints: where a `goto` ends, and when it makes sense at all.
+//! Setpoints: the end of a `goto`, and when it is possible.
 
 use mavlink::dialects::ardupilotmega::MavCmd;
 
@@ -13,13 +13,13 @@ use crate::text::Text;
 use crate::vehicle::{LandedState, Vehicle, VehicleClass};
 use crate::wire::Outgoing;
 
-/// Setpoints below this height above home fly into the ground.
+/// The least height above home of a setpoint: below it the vehicle flies into the ground.
 const LOWEST_M: f64 = 0.5;
-/// A takeoff below this height, or with more climb than this, has its best part before it. Near its end it slows
-/// down (to some 1 m/s at nine tenths of the height), and a setpoint does no harm any more.
+/// A takeoff counts as under way this far below its height, or with more climb than this. Near its end it slows down
+/// (to about 1 m/s at 90 % of the height), and a setpoint does no harm any more.
 const TAKEOFF_BELOW_M: f64 = 1.5;
 const TAKEOFF_CLIMB_M_S: f32 = 1.5;
-/// With more climb than this a vehicle has left the ground, whatever it still says.
+/// A vehicle with more climb than this has left the ground, whatever its status says.
 const LIFTING_M_S: f32 = 0.3;
 
 pub(super) fn goto(
@@ -51,7 +51,7 @@ pub(super) fn goto(
     }
 }
 
-/// `ArduPlane` flies to a point by `DO_REPOSITION` only.
+/// `ArduPlane` flies to a point only with `DO_REPOSITION`.
 fn reposition(vehicle: &Vehicle, destination: Destination) -> Result<Request, Text> {
     let (point, altitude_m) = match destination {
         Destination::Global {
@@ -81,14 +81,14 @@ fn reposition(vehicle: &Vehicle, destination: Destination) -> Result<Request, Te
     Request::int(vehicle, &fields)
 }
 
-/// Where a `goto` ends, in the frame in which it is sent.
+/// The end of a `goto`, in the frame in which it is sent.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum TravelEnd {
     Global { point: LatLon, altitude_m: f64 },
     Local { ned_m: [f64; 3] },
 }
 
-/// Works out relative and missing parts of a destination from where the vehicle is.
+/// Resolves relative and missing parts of a destination from the vehicle's position.
 pub(super) fn arrival(vehicle: &Vehicle, destination: Destination) -> Result<TravelEnd, Text> {
     match destination {
         Destination::Global {
@@ -127,7 +127,7 @@ pub(super) fn arrival(vehicle: &Vehicle, destination: Destination) -> Result<Tra
     }
 }
 
-/// Height above home of a local position, by the difference to where the vehicle is.
+/// The height above home of a local position, from its offset to the vehicle.
 fn height_of(vehicle: &Vehicle, down_m: f64) -> f64 {
     match (vehicle.altitude_m(), local(vehicle)) {
         (Some(altitude_m), Ok(here)) => altitude_m + here[2] - down_m,
@@ -135,7 +135,7 @@ fn height_of(vehicle: &Vehicle, down_m: f64) -> f64 {
     }
 }
 
-/// Setpoints are ignored without a word outside GUIDED, disarmed, or before takeoff: say so instead.
+/// Refuses setpoints outside GUIDED, disarmed, or before takeoff, which the autopilot would ignore silently.
 pub(super) fn needs_guided(verb: &'static str, vehicle: &Vehicle) -> Result<(), Text> {
     let id = vehicle.id;
     let Some(heartbeat) = vehicle.heartbeat else {
@@ -161,7 +161,7 @@ pub(super) fn needs_guided(verb: &'static str, vehicle: &Vehicle) -> Result<(), 
     Ok(())
 }
 
-/// On the ground a setpoint does nothing, and during a takeoff it breaks that off without a word.
+/// Refuses setpoints on the ground, where they do nothing, and during a takeoff, which they would abort silently.
 fn flies_freely(verb: &'static str, vehicle: &Vehicle) -> Result<(), Text> {
     let climb_m_s = vehicle.global.map_or(0.0, |global| -global.down_m_s);
     let low = vehicle
@@ -185,7 +185,7 @@ fn flies_freely(verb: &'static str, vehicle: &Vehicle) -> Result<(), Text> {
     Ok(())
 }
 
-/// A multirotor flies into the ground when told to.
+/// Refuses heights at which a multirotor would fly into the ground.
 pub(super) fn above_ground(vehicle: &Vehicle, altitude_m: f64) -> Result<(), Text> {
     if class(vehicle) == VehicleClass::Copter && altitude_m < LOWEST_M {
         return Err(text!(
@@ -229,25 +229,25 @@ fn local(vehicle: &Vehicle) -> Result<[f64; 3], Text> {
         .ok_or_else(|| text!("refused-no-position"))
 }
 
-/// A request that nothing answers.
+/// A request without an answer.
 pub(super) fn setpoint(message: Result<Outgoing, Text>) -> Result<Request, Text> {
     Ok(Request::new(message?, Answer::None))
 }
 
-/// A place to fly to, and how fast.
+/// A place to fly to, with the speeds.
 pub(super) fn place(message: Result<Outgoing, Text>, vehicle: &Vehicle) -> Result<Request, Text> {
     let mut request = setpoint(message)?;
     request.speeds = speeds::asked_again(vehicle)?;
     Ok(request)
 }
 
-/// Where a vehicle of a manoeuvre is to be, said again and again while it lasts.
+/// A vehicle's setpoint in a manoeuvre, repeated while it lasts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Setpoint {
     pub at_point: LatLon,
     /// Height above home in metres.
     pub altitude_m: f64,
-    /// How that place moves: north, east, down in m/s; `None` where it does not.
+    /// The velocity of that place: north, east, down in m/s; `None` if it is fixed.
     pub velocity_m_s: Option<[f64; 3]>,
 }
 
@@ -255,7 +255,7 @@ impl Setpoint {
     /// The message for a vehicle.
     ///
     /// # Errors
-    /// In plain words when it would fly into the ground or is no place.
+    /// A text if it would lead into the ground or is no place.
     pub fn message(&self, vehicle: &Vehicle) -> Result<Outgoing, Text> {
         above_ground(vehicle, self.altitude_m)?;
         match self.velocity_m_s {
@@ -267,10 +267,10 @@ impl Setpoint {
     }
 }
 
-/// Whether a vehicle can take part in what several do together, which `verb` says.
+/// Whether a vehicle can take part in the manoeuvre `verb`.
 ///
 /// # Errors
-/// In plain words what is missing: GUIDED, motors, height, a position.
+/// A text with what is missing: GUIDED, motors, height, a position.
 pub fn ready_for(verb: &'static str, vehicle: &Vehicle) -> Result<(), Text> {
     needs_guided(verb, vehicle)?;
     position(vehicle)?;

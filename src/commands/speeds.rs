@@ -1,8 +1,8 @@
-//! Speed limits, and when an autopilot has to hear them again.
+//! Speed limits, and when they must be sent again.
 //!
-//! ArduCopter resets them to its parameters whenever GUIDED begins another kind of control: a speed that was set before
-//! or during a takeoff is gone with the first `goto` (`ModeGuided::pva_control_start`). A place to fly to is therefore
-//! followed by the speeds that were asked for.
+//! ArduCopter resets them to its parameters whenever GUIDED begins another kind of control: a speed that was set
+//! before or during a takeoff is gone with the first `goto` (`ModeGuided::pva_control_start`). Each place to fly to is
+//! therefore followed by the commanded speeds.
 
 use mavlink::dialects::ardupilotmega::{MavCmd, SpeedType};
 
@@ -20,7 +20,7 @@ pub(super) fn fields(axis: SpeedAxis, speed_m_s: f64) -> LongFields {
     LongFields::new(MavCmd::MAV_CMD_DO_CHANGE_SPEED, &changed)
 }
 
-/// Says again what the vehicle was asked to fly at, a message for each speed.
+/// Repeats the commanded speeds, one message each.
 ///
 /// # Errors
 /// When the vehicle cannot be addressed.

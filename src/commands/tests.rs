@@ -15,7 +15,7 @@ mod outcome;
 
 const HERE: LatLon = LatLon::new(50.45, 30.52);
 
-/// A copter in that mode, 20 m above home and 10 m north of the origin, nose to the east.
+/// A copter in a mode, 20 m above home and 10 m north of the origin, heading east.
 fn flying(mode: &str) -> Vehicle {
     let class = VehicleClass::Copter;
     let at = Duration::ZERO;
@@ -278,7 +278,7 @@ fn what_makes_no_sense_is_said_in_plain_words() {
     }
 }
 
-/// Each row: what the vehicle says of the ground, height and climb, and what a setpoint is answered with.
+/// Each row: the vehicle's ground state, height and climb, and the answer to a setpoint.
 #[test]
 fn a_setpoint_does_not_break_off_a_takeoff() {
     for (landed, altitude_m, climb_m_s, refusal) in [
@@ -365,7 +365,7 @@ fn any_number() -> impl Strategy<Value = f64> {
 }
 
 proptest! {
-    /// A NaN in a setpoint kills the real simulator.
+    /// A NaN in a setpoint crashes the real simulator.
     #[test]
     fn nothing_but_finite_numbers_goes_out(a in any_number(), b in any_number(), c in any_number()) {
         let point = LatLon::new(a, b);

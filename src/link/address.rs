@@ -1,4 +1,4 @@
-//! Where a link goes, in the spellings of the field.
+//! Link addresses, in the common notations.
 
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -7,15 +7,15 @@ use std::str::FromStr;
 use crate::text;
 use crate::text::Text;
 
-/// The baud rate of a serial port whose address names none.
+/// The default baud rate of a serial port.
 const DEFAULT_BAUD: u32 = 115_200;
-/// Who is meant by an address that is only a port: this machine and nobody else.
+/// The host of an address that is only a port: this machine.
 const LOOPBACK: &str = "127.0.0.1";
 
-/// Where a link goes.
+/// The address of a link.
 ///
-/// Read from text by [`FromStr`], in our spelling or in those of pymavlink, `MAVProxy` and rust-mavlink; its
-/// [`Display`](fmt::Display) is our spelling and reads back as the same address.
+/// Read from text by [`FromStr`], in our notation or in those of pymavlink, `MAVProxy` and rust-mavlink; its
+/// [`Display`](fmt::Display) is our notation and parses to the same address.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum Address {
     /// Connects to a TCP server: `tcp:HOST:PORT` (also `tcpout:`, and a bare `HOST:PORT`).
@@ -31,7 +31,7 @@ pub enum Address {
         /// The port to listen on; 0 lets the system choose.
         port: u16,
     },
-    /// Sends UDP to one address and hears what answers: `udp:HOST:PORT` (also `udpout:`).
+    /// Sends UDP to one address and receives the answers: `udp:HOST:PORT` (also `udpout:`).
     Udp {
         /// A name or an IP address.
         host: String,
@@ -45,7 +45,7 @@ pub enum Address {
         /// The port to listen on; 0 lets the system choose.
         port: u16,
     },
-    /// Sends UDP to a broadcast address and hears what answers: `udpbcast:HOST:PORT`.
+    /// Sends UDP to a broadcast address and receives the answers: `udpbcast:HOST:PORT`.
     UdpBroadcast {
         /// The broadcast address, such as `192.168.1.255`.
         host: String,
@@ -82,9 +82,9 @@ impl FromStr for Address {
 
     /// Reads an address.
     ///
-    /// `udp:` means to send, as in rust-mavlink and QGroundControl's targets; pymavlink's own `udp:` listens,
-    /// which is `udpin:` here. A bare `HOST:PORT` connects by TCP, because a wrong guess then says so at once.
-    /// A network address without a host (`udpin:14550`) means this machine only.
+    /// `udp:` means to send, as in rust-mavlink and QGroundControl's targets; pymavlink's own `udp:` listens, which is
+    /// `udpin:` here. A bare `HOST:PORT` connects by TCP, because a wrong guess then fails at once. A network address
+    /// without a host (`udpin:14550`) means this machine only.
     fn from_str(text: &str) -> Result<Self, Self::Err> {
         parse(text.trim()).map_err(|problem| AddressError {
             text: text.to_owned(),
@@ -130,7 +130,7 @@ fn parse(text: &str) -> Result<Address, Text> {
     }
 }
 
-/// An address that names no kind.
+/// An address without a scheme.
 fn bare(text: &str) -> Result<Address, Text> {
     if Path::new(text)
         .extension()
@@ -153,7 +153,7 @@ fn bare(text: &str) -> Result<Address, Text> {
     }
 }
 
-/// Host and port of somebody else, who cannot be at port 0.
+/// Host and port of a remote address, which cannot have port 0.
 fn target(text: &str) -> Result<(String, u16), Text> {
     match socket(text)? {
         (_, 0) => Err(text!("transport-port-zero")),
@@ -182,8 +182,8 @@ fn socket(text: &str) -> Result<(String, u16), Text> {
     Ok((host.to_owned(), port))
 }
 
-/// `PATH:BAUD`, `PATH,BAUD` or `PATH`. A path may hold colons (`/dev/serial/by-path/pci-0:2:1.0-port0`), so what
-/// is behind the last one is a rate unless a part of such a path stands there.
+/// `PATH:BAUD`, `PATH,BAUD` or `PATH`. A path may hold colons (`/dev/serial/by-path/pci-0:2:1.0-port0`), so the text
+/// after the last one is a rate unless it looks like part of a path.
 fn serial(text: &str) -> Result<Address, Text> {
     let split = text.rsplit_once(',').or_else(|| {
         text.rsplit_once(':')
@@ -202,8 +202,7 @@ fn serial(text: &str) -> Result<Address, Text> {
     })
 }
 
-/// Whether what follows a colon goes on with a device's path: `1.0-port0` and `1.0/tty` do, `57600` and `abc`
-/// do not.
+/// Whether the text after a colon belongs to a device's path: `1.0-port0` and `1.0/tty` do, `57600` and `abc` do not.
 fn is_part_of_path(tail: &str) -> bool {
     tail.contains(['/', '.']) || tail.rfind('-').is_some_and(|at| at > 0)
 }

@@ -4,17 +4,17 @@ use std::time::Duration;
 
 use tokio::time::{Instant, Interval, MissedTickBehavior, interval};
 
-/// How often something is done.
+/// The interval of a periodic action.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct BeatPace {
-    /// So long after the last time it is done along with other work.
+    /// The time after which it is done along with other work.
     pub handy: Duration,
-    /// So long after the last time it wakes the task by itself.
+    /// The time after which it wakes the task.
     pub latest: Duration,
 }
 
-/// Something that is done again and again. To be woken costs far more than most of what is done then, and a timer
-/// of tokio's often wakes twice; a link that carries telemetry is awake often enough without any.
+/// A periodic action. Waking costs far more than most of the work, and tokio's timers often wake twice; a link with
+/// telemetry is awake often enough without one.
 #[derive(Debug)]
 pub(super) struct LinkBeat {
     pace: BeatPace,
@@ -23,7 +23,7 @@ pub(super) struct LinkBeat {
 }
 
 impl LinkBeat {
-    /// Due at once, if nothing else wakes the task.
+    /// Due at once, unless other work wakes the task.
     pub fn new(pace: BeatPace) -> Self {
         let mut timer = interval(pace.latest);
         timer.set_missed_tick_behavior(MissedTickBehavior::Skip);
@@ -36,7 +36,7 @@ impl LinkBeat {
         self.timer.reset_immediately();
     }
 
-    /// Whether it is to be done now that the task is awake; the next time is counted from now then.
+    /// Whether it should be done now that the task is awake; if so, restarts the interval.
     pub fn is_handy(&mut self, now: Instant) -> bool {
         let is_handy = now.duration_since(self.last) >= self.pace.handy;
         if is_handy {
@@ -46,7 +46,7 @@ impl LinkBeat {
         is_handy
     }
 
-    /// Waits until it cannot be put off any longer. Safe to drop at any time.
+    /// Waits until it is overdue. Cancel-safe.
     pub async fn due(&mut self) {
         self.timer.tick().await;
         self.last = Instant::now();

@@ -1,4 +1,4 @@
-//! Opening what an address names, and saying plainly why it could not be opened.
+//! Opening an address, with clear errors.
 
 use std::io;
 use std::net::{Ipv4Addr, Ipv6Addr, SocketAddr};
@@ -14,10 +14,10 @@ use crate::text::Text;
 
 /// How long a TCP server may take to answer.
 const CONNECT_TIMEOUT: Duration = Duration::from_secs(5);
-/// A vehicle says something every second. A TCP connection on which one has stopped is opened anew after this.
+/// A vehicle sends something every second. A TCP connection is reopened after this long without data.
 const TCP_SILENCE: Duration = Duration::from_secs(10);
 
-/// Opens an address once and carries its data until that ends.
+/// Opens an address once and carries its data until it ends.
 pub(super) async fn attempt(link: &mut LinkCore, address: &Address) -> ConnectionEnd {
     let opened = match link.meanwhile(open(address)).await {
         None => return ConnectionEnd::Cancelled,
@@ -48,7 +48,7 @@ pub(super) async fn attempt(link: &mut LinkCore, address: &Address) -> Connectio
 enum OpenedTransport {
     Stream(TcpStream),
     Listener(TcpListener),
-    /// With the address to send to, if it is known from the start.
+    /// With the target address, if known from the start.
     Datagrams(UdpSocket, Option<SocketAddr>),
     #[cfg(feature = "serial")]
     Serial(tokio_serial::SerialStream),
@@ -112,7 +112,7 @@ async fn udp_to(host: &str, port: u16, broadcast: bool) -> Result<OpenedTranspor
     Ok(OpenedTransport::Datagrams(socket, Some(target)))
 }
 
-/// The address of a host, by IPv4 if it has both: most vehicles listen only there.
+/// The address of a host, IPv4 if it has both: most vehicles listen only there.
 pub(super) async fn resolve(host: &str, port: u16) -> Result<SocketAddr, Text> {
     let mut found: Vec<_> = lookup_host((host, port))
         .await
@@ -129,7 +129,7 @@ pub(super) async fn resolve(host: &str, port: u16) -> Result<SocketAddr, Text> {
     first.ok_or_else(|| text!("transport-without-address", host = host))
 }
 
-/// Why a port could not be listened on.
+/// The error for a port that cannot be listened on.
 pub(super) fn bind_failure(host: &str, port: u16, error: &io::Error) -> Text {
     match error.kind() {
         io::ErrorKind::AddrInUse => {

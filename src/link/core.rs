@@ -23,10 +23,10 @@ const PUBLISH: BeatPace = BeatPace {
     handy: Duration::from_millis(200),
     latest: Duration::from_millis(300),
 };
-/// How many queued messages go into one write.
+/// The most queued messages in one write.
 const BATCH_LEN: usize = 64;
 
-/// A link without its socket: what it has read, what it is to send, when to send heartbeats and to publish.
+/// A link without its socket: pending input and output, heartbeats and publication.
 #[derive(Debug)]
 pub(super) struct LinkCore {
     id: LinkId,
@@ -35,22 +35,22 @@ pub(super) struct LinkCore {
     inbound: mpsc::Sender<Inbound>,
     to_send: mpsc::Receiver<(To, Outgoing)>,
     cancel: CancellationToken,
-    /// Read, but the receiver has no room for it yet. Nothing more is read meanwhile.
+    /// Received frames waiting for room in the channel. Reading stops meanwhile.
     undelivered: Option<Inbound>,
-    /// Frames have come since work was last asked for: the task is awake anyway.
+    /// Frames have arrived since the last request for work: the task is awake anyway.
     has_heard: bool,
     heartbeat: LinkBeat,
-    /// Whether heartbeats are withheld, as a radio would that does not reach.
+    /// Whether heartbeats are suppressed, as by a radio out of range.
     hushed: Arc<AtomicBool>,
     publish: LinkBeat,
 }
 
-/// What the transport has to do next.
+/// The transport's next action.
 #[derive(Debug)]
 pub(super) enum LinkWork {
-    /// Send these; never none.
+    /// Send these; at least one.
     Send(Vec<(To, Outgoing)>),
-    /// Nothing, but look again whether reading is allowed.
+    /// Nothing, but check again whether reading is allowed.
     Nothing,
     End,
 }
@@ -60,9 +60,9 @@ pub(super) enum LinkWork {
 pub(super) enum ConnectionEnd {
     /// The link was cancelled, or the receiver of its frames is gone.
     Cancelled,
-    /// It failed for this reason, and is to be opened again.
+    /// It failed for this reason; another attempt follows.
     Lost(Text),
-    /// It is not to be opened again; with the reason, unless that is the ordinary end.
+    /// It must not be reopened; with the reason, unless this is the regular end.
     Final(Option<Text>),
 }
 
@@ -90,12 +90,12 @@ impl LinkCore {
         }
     }
 
-    /// The switch that withholds heartbeats.
+    /// The switch that suppresses heartbeats.
     pub(super) fn hushed(&self) -> Arc<AtomicBool> {
         Arc::clone(&self.hushed)
     }
 
-    /// The heartbeat, unless it is withheld.
+    /// The heartbeat, unless suppressed.
     fn beat(&self) -> LinkWork {
         if self.hushed.load(Ordering::Relaxed) {
             return LinkWork::Nothing;
@@ -103,19 +103,18 @@ impl LinkCore {
         LinkWork::Send(vec![(To::Everyone, ground_station_heartbeat())])
     }
 
-    /// Publishes that the link carries data from now on, and sends a heartbeat at once.
+    /// Publishes that the link is up, and sends a heartbeat at once.
     pub(super) fn up(&mut self, local: Option<std::net::SocketAddr>) {
         self.heartbeat.hasten();
         self.meter.up(local);
     }
 
-    /// Whether there is room for more from the transport.
+    /// Whether more may be read from the transport.
     pub(super) fn may_read(&self) -> bool {
         self.undelivered.is_none()
     }
 
-    /// Hands on what a peer sent, at once or as soon as there is room. Only when [`Self::may_read`] allowed the
-    /// reading.
+    /// Delivers a peer's frames, at once or as soon as there is room. Only if [`Self::may_read`] allowed the reading.
     pub(super) fn deliver(&mut self, peer: LinkPeer, frames: Vec<Frame>) {
         if frames.is_empty() {
             return;
@@ -132,7 +131,7 @@ impl LinkCore {
         }
     }
 
-    /// Waits until what was read is taken. `None` if the link is to close.
+    /// Waits until received frames are delivered. `None` if the link must close.
     pub(super) async fn delivered(&mut self) -> Option<()> {
         while self.undelivered.is_some() {
             if let LinkWork::End = self.next_work(false).await {
@@ -142,8 +141,7 @@ impl LinkCore {
         Some(())
     }
 
-    /// Waits for the next thing to do. Safe to drop at any time. Queued messages are left where they are
-    /// unless the transport `may_send`.
+    /// Waits for the next action. Cancel-safe. Queued messages stay queued unless the transport `may_send`.
     pub(super) async fn next_work(&mut self, may_send: bool) -> LinkWork {
         if std::mem::take(&mut self.has_heard) {
             let now = Instant::now();
@@ -181,7 +179,7 @@ impl LinkCore {
         }
     }
 
-    /// Waits for a future while the link is down: what is to be sent is dropped. `None` if the link is to close.
+    /// Waits for a future while the link is down; messages to send are dropped. `None` if the link must close.
     pub(super) async fn meanwhile<F: Future>(&mut self, future: F) -> Option<F::Output> {
         tokio::pin!(future);
         loop {
@@ -195,13 +193,13 @@ impl LinkCore {
         }
     }
 
-    /// Takes nothing more to send, and drops what was queued.
+    /// Accepts no more messages, and drops queued ones.
     pub(super) fn close(&mut self) {
         self.to_send.close();
         self.drop_queued();
     }
 
-    /// Drops what was queued just before the link went down.
+    /// Drops messages queued just before the link went down.
     pub(super) fn drop_queued(&mut self) {
         while self.to_send.try_recv().is_ok() {
             self.meter.dropped(1);

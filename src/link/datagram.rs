@@ -17,17 +17,17 @@ use crate::text;
 use crate::text::Text;
 use crate::wire::{Frame, Outgoing};
 
-/// The longest datagram that there can be.
+/// The longest possible datagram.
 const DATAGRAM_LEN: usize = 65_536;
-/// Sender addresses can be forged, so their number must have a bound.
+/// The most peers: sender addresses can be forged.
 const PEER_CAP: usize = 1024;
-/// A peer that was silent for so long may make room for a new one.
-/// For so many strangers half a frame is kept: a bridge may cut every one.
+/// A peer silent for this long may be replaced. Half a frame is kept of this many unknown senders: a bridge may cut
+/// every one.
 const STRANGER_CAP: usize = 16;
 const STALE: Duration = Duration::from_secs(10);
 
-/// Carries data until the socket fails. What is for everyone goes to `target` if there is one, else to whoever
-/// has been heard.
+/// Carries data until the socket fails. Messages for everyone go to `target` if there is one, otherwise to all known
+/// peers.
 pub(super) async fn session(
     link: &mut LinkCore,
     socket: UdpSocket,
@@ -67,7 +67,7 @@ pub(super) async fn session(
     }
 }
 
-/// Waits until a sender has paused and names it; for ever if nobody's half frame waits for its rest.
+/// Waits until a sender has paused and returns it; for ever if no half frame is waiting.
 async fn paused(pause: Option<(Instant, SocketAddr)>) -> SocketAddr {
     match pause {
         Some((at, from)) => {
@@ -78,7 +78,7 @@ async fn paused(pause: Option<(Instant, SocketAddr)>) -> SocketAddr {
     }
 }
 
-/// Whether the error only says that some peer's port is closed at the moment.
+/// Whether the error only means that a peer's port is closed at the moment.
 fn is_icmp(error: &io::Error) -> bool {
     matches!(
         error.kind(),
@@ -91,9 +91,9 @@ struct Peers {
     config: LinkConfig,
     by_address: BTreeMap<SocketAddr, LinkPeer>,
     all: BTreeMap<LinkPeer, DatagramPeer>,
-    /// Who has sent half a frame, but no intact one yet.
+    /// Senders of half a frame without an intact one yet.
     strangers: BTreeMap<SocketAddr, PeerStream>,
-    /// Whose last datagram ended inside a frame, and when it came.
+    /// Senders whose last datagram ended inside a frame, with its time.
     tails: BTreeMap<SocketAddr, Instant>,
     next: u32,
     target: Option<LinkPeer>,
@@ -129,13 +129,13 @@ impl Peers {
         peers
     }
 
-    /// When the next sender will have paused, and who it is.
+    /// When the next sender will have paused, and its address.
     fn next_pause(&self) -> Option<(Instant, SocketAddr)> {
         let pause = |(&from, &at): (&SocketAddr, &Instant)| (at + PAUSE, from);
         self.tails.iter().map(pause).min()
     }
 
-    /// Takes in a datagram, or that no more has come for a while. A stranger becomes a peer by an intact frame.
+    /// Takes a datagram, or a pause after one. An unknown sender becomes a peer with an intact frame.
     fn receive(
         &mut self,
         from: SocketAddr,
@@ -170,7 +170,7 @@ impl Peers {
     ) -> Option<(LinkPeer, Vec<Frame>)> {
         let now = Instant::now();
         let known = self.strangers.remove(&from);
-        // Should it become a peer, it will be this one.
+        // If it becomes a peer, it will have this number.
         let mut stream =
             known.unwrap_or_else(|| PeerStream::new(&self.config, LinkPeer(self.next)));
         stream.belongs_to(LinkPeer(self.next));
@@ -212,7 +212,7 @@ impl Peers {
         peer
     }
 
-    /// Makes room for one more, unless all are in use.
+    /// Makes room for one more, unless all are active.
     fn has_room(&mut self, now: Instant) -> bool {
         if self.all.len() < PEER_CAP {
             return true;
@@ -288,7 +288,7 @@ impl DatagramPeer {
     }
 }
 
-/// Shows a failure to send for as long as it lasts.
+/// Publishes a failure to send while it lasts.
 fn note(sent: Result<(), Text>, sending_fails: &mut bool, meter: &mut LinkMeter) {
     let failed = sent.is_err();
     if failed || *sending_fails {

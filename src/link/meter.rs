@@ -1,4 +1,4 @@
-//! What a link has carried and lost, and its publication.
+//! The traffic and losses of a link, and their publication.
 
 use std::collections::VecDeque;
 use std::net::SocketAddr;
@@ -13,7 +13,7 @@ use super::{LinkState, LinkStatus, Rates, Tap};
 use crate::text::Text;
 use crate::wire::{Counters, Frame, SequenceStep};
 
-/// Over how long the rates are taken.
+/// The time over which rates are measured.
 const RATE_WINDOW: Duration = Duration::from_secs(2);
 
 /// Counts for one link and publishes its status.
@@ -22,7 +22,7 @@ pub(super) struct LinkMeter {
     status: LinkStatus,
     pub(super) tap: Tap,
     published: watch::Sender<LinkStatus>,
-    /// Counted by the handles, which drop without asking the task.
+    /// Counted by the handles, which drop without involving the task.
     refused: Arc<AtomicU64>,
     dropped: u64,
     window: VecDeque<TrafficSample>,
@@ -58,7 +58,7 @@ impl LinkMeter {
         }
     }
 
-    /// Publishes what has changed since the last time, with fresh rates.
+    /// Publishes changes, with fresh rates.
     pub(super) fn publish(&mut self) {
         self.sample();
         self.status.dropped_out = self.dropped + self.refused.load(Ordering::Relaxed);
@@ -71,7 +71,7 @@ impl LinkMeter {
         });
     }
 
-    /// The link carries data from now on; `local` is the socket's own address, if it has one.
+    /// Notes that the link is up; `local` is the socket's own address, if any.
     pub(super) fn up(&mut self, local: Option<SocketAddr>) {
         if self.has_been_up {
             self.status.reconnects += 1;
@@ -83,7 +83,7 @@ impl LinkMeter {
         self.state(LinkState::Up);
     }
 
-    /// The link does not carry data, for a reason if there is one to tell.
+    /// Notes that the link is down, with the reason, if any.
     pub(super) fn down(&mut self, state: LinkState, reason: Option<Text>) {
         let said = reason.as_ref().map(tracing::field::display);
         tracing::info!(link = %self.status.name, %state, reason = said, "down");
@@ -93,7 +93,7 @@ impl LinkMeter {
         self.status.peers = 0;
         self.status.local = None;
         if state == LinkState::Ended {
-            // Nothing will be sampled any more, and the last rates would stand for ever.
+            // Without further samples the last rates would stay for ever.
             self.window.clear();
         }
         self.state(state);
@@ -104,12 +104,12 @@ impl LinkMeter {
         self.publish();
     }
 
-    /// Tells of a fault that does not bring the link down, or that it has passed.
+    /// Notes a fault that does not bring the link down, or its end.
     pub(super) fn complain(&mut self, reason: Option<Text>) {
         self.status.last_error = reason;
     }
 
-    /// Whether any frame has come since the last time this was asked.
+    /// Whether any frame has arrived since the last call.
     pub(super) fn take_heard(&mut self) -> bool {
         let before = std::mem::replace(&mut self.frames_heard, self.status.decoder.frames);
         self.status.decoder.frames > before
@@ -119,7 +119,7 @@ impl LinkMeter {
         self.status.peers = peers;
     }
 
-    /// Adds what one of the link's decoders counted between two looks.
+    /// Adds what a decoder counted between two looks.
     pub(super) fn decoded(&mut self, before: Counters, after: Counters) {
         let sum = &mut self.status.decoder;
         sum.bytes += after.bytes - before.bytes;
@@ -130,13 +130,13 @@ impl LinkMeter {
         sum.undecoded += after.undecoded - before.undecoded;
     }
 
-    /// Notes bytes that were passed over before any decoder saw them.
+    /// Notes bytes that were skipped before a decoder.
     pub(super) fn passed_over(&mut self, bytes: u64) {
         self.status.decoder.bytes += bytes;
         self.status.decoder.skipped_bytes += bytes;
     }
 
-    /// Notes what the number of a frame says. A frame of an unknown message may be noise and makes no sender known.
+    /// Notes the sequence number of a frame. A frame of an unknown message may be noise and adds no sender.
     pub(super) fn numbered(&mut self, frame: &Frame, step: SequenceStep) {
         let sender = (frame.system, frame.component);
         if frame.is_verified() || self.status.numbered.contains_key(&sender) {
@@ -163,7 +163,7 @@ impl LinkMeter {
             messages_out: self.status.sent_messages,
         };
         self.window.push_back(now);
-        // The oldest that is kept is the newest one outside the window, so that a full window is measured.
+        // The oldest sample kept is the newest one outside the window, so that a full window is measured.
         while self
             .window
             .get(1)
@@ -174,7 +174,7 @@ impl LinkMeter {
         let Some(first) = self.window.front() else {
             return;
         };
-        // A link that has just come up is not credited with a whole second's traffic in its first instant.
+        // A new link is not credited with a whole second's traffic in its first instant.
         let seconds = (now.at - first.at).as_secs_f64().max(1.0);
         let rate = |from: u64, to: u64| ((to - from) as f64 / seconds) as f32;
         self.status.rates = Rates {

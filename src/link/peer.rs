@@ -6,8 +6,7 @@ use super::meter::LinkMeter;
 use super::{LinkConfig, LinkPeer};
 use crate::wire::{Decoder, Encoder, Frame, LossMeter, Outgoing, is_frame_start};
 
-/// What is kept per peer. Each has an encoder of its own, so that the numbering that it sees has no gaps where
-/// a message was for another peer.
+/// The state of a peer. Each has its own encoder, so that its sequence numbers have no gaps for messages to others.
 #[derive(Debug)]
 pub(super) struct PeerStream {
     peer: LinkPeer,
@@ -17,15 +16,15 @@ pub(super) struct PeerStream {
     speaks_v2: bool,
 }
 
-/// Whether bytes may be continued by the next ones.
+/// Whether bytes may continue in the next ones.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum StreamEnding {
-    /// A stream: half a frame may be at the end.
+    /// A stream: it may end inside a frame.
     Open,
-    /// A datagram: half a frame may be at the end, as serial-to-UDP bridges cut them, but a next datagram that
-    /// begins with a frame does not continue it.
+    /// A datagram: it may end inside a frame, as serial-to-UDP bridges cut them, but a next datagram that begins with
+    /// a frame does not continue it.
     Datagram,
-    /// A stream or a sender of datagrams that has paused.
+    /// A stream or a sender of datagrams after a pause.
     Closed,
 }
 
@@ -40,7 +39,7 @@ impl PeerStream {
         }
     }
 
-    /// Finds the frames in what came.
+    /// Finds the frames in received bytes.
     pub(super) fn receive(
         &mut self,
         bytes: &[u8],
@@ -82,12 +81,12 @@ impl PeerStream {
         }
     }
 
-    /// Whether what came last ended inside what may be a frame.
+    /// Whether the last bytes may be an incomplete frame.
     pub(super) fn has_tail(&self) -> bool {
         self.decoder.has_tail()
     }
 
-    /// A peer that has only ever sent MAVLink 1 is answered in it; anybody else understands MAVLink 2.
+    /// A peer that has only sent MAVLink 1 is answered in it; all others understand MAVLink 2.
     fn answer_in(&mut self, heard: MavlinkVersion) {
         self.speaks_v2 |= heard == MavlinkVersion::V2;
         self.encoder.set_version(if self.speaks_v2 {
@@ -97,12 +96,12 @@ impl PeerStream {
         });
     }
 
-    /// Says that the frames to come are those of another peer.
+    /// Switches to another peer for the next frames.
     pub(super) fn belongs_to(&mut self, peer: LinkPeer) {
         self.peer = peer;
     }
 
-    /// Appends a message's frame to what is to be sent.
+    /// Appends a message's frame to the output.
     pub(super) fn encode(&mut self, outgoing: &Outgoing, bytes: &mut Vec<u8>, meter: &LinkMeter) {
         let from = bytes.len();
         self.encoder.encode(outgoing, bytes);

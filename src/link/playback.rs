@@ -16,16 +16,15 @@ use crate::text::Text;
 use crate::wire::Frame;
 
 const PEER: LinkPeer = LinkPeer(0);
-/// How many records are read ahead at a time.
+/// The number of records read ahead at a time.
 const CHUNK_LEN: usize = 256;
 const CHUNKS_AHEAD: usize = 4;
-/// No pause in a recording is kept for longer, in its own time: logs that were joined have gaps of days.
+/// The longest pause that is kept, in recorded time: joined logs have gaps of days.
 const LONGEST_GAP: Duration = Duration::from_secs(10);
 
 type PlaybackChunk = Result<Vec<TlogPiece>, Text>;
 
-/// Plays a recording to its end, and returns what was wrong with it, if anything was. Both directions of the
-/// recorded traffic are delivered.
+/// Plays a recording to its end, and returns its fault, if any. Both directions of the recorded traffic are delivered.
 pub(super) async fn play(link: &mut LinkCore, path: &Path) -> Option<Text> {
     let (read, mut chunks) = mpsc::channel(CHUNKS_AHEAD);
     let path = PathBuf::from(path);
@@ -59,7 +58,7 @@ struct Player {
     has_records: bool,
 }
 
-/// The stretches of a recording that are no records.
+/// The damaged stretches of a recording.
 #[derive(Debug, Default)]
 struct Damage {
     first: Option<u64>,
@@ -86,7 +85,7 @@ impl Damage {
 }
 
 impl Player {
-    /// Plays a chunk; frames that are due together are delivered together. `None` if nobody wants more.
+    /// Plays a chunk; frames due together are delivered together. `None` if the receiver is gone.
     async fn play(&mut self, link: &mut LinkCore, pieces: &[TlogPiece]) -> Option<()> {
         let mut frames = Vec::new();
         for piece in pieces {
@@ -111,7 +110,7 @@ impl Player {
         deliver(link, frames).await
     }
 
-    /// Counts a damaged stretch and tells of the first.
+    /// Counts a damaged stretch and reports the first.
     fn pass_over(&mut self, link: &mut LinkCore, offset: u64, len: u64) {
         link.meter.passed_over(len);
         let is_first = self.damage.first.is_none();
@@ -124,7 +123,7 @@ impl Player {
         }
     }
 
-    /// What was wrong with the recording, now that it is over.
+    /// The fault of the finished recording, if any.
     fn verdict(&self, end: Option<Text>) -> Option<Text> {
         let faults = self
             .damage
@@ -140,13 +139,13 @@ impl Player {
     }
 }
 
-/// Hands frames on and waits until they are taken, even those that were handed on last.
+/// Delivers frames and waits until they are accepted, including the previous ones.
 async fn deliver(link: &mut LinkCore, frames: Vec<Frame>) -> Option<()> {
     link.deliver(PEER, frames);
     link.delivered().await
 }
 
-/// Turns the times of a recording into those of its playing.
+/// Converts recorded times to playback times.
 struct PlaybackPace {
     playback: Playback,
     due: Instant,
@@ -162,13 +161,13 @@ impl PlaybackPace {
         }
     }
 
-    /// When a record is to be played. A step back in time takes none.
+    /// When to play a record. A step back in time counts as none.
     fn due(&mut self, unix_us: u64) -> Instant {
         let last_us = self.last_us.replace(unix_us);
         if let Playback::Speed(speed) = self.playback {
             let gap = Duration::from_micros(unix_us.saturating_sub(last_us.unwrap_or(unix_us)));
             let seconds = gap.min(LONGEST_GAP).as_secs_f64() / speed;
-            // A speed of zero, below or beyond all bounds plays without pauses rather than never.
+            // A speed of zero, or out of range, plays without pauses rather than never.
             self.due += Duration::try_from_secs_f64(seconds).unwrap_or_default();
         }
         self.due

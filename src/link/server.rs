@@ -17,9 +17,9 @@ use super::{LinkPeer, To};
 use crate::text;
 use crate::wire::Outgoing;
 
-/// Further clients wait in the listener's queue.
+/// The most clients; others wait in the listener's queue.
 const CLIENT_CAP: usize = 256;
-/// A client that does not read gets nothing more beyond this.
+/// The most bytes queued for a client that does not read.
 const OUTPUT_CAP: usize = 64 * 1024;
 
 #[derive(Debug)]
@@ -127,8 +127,8 @@ impl TcpClient {
         link.meter.sent(1, self.output.len() - before);
     }
 
-    /// Writes what the socket takes, and returns the wait until it takes more, if there is more. A broken
-    /// connection shows when it is read.
+    /// Writes as much as the socket accepts, and returns a wait for the rest, if any. A broken connection shows on
+    /// reading.
     fn flush(&mut self, peer: LinkPeer) -> Option<impl Future<Output = LinkPeer> + use<>> {
         while !self.output.is_empty() && !self.awaits_room {
             match self.socket.try_write(&self.output) {
@@ -144,8 +144,8 @@ impl TcpClient {
         None
     }
 
-    /// Takes in what has come, and returns what to wait for next: the socket, and for how long before a pause
-    /// ends what came. `None` when the client has left.
+    /// Reads available bytes, and returns the next wait: for the socket, with a time-out that marks a pause. `None`
+    /// when the client has left.
     fn read(
         &mut self,
         peer: LinkPeer,
@@ -173,7 +173,7 @@ impl TcpClient {
     }
 }
 
-/// Waits until a client has sent something, or has paused for as long as `patience`.
+/// Waits for a client's data, or for a pause of `patience`.
 async fn wait_for_data(
     peer: LinkPeer,
     socket: Arc<TcpStream>,
@@ -185,7 +185,7 @@ async fn wait_for_data(
     }
 }
 
-/// Waits until a client takes more, or is dropped.
+/// Waits until a client accepts more, or is dropped.
 async fn wait_for_room(
     peer: LinkPeer,
     gone: CancellationToken,

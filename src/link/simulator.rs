@@ -1,8 +1,8 @@
 //! Serves the embedded simulator, in real time, to pipes within this program and to sockets.
 //!
 //! One task does everything: it reads what ground stations sent, steps the world, and writes what the vehicles
-//! answered, a hundred times a second. Sockets are polled rather than awaited, so that a world of many vehicles
-//! costs one wake per step and not one per message.
+//! answered, a hundred times a second. Sockets are polled rather than awaited, so that a world of many vehicles needs
+//! one wake per step, not one per message.
 
 use std::io;
 use std::net::SocketAddr;
@@ -31,22 +31,21 @@ use inputs::WorldRecord;
 use listen::open_servers;
 use transport::{PipeTransport, Transports, UdpTransport};
 
-/// From this many simulated seconds (of all vehicles together) per second on, steps are shared between threads.
-/// Below that one core does it easily, and waiting for another thread to be scheduled takes longer than the work.
+/// From this many simulated vehicle seconds per second on, steps are distributed over threads. Below that, one core
+/// suffices, and scheduling another thread takes longer than the work.
 const SHARED_FROM: f64 = 20_000.0;
-/// How much a pipe holds in each direction.
+/// The capacity of a pipe in each direction.
 const PIPE_LEN: usize = 64 * 1024;
-/// Time that the machine did not give to the simulation is made up for up to this much at once; beyond it the
-/// simulation falls behind real time instead of never catching up.
+/// The most delay that the simulation catches up at once; beyond it, it falls behind real time.
 const CATCH_UP: Duration = Duration::from_millis(50);
 const SPEEDUP_MAX: f64 = 1000.0;
-/// At high speed, ground stations are served again after this many steps.
+/// At high speed, ground stations are served after this many steps.
 const STEPS_PER_ROUND: usize = 10;
 
 /// How ground stations reach the vehicles.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Endpoint {
-    /// One pipe per vehicle within this program, on its serial 0.
+    /// One pipe per vehicle within this program, to its serial 0.
     Pipes,
     /// TCP servers, for many clients each: serial 0, 1 and 2 of vehicle i (from 0) on `port + 10 * i`, and 2 and 3
     /// above that.
@@ -56,8 +55,8 @@ pub enum Endpoint {
         /// The first vehicle's serial 0; 0 lets the system choose every port.
         port: u16,
     },
-    /// All vehicles send what serial 0 has to say to one ground station by UDP. They share one socket: a ground station that answers
-    /// only the last address that it heard reaches them all.
+    /// All vehicles send the data of serial 0 to one ground station by UDP. They share one socket: a ground station
+    /// that answers only the last sender reaches them all.
     Udp {
         /// The ground station's name or IP address.
         host: String,
@@ -89,7 +88,7 @@ pub enum SimulatorError {
         "{vehicles} vehicle(s) from port {port} on need ports beyond 65535: choose a lower one with --tcp"
     )]
     TooManyPorts {
-        /// How many vehicles there are.
+        /// The number of vehicles.
         vehicles: usize,
         /// The first vehicle's port.
         port: u16,
@@ -100,12 +99,12 @@ pub enum SimulatorError {
          (ulimit -n), fly fewer, or serve them over one socket with --udp"
     )]
     TooManyFiles {
-        /// How many vehicles there are.
+        /// The number of vehicles.
         vehicles: usize,
-        /// How many sockets they listen on.
+        /// The number of sockets to listen on.
         needed: usize,
     },
-    /// The ground station's address cannot be sent to.
+    /// Sending to the ground station's address is not possible.
     #[error("cannot send to {host}:{port} (see --udp): {reason}")]
     Send {
         /// The ground station's host.
@@ -114,28 +113,28 @@ pub enum SimulatorError {
         port: u16,
         reason: String,
     },
-    /// The speed is no speed.
+    /// The speed-up is not valid.
     #[error("a speedup of {0} is not possible: it must be a number above 0 and at most 1000")]
     Speedup(f64),
 }
 
 impl From<SimulatorError> for Text {
-    /// What can go wrong lies in the options of a command line, which is English.
+    /// The faults are in command-line options, which are English.
     fn from(error: SimulatorError) -> Self {
         Self::verbatim(error.to_string())
     }
 }
 
-/// How fast simulated time passes.
+/// The pace of simulated time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SimulatorPace {
     /// Simulated seconds per second.
     pub speedup: f64,
-    /// While this is true, nothing moves and no client is served.
+    /// While true, nothing moves and no client is served.
     pub held: bool,
 }
 
-/// Where a running simulator reads its pace, which may change meanwhile.
+/// The source of a running simulator's pace, which may change.
 #[derive(Debug, Clone)]
 pub struct PaceFeed(watch::Receiver<SimulatorPace>);
 
@@ -146,7 +145,7 @@ impl From<watch::Receiver<SimulatorPace>> for PaceFeed {
 }
 
 impl From<f64> for PaceFeed {
-    /// Always the same pace.
+    /// A constant pace.
     fn from(speedup: f64) -> Self {
         let pace = SimulatorPace {
             speedup,
@@ -160,29 +159,27 @@ impl From<f64> for PaceFeed {
 #[derive(Debug)]
 pub struct Simulator;
 
-/// A simulator that runs.
+/// A running simulator.
 #[derive(Debug)]
 pub struct StartedSimulator {
-    /// One pipe per vehicle, in order, if they were asked for.
+    /// One pipe per vehicle, in order, if requested.
     pub pipes: Vec<DuplexStream>,
-    /// Where the TCP servers of serial 0 listen, in the order of the vehicles.
+    /// The addresses of serial 0's TCP servers, in the order of the vehicles.
     pub addresses: Vec<SocketAddr>,
     /// The same for serial 1 and 2.
     pub further_addresses: Vec<[SocketAddr; 2]>,
-    /// How many ground stations are connected now (one that has a pipe, or is sent to by UDP, counts for each
-    /// vehicle).
+    /// The number of connected ground stations (a pipe or a UDP target counts once per vehicle).
     pub connections: watch::Receiver<usize>,
     /// Ends when the simulator has been cancelled.
     pub task: JoinHandle<()>,
 }
 
 impl Simulator {
-    /// Starts to run a world at a pace, until it is cancelled. Ground stations can
-    /// connect once this has returned.
+    /// Runs a world at a pace until cancelled. Ground stations can connect once this has returned.
     ///
     /// # Errors
-    /// A port that cannot be listened on, an address that cannot be sent to, or an impossible speedup; nothing
-    /// runs then.
+    /// A port that cannot be listened on, an address that cannot be sent to, or an impossible speedup; nothing runs
+    /// then.
     pub async fn start(
         world: World,
         pace: impl Into<PaceFeed>,
@@ -192,7 +189,7 @@ impl Simulator {
         Self::start_recorded(world, pace, endpoints, None, cancel).await
     }
 
-    /// [`start`](Self::start), where what enters the vehicles may be taken down in a sink, after a head.
+    /// [`start`](Self::start), with an optional sink that records the vehicles' inputs, after a head.
     ///
     /// # Errors
     /// As [`start`](Self::start).
@@ -218,8 +215,8 @@ impl Simulator {
             pipes,
             addresses,
         } = opened;
-        // Without the exemption, tokio would make the sockets of late vehicles look idle in every round, after
-        // those of early ones have used up the task's allowance.
+        // Without the exemption, tokio's cooperative budget would make the sockets of later vehicles look idle in
+        // every round, because those of earlier ones use it up.
         let (count, connections) = watch::channel(world.connections());
         let running = SteppedWorld {
             threads: threads(world.vehicles(), speedup),
@@ -239,7 +236,7 @@ impl Simulator {
     }
 }
 
-/// The ways in, and their other ends.
+/// The opened transports, and their other ends.
 #[derive(Default)]
 struct OpenedEndpoint {
     transports: Transports,
@@ -299,13 +296,13 @@ async fn send_to(host: &str, port: u16) -> Result<UdpSocket, SimulatorError> {
     let socket = UdpSocket::bind(any)
         .await
         .map_err(|error| failure(error.to_string()))?;
-    // A connected socket hears nobody but the ground station.
+    // A connected socket receives only from the ground station.
     let connected = socket.connect(target).await;
     connected.map_err(|error| failure(error.to_string()))?;
     Ok(socket)
 }
 
-/// How many threads step a world.
+/// The number of threads for a world.
 fn threads(vehicles: usize, speedup: f64) -> usize {
     if vehicles as f64 * speedup < SHARED_FROM {
         return 1;
@@ -313,7 +310,7 @@ fn threads(vehicles: usize, speedup: f64) -> usize {
     std::thread::available_parallelism().map_or(1, usize::from)
 }
 
-/// Steps a world on several threads. Vehicles do not touch each other within a step, so the outcome is the same.
+/// Steps a world on several threads. Vehicles do not interact within a step, so the result is the same.
 pub fn step_on_threads(world: &mut World, threads: usize) {
     if threads < 2 {
         world.step();
@@ -338,7 +335,7 @@ struct SteppedWorld {
     transports: Transports,
     count: watch::Sender<usize>,
     threads: usize,
-    /// Takes down what enters it.
+    /// Records its inputs.
     record: Option<WorldRecord>,
 }
 
@@ -360,7 +357,7 @@ impl SteppedWorld {
                 continue;
             }
             self.threads = threads(self.world.vehicles(), given.speedup);
-            // A vehicle that was given another pace sets it for all.
+            // A vehicle with a changed speed-up sets it for all.
             let wanted = self.world.wanted_speedup();
             let pace = wanted.unwrap_or(given.speedup).min(SPEEDUP_MAX);
             owed += (now - last).min(CATCH_UP).mul_f64(pace);

@@ -1,14 +1,14 @@
-//! Where the frames of all links are taken down, until a recorder fetches them.
+//! The recording of all links' frames, until a recorder fetches them.
 
 use std::fmt;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use crate::record::push_frame;
 
-/// What waits for the recorder at most; beyond that frames are left out, and counted.
+/// The most bytes that wait for the recorder; further frames are dropped and counted.
 const MOST_WAITING: usize = 32 * 1024 * 1024;
 
-/// Takes frames down as the entries of a tlog, in the order of their time. All clones are one sink.
+/// Collects frames as tlog entries, ordered by time. All clones share one sink.
 #[derive(Clone)]
 pub struct FrameSink(Arc<Inner>);
 
@@ -23,9 +23,9 @@ struct Inner {
 pub struct WaitingFrames {
     /// Entries of a tlog.
     pub bytes: Vec<u8>,
-    /// Frames that found no room so far.
+    /// Frames dropped so far.
     dropped: u64,
-    /// Whether nothing is taken down any more.
+    /// Whether recording has ended.
     is_closed: bool,
 }
 
@@ -46,7 +46,7 @@ impl FrameSink {
         }))
     }
 
-    /// Takes a frame down, unless it carries a secret.
+    /// Records a frame, unless it contains a secret.
     pub fn note(&self, frame: &[u8]) {
         let mut waiting = self.waiting();
         if waiting.is_closed {
@@ -56,12 +56,12 @@ impl FrameSink {
             waiting.dropped += 1;
             return;
         }
-        // The clock is read while no other link can write, so that times never go back.
+        // The clock is read under the lock, so that times never go back.
         let stamp = (self.0.clock)();
         push_frame(&mut waiting.bytes, stamp, frame);
     }
 
-    /// What was taken down since the last call.
+    /// The frames since the last call.
     pub fn take(&self) -> WaitingFrames {
         let mut waiting = self.waiting();
         let (dropped, is_closed) = (waiting.dropped, waiting.is_closed);
@@ -73,18 +73,18 @@ impl FrameSink {
         std::mem::replace(&mut *waiting, empty)
     }
 
-    /// Frames that found no room so far, because the disk is too slow.
+    /// Frames dropped so far because the disk is too slow.
     pub fn dropped(&self) -> u64 {
         self.waiting().dropped
     }
 
-    /// Takes nothing down any more.
+    /// Stops recording.
     pub fn close(&self) {
         self.waiting().is_closed = true;
     }
 
     fn waiting(&self) -> MutexGuard<'_, WaitingFrames> {
-        // A panic while a frame is taken down costs that frame.
+        // A panic while recording loses only that frame.
         self.0
             .waiting
             .lock()

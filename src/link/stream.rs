@@ -13,11 +13,11 @@ use crate::text;
 /// The one peer of a stream.
 const PEER: LinkPeer = LinkPeer(0);
 pub(super) const READ_LEN: usize = 16 * 1024;
-/// After this long without a byte, what is left in the decoder is not half a frame but a false start.
+/// After this long without a byte, an incomplete frame in the decoder is discarded as a false start.
 pub(super) const PAUSE: Duration = Duration::from_millis(200);
 
-/// Carries data until the stream ends. With `silence`, a peer that has spoken and then says nothing for so long
-/// is taken for gone: a pulled cable closes no TCP connection. Long, because a `select!` cannot be divided.
+/// Carries data until the stream ends. With `silence`, a peer that was heard and is then silent for this long counts
+/// as gone: a pulled cable closes no TCP connection. Long, because a `select!` cannot be divided.
 pub(super) async fn session<S>(
     link: &mut LinkCore,
     stream: S,

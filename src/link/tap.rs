@@ -1,4 +1,4 @@
-//! Where a link's frames can be watched: a [`Census`] that the link fills and anybody may look into.
+//! Access to a link's frames: a [`Census`] that the link fills and any part may read.
 
 use std::net::SocketAddr;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -10,13 +10,13 @@ use super::{FrameSink, LinkPeer, LinkState, LinkStatus};
 use crate::doctor::{self, Observation};
 use crate::inspector::{Census, FrameWay};
 
-/// The frames of one link. Every frame is counted and the last of each kind kept, which costs a look-up and a
-/// short copy; nothing is queued, so nobody who looks can slow the link down.
+/// The frames of one link. Every frame is counted and the last of each kind kept, which costs a look-up and a short
+/// copy; nothing is queued, so readers cannot slow the link down.
 #[derive(Debug, Clone)]
 pub struct Tap {
     opened: Instant,
     census: Arc<Mutex<Census>>,
-    /// Where every frame is taken down, if the link is recorded.
+    /// The sink for every frame, if the link is recorded.
     sink: Option<FrameSink>,
 }
 
@@ -29,14 +29,14 @@ impl Tap {
         }
     }
 
-    /// Looks into the census; `now`, and all times in it, count from the link's opening. Be quick: the link
-    /// waits meanwhile.
+    /// Looks into the census; `now`, and all times in it, count from the link's opening. Must be quick: the link waits
+    /// meanwhile.
     pub fn look<T>(&self, look: impl FnOnce(&mut Census, Duration) -> T) -> T {
         let now = self.opened.elapsed();
         look(&mut self.census(), now)
     }
 
-    /// What there is to see for the link doctor.
+    /// The link doctor's view of the link.
     pub fn observe(&self, status: &LinkStatus) -> Observation {
         let (senders, noise) =
             self.look(|census, now| (doctor::observe(census, now), census.noise().to_vec()));
@@ -78,7 +78,7 @@ impl Tap {
     }
 
     fn census(&self) -> MutexGuard<'_, Census> {
-        // A panic while counting leaves counters that are off by one, not a broken census.
+        // A panic while counting leaves counters off by one, not a broken census.
         self.census.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

@@ -28,7 +28,7 @@ pub(super) async fn run(mut link: LinkCore, transport: Transport) {
     link.meter.down(LinkState::Ended, reason);
 }
 
-/// Opens an address again and again; returns why it gave up, if it did.
+/// Opens an address repeatedly; returns the reason if it gives up.
 async fn reconnect_for_ever(link: &mut LinkCore, address: &Address) -> Option<Text> {
     let mut retry_in = FIRST_RETRY;
     loop {

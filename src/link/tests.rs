@@ -1,4 +1,4 @@
-//! Links against pipes under a paused clock, and what all link tests share.
+//! Links against pipes under a paused clock, and helpers of all link tests.
 
 use std::time::Duration;
 
@@ -48,7 +48,7 @@ impl Rig {
         (Self::over(Transport::Pipe(ours)), theirs)
     }
 
-    /// Waits until the published status is as wanted; whatever comes in meanwhile is thrown away.
+    /// Waits for a published status; other input is discarded.
     pub(super) async fn until(&mut self, wanted: impl Fn(&LinkStatus) -> bool) -> LinkStatus {
         let mut status = self.link.status();
         let waiting = async {
@@ -69,7 +69,7 @@ impl Rig {
     }
 }
 
-/// A meter that nobody reads.
+/// A meter without readers.
 pub(super) fn meter() -> meter::LinkMeter {
     let (published, _) = watch::channel(LinkStatus::new(LinkId(1), "test".into(), LinkState::Up));
     meter::LinkMeter::new(published, Arc::default(), Tap::new(None))
@@ -96,7 +96,7 @@ pub(super) fn is_heartbeat(frame: &Frame) -> bool {
     matches!(frame.content, Content::Message(MavMessage::HEARTBEAT(_)))
 }
 
-/// Reads from a stream until a frame comes that is wanted.
+/// Reads from a stream until a wanted frame arrives.
 pub(super) async fn read_frame<S: tokio::io::AsyncRead + Unpin>(
     stream: &mut S,
     decoder: &mut Decoder,

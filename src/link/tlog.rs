@@ -24,7 +24,7 @@ pub struct TlogRecord {
     pub bytes: Vec<u8>,
 }
 
-/// What is wrong with a tlog, and where.
+/// A fault of a tlog, with its position.
 #[derive(Debug, thiserror::Error)]
 #[error("{}", Text::from(self))]
 pub enum TlogError {
@@ -37,10 +37,10 @@ pub enum TlogError {
     Damaged {
         /// Where the bad record starts, in bytes from the start of the file.
         offset: u64,
-        /// What stands in place of the start byte.
+        /// The byte in place of the start byte.
         found: u8,
     },
-    /// The file could not be read on.
+    /// Reading the file failed.
     Read {
         /// Where the record starts that could not be read.
         offset: u64,
@@ -66,8 +66,8 @@ impl From<&TlogError> for Text {
     }
 }
 
-/// Reads a tlog record by record; give it a buffered reader. After an error it yields nothing more, since
-/// nothing tells where the next record would start.
+/// Reads a tlog record by record; give it a buffered reader. After an error it yields nothing more, since the start of
+/// the next record is unknown.
 #[derive(Debug)]
 pub struct TlogReader<R> {
     input: R,
@@ -91,7 +91,7 @@ impl<R: Read> TlogReader<R> {
     }
 
     fn record(&mut self) -> Result<Option<TlogRecord>, TlogError> {
-        // The start byte and the two behind it tell how long the frame is.
+        // The start byte and the two after it determine the frame's length.
         let mut head = [0; STAMP_LEN + 3];
         let got = self.fill(&mut head)?;
         if got == 0 {
@@ -123,7 +123,7 @@ impl<R: Read> TlogReader<R> {
         }))
     }
 
-    /// Reads until the buffer is full or the file ends, and says how much came.
+    /// Reads until the buffer is full or the file ends; returns the length read.
     fn fill(&mut self, buffer: &mut [u8]) -> Result<usize, TlogError> {
         let mut got = 0;
         while got < buffer.len() {
@@ -163,7 +163,7 @@ pub struct TlogWriter<W> {
 }
 
 impl<W: Write> TlogWriter<W> {
-    /// Writes from here on.
+    /// Writes to this output.
     pub fn new(output: W) -> Self {
         Self { output }
     }
@@ -177,12 +177,12 @@ impl<W: Write> TlogWriter<W> {
         self.output.write_all(frame)
     }
 
-    /// Gives back what it writes to.
+    /// Returns the output.
     pub fn into_inner(self) -> W {
         self.output
     }
 
-    /// Hands everything on to the output's destination.
+    /// Flushes the output.
     ///
     /// # Errors
     /// Those of the output.

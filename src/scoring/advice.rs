@@ -1,7 +1,6 @@
-//! Advice: what would have brought more points. Every gain is the difference to the score of the same flight with that
-//! one thing mended, so it is what the trainee would really have got. Two things may bring the same points, such as
-//! those that need a share of the objectives: the smaller gains are cut so that all together are no more than what
-//! everything mended would bring.
+//! Advice: what would have brought more points. Each gain is the difference to the score of the same flight with that
+//! one thing corrected. Gains can overlap, for example components that need a share of the objectives: the smaller
+//! ones are cut so that their sum does not exceed the gain of correcting everything.
 
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
@@ -16,22 +15,21 @@ use super::{
 use crate::text;
 use crate::text::Text;
 
-/// At most this many: more is not read.
+/// The most improvements listed.
 const SHOWN: usize = 5;
-/// The quality that advice aims at; a perfect map does not exist.
+/// The quality that advice aims at; no map is perfect.
 const GOOD_QUALITY: f64 = 0.9;
 
-/// One thing to do better.
+/// One improvement.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Improvement {
-    /// The points that it would have brought.
+    /// The points that it would have gained.
     pub points: u16,
-    /// The advice, in words.
+    /// The advice as text.
     pub text: Text,
 }
 
-/// The improvements of a flight, biggest gain first. Those of one that was given up are what they would have brought, had
-/// it ended there.
+/// The improvements of a flight, biggest gain first. For an abandoned flight, the gains had it ended there.
 pub fn improvements(rules: &ScoreRules, facts: &Facts) -> Vec<Improvement> {
     let facts = &Facts {
         given_up: false,
@@ -66,14 +64,14 @@ pub fn improvements(rules: &ScoreRules, facts: &Facts) -> Vec<Improvement> {
 
 type Change<'a> = Box<dyn Fn(&mut Facts) + 'a>;
 
-/// What a remedy is about. What is about the same is one remedy.
+/// The subject of a remedy; remedies with the same subject are merged.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum RemedyTopic {
-    /// An objective, by its place in the mission.
+    /// An objective, by index.
     Objective(usize),
-    /// All mandatory objectives that were missed.
+    /// All missed mandatory objectives.
     Mandatory,
-    /// The product of an objective, by its place in the mission.
+    /// The product of an objective, by index.
     Product(usize),
     Time,
     Energy,
@@ -84,7 +82,7 @@ enum RemedyTopic {
     Hints,
 }
 
-/// What to do, and how the flight would have gone with it.
+/// An advice, and the flight as it would have been with it.
 struct Remedy<'a> {
     topic: RemedyTopic,
     text: Text,
@@ -100,14 +98,14 @@ impl Remedy<'_> {
         mended
     }
 
-    /// The points that it brings to a flight.
+    /// The points that it gains.
     fn gain(&self, rules: &ScoreRules, facts: &Facts) -> u16 {
         let after = score(rules, &self.mended(facts)).points;
         after.saturating_sub(score(rules, facts).points)
     }
 }
 
-/// Everything that could be mended, each advice once.
+/// All possible remedies.
 fn remedies<'a>(rules: &'a ScoreRules, facts: &'a Facts) -> Vec<Remedy<'a>> {
     let mut remedies = Remedies {
         facts,
@@ -130,7 +128,7 @@ struct Remedies<'a> {
 }
 
 impl<'a> Remedies<'a> {
-    /// Adds a change; one about a topic that is there already belongs to that.
+    /// Adds a change; one with an existing subject is merged.
     fn mend(&mut self, topic: RemedyTopic, text: Text, change: impl Fn(&mut Facts) + 'a) {
         let change: Change = Box::new(change);
         match self.list.iter_mut().find(|remedy| remedy.topic == topic) {
@@ -146,7 +144,7 @@ impl<'a> Remedies<'a> {
     fn reach_objectives(&mut self) {
         for (index, objective) in self.facts.objectives.iter().enumerate() {
             let (topic, text) = match Better::of(objective) {
-                // One advice is about both.
+                // One advice covers both.
                 Some(better) if better.is_measured => (RemedyTopic::Product(index), better.text),
                 _ => (RemedyTopic::Objective(index), objective.advice.clone()),
             };
@@ -156,7 +154,7 @@ impl<'a> Remedies<'a> {
         }
     }
 
-    /// While one that must be reached is missed, another one may bring nothing alone.
+    /// Combines objectives with a missed mandatory one, without which they may gain nothing.
     fn reach_what_must_be(&mut self, rules: &ScoreRules) {
         let objectives = self.facts.objectives.iter().enumerate();
         let missed = objectives.filter(|(_, objective)| objective.mandatory && !objective.met);
@@ -259,15 +257,15 @@ fn reach(objective: &mut ObjectiveFact) {
     objective.met = true;
 }
 
-/// What to say about a product that could be better.
+/// Advice on a product that could be better.
 struct Better {
     text: Text,
-    /// Whether the objective is about the product.
+    /// Whether the objective measures the product.
     is_measured: bool,
 }
 
 impl Better {
-    /// `None` where there is no product, or where it is good.
+    /// `None` without a product, or for a good one.
     fn of(objective: &ObjectiveFact) -> Option<Self> {
         let product = objective
             .product

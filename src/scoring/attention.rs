@@ -1,4 +1,4 @@
-//! Attention: how soon alerts were answered, by their effect and not by a key.
+//! Attention: how soon alerts were answered by an action.
 
 use std::time::Duration;
 
@@ -8,7 +8,7 @@ use crate::geo::maths;
 use crate::text;
 use crate::text::Text;
 
-/// How much an alert matters.
+/// The urgency of an alert.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum AlertLevel {
@@ -30,7 +30,7 @@ impl AlertLevel {
         }
     }
 
-    /// An answer within this time gets everything, unless the mission says otherwise.
+    /// The default time limit for full points.
     pub fn usual_limit(self) -> Duration {
         Duration::from_secs(match self {
             Self::Caution => 60,
@@ -43,15 +43,15 @@ impl AlertLevel {
 /// One alert that had to be answered.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AlertFact {
-    /// The words of the alert.
+    /// The text of the alert.
     pub text: Text,
-    /// How much it mattered.
+    /// Its urgency.
     pub level: AlertLevel,
-    /// Mission time at which it came.
+    /// Mission time when it was raised.
     pub at: Duration,
-    /// An answer within this time gets everything.
+    /// The time limit for full points.
     pub limit: Duration,
-    /// How long the answer took; `None` where none came.
+    /// The time until the answer; `None` without one.
     pub answered_after: Option<Duration>,
 }
 
@@ -81,7 +81,7 @@ pub fn attention_value(alerts: &[AlertFact]) -> Option<f64> {
     (total > 0.0).then(|| weighted.sum::<f64>() / total)
 }
 
-/// The value and the alert that moved it most.
+/// The value, and the alert with the greatest effect on it.
 pub(super) fn value_and_words(alerts: &[AlertFact]) -> Option<(f64, Text)> {
     let value = attention_value(alerts)?;
     let words = match worst(alerts) {
@@ -97,7 +97,7 @@ pub(super) fn value_and_words(alerts: &[AlertFact]) -> Option<(f64, Text)> {
     Some((value, words))
 }
 
-/// What would have answered them in time; `None` where all were.
+/// Advice on late alerts; `None` if all were answered in time.
 pub(super) fn advice(alerts: &[AlertFact]) -> Option<Text> {
     let (alert, _) = worst(alerts)?;
     let limit = alert.limit.as_secs();
@@ -108,7 +108,7 @@ pub(super) fn advice(alerts: &[AlertFact]) -> Option<Text> {
     ))
 }
 
-/// The one that cost most, and how many were late.
+/// The alert with the greatest loss, and the number of late ones.
 fn worst(alerts: &[AlertFact]) -> Option<(&AlertFact, usize)> {
     let late = || alerts.iter().filter(|alert| !alert.is_in_time());
     let cost = |alert: &&AlertFact| alert.level.weight() * (1.0 - alert.value());

@@ -13,23 +13,23 @@ use crate::verb::{CountsAs, Verb};
 /// The same line to the same vehicle within this time is a duplicate.
 const DUPLICATE_WITHIN: Duration = Duration::from_secs(2);
 
-/// Counts of a flight's commands, one per command and vehicle: a command to four is four, whether all take it or all
-/// refuse it, and whether it is refused here, because it makes no sense for the vehicle, or by the vehicle.
+/// Counts of a flight's commands, one per command and vehicle: a command to four is four, accepted or refused, by the
+/// vehicle or by the console.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct CommandTally {
-    /// All that were given, whatever became of them; none of the other counts is larger.
+    /// All commands; no other count is larger.
     pub given: u32,
-    /// Accepted, and something was to change by it.
+    /// Accepted, with an effect.
     pub accepted: u32,
-    /// Accepted, but what it asked for was so already: padding, which dilutes nothing.
+    /// Accepted without an effect, because its goal was met already: it does not dilute faults.
     pub empty: u32,
-    /// Refused, or never answered by a vehicle whose link was up.
+    /// Refused, or unanswered by a vehicle with a link.
     pub rejected: u32,
-    /// Refused, which the lesson asks for: it costs nothing.
+    /// Refused as the lesson intends, at no cost.
     pub forgiven: u32,
-    /// Those that set something at risk ([`Risk`]).
+    /// Commands with a risk ([`Risk`]).
     pub dangerous: u32,
-    /// Given twice within 2 s.
+    /// Repeated within 2 s.
     pub duplicates: u32,
 }
 
@@ -42,7 +42,7 @@ impl CommandTally {
         (1.0 - faults / (0.25 * f64::from(self.accepted) + 2.0)).max(0.0)
     }
 
-    /// The same without so many refusals.
+    /// The tally with this many refusals forgiven.
     #[must_use]
     pub fn forgiving(self, refusals: u32) -> Self {
         let forgiven = self.rejected.min(refusals);
@@ -88,28 +88,28 @@ impl CommandTally {
                 count = self.given
             ),
         };
-        // Who gives none has not shown to give good ones.
+        // Without any command, there is no good one.
         let value = if counted == 0 { 0.0 } else { self.value() };
         (value, words)
     }
 }
 
-/// Reads the ledger while a mission runs: puts mission times on its entries and sees who had a link.
+/// Follows the ledger during a mission: adds mission times, and notes which vehicles had a link.
 #[derive(Debug, Clone, Default)]
 pub struct CommandLog {
     given_at: BTreeMap<EntryId, Duration>,
-    /// Rows that failed; true where the vehicle could not be heard, which excuses the operator.
+    /// Failed rows; true if the vehicle was not heard, which excuses the operator.
     excused: BTreeMap<(EntryId, VehicleId), bool>,
 }
 
-/// Something about a command that a human should hear, as [`CommandLog::step`] finds it.
+/// A fault of a command, as [`CommandLog::step`] finds it.
 #[derive(Debug, Clone, PartialEq)]
 pub enum CommandEvent {
-    /// Refused or never answered.
+    /// Refused or unanswered.
     Rejected {
         /// The command that failed.
         command: EntryId,
-        /// The vehicle that refused it or never answered.
+        /// The vehicle.
         vehicle: VehicleId,
         /// The line and the reason.
         text: Text,
@@ -122,12 +122,12 @@ pub enum CommandEvent {
 }
 
 impl CommandLog {
-    /// Mission time of the last command that was given.
+    /// Mission time of the last command.
     pub fn last_given(&self) -> Option<Duration> {
         self.given_at.values().copied().max()
     }
 
-    /// Looks at the ledger once more; returns what happened since, oldest first.
+    /// Reads the ledger again; returns the new events, oldest first.
     pub fn step(
         &mut self,
         now: Duration,
@@ -145,7 +145,7 @@ impl CommandLog {
                     events.extend(entry.rows.iter().map(forced));
                 }
             }
-            // That there is no further hint is an answer, and no fault of piloting.
+            // The answer that no hint is left is not a piloting fault.
             if is_word(entry) {
                 continue;
             }
@@ -189,7 +189,7 @@ impl CommandLog {
             .filter_map(|entry| Some((*self.given_at.get(&entry.id)?, entry)))
     }
 
-    /// Counts the commands of this mission as the ledger is now.
+    /// Counts the mission's commands in the present ledger.
     pub fn tally(&self, ledger: &Ledger) -> CommandTally {
         let mut tally = CommandTally::default();
         let mut last: BTreeMap<(VehicleId, &str), (Duration, bool)> = BTreeMap::new();
@@ -198,7 +198,7 @@ impl CommandLog {
         for (given_at, entry) in orders.filter(|(_, entry)| !is_word(entry)) {
             for row in &entry.rows {
                 let before = last.insert((row.vehicle, &entry.line), (given_at, is_rejected(row)));
-                // The first try after a refusal is no duplicate.
+                // A retry after a refusal is no duplicate.
                 let duplicate = before.is_some_and(|(at, rejected)| {
                     !rejected && given_at.saturating_sub(at) <= DUPLICATE_WITHIN
                 });
@@ -227,12 +227,12 @@ impl CommandLog {
     }
 }
 
-/// What a command sets, if anything: the same line twice for one slot changes nothing.
+/// What a command sets: the same line twice for one slot changes nothing.
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
 enum Slot {
-    /// What the vehicle does. All commands that make it go somewhere or stay share it.
+    /// The vehicle's task, shared by all movement commands.
     Task,
-    /// A setting, by the name of its verb.
+    /// A setting, by its verb.
     Setting(&'static str),
 }
 

@@ -1,4 +1,4 @@
-//! The components: what each is worth and what moved it.
+//! The components: their values and the main causes.
 
 use std::time::Duration;
 
@@ -6,31 +6,31 @@ use super::{Facts, ScoreRules, attention, safety_value, utilisation};
 use crate::text;
 use crate::text::Text;
 
-/// Time is worth nothing to a flight that reached less of its objectives than this (no credit for quitting early).
+/// The least share of the objectives for points for time: quitting early earns none.
 const TIME_NEEDS_OBJECTIVES: f64 = 0.6;
 /// The same for energy.
 pub const ENERGY_NEEDS_OBJECTIVES: f64 = 0.8;
-/// A missed mandatory objective caps the objectives' component here.
+/// The cap of the objectives' component if a mandatory objective is missed.
 const MISSED_MANDATORY_CAP: f64 = 0.5;
 
 /// One part of the score.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Component {
-    /// The share of the objectives that was reached.
+    /// The share of the objectives reached.
     Objective,
-    /// How good the product is (map, detections).
+    /// The quality of the product (map, detections).
     Quality,
-    /// How short the flight was, against its par time.
+    /// The flight time, compared with par.
     Time,
-    /// How little energy it used, against its par.
+    /// The energy used, compared with par.
     Energy,
-    /// Which rules were kept.
+    /// The safety rules kept.
     Safety,
-    /// How clean the commands were.
+    /// The quality of the commands.
     Command,
-    /// How fast alerts were answered.
+    /// The speed of answers to alerts.
     Attention,
-    /// How well all vehicles were used.
+    /// The use of the vehicles.
     Utilisation,
 }
 
@@ -92,8 +92,8 @@ impl Weights {
         self.0[component as usize]
     }
 
-    /// The weights of the components that apply: a single vehicle's utilisation goes to safety, what else does
-    /// not apply is shared among the rest in proportion.
+    /// The weights of the components that apply: a single vehicle's utilisation goes to safety, other missing
+    /// components are distributed over the rest in proportion.
     fn applied(&self, applies: [bool; 8], vehicles: usize) -> [f64; 8] {
         let mut weights = self.0;
         if vehicles <= 1 {
@@ -117,13 +117,13 @@ impl Weights {
 #[derive(Debug, Clone, PartialEq)]
 pub struct ComponentScore {
     pub component: Component,
-    /// Its weight after sharing out what does not apply.
+    /// Its weight after the redistribution.
     pub weight: f64,
-    /// How well it went, 0 to 1.
+    /// Its value, 0 to 1.
     pub value: f64,
     /// Its points, in tenths.
     pub points_tenths: u32,
-    /// What moved it, in a few words.
+    /// Its main cause, in a few words.
     pub moved_by: Text,
 }
 
@@ -171,8 +171,8 @@ pub(super) fn all(rules: &ScoreRules, facts: &Facts) -> Vec<ComponentScore> {
     components
 }
 
-/// Gives the components whole tenths that add up to the rounded sum: those with the largest remainders are rounded
-/// up (the method of Hamilton).
+/// Rounds the components to tenths that add up to the rounded sum: those with the largest remainders are rounded up
+/// (Hamilton's method).
 fn share_points(components: &mut [ComponentScore]) {
     let exact = |c: &ComponentScore| 10_000.0 * c.weight * c.value;
     let sum: f64 = components.iter().map(exact).sum();
@@ -189,7 +189,7 @@ fn share_points(components: &mut [ComponentScore]) {
     }
 }
 
-/// `sum(value * fraction) / sum(value)`, capped where a mandatory objective was missed.
+/// `sum(value * fraction) / sum(value)`, capped if a mandatory objective was missed.
 fn objective_value(facts: &Facts) -> f64 {
     let total: f64 = facts.objectives.iter().map(|o| o.value).sum();
     if total <= 0.0 {
@@ -203,7 +203,7 @@ fn objective_value(facts: &Facts) -> f64 {
     }
 }
 
-/// Whether the objectives are worth less than was reached, because one that must be met was missed.
+/// Whether the cap for a missed mandatory objective applies.
 fn is_capped(facts: &Facts) -> bool {
     let total: f64 = facts.objectives.iter().map(|o| o.value).sum();
     let reached: f64 = facts.objectives.iter().map(|o| o.value * o.fraction).sum();
@@ -235,7 +235,7 @@ fn objective_words(facts: &Facts) -> Text {
     }
 }
 
-/// The mean over all products; `None` where a mission asks for none.
+/// The mean over all products; `None` for a mission without any.
 fn quality(facts: &Facts) -> Option<(f64, Text)> {
     let all = facts.objectives.iter().filter_map(|o| o.product.as_ref());
     let (values, words): (Vec<f64>, Vec<Text>) = all
@@ -298,7 +298,7 @@ fn against_par(used: f64, par: f64, unit: Text) -> Text {
     }
 }
 
-/// What results and conduct are worth: nothing is earned by leaving the vehicles on the ground.
+/// A value that only counts if something flew: parked vehicles earn nothing.
 fn if_flown(facts: &Facts, conduct: impl FnOnce(&Facts) -> (f64, Text)) -> (f64, Text) {
     let flown = facts.usage.iter().any(|one| !one.airborne.is_zero());
     if flown {

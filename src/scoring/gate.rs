@@ -4,7 +4,7 @@ use super::{Component, ComponentScore, Facts};
 use crate::text;
 use crate::text::Text;
 
-/// One condition: what is compared, how, and with which number.
+/// A condition: a quantity, a relation and a number.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Gate {
     measure: GateMeasure,
@@ -15,7 +15,7 @@ pub struct Gate {
 #[derive(Debug, Clone, PartialEq, Eq)]
 enum GateMeasure {
     Component(Component),
-    /// How many vehicles were lost.
+    /// The number of lost vehicles.
     Crashes,
     /// The measure of an objective, by its id.
     Objective(String),
@@ -38,7 +38,7 @@ impl GateMeasure {
         }
     }
 
-    /// `None` where the flight has no such measure.
+    /// `None` if the flight has no such quantity.
     fn value(&self, facts: &Facts, components: &[ComponentScore]) -> Option<f64> {
         match self {
             Self::Component(component) => components
@@ -58,7 +58,7 @@ impl GateMeasure {
     }
 }
 
-/// What lost vehicles are called in a gate.
+/// The name of lost vehicles in a gate.
 const CRASHES: &str = "crashes";
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -75,7 +75,7 @@ const COMPARISONS: [(&str, GateComparison); 3] = [
 ];
 
 impl Gate {
-    /// The names that every mission knows; the ids of its objectives come to them.
+    /// The names valid in every mission; the ids of its objectives are valid too.
     pub fn names() -> impl Iterator<Item = &'static str> {
         let components = Component::ALL.into_iter().map(Component::name);
         components.chain([CRASHES])
@@ -84,7 +84,7 @@ impl Gate {
     /// Reads `NAME >= NUMBER` (or `<=`, `==`).
     ///
     /// # Errors
-    /// In words, when it has another form or the number is not finite.
+    /// A text if the form differs or the number is not finite.
     pub fn parse(text: &str) -> Result<Self, String> {
         let found = COMPARISONS
             .iter()
@@ -106,7 +106,7 @@ impl Gate {
         })
     }
 
-    /// The objective whose measure it compares, by its id, if it compares one.
+    /// The id of the objective that it compares, if any.
     pub fn objective(&self) -> Option<&str> {
         match &self.measure {
             GateMeasure::Objective(id) => Some(id),
@@ -114,7 +114,7 @@ impl Gate {
         }
     }
 
-    /// Whether it holds for a flight. A component that does not apply stands in nobody's way.
+    /// Whether it holds for a flight. A component that does not apply always passes.
     pub fn holds(&self, facts: &Facts, components: &[ComponentScore]) -> bool {
         let Some(value) = self.measure.value(facts, components) else {
             return true;
@@ -126,7 +126,7 @@ impl Gate {
         }
     }
 
-    /// Whether any flight could make it hold: components lie between 0 and 1, crashes are counted.
+    /// Whether it can hold for any flight: components are within 0 to 1, crashes are counts.
     pub fn can_hold(&self) -> bool {
         let (low, high) = match self.measure {
             GateMeasure::Crashes => (0.0, f64::INFINITY),
@@ -142,7 +142,7 @@ impl Gate {
 }
 
 impl Gate {
-    /// The condition as it is written, with the name that people know.
+    /// The condition as text, with the quantity's display name.
     pub fn text(&self) -> Text {
         let sign = COMPARISONS
             .iter()

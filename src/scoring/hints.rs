@@ -1,23 +1,23 @@
-//! Hints that were asked for: what they take from the score.
+//! The cost of requested hints.
 
 use serde::{Deserialize, Serialize};
 
-/// What a hint of each level takes.
+/// The cost of a hint of each level, as a share of the score.
 const PRICES: [f64; 3] = [0.02, 0.05, 0.10];
-/// However many hints there were, this much of the score is left.
+/// The least factor, for any number of hints.
 const FLOOR: f64 = 0.70;
 
-/// The hints that a trainee has asked for.
+/// The hints that a trainee has requested.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct HintsUsed {
-    /// How many of level 1, 2 and 3.
+    /// The number of hints of level 1, 2 and 3.
     pub levels: [u32; 3],
-    /// The highest level that is free: on the first try, the hints that leave something to think about.
+    /// The highest free level: on the first attempt, the hints that leave work for the trainee.
     pub free_level: u8,
 }
 
 impl HintsUsed {
-    /// `max(0.70, 1 - 0.02 L1 - 0.05 L2 - 0.10 L3)`, without the levels that are free.
+    /// `max(0.70, 1 - 0.02 L1 - 0.05 L2 - 0.10 L3)`, without the free levels.
     pub fn factor(&self) -> f64 {
         let free = usize::from(self.free_level);
         let levels = self.levels.iter().zip(PRICES).skip(free);
@@ -25,12 +25,12 @@ impl HintsUsed {
         (1.0 - taken).max(FLOOR)
     }
 
-    /// How many there were.
+    /// The number of hints.
     pub fn count(&self) -> u32 {
         self.levels.iter().sum()
     }
 
-    /// What the next hint of a level, 1 to 3, would take, as a share of the score.
+    /// The cost of the next hint of a level, 1 to 3, as a share of the score.
     pub fn price(&self, level: u8) -> f64 {
         let mut more = *self;
         if let Some(count) = more.levels.get_mut(usize::from(level).saturating_sub(1)) {

@@ -1,7 +1,7 @@
-//! The report of a finished flight: what `sortie run --json` prints, what is stored, what a debrief is made from.
+//! The report of a finished flight: the output of `sortie run --json`, the stored result, and the basis of a debrief.
 //!
-//! Words are kept as texts, so that a debrief can be read in any language; a document has the English ones.
-//! Numbers are rounded to fixed decimals when the report is made, so that equal flights give equal bytes.
+//! Texts are stored as messages, so that a debrief can be shown in any language; JSON has the English ones. Numbers
+//! are rounded to fixed decimals when the report is made, so that equal flights give equal bytes.
 
 use serde::{Deserialize, Serialize};
 
@@ -24,9 +24,9 @@ pub struct Report {
     pub revision: u32,
     /// Seed of the hazards and sensors.
     pub seed: u64,
-    /// What flew; the shell sets it where it was not the embedded simulator.
+    /// The simulator; set by the shell if it was not the embedded one.
     pub backend: FlightBackend,
-    /// What gave the commands; `None` where that is not known, as in old records.
+    /// The source of the commands; `None` if unknown, as in old records.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub flown_by: Option<FlownBy>,
     /// How the mission compares with that of the course; set by the shell.
@@ -39,21 +39,21 @@ pub struct Report {
     pub given_up: bool,
     /// The points, 0 to 1000.
     pub score: u16,
-    /// The medal, if one was earned.
+    /// The medal, if any.
     pub medal: Option<Medal>,
     /// Mission time used, in seconds.
     pub sim_time_s: f64,
-    /// The objectives, in the mission's order.
+    /// The objectives, in file order.
     pub objectives: Vec<ObjectiveReport>,
     /// The components of the score; their points sum to `subtotal`.
     pub components: Vec<ComponentReport>,
     /// The score before hints, to a tenth.
     pub subtotal: f64,
-    /// What hints leave of it, 0.7 to 1.
+    /// The factor for hints, 0.7 to 1.
     pub hint_factor: f64,
     /// Every command of the flight.
     pub ledger: Vec<LedgerReport>,
-    /// What happened, oldest first.
+    /// The events, oldest first.
     pub events: Vec<EventReport>,
     /// Title of the mission.
     pub title: Text,
@@ -61,40 +61,40 @@ pub struct Report {
     pub outcome: Text,
     /// The grade of the score.
     pub grade: ScoreGrade,
-    /// How many vehicles took part.
+    /// The number of vehicles.
     pub vehicles: usize,
     /// Mission time allowed, in seconds.
     pub time_limit_s: f64,
-    /// Mission time that gets all points, in seconds.
+    /// The mission time that earns full points, in seconds.
     pub par_time_s: f64,
-    /// Energy used by all vehicles in Wh, where they report it.
+    /// Energy used by all vehicles in Wh, if reported.
     pub energy_wh: Option<f64>,
-    /// Energy that gets all points, in Wh.
+    /// The energy that earns full points, in Wh.
     pub par_energy_wh: f64,
-    /// What gold still needs besides points.
+    /// Conditions for gold that are not met.
     pub gold_missing: Vec<Text>,
-    /// What to do better, biggest gain first.
+    /// The improvements, biggest gain first.
     pub improvements: Vec<Improvement>,
-    /// Which try at the mission it was, from 1.
+    /// The number of the attempt, from 1.
     pub attempt: u32,
-    /// The hints that were asked for, oldest first.
+    /// The requested hints, oldest first.
     pub hints: Vec<HintReport>,
-    /// What the trainee expected, and how far off that was.
+    /// The trainee's prediction, and its error.
     pub prediction: Option<PredictionReport>,
-    /// What the trainee wanted to reach, and whether it was.
+    /// The trainee's goal, and whether it was reached.
     pub goal: Option<GoalReport>,
     /// The alerts that had to be answered, oldest first.
     pub alerts: Vec<AlertReport>,
-    /// How each vehicle was used.
+    /// The use of each vehicle.
     pub usage: Vec<UseReport>,
-    /// How the operator handled the swarm.
+    /// Figures on the operator's handling of the swarm.
     pub swarm: SwarmFigures,
-    /// What the world really was, for the map of the debrief.
+    /// The truth, for the map of the debrief.
     pub truth: TruthReport,
-    /// The mission that drills what this one needs, if there is one; set by the shell.
+    /// The drill for the mission, if there is one; set by the shell.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub drill: Option<String>,
-    /// The trainee's tries at this revision of the mission, this one among them, oldest first; set by the shell.
+    /// The trainee's attempts at this revision of the mission, including this one, oldest first; set by the shell.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub tries: Vec<TryReport>,
     /// Real time that the run took, in seconds; set by the shell, the only field that may differ between equal runs.
@@ -102,7 +102,7 @@ pub struct Report {
     pub wall_time_s: Option<f64>,
 }
 
-/// How one objective went.
+/// The result of one objective.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ObjectiveReport {
     /// Its id in the mission file.
@@ -112,13 +112,13 @@ pub struct ObjectiveReport {
     pub mandatory: bool,
     /// Whether it was reached.
     pub met: bool,
-    /// The measured result in words.
+    /// The measured result as text.
     pub result: Text,
-    /// What was asked for, in words.
+    /// The target as text.
     pub target: Text,
     /// Points within the objectives' component.
     pub points: f64,
-    /// The most that there are.
+    /// The most points possible.
     pub points_max: f64,
 }
 
@@ -127,43 +127,42 @@ pub struct ObjectiveReport {
 pub struct ComponentReport {
     /// Name of the component.
     pub name: Text,
-    /// Its weight after sharing out what does not apply.
+    /// Its weight after the redistribution.
     pub weight: f64,
-    /// How well it went, 0 to 1.
+    /// Its value, 0 to 1.
     pub value: f64,
     /// Its points of 1000, to a tenth.
     pub points: f64,
-    /// What raised or lowered it, in words.
+    /// Its main cause, as text.
     pub moved_by: Text,
 }
 
-/// One command as it was given.
+/// One command.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct LedgerReport {
     /// Mission time, in seconds.
     pub at_s: f64,
-    /// The line as it was typed.
+    /// The line as typed.
     pub line: String,
-    /// How it went with each vehicle.
+    /// The result for each vehicle.
     pub rows: Vec<RowReport>,
 }
 
-/// One vehicle's part in a command.
+/// The result of a command for one vehicle.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(into = "RowDocument")]
 pub struct RowReport {
     pub vehicle: u16,
-    /// What became of the command.
+    /// The final state.
     #[serde(with = "row_state")]
     pub state: RowState,
-    /// How often it was sent.
+    /// The number of transmissions.
     pub tries: u8,
-    /// The reason of a refusal, or a remark.
+    /// The reason for a refusal, or a remark.
     pub explanation: Option<Text>,
 }
 
-/// A row as documents have it: whether it failed follows from its state, and is written for programs that do not know the
-/// states.
+/// A row in JSON: the failure follows from the state, and is repeated for programs that do not know the states.
 #[derive(Serialize)]
 struct RowDocument {
     vehicle: u16,
@@ -186,16 +185,16 @@ impl From<RowReport> for RowDocument {
     }
 }
 
-/// One of the trainee's tries at a mission.
+/// One of the trainee's attempts at a mission.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct TryReport {
-    /// Which of the tries it was, from 1.
+    /// The number of the attempt, from 1.
     pub attempt: u32,
-    /// When it began, in UTC: `2026-11-20T14:03:22Z`.
+    /// Its start in UTC: `2026-11-20T14:03:22Z`.
     pub when: String,
-    /// The points; `None` where it has no end.
+    /// The points; `None` without an end.
     pub score: Option<u16>,
-    /// The medal, if one was earned.
+    /// The medal, if any.
     pub medal: Option<Medal>,
     /// Whether the mission was passed.
     pub passed: bool,
@@ -203,70 +202,70 @@ pub struct TryReport {
     pub seed: u64,
     /// Revision of the mission.
     pub revision: u32,
-    /// Whether it was flown for practice or by a script: such a try is never the best one and uses up no free hints.
+    /// Whether it was practice or flown by a script: such an attempt is never the best one and uses up no free hints.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub is_practice: bool,
 }
 
-/// A hint that was asked for.
+/// A requested hint.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct HintReport {
     /// Mission time, in seconds.
     pub at_s: f64,
-    /// How much it gave away, 1 to 3.
+    /// How much it reveals, 1 to 3.
     pub level: u8,
-    /// The words of the hint.
+    /// The text of the hint.
     pub text: Text,
 }
 
-/// A score as it was predicted, and as it came.
+/// A predicted score, and the actual one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct PredictionReport {
-    /// What was expected, 0 to 1000.
+    /// The prediction, 0 to 1000.
     pub predicted: u16,
-    /// What came less what was expected: above 0, the trainee can do more than they think.
+    /// The score minus the prediction: positive if the trainee underestimated it.
     pub error: i32,
 }
 
-/// A goal of the trainee's own.
+/// The trainee's own goal.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct GoalReport {
-    /// The goal in words.
+    /// The goal as text.
     pub text: Text,
     /// Whether it was reached.
     pub reached: bool,
-    /// By how much it was reached or missed.
+    /// The margin by which it was reached or missed.
     pub result: Text,
 }
 
 /// An alert that had to be answered.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct AlertReport {
-    /// When it came: mission time, in seconds.
+    /// Mission time when it was raised, in seconds.
     pub at_s: f64,
-    /// How much it mattered.
+    /// Its urgency.
     pub level: AlertLevel,
-    /// The words of the alert.
+    /// The text of the alert.
     pub text: Text,
-    /// An answer within this time gets everything, in seconds.
+    /// The time limit for full points, in seconds.
     pub limit_s: f64,
-    /// How long the answer took, in seconds; `None` where none came.
+    /// The time until the answer, in seconds; `None` without one.
     pub answered_after_s: Option<f64>,
-    /// Whether that was in time.
+    /// Whether it was answered in time.
     pub in_time: bool,
 }
 
-/// How one vehicle was used. Times are in seconds.
+/// The use of one vehicle. Times are in seconds.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct UseReport {
     pub vehicle: u16,
     /// Time in the air.
     pub airborne_s: f64,
-    /// Of that, with a task.
+    /// The part of it with a task.
     pub productive_s: f64,
-    /// Of that, without one for longer than 30 s at a time.
+    /// The part of it without a task for more than 30 s at a time.
     pub idle_s: f64,
-    /// Whether it fell or was made to.
+    /// Whether it fell or was made to fall.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub crashed: bool,
 }
@@ -303,23 +302,23 @@ impl From<&AlertFact> for AlertReport {
 pub struct EventReport {
     /// Mission time, in seconds.
     pub at_s: f64,
-    /// What it is about.
+    /// The kind of event.
     pub kind: EventKind,
-    /// Which vehicle, where it is about one.
+    /// The vehicle, if it concerns one.
     pub vehicle: Option<u16>,
-    /// What happened, in words.
+    /// The event as text.
     pub text: Text,
-    /// What other part of the report tells of the same, if one does.
+    /// The related part of the report, if there is one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub about: Option<EventSubject>,
 }
 
-/// A part of a report that an event belongs to. Places are counted from 0.
+/// A part of a report that an event belongs to. Indices start at 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum EventSubject {
-    /// An alert, by its place in `alerts`.
+    /// An alert, by index in `alerts`.
     Alert(usize),
-    /// A command, by its place in `ledger`.
+    /// A command, by index in `ledger`.
     Command(usize),
 }

@@ -1,4 +1,4 @@
-//! Broken rules, and their cost.
+//! Broken rules and their cost.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -7,13 +7,13 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
-/// The same event of the same vehicle within this time is one event.
+/// Repetitions by the same vehicle within this time are merged.
 const MERGED_WITHIN: Duration = Duration::from_secs(5);
 
-/// A rule that telemetry or the ledger can show as broken.
+/// A rule whose breach telemetry or the ledger can show.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum SafetyKind {
-    /// Outside the geofence, or inside a zone of its kind.
+    /// Outside the geofence, or inside an excluded area of it.
     Geofence,
     /// Above the highest height that the mission allows.
     TooHigh,
@@ -23,7 +23,7 @@ pub enum SafetyKind {
     DisarmInFlight,
     /// Armed by force, or with the arming checks switched off.
     ForcedArm,
-    /// Landed with less battery than the reserve, or not down by the end of the mission and below it.
+    /// Landed with less battery than the reserve, or still up and below it at the end of the mission.
     LowReserve,
     /// In the air when the mission ended.
     NotLanded,
@@ -35,24 +35,24 @@ pub enum SafetyKind {
     BatteryCritical,
     /// The autopilot's EKF or ground-station failsafe.
     OtherFailsafe,
-    /// In a zone where nothing may fly.
+    /// In a no-fly zone.
     NoFly,
-    /// Too near to another vehicle in the air.
+    /// Too close to another vehicle in the air.
     Separation,
-    /// Hit another vehicle in the air.
+    /// Collided with another vehicle in the air.
     Collision,
-    /// Too near to an aircraft with people on board.
+    /// Too close to a crewed aircraft.
     Bubble,
-    /// Too low over people, or too near to a person.
+    /// Too low over people, or too close to a person.
     People,
-    /// A person was hurt: the mission has failed.
+    /// A person was injured: the mission has failed.
     Injury,
     /// An aircraft was hit: the mission has failed.
     AircraftHit,
 }
 
 impl SafetyKind {
-    /// Whether the autopilot itself has taken over, to land or to come home.
+    /// Whether the autopilot has taken over, to land or to return.
     pub fn is_failsafe(self) -> bool {
         matches!(
             self,
@@ -60,7 +60,7 @@ impl SafetyKind {
         )
     }
 
-    /// The share of the safety component that is lost at once, and per second that it lasts, and at most.
+    /// The share of the safety component lost at once, per second, and at most.
     fn price(self) -> (f64, f64, f64) {
         match self {
             Self::Geofence | Self::TooHigh => (0.20, 0.01, 0.40),
@@ -70,7 +70,7 @@ impl SafetyKind {
             Self::LowReserve => (0.10, 0.0, 0.10),
             Self::OffPad => (0.05, 0.0, 0.05),
             Self::BatteryLow | Self::OtherFailsafe => (0.08, 0.0, 0.08),
-            // Not to land costs more than the worst landing: it must never be the safer choice.
+            // Not landing costs more than the worst landing: it must never be the safer choice.
             Self::NotLanded | Self::BatteryCritical | Self::Separation => (0.20, 0.0, 0.20),
             Self::NoFly => (0.35, 0.0, 0.35),
             Self::Bubble => (0.50, 0.0, 0.50),
@@ -84,12 +84,12 @@ impl SafetyKind {
         matches!(self, Self::Crash | Self::DisarmInFlight)
     }
 
-    /// Whether people came to harm by it: then the mission has failed, with [`crate::scoring::HARM_POINTS`] at most.
+    /// Whether it harms people: then the mission has failed, with [`crate::scoring::HARM_POINTS`] at most.
     pub fn is_harm(self) -> bool {
         matches!(self, Self::Injury | Self::AircraftHit)
     }
 
-    /// How to avoid it.
+    /// Advice to avoid it.
     pub(super) fn advice(self) -> SafetyAdvice {
         match self {
             Self::Geofence => SafetyAdvice::StayInside,
@@ -110,7 +110,7 @@ impl SafetyKind {
     }
 }
 
-/// How to avoid breaking rules; several rules may be kept by the same means.
+/// Advice on broken rules; several rules may share one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum SafetyAdvice {
     StayInside,
@@ -130,7 +130,7 @@ pub(super) enum SafetyAdvice {
 }
 
 impl SafetyAdvice {
-    /// The same in words.
+    /// The advice as text.
     pub fn text(self) -> Text {
         match self {
             Self::StayInside => text!("scoring-advice-geofence"),
@@ -151,18 +151,18 @@ impl SafetyAdvice {
     }
 }
 
-/// One rule broken once.
+/// One breach of a rule.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SafetyEvent {
-    /// The rule that was broken.
+    /// The rule.
     pub kind: SafetyKind,
-    /// The vehicle that broke it.
+    /// The vehicle.
     pub vehicle: VehicleId,
-    /// Mission time of its beginning.
+    /// Mission time of its start.
     pub at: Duration,
-    /// How long it lasted; zero for what happens at once.
+    /// Its duration; zero for a momentary event.
     pub lasted: Duration,
-    /// In words, for the debrief.
+    /// Its text for the debrief.
     pub text: Text,
 }
 
@@ -188,7 +188,7 @@ pub struct SafetyLog {
 }
 
 impl SafetyLog {
-    /// Notes that a rule is broken now. Called again while it stays broken, it lengthens the event; true for a new one.
+    /// Notes a breach at this moment. Repeated calls extend the event; true for a new one.
     pub fn note(
         &mut self,
         kind: SafetyKind,

@@ -1,4 +1,4 @@
-//! Figures about one operator and many vehicles. They are shown, not scored.
+//! Figures about one operator of many vehicles; displayed, but not scored.
 //!
 //! Fan-out is how many vehicles an operator can keep busy: `neglect time / interaction time + 1` (Olsen and Goodrich
 //! 2003), or with the time that vehicles wait for attention, `NT / (IT + WT) + 1` (Cummings).
@@ -9,45 +9,45 @@ use serde::{Deserialize, Serialize};
 
 use crate::text::rounded;
 
-/// The operator was at something else when this much passed between two commands.
+/// A longer gap between two commands means that the operator was busy otherwise.
 const AT_IT: Duration = Duration::from_secs(20);
-/// Giving a command takes no less: a script's interaction time would be nothing.
+/// The least interaction time of a command: for a script it would be zero.
 const LEAST_INTERACTION: Duration = Duration::from_secs(1);
 
-/// What is measured while a mission is flown.
+/// Measurements during a mission.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct SwarmTimes {
-    /// For how long vehicles stayed productive after a command, each time.
+    /// Each period in which a vehicle stayed productive after a command.
     pub neglected: Vec<Duration>,
-    /// For how long vehicles in the air waited for their next command, each time.
+    /// Each period in which a vehicle in the air waited for its next command.
     pub waited: Vec<Duration>,
-    /// When commands were given and to how many vehicles; whether to others than the one before.
+    /// The time of each command, its number of vehicles, and whether these changed.
     pub commands: Vec<(Duration, usize, bool)>,
 }
 
-/// How an operator handled a swarm. Times are in seconds; `None` where nothing was to be measured.
+/// An operator's handling of a swarm. Times are in seconds; `None` without data.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct SwarmFigures {
-    /// Neglect time: how long a vehicle stays productive without its operator, the median.
+    /// Neglect time: the median time that a vehicle stays productive without its operator.
     pub neglect_s: Option<f64>,
-    /// Interaction time: from one command to the next while the operator is at it, the median. At least 1 s.
+    /// Interaction time: the median time between commands while the operator is active. At least 1 s.
     pub interaction_s: Option<f64>,
-    /// How long a vehicle in the air without a task waits for its next command, the median; 0 if none ever did.
+    /// Wait time: the median time that an idle vehicle in the air waits for its next command; 0 if none ever did.
     pub wait_s: f64,
     /// Fan-out without the time spent waiting.
     pub fan_out: Option<f64>,
     /// Fan-out with the time spent waiting.
     pub fan_out_waiting: Option<f64>,
-    /// How many vehicles were flown.
+    /// The number of vehicles flown.
     pub flown: usize,
-    /// How often a minute the operator turned to other vehicles.
+    /// How often per minute the operator switched to other vehicles.
     pub switches_per_min: f64,
-    /// The share of commands that went to several vehicles.
+    /// The share of commands to several vehicles.
     pub group_share: f64,
 }
 
 impl SwarmTimes {
-    /// The figures of a flight of this length with so many vehicles in the air.
+    /// The figures of a flight of this length with `flown` vehicles.
     pub fn figures(&self, flown: usize, elapsed: Duration) -> SwarmFigures {
         let pairs = self.commands.windows(2);
         let between = pairs.map(|pair| pair[1].0.saturating_sub(pair[0].0));
@@ -77,7 +77,7 @@ impl SwarmTimes {
     }
 }
 
-/// The lower one of the two in the middle.
+/// The median; of two middle values the lower.
 fn median(times: &[Duration]) -> Option<Duration> {
     let mut sorted = times.to_vec();
     sorted.sort_unstable();

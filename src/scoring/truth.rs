@@ -1,4 +1,4 @@
-//! The truth that a debrief reveals: what was there, what was reported, what was flown and what was left out.
+//! The truth in a debrief: objects, reports, tracks, and gaps.
 
 use serde::{Deserialize, Serialize};
 
@@ -7,25 +7,25 @@ use crate::commands::FindKind;
 /// Metres east and north of the mission's origin.
 type Place = [f64; 2];
 
-/// What there was, in metres east and north of the mission's origin.
+/// The truth, in metres east and north of the mission's origin.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct TruthReport {
-    /// How strong hazards were, by squares.
+    /// The strength of hazards, in squares.
     pub squares: Vec<SquareReport>,
-    /// The things that could be found.
+    /// The objects.
     pub objects: Vec<ObjectReport>,
-    /// What the trainee reported.
+    /// The trainee's reports.
     pub marks: Vec<MarkReport>,
-    /// What of the task was not covered, by squares; their strength is 0.
+    /// The uncovered ground of the task, in squares with strength 0.
     pub gaps: Vec<SquareReport>,
     pub pads: Vec<Place>,
-    /// The corners of the fences that had to be kept; none in records of earlier versions.
+    /// The corners of the fences; empty in records of earlier versions.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub fences: Vec<Vec<Place>>,
-    /// The gates that had to be flown through, where the seed had put them; none in records of earlier versions.
+    /// The gates, where the seed had put them; empty in records of earlier versions.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub gates: Vec<Place>,
-    /// The ways of the vehicles.
+    /// The tracks of the vehicles.
     pub tracks: Vec<TrackReport>,
 }
 
@@ -35,11 +35,11 @@ pub struct SquareReport {
     pub at: Place,
     /// Length of its sides, in metres.
     pub side_m: f64,
-    /// How strong the hazard was there, 0 to 1.
+    /// The strength of the hazard, 0 to 1.
     pub strength: f64,
 }
 
-/// A thing that could be found.
+/// An object.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ObjectReport {
     pub at: Place,
@@ -52,11 +52,11 @@ pub struct ObjectReport {
     pub sought: bool,
 }
 
-/// What a thing is.
+/// The kind of an object.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ObjectKind {
-    /// What should not be reported.
+    /// Something not to be reported.
     Decoy,
     #[serde(untagged)]
     Find(FindKind),
@@ -65,19 +65,19 @@ pub enum ObjectKind {
 /// A report of the trainee's.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct MarkReport {
-    /// Where it was reported.
+    /// The reported position.
     pub at: Place,
-    /// What it was said to be, if anything.
+    /// The reported kind, if any.
     pub kind: Option<FindKind>,
-    /// Whether there was something of the kind.
+    /// Whether an object of the kind was there.
     pub right: bool,
 }
 
-/// The way of a vehicle in the air.
+/// The track of a vehicle in the air.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct TrackReport {
-    /// The vehicle that flew it.
+    /// The vehicle.
     pub vehicle: u16,
-    /// Points of its way, at least 5 m apart.
+    /// Points of the track, at least 5 m apart.
     pub points: Vec<Place>,
 }

@@ -1,4 +1,4 @@
-//! Utilisation: whether the vehicles that a trainee has were put to use.
+//! Utilisation: how well the available vehicles were used.
 
 use std::time::Duration;
 
@@ -6,22 +6,22 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
-/// What a vehicle is worth that was never flown.
+/// The cost of a vehicle that was never flown.
 const NEVER_FLOWN: f64 = 0.3;
-/// A vehicle in the air for this share of the longest time in the air counts as flown all the way.
+/// A vehicle with this share of the longest air time counts as fully flown.
 const FULL_SHARE: f64 = 0.5;
-/// A vehicle that idles for this share of its time in the air gets nothing for not idling.
+/// The share of idle time at which a vehicle earns no points for being busy.
 const MOST_IDLE: f64 = 0.3;
 
-/// How one vehicle was used.
+/// The use of one vehicle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct VehicleUse {
     pub vehicle: VehicleId,
     /// Time in the air.
     pub airborne: Duration,
-    /// Of that, with a task: on the way, in a manoeuvre, sampling.
+    /// The part of it with a task: travelling, in a manoeuvre, sampling.
     pub productive: Duration,
-    /// Of that, without a task for longer than 30 s at a time.
+    /// The part of it without a task for more than 30 s at a time.
     pub idle: Duration,
 }
 
@@ -34,7 +34,7 @@ impl VehicleUse {
     }
 }
 
-/// The mean over all vehicles; 0 where none has flown. A vehicle that made a short hop counts mostly as one that was
+/// The mean over all vehicles; 0 if none has flown. A vehicle that made a short hop counts mostly as one that was
 /// never flown.
 pub fn utilisation_value(uses: &[VehicleUse]) -> f64 {
     let longest = uses.iter().map(|one| one.airborne).max();
@@ -52,7 +52,7 @@ pub fn utilisation_value(uses: &[VehicleUse]) -> f64 {
     uses.iter().map(of).sum::<f64>() / uses.len() as f64
 }
 
-/// The value and what moved it: who was never flown, else who idled longest.
+/// The value and its main cause: a vehicle never flown, otherwise the one that idled longest.
 pub(super) fn value_and_words(uses: &[VehicleUse]) -> (f64, Text) {
     let value = utilisation_value(uses);
     let unused: Vec<String> = uses
@@ -73,7 +73,7 @@ pub(super) fn value_and_words(uses: &[VehicleUse]) -> (f64, Text) {
     (value, words)
 }
 
-/// What would have used the vehicles better; `None` where all were.
+/// Advice on the use of the vehicles; `None` if all were used.
 pub(super) fn advice(uses: &[VehicleUse]) -> Option<Text> {
     let unused = uses.iter().find(|one| one.airborne.is_zero());
     let idle = || {
@@ -94,7 +94,7 @@ fn idlest(uses: &[VehicleUse]) -> Option<&VehicleUse> {
     idle.max_by_key(|one| one.idle)
 }
 
-/// `3:10`; tenths are cut off.
+/// `3:10`; tenths are truncated.
 pub(super) fn minutes(time: Duration) -> String {
     let seconds = time.as_secs();
     format!("{}:{:02}", seconds / 60, seconds % 60)

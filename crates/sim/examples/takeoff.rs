@@ -145,7 +145,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         f64::from(position.lat) * 1e-7,
         f64::from(position.lon) * 1e-7,
     );
-    // What the vehicle says agrees with what is the case.
+    // The telemetry agrees with the true state.
     assert!(truth.armed && (heard_m - 20.0).abs() < 0.5);
     assert!((heard_m + truth.position_ned_m[2]).abs() < 0.1);
     Ok(())

@@ -22,21 +22,21 @@ use sortie_geo::maths;
 
 /// Density of the standard atmosphere at sea level, in kilograms per cubic metre.
 const SEA_LEVEL_DENSITY: f64 = 1.225;
-/// Of the throttle that the thrust needs, the part that the autopilot's compensation of density and voltage leaves:
-/// fitted to 36 % in the hover of the default quad, whose `hoverThrOut` is 39 % at 593 m.
+/// The share of the required throttle that remains after the autopilot's compensation of density and voltage: fitted
+/// to 36 % in the hover of the default quad, whose `hoverThrOut` is 39 % at 593 m.
 const COMPENSATED: f64 = 0.9777;
 /// Rotation is braked by this over the frame's `refRotRate`, as `SIM_Frame` does.
 const ROTATION_DRAG_DEG_S: f64 = 400.0;
-/// Below this share of its full voltage a battery turns no motor.
+/// The share of its full voltage below which a battery turns no motor.
 const DEAD_VOLTAGE_SHARE: f64 = 0.1;
 
-/// One kind of multirotor. Share it among vehicles by its `Arc`.
+/// A kind of multirotor, shared among vehicles by its `Arc`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Airframe {
     figures: Figures,
     /// The frame file as plain JSON; `None` for the default quad.
     file: Option<Value>,
-    /// What a vehicle of it is set up with, besides what follows from the figures.
+    /// Initial parameters of its vehicles, besides those that follow from the figures.
     parameters: Vec<(&'static str, f64)>,
     /// Drag per mass and density: of the body per square of the speed, and of the rotors' inflow per root.
     form_drag: f64,
@@ -48,20 +48,20 @@ pub struct Airframe {
     hover_throttle_at_reference: f64,
 }
 
-/// The state of the air and of the battery, as far as it changes thrust and drag.
+/// The state of the air and of the battery that affects thrust and drag.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Conditions {
     /// Velocity of the air, north, east, down.
     pub(super) wind_m_s: DVec3,
     /// Kilograms per cubic metre.
     pub(super) air_density: f64,
-    /// Of the full voltage, 0 to 1 and a little more.
+    /// The share of the full voltage, 0 to slightly above 1.
     pub(super) voltage_share: f64,
 }
 
 impl Default for Airframe {
-    /// The quadcopter of a SITL without a frame file, whose battery never runs down. Beside recordings of one; what
-    /// people fly is [`Airframe::standard`].
+    /// The quadcopter of a SITL without a frame file, whose battery never runs down. For comparison with recordings;
+    /// flights use [`Airframe::standard`].
     fn default() -> Self {
         Self::derived(Figures::default())
     }
@@ -82,18 +82,18 @@ impl Airframe {
         Ok((airframe, warnings))
     }
 
-    /// The same, set up with parameters: a vehicle has them until somebody changes them.
+    /// The airframe with initial parameters, which can be changed later.
     #[must_use]
     pub fn with_parameters(self, parameters: Vec<(&'static str, f64)>) -> Self {
         Self { parameters, ..self }
     }
 
-    /// Its frame file as plain JSON, without comments: what ArduPilot's SITL is given. The default quad has none.
+    /// Its frame file as plain JSON, without comments: the input for ArduPilot's SITL. The default quad has none.
     pub fn file(&self) -> Option<&Value> {
         self.file.as_ref()
     }
 
-    /// What a vehicle of it is set up with, besides what follows from the figures.
+    /// Initial parameters of its vehicles, besides those that follow from the figures.
     pub fn parameters(&self) -> &[(&'static str, f64)] {
         &self.parameters
     }
@@ -113,23 +113,24 @@ impl Airframe {
         self.figures.mass_kg
     }
 
-    /// How far the motors are from the centre, in metres (`diagonal_size`, which `SIM_Frame` takes as their lever arm).
+    /// The distance of the motors from the centre, in metres (`diagonal_size`, which `SIM_Frame` takes as their lever
+    /// arm).
     pub fn diagonal_m(&self) -> f64 {
         self.figures.diagonal_m
     }
 
-    /// How far thrust follows the square of a motor's command, 0 to 1 (`propExpo`).
+    /// How closely thrust follows the square of a motor's command, 0 to 1 (`propExpo`).
     pub fn thrust_expo(&self) -> f64 {
         self.figures.expo
     }
 
-    /// From one end of the propellers to the other, in metres. They reach beyond the motors: SITL's default quad of
-    /// 0.35 m is half a metre wide.
+    /// The width across the propellers, in metres. They reach beyond the motors: SITL's default quad of 0.35 m is half
+    /// a metre wide.
     pub fn size_m(&self) -> f64 {
         self.figures.diagonal_m * (0.5 / 0.35)
     }
 
-    /// The drag coefficients such that the reference flight is in balance (`SIM_Frame`'s `init`).
+    /// The drag coefficients that balance the reference flight (`SIM_Frame`'s `init`).
     fn derived(figures: Figures) -> Self {
         let (sin, cos) = maths::sin_cos(figures.reference_lean_deg.to_radians());
         let density = air_density(figures.reference_altitude_m);
@@ -161,7 +162,7 @@ impl Airframe {
         }
     }
 
-    /// The type that a heartbeat names.
+    /// The type in a heartbeat.
     pub(super) fn vehicle_type(&self) -> MavType {
         match self.motors() {
             6 => MavType::MAV_TYPE_HEXAROTOR,
@@ -172,7 +173,7 @@ impl Airframe {
         }
     }
 
-    /// The value of `FRAME_CLASS` for so many motors.
+    /// The value of `FRAME_CLASS` for a number of motors.
     pub(super) fn frame_class(&self) -> f32 {
         match self.motors() {
             6 => 2.0,
@@ -188,7 +189,7 @@ impl Airframe {
         self.figures.full_voltage_v
     }
 
-    /// Ampere hours; zero: never runs down.
+    /// Ampere hours; zero for a battery that never runs down.
     pub fn battery_capacity_ah(&self) -> f64 {
         self.figures.battery_capacity_ah
     }
@@ -197,7 +198,7 @@ impl Airframe {
         self.figures.battery_resistance_ohm
     }
 
-    /// Most thrust per mass, with air flowing into the rotors at `inflow_m_s`.
+    /// The greatest thrust per mass, with air flowing into the rotors at `inflow_m_s`.
     pub(super) fn thrust_max(&self, inflow_m_s: f64, conditions: &Conditions) -> f64 {
         let full = self.motor_thrust(1.0, inflow_m_s, conditions);
         full.max(0.0)
@@ -213,8 +214,8 @@ impl Airframe {
         GRAVITY_M_S2 * conditions.air_density / self.reference_density * (out - inflow * inflow)
     }
 
-    /// The throttle, 0 to 1, at which the autopilot gets a thrust per mass. It makes up for thin air; of a sagging
-    /// voltage it makes up for a half (37 % at 12.0 V, 41 % at 11.0 V and 45 % at 10.24 V were measured).
+    /// The throttle, 0 to 1, at which the autopilot gets a thrust per mass. It compensates thin air fully, and a
+    /// sagging voltage by half (37 % at 12.0 V, 41 % at 11.0 V and 45 % at 10.24 V were measured).
     pub(super) fn throttle_for(
         &self,
         thrust: f64,
@@ -228,7 +229,7 @@ impl Airframe {
         (self.hover_throttle_at_reference * share / voltage).clamp(0.0, 1.0)
     }
 
-    /// The thrust per mass of a throttle: what [`throttle_for`](Self::throttle_for) undoes.
+    /// The thrust per mass of a throttle: the inverse of [`throttle_for`](Self::throttle_for).
     pub(super) fn thrust_for(
         &self,
         throttle: f64,
@@ -256,7 +257,7 @@ impl Airframe {
         self.momentum_drag * (thrust.max(0.0) * air_density).sqrt()
     }
 
-    /// Where the motors are and how they turn.
+    /// The positions and the spin of the motors.
     pub(super) fn layout(&self) -> &[Motor] {
         &self.figures.motors
     }
@@ -276,7 +277,7 @@ impl Airframe {
         DVec3::new(0.25 * ring, 0.25 * ring, 0.5 * ring)
     }
 
-    /// How fast rotation dies, per second.
+    /// The decay rate of rotation, per second.
     pub(super) fn rotation_drag_per_s(&self) -> f64 {
         if self.figures.rotation_rate_deg_s > 0.0 {
             ROTATION_DRAG_DEG_S.to_radians() / self.figures.rotation_rate_deg_s
@@ -285,7 +286,7 @@ impl Airframe {
         }
     }
 
-    /// Most change of a motor's command in some seconds.
+    /// The greatest change of a motor's command within `seconds`.
     pub(super) fn slew(&self, seconds: f64) -> f64 {
         if self.figures.slew_per_s > 0.0 {
             self.figures.slew_per_s * seconds
@@ -294,8 +295,8 @@ impl Airframe {
         }
     }
 
-    /// The pulse of a motor, in microseconds, for a share of the thrust range, and what the motor makes of it after a
-    /// fault has multiplied it: the share that remains.
+    /// The pulse of a motor, in microseconds, for a share of the thrust range, multiplied by a fault, and converted
+    /// back to a share of the thrust range.
     pub(super) fn share_after_fault(&self, share: f64, multiplier: f64) -> f64 {
         let pulse_us = 1000.0 + (self.pulse_us(share) - 1000.0) * multiplier;
         let (low, high) = self.figures.pwm_us;

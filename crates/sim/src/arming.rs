@@ -1,4 +1,4 @@
-//! Arming, disarming, finding the ground, and the rules for each.
+//! Arming, disarming, landing detection, and the rules for each.
 
 mod checks;
 
@@ -6,30 +6,31 @@ use std::time::Duration;
 
 pub(super) use checks::{ArmingChecks, ArmingRules, LOOK_STEPS};
 
-/// A takeoff does not begin sooner after arming (ArduCopter's 2 s of delay, and until the loops have noticed).
+/// The least time from arming to a takeoff (ArduCopter's 2 s of delay, and the loops' reaction).
 const LIFTS_AFTER_ARMING: Duration = Duration::from_millis(2200);
-/// Away from the ground's magnetism each core of the EKF aligns its yaw once more, once after each arming.
+/// The height, clear of magnetic disturbance, at which each core of the EKF aligns its yaw once more after each
+/// arming.
 const ALIGNS_ABOVE_GROUND_M: f64 = 2.5;
-/// A vehicle that rests this long with its motors idle has landed.
+/// A vehicle that rests this long with idle motors has landed.
 const LANDED_AFTER: Duration = Duration::from_secs(1);
-/// In a landing the motors are disarmed this long after the touch.
+/// The delay from touchdown to disarming in a landing.
 const DISARMED_AFTER_TOUCH: Duration = Duration::from_millis(2100);
 
-/// Armed, landed, and since when.
+/// The state of arming and landing.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Safety {
     pub(super) armed: bool,
-    /// The autopilot's belief; the body knows the truth.
+    /// The autopilot's estimate; the body has the truth.
     pub(super) landed: bool,
-    /// When the motors were armed last; they take their time before they lift.
+    /// When the motors were last armed; they need time before they lift.
     pub(super) armed_at: Duration,
-    /// Above this height (metres up from the start) the yaw is aligned in flight; `None` once that is done.
+    /// The height (metres up from the start) above which the yaw is aligned in flight; `None` once done.
     aligns_above_m: Option<f64>,
-    /// When the reasons against arming are told next without being asked.
+    /// When the reasons against arming are next reported.
     pub(super) reports_at: Duration,
-    /// Whether nothing spoke against arming at the last look.
+    /// Whether the last check found no reason against arming.
     pub(super) may_arm: bool,
-    /// Since when the vehicle has stood on the ground with nothing to do.
+    /// Since when the vehicle has been idle on the ground.
     idle_since: Option<Duration>,
     resting_since: Option<Duration>,
 }
@@ -49,7 +50,7 @@ impl Default for Safety {
     }
 }
 
-/// What a landing is found by.
+/// The inputs of the landing detection.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct GroundInputs {
     /// Time since boot.
@@ -59,12 +60,12 @@ pub(super) struct GroundInputs {
     pub(super) touched: Option<Duration>,
     /// Whether the vehicle is on the ground and its task has nothing to do there.
     pub(super) is_resting: bool,
-    /// After how long an idle vehicle is disarmed; zero: never.
+    /// The time after which an idle vehicle is disarmed; zero for never.
     pub(super) disarm_delay: Duration,
 }
 
 impl Safety {
-    /// Armed just now, at a height in metres above the start.
+    /// The state after arming, at a height in metres above the start.
     pub(super) fn armed(on_ground: bool, height_m: f64, now: Duration) -> Self {
         Self {
             armed: true,
@@ -75,20 +76,20 @@ impl Safety {
         }
     }
 
-    /// The motors are stopped.
+    /// Stops the motors.
     pub(super) fn disarm(&mut self) {
         self.armed = false;
         self.aligns_above_m = None;
-        // What now speaks against arming is told with the next look.
+        // New reasons against arming are reported with the next check.
         self.reports_at = Duration::ZERO;
     }
 
-    /// Whether a landing that touched the ground at a time is over: the motors are stopped.
+    /// Whether a landing with a touchdown at a time is over, so that the motors stop.
     pub(super) fn ends_landing(touched: Duration, now: Duration) -> bool {
         now >= touched + DISARMED_AFTER_TOUCH
     }
 
-    /// Notices landings and vehicles that stand about armed; whether the motors are to be stopped.
+    /// Detects landings, and vehicles idling armed; returns whether to stop the motors.
     pub(super) fn watch_ground(&mut self, inputs: &GroundInputs) -> bool {
         let now = inputs.now;
         if !self.armed {
@@ -115,7 +116,7 @@ impl Safety {
         !inputs.disarm_delay.is_zero() && now >= idle_since + inputs.disarm_delay
     }
 
-    /// Whether reasons against arming are told now, unasked; `is_free` if there are none.
+    /// Whether to report reasons against arming now; `is_free` if there are none.
     pub(super) fn tells_obstacles(&mut self, is_free: bool, now: Duration) -> bool {
         let could_arm = std::mem::replace(&mut self.may_arm, is_free);
         if could_arm && !is_free && self.reports_at > now + checks::REPORT_SOON {
@@ -128,14 +129,14 @@ impl Safety {
         due
     }
 
-    /// Whether the yaw is aligned now, at a height in metres above the start; once after each arming.
+    /// Whether to align the yaw now, at a height in metres above the start; once after each arming.
     pub(super) fn aligns_at(&mut self, height_m: f64) -> bool {
         self.aligns_above_m
             .take_if(|above_m| height_m > *above_m)
             .is_some()
     }
 
-    /// When a takeoff that is commanded now begins.
+    /// The start time of a takeoff commanded now.
     pub(super) fn takeoff_begins(&self, now: Duration) -> Duration {
         now.max(self.armed_at + LIFTS_AFTER_ARMING)
     }

@@ -1,8 +1,8 @@
 //! AUTO: carrying out the mission, one navigation command and one action beside it at a time (`AP_Mission` with
 //! `ArduCopter`'s `mode_auto`).
 //!
-//! The list itself lies in the vehicle's plans; this knows where in it the vehicle is. A navigation command becomes
-//! the vehicle's task, so that takeoffs, returns and landings are the same as in the other modes.
+//! The list itself is in the vehicle's plans; this has the position in it. A navigation command becomes the vehicle's
+//! task, so that takeoffs, returns and landings are the same as in the other modes.
 
 mod advance;
 mod command;
@@ -29,7 +29,7 @@ use super::vehicle::Vehicle;
 /// The first command; item 0 is home.
 const FIRST: u16 = 1;
 
-/// Whether a mission runs.
+/// The state of a mission.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 enum PlanState {
     #[default]
@@ -38,13 +38,13 @@ enum PlanState {
     Complete,
 }
 
-/// The action beside the navigation command.
+/// The action that runs beside the navigation command.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 struct PlanAction {
     at: Option<u16>,
-    /// Whether it is still under way.
+    /// Whether it is under way.
     loaded: bool,
-    /// Whether there is none left before the navigation command is over.
+    /// Whether none is left before the end of the navigation command.
     all_done: bool,
     since: Duration,
 }
@@ -56,21 +56,21 @@ enum PlanWait {
     Nothing,
     /// A takeoff to a height (metres above the start) that waits for the motors and the throttle.
     Throttle(f64),
-    /// A stay at the goal, since the vehicle got there.
+    /// A stay at the goal, with the time of arrival.
     Stay(Option<Duration>),
-    /// A circle that begins when its edge is reached.
+    /// A circle that begins at its edge.
     Edge(Orbit),
-    /// A landing that begins when its place is reached.
+    /// A landing that begins above its place.
     LandingPlace,
-    /// A height (metres down from the start), once the place is reached; then with the way that was left.
+    /// A height (metres down from the start), once the place is reached; then with the remaining distance.
     Height { down_m: f64, left_m: Option<f64> },
     /// A time since boot.
     Until(Duration),
-    /// Setpoints from outside, for ever.
+    /// Setpoints from outside, without limit.
     Guided,
 }
 
-/// Where in the mission the vehicle is.
+/// The vehicle's position in the mission.
 #[derive(Debug, Clone, PartialEq, Default)]
 #[expect(
     clippy::struct_excessive_bools,
@@ -81,23 +81,23 @@ pub(super) struct AutoPlan {
     /// The navigation command, and whether it is under way.
     nav: Option<u16>,
     nav_loaded: bool,
-    /// The command as it was when it began, whatever the list says since.
+    /// The command as it was when it began, even if the list has changed since.
     nav_item: Item,
     wait: PlanWait,
     action: PlanAction,
     jumps: Jumps,
-    /// AUTO has been entered, but the mission has not been started since.
+    /// AUTO has been entered, but the mission has not been started yet.
     starting: bool,
-    /// The throttle was raised, a takeoff commanded or a mission started since arming.
+    /// Since arming, the throttle was raised, a takeoff commanded or a mission started.
     may_lift: bool,
-    /// The nose looks at a place of interest.
+    /// The nose points at a region of interest.
     looks_at_place: bool,
     paused: bool,
-    /// The next start goes on where the mission stands, whatever `MIS_RESTART` says.
+    /// The next start resumes at the current item, whatever `MIS_RESTART` says.
     resumes: bool,
     /// A landing sequence is flown on request.
     returns: bool,
-    /// The last item that was reached in this step: one slot, as in the vehicle.
+    /// The last item reached in this step: one slot, as in the vehicle.
     reached: Option<u16>,
 }
 
@@ -118,31 +118,31 @@ impl AutoPlan {
         }
     }
 
-    /// Whether the mission hands the vehicle to setpoints from outside.
+    /// Whether setpoints from outside control the vehicle.
     pub(super) fn is_guided(&self) -> bool {
         self.wait == PlanWait::Guided
     }
 
-    /// A takeoff was commanded: one of the mission waits for no throttle any more.
+    /// Notes a commanded takeoff: a takeoff of the mission no longer waits for the throttle.
     pub(super) fn allow_lifting(&mut self) {
         self.may_lift = true;
     }
 
-    /// Stops the motors: the plan is back before its first item.
+    /// Resets the plan when the motors stop.
     fn disarm(&mut self, vehicle: &mut Vehicle) {
         if vehicle.disarm() {
             self.reset();
         }
     }
 
-    /// Starts, or goes on where the plan stands.
+    /// Starts, or resumes at the current item.
     pub(super) fn start_unless_running(&mut self, vehicle: &mut Vehicle) {
         if self.state != PlanState::Running {
             self.start_or_resume(vehicle);
         }
     }
 
-    /// Goes on where the plan stands: in AUTO at once, else when AUTO is entered.
+    /// Resumes at the current item: in AUTO at once, otherwise when AUTO is entered.
     pub(super) fn go_on(&mut self, vehicle: &mut Vehicle) {
         if vehicle.flight.mode.number != mode::AUTO {
             self.resumes = true;
@@ -156,12 +156,12 @@ impl AutoPlan {
         self.returns
     }
 
-    /// A landing sequence is flown on request, or not.
+    /// Sets whether a landing sequence is flown on request.
     pub(super) fn set_returning(&mut self, returns: bool) {
         self.returns = returns;
     }
 
-    /// Back before the first item, as after every disarming. A running mission goes on running.
+    /// Resets to before the first item, as after every disarming. A running mission continues.
     pub(super) fn reset(&mut self) {
         self.nav = None;
         self.nav_loaded = false;
@@ -173,7 +173,7 @@ impl AutoPlan {
 }
 
 impl AutoPlan {
-    /// Whether AUTO cannot be entered now; then it says why. Disarmed it always can.
+    /// Whether AUTO cannot be entered now; if so, reports why. When disarmed, it always can.
     pub(super) fn refuses(&mut self, vehicle: &mut Vehicle) -> bool {
         if !vehicle.safety.armed {
             return false;
@@ -199,14 +199,14 @@ impl AutoPlan {
         empty || missing
     }
 
-    /// AUTO has been entered: the mission starts with the next step.
+    /// Handles the entry into AUTO: the mission starts with the next step.
     pub(super) fn enter(&mut self) {
         self.starting = true;
         self.paused = false;
         self.looks_at_place = false;
     }
 
-    /// AUTO has been left.
+    /// Handles the exit from AUTO.
     pub(super) fn leave(&mut self) {
         if self.state == PlanState::Running {
             self.state = PlanState::Stopped;
@@ -232,15 +232,15 @@ impl AutoPlan {
         }
         if let Some(seq) = self.reached.take() {
             let reached = MavMessage::MISSION_ITEM_REACHED(MISSION_ITEM_REACHED_DATA { seq });
-            // The message overtakes the texts of its step.
+            // The message precedes the texts of its step.
             vehicle
                 .outbox
                 .insert(said_before.min(vehicle.outbox.len()), reached);
         }
     }
 
-    /// The mission was written to: called for every item that was stored, and whenever its length changes. On the way to a
-    /// place the command begins again with what the list says now; an emptied mission is forgotten.
+    /// Handles a changed mission: called for every stored item, and whenever the length changes. A command on its way
+    /// to a place begins again with the new item; an emptied mission is reset.
     pub(super) fn list_changed(&mut self, vehicle: &mut Vehicle) {
         let runs = self.state == PlanState::Running;
         if vehicle.plans.mission.is_empty() && !(runs && vehicle.safety.armed) {
@@ -267,8 +267,8 @@ impl AutoPlan {
         );
     }
 
-    /// Makes an item the current one; `false` if that is not possible. A mission that does not run goes on from there
-    /// when it is started.
+    /// Makes an item the current one; `false` if that is not possible. A stopped mission continues from there when
+    /// started.
     pub(super) fn set_item(&mut self, vehicle: &mut Vehicle, at: u16) -> bool {
         if usize::from(at) >= vehicle.plans.mission.len() || vehicle.plans.mission.len() == 1 {
             return false;
@@ -290,7 +290,7 @@ impl AutoPlan {
         worked
     }
 
-    /// The same, with the jumps forgotten and the mission running again.
+    /// The same, with the jump counters reset and the mission running again.
     pub(super) fn reset_to_item(&mut self, vehicle: &mut Vehicle, at: u16) -> bool {
         let may_lift = self.may_lift;
         self.reset();
@@ -302,12 +302,12 @@ impl AutoPlan {
         worked
     }
 
-    /// Goes on from the first item with a tag.
+    /// Continues at the first item with a tag.
     pub(super) fn jump_to_tag(&mut self, vehicle: &mut Vehicle, tag: u16) -> bool {
         sequence::tagged(&vehicle.plans.mission, tag).is_some_and(|at| self.set_item(vehicle, at))
     }
 
-    /// Stops on the way, or goes on. Only a way to a place can be interrupted.
+    /// Pauses or resumes. Only a flight to a place can be interrupted.
     pub(super) fn pause(&mut self, vehicle: &mut Vehicle, pause: bool) -> bool {
         let Task::Route(route) = &mut vehicle.flight.task else {
             return !pause;

@@ -1,5 +1,5 @@
-//! What decides: the autopilot of one vehicle, put together from its parts, and the order in which they work in a step.
-//! A part owns what it remembers; what it needs of the others it gets as arguments, and what it wants done it returns.
+//! The autopilot of one vehicle: its parts, and their order in a step. A part owns its state; it gets other parts'
+//! state as arguments, and returns its requests.
 
 mod arming;
 mod modes;
@@ -27,9 +27,9 @@ use super::wind::Wind;
 use super::workbench::Workbench;
 use super::{fence, mode, trail};
 
-/// A vehicle that reboots drops its links this long after the acknowledgement.
+/// The delay between the acknowledgement of a reboot and the loss of the links.
 const REBOOT_AFTER: Duration = Duration::from_millis(200);
-/// The autopilot asks for the time this often.
+/// The interval of time synchronisation requests.
 const TIMESYNC_EVERY_STEPS: u64 = 1000;
 
 /// The autopilot of one vehicle, with the vehicle.
@@ -70,7 +70,7 @@ impl Autopilot {
         }
     }
 
-    /// The vehicle, and the state of everything else that decides.
+    /// The vehicle, and the state of all other parts.
     pub(super) fn state(&self) -> (&Vehicle, [&dyn std::fmt::Debug; 6]) {
         let Self {
             vehicle,
@@ -86,19 +86,19 @@ impl Autopilot {
         (vehicle, watches)
     }
 
-    /// The same vehicle, which takes as long to boot as a real one.
+    /// The vehicle with a realistic boot time.
     pub(super) fn booting_realistically(mut self) -> Self {
         self.vehicle.boot = Boot::new(true);
         self
     }
 
-    /// Asks for a reboot; [`Autopilot::take_reboot`] performs it when it is due.
+    /// Schedules a reboot; [`Autopilot::take_reboot`] performs it when due.
     pub(super) fn schedule_reboot(&mut self) {
         let at = self.vehicle.uptime() + REBOOT_AFTER;
         self.reboot_at.get_or_insert(at);
     }
 
-    /// Performs a reboot that is due. Parameters, lists and logs survive, and the place where the vehicle stands.
+    /// Performs a reboot that is due. Parameters, lists and logs survive, and the vehicle's position.
     pub(super) fn take_reboot(&mut self) -> bool {
         let before = &mut self.vehicle;
         if self.reboot_at.is_none_or(|at| before.uptime() < at) {
@@ -129,7 +129,7 @@ impl Autopilot {
         true
     }
 
-    /// Moves on by one step.
+    /// Advances by one step.
     pub(super) fn step(&mut self) {
         self.vehicle.steps += 1;
         let steps = self.vehicle.steps;
@@ -162,7 +162,7 @@ impl Autopilot {
         }
     }
 
-    /// Something in a list is no longer what it was.
+    /// Handles a change in a list.
     pub(super) fn plans_changed(&mut self, kind: ListKind) {
         match kind {
             ListKind::Mission => self.auto_plan.list_changed(&mut self.vehicle),
@@ -199,7 +199,7 @@ impl Autopilot {
         }
     }
 
-    /// Flies, unless the vehicle stands with its motors off, and lets the estimator and the battery follow.
+    /// Flies, unless the vehicle is parked with its motors off, and updates the estimator and the battery.
     fn fly(&mut self) {
         let vehicle = &mut self.vehicle;
         let is_asleep = vehicle.plant.body.on_ground && !vehicle.safety.armed;
@@ -247,7 +247,7 @@ impl Autopilot {
         }
     }
 
-    /// Counts, and stores what has been counted.
+    /// Updates the statistics and stores them.
     fn count(&mut self) {
         let vehicle = &mut self.vehicle;
         let report = self.counters.step(&CounterInputs {
@@ -279,7 +279,7 @@ impl Autopilot {
     }
 }
 
-/// The parameters of a vehicle that was never flown: the defaults, with its own system id and what its airframe sets.
+/// The factory parameters: the defaults, with the vehicle's system id and its airframe's values.
 pub(super) fn factory_parameters(system: u8, airframe: &Airframe) -> Parameters {
     let mut parameters = Parameters::new(system);
     let capacity_ah = airframe.battery_capacity_ah() as f32;

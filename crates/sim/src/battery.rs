@@ -60,7 +60,7 @@ pub(super) struct Battery {
     /// Energy drawn, in watt hours.
     pub(super) consumed_wh: f64,
     left_ah: f64,
-    /// The `SIM_BATT_VOLTAGE` that was last obeyed.
+    /// The `SIM_BATT_VOLTAGE` last applied.
     set_v: f64,
 }
 
@@ -102,7 +102,7 @@ impl Battery {
         }
     }
 
-    /// Of the full voltage.
+    /// The share of the full voltage.
     pub(super) fn voltage_share(&self, airframe: &Airframe) -> f64 {
         self.voltage_v / airframe.full_voltage_v()
     }
@@ -129,14 +129,14 @@ fn resting_v(charge_percent: f64, airframe: &Airframe) -> f64 {
     airframe.full_voltage_v() * cell_v.unwrap_or(0.001) / CELL_FULL_V
 }
 
-/// The charge of a cell of that voltage.
+/// The charge of a cell with that voltage.
 fn charge_percent(cell_v: f64) -> f64 {
     between(cell_v, CELL.iter().copied())
         .unwrap_or(0.0)
         .min(100.0)
 }
 
-/// The second number of a falling table at a place in its first; `None` below its end.
+/// Interpolates a table with falling values; `None` below its end.
 fn between(at: f64, table: impl Iterator<Item = (f64, f64)>) -> Option<f64> {
     let mut above: Option<(f64, f64)> = None;
     for (place, value) in table {

@@ -1,5 +1,5 @@
-//! The body of a vehicle: a point mass whose lean follows what the autopilot asks with a lag, with the thrust and the
-//! drag of its airframe. When motors fail or break it turns as a rigid body instead.
+//! The body of a vehicle: a point mass whose lean follows the autopilot's demand with a lag, with the thrust and the
+//! drag of its airframe. When motors fail or break, it rotates as a rigid body instead.
 
 use glam::{DVec2, DVec3};
 
@@ -12,18 +12,18 @@ use sortie_geo::maths;
 const LEAN_LAG_S: f64 = 0.15;
 /// Lag of the vertical acceleration behind its demand.
 const THRUST_LAG_S: f64 = 0.08;
-/// How long the autopilot takes to make up for vertical drag.
+/// The time constant of the autopilot's compensation of vertical drag.
 const DRAG_LAG_S: f64 = 0.2;
-/// The throttle of motors that just turn.
+/// The throttle of idling motors.
 const IDLE_THROTTLE: f64 = 0.01;
-/// A collision turns the body by this much per metre per second, up to a limit, in radians per second.
+/// The rotation rate from a collision per metre per second, and its limit, in radians per second.
 const SPIN_PER_M_S: f64 = 2.0;
 const SPIN_MAX_RAD_S: f64 = 12.0;
 
-/// What the autopilot asks of the airframe.
+/// The autopilot's demand on the airframe.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Demand {
-    /// Motors stand still or idle without lifting.
+    /// Motors stopped or idling.
     Off,
     /// An acceleration (north, east, down) by leaning and by thrust; gravity is not part of it.
     Acceleration(DVec3),
@@ -31,14 +31,14 @@ pub(super) enum Demand {
     Throttle(f64),
 }
 
-/// The air that flows through the rotors, and what it does to the body.
+/// The air flowing through the rotors, and its effect on the body.
 #[derive(Debug, Clone, Copy)]
 struct RotorStream {
     /// The downward part of the drag, in metres per second squared.
     drag_down_m_s2: f64,
     /// The downward part of the thrust's direction: -1 where the body is level.
     axis_down: f64,
-    /// How fast air comes in along the rotors' axis.
+    /// The speed of the inflow along the rotors' axis.
     inflow_m_s: f64,
 }
 
@@ -48,35 +48,35 @@ pub(super) struct Body {
     /// Metres north, east and down from the start.
     pub(super) position_m: DVec3,
     pub(super) velocity_m_s: DVec3,
-    /// Metres per second squared, as it really was in the last step.
+    /// The actual acceleration in the last step, in metres per second squared.
     pub(super) accel_m_s2: DVec3,
-    /// The horizontal acceleration that the present lean makes while the thrust carries the weight.
+    /// The horizontal acceleration from the present lean while the thrust carries the weight.
     pub(super) lean_m_s2: DVec2,
     lift_m_s2: f64,
     known_drag_m_s2: f64,
     /// Thrust of all motors per mass, in the last step.
     pub(super) thrust_m_s2: f64,
-    /// Whether the motors could not give the thrust that was asked.
+    /// Whether the motors could not provide the demanded thrust.
     pub(super) saturated: bool,
-    /// Where the nose points, in degrees clockwise from north, unwrapped.
+    /// The heading in degrees clockwise from north, unwrapped.
     pub(super) yaw_deg: f64,
     pub(super) yaw_rate_deg_s: f64,
-    /// North and east of the nose.
+    /// The heading as a unit vector, north and east.
     heading: DVec2,
     pub(super) on_ground: bool,
-    /// Of all motors together, 0 to 1.
+    /// The mean throttle of all motors, 0 to 1.
     pub(super) throttle: f64,
     angles_rad: (f64, f64),
     /// Roll and pitch rates, radians per second.
     pub(super) angle_rates_rad_s: (f64, f64),
     /// A collision has broken the propellers; only a reboot mends them.
     pub(super) wrecked: bool,
-    /// The rotation of a vehicle whose motors do not obey.
+    /// The rotation of a vehicle that is out of control.
     pub(super) upset: Option<Box<Upset>>,
 }
 
 impl Body {
-    /// At rest on the ground.
+    /// A body at rest on the ground.
     pub(super) fn resting(yaw_deg: f64) -> Self {
         Self {
             position_m: DVec3::ZERO,
@@ -109,7 +109,7 @@ impl Body {
         self.angles_rad
     }
 
-    /// Moves on by one step. Returns the speed of a touchdown.
+    /// Advances by one step. Returns the speed of a touchdown.
     pub(super) fn step(&mut self, demand: Demand, drive: &Drive<'_>) -> Option<f64> {
         if self.on_ground && demand == Demand::Off {
             self.rest();
@@ -134,7 +134,7 @@ impl Body {
             self.note_angles();
             accel
         };
-        // The ground carries what stands on it.
+        // The ground supports a standing vehicle.
         let carried = self.position_m.z >= 0.0;
         let down = if carried { accel.z.min(0.0) } else { accel.z };
         self.accel_m_s2 = accel.truncate().extend(down);
@@ -143,14 +143,14 @@ impl Body {
         self.touch_ground()
     }
 
-    /// Turns the nose: `rate_deg_s` is what the autopilot wants now.
+    /// Turns towards the demanded rate `rate_deg_s`.
     pub(super) fn turn(&mut self, rate_deg_s: f64) {
         self.yaw_rate_deg_s = rate_deg_s;
         if self.upset.is_some() || rate_deg_s == 0.0 {
             return;
         }
         let turned_deg = self.yaw_deg + rate_deg_s * STEP_S;
-        // A turn that dies away soon moves the nose no more.
+        // A fading turn soon no longer changes the heading.
         if turned_deg.to_bits() == self.yaw_deg.to_bits() {
             return;
         }
@@ -161,7 +161,7 @@ impl Body {
         self.heading = DVec2::from_angle(self.yaw_deg.to_radians());
     }
 
-    /// A collision: the velocity changes by so much, the propellers break, and the vehicle tumbles.
+    /// Applies a collision: the velocity changes, the propellers break, and the vehicle tumbles.
     pub(super) fn hit(&mut self, change_m_s: DVec3) {
         self.velocity_m_s += change_m_s;
         self.wrecked = true;
@@ -176,12 +176,12 @@ impl Body {
         }
     }
 
-    /// Between the wanted and the real direction of the thrust, radians; zero while the motors obey.
+    /// The angle between the demanded and the actual thrust, radians; zero while the motors obey.
     pub(super) fn lean_error_rad(&self) -> f64 {
         self.upset.as_ref().map_or(0.0, |upset| upset.error_rad)
     }
 
-    /// What a motor gets, as a share of its thrust range.
+    /// A motor's demand, as a share of its thrust range.
     pub(super) fn motor_share(&self, motor: usize, airframe: &Airframe) -> f64 {
         match &self.upset {
             Some(upset) => upset.mixer.shares.get(motor).copied().unwrap_or(0.0),
@@ -220,7 +220,7 @@ impl Body {
         self.lean_m_s2.extend(-GRAVITY_M_S2).normalize()
     }
 
-    /// Drag per mass; it never turns the motion through the air around within a step.
+    /// Drag per mass, limited so that it never reverses the airspeed within a step.
     fn drag(&self, through_air: DVec3, axes: &[DVec3; 3], drive: &Drive<'_>) -> DVec3 {
         if self.on_ground || through_air == DVec3::ZERO {
             return DVec3::ZERO;
@@ -233,7 +233,7 @@ impl Body {
         axes[0] * braked.x + axes[1] * braked.y + axes[2] * braked.z
     }
 
-    /// The acceleration of a vehicle whose motors obey; sets thrust and throttle.
+    /// The acceleration in normal flight; sets thrust and throttle.
     fn fly(&mut self, demand: Demand, through_air: DVec3, drive: &Drive<'_>) -> DVec3 {
         self.lean(demand);
         let up = self.up();
@@ -269,7 +269,7 @@ impl Body {
                 self.thrust_m_s2 = airframe.thrust_for(throttle, inflow, conditions);
             }
             Demand::Acceleration(wanted) => {
-                // The autopilot makes up for drag as it learns of it.
+                // The autopilot compensates drag as it learns it.
                 let learnt = stream.drag_down_m_s2 - self.known_drag_m_s2;
                 self.known_drag_m_s2 += learnt * (STEP_S / (STEP_S + DRAG_LAG_S));
                 let lift = self.lagged_lift(wanted.z) - self.known_drag_m_s2;
@@ -303,7 +303,7 @@ impl Body {
         self.lean_m_s2 += (wanted - self.lean_m_s2) * (STEP_S / (STEP_S + LEAN_LAG_S));
     }
 
-    /// The acceleration of a vehicle that turns as its motors let it.
+    /// The acceleration of a tumbling vehicle.
     fn tumble(
         &mut self,
         upset: &mut Upset,
@@ -356,7 +356,7 @@ impl Body {
         self.upset = Some(Box::new(Upset::new(self.axes(), rates)));
     }
 
-    /// Goes back to a lean that simply follows its demand.
+    /// Returns to the simple lean model.
     fn recover(&mut self, axes: [DVec3; 3]) {
         let up = axes[2];
         self.lean_m_s2 = up.truncate() * (GRAVITY_M_S2 / (-up.z).max(0.1));
@@ -388,7 +388,7 @@ impl Body {
         self.heading = DVec2::from_angle(yaw);
     }
 
-    /// Stops at the ground; the speed of the impact if the vehicle was in the air.
+    /// Stops at the ground; returns the speed of an impact from the air.
     fn touch_ground(&mut self) -> Option<f64> {
         if self.position_m.z < 0.0 {
             if self.position_m.z < -0.02 {

@@ -14,18 +14,18 @@ pub(super) enum BootEvent {
     Say(&'static str),
     /// Plain text on the serial ports, between the frames.
     Print(&'static str),
-    /// The initialisation is over: back to the first mode.
+    /// The initialisation is over: return to the first mode.
     Initialised,
-    /// The place is known: it becomes origin and home.
+    /// The position is known: it becomes origin and home.
     Origin,
     Elevation,
-    /// The position can be flown by.
+    /// The position is good enough to fly.
     Ready,
 }
 
 use BootEvent::{Elevation, Initialised, Origin, Print, Ready, Say};
 
-/// A boot that keeps nobody waiting.
+/// A quick boot.
 const QUICK: &[Entry] = &[
     (30, false, Say("ArduPilot Ready")),
     (50, false, Say("EKF3 IMU0 initialised")),
@@ -35,7 +35,7 @@ const QUICK: &[Entry] = &[
     (120, true, Ready),
 ];
 
-/// The boot of an `ArduCopter` in SITL, as it was measured 28 times.
+/// The boot of an `ArduCopter` in SITL, measured 28 times.
 const REALISTIC: &[Entry] = &[
     (
         2,
@@ -77,7 +77,7 @@ const REALISTIC: &[Entry] = &[
     (4161, true, Ready),
 ];
 
-/// Times of states that no event marks, in hundredths of a second.
+/// Times of states without an event, in hundredths of a second.
 mod at {
     pub(super) const FIRST_HEARTBEAT: u32 = 95;
     pub(super) const INITIALISED: u32 = 243;
@@ -94,15 +94,15 @@ mod at {
     pub(super) const CHECKED: u32 = 2345;
 }
 
-/// How far the start has come.
+/// The progress of the boot.
 #[derive(Debug, Clone)]
 pub(super) struct Boot {
     pub(super) realistic: bool,
-    /// Hundredths of a second; stands still while an event waits for the GPS.
+    /// Hundredths of a second; stopped while an event waits for the GPS.
     clock: u32,
     next: usize,
     over: bool,
-    /// What is to be printed on the serial ports.
+    /// Text to print on the serial ports.
     console: Vec<&'static str>,
 }
 
@@ -127,7 +127,7 @@ impl Boot {
         self.realistic && self.clock == 0
     }
 
-    /// Whether a message that is due cannot be sent yet.
+    /// Whether a due message cannot be sent yet.
     pub(super) fn holds_back(&self, message_id: u32) -> bool {
         let from = if message_id == 0 {
             at::FIRST_HEARTBEAT
@@ -137,12 +137,12 @@ impl Boot {
         self.is_before(from)
     }
 
-    /// Whether the initialisation runs: the vehicle calls itself active.
+    /// Whether the initialisation is running, with the system status "active".
     pub(super) fn is_initialising(&self) -> bool {
         self.is_before(at::INITIALISED)
     }
 
-    /// `fix_type` and satellites of a receiver that has not come up yet.
+    /// `fix_type` and satellites of a receiver that is still starting.
     pub(super) fn early_fix(&self) -> Option<(GpsFixType, u8)> {
         if self.is_before(at::GPS_SEEN) {
             Some((GpsFixType::GPS_FIX_TYPE_NO_GPS, 0))
@@ -158,7 +158,7 @@ impl Boot {
         self.over || (self.realistic && self.clock >= at::GYROS_CONSISTENT)
     }
 
-    /// Whether the checks before arming have been made with a good result for modes that need no position.
+    /// Whether the pre-arm checks pass for modes without a position.
     pub(super) fn is_checked(&self) -> bool {
         !self.is_before(at::CHECKED)
     }
@@ -245,11 +245,11 @@ impl Boot {
         }
     }
 
-    /// One step of the boot; `is_blind` without a GPS position. The events that it comes to.
+    /// One step of the boot; `is_blind` without a GPS position. Returns the events of the step.
     pub(super) fn step(&mut self, is_blind: bool) -> impl Iterator<Item = BootEvent> + use<> {
         let table = self.table();
         let from = self.next;
-        // The clock does not pass an event that waits for a position.
+        // The clock stops before an event that waits for a position.
         let holds = table
             .get(self.next)
             .is_some_and(|(time, waits, _)| *waits && is_blind && self.clock + 1 >= *time);
@@ -268,7 +268,7 @@ impl Boot {
         passed.iter().map(|(_, _, event)| *event)
     }
 
-    /// The position can be flown by.
+    /// Notes that the position is good enough to fly.
     pub(super) fn finish(&mut self) {
         self.over = true;
     }
@@ -278,7 +278,7 @@ impl Boot {
         self.console.push(text);
     }
 
-    /// Takes what is to be printed.
+    /// Takes the text to print.
     pub(super) fn take_console(&mut self) -> Vec<&'static str> {
         std::mem::take(&mut self.console)
     }

@@ -1,4 +1,4 @@
-//! The numbers of the `MAV_CMD`s that the vehicle knows, by name. They travel as numbers, as any may come.
+//! The numbers of the `MAV_CMD`s that the vehicle knows, by name. They are sent as numbers, since any may arrive.
 
 #![expect(
     deprecated,

@@ -1,8 +1,8 @@
 //! Vehicles that touch each other or an obstacle.
 //!
 //! After every step of the world its vehicles are put into a grid, so that the cost grows with their number and not
-//! with its square. Vehicles are balls; what happens to them depends on the state after the step alone, not on the
-//! order in which they are looked at.
+//! with its square. Vehicles are balls; the result depends only on the state after the step, not on the order of
+//! processing.
 
 mod grid;
 mod obstacle;
@@ -21,13 +21,13 @@ use super::autopilot::Autopilot;
 use super::body::Body;
 use sortie_geo::LatLon;
 
-/// The largest radius that a vehicle may have here, in metres; what is larger counts as that large.
+/// The largest radius of a vehicle, in metres; larger ones are reduced to it.
 const RADIUS_MAX_M: f64 = 5.0;
-/// The share of the speed with which bodies part again.
+/// The coefficient of restitution.
 const RESTITUTION: f64 = 0.3;
-/// A vehicle that comes down on an obstacle more slowly than this stands on it instead of breaking.
+/// A vehicle that descends on an obstacle below this speed lands on it undamaged.
 const LANDING_M_S: f64 = 1.0;
-/// How upright the surface must be for that.
+/// The least vertical component of the surface normal for that.
 const LANDING_SLOPE: f64 = 0.7;
 
 /// A collision that broke something.
@@ -35,19 +35,19 @@ const LANDING_SLOPE: f64 = 0.7;
 pub struct Collision {
     /// Simulated time since the world began.
     pub at: Duration,
-    /// The vehicle, counted from 0; of two vehicles the first.
+    /// The vehicle, from 0; of two vehicles the first.
     pub vehicle: usize,
     /// What the vehicle hit: an obstacle or another vehicle.
     pub with: Met,
-    /// Where the vehicle was.
+    /// The vehicle's position.
     pub place: LatLon,
     /// Its altitude, metres above mean sea level.
     pub altitude_amsl_m: f64,
-    /// How fast the two met, in metres per second.
+    /// The relative speed, in metres per second.
     pub speed_m_s: f64,
 }
 
-/// What a vehicle met.
+/// What a vehicle collided with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Met {
     /// Another vehicle, counted from 0.
@@ -56,17 +56,17 @@ pub enum Met {
     Obstacle(usize),
 }
 
-/// What a collision does to a vehicle.
+/// The effect of a collision on a vehicle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Hit {
     pub(super) vehicle: usize,
     pub(super) change_m_s: DVec3,
-    /// Out of the obstacle.
+    /// The shift out of the obstacle.
     pub(super) shift_m: DVec3,
     pub(super) breaks: bool,
 }
 
-/// A vehicle as collisions see it, in the frame of the world.
+/// A vehicle's sphere, in the frame of the world.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Ball {
     centre_m: DVec3,
@@ -81,7 +81,7 @@ struct Ball {
 #[derive(Debug, Default)]
 pub(super) struct Collisions {
     obstacles: Obstacles,
-    /// Each vehicle's start, and where it lies in the frame of the world. A reboot changes them.
+    /// Each vehicle's start, and its position in the frame of the world. A reboot changes them.
     frames: Vec<(Start, DVec3)>,
     balls: Vec<Ball>,
     grid: CollisionGrid,
@@ -91,7 +91,7 @@ pub(super) struct Collisions {
 }
 
 impl Collisions {
-    /// Without vehicles yet; obstacles may be placed from the world's origin.
+    /// No vehicles yet; obstacles may be placed relative to the world's origin.
     pub(super) fn new(origin: Option<Start>, obstacles: &[Obstacle]) -> Self {
         Self {
             obstacles: Obstacles::new(origin, obstacles, RADIUS_MAX_M),
@@ -100,12 +100,12 @@ impl Collisions {
         }
     }
 
-    /// What has broken so far, in order.
+    /// The collisions so far, in order.
     pub(super) fn events(&self) -> &[Collision] {
         &self.events
     }
 
-    /// Looks at all vehicles after a step; what happens to which.
+    /// Checks all vehicles after a step; returns the effects by vehicle.
     pub(super) fn find<'a>(
         &mut self,
         now: Duration,
@@ -142,7 +142,7 @@ impl Collisions {
         }
     }
 
-    /// Where a vehicle's start lies from the first vehicle's.
+    /// A vehicle's start, relative to the first vehicle's.
     fn offset(&mut self, vehicle: usize, start: Start) -> DVec3 {
         if let Some((known, offset)) = self.frames.get(vehicle)
             && *known == start
@@ -185,7 +185,7 @@ impl Collisions {
             self.grid
                 .near(ball.centre_m, ball.radius_m + largest_m, |second| {
                     let other = &balls[second];
-                    // Of two in the air the earlier one finds the pair.
+                    // Of two in the air, the earlier one finds the pair.
                     if second == first || (other.in_air && second < first) {
                         return;
                     }

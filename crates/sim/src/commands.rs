@@ -1,4 +1,4 @@
-//! `MAV_CMD`: one table from command number to handler, and one of those that are answered without further ado.
+//! `MAV_CMD`: one table from command number to handler, and one of fixed answers.
 
 mod auxiliary;
 mod calibration;
@@ -19,7 +19,7 @@ use super::cmd;
 use super::link::Link;
 use sortie_geo::LatLon;
 
-/// A command as `COMMAND_LONG` or `COMMAND_INT` brought it.
+/// A command from `COMMAND_LONG` or `COMMAND_INT`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Command {
     pub(super) number: u16,
@@ -60,14 +60,13 @@ impl Command {
         LatLon::from_e7(self.x, self.y)
     }
 
-    /// A parameter without its fraction. Where it is not a number there is nothing to ask for: the real vehicle
-    /// dies of it, this one denies.
+    /// A parameter without its fraction. Not-a-number is denied here; it crashes the real vehicle.
     fn whole(&self, parameter: usize) -> Option<i32> {
         let value = self.p.get(parameter).copied()?;
         (!value.is_nan()).then_some(value as i32)
     }
 
-    /// Whether a parameter is this very number.
+    /// Whether a parameter equals this number.
     fn is(&self, parameter: usize, number: f32) -> bool {
         self.p
             .get(parameter)
@@ -75,7 +74,7 @@ impl Command {
     }
 }
 
-/// Commands about a place on the earth.
+/// Commands with a place on the earth.
 const WITH_PLACE: &[u16] = &[
     cmd::DO_SET_HOME,
     cmd::DO_SET_ROI,
@@ -86,7 +85,7 @@ const WITH_PLACE: &[u16] = &[
 
 type Handler = fn(&mut Autopilot, &mut Link, &Command) -> MavResult;
 
-/// What the vehicle carries out, by number of the `MAV_CMD`.
+/// The supported commands, by number.
 const TABLE: &[(u16, Handler)] = &[
     (cmd::NAV_LOITER_UNLIM, flight::loiter),
     (cmd::NAV_RETURN_TO_LAUNCH, flight::return_to_launch),
@@ -171,7 +170,7 @@ const FIXED: &[(u16, MavResult)] = &[
     (cmd::SCRIPTING, ACCEPTED),
 ];
 
-/// Carries out a command and says how it went.
+/// Carries out a command and returns the result.
 pub(super) fn execute(autopilot: &mut Autopilot, link: &mut Link, command: &Command) -> MavResult {
     if let Some((_, handler)) = TABLE.iter().find(|(known, _)| *known == command.number) {
         return handler(autopilot, link, command);
@@ -182,7 +181,7 @@ pub(super) fn execute(autopilot: &mut Autopilot, link: &mut Link, command: &Comm
         .map_or(MavResult::MAV_RESULT_UNSUPPORTED, |(_, result)| *result)
 }
 
-/// Whether the messages that a command asks for come before its acknowledgement.
+/// Whether the messages that a command requests precede its acknowledgement.
 pub(super) fn answers_first(number: u16) -> bool {
     matches!(number, cmd::GET_HOME_POSITION | cmd::GET_MESSAGE_INTERVAL)
 }

@@ -6,7 +6,7 @@ use super::airframe::Airframe;
 use super::collision::Obstacle;
 use sortie_geo::LatLon;
 
-/// How far apart the vehicles of a row stand.
+/// The distance between vehicles in a row.
 const ROW_SPACING_M: f64 = 5.0;
 
 /// What a world consists of.
@@ -14,15 +14,15 @@ const ROW_SPACING_M: f64 = 5.0;
 pub struct WorldConfig {
     /// One start per vehicle; the first has system id 1.
     pub starts: Vec<Start>,
-    /// The airframe of each vehicle, in the order of the starts; the last one is also that of all vehicles that
-    /// follow, and without any the vehicles are [`Airframe::standard`] quadcopters.
+    /// The airframe of each vehicle, in the order of the starts; the last one applies to all further vehicles; without
+    /// any, the vehicles are [`Airframe::standard`] quadcopters.
     pub airframes: Vec<Arc<Airframe>>,
     /// Seed of everything random (gusts).
     pub seed: u64,
-    /// What stands in the way.
+    /// The obstacles.
     pub obstacles: Vec<Obstacle>,
     /// Whether the vehicles take as long to boot as real ones: half a minute and more until they can be armed in
-    /// GUIDED. Else they are ready after little more than a second.
+    /// GUIDED. Otherwise they are ready after about a second.
     pub realistic_boot: bool,
 }
 
@@ -44,28 +44,28 @@ impl WorldConfig {
         }
     }
 
-    /// The airframe of a vehicle; the usual one if none was given.
+    /// The airframe of a vehicle; `usual` if none was given.
     pub(super) fn airframe(&self, vehicle: usize, usual: &Arc<Airframe>) -> Arc<Airframe> {
         let own = self.airframes.get(vehicle).or(self.airframes.last());
         Arc::clone(own.unwrap_or(usual))
     }
 }
 
-/// Where a vehicle stands when it is switched on.
+/// The start position of a vehicle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Start {
     /// Latitude and longitude in degrees.
     pub at: LatLon,
     /// Height of the ground there, metres above mean sea level.
     pub altitude_amsl_m: f64,
-    /// Where the nose points, degrees clockwise from north.
+    /// The heading, degrees clockwise from north.
     pub heading_deg: f64,
 }
 
 /// A serial port of a vehicle. Each has its own rates of telemetry.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Serial {
-    /// Where a cable is supposed to be: it accepts unsigned packets too.
+    /// The USB port: it accepts unsigned packets too.
     Zero,
     /// The first radio: it refuses unsigned packets once a signing key is set.
     One,
@@ -74,7 +74,7 @@ pub enum Serial {
 }
 
 impl Serial {
-    /// All that a vehicle has.
+    /// All ports of a vehicle.
     pub const ALL: [Self; 3] = [Self::Zero, Self::One, Self::Two];
 
     /// Its number, from 0.

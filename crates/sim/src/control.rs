@@ -1,5 +1,5 @@
 //! `ArduPilot`'s position control: a jerk- and acceleration-limited path towards the target (its square-root
-//! controller, `AP_Math/control.cpp`), and the feedback that makes the airframe follow the path.
+//! controller, `AP_Math/control.cpp`), and the feedback control that follows the path.
 
 use glam::{DVec2, DVec3};
 
@@ -15,16 +15,16 @@ const VELOCITY_D: f64 = 0.5;
 const VELOCITY_D_BLEND: f64 = 0.269_597_308_951_354_36;
 const HEIGHT_P: f64 = 1.0;
 const CLIMB_P: f64 = 5.0;
-/// The integrator never asks for more than this (`PSC_VELXY_IMAX`).
+/// The limit of the integrator (`PSC_VELXY_IMAX`).
 const INTEGRAL_MAX_M_S2: f64 = 10.0;
 
-/// How much faster a vertical speed beyond its limit may change, per share of the limit.
+/// The increase of vertical acceleration for a speed beyond its limit, per share of the limit.
 const OVERSPEED_GAIN_Z: f64 = 2.0;
 
-/// No path accelerates downwards faster than this, whatever the limits say.
+/// The limit of a path's downward acceleration, whatever the limits say.
 const FALL_MAX_M_S2: f64 = 7.5;
 
-/// What the path must keep to.
+/// The limits of a path.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Limits {
     pub(super) speed_m_s: f64,
@@ -37,8 +37,8 @@ pub(super) struct Limits {
 }
 
 impl Limits {
-    /// A path that already climbs or sinks faster than it should may change its vertical speed the faster
-    /// (`POSCONTROL_OVERSPEED_GAIN_Z`): a velocity is obeyed whatever the speed limits say.
+    /// The limits for a path that climbs or sinks too fast: its vertical speed may change faster
+    /// (`POSCONTROL_OVERSPEED_GAIN_Z`), so that a velocity is obeyed regardless of speed limits.
     pub(super) fn overspeed(self, down_m_s: f64) -> Self {
         let most = if down_m_s < 0.0 {
             self.speed_up_m_s
@@ -57,12 +57,12 @@ impl Limits {
     }
 }
 
-/// The path and the feedback's memory.
+/// The path and the state of the feedback control.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct PositionControl {
-    /// Where the path is now (north, east, down).
+    /// The position on the path (north, east, down).
     pub(super) path_m: DVec3,
-    /// How fast it moves.
+    /// The velocity on the path.
     pub(super) velocity_m_s: DVec3,
     accel_m_s2: DVec3,
     integral_m_s2: DVec2,
@@ -70,7 +70,7 @@ pub(super) struct PositionControl {
     last_moving_m_s: DVec2,
     last_error_m_s: DVec2,
     slope_m_s2: DVec2,
-    /// The acceleration that was asked for when the lean was used up; otherwise nothing.
+    /// The demanded acceleration at the limit of the lean; otherwise zero.
     saturated: DVec2,
 }
 
@@ -94,7 +94,7 @@ impl FlatMotion {
 }
 
 impl PositionControl {
-    /// A path that begins where the body is, with its motion.
+    /// A path at the body's position, with its motion.
     pub(super) fn at(body: &Body) -> Self {
         let mut control = Self {
             path_m: body.position_m,
@@ -138,8 +138,8 @@ impl PositionControl {
         self.at_velocity(wanted.extend(climb), limits);
     }
 
-    /// Moves the path towards a point that itself moves: its velocity is added to the one that leads there, and the
-    /// way need not be straight (`input_pos_vel_accel_xy`, `_z`).
+    /// Moves the path towards a point that itself moves: its velocity is added, and the path need not be straight
+    /// (`input_pos_vel_accel_xy`, `_z`).
     pub(super) fn chase(&mut self, goal_m: DVec3, moving_m_s: DVec3, limits: &Limits) {
         let way = goal_m - self.path_m;
         let kv = 0.5 * limits.jerk_m_s3 / limits.accel_m_s2;
@@ -152,7 +152,7 @@ impl PositionControl {
         self.at_velocity(wanted + moving_m_s, limits);
     }
 
-    /// Where the path comes to rest if it brakes at the acceleration that is allowed, and gently at the end.
+    /// The stopping point of the path at the allowed deceleration, gentle at the end.
     pub(super) fn stopping_point(&self, limits: &Limits) -> DVec2 {
         let velocity = self.velocity_m_s.truncate();
         let speed = velocity.length();
@@ -224,8 +224,8 @@ impl PositionControl {
         self.accel_m_s2 = accel_m_s2;
     }
 
-    /// The acceleration that makes the body follow the path, within what the lean that is allowed gives.
-    /// A large error of the place is made good at no more than an acceleration (`correction_m_s2`).
+    /// The acceleration that makes the body follow the path, within the allowed lean. A large position error is
+    /// corrected with a limited acceleration (`correction_m_s2`).
     pub(super) fn demand(
         &mut self,
         body: &Body,
@@ -242,7 +242,7 @@ impl PositionControl {
         let slope = (error - self.last_error_m_s) / STEP_S;
         self.slope_m_s2 += (slope - self.slope_m_s2) * VELOCITY_D_BLEND;
         self.last_error_m_s = error;
-        // Where the lean is used up the integrator may turn, but not grow.
+        // At the limit of the lean, the integrator may turn, but not grow.
         let most = if self.saturated.dot(error) > 0.0 {
             self.integral_m_s2.length().min(INTEGRAL_MAX_M_S2)
         } else {
@@ -278,8 +278,7 @@ impl PositionControl {
         lift_m_s2 + climb * CLIMB_P
     }
 
-    /// Moves the path on. Where the lean is used up the path waits for the body instead of running away
-    /// (`update_pos_vel_accel_xy`).
+    /// Advances the path. At the limit of the lean, the path waits for the body (`update_pos_vel_accel_xy`).
     fn advance(&mut self) {
         let mut delta_m_s = self.accel_m_s2 * STEP_S;
         let mut delta_m = self.velocity_m_s * STEP_S + self.accel_m_s2 * (0.5 * STEP_S * STEP_S);
@@ -299,7 +298,7 @@ impl PositionControl {
     }
 }
 
-/// An acceleration no longer than `most`: what is across the way that is flown goes before what is along it
+/// An acceleration no longer than `most`: the part across the path takes precedence over the part along it
 /// (`limit_accel_xy`).
 fn within(accel: DVec2, moving: DVec2, most: f64) -> DVec2 {
     let Some(way) = moving.try_normalize() else {
@@ -316,7 +315,7 @@ struct Speeds {
     vertical: f64,
 }
 
-/// Speeds such that a straight way breaks neither the horizontal nor the vertical limit.
+/// Speeds for a straight path within both the horizontal and the vertical limit.
 fn speeds_along(way: DVec3, limits: &Limits) -> Speeds {
     let vertical_max = if way.z < 0.0 {
         limits.speed_up_m_s

@@ -1,45 +1,44 @@
-//! Statistics that a vehicle keeps in its parameters: hours flown, and the throttle that
-//! holds it in the air.
+//! Statistics that a vehicle keeps in its parameters: hours flown, and the hover throttle.
 
 use std::time::Duration;
 
 use super::body::Body;
 use super::parameters::Parameters;
 
-/// The counters are stored, and told, this often.
+/// The interval of storing and reporting the counters.
 const COUNTED_EVERY: Duration = Duration::from_secs(30);
-/// How often the vehicle counts.
+/// The interval of counting.
 const LOOK: Duration = Duration::from_millis(100);
-/// Slower than this, up or down, the vehicle hovers; how fast the throttle of that is learnt.
+/// The vertical speed below which the vehicle hovers; the time constant of learning its throttle.
 const HOVER_CLIMB_M_S: f64 = 0.6;
 const HOVER_LEARNT_S: f64 = 10.0;
-/// The hover throttle is told if it moved by more than this in a flight.
+/// The least change of the hover throttle in a flight that is reported.
 const HOVER_MOVED: f32 = 0.001;
 
-/// What is not yet stored.
+/// Counts not stored yet.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Counters {
-    /// Time in the air since the motors were armed, and the throttle that held the vehicle there.
+    /// Air time since arming, and the hover throttle.
     flown: Duration,
     hover: f64,
     counted: Duration,
-    /// Seconds in the air that are not yet stored.
+    /// Seconds in the air not stored yet.
     flight_s: f64,
     was_armed: bool,
 }
 
-/// What the counters look at.
+/// The inputs of the counters.
 pub(super) struct CounterInputs<'a> {
     pub(super) now: Duration,
     pub(super) armed: bool,
     pub(super) landed: bool,
     pub(super) body: &'a Body,
-    /// The share of the throttle that is known to hold the vehicle in the air.
+    /// The known hover throttle.
     pub(super) hover: f64,
     pub(super) parameters: &'a Parameters,
 }
 
-/// Values that parameters get.
+/// New values of parameters.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct CounterReport {
     /// New values of `STAT_FLTTIME` and `STAT_RUNTIME`.
@@ -91,7 +90,7 @@ impl Counters {
         self.hover += (inputs.body.throttle - self.hover) * LOOK.as_secs_f64() / HOVER_LEARNT_S;
     }
 
-    /// After a flight the throttle that held the vehicle is the new hover throttle.
+    /// After a flight, stores the learned hover throttle.
     fn learn_hover(&mut self, parameters: &Parameters) -> Option<f32> {
         let learned = self.hover as f32;
         let known = parameters.value("MOT_THST_HOVER") as f32;

@@ -9,24 +9,24 @@ use super::mode;
 use super::reaction::Reaction;
 use sortie_geo::maths;
 
-/// A crash: more than this far off the wanted lean and leaning, slow and hardly accelerating, for so long.
+/// Crash detection: the least lean error and lean, the greatest speed and acceleration, and the time.
 const CRASH_ERROR_DEG: f64 = 30.0;
 const CRASH_LEAN_DEG: f64 = 15.0;
 const CRASH_SPEED_M_S: f64 = 10.0;
 const CRASH_ACCEL_M_S2: f64 = 3.0;
 const CRASH_STEPS: u32 = 200;
-/// Lost thrust: sinking at full throttle with no lean beyond this asked for, for so long.
+/// Thrust loss detection: the greatest demanded lean while sinking at full throttle, and the time.
 const LOSS_LEAN_DEG: f64 = 15.0;
 const LOSS_THROTTLE: f64 = 0.9;
 const LOSS_STEPS: u32 = 100;
-/// Which motor works hardest is noise while all do the same; the real vehicle was heard to name the second.
+/// The motor named as failing: with equal load it is random; the real vehicle named the second.
 const SOME_MOTOR: usize = 2;
-/// After a touch the ground is not mentioned again for so long.
+/// The time after a touchdown before the next report of one.
 const CONTACT_STEPS: u32 = 100;
 /// The acceleration is filtered at 1 Hz.
 const ACCEL_BLEND: f64 = STEP_S / (STEP_S + 1.0 / std::f64::consts::TAU);
 
-/// What has been seen so far.
+/// The state of the checks.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct CrashWatch {
     accel_m_s2: DVec3,
@@ -36,7 +36,7 @@ pub(super) struct CrashWatch {
     since_contact: Option<u32>,
 }
 
-/// What the checks look at.
+/// The inputs of the checks.
 pub(super) struct CrashInputs<'a> {
     pub(super) body: &'a Body,
     /// Armed and not landed.
@@ -47,7 +47,7 @@ pub(super) struct CrashInputs<'a> {
 }
 
 impl CrashWatch {
-    /// Looks for a crash and for lost thrust.
+    /// Checks for a crash and for thrust loss.
     pub(super) fn step(&mut self, inputs: &CrashInputs<'_>) -> Vec<Reaction> {
         if let Some(steps) = self.since_contact {
             self.since_contact = (steps < CONTACT_STEPS).then_some(steps + 1);
@@ -68,7 +68,7 @@ impl CrashWatch {
         reactions
     }
 
-    /// The ground was touched at a speed.
+    /// Handles a touchdown at a speed.
     pub(super) fn touch(&mut self, impact_m_s: f64) -> Option<Reaction> {
         if self.since_contact.is_some() {
             return None;
@@ -127,7 +127,7 @@ impl CrashWatch {
             return None;
         }
         self.losing_steps = 0;
-        // Told once a flight: on the real vehicle the thrust boost stays on from here.
+        // Reported once per flight: on the real vehicle the thrust boost stays on from here.
         self.loss_told = true;
         let upset = body.upset.as_ref();
         let motor = upset.map_or(SOME_MOTOR, |upset| upset.mixer.lost + 1);

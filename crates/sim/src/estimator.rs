@@ -1,9 +1,9 @@
-//! What the autopilot believes of its own motion: the truth, and an error that faulty sensors bring about.
+//! The autopilot's estimate of its motion: the truth, with an error from faulty sensors.
 //!
-//! The model keeps the error, not the estimate: where nothing is wrong the belief is the truth itself and costs
-//! nothing. Times, thresholds and texts are those measured at `ArduCopter`'s EKF3 in SITL: GPS innovations beyond a
-//! gate are rejected for ten seconds, after which the position jumps to the GPS; without GPS the estimate is blind,
-//! distrusted after seven seconds and given up after fifteen.
+//! The model stores the error, not the estimate: without faults the estimate is the truth itself at no cost. Times,
+//! thresholds and texts are those measured at `ArduCopter`'s EKF3 in SITL: GPS innovations beyond a gate are rejected
+//! for ten seconds, after which the position jumps to the GPS; without GPS the estimate is blind, distrusted after
+//! seven seconds and given up after fifteen.
 
 mod barometer;
 mod compass;
@@ -28,32 +28,32 @@ use super::body::Body;
 use super::kinematics::STEP_S;
 use super::texts;
 
-/// Without a GPS position for this long the horizontal estimate is not trusted; for this long, it is given up.
+/// The time without a GPS position after which the horizontal estimate is not trusted, and given up.
 const DISTRUSTED_AFTER: Duration = Duration::from_secs(7);
 const GIVEN_UP_AFTER: Duration = Duration::from_secs(15);
-/// A position that has been rejected for this long is adopted after all.
+/// A position rejected for this long is adopted after all.
 const ADOPTED_AFTER: Duration = Duration::from_millis(9900);
-/// A glitch is reported after this long, and forgotten after this long without another.
+/// The delay before a glitch is reported, and before it is cleared.
 const GLITCH_AFTER: Duration = Duration::from_secs(1);
 const GLITCH_OVER_AFTER: Duration = Duration::from_secs(10);
-/// A new report enters the estimate this long after it has arrived (the fusion horizon).
+/// The delay before a new report enters the estimate (the fusion horizon).
 const FUSION_DELAY: Duration = Duration::from_millis(60);
-/// The position innovation that the test just bears (111 m gave a ratio of 28.7), and its growth per second
+/// The greatest position innovation that passes the test (111 m gave a ratio of 28.7), and its growth per second
 /// without an accepted position.
 const GATE_M: f64 = 3.73;
 const GATE_GROWTH_PER_S: f64 = 0.0265;
-/// The velocity innovation that the test just bears.
+/// The greatest velocity innovation that passes the test.
 const GATE_M_S: f64 = 1.5;
-/// The position follows accepted reports with this time constant.
+/// The time constant with which the position follows accepted reports.
 const FOLLOWS_S: f64 = 1.5;
-/// An uncorrected estimate runs away like this: 0.4 m in 7 s.
+/// The drift of an uncorrected estimate: 0.4 m in 7 s.
 const BLIND_ACCEL_M_S2: f64 = 0.014;
-/// A vehicle that keeps level without a position leans by this much: it drifts at 0.19 m/s.
+/// The lean error of a vehicle without a position: it drifts at 0.19 m/s.
 const LEVEL_ERROR_M_S2: f64 = 0.05;
-/// Errors below this are none.
+/// Errors below this count as none.
 const NEGLIGIBLE_M: f64 = 1e-3;
 
-/// What surrounds one step of the estimator.
+/// The surroundings of one step of the estimator.
 pub(super) struct Surroundings<'a> {
     pub(super) now: Duration,
     pub(super) truth: &'a Body,
@@ -64,19 +64,19 @@ pub(super) struct Surroundings<'a> {
 /// The estimator of one vehicle.
 #[derive(Debug, Clone)]
 pub(super) struct Estimator {
-    /// Whether anything is or was wrong; else the belief is the truth.
+    /// Whether there is or was any fault; otherwise the estimate is the truth.
     disturbed: bool,
     belief: Option<Box<Body>>,
-    /// How far the belief is from the truth.
+    /// The error of the estimate.
     error_m: DVec3,
     velocity_error_m_s: DVec3,
-    /// The direction in which this vehicle's imperfect sensors err.
+    /// The direction of this vehicle's sensor errors.
     bias: DVec2,
     trust: Trust,
     receiver: Receiver,
     ratios: Ratios,
     last_accepted: Duration,
-    /// Where the last accepted position was beside the truth.
+    /// The error of the last accepted position.
     accepted_m: DVec2,
     rejecting_since: Option<Duration>,
     last_rejected: Option<Duration>,
@@ -84,16 +84,16 @@ pub(super) struct Estimator {
     /// The EKF core in use.
     lane: usize,
     stuck_since: Option<Duration>,
-    /// What a stuck accelerometer has added to the velocity.
+    /// The velocity error from a stuck accelerometer.
     shake_m_s: DVec3,
     barometer: Barometer,
     compass: Compass,
-    /// What is reported while the position is given up: the last one that was known.
+    /// The last known position, reported while the position is given up.
     last_known_m: Option<DVec3>,
 }
 
 impl Estimator {
-    /// An estimator that is right; `seed` decides the direction of its small errors.
+    /// An estimator without error; `seed` sets the direction of its small errors.
     pub(super) fn new(seed: u64) -> Self {
         let angle = (seed % 3600) as f64 * (std::f64::consts::TAU / 3600.0);
         Self {
@@ -119,17 +119,17 @@ impl Estimator {
         }
     }
 
-    /// What the autopilot believes of a body.
+    /// The autopilot's estimate of a body.
     pub(super) fn belief<'a>(&'a self, truth: &'a Body) -> &'a Body {
         self.belief.as_deref().unwrap_or(truth)
     }
 
-    /// Whether the horizontal position can be flown by.
+    /// Whether the horizontal position is good enough to fly.
     pub(super) fn has_position(&self) -> bool {
         self.trust == Trust::Good
     }
 
-    /// Whether the position is still estimated at all, well or badly.
+    /// Whether the position is still estimated, well or badly.
     pub(super) fn is_aiding(&self) -> bool {
         self.trust != Trust::GivenUp
     }
@@ -144,7 +144,7 @@ impl Estimator {
         self.glitching
     }
 
-    /// The flags of `EKF_STATUS_REPORT` as they stand now.
+    /// The current flags of `EKF_STATUS_REPORT`.
     pub(super) fn flags(&self) -> EkfStatusFlags {
         let mut flags = self.trust.flags();
         if self.barometer.lost {
@@ -160,17 +160,17 @@ impl Estimator {
         self.ratios
     }
 
-    /// What the GPS receiver reports, as the difference to the truth; `None`: nothing is the matter with it.
+    /// The GPS report, as the difference to the truth; `None` without a fault.
     pub(super) fn fix(&self) -> Option<Fix> {
         self.disturbed.then_some(self.receiver.fix)
     }
 
-    /// The reading of the barometer beyond the truth, in metres up.
+    /// The barometer's error, in metres up.
     pub(super) fn barometer_offset_m(&self) -> f64 {
         self.barometer.offset_m
     }
 
-    /// Whether the first compass speaks.
+    /// Whether the first compass delivers data.
     pub(super) fn compass_is_healthy(&self) -> bool {
         self.compass.healthy.unwrap_or(true)
     }
@@ -180,17 +180,17 @@ impl Estimator {
         self.compass.in_use()
     }
 
-    /// The horizontal acceleration that a vehicle has which believes that it is level.
+    /// The horizontal acceleration from a wrong level estimate.
     pub(super) fn level_error_m_s2(&self) -> DVec2 {
         self.bias * LEVEL_ERROR_M_S2
     }
 
-    /// Whether there is anything for [`Estimator::step`] to do.
+    /// Whether [`Estimator::step`] has anything to do.
     pub(super) fn has_work(&self, faults: &Faults) -> bool {
         self.disturbed || faults.any
     }
 
-    /// Moves on by one step. Returns by how much the believed position has jumped, if it has.
+    /// Advances by one step. Returns the jump of the estimated position, if any.
     pub(super) fn step(
         &mut self,
         around: &Surroundings<'_>,
@@ -250,7 +250,7 @@ impl Estimator {
         belief.velocity_m_s += self.velocity_error_m_s + self.shake_m_s;
     }
 
-    /// The GPS and what follows from it, or from its absence.
+    /// Updates the effects of the GPS, or of its absence.
     fn watch_gps(
         &mut self,
         around: &Surroundings<'_>,
@@ -276,7 +276,7 @@ impl Estimator {
         jump
     }
 
-    /// Takes in a position, or rejects it.
+    /// Accepts or rejects a position.
     fn fuse(&mut self, now: Duration, outbox: &mut Vec<MavMessage>) -> Option<DVec3> {
         let fix = self.receiver.fix;
         let blind_s = now.saturating_sub(self.last_accepted).as_secs_f64();
@@ -318,13 +318,13 @@ impl Estimator {
         self.velocity_error_m_s = DVec3::ZERO;
     }
 
-    /// Without a position the estimate drifts away, unless the vehicle stands.
+    /// Without a position the estimate drifts, unless the vehicle stands still.
     fn run_away(&mut self, truth: &Body) {
         if truth.on_ground {
             self.velocity_error_m_s = DVec3::ZERO;
             return;
         }
-        // The belief lags behind what really happens.
+        // The estimate lags behind the true motion.
         self.velocity_error_m_s -= (self.bias * (BLIND_ACCEL_M_S2 * STEP_S)).extend(0.0);
         self.error_m += self.velocity_error_m_s * STEP_S;
     }
@@ -360,7 +360,7 @@ impl Estimator {
         }
     }
 
-    /// Whether no positions come, as opposed to bad ones.
+    /// Whether positions are missing, as opposed to bad.
     fn is_blind(&self) -> bool {
         !self.receiver.fix.is_locked()
     }

@@ -1,4 +1,4 @@
-//! Failsafes: what the vehicle does by itself when a link falls silent, the battery runs low or the estimate goes bad.
+//! Failsafes: automatic reactions to a lost link, a low battery or a bad estimate.
 //!
 //! Conditions, texts and actions are those of `ArduCopter` (`events.cpp`, `ekf_check.cpp`, `AP_BattMonitor`).
 
@@ -20,10 +20,10 @@ use super::mode::{self, Mode};
 use super::parameters::Parameters;
 use super::reaction::Reaction;
 
-/// The vehicle looks this often.
+/// The interval of the checks, in steps.
 pub(super) const EVERY_STEPS: u64 = 10;
 
-/// What `FS_OPTIONS` lets go on, a bit each.
+/// Exceptions in `FS_OPTIONS`, a bit each.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Options(u32);
 
@@ -39,19 +39,19 @@ impl Options {
     }
 }
 
-/// When the failsafes act and what they do, from the `FS_*` and `BATT_*` parameters.
+/// The conditions and actions of the failsafes, from the `FS_*` and `BATT_*` parameters.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct FailsafeRules {
-    /// What follows a lost ground station (`FS_GCS_ENABLE`).
+    /// The action for a lost ground station (`FS_GCS_ENABLE`).
     ground_station: i32,
     ground_station_timeout: Duration,
-    /// What follows a lost radio (`FS_THR_ENABLE`); 0: nothing.
+    /// The action for a lost radio (`FS_THR_ENABLE`); 0 for none.
     pub(super) radio: i32,
     radio_timeout: Duration,
-    /// A throttle below it means a lost radio (`FS_THR_VALUE`), in microseconds.
+    /// The throttle below which the radio counts as lost (`FS_THR_VALUE`), in microseconds.
     pub(super) radio_low_us: f64,
     options: Options,
-    /// The variance that the estimator may have (`FS_EKF_THRESH`); 0: any.
+    /// The greatest variance of the estimator (`FS_EKF_THRESH`); 0 for any.
     pub(super) ekf_threshold: f64,
     ekf_action: i32,
     pub(super) battery: BatteryRules,
@@ -74,7 +74,7 @@ impl FailsafeRules {
     }
 }
 
-/// What the failsafes look at.
+/// The inputs of the failsafes.
 #[expect(
     clippy::struct_excessive_bools,
     reason = "each is a fact of its own, and any may hold beside any other"
@@ -94,17 +94,17 @@ pub(super) struct FailsafeInputs<'a> {
     pub(super) radio: RadioInputs,
 }
 
-/// What comes from the remote control.
+/// The input from the remote control.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct RadioInputs {
     pub(super) fault: RadioFault,
-    /// A ground station speaks in its place.
+    /// A ground station overrides it.
     pub(super) is_overridden: bool,
     pub(super) throttle_us: f64,
 }
 
 impl FailsafeInputs<'_> {
-    /// A vehicle that stands is disarmed instead of being sent somewhere.
+    /// Whether to disarm a vehicle on the ground instead of flying it somewhere.
     fn should_disarm(&self) -> bool {
         match self.mode.number {
             mode::STABILIZE | mode::ACRO => self.throttle_is_low || self.landed,
@@ -118,10 +118,10 @@ impl FailsafeInputs<'_> {
     }
 }
 
-/// What has been seen so far.
+/// The state of the failsafes.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Failsafe {
-    /// When the ground station's last heartbeat came.
+    /// The time of the ground station's last heartbeat.
     pub(super) heard: Option<Duration>,
     links: LinkWatch,
     ekf: EkfWatch,
@@ -129,7 +129,7 @@ pub(super) struct Failsafe {
 }
 
 impl Failsafe {
-    /// Whether the vehicle reports itself in distress.
+    /// Whether the vehicle reports an emergency.
     pub(super) fn is_active(&self) -> bool {
         self.links.station_is_lost()
             || self.links.radio_is_lost()
@@ -137,28 +137,28 @@ impl Failsafe {
             || self.battery.has_triggered()
     }
 
-    /// Whether the battery has fallen so far that it set off its failsafe. Only a reboot ends that.
+    /// Whether the battery has triggered its failsafe. Only a reboot resets that.
     pub(super) fn battery_is_down(&self) -> bool {
         self.battery.has_triggered()
     }
 
-    /// How far the battery has fallen.
+    /// The battery's level.
     pub(super) fn charge_state(&self) -> MavBatteryChargeState {
         self.battery.charge_state()
     }
 
-    /// Whether the ground station is missing.
+    /// Whether the ground station is lost.
     pub(super) fn station_is_lost(&self) -> bool {
         self.links.station_is_lost()
     }
 
-    /// Whether the remote control is missing.
+    /// Whether the remote control is lost.
     pub(super) fn radio_is_lost(&self) -> bool {
         self.links.radio_is_lost()
     }
 }
 
-/// `X Failsafe`, with what becomes of it.
+/// `X Failsafe`, with its action.
 fn announce(what: &str, outcome: Option<&str>) -> Reaction {
     let text = match outcome {
         Some(outcome) => format!("{what} Failsafe - {outcome}"),

@@ -1,5 +1,5 @@
-//! The geofence: areas that were uploaded, a circle around home, a ceiling and a floor; noticing a breach and acting on
-//! it. Follows `ArduPilot`'s `AC_Fence` and `ArduCopter`'s reaction to it.
+//! The geofence: uploaded areas, a circle around home, a ceiling and a floor; detection of a breach and the reaction.
+//! Follows `ArduPilot`'s `AC_Fence` and `ArduCopter`'s reaction to it.
 
 mod area;
 mod avoidance;
@@ -17,20 +17,20 @@ pub(super) use self::area::{Fence, FenceError};
 use self::avoidance::Limiter;
 use super::parameters::Parameters;
 
-/// The vehicle looks this often.
+/// The interval of the checks, in steps.
 pub(super) const EVERY_STEPS: u64 = 4;
 /// The kinds of fences, a bit of `FENCE_TYPE` each.
 const CEILING: u8 = 1;
 const CIRCLE: u8 = 2;
 const AREAS: u8 = 4;
 const FLOOR: u8 = 8;
-/// Once broken, a limit is broken anew this much further out.
+/// A broken limit counts as broken again this much further out.
 const BACKUP_M: f64 = 20.0;
-/// After a change of the mode the vehicle does not look for this long: somebody is bringing it back.
+/// The checks pause for this long after a change of mode: the pilot is bringing the vehicle back.
 const RECOVERY: Duration = Duration::from_secs(10);
 const COUNT_MAX: u16 = 65_500;
 
-/// What the `FENCE_*` parameters say.
+/// The rules from the `FENCE_*` parameters.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct FenceRules {
     pub(super) is_enabled: bool,
@@ -57,28 +57,28 @@ impl FenceRules {
         }
     }
 
-    /// The kinds of fence that count now.
+    /// The active kinds of fence.
     fn active(&self) -> u8 {
         if self.is_enabled { self.kinds } else { 0 }
     }
 
-    /// The greatest height above home that keeps the margin to the ceiling.
+    /// The greatest height above home with the margin to the ceiling.
     pub(super) fn highest_m(&self) -> Option<f64> {
         (self.active() & CEILING != 0).then_some(self.ceiling_m - self.margin_m)
     }
 }
 
-/// A limit that is a single number: how far the vehicle is beyond it, and where it is broken anew.
+/// A numeric limit: how far the vehicle is beyond it, and where it is broken again.
 #[derive(Debug, Clone, PartialEq, Default)]
 struct Limit {
     beyond_m: f64,
     backup_m: Option<f64>,
 }
 
-/// The fences of a vehicle and what has been seen of them.
+/// The fences of a vehicle and their state.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Geofence {
-    /// In metres north and east of the start.
+    /// The areas, in metres north and east of the start.
     areas: Vec<FenceArea<DVec2>>,
     broken: u8,
     breaches: u16,
@@ -86,14 +86,14 @@ pub(super) struct Geofence {
     ceiling: Limit,
     floor: Limit,
     circle: Limit,
-    /// The floor counts from the first command that switches the fence on.
+    /// The floor is active after the first command that switches the fence on.
     has_floor: bool,
     recovering_until: Option<Duration>,
     told: Option<Duration>,
     limiter: Limiter,
 }
 
-/// Where a vehicle is, as fences see it.
+/// A vehicle's position for the fences.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[expect(clippy::struct_field_names, reason = "the unit belongs to each name")]
 struct Spot {
@@ -114,14 +114,14 @@ impl Spot {
 }
 
 impl Geofence {
-    /// A mode was entered: nobody looks for a while if a fence is broken.
+    /// Notes a change of mode, after which breaches are ignored for a while.
     pub(super) fn mode_changed(&mut self, now: Duration) {
         if self.broken != 0 {
             self.recovering_until = Some(now + RECOVERY);
         }
     }
 
-    /// Looks at every fence; the kinds that have just been broken.
+    /// Checks every fence; returns the kinds just broken.
     fn check(&mut self, rules: &FenceRules, spot: Spot, now: Duration) -> u8 {
         self.broken &= rules.kinds;
         if rules.active() == 0 {
@@ -153,7 +153,7 @@ impl Geofence {
         fresh
     }
 
-    /// Notes how far the vehicle is beyond a limit; whether that breaks it anew.
+    /// Notes how far the vehicle is beyond a limit; returns whether that breaks it again.
     fn cross(&mut self, kind: u8, beyond_m: f64, now: Duration) -> bool {
         let was_broken = self.broken & kind != 0;
         let limit = match kind {
@@ -189,7 +189,7 @@ impl Geofence {
         self.areas.iter().any(|area| area.is_broken_at(point))
     }
 
-    /// Whether a point may be flown to.
+    /// Whether flying to a point is allowed.
     pub(super) fn allows(&self, rules: &FenceRules, point_m: DVec3, home_m: DVec3) -> bool {
         let active = rules.active();
         if active == 0 {
@@ -203,7 +203,7 @@ impl Geofence {
         !outside
     }
 
-    /// How far outside the vehicle is, of the kinds given.
+    /// How far outside the vehicle is, for these kinds.
     fn farthest_m(&self, kinds: u8) -> f64 {
         [
             (CEILING, &self.ceiling),

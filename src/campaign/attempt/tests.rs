@@ -1,4 +1,4 @@
-//! The stakes of tries.
+//! The stakes of attempts.
 
 use proptest::prelude::*;
 use proptest::sample::select;
@@ -21,7 +21,7 @@ fn mission(text: &str) -> Mission {
     Mission::parse(text).expect("no faults")
 }
 
-/// A trainee who has flown nothing yet may fly the first of these missions.
+/// A new trainee, for whom only the first of these missions is open.
 struct Newcomer {
     open: Mission,
     locked: Mission,
@@ -199,7 +199,7 @@ proptest! {
         let is_free = wanted != Stake::Graded || seed.is_none();
         let expected = if is_fair && is_free { wanted } else { Stake::Practice };
         prop_assert_eq!((first.stake, first.wanted), (expected, wanted));
-        // How a try counts does not change its layout.
+        // The stake does not change the layout.
         match wanted {
             Stake::Exam | Stake::Daily => prop_assert!(first.seed < FRESH_SEEDS),
             Stake::Graded | Stake::Practice => match seed {

@@ -1,4 +1,4 @@
-//! What enters a simulator that runs is taken down here, until a recorder fetches it.
+//! Recording of a running simulator's inputs, until a recorder fetches them.
 
 use std::fmt;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -6,17 +6,17 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use crate::record::{InputLog, InputsHead};
 use crate::sim::World;
 
-/// What waits for the recorder at most, in bytes: beyond that nothing more is taken down.
+/// The most bytes that wait for the recorder; then recording stops.
 const MOST_WAITING: usize = 32 * 1024 * 1024;
 
-/// Where the lines wait. All clones are one.
+/// The waiting lines. All clones share them.
 #[derive(Clone, Default)]
 pub struct InputSink(Arc<Mutex<WaitingInputs>>);
 
 #[derive(Default)]
 struct WaitingInputs {
     lines: String,
-    /// The steps that the simulator has made.
+    /// The number of simulator steps.
     steps: u64,
     is_closed: bool,
 }
@@ -33,12 +33,12 @@ impl InputSink {
         std::mem::take(&mut self.waiting().lines)
     }
 
-    /// How many steps the simulator has made.
+    /// The number of simulator steps so far.
     pub fn steps(&self) -> u64 {
         self.waiting().steps
     }
 
-    /// Takes nothing down any more.
+    /// Stops recording.
     pub fn close(&self) {
         let mut waiting = self.waiting();
         waiting.is_closed = true;
@@ -59,7 +59,7 @@ impl InputSink {
     }
 }
 
-/// Takes down what enters a world that a simulator runs.
+/// Records the inputs of a simulator's world.
 #[derive(Debug)]
 pub(super) struct WorldRecord {
     log: InputLog,
@@ -72,17 +72,17 @@ impl WorldRecord {
         Self { log, sink }
     }
 
-    /// To be called after each step.
+    /// Must be called after each step.
     pub(super) fn follow(&mut self, world: &mut World) {
         self.log.follow(world);
     }
 
-    /// Time passes at another pace from now on.
+    /// Notes a new pace.
     pub(super) fn note_pace(&mut self, world: &World, speedup: f64) {
         self.log.note_pace(world, speedup);
     }
 
-    /// Hands over what was taken down, before the vehicles are heard.
+    /// Passes the lines on, before the vehicles' output is sent.
     pub(super) fn publish(&mut self, world: &World) {
         self.sink.put(&self.log.take(), world.steps());
     }

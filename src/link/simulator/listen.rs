@@ -10,14 +10,14 @@ use super::transport::Transports;
 use crate::link::connect::resolve;
 use crate::sim::Serial;
 
-/// The ports of two vehicles are this far apart, as those of ArduPilot's SITL instances are.
+/// The distance between two vehicles' ports, as with ArduPilot's SITL instances.
 const PORT_STRIDE: usize = 10;
-/// How far the TCP ports of serial 0, 1 and 2 lie above the vehicle's first, as with ArduPilot's SITL.
+/// The offsets of serial 0, 1 and 2 from the vehicle's first port, as with ArduPilot's SITL.
 const SERIAL_OFFSETS: [usize; 3] = [0, 2, 3];
 /// The number of the system's error `EMFILE`.
 const TOO_MANY_OPEN_FILES: i32 = 24;
 
-/// Opens the TCP servers and returns where they listen, vehicle by vehicle.
+/// Opens the TCP servers and returns their addresses, vehicle by vehicle.
 pub(super) async fn open_servers(
     transports: &mut Transports,
     vehicles: usize,
@@ -65,7 +65,7 @@ async fn host_address(host: &str, port: u16) -> Result<SocketAddr, SimulatorErro
         })
 }
 
-/// Where servers listen, and for whom.
+/// Where servers listen, and for which vehicles.
 struct Listen<'a> {
     host: &'a str,
     vehicles: usize,

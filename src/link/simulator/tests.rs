@@ -71,7 +71,7 @@ fn all_streams(system: u8) -> Outgoing {
     }
 }
 
-/// Counts the heartbeats that come within a time.
+/// Counts the heartbeats within a time.
 async fn heartbeats(rig: &mut Rig, time: Duration) -> usize {
     let until = Instant::now() + time;
     let mut count = 0;
@@ -263,7 +263,7 @@ async fn while_it_is_held_no_vehicle_moves_or_says_anything() {
         held: true,
         ..moving
     });
-    // What was said before may still be on its way.
+    // Earlier messages may still be in transit.
     heartbeats(&mut rig, Duration::from_millis(100)).await;
     assert_eq!(heartbeats(&mut rig, Duration::from_secs(60)).await, 0);
     hold.send_replace(moving);

@@ -1,4 +1,4 @@
-//! The ways into a simulated world. None of them ever waits.
+//! The transports of a simulated world. None of them ever blocks.
 
 use std::io;
 use std::pin::Pin;
@@ -12,22 +12,22 @@ use tokio::net::{TcpListener, TcpStream, UdpSocket};
 use crate::sim::{PortId, Serial, World};
 use crate::wire::frame_len;
 
-/// Clients per TCP port; further ones are turned away.
+/// The most clients per TCP port; others are refused.
 const CLIENT_CAP: usize = 16;
-/// Clients taken in per round, so that nobody can keep the world from being stepped by connecting.
+/// The most clients accepted per round, so that connecting cannot stop the simulation.
 const ACCEPTS_PER_ROUND: usize = 64;
 const READ_LEN: usize = 4096;
-/// How often a stream is read per round, so that nobody can keep the world from being stepped by talking: far more
-/// comes through than through the fastest serial port.
+/// The most reads of a stream per round, so that sending cannot stop the simulation; far above the fastest serial
+/// port.
 const READS_PER_ROUND: usize = 4;
 /// The same for datagrams, which are shorter.
 const DATAGRAMS_PER_ROUND: usize = 16;
-/// A buffer that has grown beyond this is given back once it is empty.
+/// A larger buffer is freed once it is empty.
 const OUTPUT_KEPT: usize = 4096;
-/// What surely fits into one UDP packet of an Ethernet.
+/// The bytes that surely fit into one UDP packet on Ethernet.
 const DATAGRAM_LEN: usize = 1400;
 
-/// All ways into a world.
+/// All transports of a world.
 pub(super) struct Transports {
     pub(super) pipes: Vec<PipeTransport>,
     pub(super) servers: Servers,
@@ -47,7 +47,7 @@ impl Default for Transports {
 }
 
 impl Transports {
-    /// Gives the world what has come.
+    /// Passes received bytes to the world.
     pub(super) fn read(&mut self, world: &mut World) {
         let input = self.input.as_mut_slice();
         self.pipes.retain_mut(|pipe| pipe.0.read(world, input));
@@ -58,7 +58,7 @@ impl Transports {
         }
     }
 
-    /// Sends what the world has to say, as far as there is room.
+    /// Sends the world's output, as far as there is room.
     pub(super) fn write(&mut self, world: &mut World) {
         self.pipes.retain_mut(|pipe| pipe.write(world));
         self.servers.write(world);
@@ -68,7 +68,7 @@ impl Transports {
     }
 }
 
-/// A byte stream that can be tried without waiting.
+/// A non-blocking byte stream.
 pub(super) trait ClientStream {
     fn try_read(&mut self, buffer: &mut [u8]) -> io::Result<usize>;
     fn try_write(&mut self, bytes: &[u8]) -> io::Result<usize>;
@@ -100,8 +100,8 @@ impl ClientStream for TcpStream {
 pub(super) struct StreamClient<S> {
     stream: S,
     port: PortId,
-    /// Taken from the world and not sent yet. Refilled only when empty: for a client that does not read,
-    /// the world itself keeps what it thinks worth keeping.
+    /// Output taken from the world and not sent yet. Refilled only when empty: for a client that does not read, the
+    /// world itself decides what to keep.
     output: Vec<u8>,
 }
 
@@ -129,8 +129,8 @@ impl<S: ClientStream> StreamClient<S> {
         true
     }
 
-    /// Returns whether the connection stands: the vehicle ends it by a reboot. A client that has gone is
-    /// noticed when it is read.
+    /// Returns whether the connection is open: the vehicle closes it with a reboot. A client that has gone is noticed
+    /// when it is read.
     fn write(&mut self, world: &mut World) -> bool {
         self.flush();
         if self.output.is_empty() {
@@ -176,13 +176,12 @@ impl PipeTransport {
 
 type Accepted = (usize, io::Result<TcpStream>);
 
-/// The TCP servers and their clients. There may be thousands of servers: they are waited for rather than asked in
-/// turn.
+/// The TCP servers and their clients. There may be thousands of servers: they are awaited rather than polled in turn.
 #[derive(Default)]
 pub(super) struct Servers {
     listeners: Vec<PortListener>,
     accepting: FuturesUnordered<Pin<Box<dyn Future<Output = Accepted> + Send>>>,
-    /// With the places of their listeners.
+    /// The clients with the index of their listener.
     clients: Vec<(usize, StreamClient<TcpStream>)>,
 }
 
@@ -219,7 +218,7 @@ impl Servers {
                 return;
             };
             self.await_client(place);
-            // A failure to accept is the client's loss and passes, or is met again in the next round.
+            // A failure to accept passes, or occurs again in the next round.
             let (Ok(stream), Some(listener)) = (accepted, self.listeners.get_mut(place)) else {
                 return;
             };
@@ -270,7 +269,7 @@ impl UdpTransport {
         }
     }
 
-    /// Every vehicle hears everything, as on a radio; each obeys what is addressed to it.
+    /// Every vehicle receives everything, as by radio; each obeys messages addressed to it.
     fn read(&mut self, world: &mut World, input: &mut [u8]) {
         for _ in 0..DATAGRAMS_PER_ROUND {
             match self.socket.try_recv(input) {
@@ -280,7 +279,7 @@ impl UdpTransport {
                     }
                 }
                 Err(error) if error.kind() == io::ErrorKind::WouldBlock => break,
-                // Nobody listens there yet.
+                // No program listens there yet.
                 Err(_) => {}
             }
         }
@@ -296,7 +295,7 @@ impl UdpTransport {
             }
         }
         for datagram in datagrams(&self.output) {
-            // What does not go out now is lost, as it may be with UDP.
+            // Unsent datagrams are lost, as UDP allows.
             let _ = self.socket.try_send(datagram);
         }
     }

@@ -1,4 +1,4 @@
-//! Reading on behind damage: the sound records of a tlog, and the stretches between them that are none.
+//! Reading past damage: the valid records of a tlog, and the damaged stretches between them.
 
 use std::io::{self, Read};
 
@@ -8,10 +8,10 @@ use crate::wire::{Decoder, Frame, frame_len, is_frame_start};
 const LONGEST_RECORD: usize = STAMP_LEN + LONGEST_FRAME;
 const READ_LEN: usize = 64 * 1024;
 const DAY_US: u64 = 24 * 3600 * 1_000_000;
-/// 2000-01-01 and 2100-01-01: where no record came before, the time of one that follows damage lies between.
+/// The plausible times after damage without an earlier record: 2000-01-01 to 2100-01-01.
 const PLAUSIBLE_US: std::ops::Range<u64> = 946_684_800_000_000..4_102_444_800_000_000;
 
-/// What comes next in a recording.
+/// The next piece of a recording.
 #[derive(Debug, PartialEq, Eq)]
 pub enum TlogPiece {
     Record(TlogRecord),
@@ -19,13 +19,13 @@ pub enum TlogPiece {
     Damage {
         /// Where they start, in bytes from the start of the file.
         offset: u64,
-        /// How many there are.
+        /// Their number.
         len: u64,
     },
 }
 
-/// Reads all that is sound in a tlog; the strict reader is [`super::TlogReader`]. After an error it yields
-/// nothing more.
+/// Reads all valid records of a tlog; the strict reader is [`super::TlogReader`]. After an error it yields nothing
+/// more.
 #[derive(Debug)]
 pub struct TlogSalvage<R> {
     input: R,
@@ -50,8 +50,8 @@ impl<R: Read> TlogSalvage<R> {
         }
     }
 
-    /// Reads on from a place where a record starts, `offset` bytes from the start of the file; `last_us` is the time of
-    /// the record before it.
+    /// Continues at the start of a record, `offset` bytes from the start of the file; `last_us` is the time of the
+    /// record before it.
     pub fn at(input: R, offset: u64, last_us: Option<u64>) -> Self {
         Self {
             offset,
@@ -99,8 +99,8 @@ impl<R: Read> TlogSalvage<R> {
         Some(TlogRecord { unix_us, bytes })
     }
 
-    /// Whether the next record is where it belongs. A frame may be bad, if only the next record follows it: its
-    /// fault is the decoder's business.
+    /// Whether the next record is at the expected position. A frame may be damaged if the next record follows it: that
+    /// is the decoder's business.
     fn is_record(&self) -> bool {
         let Some((unix_us, frame)) = head(self.rest()) else {
             return false;
@@ -113,7 +113,7 @@ impl<R: Read> TlogSalvage<R> {
         (is_followed && self.is_plausible(unix_us)) || is_intact(frame)
     }
 
-    /// Whether a record that can be trusted starts here, though what came before it was none.
+    /// Whether a trustworthy record starts here, after damage.
     fn is_resumption(&self) -> bool {
         head(self.rest())
             .is_some_and(|(unix_us, frame)| self.is_plausible(unix_us) && is_intact(frame))
@@ -177,7 +177,7 @@ fn head(bytes: &[u8]) -> Option<(u64, &[u8])> {
     Some((u64::from_be_bytes(*stamp), frame))
 }
 
-/// Whether the bytes are the beginning of a record whose rest is missing.
+/// Whether the bytes are the start of an incomplete record.
 fn is_cut(bytes: &[u8]) -> bool {
     match bytes.get(STAMP_LEN..) {
         None | Some([]) => true,
@@ -271,8 +271,8 @@ mod tests {
                 }
             }
             prop_assert_eq!(len, bytes.len() as u64);
-            // The end of the noise may look like the start of a frame of an unknown message, which nobody can
-            // check and which takes what follows with it.
+            // The end of the noise may look like the start of a frame of an unknown message, which cannot be checked
+            // and would swallow what follows.
             let reach = noise.len() + LONGEST_FRAME;
             let touched = reach / records[0].bytes.len() + 2;
             prop_assert!(found >= 40 - touched, "{} of 40", found);

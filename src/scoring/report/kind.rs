@@ -1,18 +1,18 @@
-//! The kinds in a report, with the names that documents have for them.
+//! The kinds in a report, with their names in JSON.
 
 use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
-/// What a timeline's event is about.
+/// The kind of a timeline's event.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum EventKind {
     /// An objective was reached, or is open again.
     Objective,
-    /// A danger, or the time running out.
+    /// A danger, or the end of time approaching.
     Alert,
-    /// An alert was answered by what it asked for.
+    /// An alert was answered.
     Answer,
     /// A safety rule was broken.
     Rule,
@@ -20,7 +20,7 @@ pub enum EventKind {
     Rejected,
     /// The trainee asked for a hint.
     Hint,
-    /// The flight came to its end.
+    /// The flight ended.
     Phase,
     /// A sample was taken.
     Sample,
@@ -28,14 +28,14 @@ pub enum EventKind {
     Load,
     /// The flight was paused.
     Pause,
-    /// The mission file's events told something.
+    /// A message of the mission file's events.
     #[serde(rename = "event")]
     MissionEvent,
-    /// The instructor made something happen.
+    /// An inject of the instructor.
     Inject,
 }
 
-/// What flew the vehicles of a flight.
+/// The simulator of a flight's vehicles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum FlightBackend {
@@ -47,13 +47,13 @@ pub enum FlightBackend {
 }
 
 impl FlightBackend {
-    /// The backend of a name; `None` for a name that no version has written.
+    /// The backend with a name; `None` for an unknown name.
     pub fn named(name: &str) -> Option<Self> {
         let mut all = [Self::Embedded, Self::ArduPilot].into_iter();
         all.find(|backend| backend.name() == name)
     }
 
-    /// Its name in documents and on the command line.
+    /// Its name in JSON and on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Self::Embedded => "embedded",
@@ -68,7 +68,7 @@ impl fmt::Display for FlightBackend {
     }
 }
 
-/// What gave the commands of a flight.
+/// The source of a flight's commands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, strum::Display)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -78,7 +78,7 @@ pub enum FlownBy {
     Hand,
     /// A pilot script, or lines from a pipe.
     Script,
-    /// A pilot script that comes with the program.
+    /// A pilot script of the program.
     BundledPilot,
 }
 
@@ -89,26 +89,26 @@ pub enum FlownBy {
 pub enum MissionFile {
     /// It is the mission of the course.
     Course,
-    /// It is of another revision than that of the course.
+    /// It has another revision than the course's mission.
     OtherRevision,
-    /// It is of the same revision as that of the course, and says something else.
+    /// It has the same revision as the course's mission, but another text.
     Altered,
-    /// The course has no mission of this id.
+    /// The course has no mission with this id.
     Own,
 }
 
-/// The grade of a score, the best first.
+/// The grade of a score, best first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum ScoreGrade {
-    /// 950 points and more.
+    /// 950 points or more.
     S,
-    /// 850 points and more.
+    /// 850 points or more.
     A,
-    /// 700 points and more.
+    /// 700 points or more.
     B,
-    /// 550 points and more.
+    /// 550 points or more.
     C,
-    /// 400 points and more.
+    /// 400 points or more.
     D,
     /// Fewer than 400 points.
     F,

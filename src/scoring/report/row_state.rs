@@ -1,5 +1,5 @@
-//! How documents write the state of a ledger's row. The names are a contract with programs and with stored runs;
-//! what people read is [`RowState::text`].
+//! The names of a ledger row's states in JSON. They are a contract with programs and stored runs; the display text is
+//! [`RowState::text`].
 
 use std::borrow::Cow;
 

@@ -1,22 +1,22 @@
-//! Whether a report's figures fit together: files may have been edited by hand.
+//! Whether a report's figures are consistent: files may have been edited by hand.
 
 use super::{ComponentReport, ObjectiveReport, Report};
 use crate::scoring::Component;
 
-/// Weights and values are kept to a thousandth: a component's points may be this far from what they give.
+/// The tolerance of a component's points: weights and values are rounded to a thousandth.
 const POINTS_OFF: f64 = 1.2;
-/// Points are kept in tenths, and so are their sums.
+/// The tolerance of a sum of points, which are rounded to tenths.
 const TENTH: f64 = 0.051;
-/// How far shares may be off by rounding.
+/// The tolerance of shares.
 const SHARE_OFF: f64 = 0.005;
-/// What hints leave at least.
+/// The least factor for hints.
 const LEAST_FACTOR: f64 = 0.7;
 /// The points of a perfect flight.
 const PERFECT: f64 = 1000.0;
 
 impl Report {
-    /// Why its result is not what its parts make of it, in English; `None` if it is. Whether the parts are true only the
-    /// flight's record tells.
+    /// Why the result does not follow from its parts, in English; `None` if it does. Only the flight's record shows
+    /// whether the parts are true.
     pub fn fault(&self) -> Option<String> {
         let parts = self.components.iter().find_map(ComponentReport::fault);
         let objectives = self.objectives.iter().find_map(ObjectiveReport::fault);
@@ -51,7 +51,7 @@ impl Report {
         }
     }
 
-    /// The share of the objectives' points that was reached, if they have any.
+    /// The share of the objectives' points, if they have any.
     fn objective_share(&self) -> Option<f64> {
         let most: f64 = self.objectives.iter().map(|it| it.points_max).sum();
         let reached: f64 = self.objectives.iter().map(|it| it.points).sum();
@@ -72,7 +72,7 @@ impl Report {
 }
 
 impl ComponentReport {
-    /// Whether a name is that of a component; stored names are English.
+    /// Whether a name is a component's; stored names are English.
     pub fn is(&self, component: Component) -> bool {
         self.name.to_string() == component.title().to_string()
     }

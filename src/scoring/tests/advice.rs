@@ -1,4 +1,4 @@
-//! The advice, and the points that it promises.
+//! The advice, and its promised points.
 
 use std::collections::BTreeSet;
 

@@ -8,7 +8,7 @@ use super::*;
 use crate::ledger::{Ledger, RowState, RowUpdate};
 use crate::mission::fake::given;
 
-/// Gives lines to vehicle 1, each at a mission time in ms, on a program clock that runs `slower` times as fast.
+/// Gives lines to vehicle 1, each at a mission time in ms, on a program clock slowed down by `slower`.
 fn logged(slower: u64, lines: &[(u64, &str, RowState)]) -> (Ledger, CommandLog, Vec<CommandEvent>) {
     let (mut ledger, mut log) = (Ledger::new(), CommandLog::default());
     let mut events = Vec::new();
@@ -39,7 +39,7 @@ fn commands_are_counted_per_vehicle_and_repetitions_once() {
         dangerous: 1,
         duplicates: 1,
     };
-    // What is given twice in mission time is so at any speed of the simulation.
+    // Duplicates by mission time are duplicates at any speed-up.
     for slower in [1, 20] {
         let (ledger, log, events) = logged(
             slower,

@@ -1,10 +1,10 @@
-//! Any flight.
+//! Arbitrary flights for property tests.
 
 use proptest::prelude::*;
 
 use super::*;
 
-/// Rules that any flight may break; none of them harms people.
+/// Rules that these flights may break; none of them harms people.
 const BROKEN: [SafetyKind; 8] = [
     SafetyKind::Geofence,
     SafetyKind::Crash,
@@ -35,7 +35,7 @@ prop_compose! {
     }
 }
 
-/// Each objective of a mission has its own words.
+/// Gives each objective its own texts.
 fn numbered((index, objective): (usize, ObjectiveFact)) -> ObjectiveFact {
     let words = |what: &str| format!("{what} {index}").into();
     ObjectiveFact {

@@ -1,11 +1,11 @@
-//! Properties of the score of any flight.
+//! Properties of the score of arbitrary flights.
 
 use proptest::prelude::*;
 
 use super::facts::any_facts;
 use super::*;
 
-/// What must never bring a point.
+/// Changes that must never gain a point.
 fn worse(facts: &Facts) -> Vec<(&'static str, Facts)> {
     let with = |change: &dyn Fn(&mut Facts)| {
         let mut changed = facts.clone();
@@ -89,7 +89,7 @@ fn worse(facts: &Facts) -> Vec<(&'static str, Facts)> {
     all
 }
 
-/// The same objectives and rules broken, everything else as it should be.
+/// The same objectives and broken rules, with everything else perfect.
 fn nearly_perfect(facts: Facts) -> Facts {
     let mut safety = facts.safety;
     safety.truncate(1);
@@ -154,7 +154,7 @@ proptest! {
         facts in any_facts(),
         good in any::<bool>(),
     ) {
-        // Random flights are seldom good enough for a medal.
+        // Random flights rarely earn a medal.
         let facts = if good { nearly_perfect(facts) } else { facts };
         let gates = ["safety >= 0.85", "crashes == 0", "cells >= 0.95"].map(|gate| Gate::parse(gate).expect("well formed"));
         let rules = ScoreRules { gold_requires: gates.to_vec(), ..rules() };

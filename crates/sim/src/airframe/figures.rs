@@ -10,36 +10,36 @@ use crate::kinematics::GRAVITY_M_S2;
 pub(crate) struct Figures {
     /// `mass`: ready to fly, in kilograms.
     pub(super) mass_kg: f64,
-    /// `diagonal_size`: how far the motors are from the centre, metres.
+    /// `diagonal_size`: distance of the motors from the centre, metres.
     pub(super) diagonal_m: f64,
     /// `refSpd`, `refAngle`: a speed through still air and the lean that holds it.
     pub(super) reference_speed_m_s: f64,
     pub(super) reference_lean_deg: f64,
-    /// `refVoltage`, `refCurrent`: what the hover takes.
+    /// `refVoltage`, `refCurrent`: voltage and current in the hover.
     pub(super) reference_voltage_v: f64,
     pub(super) reference_current_a: f64,
-    /// `refAlt`: where this was measured, metres above sea level.
+    /// `refAlt`: altitude of that measurement, metres above sea level.
     pub(super) reference_altitude_m: f64,
-    /// `refBatRes`: of the battery, in ohms.
+    /// `refBatRes`: resistance of the battery, in ohms.
     pub(super) battery_resistance_ohm: f64,
     /// `maxVoltage` of the full battery.
     pub(super) full_voltage_v: f64,
-    /// `battCapacityAh`; zero: never runs down.
+    /// `battCapacityAh`; zero for a battery that never runs down.
     pub(super) battery_capacity_ah: f64,
     /// `hoverThrOut`, 0 to 1.
     pub(super) hover_throttle: f64,
-    /// `propExpo`: how far thrust follows the square of the command.
+    /// `propExpo`: how closely thrust follows the square of the command.
     pub(super) expo: f64,
     /// `refRotRate`, degrees per second.
     pub(super) rotation_rate_deg_s: f64,
     /// `pwmMin`, `pwmMax`, microseconds; `spin_min`, `spin_max`, shares of that range.
     pub(super) pwm_us: (f64, f64),
     pub(super) spin: (f64, f64),
-    /// `slew_max`: most change of a command per second; zero: no limit.
+    /// `slew_max`: greatest change of a command per second; zero for no limit.
     pub(super) slew_per_s: f64,
     /// `disc_area` of all rotors, square metres.
     pub(super) disc_area_m2: f64,
-    /// `mdrag_coef`: how much the air that the rotors take in brakes.
+    /// `mdrag_coef`: the drag of the air that the rotors take in.
     pub(super) momentum_drag: f64,
     /// `moment_inertia`, kilogram square metres; zero: estimated.
     pub(super) inertia_kg_m2: DVec3,
@@ -52,7 +52,7 @@ impl Figures {
         self.reference_current_a * self.reference_voltage_v
     }
 
-    /// How fast the air is that the hover throws down, in metres per second, by momentum theory.
+    /// The speed of the air below the rotors in the hover, in metres per second, by momentum theory.
     pub(super) fn outflow_m_s(&self) -> f64 {
         2.0 * self.hover_power_w() / (self.mass_kg * GRAVITY_M_S2)
     }

@@ -9,7 +9,7 @@ use thiserror::Error;
 use super::{Figures, layout};
 use sortie_geo::maths;
 
-/// What is wrong with a frame file, and where.
+/// A fault in a frame file, with its position.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("line {line}, column {column}: {what}")]
 pub struct AirframeError {
@@ -17,11 +17,11 @@ pub struct AirframeError {
     pub line: usize,
     /// The column in that line, in characters, counted from 1.
     pub column: usize,
-    /// What is wrong, and what is expected.
+    /// The fault and the expected value.
     pub what: String,
 }
 
-/// A field that holds one number: its name, the range that makes sense, and where it goes.
+/// A field that holds one number: its name, its valid range, and the figure it sets.
 struct Number {
     name: &'static str,
     least: f64,
@@ -29,7 +29,7 @@ struct Number {
     place: fn(&mut Figures) -> &mut f64,
 }
 
-/// All of them. The ranges are wide enough for anything that flies, from a toy to a crewed multirotor.
+/// All of them. The ranges cover everything that flies, from a toy to a crewed multirotor.
 const NUMBERS: &[Number] = &[
     number("mass", 0.01, 10_000.0, |f| &mut f.mass_kg),
     number("diagonal_size", 0.02, 100.0, |f| &mut f.diagonal_m),
@@ -55,7 +55,7 @@ const NUMBERS: &[Number] = &[
     number("mdrag_coef", 0.0, 100.0, |f| &mut f.momentum_drag),
 ];
 
-/// Fields with a meaning of their own; the temperature is read by nobody, here as in `SIM_Frame`.
+/// Fields with a special meaning; the temperature is ignored, as in `SIM_Frame`.
 const OTHERS: [&str; 3] = ["num_motors", "moment_inertia", "refTempC"];
 
 const fn number(
@@ -72,7 +72,7 @@ const fn number(
     }
 }
 
-/// Reads the figures of a file, and what is to be warned of.
+/// Reads the figures of a file, with warnings.
 pub(super) fn read(text: &str) -> Result<(Figures, Vec<AirframeError>), AirframeError> {
     let file = File::parse(text)?;
     let mut figures = Figures::default();
@@ -90,7 +90,7 @@ pub(super) fn read(text: &str) -> Result<(Figures, Vec<AirframeError>), Airframe
             ));
         }
         if inertia.min_element() > 0.0 {
-            // Less than a thousandth of what the size suggests is a slip of units.
+            // Less than a thousandth of what the size suggests is an error of units.
             let least = figures.mass_kg * maths::powi(figures.diagonal_m, 2) * 1e-3;
             figures.inertia_kg_m2 = inertia.max(DVec3::splat(least));
         }
@@ -118,7 +118,7 @@ pub(super) fn json(text: &str) -> Result<Value, AirframeError> {
 }
 
 struct File {
-    /// The text with its comments blanked, so that places stay where they were.
+    /// The text with its comments blanked, so that positions do not change.
     text: String,
     fields: Map<String, Value>,
 }
@@ -203,7 +203,7 @@ impl File {
         Ok(())
     }
 
-    /// Motors that stand elsewhere than on the plus frame, or turn otherwise.
+    /// Reads motors that differ from the plus frame in position or spin.
     fn place_motors(&self, figures: &mut Figures) -> Result<(), AirframeError> {
         for (place, motor) in figures.motors.iter_mut().enumerate() {
             let name = |what: &str| format!("motor{}_{what}", place + 1);
@@ -233,7 +233,7 @@ impl File {
         Ok(())
     }
 
-    /// What no simulator reads. `ArduPilot` ignores it without a word.
+    /// Warnings about fields that no simulator reads. `ArduPilot` ignores them silently.
     fn unknown(&self, motors: usize) -> Vec<AirframeError> {
         let known = |name: &str| {
             NUMBERS.iter().any(|number| number.name == name)
@@ -259,7 +259,7 @@ impl File {
     }
 }
 
-/// The parser's reason without the place, which is told separately.
+/// The parser's reason without the position, which is reported separately.
 fn reason(error: &serde_json::Error) -> String {
     let text = error.to_string();
     let reason = text.split(" at line ").next().unwrap_or(&text);
@@ -287,7 +287,7 @@ pub(super) mod tests {
 
     use super::{NUMBERS, maths};
 
-    /// How many fields have a range.
+    /// The number of fields with a range.
     pub(in crate::airframe) const RANGES: usize = NUMBERS.len();
 
     /// Each field at a place in its range, 0 to 1: most of them near the default's size, as the square of the place

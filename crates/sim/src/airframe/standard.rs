@@ -6,22 +6,22 @@ use serde_json::json;
 
 use super::{Airframe, Figures, layout};
 
-/// Of a lithium polymer pack of three cells. SITL's default has none: it would hover for ever.
+/// The capacity of a lithium polymer pack of three cells. SITL's default has none: it would hover for ever.
 const CAPACITY_AH: f64 = 4.0;
-/// Volts under load at which the battery is low and critical. SITL's cells sag deeper than most: under the hover's 35 A
-/// they are there at about 20 and 10 % of the charge, so that voltage and charge tell the same.
+/// Volts under load at which the battery is low and critical. SITL's cells sag deeper than most: under the hover's 35
+/// A they reach these voltages at about 20 and 10 % of the charge, so that voltage and charge agree.
 const LOW_V: f64 = 9.9;
 const CRITICAL_V: f64 = 9.3;
-/// Shares of the charge at which the same holds.
+/// The equivalent shares of the charge.
 const LOW: f64 = 0.2;
 const CRITICAL: f64 = 0.1;
-/// `FailsafeAction`: home, and down on the spot.
+/// `FailsafeAction`: return to launch, and land.
 const RETURN: f64 = 2.0;
 const LAND: f64 = 1.0;
 
 impl Airframe {
-    /// SITL's default multirotor with so many motors and a battery of 4 Ah. When that is low the vehicle comes home,
-    /// when it is critical it lands. Both simulators are given it where no other airframe is named.
+    /// SITL's default multirotor with so many motors and a battery of 4 Ah. With a low battery the vehicle returns,
+    /// with a critical one it lands. Both simulators use it by default.
     pub fn standard(motors: usize) -> Self {
         let usual = Figures::default();
         let figures = Figures {

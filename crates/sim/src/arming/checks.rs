@@ -8,19 +8,19 @@ use crate::failsafe::{Failsafe, FailsafeRules};
 use crate::mode::{self, Mode};
 use crate::parameters::Parameters;
 
-/// Unasked, the reasons against arming are told this often.
+/// The interval of reports of the reasons against arming.
 pub(super) const REPORT_EVERY: Duration = Duration::from_secs(30);
-/// What newly speaks against arming is told this long after the last report.
+/// The delay of a report of new reasons, after the last report.
 pub(super) const REPORT_SOON: Duration = Duration::from_secs(4);
-/// The checks are made this often.
+/// The interval of the checks, in steps.
 pub(crate) const LOOK_STEPS: u64 = 100;
-/// The lowest throttle of a calibrated remote control, with the margin that is required to `FS_THR_VALUE`.
+/// The margin required between the lowest throttle of a calibrated remote control and `FS_THR_VALUE`.
 const THROTTLE_MARGIN_US: f64 = 10.0;
 const LOSS_OF_SIGNAL_US: f64 = 910.0;
 /// A throttle stick above this would lift a vehicle in a piloted mode, in microseconds.
 const CLIMB_US: u16 = 1600;
 
-/// What is checked before arming, each a bit of `ARMING_CHECK`.
+/// The checks before arming, each a bit of `ARMING_CHECK`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Check {
     Barometer = 1 << 1,
@@ -33,7 +33,7 @@ enum Check {
     Battery = 1 << 8,
 }
 
-/// What is checked, and parameters that are checked themselves.
+/// The selected checks, and parameters that are checked themselves.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct ArmingRules {
     checks: u32,
@@ -54,18 +54,18 @@ impl ArmingRules {
         }
     }
 
-    /// Whether nothing is checked that can be left out.
+    /// Whether all optional checks are off.
     pub(crate) fn is_off(&self) -> bool {
         self.checks == 0
     }
 
-    /// Bit 0 stands for all.
+    /// Bit 0 means all.
     fn has(&self, check: Check) -> bool {
         self.checks & (1 | check as u32) != 0
     }
 }
 
-/// What the checks look at.
+/// The inputs of the checks.
 pub(crate) struct ArmingChecks<'a> {
     pub(crate) rules: &'a ArmingRules,
     pub(crate) failsafe_rules: &'a FailsafeRules,
@@ -75,17 +75,17 @@ pub(crate) struct ArmingChecks<'a> {
     pub(crate) failsafe: &'a Failsafe,
     pub(crate) mode: &'a Mode,
     pub(crate) has_home: bool,
-    /// What the remote control says of its throttle, and the stick itself, in microseconds.
+    /// The throttle received from the remote control, and the stick itself, in microseconds.
     pub(crate) received_throttle_us: f64,
     pub(crate) throttle_us: u16,
-    /// What the battery, the workbench and the fence say against it.
+    /// The reasons against arming from the battery, the bench and the fence.
     pub(crate) battery: Option<&'static str>,
     pub(crate) workbench: Vec<&'static str>,
     pub(crate) fence: Option<&'static str>,
 }
 
 impl ArmingChecks<'_> {
-    /// Why the vehicle cannot be armed now; empty when it can.
+    /// The reasons against arming now; empty without any.
     pub(crate) fn obstacles(&self) -> Vec<&'static str> {
         if self.rules.is_off() {
             return self.mandatory_obstacles();
@@ -114,7 +114,7 @@ impl ArmingChecks<'_> {
         reasons
     }
 
-    /// What is looked at only when everything else is fine and arming was asked for.
+    /// Checks made only when all others pass and arming was requested.
     pub(crate) fn last_obstacles(&self) -> Vec<&'static str> {
         let by_itself = matches!(
             self.mode.number,
@@ -196,7 +196,7 @@ impl ArmingChecks<'_> {
         self.estimate_obstacle()
     }
 
-    /// The estimate itself: needed in modes that fly by it.
+    /// The check of the estimate, needed in modes that depend on it.
     fn estimate_obstacle(&self) -> Option<&'static str> {
         if !self.mode.needs_position() {
             return None;

@@ -1,4 +1,4 @@
-//! Moving on through the list: which command is started next, and when the mission is over.
+//! Advancing through the list: the next command, and the end of the mission.
 
 use mavlink::dialects::ardupilotmega::MavSeverity;
 
@@ -6,11 +6,11 @@ use super::{AutoPlan, FIRST, PlanAction, PlanState, PlanWait, sequence};
 use crate::task::{Route, Task};
 use crate::vehicle::Vehicle;
 
-/// How many items a navigation command may be searched over in one step.
+/// The most items searched for a navigation command in one step.
 const ITEMS_PER_STEP: usize = 255;
 
 impl AutoPlan {
-    /// Starts the mission, or goes on where it stands, as `MIS_RESTART` says.
+    /// Starts the mission, or resumes it, as `MIS_RESTART` says.
     pub(super) fn start_or_resume(&mut self, vehicle: &mut Vehicle) {
         let resumes = std::mem::take(&mut self.resumes);
         if vehicle.tuning.flight.auto.restarts && !resumes {
@@ -30,8 +30,8 @@ impl AutoPlan {
         }
     }
 
-    /// Goes on where the mission stands: the action or the navigation command there begins again. A mission that is
-    /// complete or stands nowhere starts from the first item.
+    /// Resumes at the current item: its action or navigation command begins again. A mission that is complete or has
+    /// no current item starts from the first one.
     pub(super) fn resume(&mut self, vehicle: &mut Vehicle) {
         let at = self.nav.filter(|&at| vehicle.plans.item(at).is_some());
         let Some(at) = at.filter(|_| self.state != PlanState::Complete) else {
@@ -46,7 +46,7 @@ impl AutoPlan {
         };
     }
 
-    /// Finds the navigation command of a mission that does not run, and the action before it.
+    /// Finds the navigation command of a stopped mission, and the action before it.
     pub(super) fn prepare(&mut self, vehicle: &mut Vehicle, from: u16) -> bool {
         let mut at = from;
         for _ in 0..ITEMS_PER_STEP {
@@ -74,7 +74,7 @@ impl AutoPlan {
         false
     }
 
-    /// One step of a running mission: what is over is followed by what comes next.
+    /// One step of a running mission: finished commands are followed by the next ones.
     pub(super) fn update(&mut self, vehicle: &mut Vehicle) {
         match self.nav.filter(|_| self.nav_loaded) {
             None => {

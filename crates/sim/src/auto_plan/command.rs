@@ -1,8 +1,8 @@
-//! The vehicle's names for the commands of a plan, and its answers to them.
+//! The vehicle's names for the commands of a plan.
 
 use crate::cmd;
 
-/// Names as they stand in the texts of the vehicle.
+/// Names as in the vehicle's texts.
 const NAMES: &[(u16, &str)] = &[
     (cmd::NAV_WAYPOINT, "WP"),
     (cmd::NAV_LOITER_UNLIM, "LoitUnlim"),
@@ -68,7 +68,7 @@ const NAMES: &[(u16, &str)] = &[
     (cmd::NAV_ATTITUDE_TIME, "NavAttitudeTime"),
 ];
 
-/// Commands that the mission itself carries out: over at once, and never reported as reached.
+/// Commands carried out by the mission itself: complete at once, and never reported as reached.
 const QUIET: &[u16] = &[
     cmd::DO_SET_RELAY,
     cmd::DO_REPEAT_RELAY,
@@ -102,7 +102,7 @@ pub(super) fn name(number: u16) -> &'static str {
         .map_or("?", |(_, name)| name)
 }
 
-/// Whether the command is over at once and not reported as reached.
+/// Whether the command completes at once and is not reported as reached.
 pub(super) fn is_quiet(number: u16) -> bool {
     QUIET.contains(&number)
 }

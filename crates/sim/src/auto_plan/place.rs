@@ -9,7 +9,7 @@ use crate::task::Task;
 use crate::vehicle::Vehicle;
 use sortie_geo::LatLon;
 
-/// Heights beyond this are mistakes, metres.
+/// Heights beyond this are errors, metres.
 const HEIGHT_MAX_M: f32 = 1e6;
 
 impl AutoPlan {
@@ -40,8 +40,8 @@ impl AutoPlan {
     }
 }
 
-/// The point of an item (north, east, down from the start). What the item leaves out, a place of 0, 0 or a height
-/// of 0, is taken from `otherwise`.
+/// The point of an item (north, east, down from the start). A missing place (0, 0) or height (0) is taken from
+/// `otherwise`.
 pub(super) fn item_point(vehicle: &Vehicle, item: &Item, otherwise: DVec3) -> DVec3 {
     let flat = item_place(vehicle, item).unwrap_or_else(|| otherwise.truncate());
     let down_m = if item.z == 0.0 {
@@ -62,7 +62,7 @@ pub(super) fn item_place(vehicle: &Vehicle, item: &Item) -> Option<glam::DVec2> 
     Some(glam::DVec2::new(north, east))
 }
 
-/// The height of an item as metres down from the start; in a frame the vehicle lacks it counts from home.
+/// The height of an item as metres down from the start; in an unsupported frame it counts from home.
 pub(super) fn item_down_m(vehicle: &Vehicle, item: &Item) -> f64 {
     let height = if item.z.is_finite() { item.z } else { 0.0 };
     let height_m = f64::from(height.clamp(-HEIGHT_MAX_M, HEIGHT_MAX_M));
@@ -72,7 +72,7 @@ pub(super) fn item_down_m(vehicle: &Vehicle, item: &Item) -> f64 {
     }
 }
 
-/// What a navigation command takes its missing coordinates from: the goal that was reached, or the vehicle's place.
+/// The source of missing coordinates: the last goal reached, or the vehicle's position.
 pub(super) fn reference_point(vehicle: &Vehicle) -> DVec3 {
     if let Task::Route(route) = &vehicle.flight.task
         && route.reached

@@ -14,15 +14,15 @@ use crate::task::{Landing, Orbit, Returning, Route, Takeoff, Task};
 use crate::vehicle::Vehicle;
 use crate::yaw::YawDemand;
 use sortie_geo::LatLon;
-/// A takeoff from the ground goes at least this far up.
+/// The least climb of a takeoff from the ground.
 const LEAST_CLIMB_M: f64 = 1.0;
-/// A circle begins at once within this distance of its edge.
+/// The distance from its edge within which a circle begins at once.
 const AT_EDGE_M: f64 = 3.0;
 /// Radii of this size and more are stored in steps of 10 m.
 const COARSE_RADIUS_M: f64 = 255.0;
 
 impl AutoPlan {
-    /// Starts a navigation command; `false` for one the vehicle cannot fly, so that the next one is tried.
+    /// Starts a navigation command; `false` for one that cannot be flown, so that the next one is tried.
     pub(super) fn start_navigation(&mut self, vehicle: &mut Vehicle, at: u16) -> bool {
         let Some(item) = announce_item(vehicle, at) else {
             return false;
@@ -92,7 +92,7 @@ impl AutoPlan {
         }
     }
 
-    /// A takeoff that waits lifts once the motors run and the throttle is up.
+    /// Starts a waiting takeoff once the motors run and the throttle is up.
     pub(super) fn lift_if_allowed(&mut self, vehicle: &mut Vehicle) {
         let throttle_up = !vehicle.sticks().throttle_is_low();
         self.may_lift |= throttle_up || vehicle.tuning.flight.auto.lifts_unasked;
@@ -105,7 +105,7 @@ impl AutoPlan {
         }
     }
 
-    /// Flies a route on from where the vehicle is, or from the end of the one it flies.
+    /// Extends the route from the vehicle's position, or from the end of the present route.
     pub(super) fn fly_to(&mut self, vehicle: &mut Vehicle, goal_m: DVec3, wait: PlanWait) {
         vehicle.with_cockpit(|task, cockpit| {
             if !matches!(task, Task::Route(_)) {
@@ -170,7 +170,7 @@ impl AutoPlan {
         }
     }
 
-    /// To the place of the item, at the present height, and down; or down at once.
+    /// Flies to the item's place at the present height and lands; without a place, lands at once.
     fn begin_landing(&mut self, vehicle: &mut Vehicle, item: &Item) {
         match item_place(vehicle, item) {
             Some(flat) => {
@@ -212,7 +212,7 @@ impl AutoPlan {
         }
     }
 
-    /// The edge is reached: the circle begins.
+    /// Begins the circle at its edge.
     pub(super) fn begin_turning(&mut self, vehicle: &mut Vehicle, mut orbit: Orbit) {
         orbit.begin(vehicle.believed().position_m);
         if !self.looks_at_place {
@@ -236,8 +236,8 @@ impl AutoPlan {
     }
 }
 
-/// A point as the vehicle stores places: in 1e-7 degrees and centimetres. That is why even a stay on the spot
-/// begins with a way, of a few millimetres and about a second.
+/// A point as the vehicle stores places: in 1e-7 degrees and centimetres. Therefore even a stay in place begins with a
+/// leg of a few millimetres that takes about a second.
 fn stored(vehicle: &Vehicle, point_m: DVec3) -> DVec3 {
     let place = vehicle.datum.place_of(point_m);
     let (lat, lon) = place.at.to_e7();
@@ -247,7 +247,7 @@ fn stored(vehicle: &Vehicle, point_m: DVec3) -> DVec3 {
     })
 }
 
-/// Says which command begins.
+/// Reports the command that begins.
 fn announce_item(vehicle: &mut Vehicle, at: u16) -> Option<Item> {
     let item = vehicle.plans.item(at)?;
     let name = command::name(item.command);
@@ -261,7 +261,7 @@ fn announce_item(vehicle: &mut Vehicle, at: u16) -> Option<Item> {
     Some(item)
 }
 
-/// The kinds of speed that are not over ground, of `DO_CHANGE_SPEED`.
+/// The types of speed of `DO_CHANGE_SPEED` that are not over ground.
 const CLIMB: i32 = SpeedType::SPEED_TYPE_CLIMB_SPEED as i32;
 const DESCENT: i32 = SpeedType::SPEED_TYPE_DESCENT_SPEED as i32;
 

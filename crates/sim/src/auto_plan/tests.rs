@@ -1,4 +1,4 @@
-//! Missions against what a real vehicle did with the same ones.
+//! Missions compared with flights of a real vehicle.
 
 mod any;
 mod flown;
@@ -94,7 +94,7 @@ impl Ground {
         )
     }
 
-    /// What was said about the mission since the last time, in order: texts, and reached items as "R n".
+    /// The mission's messages since the last call, in order: texts, and reached items as "R n".
     fn news(&mut self) -> Vec<String> {
         let said = self
             .messages_since(0)
@@ -112,7 +112,7 @@ impl Ground {
         said
     }
 
-    /// Runs until something is said; how long that took, and what was said in that step.
+    /// Runs until the next message; returns the time it took, and the messages of that step.
     fn next_news(&mut self, most_s: f64) -> (f64, Vec<String>) {
         let mut elapsed = 0.0;
         while elapsed < most_s {

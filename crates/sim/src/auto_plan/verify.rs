@@ -1,4 +1,4 @@
-//! Whether the commands of a mission are over.
+//! When commands of a mission are complete.
 
 use std::time::Duration;
 
@@ -12,13 +12,13 @@ use crate::plan::Item;
 use crate::task::{Landing, Task};
 use crate::vehicle::Vehicle;
 
-/// How fast the last bit of a height is approached: fitted to 4 m in 3.8 s.
+/// The gain of the final approach to a height: fitted to 4 m in 3.8 s.
 const HEIGHT_GAIN_PER_S: f64 = 1.5;
 /// A height is reached within this distance.
 const HEIGHT_REACHED_M: f64 = 0.05;
 
 impl AutoPlan {
-    /// Whether the navigation command is over; that it is goes into the slot of reached items.
+    /// Whether the navigation command is over; if so, fills the slot of reached items.
     pub(super) fn navigation_is_over(&mut self, vehicle: &mut Vehicle, at: u16) -> bool {
         let item = self.nav_item;
         let over = match item.command {
@@ -44,7 +44,7 @@ impl AutoPlan {
         over
     }
 
-    /// Whether the action or condition is over.
+    /// Whether the action or condition is complete.
     pub(super) fn action_is_over(&mut self, vehicle: &mut Vehicle, at: u16) -> bool {
         let Some(item) = vehicle.plans.item(at) else {
             return true;
@@ -101,7 +101,7 @@ impl AutoPlan {
         matches!(&vehicle.flight.task, Task::Orbit(orbit) if orbit.turns() >= f64::from(item.p[0]))
     }
 
-    /// First over the place, then at the height, which may be passed as well as met.
+    /// Waits for the place, then for the height, which may be passed or reached.
     fn has_height(&mut self, vehicle: &mut Vehicle) -> bool {
         let PlanWait::Height { down_m, left_m } = self.wait.clone() else {
             return false;
@@ -132,7 +132,7 @@ impl AutoPlan {
         left.abs() < HEIGHT_REACHED_M || passed
     }
 
-    /// After a landing the vehicle disarms and the mission begins anew, unless it is to go on with a takeoff.
+    /// Handles a landing: the vehicle disarms and the mission resets, unless a takeoff follows.
     fn has_landed(&mut self, vehicle: &mut Vehicle, at: u16) -> bool {
         if self.wait == PlanWait::LandingPlace {
             if matches!(&vehicle.flight.task, Task::Route(route) if route.reached) {

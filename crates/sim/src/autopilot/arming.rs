@@ -8,7 +8,7 @@ use crate::mode;
 use crate::vehicle::Vehicle;
 
 impl Autopilot {
-    /// Arms, or says why not. Forced, only the checks that cannot be switched off count.
+    /// Arms, or reports why not. When forced, only the mandatory checks apply.
     pub(crate) fn arm(&mut self, forced: bool) -> bool {
         if self.vehicle.safety.armed {
             return true;
@@ -72,13 +72,13 @@ impl Autopilot {
         }
     }
 
-    /// Whether `SYS_STATUS` may say that all pre-arm checks pass.
+    /// Whether `SYS_STATUS` reports that all pre-arm checks pass.
     pub(crate) fn is_armable(&self) -> bool {
         let is_checked = self.vehicle.boot.is_checked();
         self.vehicle.safety.armed || (is_checked && self.arming_checks().obstacles().is_empty())
     }
 
-    /// Tells, now and then, what speaks against arming.
+    /// Reports the reasons against arming now and then.
     pub(super) fn report_obstacles(&mut self) {
         let vehicle = &self.vehicle;
         let looks = vehicle.steps.is_multiple_of(LOOK_STEPS);

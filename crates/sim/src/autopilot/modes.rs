@@ -13,7 +13,7 @@ use crate::vehicle::AskedSpeeds;
 use crate::yaw::YawDemand;
 
 impl Autopilot {
-    /// Enters a mode, or says why not. Entering the present mode changes nothing.
+    /// Enters a mode, or reports why not. Entering the present mode changes nothing.
     pub(crate) fn set_mode(&mut self, number: u8) -> bool {
         let Some(mode) = Mode::numbered(number) else {
             self.vehicle.say(
@@ -55,7 +55,7 @@ impl Autopilot {
         true
     }
 
-    /// Ends the BRAKE of the pause button.
+    /// Ends the pause button's BRAKE.
     pub(super) fn watch_brake(&mut self) {
         let now = self.vehicle.uptime();
         if self
@@ -93,7 +93,7 @@ impl Autopilot {
             mode::RTL => self.vehicle.flight.yaw.demand = self.vehicle.default_yaw_home(),
             _ => {}
         }
-        // The heartbeat overtakes the texts that wait to be sent.
+        // The heartbeat precedes waiting texts.
         let before_texts = self
             .vehicle
             .outbox
@@ -106,7 +106,7 @@ impl Autopilot {
         self.vehicle.fence.mode_changed(self.vehicle.uptime());
     }
 
-    /// At the end of the initialisation the first mode is entered, whatever was asked before.
+    /// At the end of the initialisation, enters the first mode, whatever was requested before.
     pub(super) fn go_back_to_first_mode(&mut self) {
         if self.vehicle.flight.mode != Mode::BOOT {
             self.vehicle.flight.mode = Mode::BOOT;
@@ -164,7 +164,7 @@ impl Autopilot {
         true
     }
 
-    /// Goes on from the nearest `DO_LAND_START`, in a mode that ground stations see as AUTO RTL.
+    /// Continues at the nearest `DO_LAND_START`, in a mode reported as AUTO RTL.
     pub(crate) fn fly_landing_sequence(&mut self) -> bool {
         let worked = self
             .auto_plan
@@ -181,7 +181,7 @@ impl Autopilot {
         returns
     }
 
-    /// The mode that ground stations see: AUTO on the way to a landing has a number of its own.
+    /// The mode in telemetry: AUTO during a landing sequence has its own number.
     pub(crate) fn reported_mode(&self) -> u8 {
         if self.vehicle.flight.mode.number == mode::AUTO && self.auto_plan.is_returning() {
             mode::AUTO_RTL

@@ -1,4 +1,4 @@
-//! The autopilot's reactions to what its watching parts report.
+//! The autopilot's reactions to its monitoring parts.
 
 use std::time::Duration;
 
@@ -10,16 +10,16 @@ use crate::mode;
 use crate::reaction::{FailsafeAction, Reaction};
 use crate::task::Task;
 
-/// A landing that a failsafe begins waits this long before it descends.
+/// The delay before the descent of a landing begun by a failsafe.
 const PAUSE: Duration = Duration::from_secs(4);
 /// The id of `FENCE_STATUS`.
 const FENCE_STATUS: u32 = 162;
 
-/// Looks at one thing.
+/// A failsafe check.
 type Watch = fn(&mut Failsafe, &FailsafeInputs<'_>) -> Vec<Reaction>;
 
 impl Autopilot {
-    /// Does what parts ask for, in order.
+    /// Carries out the parts' reactions, in order.
     pub(super) fn react(&mut self, reactions: impl IntoIterator<Item = Reaction>) {
         for reaction in reactions {
             match reaction {
@@ -40,7 +40,7 @@ impl Autopilot {
         }
     }
 
-    /// Looks at the links, the estimate and the battery, and acts. Each sees what the one before has done.
+    /// Checks the links, the estimate and the battery, in order; each sees the effects of the one before.
     pub(super) fn watch_failsafes(&mut self) {
         const WATCHES: [Watch; 3] = [
             Failsafe::watch_station,
@@ -52,7 +52,7 @@ impl Autopilot {
         }
     }
 
-    /// Looks at the remote control.
+    /// Checks the remote control.
     pub(super) fn watch_radio(&mut self) {
         if self.failsafe.doubts_radio(self.vehicle.tuning.faults.radio) {
             self.watch_failsafe(Failsafe::watch_radio);
@@ -121,7 +121,7 @@ impl Autopilot {
         self.vehicle.say(MavSeverity::MAV_SEVERITY_CRITICAL, &text);
     }
 
-    /// LAND, which first waits a while.
+    /// LAND with a delay.
     fn land_after_pause(&mut self) {
         let already = self.vehicle.flight.mode.number == mode::LAND;
         if self.set_mode(mode::LAND) && !already {
@@ -142,7 +142,7 @@ impl Autopilot {
         self.vehicle.say(MavSeverity::MAV_SEVERITY_WARNING, text);
     }
 
-    /// Looks at the fences and acts on a breach.
+    /// Checks the fences and reacts to a breach.
     pub(super) fn watch_fence(&mut self) {
         let vehicle = &mut self.vehicle;
         let rules = &vehicle.tuning.flight.fence;
@@ -170,7 +170,7 @@ impl Autopilot {
         }
     }
 
-    /// Does what the sticks and the mode switch ask for.
+    /// Obeys the sticks and the mode switch.
     pub(super) fn watch_sticks(&mut self) {
         let vehicle = &mut self.vehicle;
         let (armed, now) = (vehicle.safety.armed, vehicle.uptime());

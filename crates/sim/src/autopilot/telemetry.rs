@@ -35,7 +35,7 @@ use self::Builder::{Always, Sometimes};
 use super::Autopilot;
 use crate::schedule::{TERRAIN_REPORT, TERRAIN_REQUEST};
 
-/// The real vehicle accepts requests for these, but without the hardware behind them it sends nothing.
+/// Messages that the real vehicle can be asked for, but does not send without the hardware.
 const SILENT: &[u32] = &[
     PARAM_VALUE_DATA::ID,
     RC_CHANNELS_SCALED_DATA::ID,
@@ -69,10 +69,10 @@ const SILENT: &[u32] = &[
     UAVIONIX_ADSB_OUT_STATUS_DATA::ID,
     AOA_SSA_DATA::ID,
 ];
-/// Sent with another message and not to be asked for by itself.
+/// Sent with another message and not available by itself.
 const UNASKABLE: u32 = TERRAIN_REPORT;
 
-/// How a message is made: it can be made at any time, or not always.
+/// How a message is built: at any time, or only in some states.
 #[derive(Clone, Copy)]
 enum Builder {
     Always(fn(&Autopilot) -> MavMessage),
@@ -176,12 +176,12 @@ const TABLE: &[(u32, Builder)] = &[
     (ESC_TELEMETRY_1_TO_4_DATA::ID, Always(extra::esc_telemetry)),
 ];
 
-/// The message of an id as it reads now; `None` if the vehicle has nothing to say under that id.
+/// The current message with an id; `None` if the vehicle has none.
 pub(crate) fn message(id: u32, autopilot: &Autopilot) -> Option<MavMessage> {
     builder(id)?.build(autopilot)
 }
 
-/// Whether the firmware knows the message, so that it can be asked for.
+/// Whether the firmware knows the message, so that it can be requested.
 pub(crate) fn is_known(id: u32) -> bool {
     id != UNASKABLE && (builder(id).is_some() || SILENT.contains(&id))
 }

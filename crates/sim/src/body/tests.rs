@@ -29,7 +29,7 @@ fn flying(height_m: f64, velocity_m_s: DVec3) -> Body {
     body
 }
 
-/// Per mass, counted from the ground.
+/// The energy per mass, relative to the ground.
 fn energy(body: &Body) -> f64 {
     0.5 * body.velocity_m_s.length_squared() + GRAVITY_M_S2 * body.height_m()
 }

@@ -7,8 +7,8 @@ const CELL_M: f64 = 4.0;
 /// The end of a chain.
 const NONE: u32 = u32::MAX;
 
-/// Cells are chains in a table of twice as many slots as bodies. Different cells may share a slot; a body knows its
-/// own cell.
+/// Cells are chains in a table of twice as many slots as bodies. Different cells may share a slot; each body has its
+/// own cell stored.
 #[derive(Debug, Default)]
 pub(super) struct CollisionGrid {
     heads: Vec<u32>,
@@ -17,7 +17,7 @@ pub(super) struct CollisionGrid {
 }
 
 impl CollisionGrid {
-    /// Begins anew with these bodies, numbered in order.
+    /// Fills the grid with these bodies, numbered in order.
     pub(super) fn fill(&mut self, centres: impl ExactSizeIterator<Item = DVec3>) {
         let slots = (2 * centres.len()).next_power_of_two();
         self.heads.clear();
@@ -31,7 +31,7 @@ impl CollisionGrid {
         }
     }
 
-    /// Calls `found` for every body in the cells that a circle around a point touches, once each.
+    /// Calls `found` once for every body in the cells that a circle around a point touches.
     pub(super) fn near(&self, centre: DVec3, reach_m: f64, mut found: impl FnMut(usize)) {
         for north in cell(centre.x - reach_m)..=cell(centre.x + reach_m) {
             for east in cell(centre.y - reach_m)..=cell(centre.y + reach_m) {
@@ -53,7 +53,7 @@ impl CollisionGrid {
     }
 }
 
-/// The row or column of a coordinate; beyond the range of the type everything shares the last one.
+/// The row or column of a coordinate; values out of range share the last one.
 fn cell(metres: f64) -> i32 {
     (metres / CELL_M).floor() as i32
 }

@@ -9,21 +9,21 @@ use sortie_geo::maths;
 
 /// The side of the cells in which obstacles are looked up.
 const CELL_M: f64 = 16.0;
-/// An obstacle that covers more cells than this is looked at everywhere.
+/// An obstacle that covers more cells than this is checked everywhere.
 const CELLS_MAX: f64 = 4096.0;
 
-/// Something that stands in the way.
+/// An obstacle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Obstacle {
-    /// Where the middle of its foot is.
+    /// The position of its base's centre.
     pub placement: Placement,
-    /// Its outline seen from above, around that place.
+    /// Its outline from above, around that position.
     pub shape: Shape,
-    /// From its foot upwards, in metres.
+    /// Its height, in metres.
     pub height_m: f64,
 }
 
-/// Where the middle of an obstacle's foot is.
+/// The position of the centre of an obstacle's base.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Placement {
     /// Metres north, east and down from the start of the first vehicle.
@@ -42,24 +42,24 @@ pub enum Placement {
 pub enum Shape {
     /// A rectangle, so that the obstacle is a box.
     Box {
-        /// From one end to the other, metres.
+        /// Its length, metres.
         length_m: f64,
-        /// Across its length, metres.
+        /// Its width, metres.
         width_m: f64,
-        /// Where its length points, degrees clockwise from north.
+        /// The direction of its length, degrees clockwise from north.
         heading_deg: f64,
     },
     /// A circle, so that the obstacle is an upright cylinder.
     Cylinder {
-        /// From its middle to its edge, metres.
+        /// Its radius, metres.
         radius_m: f64,
     },
 }
 
-/// How a ball touches a solid.
+/// The contact of a sphere with a solid.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Contact {
-    /// From the solid to the ball, of length 1.
+    /// The unit vector from the solid to the sphere.
     pub(super) outwards: DVec3,
     pub(super) depth_m: f64,
 }
@@ -86,7 +86,7 @@ pub(super) struct Obstacles {
     solids: Vec<Solid>,
     /// Cells of the grid with the solid in each, sorted.
     cells: Vec<((i32, i32), usize)>,
-    /// Those that cover too much ground.
+    /// Obstacles that cover too much ground.
     everywhere: Vec<usize>,
 }
 
@@ -110,7 +110,7 @@ impl Obstacles {
         self.solids.is_empty()
     }
 
-    /// The obstacle that a ball is deepest in, by its number in the configuration.
+    /// The obstacle that a sphere penetrates deepest, by its index in the configuration.
     pub(super) fn touched(&self, centre: DVec3, radius_m: f64) -> Option<(usize, Contact)> {
         let here = (cell(centre.x), cell(centre.y));
         let first = self.cells.partition_point(|(cell, _)| *cell < here);

@@ -1,4 +1,4 @@
-//! Collisions of vehicles that fly, and of bodies placed by hand.
+//! Collisions of flying vehicles, and of bodies placed by hand.
 
 use mavlink::dialects::ardupilotmega::MavCmd;
 use proptest::prelude::*;
@@ -24,7 +24,7 @@ fn autopilot(at: [f64; 3], velocity: [f64; 3], in_air: bool) -> Autopilot {
     autopilot
 }
 
-/// What happens to each vehicle, and between whom.
+/// The effects on each vehicle, and the pairs.
 fn outcome(autopilots: &[Autopilot]) -> (Vec<DVec3>, Vec<(usize, Met)>) {
     let mut collisions = Collisions::new(Some(start()), &[]);
     let mut changes = vec![DVec3::ZERO; autopilots.len()];
@@ -38,7 +38,7 @@ fn outcome(autopilots: &[Autopilot]) -> (Vec<DVec3>, Vec<(usize, Met)>) {
     (changes, met.collect())
 }
 
-/// The pairs that touch and approach, each against each.
+/// The pairs that touch and approach, by brute force.
 fn pairs_by_hand(autopilots: &[Autopilot]) -> Vec<(usize, usize)> {
     let mut pairs = Vec::new();
     for (first, a) in autopilots.iter().enumerate() {
@@ -82,7 +82,7 @@ proptest! {
             prop_assert!(own.distance(*other) < 1e-12, "{} {}", own, other);
         }
         prop_assert_eq!(met.len(), mirrored_met.len());
-        // What one gets the others lose.
+        // Momentum is conserved.
         prop_assert!(changes.iter().sum::<DVec3>().length() < 1e-9);
     }
 }
@@ -164,7 +164,7 @@ fn house(north_m: f64, height_m: f64) -> Obstacle {
     obstacle(north_m, shape, height_m)
 }
 
-/// Hovers at 10 m, then flies 40 m north at 5 m/s past or into these.
+/// Hovers at 10 m, then flies 40 m north at 5 m/s past or into these obstacles.
 fn fly_north(obstacles: &[Obstacle]) -> Ground {
     let mut ground = Ground::in_world(&WorldConfig {
         obstacles: obstacles.to_vec(),

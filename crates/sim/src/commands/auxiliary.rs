@@ -1,4 +1,4 @@
-//! `DO_AUX_FUNCTION`: what a switch of a transmitter can do, done by a ground station.
+//! `DO_AUX_FUNCTION`: functions of a transmitter's switch, triggered by a ground station.
 
 use mavlink::dialects::ardupilotmega::{MavResult, MavSeverity};
 
@@ -31,7 +31,7 @@ const MODES: &[(i32, u8)] = &[
 ];
 const ARM_OR_DISARM: i32 = 153;
 const DISARM: i32 = 81;
-/// Functions that are there and change nothing that is simulated.
+/// Functions that exist but change nothing in the simulation.
 const WITHOUT_EFFECT: &[i32] = &[
     2, 3, 5, 7, 9, 10, 11, 13, 14, 15, 19, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 34, 35,
     36, 37, 38, 39, 40, 44, 45, 46, 57, 58, 60, 61, 62, 65, 66, 67, 75, 76, 78, 79, 80, 83, 84, 85,
@@ -39,7 +39,7 @@ const WITHOUT_EFFECT: &[i32] = &[
     160, 162, 163, 164, 165, 171, 172, 177, 178, 212, 213, 214, 215, 216, 217, 218, 300, 301, 302,
     303, 304, 305, 306, 307,
 ];
-/// Functions that are there but fail.
+/// Functions that exist but fail.
 const FAILING: &[i32] = &[166, 167, 168, 169, 174, 175];
 
 pub(super) fn switch(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
@@ -53,7 +53,7 @@ pub(super) fn switch(autopilot: &mut Autopilot, _: &mut Link, command: &Command)
         if position == HIGH {
             autopilot.set_mode(*number);
         } else if position == LOW && autopilot.vehicle.flight.mode.number == *number {
-            // Back to what the mode switch of the transmitter says.
+            // Returns to the mode of the transmitter's switch.
             autopilot.obey_mode_switch();
         }
         return MavResult::MAV_RESULT_ACCEPTED;

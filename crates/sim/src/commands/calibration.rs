@@ -6,7 +6,7 @@ use super::{Command, done};
 use crate::autopilot::Autopilot;
 use crate::link::Link;
 
-/// The parameter that accepts the calibration which is there.
+/// The parameter that accepts the existing calibration.
 const FORCE: f32 = 76.0;
 const FORCE_WHOLE: i32 = 76;
 

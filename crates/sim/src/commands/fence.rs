@@ -1,4 +1,4 @@
-//! The command that switches the fence.
+//! The command that switches the fence on and off.
 
 use mavlink::dialects::ardupilotmega::MavResult;
 

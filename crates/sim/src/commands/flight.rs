@@ -15,11 +15,11 @@ use crate::task::{Takeoff, Task};
 
 /// The second parameter that makes disarming work in the air.
 const FORCE: f32 = 21196.0;
-/// The second parameter that makes arming ignore what can be ignored.
+/// The second parameter that makes arming skip optional checks.
 const FORCE_ARMING: f32 = 2989.0;
-/// What a takeoff in a mode with a pilot lifts before a throttle that is all the way down counts again.
+/// The height of a takeoff in a piloted mode above which a zero throttle counts again.
 const PILOTED_TAKEOFF_M: f64 = 1.0;
-/// The highest altitude a command may ask for.
+/// The highest altitude in a command.
 const ALTITUDE_MAX_M: f64 = 83_000.0;
 /// Bits of the base mode: the custom mode counts; the safety switch is meant.
 const CUSTOM_MODE: i32 = MavModeFlag::MAV_MODE_FLAG_CUSTOM_MODE_ENABLED.bits() as i32;
@@ -99,7 +99,7 @@ pub(super) fn takeoff(autopilot: &mut Autopilot, _: &mut Link, command: &Command
     {
         return MavResult::MAV_RESULT_DENIED;
     }
-    // With a third parameter of zero the vehicle must hold its place by itself.
+    // With a third parameter of zero, the vehicle must be able to hold its position.
     let navigates = command.p[2] == 0.0;
     done(take_off(autopilot, f64::from(command.z), navigates))
 }
@@ -112,7 +112,7 @@ pub(super) fn fly_button(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -
     MavResult::MAV_RESULT_ACCEPTED
 }
 
-/// Held down: arms, takes off or lands.
+/// The fly button held down: arms, takes off or lands.
 pub(super) fn fly_button_held(
     autopilot: &mut Autopilot,
     _: &mut Link,

@@ -68,7 +68,7 @@ pub(super) fn change_speed(
     MavResult::MAV_RESULT_ACCEPTED
 }
 
-/// The place of a command, with the height that its frame means; `None` where it cannot be one.
+/// A command's place, with the height in its frame; `None` if invalid.
 pub(super) fn place(autopilot: &mut Autopilot, command: &Command, frame: u8) -> Option<Place> {
     let height_m = f64::from(command.z);
     if height_m.is_nan() || height_m.abs() > HEIGHT_MAX_M {

@@ -88,7 +88,7 @@ pub(super) fn safety_switch(
     MavResult::MAV_RESULT_ACCEPTED
 }
 
-/// Sets what is left in the battery, in percent.
+/// Sets the battery's remaining charge, in percent.
 pub(super) fn battery_reset(
     autopilot: &mut Autopilot,
     _: &mut Link,

@@ -15,7 +15,7 @@ pub(super) fn start(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -> Mav
     done(autopilot.start_mission())
 }
 
-/// The mission goes on at the nearest start of a landing; without one there is no such mode.
+/// Continues at the nearest start of a landing; without one the mode does not exist.
 pub(super) fn start_landing_sequence(
     autopilot: &mut Autopilot,
     _: &mut Link,
@@ -35,7 +35,7 @@ pub(super) fn start_landing_sequence(
     MavResult::MAV_RESULT_FAILED
 }
 
-/// The item must exist; the second parameter forgets the jumps and lets the mission run.
+/// The item must exist; the second parameter resets the jumps and restarts the mission.
 pub(super) fn set_current(
     autopilot: &mut Autopilot,
     link: &mut Link,

@@ -9,9 +9,9 @@ use crate::autopilot::Autopilot;
 use crate::frame;
 use crate::link::Link;
 
-/// The sixth parameter that reboots an armed vehicle too.
+/// The sixth parameter that forces a reboot of an armed vehicle.
 const FORCE_REBOOT: i32 = 20_190_226;
-/// The first parameter of `PREFLIGHT_STORAGE` that brings the defaults back.
+/// The first parameter of `PREFLIGHT_STORAGE` that restores the defaults.
 const ERASE: f32 = PreflightStorageParameterAction::PARAM_RESET_FACTORY_DEFAULT as u8 as f32;
 /// The first parameters of `PREFLIGHT_REBOOT_SHUTDOWN` that the vehicle knows.
 const REBOOT: f32 = RebootShutdownAction::REBOOT_SHUTDOWN_ACTION_REBOOT as u8 as f32;
@@ -74,7 +74,7 @@ pub(super) fn high_latency(
     MavResult::MAV_RESULT_ACCEPTED
 }
 
-/// Says which pre-arm checks fail.
+/// Reports the failing pre-arm checks.
 pub(super) fn run_checks(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -> MavResult {
     if autopilot.vehicle.safety.armed {
         return MavResult::MAV_RESULT_TEMPORARILY_REJECTED;
@@ -88,7 +88,7 @@ pub(super) fn run_checks(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -
     MavResult::MAV_RESULT_ACCEPTED
 }
 
-/// The store is erased, also in flight; the values at work stay until the reboot.
+/// Erases the stored values, also in flight; active values stay until the reboot.
 pub(super) fn storage(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
     if !command.is(0, ERASE) {
         return MavResult::MAV_RESULT_DENIED;

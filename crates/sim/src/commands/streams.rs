@@ -1,4 +1,4 @@
-//! Commands that ask for messages.
+//! Commands that request messages.
 
 use mavlink::MessageData as _;
 use mavlink::dialects::ardupilotmega::{

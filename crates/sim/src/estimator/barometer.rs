@@ -5,14 +5,14 @@ use std::time::Duration;
 use super::faults::{BarometerFault, Faults};
 use crate::kinematics::STEP_S;
 
-/// The estimate follows the barometer with this time constant.
+/// The time constant with which the estimate follows the barometer.
 const FOLLOWS_S: f64 = 4.0;
-/// The difference that the innovation test just bears (10 m gave a ratio of 0.96).
+/// The greatest difference that passes the innovation test (10 m gave a ratio of 0.96).
 const GATE_M: f64 = 10.4;
-/// Without an acceptable height for this long, the estimate jumps to the barometer or says that it has none.
+/// Without an acceptable height for this long, the estimate jumps to the barometer or reports the loss.
 const PATIENCE: Duration = Duration::from_secs(10);
 
-/// The barometer in use and what came of it.
+/// The barometer in use and its effects.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Barometer {
     drifted_m: f64,
@@ -21,16 +21,16 @@ pub(super) struct Barometer {
     bad_since: Option<Duration>,
     /// Test ratio of the height.
     pub(super) ratio: f64,
-    /// Whether the estimator has gone without a height for too long.
+    /// Whether the estimator has been without a height for too long.
     pub(super) lost: bool,
     /// A number from -1 to 1, new for every reading.
     pub(super) random: f64,
-    /// What the barometer says beyond the truth, in metres up.
+    /// The error of the barometer's reading, in metres up.
     pub(super) offset_m: f64,
 }
 
 impl Barometer {
-    /// Corrects an error of the height estimate (metres up); says whether it was a jump.
+    /// Corrects the height estimate's error (metres up); returns whether it was a jump.
     pub(super) fn step(
         &mut self,
         now: Duration,
@@ -61,13 +61,13 @@ impl Barometer {
         true
     }
 
-    /// Whether the estimator is content.
+    /// Whether there is nothing to do.
     pub(super) fn is_settled(&self) -> bool {
         self.bad_since.is_none() && self.drifted_m == 0.0 && !self.lost
     }
 
     fn reading_m(&mut self, fault: &BarometerFault, height_m: f64) -> f64 {
-        // What has drifted stays until a reboot.
+        // The drift so far stays until a reboot.
         self.drifted_m += fault.drift_m_s * STEP_S;
         let noise_m = fault.noise_m * self.random;
         let reading_m = height_m + fault.glitch_m + self.drifted_m + noise_m;

@@ -1,14 +1,14 @@
-//! Which compass the estimator uses, and how well it agrees with it.
+//! The compass in use, and its agreement with the estimator.
 
 use std::time::Duration;
 
 use super::faults::Faults;
 
-/// A compass that fails or contradicts for this long is left for another one.
+/// A compass that fails or contradicts for this long is replaced by another one.
 const PATIENCE: Duration = Duration::from_secs(10);
-/// A compass counts as unhealthy this long after its last word.
+/// The time after its last reading when a compass counts as unhealthy.
 const UNHEALTHY_AFTER: Duration = Duration::from_millis(500);
-/// The error that the innovation test just bears, in milligauss: 195 gave a test ratio of 1.286.
+/// The greatest error that passes the innovation test, in milligauss: 195 gave a test ratio of 1.286.
 const GATE_MGAUSS: f64 = 151.6;
 /// The test ratio of a good compass in flight.
 pub(super) const GOOD: f64 = 0.03;
@@ -17,18 +17,18 @@ pub(super) const GOOD: f64 = 0.03;
 pub(super) struct Compass {
     /// The compass in use, counted from 0.
     used: usize,
-    /// Since when the used one has been silent or contradicted.
+    /// Since when the one in use has been silent or contradicted.
     bad_since: Option<Duration>,
-    /// Since when the first one, whose health the vehicle reports, has been silent.
+    /// Since when the first one, whose health is reported, has been silent.
     silent_since: Option<Duration>,
     pub(super) healthy: Option<bool>,
-    /// Learnt away when the compass was chosen, in milligauss.
+    /// The error compensated when the compass was chosen, in milligauss.
     learnt_mgauss: f64,
     all_failed: bool,
 }
 
 impl Compass {
-    /// Looks at the compasses; the number of another one that the estimator now turns to.
+    /// Checks the compasses; returns the number of a newly chosen one.
     pub(super) fn step(&mut self, now: Duration, faults: &Faults) -> Option<usize> {
         self.watch_health(now, faults);
         let failed = &faults.compasses_failed;
@@ -56,7 +56,7 @@ impl Compass {
         Some(self.turn_to(next, faults))
     }
 
-    /// The test ratio of the used compass.
+    /// The test ratio of the compass in use.
     pub(super) fn ratio(&self, faults: &Faults) -> f64 {
         let off = faults.compass_errors_mgauss[self.used] - self.learnt_mgauss;
         GOOD + off.abs() / GATE_MGAUSS
@@ -67,7 +67,7 @@ impl Compass {
         (!self.all_failed).then_some(self.used)
     }
 
-    /// Whether nothing is out of the ordinary.
+    /// Whether there is nothing to do.
     pub(super) fn is_settled(&self) -> bool {
         self.bad_since.is_none() && self.healthy != Some(false) && self.learnt_mgauss == 0.0
     }

@@ -19,7 +19,7 @@ pub(crate) struct GpsFault {
     /// Degrees north, degrees east, metres up.
     pub(crate) glitch: DVec3,
     pub(crate) satellites: u8,
-    /// How much too high it reads, in metres.
+    /// The error of its altitude, in metres up.
     pub(crate) altitude_offset_m: f64,
     pub(crate) altitude_noise_m: f64,
     /// No position before this time since boot.
@@ -33,20 +33,20 @@ pub(crate) struct GpsFault {
 pub(crate) struct BarometerFault {
     pub(crate) disabled: bool,
     pub(crate) frozen: bool,
-    /// How much too high it reads, in metres.
+    /// Its error, in metres up.
     pub(crate) glitch_m: f64,
     pub(crate) drift_m_s: f64,
-    /// The most that one reading is off at random.
+    /// The greatest random error of one reading.
     pub(crate) noise_m: f64,
 }
 
-/// What the receiver of a remote control delivers (`SIM_RC_FAIL`).
+/// The remote control receiver's output (`SIM_RC_FAIL`).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum RadioFault {
     Fine,
-    /// No pulses any more.
+    /// No pulses.
     Silent,
-    /// A throttle of 950 us, the receiver's own sign of a lost transmitter.
+    /// A throttle of 950 us, the receiver's sign of a lost transmitter.
     Low,
 }
 
@@ -56,21 +56,21 @@ pub(crate) struct Faults {
     pub(crate) gps: GpsFault,
     pub(crate) barometers: [BarometerFault; 2],
     pub(crate) compasses_failed: [bool; 3],
-    /// How far each compass is off beyond its calibration, in milligauss.
+    /// The error of each compass beyond its calibration, in milligauss.
     pub(crate) compass_errors_mgauss: [f64; 3],
-    /// A constant that an accelerometer reports on all axes instead of the truth; 0: it works.
+    /// A constant that an accelerometer reports on all axes; 0 if it works.
     pub(crate) accelerometers_stuck_m_s2: [f64; 2],
     pub(crate) accelerometer_failed: bool,
     pub(crate) gyro_failed: bool,
     pub(crate) radio: RadioFault,
     /// Simulated seconds per second (`SIM_SPEEDUP`).
     pub(crate) speedup: f64,
-    /// Whether anything that the estimator sees is wrong.
+    /// Whether the estimator sees any fault.
     pub(crate) any: bool,
 }
 
 impl Faults {
-    /// Reads the parameters. Values beyond all sense are cut to what the arithmetic bears.
+    /// Reads the parameters. Unreasonable values are limited to what the arithmetic allows.
     pub(crate) fn read(all: &Parameters) -> Self {
         let on = |name| all.value(name) != 0.0;
         let mut faults = Self {
@@ -93,7 +93,7 @@ impl Faults {
         };
         faults.any = faults.gps.is_faulty()
             || faults.barometers.iter().any(BarometerFault::is_faulty)
-            // The second one always has a little noise, which counts where the first is disabled.
+            // The second one always has a little noise, which counts if the first is disabled.
             || faults.barometers[0].noise_m != 0.0
             || faults.compasses_failed.contains(&true)
             || faults.compass_errors_mgauss.iter().any(|off| *off > 1.0)

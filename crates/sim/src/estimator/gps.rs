@@ -1,4 +1,4 @@
-//! What the GPS receiver delivers: samples at its rate, some time after they were taken.
+//! The GPS receiver's reports: samples at its rate, with a delay.
 
 use std::time::Duration;
 
@@ -9,14 +9,14 @@ use super::faults::GpsFault;
 use sortie_geo::METRES_PER_DEGREE;
 use sortie_geo::maths;
 
-/// A receiver without a position still sees this many satellites.
+/// The satellites seen without a position.
 const SATELLITES_WITHOUT_FIX: u8 = 3;
 const FIXED: GpsFixType = GpsFixType::GPS_FIX_TYPE_RTK_FIXED;
 const NO_FIX: GpsFixType = GpsFixType::GPS_FIX_TYPE_NO_FIX;
-/// How far a jammed receiver's position leaps, and how fast it claims to be.
+/// The jumps of a jammed receiver's position and velocity.
 const JAM_LEAP_M: f64 = 200.0;
 const JAM_SPEED_M_S: f64 = 400.0;
-/// A jammed receiver first loses everything for one to six seconds.
+/// The initial silence of a jammed receiver, in seconds.
 const JAM_SILENCE_S: (f64, f64) = (1.0, 6.0);
 
 /// One report of the receiver, as the difference to the truth.
@@ -40,7 +40,7 @@ impl Fix {
 /// A receiver with the reports under way.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Receiver {
-    /// The last report that arrived.
+    /// The latest report.
     pub(super) fix: Fix,
     under_way: Option<(Duration, Fix)>,
     seed: u64,
@@ -64,14 +64,14 @@ impl Receiver {
         }
     }
 
-    /// When the last report before `now` arrived or will arrive.
+    /// The time of arrival of the last report before `now`, past or future.
     pub(super) fn last_arrival(now: Duration, fault: &GpsFault) -> Duration {
         let periods = now.as_micros() / fault.period.as_micros().max(1);
         let taken = fault.period * u32::try_from(periods).unwrap_or(u32::MAX);
         taken + fault.lag
     }
 
-    /// Takes a sample when its time has come; says whether a report arrived in this step.
+    /// Takes a sample when due; returns whether a report arrived in this step.
     pub(super) fn step(&mut self, now: Duration, latitude_deg: f64, fault: &GpsFault) -> bool {
         let arrived = match self.under_way {
             Some((due, fix)) if now >= due => {
@@ -118,7 +118,7 @@ impl Receiver {
         fix
     }
 
-    /// After a silence the lock comes and goes, and position and speed leap about.
+    /// After a silence the lock comes and goes, and position and speed jump about.
     fn jam(&mut self, now: Duration, fix: &mut Fix) {
         let since = *self.jammed_since.get_or_insert(now);
         let (least, most) = JAM_SILENCE_S;

@@ -1,4 +1,4 @@
-//! Two cores of the estimator, each with an accelerometer of its own; one of them is believed.
+//! Two cores of the estimator, each with its own accelerometer; one of them is in use.
 
 use std::time::Duration;
 
@@ -9,14 +9,14 @@ use super::{Estimator, NEGLIGIBLE_M, Surroundings};
 use crate::kinematics::STEP_S;
 use crate::texts;
 
-/// A stuck accelerometer is noticed after this time; until then it enters the velocity by this share.
+/// The time to detect a stuck accelerometer, and its share in the velocity until then.
 const LANE_PATIENCE: Duration = Duration::from_millis(300);
 const STUCK_SHARE: f64 = 0.5;
-/// What it has brought about dies away with this time constant: the vehicle is displaced by 1.4 m in all.
+/// The time constant with which its effect decays: the vehicle is displaced by 1.4 m in all.
 const CALM_S: f64 = 0.6;
 
 impl Estimator {
-    /// An accelerometer that is stuck misleads its core until the other one takes over.
+    /// A stuck accelerometer misleads its core until the other one takes over.
     pub(super) fn watch_lanes(&mut self, around: &Surroundings<'_>, outbox: &mut Vec<MavMessage>) {
         let stuck = &around.faults.accelerometers_stuck_m_s2;
         let other_works = stuck[1 - self.lane] == 0.0;

@@ -1,4 +1,4 @@
-//! How far the estimate is trusted, and how that is reported.
+//! The trust in the estimate, and its report.
 
 use mavlink::dialects::ardupilotmega::EkfStatusFlags;
 
@@ -16,7 +16,7 @@ pub(crate) const FLAGS_GIVEN_UP: EkfStatusFlags = FLAGS_DISTRUSTED
     .union(EkfStatusFlags::EKF_VELOCITY_HORIZ)
     .union(EkfStatusFlags::EKF_CONST_POS_MODE);
 
-/// How far the horizontal position is trusted.
+/// The trust in the horizontal position.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Trust {
     Good,
@@ -34,7 +34,7 @@ pub(crate) struct Ratios {
 }
 
 impl Trust {
-    /// The flags while all sensors of the height are well and nothing leaps.
+    /// The flags while all height sensors work and nothing jumps.
     pub(super) fn flags(self) -> EkfStatusFlags {
         match self {
             Self::Good => FLAGS_GOOD,

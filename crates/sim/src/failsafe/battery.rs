@@ -8,7 +8,7 @@ use super::{Failsafe, FailsafeInputs, announce};
 use crate::parameters::Parameters;
 use crate::reaction::{FailsafeAction, Reaction};
 
-/// Below which voltage or remaining charge a battery level is reached (0: never), and the action.
+/// A battery level: its voltage and charge (0 for none), and the action.
 #[derive(Debug, Clone, PartialEq)]
 struct Level {
     voltage_v: f64,
@@ -16,18 +16,18 @@ struct Level {
     action: i32,
 }
 
-/// What the `BATT_*` parameters set.
+/// The rules from the `BATT_*` parameters.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct BatteryRules {
     low: Level,
     critical: Level,
-    /// How long the voltage must be low; zero: voltages do not matter.
+    /// How long the voltage must be low; zero to ignore voltages.
     delay: Duration,
     arm_voltage_v: f64,
     arm_mah: f64,
 }
 
-/// How far the battery is down. It never recovers before a reboot.
+/// The battery's level. It never recovers before a reboot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
 enum Fallen {
     #[default]
@@ -36,7 +36,7 @@ enum Fallen {
     Critical,
 }
 
-/// What was seen of the battery.
+/// The state of the battery check.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct BatteryWatch {
     low_since: Option<Duration>,
@@ -58,7 +58,7 @@ impl BatteryWatch {
         self.fallen > Fallen::Not
     }
 
-    /// Whether the most urgent action so far was to land, or more urgent still.
+    /// Whether the most urgent action so far was at least to land.
     pub(super) fn wants_to_land(&self) -> bool {
         self.acted
             .is_some_and(|action| action.priority() <= FailsafeAction::Land.priority())
@@ -95,7 +95,7 @@ impl BatteryRules {
         }
     }
 
-    /// Why the battery forbids arming at this moment.
+    /// Why the battery forbids arming now.
     pub(crate) fn obstacle(&self, voltage_v: f64, left_mah: f64) -> Option<&'static str> {
         let upside_down = |low: f64, critical: f64| critical > 0.0 && low > 0.0 && low <= critical;
         let obstacles = [
@@ -139,7 +139,7 @@ impl BatteryRules {
 }
 
 impl Failsafe {
-    /// Looks at the battery.
+    /// Checks the battery.
     pub(crate) fn watch_battery(&mut self, inputs: &FailsafeInputs<'_>) -> Vec<Reaction> {
         if !inputs.armed {
             return Vec::new();

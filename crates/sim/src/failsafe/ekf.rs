@@ -9,17 +9,17 @@ use crate::estimator::Estimator;
 use crate::mode;
 use crate::reaction::Reaction;
 
-/// So many bad looks (at 10 Hz) make a failsafe, so many good ones end it.
+/// The number of bad checks (at 10 Hz) that trigger the failsafe, and of good ones that end it.
 const LOOKS: u8 = 10;
-/// `EKF variance` is said this often at most.
+/// The least interval of the text `EKF variance`.
 const WARNED_EVERY: Duration = Duration::from_secs(30);
 
-/// What was seen of the estimate.
+/// The state of the EKF check.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct EkfWatch {
     failures: u8,
     bad: bool,
-    /// Whether it made the vehicle change its mode: then its end is told.
+    /// Whether it changed the mode: then its end is reported.
     acted: bool,
     warned: Option<Duration>,
     glitching: bool,
@@ -30,14 +30,14 @@ impl EkfWatch {
         self.bad
     }
 
-    /// Whether there is nothing to look after.
+    /// Whether there is nothing to do.
     fn is_idle(&self) -> bool {
         self.failures == 0 && !self.bad && !self.glitching
     }
 }
 
 impl Failsafe {
-    /// Looks at the estimate.
+    /// Checks the estimate.
     pub(crate) fn watch_estimate(&mut self, inputs: &FailsafeInputs<'_>) -> Vec<Reaction> {
         let estimator = inputs.estimator;
         let good = estimator.has_position() && estimator.fix().is_none();
@@ -69,7 +69,7 @@ impl Failsafe {
         reactions
     }
 
-    /// Modes that need a position end; the others go on unless `FS_EKF_ACTION` is 3.
+    /// Ends modes that need a position; others continue unless `FS_EKF_ACTION` is 3.
     fn begin_ekf_failsafe(&mut self, inputs: &FailsafeInputs<'_>) -> Option<Reaction> {
         let action = inputs.rules.ekf_action;
         let concerned = inputs.mode.needs_position() || action == 3;

@@ -10,12 +10,12 @@ use crate::mode;
 use crate::radio::Sticks;
 use crate::reaction::{FailsafeAction, Reaction};
 
-/// A throttle that is too low must be seen this often, at 50 frames per second.
+/// How long a low throttle must be seen, at 50 frames per second.
 const LOW_FOR: Duration = Duration::from_millis(50);
 /// The throttle of a receiver that has lost its transmitter, in microseconds.
 const LOST_THROTTLE_US: f64 = 950.0;
 
-/// What was heard on the links.
+/// The state of the links.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct LinkWatch {
     station_lost: bool,
@@ -35,7 +35,7 @@ impl LinkWatch {
 }
 
 impl RadioInputs {
-    /// What a receiver passes on: a throttle that tells of a lost transmitter, or that of the sticks.
+    /// A receiver's output: the throttle of a lost transmitter, or that of the sticks.
     pub(crate) fn new(fault: RadioFault, is_overridden: bool, sticks: &Sticks) -> Self {
         let is_lost = fault == RadioFault::Low && !is_overridden;
         Self {
@@ -51,7 +51,7 @@ impl RadioInputs {
 }
 
 impl Failsafe {
-    /// Looks whether the ground station is still there.
+    /// Checks for the loss of the ground station.
     pub(crate) fn watch_station(&mut self, inputs: &FailsafeInputs<'_>) -> Vec<Reaction> {
         let Some(heard) = self.heard else {
             return Vec::new();
@@ -65,7 +65,7 @@ impl Failsafe {
         }
         self.links.station_lost = lost;
         if lost {
-            // The ground station's hands on the sticks are gone as well.
+            // The ground station's override of the sticks ends as well.
             let mut reactions = vec![Reaction::ReleaseSticks];
             reactions.extend(self.lose_station(&FailsafeInputs {
                 throttle_is_low: Sticks::RELEASED.throttle_is_low(),
@@ -110,12 +110,12 @@ impl Failsafe {
         }
     }
 
-    /// Whether [`Failsafe::watch_radio`] has anything to look at: nothing while the remote control works.
+    /// Whether [`Failsafe::watch_radio`] has anything to do: nothing while the remote control works.
     pub(crate) fn doubts_radio(&self, fault: RadioFault) -> bool {
         fault != RadioFault::Fine || self.links.radio_lost || self.links.radio_bad_since.is_some()
     }
 
-    /// Looks whether the remote control is still there.
+    /// Checks for the loss of the remote control.
     pub(crate) fn watch_radio(&mut self, inputs: &FailsafeInputs<'_>) -> Vec<Reaction> {
         let low = inputs.radio.throttle_us < inputs.rules.radio_low_us;
         let delay = match inputs.radio.fault {

@@ -1,4 +1,4 @@
-//! The areas of a fence: what an upload says, whether it makes sense, and whether a point lies inside.
+//! The areas of a fence: parsing and checking an upload, and whether a point is inside.
 
 use glam::DVec2;
 use mavlink::dialects::ardupilotmega::MavSeverity;
@@ -26,13 +26,13 @@ pub(crate) enum AreaShape<P> {
     },
 }
 
-/// A fence that makes sense.
+/// A valid fence.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Fence {
     areas: Vec<FenceArea<LatLon>>,
 }
 
-/// Why a list is no fence. The text is what the vehicle says.
+/// Why a list is no valid fence. The text is the vehicle's.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub(crate) enum FenceError {
     /// A polygon that claims fewer than three corners.
@@ -59,7 +59,7 @@ pub(crate) enum FenceError {
 }
 
 impl FenceError {
-    /// How urgently the vehicle says it.
+    /// The severity of the vehicle's message.
     pub(crate) fn severity(self) -> MavSeverity {
         match self {
             Self::ItemCount => MavSeverity::MAV_SEVERITY_INFO,
@@ -74,7 +74,7 @@ impl FenceError {
     }
 }
 
-/// A polygon of which corners are still to come.
+/// A polygon with missing corners.
 struct Unfinished {
     command: u16,
     count: u8,
@@ -82,11 +82,11 @@ struct Unfinished {
 }
 
 impl Fence {
-    /// Makes a fence of an uploaded list.
+    /// Builds a fence from an uploaded list.
     ///
     /// # Errors
-    /// The first item that makes no sense, as the vehicle finds it. Commands that are no fence items are passed over;
-    /// the upload refuses them before.
+    /// The first invalid item, in the vehicle's order. Commands that are no fence items are skipped; the upload
+    /// refuses them before.
     pub(crate) fn check(items: &[Item]) -> Result<Self, FenceError> {
         let mut fence = Self::default();
         let mut unfinished = None;
@@ -123,7 +123,7 @@ impl Fence {
         }
     }
 
-    /// Takes a corner; the polygon if more corners belong to it.
+    /// Takes a corner; returns the polygon if more corners belong to it.
     fn corner(
         &mut self,
         unfinished: Option<Unfinished>,
@@ -162,7 +162,7 @@ impl Fence {
     }
 
     /// The areas in metres north and east of a place, polygons first and inclusions before exclusions: the order in
-    /// which the vehicle looks at them.
+    /// which the vehicle checks them.
     pub(crate) fn in_metres(&self, from: LatLon) -> Vec<FenceArea<DVec2>> {
         let metres = |point: &LatLon| {
             let (north, east) = from.offset_to(*point);
@@ -195,7 +195,7 @@ impl Fence {
 }
 
 impl FenceArea<DVec2> {
-    /// Whether a vehicle there breaks the rule of this area.
+    /// Whether a vehicle at a point breaks the rule of this area.
     pub(crate) fn is_broken_at(&self, point: DVec2) -> bool {
         match &self.shape {
             AreaShape::Polygon(corners) => is_inside(point, corners) != self.keeps_in,
@@ -227,7 +227,7 @@ pub(crate) fn is_inside(point: DVec2, corners: &[DVec2]) -> bool {
     inside
 }
 
-/// The number by which the vehicle's own texts name an item.
+/// The number of an item's type in the vehicle's texts.
 fn own_type(command: u16) -> Option<u8> {
     match command {
         cmd::NAV_FENCE_POLYGON_VERTEX_INCLUSION => Some(98),

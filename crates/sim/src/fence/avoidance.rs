@@ -1,4 +1,4 @@
-//! Slowing down in front of a fence: what `ArduPilot` calls simple avoidance (`AC_Avoid`).
+//! Slowing down in front of a fence: `ArduPilot`'s simple avoidance (`AC_Avoid`).
 //!
 //! The vehicle may only be so fast towards an edge that it can stop a margin before it; inside the margin it backs
 //! away slowly. The changes it makes to a wanted velocity are limited in acceleration themselves.

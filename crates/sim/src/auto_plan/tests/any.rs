@@ -1,4 +1,4 @@
-//! Lists that make no sense.
+//! Meaningless lists.
 
 use proptest::prelude::*;
 

@@ -2,13 +2,13 @@
 
 use super::*;
 
-/// Flies and compares: after how many seconds something was said, and what.
+/// Flies and compares: the time of each message, and its text.
 fn follow(ground: &mut Ground, real: &[(f64, &[&str])], share: f64) {
     for (measured_s, words) in real {
         let mut said = Vec::new();
         let mut elapsed = 0.0;
         let mut first = None;
-        // What belongs to one moment may come over a few steps.
+        // Messages of one moment may arrive over a few steps.
         while said.len() < words.len() {
             let (after_s, news) = ground.next_news(measured_s * 2.0 + 5.0);
             elapsed += after_s;
@@ -316,7 +316,7 @@ fn speeds_change_on_the_way_and_what_cannot_be_flown_is_skipped() {
         ],
         0.05,
     );
-    // How long the way of some millimetres takes that comes first depends on where exactly the vehicle stands.
+    // The duration of the first leg of some millimetres depends on the vehicle's exact position.
     follow(
         &mut ground,
         &[(3.2, &["R 7", "Reached command #7", "Mission: 8 Takeoff"])],

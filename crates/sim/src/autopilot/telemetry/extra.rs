@@ -1,4 +1,4 @@
-//! Messages that ground stations ask for less often: outputs and inputs, further sensors, terrain, summaries.
+//! Messages that are requested less often: outputs and inputs, further sensors, terrain, summaries.
 
 use mavlink::dialects::ardupilotmega::{
     ATTITUDE_TARGET_DATA, AUTOPILOT_STATE_FOR_GIMBAL_DEVICE_DATA, AttitudeTargetTypemask,
@@ -19,12 +19,12 @@ use sortie_geo::wrap_360;
 const FIELD_MGAUSS: [i16; 3] = [232, 52, -528];
 /// Degrees Celsius times 100 on the board's second barometer.
 const BOARD_CDEG: i16 = 3015;
-/// Terrain is asked for in squares of 100 m; how many of them are still wanted.
+/// The spacing of requested terrain, in metres; and the number of squares missing.
 const TERRAIN_SPACING_M: u16 = 100;
 const TERRAIN_PENDING: u16 = 504;
 /// All 56 blocks of a grid.
 const TERRAIN_MASK: u64 = (1 << 56) - 1;
-/// The south-western corner of the grid that is asked for lies this far away, metres south and west.
+/// The distance to the south-western corner of the requested grid, metres south and west.
 const TERRAIN_CORNER_M: (f64, f64) = (1281.0, 1038.0);
 /// A motor of a SITL quad at full output, revolutions per minute.
 const FULL_RPM: f64 = 7000.0;
@@ -189,7 +189,7 @@ pub(super) fn sim_state(autopilot: &Autopilot) -> MavMessage {
         xgyro: body.angle_rates_rad_s.0 as f32,
         ygyro: body.angle_rates_rad_s.1 as f32,
         zgyro: body.yaw_rate_deg_s.to_radians() as f32,
-        // The real one sends degrees times 1e7 in these, too.
+        // The real vehicle sends degrees times 1e7 in these, too.
         lat: lat_int as f32,
         lon: lon_int as f32,
         alt: here.altitude_amsl_m as f32,
@@ -202,7 +202,7 @@ pub(super) fn sim_state(autopilot: &Autopilot) -> MavMessage {
     })
 }
 
-/// Without terrain data everything is still wanted and the height is that above the sea.
+/// Without terrain data, everything is still missing and the height is that above sea level.
 pub(super) fn terrain_report(autopilot: &Autopilot) -> MavMessage {
     let here = autopilot.vehicle.here();
     let (lat, lon) = here.at.to_e7();

@@ -14,8 +14,8 @@ use crate::flight_log::EPOCH_US;
 use crate::mode;
 use crate::task::Task;
 
-/// Gyro, accelerometer, compass, barometer, GPS, rate, attitude and yaw control, motors, RC, AHRS, battery,
-/// pre-arm check, propulsion. There is no terrain data, and the log is not claimed.
+/// Gyro, accelerometer, compass, barometer, GPS, rate, attitude and yaw control, motors, RC, AHRS, battery, pre-arm
+/// check, propulsion. Terrain and log are not reported.
 const SENSORS: MavSysStatusSensor = GYRO
     .union(ACCELEROMETER)
     .union(COMPASS)
@@ -88,7 +88,7 @@ pub(super) fn heartbeat(autopilot: &Autopilot) -> MavMessage {
     })
 }
 
-/// Which sensors and functions there are at present, which are in use, and which of these are healthy.
+/// The sensors and functions that are present, in use, and healthy.
 fn sensors(autopilot: &Autopilot) -> [MavSysStatusSensor; 3] {
     let mut present = SENSORS | HEIGHT_CONTROL | POSITION_CONTROL;
     let mut enabled = SENSORS;
@@ -120,7 +120,7 @@ fn sensors(autopilot: &Autopilot) -> [MavSysStatusSensor; 3] {
     if fence.is_present {
         present.insert(FENCE);
     }
-    // A fence that does not exist is never breached: ground stations look at this bit alone.
+    // A missing fence is never breached: ground stations check only this bit.
     let healthy = if fence.is_healthy {
         enabled | FENCE
     } else {

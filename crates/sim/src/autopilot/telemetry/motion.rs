@@ -85,7 +85,7 @@ pub(super) fn global_position_int(autopilot: &Autopilot) -> MavMessage {
     })
 }
 
-/// Before the GPS has a position there is none to report.
+/// Before the GPS has a fix there is no position to report.
 fn nowhere_yet(autopilot: &Autopilot) -> MavMessage {
     MavMessage::GLOBAL_POSITION_INT(GLOBAL_POSITION_INT_DATA {
         time_boot_ms: boot_ms(autopilot),
@@ -94,7 +94,7 @@ fn nowhere_yet(autopilot: &Autopilot) -> MavMessage {
     })
 }
 
-/// Where the vehicle believes to be; while the estimator has given up, where it last knew itself.
+/// The estimated position; the last known one while the estimator has given up.
 fn reported_place(autopilot: &Autopilot) -> Place {
     autopilot.vehicle.estimator.last_known_m().map_or_else(
         || autopilot.vehicle.here(),

@@ -14,7 +14,7 @@ use crate::task::Task;
 use sortie_geo::maths;
 use sortie_geo::{wrap_180, wrap_360};
 
-/// The vehicle also sets the bits that have no meaning.
+/// The vehicle also sets the unused bits.
 const WITHOUT_MEANING: u16 = !PositionTargetTypemask::all().bits();
 
 pub(super) fn home_position(autopilot: &Autopilot) -> Option<MavMessage> {
@@ -36,7 +36,7 @@ pub(super) fn mission_current(autopilot: &Autopilot) -> MavMessage {
     })
 }
 
-/// Where the vehicle is going, and how fast, if its task says.
+/// The target of the vehicle's task and its speed, if it has one.
 fn target(autopilot: &Autopilot) -> Option<(DVec3, DVec3, u16)> {
     if autopilot.vehicle.flight.mode.number != mode::GUIDED || !autopilot.vehicle.safety.armed {
         return None;
@@ -96,7 +96,7 @@ pub(super) fn position_target_global_int(autopilot: &Autopilot) -> Option<MavMes
     ))
 }
 
-/// The point the vehicle flies to, if there is one; where a takeoff has ended it flies to none.
+/// The point the vehicle flies to, if any; after a takeoff it has none.
 pub(super) fn goal(autopilot: &Autopilot) -> Option<DVec3> {
     match &autopilot.vehicle.flight.task {
         Task::Goto { .. } if autopilot.vehicle.flight.holds_takeoff() => None,

@@ -45,7 +45,7 @@ pub(super) fn gps_raw_int(autopilot: &Autopilot) -> MavMessage {
     })
 }
 
-/// Fix type, satellites, and how far position (metres) and velocity (metres per second) are from the truth.
+/// Fix type, satellites, and the errors of position (metres) and velocity (metres per second).
 fn reception(autopilot: &Autopilot) -> (GpsFixType, u8, DVec3, DVec3) {
     if let Some((kind, satellites)) = autopilot.vehicle.boot.early_fix() {
         return (kind, satellites, DVec3::ZERO, DVec3::ZERO);
