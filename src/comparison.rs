@@ -10,7 +10,8 @@ use std::time::Duration;
 use crate::geo::LatLon;
 use crate::mission::record::Stored;
 use crate::mission::{Flight, Progress};
-use crate::moment::Alignment;
+use crate::moment::{Alignment, Moment};
+use crate::record::Journal;
 use crate::scoring::{EventKind, Report};
 use crate::text::Text;
 use crate::vehicle::{VehicleId, Vehicles};
@@ -36,6 +37,34 @@ pub struct ComparedFlight {
     takeoff: Option<Duration>,
     /// How long it lasted.
     pub length: Duration,
+    /// The bookmarks by the mission's clock, earliest first; none where they are not known.
+    pub bookmarks: Vec<FlightBookmark>,
+}
+
+/// A bookmark of a flight.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct FlightBookmark {
+    /// Mission time.
+    pub at: Duration,
+    pub text: String,
+}
+
+impl FlightBookmark {
+    /// Bookmarks of a record, by the mission's clock as its journal has it.
+    pub fn of_moments(moments: &[Moment], journal: &Journal) -> Vec<Self> {
+        let bookmark = |moment: &Moment| Self {
+            at: journal.mission_time(moment.at),
+            text: moment.text.to_string(),
+        };
+        moments.iter().map(bookmark).collect()
+    }
+}
+
+/// Times at which two flights are laid upon each other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Anchors {
+    pub own: Duration,
+    pub other: Duration,
 }
 
 /// Where a vehicle was at one time.
@@ -64,6 +93,13 @@ impl ComparedFlight {
         }
         drop(flight.advance(Duration::MAX));
         Ok(course.finish(name, flight.report()))
+    }
+
+    /// The same flight with bookmarks, earliest first.
+    #[must_use]
+    pub fn with_bookmarks(mut self, bookmarks: Vec<FlightBookmark>) -> Self {
+        self.bookmarks = bookmarks;
+        self
     }
 
     /// Where its vehicles were at a time of the mission; nothing before its start and after its end.
@@ -97,6 +133,33 @@ impl ComparedFlight {
         left.min_by(f64::total_cmp)
     }
 
+    /// When both flights were where they are laid upon each other; `None` where that never happened in one of them.
+    pub fn anchors(own: &Self, other: &Self, alignment: Alignment) -> Option<Anchors> {
+        let same = || {
+            own.bookmarks.iter().find_map(|mine| {
+                let theirs = other.bookmarks.iter().find(|it| it.text == mine.text)?;
+                Some(Anchors {
+                    own: mine.at,
+                    other: theirs.at,
+                })
+            })
+        };
+        let each = || {
+            Some(Anchors {
+                own: own.anchor(alignment)?,
+                other: other.anchor(alignment)?,
+            })
+        };
+        match alignment {
+            Alignment::Bookmark => same().or_else(each),
+            Alignment::Start
+            | Alignment::Takeoff
+            | Alignment::Objective
+            | Alignment::Alert
+            | Alignment::Refusal => each(),
+        }
+    }
+
     /// When it was where another flight is laid upon it; `None` where that never happened.
     pub fn anchor(&self, alignment: Alignment) -> Option<Duration> {
         match alignment {
@@ -105,6 +168,7 @@ impl ComparedFlight {
             Alignment::Objective => self.reached.iter().flatten().min().copied(),
             Alignment::Alert => self.first(EventKind::Alert),
             Alignment::Refusal => self.first(EventKind::Rejected),
+            Alignment::Bookmark => self.bookmarks.first().map(|it| it.at),
         }
     }
 
@@ -176,6 +240,7 @@ impl FlightCourse {
             tracks: self.tracks,
             reached: self.reached,
             takeoff: self.takeoff,
+            bookmarks: Vec::new(),
         }
     }
 }

@@ -47,6 +47,8 @@ pub struct Config {
     pub macros: BTreeMap<String, Vec<String>>,
     /// The keymap file, if not the one in the folder of the configuration.
     pub keymap: Option<String>,
+    /// What trainees are asked about their workload.
+    pub workload: WorkloadConfig,
     /// What is recorded of flights.
     pub records: RecordsConfig,
     /// What the program writes down about itself.
@@ -120,6 +122,20 @@ pub struct AlertsConfig {
     pub notify: bool,
     /// The kinds that stay silent.
     pub mute: Vec<AlertKind>,
+}
+
+/// What trainees are asked about their workload.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct WorkloadConfig {
+    /// Whether missions ask every two minutes how much there is to do.
+    pub ask: bool,
+}
+
+impl Default for WorkloadConfig {
+    fn default() -> Self {
+        Self { ask: true }
+    }
 }
 
 /// What is recorded of flights, and how much of it is kept.
@@ -232,6 +248,7 @@ impl Default for Config {
             alerts: AlertsConfig::default(),
             macros: BTreeMap::new(),
             keymap: None,
+            workload: WorkloadConfig::default(),
             records: RecordsConfig::default(),
             log: LogConfig::default(),
             hangar: HangarConfig::default(),

@@ -19,9 +19,11 @@ mod map;
 mod swarm;
 mod timeline;
 mod tries;
+mod workload;
 
 pub use line::{DebriefLine, DebriefTone};
 pub use timeline::{TimelineMark, strip};
+pub use workload::{WorkloadStrips, workload_words};
 
 pub use layout::fit;
 use layout::{clock, pieces, right};
@@ -58,6 +60,7 @@ pub fn lines_with(report: &Report, career: &[Text], locale: &Locale) -> Vec<Debr
     page.timeline(report);
     page.improvements(report);
     page.swarm(report);
+    page.workload(report);
     page.map(&report.truth);
     page.tries(report);
     page.next(report);

@@ -15,7 +15,7 @@ use crate::parameters::ParameterList;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{VehicleClass, VehicleId};
-use crate::verb::{CountsAs, Verb};
+use crate::verb::Verb;
 
 mod argument;
 mod choice;
@@ -130,7 +130,7 @@ impl Statement {
         };
         // The ledger must list the targets, even after the selection has changed. A command to the mission has none.
         let line = match self.targets {
-            Targets::Selection if self.verb.counts_as == CountsAs::Word => self.line,
+            Targets::Selection if self.verb.counts_as.is_said_to_mission() => self.line,
             Targets::Selection => format!("{} {}", Targets::Ids(targets.clone()), self.line),
             Targets::All | Targets::Ids(_) | Targets::Group(_) => self.line,
         };

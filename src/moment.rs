@@ -115,6 +115,8 @@ pub enum Alignment {
     Alert,
     /// The first command that was refused.
     Refusal,
+    /// The first bookmark with the same text in both, else the first in each.
+    Bookmark,
 }
 
 impl Alignment {

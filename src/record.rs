@@ -181,6 +181,22 @@ impl Journal {
         Ok(journal)
     }
 
+    /// The mission's clock at a time of the record.
+    pub fn mission_time(&self, at: Duration) -> Duration {
+        let lines = self.lines.iter().take_while(|line| line.at() <= at);
+        let times = lines.filter_map(|line| match &line.what {
+            Happening::Mission { ms } => Some(Duration::from_millis(*ms)),
+            Happening::Entry(_)
+            | Happening::Row(_)
+            | Happening::Notice(_)
+            | Happening::Loss(_)
+            | Happening::Speedup { .. }
+            | Happening::Bookmark { .. }
+            | Happening::End => None,
+        });
+        times.last().unwrap_or_default()
+    }
+
     /// The bookmarks in it, oldest first.
     pub fn bookmarks(&self) -> impl Iterator<Item = Moment> + '_ {
         self.lines.iter().filter_map(|line| match &line.what {

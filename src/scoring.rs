@@ -17,6 +17,7 @@ mod safety;
 mod swarm;
 mod truth;
 mod utilisation;
+mod workload;
 
 pub use advice::{Improvement, improvements};
 pub use attention::{AlertFact, AlertLevel, attention_value};
@@ -34,6 +35,10 @@ pub use safety::{SafetyEvent, SafetyKind, SafetyLog, safety_value};
 pub use swarm::{SwarmFigures, SwarmTimes};
 pub use truth::{MarkReport, ObjectKind, ObjectReport, SquareReport, TrackReport, TruthReport};
 pub use utilisation::{VehicleUse, utilisation_value};
+pub use workload::{
+    OverloadedStretch, VehicleLoad, WorkloadAnswer, WorkloadCourse, WorkloadReport,
+    workload_question,
+};
 
 use crate::text;
 use crate::text::Text;

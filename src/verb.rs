@@ -146,14 +146,24 @@ pub enum CountsAs {
     Report,
     /// A word between trainee and mission: no command at all.
     Word,
+    /// What trainees say of themselves: no part of the flight, and of no effect on any score.
+    SelfReport,
 }
 
 impl CountsAs {
+    /// Whether it is no command, but is said to the mission.
+    pub fn is_said_to_mission(self) -> bool {
+        match self {
+            Self::Word | Self::SelfReport => true,
+            Self::Task | Self::Setting | Self::Question | Self::Report => false,
+        }
+    }
+
     /// Whether vehicles are told something.
     pub fn is_for_vehicles(self) -> bool {
         match self {
             Self::Task | Self::Setting | Self::Question => true,
-            Self::Report | Self::Word => false,
+            Self::Report | Self::Word | Self::SelfReport => false,
         }
     }
 }

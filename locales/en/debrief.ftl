@@ -101,3 +101,17 @@ truth-gate = gate
 truth-gaps = not covered
 debrief-not-flown = Nothing counts before the first takeoff.
 debrief-next-same = Fly this mission again.
+
+debrief-workload = WORKLOAD   (shown, not scored)
+workload-title = Workload
+workload-busy = busy
+workload-waiting = waiting
+workload-answers = your word
+workload-how = busy with commands in the last minute, in tenths; drones that wait; your answers from 1 to 5
+workload-figures = from { $commands ->
+        [one] { $commands } command
+       *[other] { $commands } commands
+    }: you were busy for { $interaction } s; the drones worked by themselves for { $neglect } s and waited for { $wait } s, all together
+workload-overloaded = more than 70 % busy for a minute or longer: { $stretches }
+workload-answered = you answered { $answers } of { $questions } questions about your workload
+workload-question = How much do you have to do, from 1 (almost nothing) to 5 (too much)? { $key } answers, as in `workload 3`. Never scored.

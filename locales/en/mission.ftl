@@ -125,6 +125,7 @@ deed-marked-before = reported already
 deed-marked = { $count } reported
 deed-no-load = no load for that on board
 deed-exam-hint = exams give no hints
+deed-workload-in-exam = exams do not ask for your workload
 deed-no-hint = this mission has no further hint
 deed-no-mission = no mission is under way
 

@@ -101,3 +101,14 @@ truth-gate = ворота
 truth-gaps = не обстежено
 debrief-not-flown = До першого зльоту нічого не зараховується.
 debrief-next-same = Виконайте це завдання ще раз.
+
+debrief-workload = ЗАВАНТАЖЕНІСТЬ   (не оцінюється)
+workload-title = Завантаженість
+workload-busy = зайняті
+workload-waiting = чекають
+workload-answers = самі
+workload-how = частка останньої хвилини, зайнята командами, у десятих; скільки дронів чекає; ваші відповіді від 1 до 5
+workload-figures = команд: { $commands }; ви були зайняті { $interaction } s; дрони разом працювали самостійно { $neglect } s і чекали { $wait } s
+workload-overloaded = зайнятість понад 70 % протягом хвилини чи довше: { $stretches }
+workload-answered = ви відповіли на запитання про завантаженість: { $answers } з { $questions }
+workload-question = Наскільки ви завантажені, від 1 (майже нічого) до 5 (забагато)? { $key } відповідає, як-от `workload 3`. Не оцінюється.

@@ -132,6 +132,7 @@ deed-marked-before = про це вже повідомлено
 deed-marked = повідомлень: { $count }
 deed-no-load = на борту немає нічого для цього
 deed-exam-hint = на іспиті підказок немає
+deed-workload-in-exam = під час іспиту про завантаженість не питають
 deed-no-hint = у цьому завданні більше немає підказок
 deed-no-mission = завдання не виконується
 

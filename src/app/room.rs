@@ -18,6 +18,7 @@ pub mod links;
 pub mod map;
 pub mod messages;
 pub mod mission;
+pub mod page;
 pub mod parameters;
 mod request;
 pub mod review;

@@ -9,8 +9,9 @@ use super::effect::Launch;
 use super::keymap::Place;
 use crate::campaign::Reward;
 use crate::config::{Config, Symbols};
+use crate::mission::Stake;
 use crate::review::Review;
-use crate::scoring::TryReport;
+use crate::scoring::{TryReport, workload_question};
 use crate::text::{Language, Locale, Text};
 use crate::vehicle::VehicleId;
 use crate::vehicle::{Severity, VehicleClass};
@@ -330,7 +331,25 @@ impl<R> State<R> {
         self.session.listing.as_deref()
     }
 
-    /// Whether the trainee can still set a prediction and a goal.
+    /// Whether the trainee is asked now how much there is to do: in the air, outside of exams, until it was answered.
+    pub fn asks_workload(&self) -> bool {
+        let session = &self.session;
+        let Some(progress) = session.mission.as_ref().filter(|_| !session.over) else {
+            return false;
+        };
+        let question = workload_question(progress.elapsed);
+        let is_open = question.is_some() && question != progress.answered_question;
+        let is_exam = matches!(
+            session.activity,
+            Some(Activity::Mission {
+                stake: Stake::Exam,
+                ..
+            })
+        );
+        is_open && !is_exam && self.replay.is_none() && self.config.workload.ask
+    }
+
+    /// Whether the trainee can still say what is to come of the flight.
     pub fn can_pledge(&self) -> bool {
         let progress = self.session.mission.as_ref();
         !self.session.over && progress.is_none_or(|progress| progress.can_pledge)

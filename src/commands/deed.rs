@@ -33,6 +33,11 @@ pub enum Deed {
         /// The expected score, 0 to 1000.
         points: u16,
     },
+    /// Say how much there is to do, when asked: 1 (next to nothing) to 5 (too much).
+    Workload {
+        /// 1 to 5.
+        level: u8,
+    },
     /// Set a goal for the flight.
     Goal(Goal),
     /// Ask for the next hint.
@@ -56,6 +61,7 @@ impl Deed {
             | Self::Drop
             | Self::Spray { .. }
             | Self::Predict { .. }
+            | Self::Workload { .. }
             | Self::Goal(_)
             | Self::Hint => false,
         }

@@ -120,6 +120,12 @@ pub const SETTINGS: &[Setting] = &[
         "The kinds of alerts that stay silent.",
     ),
     setting(
+        "workload.ask",
+        SettingKind::Flag,
+        Some("SORTIE_ASK_WORKLOAD"),
+        "Whether missions ask every two minutes how much there is to do; never in exams.",
+    ),
+    setting(
         "records.enabled",
         SettingKind::Flag,
         Some("SORTIE_RECORD"),

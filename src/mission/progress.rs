@@ -41,7 +41,10 @@ pub struct Progress {
     pub clues: ClueProgress,
     /// Whether the trainee can still set a prediction and a goal.
     pub can_pledge: bool,
-    /// Figures on the operator's handling of the swarm so far.
+    /// The newest question about the workload that was answered, as [`workload_question`](crate::scoring::workload_question)
+    /// counts them.
+    pub answered_question: Option<u64>,
+    /// How the operator handles the swarm so far.
     pub swarm: SwarmFigures,
     /// Places known so far, for the grammar: contacts (`c1`) and `peak`.
     pub places: BTreeMap<String, LatLon>,

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use super::TICK;
 use crate::geo::maths;
-use crate::scoring::{SwarmTimes, VehicleUse};
+use crate::scoring::{SwarmTimes, VehicleLoad, VehicleUse};
 use crate::vehicle::VehicleId;
 
 /// Movement within this distance counts as standing still: a vehicle drifts with the wind and its receiver's errors.
@@ -36,6 +36,9 @@ pub(crate) struct VehicleUsage {
     neglected_for: Option<Duration>,
     /// How long it has been waiting for its next command, while it is.
     waiting_for: Option<Duration>,
+    /// Time in the air so far that it was productive after a command, and that it waited for one.
+    neglected: Duration,
+    waited: Duration,
 }
 
 impl VehicleUsage {
@@ -49,6 +52,8 @@ impl VehicleUsage {
             still_for: Duration::ZERO,
             neglected_for: None,
             waiting_for: None,
+            neglected: Duration::ZERO,
+            waited: Duration::ZERO,
         }
     }
 
@@ -57,7 +62,16 @@ impl VehicleUsage {
         self.totals
     }
 
-    /// Advances by a tick.
+    /// What it has come to so far, for the workload of its operator.
+    pub fn load(&self) -> VehicleLoad {
+        VehicleLoad {
+            waiting: u16::from(self.waiting_for.is_some()),
+            neglected: self.neglected,
+            waited: self.waited,
+        }
+    }
+
+    /// Lets a tick pass.
     pub fn step(&mut self, look: UsageLook, times: &mut SwarmTimes) {
         let Some(at) = look.airborne_at else {
             times.neglected.extend(self.neglected_for.take());
@@ -96,10 +110,12 @@ impl VehicleUsage {
             self.waiting_for = None;
             if let Some(neglected_for) = &mut self.neglected_for {
                 *neglected_for += TICK;
+                self.neglected += TICK;
             }
         } else {
             times.neglected.extend(self.neglected_for.take());
             *self.waiting_for.get_or_insert_default() += TICK;
+            self.waited += TICK;
         }
     }
 }

@@ -98,7 +98,8 @@ impl CommandTally {
 #[derive(Debug, Clone, Default)]
 pub struct CommandLog {
     given_at: BTreeMap<EntryId, Duration>,
-    /// Failed rows; true if the vehicle was not heard, which excuses the operator.
+    last_given: Option<Duration>,
+    /// Rows that failed; true where the vehicle could not be heard, which excuses the operator.
     excused: BTreeMap<(EntryId, VehicleId), bool>,
 }
 
@@ -124,7 +125,7 @@ pub enum CommandEvent {
 impl CommandLog {
     /// Mission time of the last command.
     pub fn last_given(&self) -> Option<Duration> {
-        self.given_at.values().copied().max()
+        self.last_given
     }
 
     /// Reads the ledger again; returns the new events, oldest first.
@@ -138,6 +139,9 @@ impl CommandLog {
         for entry in ledger.entries() {
             if let btree_map::Entry::Vacant(unseen) = self.given_at.entry(entry.id) {
                 unseen.insert(now);
+                if entry.verb.counts_as != CountsAs::SelfReport {
+                    self.last_given = Some(now);
+                }
                 if entry.risk == Risk::SkipsChecks {
                     let forced = |row: &LedgerRow| CommandEvent::Forced {
                         vehicle: row.vehicle,
@@ -240,12 +244,12 @@ fn slot(verb: &'static Verb) -> Option<Slot> {
     match verb.counts_as {
         CountsAs::Task => Some(Slot::Task),
         CountsAs::Setting => Some(Slot::Setting(verb.name)),
-        CountsAs::Question | CountsAs::Report | CountsAs::Word => None,
+        CountsAs::Question | CountsAs::Report | CountsAs::Word | CountsAs::SelfReport => None,
     }
 }
 
 fn is_word(entry: &LedgerEntry) -> bool {
-    entry.verb.counts_as == CountsAs::Word
+    entry.verb.counts_as.is_said_to_mission()
 }
 
 fn is_rejected(row: &LedgerRow) -> bool {

@@ -5,7 +5,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{AlertFact, AlertLevel, Improvement, Medal, SwarmFigures, TruthReport, VehicleUse};
+use super::{
+    AlertFact, AlertLevel, Improvement, Medal, SwarmFigures, TruthReport, VehicleUse,
+    WorkloadReport,
+};
 use crate::ledger::RowState;
 use crate::text::{Text, rounded};
 
@@ -89,7 +92,10 @@ pub struct Report {
     pub usage: Vec<UseReport>,
     /// Figures on the operator's handling of the swarm.
     pub swarm: SwarmFigures,
-    /// The truth, for the map of the debrief.
+    /// How much there was to do over the flight; empty in reports that are older than this.
+    #[serde(default, skip_serializing_if = "WorkloadReport::is_empty")]
+    pub workload: WorkloadReport,
+    /// What the world really was, for the map of the debrief.
     pub truth: TruthReport,
     /// The drill for the mission, if there is one; set by the shell.
     #[serde(default, skip_serializing_if = "Option::is_none")]

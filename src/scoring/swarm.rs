@@ -9,10 +9,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::text::rounded;
 
-/// A longer gap between two commands means that the operator was busy otherwise.
-const AT_IT: Duration = Duration::from_secs(20);
-/// The least interaction time of a command: for a script it would be zero.
-const LEAST_INTERACTION: Duration = Duration::from_secs(1);
+/// The operator was at something else when this much passed between two commands.
+pub(super) const AT_IT: Duration = Duration::from_secs(20);
+/// Giving a command takes no less: a script's interaction time would be nothing.
+pub(super) const LEAST_INTERACTION: Duration = Duration::from_secs(1);
 
 /// Measurements during a mission.
 #[derive(Debug, Clone, PartialEq, Default)]

@@ -7,11 +7,15 @@ use std::thread::JoinHandle;
 use super::Console;
 use crate::app::event::{Event, SessionEvent};
 use crate::app::state::Ghost;
-use crate::comparison::ComparedFlight;
+use crate::comparison::{ComparedFlight, FlightBookmark};
 use crate::exercise::{fly_compared, read_script};
 use crate::language::GhostSource;
 use crate::mission::Mission;
 use crate::mission::record::Stored;
+use crate::moment::Moment;
+use crate::record::Journal;
+use crate::replay::Replay;
+use crate::review::Review;
 use crate::store::{self, RecordFiles, read_run, user_path};
 use crate::text;
 use crate::text::Text;
@@ -43,10 +47,10 @@ impl Console {
         let shown = self
             .shown_mission()
             .ok_or_else(|| text!("ghost-no-mission"))?;
-        let own = self
-            .replaying
-            .as_ref()
-            .and_then(|it| it.film().run().cloned());
+        let film = self.replaying.as_ref().map(Replay::film);
+        let own = film.and_then(|it| it.run().cloned());
+        let own_bookmarks =
+            film.map_or_else(Vec::new, |film| bookmarks(film.journal(), film.review()));
         let id = shown.mission.id.clone();
         let plan = match source {
             GhostSource::File(path) => {
@@ -66,7 +70,9 @@ impl Console {
                 return Err(text!("ghost-other-mission", other = other, mission = id));
             }
             let own = own.map(|own| ComparedFlight::of_record(&own, text!("compare-own")));
-            Ok(Ghost::new(Arc::new(other), own.transpose()?.map(Arc::new)))
+            let own = own.transpose()?;
+            let own = own.map(|own| Arc::new(own.with_bookmarks(own_bookmarks)));
+            Ok(Ghost::new(Arc::new(other), own))
         };
         let thread = std::thread::Builder::new().name("ghost".to_owned());
         if self.ghost.as_ref().is_some_and(|it| !it.is_finished()) {
@@ -119,6 +125,24 @@ impl Console {
     }
 }
 
+/// The bookmarks of a flight as they stand now.
+fn bookmarks(journal: Option<&Journal>, review: &Review) -> Vec<FlightBookmark> {
+    journal.map_or_else(Vec::new, |journal| {
+        let recorded: Vec<Moment> = journal.bookmarks().collect();
+        FlightBookmark::of_moments(&review.bookmarks(&recorded), journal)
+    })
+}
+
+/// The bookmarks of the record that a run belongs to; none where it has no journal that can be read.
+fn bookmarks_beside(run: &Path) -> Vec<FlightBookmark> {
+    let files = RecordFiles::beside(run);
+    let read = |path: &Path| std::fs::read_to_string(path).ok();
+    let journal = files.journal.as_deref().and_then(read);
+    let journal = journal.and_then(|text| Journal::read(&text).ok());
+    let review = read(&files.review).and_then(|text| Review::read(&text).ok());
+    bookmarks(journal.as_ref(), &review.unwrap_or_default())
+}
+
 impl GhostPlan {
     fn flight(self) -> Result<ComparedFlight, Text> {
         match self {
@@ -130,7 +154,8 @@ impl GhostPlan {
                 let stored = Stored::read(&read_run(&path).map_err(unreadable)?)?;
                 let whose = stored.head.profile.clone();
                 let name = Text::verbatim(whose.unwrap_or_else(|| stored.head.when.clone()));
-                ComparedFlight::of_record(&stored, name)
+                let flight = ComparedFlight::of_record(&stored, name)?;
+                Ok(flight.with_bookmarks(bookmarks_beside(&path)))
             }
             Self::Reference(shown) => {
                 let id = &shown.mission.id;

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use sortie::app::state::Ghost;
-use sortie::comparison::{ComparedFlight, differences};
+use sortie::comparison::{ComparedFlight, FlightBookmark, differences};
 use sortie::exercise::{Exercise, fly_compared, read_script};
 use sortie::mission::Mission;
 use sortie::mission::record::{Occasion, Stored};
@@ -104,4 +104,30 @@ fn two_flights_are_aligned_by_what_happened_in_both() {
     assert_eq!(ghost.alignment(), Alignment::Takeoff);
     let mut under_way = Ghost::new(Arc::clone(&ghost.other), None);
     assert!(!under_way.align(Alignment::Takeoff));
+}
+
+fn with_bookmarks(flight: ComparedFlight, bookmarks: &[(u64, &str)]) -> ComparedFlight {
+    let bookmark = |&(second, text): &(u64, &str)| FlightBookmark {
+        at: Duration::from_secs(second),
+        text: text.to_owned(),
+    };
+    flight.with_bookmarks(bookmarks.iter().map(bookmark).collect())
+}
+
+#[test]
+fn two_flights_are_aligned_by_the_same_bookmark_else_by_the_first() {
+    let own = || with_bookmarks(short(), &[(10, "late"), (30, "gate")]);
+    let seconds = Duration::from_secs;
+    for (theirs, expected) in [
+        (&[(5, "wind"), (20, "gate")][..], Some(seconds(40))),
+        (&[(5, "wind")][..], Some(seconds(45))),
+        (&[][..], None),
+    ] {
+        let other = with_bookmarks(reference(), theirs);
+        let mut ghost = Ghost::new(Arc::new(other), Some(Arc::new(own())));
+        let is_aligned = ghost.align(Alignment::Bookmark);
+        assert_eq!(is_aligned, expected.is_some());
+        let shown = ghost.time(seconds(50)).filter(|_| is_aligned);
+        assert_eq!(shown, expected, "{theirs:?}");
+    }
 }

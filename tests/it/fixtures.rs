@@ -10,7 +10,7 @@ use sortie::mission::{
 };
 use sortie::scoring::{
     ComponentReport, EventKind, EventReport, FlightBackend, FlownBy, MissionFile, ObjectiveReport,
-    Report, ScoreGrade, SwarmFigures, TruthReport,
+    Report, ScoreGrade, SwarmFigures, TruthReport, WorkloadReport,
 };
 use sortie::vehicle::{
     Attitude, Battery, Ekf, EkfFlags, FixType, GlobalPosition, Gps, Health, Heartbeat, LandedState,
@@ -195,6 +195,7 @@ pub fn progress() -> Progress {
             factor: 1.0,
         },
         can_pledge: false,
+        answered_question: None,
         swarm: SwarmFigures::default(),
         findings: Findings::default(),
         places: std::collections::BTreeMap::new(),
@@ -268,6 +269,7 @@ pub fn report() -> Report {
         alerts: Vec::new(),
         usage: Vec::new(),
         swarm: SwarmFigures::default(),
+        workload: WorkloadReport::default(),
         truth: TruthReport::default(),
         drill: None,
         tries: Vec::new(),

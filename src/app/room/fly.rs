@@ -128,6 +128,7 @@ impl RoomModel for Fly {
         does(key('x'), Action::Acknowledge),
         writes('@', "select @"),
         writes('w', "hint"),
+        writes('o', "workload "),
         writes('e', "inject "),
     ];
 

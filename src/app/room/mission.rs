@@ -5,13 +5,14 @@ use crate::app::State;
 use crate::app::action::{Action, Step};
 use crate::app::keymap::{ENTER, ESCAPE, KeyHint, KeyRow, does, hint, key, writes};
 use crate::app::room::home;
+use crate::app::room::page::{PageLine, Tone};
 use crate::app::room::{Answer, Room, RoomModel, RoomRequest, footer_keys};
 use crate::mission::{Listing, Progress};
 use crate::text::Text;
 
 mod page;
 
-pub use page::{PageLine, Tone, columns, tasks};
+pub use page::{columns, tasks};
 
 /// The state of the room.
 #[derive(Debug, Clone, Default)]
@@ -99,6 +100,7 @@ impl RoomModel for Mission {
         writes('s', "predict "),
         writes('g', "goal "),
         writes('w', "hint"),
+        writes('o', "workload "),
         writes('e', "inject "),
         does(key('r'), Action::Again),
         does(key('a'), Action::Abandon),

@@ -3,7 +3,8 @@
 
 use crossterm::event::KeyCode;
 
-use super::mission::{PageLine, positions};
+use super::mission::positions;
+use super::page::PageLine;
 use super::{Answer, Room, RoomModel, RoomRequest, State, footer_keys};
 use crate::app::action::{Action, Step, ViewAction};
 use crate::app::effect::{Effect, ReplayEffect};

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use crate::comparison::ComparedFlight;
+use crate::comparison::{Anchors, ComparedFlight};
 use crate::moment::Alignment;
 
 /// Another flight, and how its time is aligned with that of the present one.
@@ -47,19 +47,14 @@ impl Ghost {
 
     /// The times of the aligning event in both flights.
     fn anchors(&self, alignment: Alignment) -> Option<Anchors> {
-        let own = match &self.own {
-            Some(own) => own.anchor(alignment)?,
-            // For a live flight only the start is certain.
-            None if alignment == Alignment::Start => Duration::ZERO,
-            None => return None,
-        };
-        let other = self.other.anchor(alignment)?;
-        Some(Anchors { own, other })
+        match &self.own {
+            Some(own) => ComparedFlight::anchors(own, &self.other, alignment),
+            // Of a flight under way only the start is known for certain.
+            None if alignment == Alignment::Start => Some(Anchors {
+                own: Duration::ZERO,
+                other: Duration::ZERO,
+            }),
+            None => None,
+        }
     }
-}
-
-/// The times at which two flights are aligned.
-struct Anchors {
-    own: Duration,
-    other: Duration,
 }

@@ -10,6 +10,7 @@ use super::{
 };
 use crate::campaign::Reward;
 use crate::config::Config;
+use crate::debrief::WorkloadStrips;
 use crate::doctor::LinkFinding;
 use crate::geo::{GridSize, LatLon};
 use crate::language::Groups;
@@ -27,7 +28,23 @@ impl<R> State<R> {
         self.now
     }
 
-    /// The replay, if there is one.
+    /// The workload of the flight that is replayed, once it is known, with a mark at the moment shown.
+    pub fn workload_strips<'a>(
+        &'a self,
+        locale: &'a Locale,
+        width: usize,
+    ) -> Option<WorkloadStrips<'a>> {
+        let report = self.replay.as_ref()?.report.as_ref()?;
+        let workload = Some(&report.workload).filter(|it| !it.is_empty())?;
+        Some(WorkloadStrips {
+            workload,
+            width,
+            cursor: self.session.mission.as_ref().map(|it| it.elapsed),
+            locale,
+        })
+    }
+
+    /// The recording that is replayed, if one is.
     pub fn replay(&self) -> Option<&ReplayView> {
         self.replay.as_ref()
     }

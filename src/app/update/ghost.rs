@@ -5,6 +5,7 @@ use crate::app::effect::{Effect, Effects, SessionEffect};
 use crate::app::state::{Activity, Ghost};
 use crate::language::{GhostLine, GhostSource};
 use crate::mission::Stake;
+use crate::moment::Alignment;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
@@ -23,7 +24,7 @@ pub fn carry_out(state: &mut State, line: GhostLine) -> Result<Effects, Text> {
         GhostLine::AlignedBy(alignment) => {
             let ghost = state.ghost.as_mut().ok_or_else(|| text!("ghost-none"))?;
             if !ghost.align(alignment) {
-                return Err(text!("ghost-not-in-both", moment = alignment.text()));
+                return Err(not_aligned(ghost, alignment));
             }
             state.say(
                 Severity::Notice,
@@ -38,8 +39,20 @@ pub fn carry_out(state: &mut State, line: GhostLine) -> Result<Effects, Text> {
     Ok(Effects::none())
 }
 
-/// Whether a flight may be shown beside this one: another pilot's flight would give the solution away where a flight
-/// counts.
+/// Why two flights cannot be laid upon each other by something.
+fn not_aligned(ghost: &Ghost, alignment: Alignment) -> Text {
+    let own = ghost.own.as_ref();
+    match own.filter(|_| alignment == Alignment::Bookmark) {
+        Some(own) if own.bookmarks.is_empty() => text!("ghost-no-bookmark"),
+        Some(_) => text!(
+            "ghost-no-bookmark-in-other",
+            name = ghost.other.name.clone()
+        ),
+        None => text!("ghost-not-in-both", moment = alignment.text()),
+    }
+}
+
+/// Whether a flight may be shown beside this one: that of another pilot gives the solution away where a flight counts.
 fn admit(state: &State, source: &GhostSource) -> Result<(), Text> {
     let Some(Activity::Mission { stake, .. }) = &state.session.activity else {
         return Err(text!("ghost-no-mission"));

@@ -15,7 +15,7 @@ use crate::operator::{first_word, order_of};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
-use crate::verb::{CountsAs, Danger};
+use crate::verb::Danger;
 
 /// The most targets listed one by one.
 const NAMED_TARGETS: usize = 12;
@@ -97,7 +97,8 @@ fn permit(state: &State, line: &str, statement: &Statement) -> Result<(), Diagno
     }
 }
 
-/// Whether a command needs no time: a hint, or the trainee's prediction or goal.
+/// Whether a line needs no time to pass: it asks for a hint, says how much there is to do, or is the trainee's word before
+/// launch.
 fn moves_nothing(state: &State, statement: &Statement) -> bool {
     match &statement.meaning {
         Meaning::Act(act) if is_word(act) => state.can_pledge(),
@@ -111,12 +112,12 @@ fn is_word(act: &Act) -> bool {
 }
 
 fn is_question(act: &Act) -> bool {
-    matches!(act, Act::Deed(Deed::Hint))
+    matches!(act, Act::Deed(Deed::Hint | Deed::Workload { .. }))
 }
 
 /// What Enter does with an order, as text.
 pub fn announced(state: &State, order: &Order) -> Text {
-    if order.verb.counts_as == CountsAs::Word {
+    if order.verb.counts_as.is_said_to_mission() {
         let key = state.keymap.key(Action::Submit, Place::Prompt);
         return text!("palette-confirms", key = key);
     }

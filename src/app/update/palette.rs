@@ -16,7 +16,6 @@ use crate::language::{self, Completion, VehicleChoice, ranges, words};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
-use crate::verb::CountsAs;
 
 /// The most lines that one macro may lead to; one that calls itself would never end.
 const MACRO_LINES: usize = 100;
@@ -262,7 +261,7 @@ pub fn is_to_console(state: &State, line: &str) -> bool {
 /// Whether a line so far is for the mission, and no vehicle.
 fn is_to_mission(state: &State, line: &str) -> bool {
     let said = state.with_context(|context| language::said(line, context));
-    said.is_ok_and(|row| row.scope.takes_targets() && row.verb.counts_as == CountsAs::Word)
+    said.is_ok_and(|row| row.scope.takes_targets() && row.verb.counts_as.is_said_to_mission())
 }
 
 /// The targets of a line so far, so that they are never a guess.

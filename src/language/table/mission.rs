@@ -8,7 +8,9 @@ use crate::language::argument::{Argument, Arguments, Kind, Unit};
 use crate::language::verb::{Form, Scope, VerbRow};
 use crate::verb::{CountsAs, Danger, Movement, Precedence, Verb};
 
-pub(super) static ROWS: &[VerbRow] = &[MARK, UNMARK, SAMPLE, DROP, SPRAY, PREDICT, GOAL, HINT];
+pub(super) static ROWS: &[VerbRow] = &[
+    MARK, UNMARK, SAMPLE, DROP, SPRAY, PREDICT, GOAL, HINT, WORKLOAD,
+];
 
 const WAY: Kind = Kind::Number(Unit::Metres, -20_000.0, 20_000.0);
 const POINTS: Kind = Kind::Whole(Unit::None, 0.0, 1000.0);
@@ -230,6 +232,31 @@ const GOAL: VerbRow = VerbRow {
             },
         ),
     ],
+};
+
+const WORKLOAD: VerbRow = VerbRow {
+    verb: Verb {
+        name: "workload",
+        danger: Danger::None,
+        retry: ONCE,
+        precedence: Precedence::InTurn,
+        movement: Movement::None,
+        counts_as: CountsAs::SelfReport,
+    },
+    scope: Scope::Everywhere,
+    aliases: &[],
+    examples: &["1 workload 3"],
+    forms: &[Form::new(
+        &[Argument::value(
+            "level",
+            Kind::Whole(Unit::None, 1.0, 5.0),
+            "argument-workload",
+        )],
+        |given| {
+            let level = given.required("level")? as u8;
+            deed(Deed::Workload { level })
+        },
+    )],
 };
 
 const HINT: VerbRow = VerbRow {

@@ -5,8 +5,8 @@ use std::collections::BTreeSet;
 use super::{Flight, Loads, LoadsScene};
 use crate::commands::{Deed, FindKind, Goal, Spot, Subject};
 use crate::ledger::{EntryId, RowState, RowUpdate};
-use crate::mission::Point;
 use crate::mission::report::Mark;
+use crate::mission::{Point, Stake};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
@@ -112,6 +112,13 @@ impl Flight {
             Deed::Goal(goal) => {
                 self.before_launch()?;
                 self.pledge.goal = Some(*goal);
+                Ok(None)
+            }
+            Deed::Workload { level } => {
+                if self.stake == Stake::Exam {
+                    return Err(text!("deed-workload-in-exam"));
+                }
+                self.swarm.answer(self.elapsed, *level);
                 Ok(None)
             }
             Deed::Sample => self.loads_and_scene().1.take_sample(vehicle),

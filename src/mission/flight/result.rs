@@ -10,6 +10,7 @@ use crate::scoring::{
 };
 use crate::text;
 use crate::text::rounded;
+use crate::verb::CountsAs;
 
 /// The facts that the score depends on.
 pub(super) fn facts(flight: &Flight, standings: &[ObjectiveStanding]) -> Facts {
@@ -58,7 +59,10 @@ pub(super) fn report(flight: &Flight, ledger: &Ledger) -> Report {
     facts.commands = judged(flight, flight.orders.tally_of(ledger));
     let mission = &flight.mission;
     let score = score(&mission.scoring, &facts);
-    let commands: Vec<_> = flight.orders.entries(ledger).collect();
+    let entries = flight.orders.entries(ledger);
+    let commands: Vec<_> = entries
+        .filter(|(_, entry)| entry.verb.counts_as != CountsAs::SelfReport)
+        .collect();
     let place_of = |command| commands.iter().position(|(_, entry)| entry.id == command);
     Report {
         mission: mission.id.clone(),
@@ -101,6 +105,7 @@ pub(super) fn report(flight: &Flight, ledger: &Ledger) -> Report {
         alerts: facts.alerts.iter().map(AlertReport::from).collect(),
         usage: uses(&facts),
         swarm: flight.swarm.figures(&flight.crafts, flight.elapsed),
+        workload: flight.swarm.workload(),
         truth: flight.truth_report(),
         drill: None,
         tries: Vec::new(),

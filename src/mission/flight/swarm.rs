@@ -6,7 +6,7 @@ use crate::ledger::{EntryId, Ledger, LedgerEntry};
 use crate::mission::craft::Craft;
 use crate::mission::survey::Surveys;
 use crate::mission::usage::{UsageLook, VehicleUsage};
-use crate::scoring::{SwarmFigures, SwarmTimes, VehicleUse};
+use crate::scoring::{SwarmFigures, SwarmTimes, VehicleUse, WorkloadCourse, WorkloadReport};
 use crate::vehicle::VehicleId;
 use crate::verb::Movement;
 
@@ -16,6 +16,7 @@ pub(super) struct SwarmAccount {
     /// Each vehicle's use of time, in the order of the vehicles.
     usage: Vec<VehicleUsage>,
     times: SwarmTimes,
+    course: WorkloadCourse,
     /// The newest command to vehicles.
     newest: Option<NewestOrder>,
 }
@@ -50,6 +51,26 @@ impl SwarmAccount {
             };
             usage.step(look, &mut self.times);
         }
+        if self.course.is_due(now) {
+            let loads = self.usage.iter().map(VehicleUsage::load);
+            self.course.note(loads.sum());
+        }
+    }
+
+    /// The trainee has said how much there is to do, from 1 to 5.
+    pub fn answer(&mut self, now: Duration, level: u8) {
+        self.course.answer(now, level);
+    }
+
+    /// The newest question about the workload that was answered.
+    pub fn answered_question(&self) -> Option<u64> {
+        self.course.answered_question()
+    }
+
+    /// How much there was to do over the flight.
+    pub fn workload(&self) -> WorkloadReport {
+        let commands = self.times.commands.iter().map(|command| command.0);
+        self.course.report(&commands.collect::<Vec<_>>())
     }
 
     /// Figures on the operator's handling so far.

@@ -54,6 +54,7 @@ impl Flight {
             clues: self.clue_progress(),
             pledge: self.pledge,
             can_pledge: self.before_launch().is_ok(),
+            answered_question: self.swarm.answered_question(),
             swarm: self.swarm.figures(&self.crafts, self.elapsed),
             places: self.places(),
             contacts: self.search.shown_contacts(&self.mission.origin),

@@ -205,6 +205,44 @@ fn what_goes_back_in_time_or_comes_after_the_end_is_damage() {
     }
 }
 
+/// A flight that says how much there is to do as often as this, by command, and is recorded.
+fn asked(answers: &[u8], stake: Stake) -> (Report, String) {
+    let mut pilot = Pilot::new(7);
+    pilot.flight.set_stake(stake);
+    pilot.flight.start_record(&occasion(stake));
+    pilot.take_off(20.0);
+    for level in answers {
+        pilot.command(&format!("1 workload {level}"), RowState::Done);
+        let deed = Deed::Workload { level: *level };
+        drop(pilot.flight.act(EntryId(0), &deed, &[1]));
+        pilot.tick();
+    }
+    for _ in answers.len()..3 {
+        pilot.tick();
+    }
+    pilot.survey();
+    pilot.land();
+    let report = pilot.flight.close(&pilot.ledger);
+    (report, pilot.flight.take_record())
+}
+
+#[test]
+fn what_is_said_of_the_workload_is_recorded_and_changes_nothing_else() {
+    let (silent, _) = asked(&[], Stake::Practice);
+    let (told, text) = asked(&[2, 5, 3], Stake::Practice);
+    let levels: Vec<u8> = told.workload.answers.iter().map(|it| it.level).collect();
+    assert_eq!(levels, [2, 5, 3]);
+    let mut without_answers = told.clone();
+    without_answers.workload.answers.clear();
+    assert_eq!(without_answers, silent);
+    let stored = Stored::read(&text).expect("a good record");
+    let again = stored.rescore().expect("a good mission");
+    assert_eq!(again.report.workload.answers, told.workload.answers);
+    assert_eq!(again.before.map(|end| end.score), Some(again.report.score));
+    let (exam, _) = asked(&[2], Stake::Exam);
+    assert_eq!(exam.workload.answers, []);
+}
+
 #[test]
 fn what_was_said_before_a_launch_that_did_not_come_holds_for_the_next_try_and_is_on_its_record() {
     let mut first = recorded();
@@ -278,9 +316,9 @@ fn a_record_that_is_older_than_careers_was_practice_with_the_missions_own_drones
     assert!(head.designs.is_empty());
 }
 
-/// The verbs that a record may name. A record outlives the table: if a verb is renamed, [`language::verb`] must still
-/// read the old name before it is changed here.
-const RECORDED_VERBS: [&str; 40] = [
+/// The verbs that a record may name. A record outlives the table: where a verb gets another name, the old one has to
+/// stay readable ([`language::verb`]) before it is changed here.
+const RECORDED_VERBS: [&str; 41] = [
     "altitude",
     "arm",
     "disarm",
@@ -320,6 +358,7 @@ const RECORDED_VERBS: [&str; 40] = [
     "takeoff",
     "unmark",
     "velocity",
+    "workload",
     "yaw",
 ];
 

@@ -6,17 +6,28 @@ use ratatui::text::Line;
 use crate::app::State;
 use crate::app::action::Action;
 use crate::app::keymap::Place;
-use crate::app::room::mission::{self, PageLine, Tone, visible};
+use crate::app::room::mission::{self, visible};
+use crate::app::room::page::{PageLine, Tone};
 use crate::app::state::Room;
 use crate::notice::sanitised;
 use crate::text;
 use crate::ui::panel::Panel;
 use crate::ui::screen::site::{self, SITE_ROWS};
 use crate::ui::theme::Role;
-use crate::ui::widget::{below, columns, put, row_of, upper};
+use crate::ui::widget::{below, clip, columns, put, row_of, upper, urgent};
 
 /// Draws the page from its first visible line; the last page stays full.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
+    let Some(question) = urgent::workload_question(state) else {
+        return draw_pages(state, panel, buffer);
+    };
+    let words = clip(&panel.text(&question), panel.width());
+    let line = Line::styled(words, panel.style(Role::Accent));
+    put(buffer, panel.area, 0, &line);
+    draw_pages(state, panel.below(1), buffer);
+}
+
+fn draw_pages(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let pages = mission::columns(state, &panel.look.locale, panel.area.width);
     if pages.is_empty() {
         let line = Line::styled(

@@ -80,8 +80,16 @@ fn pages<'a>(view: &ReplayView, shown: ReviewPage, panel: Panel<'_>) -> Line<'a>
     Line::from(spans)
 }
 
-/// The moments, and the map at the one under the cursor.
-fn draw_moments(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
+/// The moments, and the map at the one under the cursor; below them how much there was to do.
+fn draw_moments(state: &State, all: Panel<'_>, buffer: &mut Buffer) {
+    let strips = state.workload_strips(&all.look.locale, all.width());
+    let workload = strips.map_or_else(Vec::new, |strips| strips.lines());
+    let rows = all.area.height.saturating_sub(workload.len() as u16);
+    for (row, line) in (rows..).zip(&workload) {
+        let line = Line::styled(line.as_str(), all.style(Role::Muted));
+        put(buffer, all.area, row, &line);
+    }
+    let panel = all.upper(rows);
     let width = (panel.area.width / LIST_SHARE).min(WIDEST_LIST);
     let list = panel.columns(0, width.saturating_sub(1));
     let map = panel.columns(width, panel.area.width - width);

@@ -5,6 +5,8 @@ use ratatui::buffer::Buffer;
 use ratatui::text::Line;
 
 use crate::app::State;
+use crate::app::keymap::{Meaning, Place};
+use crate::app::state::Room;
 use crate::mission::Progress;
 use crate::scoring::AlertLevel;
 use crate::text;
@@ -46,12 +48,21 @@ fn lines(state: &State) -> Vec<(Text, Role)> {
         Some(progress) if !state.session().is_over() => all(progress),
         _ => return Vec::new(),
     };
+    lines.extend(workload_question(state).map(|question| (question, Role::Accent)));
     if lines.len() > MOST {
         let count = lines.len() + 1 - MOST;
         lines.truncate(MOST - 1);
         lines.push((text!("mission-urgent-more", count = count), Role::Warning));
     }
     lines
+}
+
+/// How much there is to do, where the trainee is asked that now.
+pub fn workload_question(state: &State) -> Option<Text> {
+    let answer = Meaning::words("workload ");
+    let key = state.keymap().key(answer, Place::In(Room::Fly));
+    let question = || text!("workload-question", key = key);
+    state.asks_workload().then(question)
 }
 
 fn all(progress: &Progress) -> Vec<(Text, Role)> {

@@ -127,7 +127,7 @@ fn messages_name_the_key_that_is_in_force() {
 
 #[test]
 fn the_keys_of_a_list_of_vehicles_are_those_of_the_room() {
-    for (room, commands) in [(Room::Fly, "a d m t l r h g w"), (Room::Map, "a d m t r")] {
+    for (room, commands) in [(Room::Fly, "a d m t l r h g w o"), (Room::Map, "a d m t r")] {
         let mut console = flying(room, "");
         console.press("2");
         let footer = footer(&console);

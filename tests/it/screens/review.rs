@@ -8,8 +8,10 @@ use sortie::app::event::{CareerEvent, ReplayEvent, SessionEvent};
 use sortie::app::state::{Activity, Ghost, ReplayView};
 use sortie::campaign::Stake;
 use sortie::language::GhostSource;
+use sortie::mission::Progress;
 use sortie::moment::{Moment, MomentKind};
 use sortie::review::{PointKind, Review};
+use sortie::scoring::{Report, VehicleLoad, WorkloadCourse, WorkloadReport};
 use sortie::text::Text;
 
 use super::check;
@@ -266,4 +268,75 @@ fn the_next_brief_repeats_the_points_of_the_last_review() {
     let screen = console.screen(80, 24);
     assert!(screen.contains("From your last review"), "{screen}");
     assert!(screen.contains("- stay below the limit"), "{screen}");
+}
+
+/// A workload of five minutes with a busy stretch and two answers.
+fn workload() -> WorkloadReport {
+    let mut course = WorkloadCourse::default();
+    let commands: Vec<Duration> = (6..20).map(|at| Duration::from_secs(at * 10)).collect();
+    for point in 0..32 {
+        course.note(VehicleLoad {
+            waiting: u16::from(point > 20) * 2,
+            neglected: Duration::from_secs(point * 12),
+            waited: Duration::from_secs(point.saturating_sub(20) * 20),
+        });
+    }
+    for (second, level) in [(125, 4), (244, 2)] {
+        course.answer(Duration::from_secs(second), level);
+    }
+    course.report(&commands)
+}
+
+#[test]
+fn the_workload_of_a_recorded_flight_is_shown_at_the_moment_shown() {
+    let mut console = reviewing();
+    let report = Report {
+        workload: workload(),
+        ..fixtures::report()
+    };
+    console.hear(ReplayEvent::Known {
+        length: Duration::from_secs(312),
+        moments: Arc::new(vec![moment(150, MomentKind::Rule, Some(2), "too high")]),
+        report: Some(Arc::new(report)),
+    });
+    console.hear(SessionEvent::Mission(Box::new(Progress {
+        elapsed: Duration::from_secs(150),
+        ..fixtures::progress()
+    })));
+    console.press("tab");
+    check("review_workload", &console);
+    console.give("show mission");
+    check("mission_replayed_workload", &console);
+}
+
+#[test]
+fn a_mission_asks_for_the_workload_every_two_minutes_unless_it_is_an_exam() {
+    let asks = |stake, elapsed_s, answered_question| {
+        let mut console = Console::new();
+        console.start(Activity::Mission {
+            id: "m01".to_owned(),
+            title: "Air sample at the yard".into(),
+            stake,
+        });
+        console.vehicle(fixtures::airborne(1, 30.0, 20.0));
+        console.hear(SessionEvent::Mission(Box::new(Progress {
+            elapsed: Duration::from_secs(elapsed_s),
+            answered_question,
+            ..fixtures::progress()
+        })));
+        let screens = ["show fly", "show mission"].map(|room| {
+            console.give(room);
+            console
+                .screen(80, 24)
+                .contains("How much do you have to do")
+        });
+        assert_eq!(screens[0], screens[1]);
+        screens[0]
+    };
+    assert!(asks(Stake::Graded, 121, None));
+    assert!(asks(Stake::Practice, 254, Some(1)));
+    assert!(!asks(Stake::Graded, 121, Some(1)), "it was answered");
+    assert!(!asks(Stake::Graded, 135, None), "15 s are over");
+    assert!(!asks(Stake::Graded, 60, None));
+    assert!(!asks(Stake::Exam, 121, None));
 }

@@ -1,7 +1,7 @@
 //! A mission in the trainee's career: its state, the skills it trains, its rewards and unlocks.
 
 use crate::app::State;
-use crate::app::room::mission::Tone;
+use crate::app::room::page::Tone;
 use crate::app::state::Career;
 use crate::campaign::{LockReason, Mastery, MissionStage, Offer, Skill};
 use crate::mission::{Listing, Unlock};

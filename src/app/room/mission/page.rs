@@ -9,6 +9,7 @@ use crate::app::State;
 use crate::app::action::Action;
 use crate::app::keymap::{Meaning, Place};
 use crate::app::room::Room;
+use crate::app::room::page::{PageLine, TextPage, Tone, padded};
 use crate::mission::{Listing, ObjectiveState};
 use crate::text;
 use crate::text::{Locale, Text, reflow, wrap};
@@ -19,6 +20,7 @@ mod launch;
 mod points;
 mod rewards;
 mod tries;
+mod workload;
 
 /// The least width for two columns.
 const TWO_COLUMNS: u16 = 110;
@@ -28,33 +30,7 @@ const WIDEST: usize = 88;
 const DETAIL: usize = 24;
 const POINTS: usize = 7;
 
-/// The look of a line.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Tone {
-    /// A heading with a rule.
-    Title,
-    Plain,
-    Muted,
-    /// An objective that is met.
-    Met,
-    /// An objective that was not reached.
-    Missed,
-    /// An obstacle.
-    Warning,
-    /// What to do next.
-    Hint,
-    /// The newest requested hint.
-    AskedHint,
-}
-
-/// One line of the room.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct PageLine {
-    pub tone: Tone,
-    pub text: String,
-}
-
-/// The lines of one column, or of two on a wide screen; empty without a mission.
+/// The lines of one column, or of two where the screen is wide enough. There is none without a mission.
 pub fn columns(state: &State, locale: &Locale, width: u16) -> Vec<Vec<PageLine>> {
     let Some(mission) = shown(state) else {
         return Vec::new();
@@ -64,10 +40,8 @@ pub fn columns(state: &State, locale: &Locale, width: u16) -> Vec<Vec<PageLine>>
     let room = if two { (width - 5) / 2 } else { width - 2 };
     let page = || Page {
         state,
-        locale,
         mission,
-        width: room.min(WIDEST),
-        lines: Vec::new(),
+        text: TextPage::new(locale, room.min(WIDEST)),
     };
     let mut first = page();
     first.brief();
@@ -79,13 +53,14 @@ pub fn columns(state: &State, locale: &Locale, width: u16) -> Vec<Vec<PageLine>>
         first.hints();
         let mut second = page();
         second.tasks();
-        vec![first.lines, second.lines]
+        vec![first.text.finish(), second.text.finish()]
     } else {
         first.objectives();
+        first.workload();
         first.hints();
         first.rules();
         first.scoring();
-        vec![first.lines]
+        vec![first.text.finish()]
     }
 }
 
@@ -93,55 +68,30 @@ pub fn columns(state: &State, locale: &Locale, width: u16) -> Vec<Vec<PageLine>>
 pub fn tasks(state: &State, mission: &Listing, locale: &Locale, width: u16) -> Vec<PageLine> {
     let mut page = Page {
         state,
-        locale,
         mission,
-        width: usize::from(width).min(WIDEST),
-        lines: Vec::new(),
+        text: TextPage::new(locale, usize::from(width).min(WIDEST)),
     };
     page.tasks();
-    page.lines
+    page.text.finish()
 }
 
 struct Page<'a> {
     state: &'a State,
-    locale: &'a Locale,
     mission: &'a Listing,
-    width: usize,
-    lines: Vec<PageLine>,
+    text: TextPage<'a>,
 }
 
 impl Page<'_> {
-    fn add(&mut self, tone: Tone, text: impl Into<String>) {
-        self.lines.push(PageLine {
-            tone,
-            text: text.into(),
-        });
-    }
-
-    /// A heading, with space above it.
-    fn title(&mut self, text: &Text) {
-        if !self.lines.is_empty() {
-            self.add(Tone::Plain, "");
-        }
-        self.add(Tone::Title, self.locale.text(text));
-    }
-
-    fn paragraph(&mut self, tone: Tone, text: &str) {
-        for line in wrap(text, self.width) {
-            self.add(tone, line);
-        }
-    }
-
     fn brief(&mut self) {
-        self.title(&self.mission.title.clone());
-        let brief = reflow(&self.locale.text(&self.mission.brief));
-        self.paragraph(Tone::Plain, &brief);
+        self.text.title(&self.mission.title.clone());
+        let brief = reflow(&self.text.locale.text(&self.mission.brief));
+        self.text.paragraph(Tone::Plain, &brief);
         if self.awaits_launch() {
             return;
         }
-        self.add(Tone::Plain, "");
-        let course = self.locale.text(&self.course());
-        self.add(Tone::Muted, course);
+        self.text.add(Tone::Plain, "");
+        let course = self.text.locale.text(&self.course());
+        self.text.add(Tone::Muted, course);
     }
 
     /// The progress of the flight.
@@ -175,20 +125,21 @@ impl Page<'_> {
 
     fn tasks(&mut self) {
         self.objectives();
+        self.workload();
         self.rules();
         self.scoring();
     }
 
     fn objectives(&mut self) {
-        self.title(&text!("mission-objectives"));
-        let required = self.locale.say("mission-required");
+        self.text.title(&text!("mission-objectives"));
+        let required = self.text.locale.say("mission-required");
         let rows: Vec<Row> = (0..self.mission.objectives.len())
             .map(|at| self.row(at))
             .collect();
         let widest = rows.iter().map(|row| row.detail.width()).max();
         let detail = widest.unwrap_or(0).min(DETAIL);
         let rest = 4 + 1 + detail + 1 + POINTS + 2 + required.width();
-        let room = self.width.saturating_sub(rest);
+        let room = self.text.width.saturating_sub(rest);
         for row in rows {
             let wrapped = wrap(&row.title, room);
             let mut title = wrapped.iter();
@@ -200,9 +151,9 @@ impl Page<'_> {
                 row.points,
                 if row.required { &required } else { "" }
             );
-            self.add(row.tone, line.trim_end());
+            self.text.add(row.tone, line.trim_end());
             for rest in title {
-                self.add(row.tone, format!("    {rest}"));
+                self.text.add(row.tone, format!("    {rest}"));
             }
         }
     }
@@ -222,8 +173,8 @@ impl Page<'_> {
         Row {
             mark,
             tone,
-            title: self.locale.text(&objective.title),
-            detail: self.locale.text(detail.unwrap_or(&objective.target)),
+            title: self.text.locale.text(&objective.title),
+            detail: self.text.locale.text(detail.unwrap_or(&objective.target)),
             points: match now {
                 // Adding 0 turns a negative zero into zero.
                 Some(now) => format!("{:.0}/{value:.0}", value * now.fraction + 0.0),
@@ -251,37 +202,37 @@ impl Page<'_> {
         if given.is_empty() && (self.awaits_launch() || !more) {
             return;
         }
-        self.title(&text!("mission-hints"));
+        self.text.title(&text!("mission-hints"));
         for (at, (level, clue)) in given.iter().enumerate() {
             let hint = text!("mission-hint-of", level = *level, hint = clue);
-            let clue = self.locale.text(&hint);
+            let clue = self.text.locale.text(&hint);
             let is_newest = at + 1 == given.len();
             let tone = if is_newest {
                 Tone::AskedHint
             } else {
                 Tone::Plain
             };
-            self.paragraph(tone, &clue);
+            self.text.paragraph(tone, &clue);
         }
         if self.awaits_launch() {
             return;
         }
         if let Some(next) = next {
-            let next = self.locale.text(&next);
-            self.paragraph(Tone::Muted, &next);
+            let next = self.text.locale.text(&next);
+            self.text.paragraph(Tone::Muted, &next);
         }
         let last = hints.len().saturating_sub(1);
         for (at, hint) in hints.iter().enumerate() {
             let going_on = at == last && !self.state.session.over;
             let tone = if going_on { Tone::Hint } else { Tone::Muted };
-            let hint = self.locale.text(hint);
-            self.paragraph(tone, &hint);
+            let hint = self.text.locale.text(hint);
+            self.text.paragraph(tone, &hint);
         }
     }
 
     fn rules(&mut self) {
         let mission = self.mission;
-        self.title(&text!("mission-rules"));
+        self.text.title(&text!("mission-rules"));
         let wind = mission.wind();
         let mut rows = vec![
             (
@@ -321,12 +272,12 @@ impl Page<'_> {
         ];
         rows.extend(self.fits());
         rows.extend(self.zones());
-        self.rows(&rows);
+        self.text.rows(&rows);
     }
 
     fn scoring(&mut self) {
         let mission = self.mission;
-        self.title(&text!("mission-scoring"));
+        self.text.title(&text!("mission-scoring"));
         let weight = |(name, weight): &(Text, f64)| {
             let points = format!("{:.0}", weight * 1000.0);
             Text::joined(" ", vec![name.clone(), points.into()])
@@ -347,32 +298,7 @@ impl Page<'_> {
             rows.push((text!("mission-gold-needs"), gates));
         }
         rows.extend(self.rewards());
-        self.rows(&rows);
-    }
-
-    /// Adds names with their values beside them.
-    fn rows(&mut self, rows: &[(Text, Text)]) {
-        let plain = rows
-            .iter()
-            .map(|(name, what)| (name.clone(), what.clone(), Tone::Plain));
-        self.toned_rows(&plain.collect::<Vec<_>>());
-    }
-
-    /// The same, each in its own tone.
-    fn toned_rows(&mut self, rows: &[(Text, Text, Tone)]) {
-        let names: Vec<String> = rows
-            .iter()
-            .map(|(name, ..)| self.locale.text(name))
-            .collect();
-        let indent = names.iter().map(|name| name.width()).max().unwrap_or(0) + 2;
-        for (name, (_, what, tone)) in names.iter().zip(rows) {
-            let what = self.locale.text(what);
-            let mut lead = padded(name, indent);
-            for line in wrap(&what, self.width.saturating_sub(indent)) {
-                self.add(*tone, lead + &line);
-                lead = " ".repeat(indent);
-            }
-        }
+        self.text.rows(&rows);
     }
 }
 
@@ -384,12 +310,6 @@ struct Row {
     detail: String,
     points: String,
     required: bool,
-}
-
-/// A text padded with blanks to at least `width` columns.
-fn padded(text: &str, width: usize) -> String {
-    let gap = width.saturating_sub(text.width());
-    format!("{text}{}", " ".repeat(gap))
 }
 
 fn clock(time: Duration) -> String {

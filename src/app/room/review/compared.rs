@@ -2,7 +2,7 @@
 
 use super::key_of;
 use super::page::Page;
-use crate::app::room::mission::Tone;
+use crate::app::room::page::Tone;
 use crate::comparison::{ComparedFlight, Difference, differences};
 use crate::debrief::fit;
 use crate::text;
@@ -19,18 +19,18 @@ impl Page<'_> {
     pub(super) fn compared(&mut self) {
         let Some(ghost) = &self.state.ghost else {
             let key = key_of(self.state, "ghost");
-            return self.say(Tone::Hint, &text!("compare-how", key = key));
+            return self.text.say(Tone::Hint, &text!("compare-how", key = key));
         };
         let Some(own) = ghost.own.clone() else {
-            return self.say(Tone::Muted, &text!("compare-in-flight"));
+            return self.text.say(Tone::Muted, &text!("compare-in-flight"));
         };
         let other = &ghost.other;
         let alignment = text!("compare-aligned", moment = ghost.alignment().text());
-        self.say(Tone::Muted, &alignment);
+        self.text.say(Tone::Muted, &alignment);
         self.heads(&own, other);
         let differences = differences(&own, other);
         if differences.is_empty() {
-            self.say(Tone::Muted, &text!("compare-same"));
+            self.text.say(Tone::Muted, &text!("compare-same"));
         }
         for difference in differences {
             self.difference(&difference);
@@ -39,13 +39,13 @@ impl Page<'_> {
 
     /// The pilots of the flights, and their results.
     fn heads(&mut self, own: &ComparedFlight, other: &ComparedFlight) {
-        let [mine, theirs] = [own, other].map(|it| self.locale.text(&it.name));
+        let [mine, theirs] = [own, other].map(|it| self.text.locale.text(&it.name));
         self.row(Tone::Hint, ["", "", &mine, &theirs, ""]);
         let (score, their_score) = (own.report.score, other.report.score);
         let gain = i32::from(score) - i32::from(their_score);
         let cells = [
             "",
-            &self.locale.say("compare-score"),
+            &self.text.locale.say("compare-score"),
             &score.to_string(),
             &their_score.to_string(),
             &format!("{gain:+}"),
@@ -54,7 +54,7 @@ impl Page<'_> {
     }
 
     fn difference(&mut self, difference: &Difference) {
-        let say = |text: &Text| self.locale.text(text);
+        let say = |text: &Text| self.text.locale.text(text);
         let time = difference.at.map_or_else(String::new, clock);
         let points = match difference.points {
             Some(points) => format!("{points:+.1}"),
@@ -75,7 +75,7 @@ impl Page<'_> {
 
     /// A row of the table: time, what, this flight, the other one, points.
     fn row(&mut self, tone: Tone, cells: [&str; 5]) {
-        let rest = self.width.saturating_sub(TIME + POINTS + 4);
+        let rest = self.text.width.saturating_sub(TIME + POINTS + 4);
         let what = rest * WHAT / SHARES;
         let side = (rest - what) / 2;
         let [time, about, own, other, points] = cells;
@@ -86,6 +86,6 @@ impl Page<'_> {
             fit(own, side),
             fit(other, side)
         );
-        self.add(tone, line.trim_end());
+        self.text.add(tone, line.trim_end());
     }
 }

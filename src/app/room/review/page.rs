@@ -3,14 +3,14 @@
 use super::{ReviewPage, key_of};
 use crate::app::State;
 use crate::app::action::Action;
-use crate::app::room::mission::{PageLine, Tone};
+use crate::app::room::page::{PageLine, TextPage, Tone};
 use crate::app::state::ReplayView;
-use crate::debrief::{DebriefTone, explanation};
+use crate::debrief::{DebriefTone, explanation, workload_words};
 use crate::moment::MomentKind;
 use crate::review::{PointKind, Review};
 use crate::scoring::Report;
 use crate::text;
-use crate::text::{Locale, Text, clock, reflow, wrap};
+use crate::text::{Locale, clock, reflow};
 
 pub(super) fn lines(state: &State, locale: &Locale, width: u16) -> Vec<PageLine> {
     let Some(view) = &state.replay else {
@@ -19,9 +19,7 @@ pub(super) fn lines(state: &State, locale: &Locale, width: u16) -> Vec<PageLine>
     let mut page = Page {
         state,
         view,
-        locale,
-        width: usize::from(width),
-        lines: Vec::new(),
+        text: TextPage::new(locale, usize::from(width)),
     };
     match state.rooms.review.page {
         ReviewPage::Planned => page.planned(),
@@ -31,69 +29,34 @@ pub(super) fn lines(state: &State, locale: &Locale, width: u16) -> Vec<PageLine>
         ReviewPage::Explained => page.explained(),
         ReviewPage::Compared => page.compared(),
     }
-    page.lines
+    page.text.finish()
 }
 
 pub(super) struct Page<'a> {
     pub state: &'a State,
     view: &'a ReplayView,
-    pub locale: &'a Locale,
-    pub width: usize,
-    lines: Vec<PageLine>,
+    pub text: TextPage<'a>,
 }
 
 impl Page<'_> {
-    pub fn add(&mut self, tone: Tone, text: impl Into<String>) {
-        let text = text.into();
-        self.lines.push(PageLine { tone, text });
-    }
-
-    fn title(&mut self, text: &Text) {
-        if !self.lines.is_empty() {
-            self.add(Tone::Plain, "");
-        }
-        self.add(Tone::Title, self.locale.text(text));
-    }
-
-    fn paragraph(&mut self, tone: Tone, text: &str) {
-        for line in wrap(text, self.width) {
-            self.add(tone, line);
-        }
-    }
-
-    pub fn say(&mut self, tone: Tone, text: &Text) {
-        let words = self.locale.text(text);
-        self.paragraph(tone, &words);
-    }
-
-    /// A list item; its later lines are indented.
-    fn item(&mut self, tone: Tone, lead: &str, text: &str) {
-        let indent = " ".repeat(lead.len());
-        let lines = wrap(text, self.width.saturating_sub(lead.len()));
-        for (at, line) in lines.iter().enumerate() {
-            let lead = if at == 0 { lead } else { &indent };
-            self.add(tone, format!("{lead}{line}"));
-        }
-    }
-
     fn planned(&mut self) {
         let Some(mission) = &self.state.session.listing else {
-            return self.say(Tone::Muted, &text!("review-no-plan"));
+            return self.text.say(Tone::Muted, &text!("review-no-plan"));
         };
-        self.title(&mission.title);
-        let brief = reflow(&self.locale.text(&mission.brief));
-        self.paragraph(Tone::Plain, &brief);
-        self.title(&text!("mission-objectives"));
+        self.text.title(&mission.title);
+        let brief = reflow(&self.text.locale.text(&mission.brief));
+        self.text.paragraph(Tone::Plain, &brief);
+        self.text.title(&text!("mission-objectives"));
         for objective in &mission.objectives {
             let line = text!(
                 "review-objective",
                 objective = &objective.title,
                 target = &objective.target
             );
-            let line = self.locale.text(&line);
-            self.item(Tone::Plain, "- ", &line);
+            let line = self.text.locale.text(&line);
+            self.text.item(Tone::Plain, "- ", &line);
         }
-        self.title(&text!("review-said-before"));
+        self.text.title(&text!("review-said-before"));
         self.said_before();
     }
 
@@ -104,13 +67,14 @@ impl Page<'_> {
         };
         if let Some(prediction) = report.prediction {
             let line = text!("review-predicted", score = prediction.predicted);
-            self.say(Tone::Plain, &line);
+            self.text.say(Tone::Plain, &line);
         }
         if let Some(goal) = &report.goal {
-            self.say(Tone::Plain, &text!("review-goal", goal = &goal.text));
+            self.text
+                .say(Tone::Plain, &text!("review-goal", goal = &goal.text));
         }
         if report.prediction.is_none() && report.goal.is_none() {
-            self.say(Tone::Muted, &text!("review-nothing-said"));
+            self.text.say(Tone::Muted, &text!("review-nothing-said"));
         }
     }
 
@@ -128,17 +92,18 @@ impl Page<'_> {
                 length = clock(self.view.length)
             )
         };
-        self.say(Tone::Muted, &text);
+        self.text.say(Tone::Muted, &text);
     }
 
     fn why(&mut self) {
-        self.title(&text!("review-outcome"));
+        self.text.title(&text!("review-outcome"));
         match self.view.report.clone() {
             Some(report) => self.outcome(&report),
             None => self.unread(),
         }
         self.counts();
-        self.title(&text!("review-why-question"));
+        self.workload();
+        self.text.title(&text!("review-why-question"));
         let why = self.view.review.why.clone();
         self.answer(&why);
     }
@@ -150,7 +115,7 @@ impl Page<'_> {
             outcome = &report.outcome,
             score = report.score
         );
-        self.say(Tone::Plain, &result);
+        self.text.say(Tone::Plain, &result);
         for objective in &report.objectives {
             let (tone, lead) = if objective.met {
                 (Tone::Met, "[x] ")
@@ -163,8 +128,8 @@ impl Page<'_> {
                 result = &objective.result,
                 target = &objective.target
             );
-            let line = self.locale.text(&line);
-            self.item(tone, lead, &line);
+            let line = self.text.locale.text(&line);
+            self.text.item(tone, lead, &line);
         }
     }
 
@@ -181,38 +146,52 @@ impl Page<'_> {
             .map(|kind| {
                 let moments = self.view.moments.iter();
                 let count = moments.filter(|it| it.kind == kind).count();
-                format!("{}: {count}", self.locale.text(&kind.text()))
+                format!("{}: {count}", self.text.locale.text(&kind.text()))
             })
             .collect();
-        self.add(Tone::Muted, counts.join("   "));
+        self.text.add(Tone::Muted, counts.join("   "));
+    }
+
+    /// How much there was to do, in words; its curves stand below the moments.
+    fn workload(&mut self) {
+        let Some(report) = self.view.report.clone() else {
+            return;
+        };
+        if report.workload.is_empty() {
+            return;
+        }
+        self.text.title(&text!("workload-title"));
+        for words in workload_words(&report.workload) {
+            self.text.say(Tone::Muted, &words);
+        }
     }
 
     fn next(&mut self) {
-        self.title(&text!("review-next-question"));
+        self.text.title(&text!("review-next-question"));
         let review = self.view.review.clone();
         self.answer(&review.next);
         for kind in PointKind::ALL {
-            self.title(&kind.text());
+            self.text.title(&kind.text());
             self.points(&review, kind);
         }
-        self.add(Tone::Plain, "");
+        self.text.add(Tone::Plain, "");
         let how = text!(
             "review-points-how",
             sustain = key_of(self.state, "review sustain"),
             improve = key_of(self.state, "review improve"),
             remove = key_of(self.state, "review remove")
         );
-        self.say(Tone::Muted, &how);
+        self.text.say(Tone::Muted, &how);
     }
 
     fn points(&mut self, review: &Review, kind: PointKind) {
         if review.points_of(kind).next().is_none() {
-            return self.say(Tone::Muted, &text!("review-no-points"));
+            return self.text.say(Tone::Muted, &text!("review-no-points"));
         }
         for (number, point) in (1..).zip(review.points()) {
             if point.kind == kind {
                 let lead = format!("{number} {} ", clock(point.at()));
-                self.item(Tone::Plain, &lead, &point.text);
+                self.text.item(Tone::Plain, &lead, &point.text);
             }
         }
     }
@@ -220,21 +199,22 @@ impl Page<'_> {
     fn answer(&mut self, answer: &str) {
         if answer.is_empty() {
             let key = self.state.key(Action::Submit);
-            self.say(Tone::Hint, &text!("review-answer-how", key = key));
+            self.text
+                .say(Tone::Hint, &text!("review-answer-how", key = key));
         } else {
-            self.paragraph(Tone::Plain, answer);
+            self.text.paragraph(Tone::Plain, answer);
         }
     }
 
     fn explained(&mut self) {
         if !self.view.review.is_answered() {
-            self.say(Tone::Hint, &text!("review-locked"));
+            self.text.say(Tone::Hint, &text!("review-locked"));
             return;
         }
         let Some(report) = self.view.report.clone() else {
             return self.unread();
         };
-        for line in explanation(&report, self.locale) {
+        for line in explanation(&report, self.text.locale) {
             let tone = match line.tone {
                 DebriefTone::Heading | DebriefTone::Head => Tone::Title,
                 DebriefTone::Good => Tone::Met,
@@ -242,7 +222,7 @@ impl Page<'_> {
                 DebriefTone::Gain => Tone::Hint,
                 DebriefTone::Plain | DebriefTone::Event(_) => Tone::Plain,
             };
-            self.add(tone, line.text.trim_end());
+            self.text.add(tone, line.text.trim_end());
         }
     }
 }

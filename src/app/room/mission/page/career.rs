@@ -12,8 +12,8 @@ impl Page<'_> {
         if facts.is_empty() || !is_read {
             return;
         }
-        self.title(&text!("mission-career"));
+        self.text.title(&text!("mission-career"));
         let rows = facts.into_iter().map(|it| (it.name, it.what, it.tone));
-        self.toned_rows(&rows.collect::<Vec<_>>());
+        self.text.toned_rows(&rows.collect::<Vec<_>>());
     }
 }

@@ -1,7 +1,8 @@
 //! The questions before launch, and the answers.
 
-use super::{Page, Tone};
+use super::Page;
 use crate::app::action::Action;
+use crate::app::room::page::Tone;
 use crate::mission::Pledge;
 use crate::text;
 use crate::text::Text;
@@ -44,16 +45,16 @@ impl Page<'_> {
             return;
         }
         let waits = self.awaits_launch();
-        self.title(&if waits {
+        self.text.title(&if waits {
             text!("mission-launch")
         } else {
             text!("mission-pledge")
         });
-        self.rows(&rows);
+        self.text.rows(&rows);
         let progress = self.state.session.mission.as_ref();
         if waits && let Some(hint) = progress.and_then(|progress| progress.hint.as_ref()) {
-            let hint = self.locale.text(hint);
-            self.paragraph(Tone::Hint, &hint);
+            let hint = self.text.locale.text(hint);
+            self.text.paragraph(Tone::Hint, &hint);
         }
     }
 

@@ -1,6 +1,7 @@
 //! The points to keep and to improve from the last review of the mission.
 
-use super::{Page, Tone};
+use super::Page;
+use crate::app::room::page::Tone;
 use crate::review::PointKind;
 use crate::text;
 use crate::text::wrap;
@@ -13,15 +14,15 @@ impl Page<'_> {
         let Some(review) = review.filter(|it| is_read && !it.points().is_empty()) else {
             return;
         };
-        self.title(&text!("mission-review"));
+        self.text.title(&text!("mission-review"));
         let points = PointKind::ALL
             .into_iter()
             .flat_map(|kind| review.points_of(kind));
         for point in points {
             let lead = point.kind.sign();
-            for (at, line) in wrap(&point.text, self.width - 2).iter().enumerate() {
+            for (at, line) in wrap(&point.text, self.text.width - 2).iter().enumerate() {
                 let lead = if at == 0 { lead } else { ' ' };
-                self.add(Tone::Hint, format!("{lead} {line}"));
+                self.text.add(Tone::Hint, format!("{lead} {line}"));
             }
         }
     }

@@ -23,8 +23,8 @@ impl Page<'_> {
             .chain(&tries[from..])
             .map(|one| row(one, best == Some(one)))
             .collect();
-        self.title(&text!("mission-tries"));
-        self.rows(&rows);
+        self.text.title(&text!("mission-tries"));
+        self.text.rows(&rows);
     }
 }
 

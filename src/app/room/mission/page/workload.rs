@@ -1,0 +1,22 @@
+//! How much there was to do, in a replay.
+
+use super::Page;
+use crate::app::room::page::Tone;
+use crate::text;
+
+impl Page<'_> {
+    /// The curves of a recorded flight, with a mark at the moment shown: never while it is flown.
+    pub(super) fn workload(&mut self) {
+        let Some(strips) = self
+            .state
+            .workload_strips(self.text.locale, self.text.width)
+        else {
+            return;
+        };
+        self.text.title(&text!("workload-title"));
+        for line in strips.lines() {
+            self.text.add(Tone::Plain, line);
+        }
+        self.text.say(Tone::Muted, &text!("workload-how"));
+    }
+}
