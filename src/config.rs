@@ -1,7 +1,7 @@
-//! The console's configuration, whatever file, variable or flag it came from.
+//! The console's configuration, from files, variables and flags.
 //!
-//! [`SETTINGS`] declares every setting once; [`Layers`] lays defaults, file, environment and flags over each other
-//! and remembers where each value came from.
+//! [`SETTINGS`] declares every setting once; [`Layers`] lays defaults, file, environment and flags over each other and
+//! remembers where each value came from.
 
 use std::collections::BTreeMap;
 
@@ -36,12 +36,12 @@ pub struct Config {
     pub theme: String,
     /// Frames per second at most.
     pub fps: u8,
-    /// What curves and maps are drawn with; `None` follows the terminal.
+    /// The symbols for curves and maps; `None` follows the terminal.
     pub symbols: Option<Symbols>,
     /// Whether the mouse is listened to.
     pub mouse: bool,
     pub table: TableConfig,
-    /// How alerts make themselves noticed.
+    /// The signals of alerts.
     pub alerts: AlertsConfig,
     /// Named sequences of lines of the command language.
     pub macros: BTreeMap<String, Vec<String>>,
@@ -51,14 +51,14 @@ pub struct Config {
     pub workload: WorkloadConfig,
     /// What is recorded of flights.
     pub records: RecordsConfig,
-    /// What the program writes down about itself.
+    /// The program's own log.
     pub log: LogConfig,
     pub hangar: HangarConfig,
     pub connect: ConnectConfig,
     pub results: ResultsConfig,
 }
 
-/// What is kept of trainees.
+/// The storage of trainees' results.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct ResultsConfig {
@@ -85,7 +85,7 @@ pub struct ConnectConfig {
     pub expect: Option<String>,
 }
 
-/// What a terminal can show besides letters.
+/// The symbols that a terminal can show besides letters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Symbols {
@@ -101,7 +101,7 @@ impl Symbols {
     /// The names of all.
     pub const NAMES: &'static [&'static str] = &["braille", "block", "ascii"];
 
-    /// Those of a name.
+    /// The symbols with a name.
     pub fn named(name: &str) -> Option<Self> {
         match name {
             "braille" => Some(Self::Braille),
@@ -112,7 +112,7 @@ impl Symbols {
     }
 }
 
-/// How alerts make themselves noticed.
+/// The signals of alerts.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct AlertsConfig {
@@ -161,7 +161,7 @@ impl Default for RecordsConfig {
     }
 }
 
-/// SITL processes: what the hangar starts, and how much of it.
+/// SITL processes of the hangar, and their limits.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct HangarConfig {
@@ -177,7 +177,7 @@ pub struct HangarConfig {
     pub instances: u16,
     /// Address space of one instance, in mebibytes.
     pub memory: u64,
-    /// What happens to instances that end by themselves.
+    /// What happens to instances that end without a request.
     pub restart: Restart,
     /// Where the instances' folders are made; by default in the folder of the state.
     pub folder: Option<String>,
@@ -187,7 +187,7 @@ pub struct HangarConfig {
     pub token_file: Option<String>,
 }
 
-/// What happens to an instance that has ended by itself.
+/// What happens to an instance that has ended without a request.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, VariantNames)]
 #[serde(rename_all = "lowercase")]
 #[strum(serialize_all = "lowercase")]
@@ -216,13 +216,13 @@ impl Default for HangarConfig {
     }
 }
 
-/// What the program writes down about itself.
+/// The program's own log.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct LogConfig {
     /// The file; without one nothing is written.
     pub file: Option<String>,
-    /// What goes into it, as directives of `tracing`: `info`, `warn,sortie::link=debug`.
+    /// Its content, as directives of `tracing`: `info`, `warn,sortie::link=debug`.
     pub level: String,
 }
 

@@ -1,8 +1,8 @@
-//! The link doctor: from what a link has carried to why nothing works, and what to try.
+//! The link doctor: from a link's traffic to the causes of faults, and advice.
 //!
-//! A [`Chart`] per link keeps the last seconds of what was [`observe`]d; [`diagnose`] looks at all charts
-//! together, because one system id on two links is a fault of neither. It names causes, worst first; what a
-//! person reads of them is made from [`LinkFinding`] by whoever speaks to people.
+//! A [`Chart`] per link keeps the last seconds of what was [`observe`]d; [`diagnose`] looks at all charts together,
+//! because one system id on two links is a fault of neither. It names causes, worst first; what a person reads of them
+//! is made from [`LinkFinding`] by whoever speaks to people.
 
 use std::collections::{BTreeMap, VecDeque};
 use std::time::Duration;
@@ -18,13 +18,13 @@ mod words;
 
 pub use diagnosis::{Cause, LinkFinding, Weight, diagnose};
 
-/// A chart looks back so far.
+/// The time span of a chart.
 pub const WINDOW: Duration = Duration::from_secs(10);
 /// A sender that has been silent for so long is gone.
 const GONE_AFTER: Duration = Duration::from_secs(5);
 const HEARTBEAT: u32 = HEARTBEAT_DATA::ID;
 
-/// What kind of way a link is: the advice depends on it.
+/// The kind of connection, on which the advice depends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Way {
     /// Connects to a TCP server.
@@ -55,7 +55,7 @@ impl Way {
     }
 }
 
-/// What a sender is, by its heartbeats.
+/// The role of a sender, by its heartbeats.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HeartbeatRole {
     Autopilot,
@@ -69,7 +69,7 @@ pub enum HeartbeatRole {
 /// A sender that is heard on a link.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sender {
-    /// Who it is, and by which peer it comes.
+    /// The sender, and its peer.
     pub source: FrameSource,
     pub role: HeartbeatRole,
     /// How long it has been heard without a pause: before that it may have been paused, and could not answer.
@@ -77,7 +77,7 @@ pub struct Sender {
     pub heartbeat_hz: f64,
     /// Whether its last heartbeat was signed.
     pub signed: bool,
-    /// Whether it speaks MAVLink 1.
+    /// Whether it sends MAVLink 1.
     pub version1: bool,
     /// How long ago it last answered us; `None` if it never did.
     pub answered_ago: Option<Duration>,
@@ -85,22 +85,22 @@ pub struct Sender {
     pub asked: u64,
 }
 
-/// What a link's senders' numbering shows, by their ids.
+/// The sequence counts of a link's senders, by their ids.
 pub type NumberedSenders = BTreeMap<(SystemId, ComponentId), NumberedFrames>;
 
 /// Frames of one sender, by their numbers.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct NumberedFrames {
-    /// Those that have come.
+    /// Frames received.
     pub came: u64,
-    /// Those that are missing.
+    /// Frames missing.
     pub lost: u64,
-    /// Those whose number lies before one that had been heard.
+    /// Frames with a number before one already received.
     pub late: u64,
 }
 
 impl NumberedFrames {
-    /// Notes what the number of one more frame says.
+    /// Counts one more frame by its sequence number.
     pub fn note(&mut self, step: SequenceStep) {
         self.came += 1;
         self.lost = self.lost.saturating_add_signed(step.missing.into());
@@ -116,12 +116,12 @@ impl NumberedFrames {
     }
 }
 
-/// What a link looked like at one time.
+/// The state of a link at one time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Observation {
     /// Whether it carries data.
     pub up: bool,
-    /// What its decoders have counted.
+    /// The counters of its decoders.
     pub counters: Counters,
     pub numbered: NumberedSenders,
     pub senders: Vec<Sender>,
@@ -136,7 +136,7 @@ impl Sender {
     }
 }
 
-/// Looks at who is heard by a link; `now` is on the census's clock.
+/// The senders heard on a link; `now` is on the census's clock.
 pub fn observe(census: &Census, now: Duration) -> Vec<Sender> {
     census
         .sources()
@@ -195,7 +195,7 @@ pub struct Chart {
     up_since: Option<Duration>,
 }
 
-/// What changed on a link within the window.
+/// The changes of a link within the window.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 struct ChartChange {
     bytes: u64,
@@ -215,7 +215,7 @@ impl Chart {
         }
     }
 
-    /// What kind of way the link is.
+    /// The kind of connection.
     pub fn way(&self) -> Way {
         self.way
     }
@@ -260,7 +260,7 @@ impl Chart {
         }
     }
 
-    /// What changed in a sender's numbering within the window.
+    /// The changes of a sender's sequence counts within the window.
     fn numbered(&self, sender: &Sender) -> NumberedFrames {
         let ids = sender.ids();
         let of = |seen: Option<&(Duration, Observation)>| {

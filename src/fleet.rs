@@ -39,15 +39,15 @@ pub enum FleetEvent {
     Parameters(VehicleId, watch::Receiver<ParameterSnapshot>),
     /// A link was opened; its state and its frames can be watched from now on.
     Linked(watch::Receiver<LinkStatus>, Tap),
-    /// A command has come further, or a vehicle's telemetry says what a human should hear.
+    /// A command's progress, or a notice of a vehicle.
     Report(Report),
-    /// Something is wrong with the ways by which vehicles are heard.
+    /// A fault in the connections to vehicles.
     Warning(Notice),
     /// So many reports more were dropped because the console did not listen.
     Dropped(u64),
 }
 
-/// What the console asks of the hub.
+/// A request of the console to the hub.
 enum FleetRequest {
     Connect(Transport),
     Order(VehicleId, VehicleCommand),
@@ -74,7 +74,7 @@ impl Fleet {
         Self::spawn(WANTED_STREAMS, None, clock, cancel)
     }
 
-    /// Starts an empty fleet whose frames are taken down.
+    /// Starts an empty fleet whose frames are recorded.
     pub fn start_recorded(
         sink: Option<FrameSink>,
         clock: FleetClock,
@@ -83,7 +83,7 @@ impl Fleet {
         Self::spawn(WANTED_STREAMS, sink, clock, cancel)
     }
 
-    /// Starts an empty fleet that asks its vehicles for other telemetry than what the console shows.
+    /// Starts an empty fleet that requests other telemetry than the console's.
     pub fn start_wanting(
         streams: &'static [Stream],
         clock: FleetClock,
@@ -119,7 +119,7 @@ impl Fleet {
         self.ask(FleetRequest::Connect(transport))
     }
 
-    /// Gives a command to one vehicle. How it goes arrives as [`FleetEvent::Report`].
+    /// Sends a command to one vehicle. Its progress arrives as [`FleetEvent::Report`].
     ///
     /// # Errors
     /// The hub has ended or cannot keep up; nothing was sent.
@@ -135,7 +135,7 @@ impl Fleet {
         self.ask(FleetRequest::Steer(vehicle, steering))
     }
 
-    /// Asks a vehicle for all its parameters. They arrive at the receiver of [`FleetEvent::Parameters`].
+    /// Downloads all parameters of a vehicle. They arrive at the receiver of [`FleetEvent::Parameters`].
     ///
     /// # Errors
     /// The hub has ended or cannot keep up; nothing was asked.
@@ -143,7 +143,7 @@ impl Fleet {
         self.ask(FleetRequest::FetchParameters(vehicle))
     }
 
-    /// Says that a vehicle's autopilot was started anew: what it said before is not true any more.
+    /// Notes that a vehicle's autopilot was restarted: its earlier state is void.
     ///
     /// # Errors
     /// The hub has ended or cannot keep up.

@@ -1,4 +1,4 @@
-//! The ledger: every command that was given, with one row per vehicle that tells how it went.
+//! The ledger: every command, with one row per vehicle for its outcome.
 
 use std::collections::VecDeque;
 use std::fmt;
@@ -18,7 +18,7 @@ pub const ENTRIES_KEPT: usize = 10_000;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct EntryId(pub u32);
 
-/// How far a command has come with one vehicle.
+/// The state of a command for one vehicle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum RowState {
@@ -26,7 +26,7 @@ pub enum RowState {
     Queued,
     /// Sent, no answer yet.
     Sent,
-    /// The vehicle works on it and says how far it is, 0 to 100 percent.
+    /// The vehicle reports progress, 0 to 100 percent.
     InProgress(u8),
     /// Accepted (or sent, where no acknowledgement exists); its effect has not shown yet.
     Accepted,
@@ -40,8 +40,8 @@ pub enum RowState {
     TimedOut,
     /// A later command took its place.
     Superseded,
-    /// Something else took the vehicle: another ground station, a failsafe, a pilot's stick. The vehicle's mode and
-    /// arming tell it ([`Claim`](crate::commands::Claim)); a takeover that changes neither goes unnoticed.
+    /// Another source took control: another ground station, a failsafe, a pilot's stick. The vehicle's mode and arming
+    /// show it ([`Claim`](crate::commands::Claim)); a takeover that changes neither goes unnoticed.
     Overtaken,
 }
 
@@ -95,7 +95,7 @@ impl fmt::Display for RowState {
     }
 }
 
-/// What happened to one row.
+/// A change of one row.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RowUpdate {
     pub entry: EntryId,
@@ -104,7 +104,7 @@ pub struct RowUpdate {
     /// How often it has been sent by now.
     pub tries: u8,
     pub at: Duration,
-    /// In plain words, where there is something to explain.
+    /// A text, if there is something to explain.
     pub explanation: Option<Text>,
 }
 
@@ -112,21 +112,21 @@ pub struct RowUpdate {
 #[derive(Debug, Clone, PartialEq)]
 pub struct LedgerRow {
     pub vehicle: VehicleId,
-    /// How far it has come.
+    /// Its state.
     pub state: RowState,
     /// How often it has been sent.
     pub tries: u8,
-    /// When the vehicle answered first, as time since the command was given.
+    /// The time from the command to the vehicle's first answer.
     pub answered_after: Option<Duration>,
     /// When the state changed last.
     pub changed_at: Duration,
     /// The reason of a refusal, or a remark.
     pub explanation: Option<Text>,
-    /// It was done, and is not so any longer: what has ended it.
+    /// What ended the effect of a completed command.
     pub ended_by: Option<Text>,
 }
 
-/// What a command sets at risk, whether or not it is accepted.
+/// The risk of a command, whether or not it is accepted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Risk {
@@ -139,17 +139,17 @@ pub enum Risk {
     SkipsChecks,
 }
 
-/// A command as it is given.
+/// A command to enter in the ledger.
 #[derive(Debug, Clone, Copy)]
 pub struct Given<'a> {
     /// The whole line in the console's grammar, with its targets.
     pub line: &'a str,
     pub verb: &'static Verb,
-    /// What it sets at risk.
+    /// Its risk.
     pub risk: Risk,
 }
 
-/// One command as it was given.
+/// A command with its rows.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LedgerEntry {
     pub id: EntryId,
@@ -158,14 +158,14 @@ pub struct LedgerEntry {
     /// The whole line in the console's grammar, with its targets.
     pub line: String,
     pub verb: &'static Verb,
-    /// What it sets at risk.
+    /// Its risk.
     pub risk: Risk,
     /// A row per target, in the order of the targets.
     pub rows: Vec<LedgerRow>,
 }
 
 impl LedgerEntry {
-    /// Whether every row has come to an end.
+    /// Whether every row has ended.
     pub fn is_final(&self) -> bool {
         self.rows.iter().all(|row| row.state.is_final())
     }
@@ -215,8 +215,8 @@ impl Ledger {
         id
     }
 
-    /// Applies an update; one for an entry that has fallen out, or for a row that has ended, is ignored. A row that was
-    /// done stays so, and notes what has overtaken it.
+    /// Applies an update; one for a dropped entry or an ended row is ignored. A completed row stays so, and notes what
+    /// has overtaken it.
     pub fn apply(&mut self, update: &RowUpdate) {
         let Some(entry) = self.position(update.entry).map(|at| &mut self.entries[at]) else {
             return;
@@ -248,7 +248,7 @@ impl Ledger {
         }
     }
 
-    /// Goes up whenever something changes: who has seen this one need not look again.
+    /// Increases with every change, so that readers can skip unchanged states.
     pub fn revision(&self) -> u64 {
         self.revision
     }

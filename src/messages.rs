@@ -1,5 +1,5 @@
-//! Telemetry: what each `MAVLink` message changes in the model of its vehicle, and what a human should hear
-//! about it. One match chooses the handler; the handlers lie in one file per subject.
+//! Telemetry: what each `MAVLink` message changes in the model of its vehicle, and its notices. One match chooses the
+//! handler; the handlers are in one file per subject.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -39,15 +39,14 @@ mod vibration;
 
 const HEARTBEAT_ID: u32 = HEARTBEAT_DATA::ID;
 
-/// What the handlers of one vehicle remember beside the model: half-received texts, parameters as they
-/// pass, and how far its clock can be trusted.
+/// The state of one vehicle's handlers beside the model: incomplete texts, parameters, and the trust in its clock.
 #[derive(Debug, Clone, Default)]
 pub struct Inbox {
     texts: status_text::Assembly,
     // Shared with those who look at the list; copied when it changes while somebody does.
     parameters: Arc<ParameterList>,
     clock: clock::BootClock,
-    /// When the last reason not to arm came: reasons that come together replace those before.
+    /// The time of the last reason against arming: reasons that come together replace earlier ones.
     reasons_at: Option<Duration>,
     /// When `BATTERY_STATUS` last spoke of pack 0, which then outranks `SYS_STATUS`.
     pack_heard_at: Option<Duration>,
@@ -55,7 +54,7 @@ pub struct Inbox {
     origin: Option<Place>,
 }
 
-/// Where a handler says what a human should hear.
+/// Where a handler puts its notices.
 struct Report<'a> {
     vehicle: VehicleId,
     now: Duration,
@@ -88,7 +87,7 @@ impl Inbox {
         Self::default()
     }
 
-    /// Applies one frame of this vehicle, received at `now`. `notices` gets what a human should hear.
+    /// Applies one frame of this vehicle, received at `now`. `notices` receives the notices.
     ///
     /// State comes from the vehicle's autopilot component only; a text may come from any component.
     pub fn apply(
@@ -127,7 +126,7 @@ impl Inbox {
         }
     }
 
-    /// The parameters that have passed so far.
+    /// The parameters received so far.
     pub fn parameters(&self) -> &Arc<ParameterList> {
         &self.parameters
     }
@@ -142,8 +141,8 @@ impl Inbox {
         Arc::make_mut(&mut self.parameters).forget();
     }
 
-    /// Does what only time can tell: gives out chunked texts whose rest never came (after 1 s), with `...`
-    /// in place of what is missing, and forgets a target that is not sent any more. Call it a few times a second.
+    /// Handles time-outs: releases chunked texts with missing parts (after 1 s), with `...` in their place, and drops
+    /// a target that is not sent any more. Call it a few times a second.
     pub fn poll(&mut self, vehicle: &mut Vehicle, now: Duration, notices: &mut Vec<Notice>) {
         let mut report = Report {
             vehicle: vehicle.id,
@@ -156,8 +155,8 @@ impl Inbox {
         target::expire(vehicle, now);
     }
 
-    /// The autopilot was started anew, and nothing that it said before is true any more. A heartbeat tells its mode and
-    /// whether it is armed.
+    /// Handles a restart of the autopilot: its earlier state is void. A heartbeat gives its mode and whether it is
+    /// armed.
     pub fn restarted(&mut self, vehicle: &mut Vehicle, now: Duration, notices: &mut Vec<Notice>) {
         let mut report = Report {
             vehicle: vehicle.id,
@@ -236,7 +235,7 @@ impl Inbox {
         vehicle.boot_ms = Some(boot_ms);
     }
 
-    /// Drops what a reboot made stale; what we heard and how well outlives it.
+    /// Drops state that a reboot makes stale; statistics of the link stay.
     fn forget(&mut self, vehicle: &mut Vehicle, report: &mut Report<'_>) {
         report.say(Severity::Warning, text!("heard-rebooted"));
         vehicle.link.reboots += 1;

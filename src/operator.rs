@@ -31,30 +31,30 @@ pub enum Dispatch {
     Row(RowUpdate),
     /// Give a vehicle a command.
     Command(VehicleId, VehicleCommand),
-    /// Tell a vehicle where it is to be now.
+    /// Send a vehicle its setpoint.
     Steer(VehicleId, Steering),
     /// Show a human something.
     Notice(Notice),
-    /// Show the reason for which the mission refuses an order. The rows have it, too, but no vehicle says it.
+    /// Show the mission's reason for refusing an order. The rows have it too, but no vehicle sends it.
     Refused(Text),
 }
 
-/// What orders are carried out on, at one moment.
+/// The state on which orders are carried out, at one moment.
 #[derive(Debug)]
 pub struct OperatorScene<'a> {
     /// The time by which the vehicles move.
     pub now: Duration,
-    /// The vehicles as they were heard last.
+    /// The vehicles, as last heard.
     pub vehicles: &'a Vehicles,
     /// The mission, if one is flown.
     pub flight: Option<&'a mut Flight>,
 }
 
-/// Gives orders to vehicles and to the mission, and leads what vehicles do together.
+/// Carries out orders to vehicles and to the mission, and joint manoeuvres.
 #[derive(Debug, Clone, Default)]
 pub struct Operator {
     conductor: Conductor,
-    /// Steering that could not be delivered: a stop is said only once.
+    /// Setpoints that could not be delivered: a stop is sent only once.
     undelivered: BTreeMap<VehicleId, Steering>,
 }
 
@@ -117,7 +117,7 @@ impl Operator {
         }
     }
 
-    /// What follows from an order whose entry in the ledger is open already.
+    /// The work that follows from an order with an open entry in the ledger.
     pub fn carry_out(
         &mut self,
         entry: EntryId,
@@ -142,8 +142,8 @@ impl Operator {
         }
     }
 
-    /// Takes vehicles out of what they were doing together, or into it. Returns the rows that this changes, and the
-    /// vehicles whose autopilots carry the order out.
+    /// Adds vehicles to a manoeuvre, or removes them. Returns the changed rows, and the vehicles whose autopilots
+    /// carry the order out.
     fn assign(
         &mut self,
         entry: EntryId,
@@ -157,7 +157,7 @@ impl Operator {
         (rows.collect(), assignment.alone)
     }
 
-    /// Leads what vehicles do together.
+    /// Advances joint manoeuvres.
     pub fn conduct(&mut self, vehicles: &Vehicles, now: Duration) -> Vec<Dispatch> {
         let turn = self.conductor.step(now, vehicles);
         let mut late = std::mem::take(&mut self.undelivered);
@@ -180,7 +180,7 @@ impl Operator {
         }
     }
 
-    /// What is going to be flown.
+    /// The planned paths.
     pub fn paths(&self) -> Vec<Path> {
         self.conductor.paths()
     }

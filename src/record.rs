@@ -1,4 +1,4 @@
-//! What a flight leaves: beside the frames of its links, a journal of everything that the frames do not tell.
+//! The recording of a flight: beside the frames of its links, a journal of everything that the frames do not contain.
 //!
 //! A record is a set of files with one stem. `STEM.tlog` holds the frames of all links in both directions, as other
 //! ground stations write and read them. `STEM.flight.jsonl` holds the [`Head`] and then a [`JournalLine`] for each
@@ -31,7 +31,7 @@ pub use line::{EntryLine, Happening, JournalLine, LossLine, NoticeLine, RowLine}
 /// The version of the journal's format.
 const VERSION: u32 = 1;
 
-/// What was flown, when and by whom: the first line of a journal.
+/// The mission, time and pilot of a flight: the first line of a journal.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Head {
     /// The version of the format.
@@ -41,7 +41,7 @@ pub struct Head {
     /// The time of day when it began: microseconds since 1970 (UTC). Stamps of the tlog count from 1970 as well.
     pub began_unix_us: u64,
     pub subject: Subject,
-    /// Whose flight it was: the name of a profile, where there is one.
+    /// The name of the pilot's profile, if there is one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub profile: Option<String>,
     /// The places that commands could name.
@@ -64,7 +64,7 @@ fn is_real_time(speedup: &f64) -> bool {
     (*speedup - 1.0).abs() < f64::EPSILON
 }
 
-/// What a recorded session was about.
+/// The subject of a recorded session.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Subject {
@@ -94,7 +94,7 @@ impl Subject {
         }
     }
 
-    /// What it is called.
+    /// Its title.
     pub fn text(&self) -> Text {
         match self {
             Self::Mission(id) => id.as_str().into(),
@@ -105,7 +105,7 @@ impl Subject {
 }
 
 impl Head {
-    /// That of a session that begins at a time of day, in microseconds since 1970 (UTC).
+    /// The head of a session that begins at a time of day, in microseconds since 1970 (UTC).
     pub fn new(subject: Subject, began_unix_us: u64) -> Self {
         Self {
             sortie_flight: VERSION,
@@ -128,11 +128,11 @@ impl Head {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Journal {
     pub head: Head,
-    /// What happened, oldest first.
+    /// The occurrences, oldest first.
     pub lines: Vec<JournalLine>,
-    /// What is wrong with the rest of the file: up to where it could be read.
+    /// The damage of the rest of the file, after the readable part.
     pub damage: Option<Text>,
-    /// Lines that this program does not know.
+    /// The number of unknown lines.
     pub unknown: usize,
 }
 

@@ -40,9 +40,9 @@ pub use film::{Film, TlogSpan};
 use index::Index;
 use stage::Stage;
 
-/// The frames of a replay: so far apart are the moments that can be shown.
+/// The interval of the frames of a replay.
 pub const FRAME: Duration = Duration::from_millis(100);
-/// A key frame is taken on the way ahead, where so much lies between.
+/// The interval of key frames taken while playing forward.
 const KEY_AHEAD: Duration = Duration::from_secs(3);
 /// Frames of the replay that are gone through between two looks at the keys.
 const STEPS_AT_ONCE: usize = 1000;
@@ -60,19 +60,19 @@ pub struct Replay {
     goal: Duration,
     /// When time was looked at last, on the program's clock.
     looked: Option<Duration>,
-    /// What its user has made of it.
+    /// The user's review.
     review: Review,
-    /// All moments: those that the index has found so far, and the bookmarks.
+    /// All moments: those indexed so far, and the bookmarks.
     moments: Arc<Vec<Moment>>,
     /// The moments of the index that are among them.
     merged: Option<Arc<Vec<Moment>>>,
-    /// The length that the console knows.
+    /// The length last reported to the console.
     known_length: Duration,
 }
 
 impl Replay {
-    /// Opens a recording: a tlog, or a file of a record; `config` is what alerts are muted by. Returns it with the
-    /// events that the console has to begin with.
+    /// Opens a recording: a tlog, or a file of a record; `config` has the muted alerts. Returns the replay with its
+    /// initial events.
     ///
     /// # Errors
     /// It cannot be read, or there is nothing in it; in words.
@@ -80,7 +80,7 @@ impl Replay {
         Self::begin(path, config, false)
     }
 
-    /// Opens a recording to be reviewed: it stands still, and the console begins in the room for it.
+    /// Opens a recording for review: it is paused, and the console starts in the review room.
     ///
     /// # Errors
     /// As [`open`](Self::open).
@@ -116,7 +116,7 @@ impl Replay {
         Ok((replay, events))
     }
 
-    /// Opens a recording and goes through all of it, so that its moments and its result are known.
+    /// Opens a recording and indexes all of it, so that its moments and its result are known.
     ///
     /// # Errors
     /// As [`open`](Self::open).
@@ -126,7 +126,7 @@ impl Replay {
         Ok(replay)
     }
 
-    /// Lets it go on, as the program's clock does; returns what happened in it.
+    /// Advances it with the program's clock; returns its events.
     pub fn tick(&mut self, now: Duration) -> Vec<Event> {
         let passed = now.saturating_sub(self.looked.replace(now).unwrap_or(now));
         if self.position.is_playing && self.is_there() {
@@ -137,7 +137,7 @@ impl Replay {
         events
     }
 
-    /// Does what its user wants.
+    /// Carries out the user's control.
     pub fn steer(&mut self, effect: ReplayEffect) -> Vec<Event> {
         let now = self.stage.now();
         match effect {
@@ -206,7 +206,7 @@ impl Replay {
         self.stage.inspect(wanted)
     }
 
-    /// What is replayed.
+    /// The recording.
     pub fn film(&self) -> &Film {
         &self.film
     }
@@ -237,18 +237,17 @@ impl Replay {
         &self.moments
     }
 
-    /// What its user has made of it.
+    /// The user's review.
     pub fn reviewed(&self) -> &Review {
         &self.review
     }
 
-    /// What the recorded mission was scored, once it has been gone through.
+    /// The report of the recorded mission, once indexed.
     pub fn report(&self) -> Option<Arc<Report>> {
         self.index.report()
     }
 
-    /// Stores what its user has made of it, beside the recording. It holds for this replay also where it cannot be
-    /// written.
+    /// Stores the user's review beside the recording. It applies to this replay even if it cannot be written.
     fn keep(&mut self, review: Review) -> Result<(), Text> {
         self.review = review;
         self.merged = None;
@@ -315,7 +314,7 @@ impl Replay {
         }
     }
 
-    /// The first moment that it is to stop at on the way from one time to another, either way.
+    /// The first moment to stop at between two times, in either direction.
     fn stop_between(&self, from: Duration, to: Duration) -> Option<Duration> {
         let stops = |it: &&Moment| self.position.stops.contains(&it.kind);
         let times = self.moments.iter().filter(stops).map(|it| it.at);
@@ -374,7 +373,7 @@ impl Replay {
         }
     }
 
-    /// What the index has found since the last call.
+    /// The index's news since the last call.
     fn news(&mut self) -> Option<Event> {
         self.position.indexed = self.index.reached();
         let length = self.length();
@@ -391,12 +390,12 @@ impl Replay {
     }
 }
 
-/// What is wrong with a recording, for the notices.
+/// A warning about a recording, as a notice.
 fn warning(text: Text) -> Event {
     Event::Notice(Notice::general(Duration::ZERO, Severity::Warning, text))
 }
 
-/// The frame that shows what happened at a time: a frame has what came before its end.
+/// The frame that shows a time: a frame contains what came before its end.
 fn showing(at: Duration) -> Duration {
     let frames = at.as_millis() / FRAME.as_millis() + 1;
     FRAME * u32::try_from(frames).unwrap_or(u32::MAX)

@@ -1,4 +1,4 @@
-//! One instance of ArduPilot's SITL: what it is told on its command line and in the files beside it.
+//! One instance of ArduPilot's SITL: its command line and its files.
 //!
 //! Facts of its options and traps are those of `ArduPilot` 4.6 (`SITL_cmdline.cpp`, `UARTDriver.cpp`), tried on a
 //! running one.
@@ -67,7 +67,7 @@ impl SitlKind {
         self.into()
     }
 
-    /// What its program is usually called.
+    /// The usual name of its program.
     pub fn program(self) -> &'static str {
         match self {
             Self::Copter => "arducopter",
@@ -78,7 +78,7 @@ impl SitlKind {
     }
 }
 
-/// What an instance is to be.
+/// The description of an instance.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Recipe {
     pub kind: SitlKind,
@@ -92,7 +92,7 @@ pub struct Recipe {
     pub system: u8,
     /// Simulated seconds per second.
     pub speedup: f64,
-    /// Parameters beside those that every new vehicle needs, or instead of them.
+    /// Parameters besides the defaults of every new vehicle, or in their place.
     pub parameters: BTreeMap<String, f64>,
 }
 
@@ -101,8 +101,8 @@ pub struct Recipe {
 pub enum SerialEndpoint {
     /// It connects to this address and accepts no connection: all its other serial ports are closed.
     Outwards(SocketAddr),
-    /// It listens as SITL usually does, on port 5760 + 10 * this number and 2 and 3 above, and boots once somebody
-    /// has connected.
+    /// It listens as SITL usually does, on port 5760 + 10 * this number and 2 and 3 above, and boots once a client has
+    /// connected.
     Listening(u16),
 }
 
@@ -117,9 +117,9 @@ pub struct CommandLine {
 
 /// The system ids that a vehicle may have: 255 is the ground station's.
 const SYSTEMS: RangeInclusive<u8> = 1..=254;
-/// Simulated seconds per second that make sense.
+/// The valid speed-ups.
 const SPEEDUPS: RangeInclusive<f64> = 0.01..=1000.0;
-/// Metres above mean sea level that make sense.
+/// The valid altitudes, in metres above mean sea level.
 const ALTITUDES_M: RangeInclusive<f64> = -1000.0..=20_000.0;
 /// SITL takes a home nearer than this to latitude 0, longitude 0 for none, and starts near Canberra.
 const NOWHERE_DEG: f64 = 1e-7;

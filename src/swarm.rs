@@ -42,12 +42,12 @@ mod transit;
 use act::{ActiveManoeuvre, WorldView};
 use planner::Planner;
 
-/// What holds for all manoeuvres of a session.
+/// The rules of all manoeuvres in a session.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rules {
-    /// Two vehicles never come nearer than this, in metres.
+    /// The least distance between two vehicles, in metres.
     pub separation_m: f64,
-    /// How wide a strip the sensor covers, if there is one: the spacing of lines where nothing was said.
+    /// The strip that the sensor covers, if there is one: the default line spacing.
     pub swath: Option<Swath>,
 }
 
@@ -56,7 +56,7 @@ pub struct Rules {
 pub struct Swath {
     /// At no height, in metres.
     pub at_ground_m: f64,
-    /// What every metre of height adds, in metres.
+    /// The additional width per metre of height, in metres.
     pub per_metre: f64,
 }
 
@@ -96,27 +96,27 @@ struct Ordered<'a> {
     targets: &'a [VehicleId],
 }
 
-/// What has become of an order.
+/// The result of an order.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Assignment {
     /// The vehicles whose autopilots are to carry it out.
     pub alone: Vec<VehicleId>,
-    /// How the rows of this order and of those before it have changed.
+    /// The changed rows of this order and of earlier ones.
     pub rows: Vec<RowUpdate>,
 }
 
-/// What came of a step.
+/// The result of a step.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct StepOutcome {
-    /// Where vehicles are to be now.
+    /// The vehicles' present setpoints.
     pub steering: Vec<(VehicleId, Steering)>,
-    /// How far they have come.
+    /// Changed rows.
     pub rows: Vec<RowUpdate>,
-    /// What a human should hear.
+    /// Notices for the user.
     pub notices: Vec<Notice>,
 }
 
-/// What a vehicle is going to fly, for the map.
+/// A vehicle's planned path, for the map.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Path {
     pub vehicle: VehicleId,
@@ -129,12 +129,12 @@ pub struct Path {
 pub struct Conductor {
     rules: Rules,
     acts: Vec<ActiveManoeuvre>,
-    /// What is to go out with the next step.
+    /// Output waiting for the next step.
     waiting: StepOutcome,
 }
 
 impl Conductor {
-    /// Nothing is under way.
+    /// A conductor without manoeuvres.
     pub fn new(rules: Rules) -> Self {
         Self {
             rules,
@@ -178,7 +178,7 @@ impl Conductor {
         }
     }
 
-    /// Begins a manoeuvre. Those who take part are taken out of what they were doing; those who cannot are refused.
+    /// Begins a manoeuvre. Its members leave what they were doing; vehicles that cannot take part are refused.
     fn begin(&mut self, call: Call<'_>, vehicles: &Vehicles, now: Duration) -> Vec<RowUpdate> {
         if *call.manoeuvre == Manoeuvre::Disband {
             return self.disband(call, vehicles, now);
@@ -196,8 +196,8 @@ impl Conductor {
         rows
     }
 
-    /// Takes note of a command that is about to be sent; returns the vehicles that it is to be sent to. A movement
-    /// takes its vehicles out of what they were doing, or moves a whole formation and is sent to none of it.
+    /// Notes a command before it is sent; returns the vehicles to send it to. A movement takes its vehicles out of
+    /// their manoeuvres, or moves a whole formation and is sent to none of it.
     fn order(&mut self, ordered: Ordered<'_>, vehicles: &Vehicles, now: Duration) -> Assignment {
         let mut left = ordered.targets.to_vec();
         if ordered.verb.movement.moves() && !is_guided(ordered.command) {
@@ -231,17 +231,17 @@ impl Conductor {
         outcome
     }
 
-    /// What is going to be flown.
+    /// The planned paths.
     pub fn paths(&self) -> Vec<Path> {
         self.acts.iter().flat_map(ActiveManoeuvre::paths).collect()
     }
 
-    /// Whether a vehicle takes part in anything.
+    /// Whether a vehicle is in a manoeuvre.
     pub fn has(&self, vehicle: VehicleId) -> bool {
         self.acts.iter().any(|act| act.has(vehicle))
     }
 
-    /// Takes vehicles out of what they were doing; the others go on without them.
+    /// Takes vehicles out of their manoeuvres; the others continue without them.
     fn release(&mut self, ids: &[VehicleId], by: &Text, vehicles: &Vehicles, now: Duration) {
         let view = WorldView {
             now,
@@ -296,21 +296,21 @@ impl Conductor {
     }
 }
 
-/// Whoever takes part is in GUIDED already: to say so again changes nothing.
+/// Whether a command sets GUIDED, which a member already has.
 fn is_guided(command: &Command) -> bool {
     matches!(command, Command::Flight(FlightCommand::SetMode { name }) if name.eq_ignore_ascii_case("GUIDED"))
 }
 
-/// Where a command takes a formation.
+/// A formation's destination.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct FormationGoal {
-    /// Where the first vehicle is to go.
+    /// The destination of the first vehicle.
     place: LatLon,
     /// Above home; `None` keeps the height.
     altitude_m: Option<f64>,
 }
 
-/// Where a command takes a formation, if it takes it anywhere.
+/// A formation's destination by a command, if it has one.
 fn goal(command: &Command, act: &ActiveManoeuvre, vehicles: &Vehicles) -> Option<FormationGoal> {
     let leader = vehicles.get(&act.leader()?)?;
     let here = leader.global?;
@@ -339,7 +339,7 @@ fn goal(command: &Command, act: &ActiveManoeuvre, vehicles: &Vehicles) -> Option
     }
 }
 
-/// Where a destination of a leader takes its formation; `None` if that depends on a position that it has not told.
+/// A formation's destination by that of its leader; `None` if the leader's position is unknown.
 fn destined(
     destination: Destination,
     leader: &Vehicle,

@@ -1,7 +1,7 @@
-//! The terminal that the console draws on: taken over at the start, given back whatever happens.
+//! The console's terminal: taken over at the start, and always restored.
 //!
-//! Frames are written by a thread of their own, and no more of them than the line carries (`pace`). A terminal
-//! that reads slowly, or not at all, therefore holds up nothing, and sees the newest state when it reads again.
+//! Frames are written by a thread of their own, and no more of them than the line carries (`pace`). A terminal that
+//! reads slowly, or not at all, therefore holds up nothing, and sees the newest state when it reads again.
 
 use std::io::{self, Write};
 use std::sync::Arc;
@@ -93,7 +93,7 @@ impl Screen {
         Ok(screen)
     }
 
-    /// From now on at most so many frames a second.
+    /// Limits the frames per second.
     pub fn limit(&mut self, frames_per_s: u8) {
         self.pace.limit(frames_per_s);
     }
@@ -144,27 +144,27 @@ impl Screen {
         self.traffic.is_idle().then(|| self.pace.wait(now))
     }
 
-    /// A key has been pressed: what comes of it is drawn at once.
+    /// Notes a key press: its result is drawn at once.
     pub fn pressed(&mut self) {
         self.pace.pressed();
     }
 
-    /// The terminal has answered a question: what was drawn until then has been read.
+    /// Notes an answer of the terminal: everything drawn before it has been read.
     pub fn answered(&mut self) {
         self.pace.answered(self.clock.elapsed());
     }
 
-    /// What a slow line carries, in bytes per second; `None` while the line keeps up.
+    /// The bytes per second of a slow line; `None` while the line keeps up.
     pub fn slow_bytes_per_s(&self) -> Option<f64> {
         self.pace.slow_bytes_per_s()
     }
 
-    /// Whether the terminal has yet to answer; its answer would be taken as keys by the next program.
+    /// Whether an answer of the terminal is pending; the next program would take it as keys.
     pub fn expects_answer(&self) -> bool {
         self.pace.expects_answer()
     }
 
-    /// Bytes made for the terminal so far.
+    /// Bytes written for the terminal so far.
     pub fn bytes(&self) -> u64 {
         self.traffic.bytes()
     }
@@ -181,7 +181,7 @@ impl Screen {
         Ok(())
     }
 
-    /// Sends what has been written, with a question behind it if it is time for one.
+    /// Sends the written bytes, with a query at the end if due.
     fn send(&mut self) -> io::Result<()> {
         let now = self.clock.elapsed();
         let asks = self.pace.asks(now);
@@ -219,8 +219,8 @@ impl Screen {
         Write::flush(writer)
     }
 
-    /// Asks the terminal for a note on the desktop: by OSC 9 (iTerm2, kitty, `WezTerm`, Windows Terminal), or by
-    /// OSC 777 where the terminal is known to want that. The Linux console would show either as garbage.
+    /// Shows a desktop notification through the terminal: by OSC 9 (iTerm2, kitty, `WezTerm`, Windows Terminal), or by
+    /// OSC 777 where the terminal is known to need that. The Linux console would show either as garbage.
     ///
     /// # Errors
     /// The terminal is gone.
@@ -244,8 +244,8 @@ impl Screen {
         self.let_go();
     }
 
-    /// Takes the terminal over again, as after [`leave`](Self::leave) or after somebody else has stopped the
-    /// program; the next frame is a whole one.
+    /// Takes the terminal over again, as after [`leave`](Self::leave) or after a stop from outside; the next frame is
+    /// drawn completely.
     ///
     /// # Errors
     /// The terminal is gone.
@@ -274,7 +274,7 @@ impl Drop for Screen {
     }
 }
 
-/// Gives the terminal back, once; errors are ignored because nobody is left to hear of them.
+/// Restores the terminal, once; errors are ignored because there is nowhere to report them.
 fn give_back() {
     if TAKEN.swap(false, Ordering::SeqCst) {
         // Writing may never end on a terminal that does not read.
@@ -301,7 +301,8 @@ fn give_back() {
     }
 }
 
-/// A panic in a background task would otherwise leave the screen to a program that goes on half dead.
+/// Restores the terminal on a panic in a background task, which would otherwise leave the screen to a half-dead
+/// program.
 fn give_back_on_panic() {
     let default = std::panic::take_hook();
     std::panic::set_hook(Box::new(move |panic| {

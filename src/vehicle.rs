@@ -1,8 +1,8 @@
-//! The model of one vehicle: what its telemetry said last.
+//! The model of one vehicle: its latest telemetry.
 //!
-//! A plain value, cheap to clone: the task that owns a vehicle changes it in place, everybody else reads
-//! snapshots. `None` means that the vehicle has not said it (yet). Times are durations since the start of
-//! the program's clock, the same clock that every `now` argument of the pure modules reads.
+//! A plain value, cheap to clone: the task that owns a vehicle changes it in place, everybody else reads snapshots.
+//! `None` means that the vehicle has not said it (yet). Times are durations since the start of the program's clock,
+//! the same clock that every `now` argument of the pure modules reads.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -40,7 +40,7 @@ const FARTHEST_HOME_M: f64 = 1_000_000.0;
 /// is enough; a swarm larger than the 255 ids of MAVLink needs more numbers than that.
 pub type VehicleId = u16;
 
-/// The newest snapshots of vehicles. A snapshot is shared, not copied, by those who look at it.
+/// The newest snapshots of vehicles, shared by reference.
 pub type Vehicles = BTreeMap<VehicleId, Arc<Vehicle>>;
 
 /// The highest number that a vehicle may have; four digits are as wide as a table should get.
@@ -49,7 +49,7 @@ pub const HIGHEST_VEHICLE: VehicleId = 9999;
 /// Everything known about one vehicle.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Vehicle {
-    /// What it is called.
+    /// Its number.
     pub id: VehicleId,
     /// Its MAVLink system id: the address of messages to it.
     pub system: SystemId,
@@ -61,19 +61,19 @@ pub struct Vehicle {
     pub global: Option<GlobalPosition>,
     /// `LOCAL_POSITION_NED`: metres from the EKF origin.
     pub local: Option<LocalPosition>,
-    /// Where home is, once it has been told (`HOME_POSITION`).
+    /// Home, once received (`HOME_POSITION`).
     pub home: Option<Place>,
     /// `POSITION_TARGET_GLOBAL_INT` or _`LOCAL_NED`: where the autopilot is heading.
     pub target: Option<Target>,
     pub gps: Option<Gps>,
-    /// `GPS_RAW_INT`, where the receiver knows its own errors.
+    /// `GPS_RAW_INT`, if the receiver knows its own errors.
     pub gps_accuracy: Option<GpsAccuracy>,
     pub hud: Option<Hud>,
     /// Which sensors there are and which are well (`SYS_STATUS`).
     pub health: Option<Health>,
     /// `BATTERY_STATUS`, one per pack, in order of the pack's id; pack 0 falls back to `SYS_STATUS`.
     pub batteries: Vec<Battery>,
-    /// What its motors have drawn of late; `None` while they stand still.
+    /// The mean current of its motors; `None` while they stand still.
     pub load: Option<MeanCurrent>,
     /// How the estimator is doing (`EKF_STATUS_REPORT`).
     pub ekf: Option<Ekf>,
@@ -95,13 +95,13 @@ pub struct Vehicle {
     /// `SERVO_OUTPUT_RAW` of port 0: pulse widths in microseconds, output 1 first.
     pub servos_us: [u16; 16],
     pub version: Option<AutopilotVersion>,
-    /// What it was asked to fly at by this program.
+    /// The speeds commanded by this program.
     pub asked_speeds: AskedSpeeds,
     /// Milliseconds since the autopilot booted, as its messages carry it; a step back is a reboot.
     pub boot_ms: Option<u32>,
     /// How well we hear it.
     pub link: LinkQuality,
-    /// Where it said to be since it was heard last, where radio is simulated. Nothing that an operator sees.
+    /// Its position since it was last heard, in simulated radio. Never shown to the operator.
     pub unheard: Option<Unheard>,
     /// The reasons not to arm that it reported last, newest last, without the "`PreArm`: " prefix.
     pub prearm: Vec<String>,
@@ -113,7 +113,7 @@ pub struct Vehicle {
 pub const TEXTS_KEPT: usize = 32;
 
 impl Vehicle {
-    /// A vehicle of which nothing is known but who it is.
+    /// A vehicle of which only the id is known.
     pub fn new(system: SystemId, component: ComponentId) -> Self {
         Self {
             id: VehicleId::from(system),
@@ -159,17 +159,17 @@ impl Vehicle {
         }
     }
 
-    /// What its clock says, in milliseconds since it booted: also when radio that is simulated keeps it from us.
+    /// Its clock in milliseconds since boot, also while simulated radio hides it.
     pub fn clock_ms(&self) -> Option<u32> {
         self.unheard.map(|unheard| unheard.boot_ms).or(self.boot_ms)
     }
 
-    /// The flight mode, if it has said one.
+    /// The flight mode, if known.
     pub fn mode(&self) -> Option<Mode> {
         self.heartbeat.map(|heartbeat| heartbeat.mode)
     }
 
-    /// Whether its motors are armed, as far as it has said.
+    /// Whether its motors are armed, as far as known.
     pub fn armed(&self) -> bool {
         self.heartbeat.is_some_and(|heartbeat| heartbeat.armed)
     }
@@ -201,7 +201,7 @@ impl Vehicle {
         (metres < FARTHEST_HOME_M).then_some(metres)
     }
 
-    /// How far it is from another vehicle, in metres through the air, by what both say of their places.
+    /// Its distance from another vehicle, in metres in three dimensions, from both reported positions.
     pub fn distance_m(&self, other: &Self) -> Option<f64> {
         let (here, there) = (self.global?, other.global?);
         let across_m = here.at_point.distance_m(there.at_point);
@@ -216,8 +216,8 @@ impl Vehicle {
         self.batteries.first()
     }
 
-    /// Whether an arm command should succeed in the present mode: the pre-arm bit is set and the filter
-    /// knows where it is.
+    /// Whether an arm command should succeed in the present mode: the pre-arm bit is set and the filter has a
+    /// position.
     pub fn ready_to_arm(&self) -> bool {
         self.health.is_some_and(|health| health.prearm_ok())
             && self
@@ -225,7 +225,7 @@ impl Vehicle {
                 .is_some_and(|ekf| ekf.flags.has(EkfFlags::POSITION_HORIZONTAL_ABSOLUTE))
     }
 
-    /// Whether it stands on the ground, by `EXTENDED_SYS_STATE`, else by not being airborne.
+    /// Whether it is on the ground, by `EXTENDED_SYS_STATE`, otherwise by not being airborne.
     pub fn is_on_the_ground(&self) -> bool {
         match self.landed {
             LandedState::OnGround => true,

@@ -1,4 +1,5 @@
-//! What is known about a verb besides its grammar: how its orders are sent, what they move, how they count.
+//! The properties of a verb besides its grammar: how its orders are sent, whether they move a vehicle, and how they
+//! count.
 //!
 //! Each [`Verb`] is part of its row of the one table, in [`language`](crate::language). The ledger keeps it with every
 //! order, so that whoever judges an order reads a property here and knows no names.
@@ -9,22 +10,22 @@ use std::time::Duration;
 /// A verb, or one meaning of a verb that has several.
 #[derive(Clone, Copy)]
 pub struct Verb {
-    /// What the ledger calls it; unique in the table.
+    /// Its name in the ledger; unique in the table.
     pub name: &'static str,
-    /// Whether it asks before it goes out.
+    /// Whether it needs a confirmation.
     pub danger: Danger,
     /// How often and until when it is sent again.
     pub retry: Retry,
     /// How it ranks with the other orders to the same vehicle.
     pub precedence: Precedence,
-    /// What it does to the movement of its vehicles.
+    /// Its effect on the movement of its vehicles.
     pub movement: Movement,
     /// How it counts in a score.
     pub counts_as: CountsAs,
 }
 
 impl Verb {
-    /// One that no vehicle hears: nothing is sent, and nothing counts.
+    /// A verb that sends nothing and does not count.
     pub const fn unsent(name: &'static str) -> Self {
         Self {
             name,
@@ -37,24 +38,24 @@ impl Verb {
     }
 }
 
-/// Whether a command asks before it goes out.
+/// Whether a command needs a confirmation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Danger {
-    /// It goes out at once.
+    /// It is sent at once.
     None,
-    /// It names its targets and asks for a second key.
+    /// It lists its targets and needs a second key.
     Confirm,
 }
 
-/// When a command without an answer is sent again. A command that arrives late can do harm, so no try goes
-/// out after the deadline.
+/// When a command without an answer is sent again. A command that arrives late can do harm, so no attempt is made
+/// after the deadline.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Retry {
     /// Tries at most, the first included.
     pub tries: u8,
     /// The time between two.
     pub every: Duration,
-    /// When to give up, counted from when the order was given.
+    /// The deadline, counted from when the order was given.
     pub deadline: Duration,
 }
 
@@ -72,31 +73,30 @@ impl Retry {
 /// How an order ranks with the other orders to the same vehicle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Precedence {
-    /// It waits for the answers to those before it.
+    /// It waits for the answers to earlier orders.
     InTurn,
-    /// The same, and those after it wait until its effect shows, because they depend on it.
+    /// The same, and later orders wait for its effect, on which they depend.
     Awaited,
     /// It is sent at once and drops all that have not been answered.
     Urgent,
-    /// As the flight mode that it asks for: modes that bring a vehicle down or stop it are urgent. Those after it wait
-    /// until its effect shows.
+    /// By its flight mode: modes that land or stop a vehicle are urgent. Later orders wait for its effect.
     ByMode,
 }
 
-/// What an order does to the movement of its vehicles.
+/// An order's effect on the movement of its vehicles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Movement {
     None,
-    /// It turns the nose: the next movement takes its place.
+    /// It turns the vehicle: the next movement supersedes it.
     Turn,
-    /// It moves or stops them and takes the place of the movement before.
+    /// It moves or stops the vehicle and supersedes the previous movement.
     To(Arrival),
     /// As `To(Done)`; once in their places, it is the task of the vehicles to stay there.
     Station,
 }
 
 impl Movement {
-    /// When a vehicle has arrived that was ordered so; `None` where the order leads nowhere.
+    /// When such an order counts as arrived; `None` if it is no movement.
     pub fn arrival(self) -> Option<Arrival> {
         match self {
             Self::None | Self::Turn => None,
@@ -105,12 +105,12 @@ impl Movement {
         }
     }
 
-    /// Whether it takes the place of the movement before.
+    /// Whether it supersedes the previous movement.
     pub fn moves(self) -> bool {
         self.arrival().is_some()
     }
 
-    /// Whether the next movement takes its place.
+    /// Whether the next movement supersedes it.
     pub fn gives_way(self) -> bool {
         match self {
             Self::None => false,
@@ -123,13 +123,13 @@ impl Movement {
 /// [`Effect`](crate::commands::Effect).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Arrival {
-    /// When the order is done; where no effect was seen in time, when it stands still at its target.
+    /// When the order is done; without a visible effect, when the vehicle stands still at its target.
     Done,
-    /// When it stands still at its target, which an order before this one has given it.
+    /// When the vehicle stands still at its target, which an earlier order has set.
     AtTarget,
     /// When it is on the ground.
     Landed,
-    /// When it is in the mode that was asked for; if that mode brings it down, when it is on the ground.
+    /// When the vehicle is in the requested mode; for a landing mode, when it is on the ground.
     Mode,
 }
 
@@ -142,7 +142,7 @@ pub enum CountsAs {
     Setting,
     /// A question to a vehicle: it may be refused, but its acceptance is no merit.
     Question,
-    /// A report of a find, which no vehicle hears: it may be refused, but its acceptance is no merit.
+    /// A report of a contact, which is not sent to vehicles: it can be refused, but its acceptance earns nothing.
     Report,
     /// A word between trainee and mission: no command at all.
     Word,

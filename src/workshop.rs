@@ -1,4 +1,4 @@
-//! The drone constructor: parts, designs, and what a design can do before its first flight.
+//! The drone constructor: parts, designs, and a design's figures.
 //!
 //! A [`Design`] is a choice of parts; [`Figures`] are what follows from it: mass, thrust, power, endurance, speed,
 //! range, cost. The same figures become the airframe and the parameters of both simulators ([`Airframe`]), so that a

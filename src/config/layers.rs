@@ -13,11 +13,11 @@ use crate::diagnostic::Diagnostic;
 use crate::text;
 use crate::text::Text;
 
-/// Says what is wrong with a word or line of a file: the name of its setting, and what it says. Which themes and
-/// commands there are is known elsewhere.
+/// Checks a word or line of a file, from its setting's name and the text. The valid themes and commands are known
+/// elsewhere.
 pub type WordCheck<'a> = &'a dyn Fn(&str, &str) -> Result<(), Diagnostic>;
 
-/// Where a value came from.
+/// The source of a value.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Origin {
     /// Not set anywhere: the default.
@@ -26,7 +26,7 @@ pub enum Origin {
         name: String,
         /// The line in it, from 1.
         line: usize,
-        /// Where in it the value stands, in bytes.
+        /// The position of the value in it, in bytes.
         span: Range<usize>,
     },
     Environment(&'static str),
@@ -45,8 +45,7 @@ impl fmt::Display for Origin {
     }
 }
 
-/// The values so far. What is laid on later comes before what is there; whoever has nothing to say about a setting
-/// leaves it as it is.
+/// The values so far. Later layers take precedence; a layer leaves settings that it does not contain as they are.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Layers {
     values: BTreeMap<String, (Value, Origin)>,
@@ -68,7 +67,7 @@ impl Default for Layers {
 }
 
 impl Layers {
-    /// Lays a configuration file on. What is right in it counts, also where something else is wrong.
+    /// Adds a configuration file. Valid entries apply even if others have faults.
     ///
     /// # Errors
     /// Every fault, at its place.
@@ -142,7 +141,7 @@ impl Layers {
         }
     }
 
-    /// What the layers amount to.
+    /// The resulting configuration.
     pub fn config(&self) -> Config {
         let mut table = Table::new();
         for (name, (value, _)) in &self.values {
@@ -162,7 +161,7 @@ impl Layers {
         Config::deserialize(Value::Table(table)).unwrap_or_default()
     }
 
-    /// Where the value of a setting came from.
+    /// The source of a setting's value.
     pub fn origin(&self, setting: &str) -> &Origin {
         self.values
             .get(setting)
@@ -329,7 +328,7 @@ fn words(value: &Spanned<DeValue<'_>>) -> Vec<Spanned<String>> {
     }
 }
 
-/// A value without its places; `None` where a fault of the syntax, told already, has left nothing of it.
+/// A value without positions; `None` if a reported syntax error has left nothing of it.
 fn plain(value: Spanned<DeValue<'_>>) -> Option<Value> {
     Value::deserialize(ValueDeserializer::from(value)).ok()
 }

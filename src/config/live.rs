@@ -3,13 +3,13 @@
 use super::{Config, Symbols};
 use crate::text::Language;
 
-/// One of these settings with its value.
+/// A setting that can change at run time, with its value.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum LiveSetting {
     /// The theme by its name.
     Theme(String),
     Lang(Language),
-    /// What curves and maps are drawn with.
+    /// The symbols for curves and maps.
     Symbols(Symbols),
     /// Frames per second at most.
     Fps(u8),

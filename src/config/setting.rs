@@ -1,4 +1,4 @@
-//! Every setting: its name, what it may be, and which environment variable sets it.
+//! Every setting: its name, its valid values, and its environment variable.
 
 use strum::VariantNames as _;
 use toml::Value;
@@ -14,15 +14,15 @@ use crate::text::{Language, Text};
 pub struct Setting {
     /// Its name with its section, `alerts.bell`.
     pub name: &'static str,
-    /// What it may be.
+    /// Its valid values.
     pub kind: SettingKind,
     /// The variable that sets it.
     pub variable: Option<&'static str>,
-    /// What it is for, as a comment of a configuration file.
+    /// Its purpose, as a comment in a configuration file.
     pub about: &'static str,
 }
 
-/// What a setting may be.
+/// The valid values of a setting.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SettingKind {
     /// One of these words.
@@ -276,7 +276,7 @@ impl Setting {
 }
 
 impl SettingKind {
-    /// Checks what a value of a file is; [`Self::check_word`] checks what its words name.
+    /// Checks the type of a value in a file; [`Self::check_word`] checks its words.
     ///
     /// # Errors
     /// It is of another kind; the span is left empty.
@@ -319,7 +319,7 @@ impl SettingKind {
         }
     }
 
-    /// Checks what a word names: the value itself, or one of its list.
+    /// Checks a word: the value itself, or one of its list.
     ///
     /// # Errors
     /// There is no such thing; the place is the whole word.
@@ -365,7 +365,7 @@ impl SettingKind {
         self.check(&value).ok().map(|()| value)
     }
 
-    /// What is expected, in words.
+    /// The expected value, as text.
     pub fn expected(self) -> Text {
         match self {
             Self::OneOf(choices) => text!("config-expected-word", choices = choices.join(", ")),

@@ -7,8 +7,7 @@ use toml::Value;
 use super::{Layers, SETTINGS, Setting, SettingKind};
 
 impl Layers {
-    /// A configuration file that sets every value as it is, with a comment that says where it came from. What is not
-    /// set stands in a comment.
+    /// A configuration file with every value, and comments with their source. Unset ones are comments.
     pub fn show(&self) -> String {
         let mut text = String::new();
         let mut section = "";
@@ -55,7 +54,7 @@ impl Layers {
     }
 }
 
-/// A key as TOML wants it.
+/// A key in TOML notation.
 fn quoted(key: &str) -> String {
     let bare = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
     if !key.is_empty() && key.chars().all(bare) {

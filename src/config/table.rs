@@ -1,4 +1,4 @@
-//! How the swarm table is shown: its columns, and what its rows are ordered by.
+//! The display of the swarm table: its columns and order.
 
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -13,7 +13,7 @@ use crate::text::Text;
 pub struct TableConfig {
     /// The columns from the left; empty means as many as fit.
     pub columns: Vec<Column>,
-    /// What the rows are ordered by.
+    /// The order of the rows.
     pub sort: TableSort,
 }
 
@@ -40,7 +40,7 @@ pub enum Column {
     Battery,
     /// Kind of fix, and satellites.
     Gps,
-    /// How much of what it sends arrives.
+    /// The share of its messages that arrive.
     Link,
     /// Distance to home.
     Home,
@@ -77,7 +77,7 @@ pub enum Column {
     Alert,
 }
 
-/// What the table is ordered by.
+/// The order of the table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct TableSort {
     pub column: Column,
@@ -93,7 +93,7 @@ impl Column {
         self.into()
     }
 
-    /// What stands above it.
+    /// Its heading.
     pub fn title(self) -> Text {
         Text::new(format!("column-{}", self.name()), Vec::new())
     }
@@ -134,7 +134,7 @@ impl TableSort {
         })
     }
 
-    /// The same in writing.
+    /// The same in lower case for files.
     pub fn name(self) -> String {
         let mark = if self.reversed { "-" } else { "" };
         format!("{mark}{}", self.column.name())

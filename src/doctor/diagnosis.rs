@@ -8,36 +8,37 @@ use crate::wire::{ComponentId, GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM, 
 
 /// Before this a link is only being listened to: heartbeats come once a second.
 const PATIENCE: Duration = Duration::from_secs(4);
-/// So long a vehicle may take to answer: it is asked every five seconds.
+/// How long a vehicle may take to answer: it is queried every five seconds.
 const ANSWER_WITHIN: Duration = Duration::from_secs(12);
-/// A vehicle that has answered before has lost its way back after so long: some answers are lost on any radio.
+/// The silence after which a vehicle that has answered before has lost its way back: some answers are lost on any
+/// radio.
 const ANSWERS_AGAIN_WITHIN: Duration = Duration::from_secs(30);
-/// More vehicles than this that do not answer are told by their number.
+/// The most vehicles without an answer that are listed by number.
 const MOST_NAMED: usize = 3;
 /// A larger share of bytes that belong to no frame, and more of them in the window than this, are noise.
 const MOST_NOISE: f64 = 0.5;
 const NOISE_THAT_MATTERS: u64 = 2000;
 /// So many messages are enough to expect an answer.
 const ASKED_ENOUGH: u64 = 3;
-/// More frames than this share with a wrong checksum are a fault; a radio at its limit stays below.
+/// The share of frames with a wrong checksum that counts as a fault; a radio at its limit stays below.
 const MOST_DAMAGED: f64 = 0.05;
 /// More frames than this share missing are a fault.
 const MOST_LOST: f64 = 0.10;
-/// An autopilot's heartbeat comes once a second; two of them make two.
+/// The heartbeat rate that reveals two autopilots with one id; one sends one a second.
 const TWO_HEARTBEATS_HZ: f64 = 1.5;
 /// A vehicle that has changed its port is heard by both for a while; two vehicles are for longer.
 const BOTH_FOR: Duration = Duration::from_secs(6);
-/// So many bytes tell noise from a start in the middle of a frame.
+/// The number of bytes that distinguishes noise from a start in the middle of a frame.
 const NOISE_ENOUGH: u64 = 40;
 /// So many frames of unknown messages are no accident.
 const FOREIGN_ENOUGH: u64 = 3;
 
-/// What was found out about a link.
+/// A finding about a link.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LinkFinding {
     /// The link, by its place in the list of charts.
     pub link: usize,
-    /// Its way, on which the advice depends.
+    /// Its kind of connection, on which the advice depends.
     pub way: Way,
     pub cause: Cause,
 }
@@ -49,7 +50,7 @@ pub enum Weight {
     /// Something does not work as it should.
     Fault,
     Remark,
-    /// All is well, or it is too early to tell.
+    /// No fault, or too early to tell.
     Fine,
 }
 
@@ -60,11 +61,11 @@ pub enum Cause {
     NotOpen,
     /// Nothing arrives at all.
     Nothing,
-    /// What arrives is readable text.
+    /// Readable text arrives.
     Text,
     /// Bytes arrive, but no frame is in them.
     NoFrame,
-    /// The same on a serial port.
+    /// Garbage on a serial port with a wrong baud rate.
     WrongBaud,
     /// Frames of messages that the dialect does not have, and of no others.
     UnknownDialect,
@@ -88,7 +89,7 @@ pub enum Cause {
     OneWayVehicles(usize),
     /// This share of the bytes belongs to no frame, in percent.
     Noise(u8),
-    /// The vehicle speaks MAVLink 1 only.
+    /// The vehicle supports only MAVLink 1.
     Version1(SystemId),
     /// Another ground station, with these ids, is heard beside a vehicle.
     OtherStation(SystemId, ComponentId),
@@ -98,7 +99,7 @@ pub enum Cause {
     Lossy(u8),
     /// A recording is played: there are no answers.
     Recording,
-    /// It is too early to say anything.
+    /// It is too early to tell.
     Listening,
     /// So many vehicles are heard, and it is too early to expect an answer from them.
     Unanswered(usize),
@@ -136,7 +137,7 @@ impl Cause {
     }
 }
 
-/// What is wrong with each link, worst first; every link has at least one finding.
+/// The findings of each link, worst first; every link has at least one.
 pub fn diagnose(charts: &[Chart]) -> Vec<LinkFinding> {
     let duplicates = duplicates(charts);
     let mut findings = Vec::new();
@@ -159,7 +160,7 @@ pub fn diagnose(charts: &[Chart]) -> Vec<LinkFinding> {
     findings
 }
 
-/// What is said of a link without a fault.
+/// The findings of a link without a fault.
 fn fine(chart: &Chart) -> Vec<Cause> {
     let (answering, silent): (Vec<&Sender>, Vec<&Sender>) =
         autopilots(chart).partition(|sender| sender.answered_ago.is_some());
@@ -258,7 +259,7 @@ fn strangers(chart: &Chart) -> Cause {
     }
 }
 
-/// Whether a vehicle hears us.
+/// Whether a vehicle receives our messages.
 fn answering(way: Way, sender: &Sender) -> Option<Cause> {
     let system = sender.source.system;
     let answers = sender
@@ -309,7 +310,7 @@ fn share(part: u64, of: u64) -> f64 {
     part as f64 / of.max(1) as f64
 }
 
-/// How much of what was sent arrives whole, and is understood.
+/// The share of messages that arrive intact and are decoded.
 fn quality(change: &ChartChange, lost: f64) -> Vec<Cause> {
     let percent = |share: f64| (share * 100.0).round().clamp(0.0, 100.0) as u8;
     let damaged = share(change.crc_errors, change.frames + change.crc_errors);

@@ -72,7 +72,7 @@ impl Cause {
 }
 
 impl LinkFinding {
-    /// What to try; nothing where nothing is wrong.
+    /// The advice; empty without a fault.
     pub fn advice(&self) -> Text {
         match self.cause {
             Cause::NotOpen => match self.way {
@@ -113,7 +113,7 @@ impl LinkFinding {
     }
 }
 
-/// What to try where nothing arrives.
+/// The advice if nothing arrives.
 fn silence(way: Way) -> Text {
     match way {
         Way::Tcp => text!("doctor-try-silence-tcp"),

@@ -6,13 +6,13 @@ use super::PacedClock;
 use crate::mission::{Clock, Flight, TICK};
 use crate::vehicle::VehicleId;
 
-/// A mission does not wait longer than this for its vehicles to be heard.
+/// The longest wait for a mission's vehicles to be heard.
 const HEARD_WITHIN: Duration = Duration::from_secs(10);
 
 /// By whose clock mission time passes once the mission has begun.
 #[derive(Debug, Clone)]
 pub enum FlightPace {
-    /// By the time that the driver is given: the simulator is stepped together with the mission.
+    /// By the driver's time: the simulator is stepped together with the mission.
     LockStep,
     /// At a rate, which may change: the simulator keeps up with it.
     Scaled(PacedClock),
@@ -25,7 +25,7 @@ pub enum FlightPace {
 pub struct FlightDriver {
     flight: Flight,
     pace: FlightPace,
-    /// Since when the vehicles are there to be heard.
+    /// Since when the vehicles are expected to be heard.
     awaited: Option<Duration>,
     /// When the mission began.
     begun: Option<Duration>,
@@ -52,7 +52,7 @@ impl FlightDriver {
         &self.flight
     }
 
-    /// The flight, to step it, and for what concerns its try and its record.
+    /// The flight.
     pub fn flight_mut(&mut self) -> &mut Flight {
         &mut self.flight
     }
@@ -106,7 +106,7 @@ impl FlightDriver {
         self.time
     }
 
-    /// Has time pass at another rate from now on, where it passes at one.
+    /// Changes the rate of time, if it runs at one.
     pub fn set_rate(&mut self, rate: f64, now: Duration) {
         if let FlightPace::Scaled(clock) = &mut self.pace {
             clock.set_rate(rate, now);

@@ -16,7 +16,7 @@ pub struct LockStep {
     ports: Vec<PortId>,
     bytes: Vec<u8>,
     head: InputsHead,
-    /// What enters the world, where that is recorded.
+    /// The log of inputs, if recorded.
     inputs: Option<InputLog>,
 }
 
@@ -48,7 +48,7 @@ impl Exercise {
         Self::on(link, driver, script, vehicles)
     }
 
-    /// Records what enters the simulated vehicles; to be called before the first step.
+    /// Records the inputs of the simulated vehicles; must be called before the first step.
     pub fn record_inputs(&mut self) {
         let LockStep {
             world, ports, head, ..
@@ -56,7 +56,7 @@ impl Exercise {
         self.link.inputs = Some(InputLog::begin(head, world, ports));
     }
 
-    /// What was recorded of the inputs since the last call: whole lines.
+    /// The whole lines of inputs since the last call.
     pub fn take_inputs(&mut self) -> String {
         let inputs = self.link.inputs.as_mut();
         inputs.map_or_else(String::new, InputLog::take)
@@ -81,7 +81,7 @@ impl Exercise {
         self.fly_until(time);
     }
 
-    /// Carries bytes both ways between a vehicle and its session.
+    /// Exchanges bytes between a vehicle and its session.
     fn exchange(&mut self, index: usize, now: Duration) {
         let port = self.link.open_port(index);
         let LockStep { world, bytes, .. } = &mut self.link;

@@ -13,7 +13,7 @@ use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 
 impl<L> Exercise<L> {
-    /// Leads what vehicles do together.
+    /// Advances joint manoeuvres.
     pub(super) fn conduct(&mut self, now: Duration) {
         for work in self.operator.conduct(&self.vehicles, now) {
             self.dispatch(work, now);
@@ -33,7 +33,7 @@ impl<L> Exercise<L> {
         }
     }
 
-    /// Reads a line as it is meant now: places may have come up or moved since the script was read.
+    /// Parses a line with the present places, which may have changed since the script was read.
     fn read(&self, line: &str) -> Result<Order, Diagnostic> {
         let all: Vec<VehicleId> = self.vehicles.keys().copied().collect();
         let mut places = self.driver.flight().places();

@@ -5,7 +5,7 @@ use std::time::Duration;
 /// A clock that follows another one at a rate, which may change on the way: it never jumps and never goes back.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PacedClock {
-    /// Seconds of this clock in one of the other.
+    /// Seconds of this clock per second of the other.
     rate: f64,
     /// The other clock when the rate was set, and this one then.
     since: Duration,
@@ -13,7 +13,7 @@ pub struct PacedClock {
 }
 
 impl PacedClock {
-    /// A clock that stands at zero when the other one says `since`.
+    /// A clock at zero when the other one is at `since`.
     pub fn new(rate: f64, since: Duration) -> Self {
         Self {
             rate,
@@ -27,7 +27,7 @@ impl PacedClock {
         *self = Self::new(self.rate, now);
     }
 
-    /// What it says at a time of the other clock.
+    /// Its time at a time of the other clock.
     pub fn at(&self, now: Duration) -> Duration {
         self.reached + now.saturating_sub(self.since).mul_f64(self.rate)
     }

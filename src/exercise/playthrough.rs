@@ -22,7 +22,7 @@ const TIRED_FOR: usize = 2;
 /// Credits that are kept when parts are bought.
 const RESERVE_CREDITS: u32 = 200;
 
-/// A trainee who flies as the pilot scripts do, what the campaign advises, and buys what it puts on sale.
+/// A simulated trainee who flies the pilot scripts as the campaign advises, and buys new parts.
 pub struct Playthrough {
     course: MissionCourse,
     pilots: BTreeMap<String, (Arc<Mission>, Script)>,
@@ -33,7 +33,7 @@ pub struct Playthrough {
     seed: u64,
 }
 
-/// A flight of it, and what it left.
+/// One of its flights, and the result.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PlaythroughFlight {
     /// Id of the mission.
@@ -83,7 +83,7 @@ impl Playthrough {
         }
     }
 
-    /// Everything flown and bought so far.
+    /// All flights and purchases so far.
     pub fn history(&self) -> &[CareerEntry] {
         &self.history
     }
@@ -125,7 +125,7 @@ impl Playthrough {
         })
     }
 
-    /// What the campaign advises; else, or if that was flown just now, a mission that is open, then one with a medal to win.
+    /// The recommended mission; otherwise, or if that was just flown, an open mission, then one with a medal to win.
     fn choose(&self, day: i64) -> Option<String> {
         let stage = |offer: &Offer| self.course.stage(offer, &self.standing, day);
         let offers = || self.course.offers().iter();
@@ -142,7 +142,7 @@ impl Playthrough {
         Some(mission.id.clone())
     }
 
-    /// Buys what passed missions have put on sale, the cheapest first, as far as credits go.
+    /// Buys the parts that passed missions have unlocked, the cheapest first, while credits last.
     fn shop(&mut self) -> Vec<String> {
         let offers = self.course.offers().iter();
         let passed = offers.filter(|offer| self.standing.has_passed(&offer.id));

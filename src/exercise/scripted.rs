@@ -1,4 +1,4 @@
-//! A pilot's script for a mission, and what comes of it.
+//! A pilot script flown through a mission.
 
 use std::sync::Arc;
 

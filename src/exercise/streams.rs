@@ -43,7 +43,7 @@ impl Exercise<LiveStreams> {
         exercise
     }
 
-    /// Takes in what a vehicle said, at a time of ours.
+    /// Takes a vehicle's bytes, at our time.
     pub fn hear(&mut self, index: usize, bytes: &[u8], now: Duration) {
         self.seats[index].decoder.push(bytes);
         let mut session_now = self.advance(now, None);
@@ -73,7 +73,7 @@ impl Exercise<LiveStreams> {
         is_new
     }
 
-    /// Removes and returns what is to be sent to a vehicle.
+    /// Takes the bytes to send to a vehicle.
     pub fn take_output(&mut self, index: usize) -> Vec<u8> {
         std::mem::take(&mut self.seats[index].outgoing)
     }

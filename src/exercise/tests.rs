@@ -70,7 +70,7 @@ impl Process {
         bytes
     }
 
-    /// Carries bytes whenever the simulator has come so far, until the end or so long.
+    /// Exchanges bytes at intervals of simulated time, until the end or a limit.
     fn fly(&mut self, every: Duration, most: Duration) {
         while !self.live.is_over() && self.world.now() < most {
             let bytes = self.run(every);
@@ -228,7 +228,7 @@ fn a_run_that_was_cut_off_scores_as_it_stood_then() {
     );
 }
 
-/// The first mission with its reference pilot and the starter drone, in some way changed.
+/// The first mission with its reference pilot and a changed starter drone.
 fn built(changed: impl Fn(Design) -> Design) -> (MissionReport, String) {
     let source = include_str!("../../missions/01-air-sample.toml");
     let design = Design::from_toml(include_str!("../../designs/starter.toml"));

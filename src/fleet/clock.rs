@@ -1,4 +1,4 @@
-//! The program's clock, which can stand still.
+//! The program's clock, which can be stopped.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -6,8 +6,8 @@ use std::time::Duration;
 use tokio::sync::watch;
 use tokio::time::Instant;
 
-/// The program's clock: every `now` in the pure modules counts from its start. All its clones are one clock: when
-/// one of them is stopped, no deadline of any vehicle comes nearer.
+/// The program's clock: every `now` in the pure modules counts from its start. All clones share one clock: while it is
+/// stopped, no deadline of any vehicle approaches.
 #[derive(Debug, Clone)]
 pub struct FleetClock {
     start: Instant,
@@ -41,19 +41,19 @@ impl FleetClock {
             .saturating_sub(stand.before)
     }
 
-    /// The time since the start on the wall, where no clock stands still.
+    /// The wall time since the start, which never stops.
     pub fn wall(&self) -> Duration {
         self.start.elapsed()
     }
 
-    /// Lets it stand still. One that does so already goes on doing so.
+    /// Stops the clock.
     pub fn stop(&self) {
         self.stand.send_modify(|stand| {
             stand.since.get_or_insert_with(Instant::now);
         });
     }
 
-    /// Lets it go on, and says for how long it has stood still; `None` if it did not.
+    /// Resumes the clock; returns how long it was stopped, or `None` if it was not.
     pub fn go_on(&self) -> Option<Duration> {
         let mut stood = None;
         self.stand.send_modify(|stand| {

@@ -1,4 +1,4 @@
-//! The hub: it knows by which link each vehicle is heard.
+//! The hub: it routes frames between links and vehicles.
 
 use std::collections::{BTreeMap, VecDeque};
 use std::sync::Arc;
@@ -24,7 +24,7 @@ use crate::wire::{ComponentId, Frame, SystemId};
 const INBOUND_KEPT: usize = 256;
 /// Batches of frames that may wait for one vehicle's task.
 const BATCHES_KEPT: usize = 256;
-/// How soon what found no room in a vehicle's inbox is tried again.
+/// The delay before a full inbox is tried again.
 const TRIED_AGAIN_AFTER: Duration = Duration::from_millis(50);
 /// How often a shared system id is complained about.
 const CONFLICT_EVERY: Duration = Duration::from_secs(30);
@@ -44,7 +44,7 @@ struct PeerRoute {
     heard_at: Duration,
     conflict_said_at: Option<Duration>,
     inbox: mpsc::Sender<ToVehicle>,
-    /// What is to be done to its simulator or its link and has found no room yet, oldest first.
+    /// Waiting changes to its simulator or its link, oldest first.
     wants: VecDeque<Want>,
 }
 
@@ -65,8 +65,8 @@ impl PeerRoute {
         }
     }
 
-    /// Hands over what is to be done to its simulator or its link, as far as there is room. Each is said only once,
-    /// so that none may be lost, nor an older one come after a newer.
+    /// Delivers changes to its simulator or its link while there is room. Each is sent only once, so none may be lost
+    /// or reordered.
     fn hand_over_wants(&mut self) {
         while !self.wants.is_empty()
             && let Ok(room) = self.inbox.try_reserve()
@@ -77,12 +77,12 @@ impl PeerRoute {
     }
 }
 
-/// What a hub works with from the start.
+/// The surroundings of a hub.
 pub(super) struct HubSurroundings {
     pub clock: FleetClock,
-    /// Telemetry that vehicles are asked for.
+    /// Telemetry to request from vehicles.
     pub streams: &'static [Stream],
-    /// Where the frames of all links are taken down, if they are recorded.
+    /// The sink for the frames of all links, if they are recorded.
     pub sink: Option<FrameSink>,
     pub events: mpsc::Sender<FleetEvent>,
     pub cancel: CancellationToken,
@@ -178,7 +178,7 @@ impl Hub {
         }
     }
 
-    /// Has something done to a vehicle's simulator or its link, after what was wanted of it before.
+    /// Changes a vehicle's simulator or its link, after earlier changes.
     fn want(&mut self, vehicle: VehicleId, want: Want) {
         let system = SystemId::try_from(vehicle).ok();
         if let Some(route) = system.and_then(|system| self.routes.get_mut(&system)) {

@@ -19,7 +19,7 @@ const BACKLOG: usize = 1000;
 /// While parameters are coming, they are given out so often.
 const PARAMETERS_EVERY: Duration = Duration::from_millis(200);
 
-/// What the hub sends to a vehicle's task.
+/// A message from the hub to a vehicle's task.
 pub(super) enum ToVehicle {
     /// Frames of this vehicle.
     Frames(Vec<Frame>),
@@ -32,7 +32,7 @@ pub(super) enum ToVehicle {
     Restarted,
     /// Something is to be done to its simulator or its link.
     Want(Want),
-    /// The vehicle is reached by another way from now on.
+    /// The vehicle is reached by another link or peer from now on.
     Route(LinkHandle, LinkPeer),
 }
 
@@ -48,7 +48,7 @@ pub(super) struct VehicleTask {
     pub parameters: ParameterFeed,
     pub events: mpsc::Sender<FleetEvent>,
     pub backlog: VecDeque<Report>,
-    /// Reports dropped since the console was last told.
+    /// Reports dropped since the last notice.
     pub dropped: u64,
 }
 
@@ -136,7 +136,7 @@ impl VehicleTask {
         }
     }
 
-    /// What cannot be flown to is not said again: whoever steers sees that nothing moves.
+    /// An impossible setpoint is not reported again: the manoeuvre notices that the vehicle does not move.
     fn steer(&mut self, steering: &Steering, now: Duration) {
         if let Err(reason) = self.session.steer(steering, now) {
             tracing::warn!(vehicle = self.session.vehicle().id, "not steered: {reason}");
@@ -164,7 +164,7 @@ impl VehicleTask {
         });
     }
 
-    /// Hands over what there is to say. Rows of the ledger outlive notices when the console does not listen.
+    /// Delivers reports. Rows of the ledger take precedence over notices when the console is slow.
     fn report(&mut self) {
         let reports = self.session.take_reports();
         reports.iter().for_each(log);

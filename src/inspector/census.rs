@@ -1,4 +1,4 @@
-//! How often each message comes, from whom, and what the last one of each kind was.
+//! The census: the rate of each message by sender, and the last one of each kind.
 
 mod tally;
 
@@ -17,7 +17,7 @@ const MOST_KINDS: usize = 20_000;
 const MOST_UNVERIFIED: usize = 256;
 /// Noise seldom looks so often like the same message of the same sender.
 const KEEPS_COMING: u64 = 3;
-/// When there is no room left, what has been silent for so long makes some.
+/// Entries silent for this long may be replaced if there is no room.
 const STALE: Duration = Duration::from_secs(60);
 /// Room is looked for no more often than this.
 const SWEEP_EVERY: Duration = Duration::from_secs(1);
@@ -26,7 +26,7 @@ const MOST_WATCHED: usize = 512;
 /// A source that has been silent for so long has paused, or was stopped.
 const PAUSE: Duration = Duration::from_secs(5);
 
-/// Whether frames came in or went out.
+/// Whether frames were received or sent.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Direction {
     In,
@@ -37,7 +37,7 @@ pub enum Direction {
 /// One sender at one end of a link.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct FrameSource {
-    /// Whether it speaks to us, or is us.
+    /// Whether it was received from the sender, or sent by us.
     pub direction: Direction,
     /// The peer of the link that sent the frames, or to whom they went.
     pub peer: u32,
@@ -58,13 +58,13 @@ pub struct TallyKey {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct WatchedMessage {
     pub key: TallyKey,
-    /// When each came, and its bytes; oldest first.
+    /// The time and the bytes of each, oldest first.
     pub frames: VecDeque<(Duration, Vec<u8>)>,
-    /// How many more came than were kept.
+    /// The number of frames that were not kept.
     pub dropped: u64,
 }
 
-/// Which way a frame went, and from or to which peer of its link.
+/// The direction of a frame, and the peer of its link.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct FrameWay {
     pub direction: Direction,
@@ -99,7 +99,7 @@ pub struct Census {
     noise: Vec<u8>,
 }
 
-/// What only every frame can tell of a source.
+/// Facts about a source that need every frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Witness {
     answered_at: Option<Duration>,
@@ -109,7 +109,7 @@ struct Witness {
 }
 
 impl Census {
-    /// Takes note of one frame. `is_verified` says whether the dialect could check it.
+    /// Counts one frame. `is_verified` tells whether the dialect could check it.
     pub fn note(&mut self, way: FrameWay, bytes: &[u8], is_verified: bool, now: Duration) {
         let Some(frame) = Anatomy::of(bytes) else {
             return;
@@ -171,7 +171,7 @@ impl Census {
         self.tallies.len() < MOST_KINDS && (is_verified || self.unverified < MOST_UNVERIFIED)
     }
 
-    /// Forgets what has been silent for long: peers come and go under new numbers.
+    /// Drops entries that have been silent for long: peers come and go under new numbers.
     fn sweep(&mut self, now: Duration) {
         self.tallies
             .retain(|_, tally| now.saturating_sub(tally.last_at) < STALE);
@@ -191,12 +191,12 @@ impl Census {
             .extend_from_slice(&bytes[..bytes.len().min(KEPT)]);
     }
 
-    /// Says what a peer is called: its network address.
+    /// Sets a peer's name: its network address.
     pub fn name_peer(&mut self, peer: u32, name: String) {
         self.peers.insert(peer, name);
     }
 
-    /// What a peer is called, if it has a name.
+    /// A peer's name, if it has one.
     pub fn peer_name(&self, peer: u32) -> Option<&str> {
         self.peers.get(&peer).map(String::as_str)
     }
@@ -254,7 +254,7 @@ impl Census {
         }
     }
 
-    /// What has come of the watched kinds since the last look.
+    /// The frames of watched kinds since the last call.
     pub fn take_watched(&mut self) -> Vec<WatchedMessage> {
         let take = |watched: &mut WatchedMessage| WatchedMessage {
             key: watched.key,
@@ -282,7 +282,7 @@ impl Census {
 }
 
 /// Whether a message is the answer to one of ours: `COMMAND_ACK`, or a TIMESYNC that is not a question itself.
-/// Parameters and the like are sent to everybody when anybody asks.
+/// Parameters and the like are broadcast at any program's request.
 fn answers(frame: &Anatomy<'_>) -> bool {
     const COMMAND_ACK: u32 = COMMAND_ACK_DATA::ID;
     /// TIMESYNC; its first field, eight bytes of `tc1`, is zero in a question.

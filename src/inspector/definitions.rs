@@ -1,12 +1,12 @@
-//! What the messages are made of: names, types, units and enums, which the dialect crate does not keep at run
-//! time. Read from a table in the program, when it is first asked for.
+//! What the messages are made of: names, types, units and enums, which the dialect crate does not keep at run time.
+//! Read from a table in the program, when it is first asked for.
 
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 use strum::EnumString;
 
-/// The table; its head says where it comes from.
+/// The table; its head names the source.
 const TABLE: &str = include_str!("definitions.txt");
 
 static DEFINITIONS: LazyLock<Definitions> = LazyLock::new(|| Definitions::read(TABLE));
@@ -40,9 +40,9 @@ pub struct FieldDefinition {
     pub unit: &'static str,
     /// The enum that names its values.
     pub names: Option<&'static str>,
-    /// The value that means that the sender does not know it.
+    /// The value for "unknown".
     pub unknown: Option<f64>,
-    /// Whether it came to MAVLink 2 later: senders may leave it out.
+    /// Whether it is a MAVLink 2 extension, which senders may omit.
     pub extension: bool,
 }
 

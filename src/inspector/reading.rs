@@ -6,7 +6,7 @@ use super::definitions::{Definitions, FieldDefinition, FieldType};
 use crate::geo::maths;
 use crate::wire::Anatomy;
 
-/// What a frame says.
+/// The content of a frame.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MessageReading {
     /// The message's name, if its id is known.
@@ -30,7 +30,7 @@ pub struct FieldReading {
     pub text: Option<String>,
     /// Names of the enum value or of the bits that are set; empty if it has none.
     pub names: Vec<String>,
-    /// Whether it is the value that means that the sender does not know.
+    /// Whether it is the value for "unknown".
     pub is_unknown: bool,
     /// Whether it is an extension field, which older senders leave out: it is zero then.
     pub is_extension: bool,
@@ -68,7 +68,7 @@ impl fmt::Display for ElementReading {
     }
 }
 
-/// A number with so many significant digits, without zeros at the end of its fraction.
+/// A number with so many significant digits, without trailing zeros.
 pub fn figure(value: f64, digits: i32) -> String {
     if !value.is_finite() {
         return value.to_string();
@@ -141,7 +141,7 @@ pub fn read(frame: &Anatomy<'_>) -> MessageReading {
     }
 }
 
-/// Reads one field. What lies behind the payload's end is zero: MAVLink 2 leaves zeros at the end out.
+/// Reads one field. Bytes beyond the payload's end are zero: MAVLink 2 truncates trailing zeros.
 fn value(
     definitions: &Definitions,
     field: &FieldDefinition,
@@ -198,7 +198,7 @@ fn names(
     }
 }
 
-/// Characters up to the first zero, what cannot be printed replaced.
+/// Characters up to the first zero, with unprintable ones replaced.
 fn text(bytes: &[u8]) -> String {
     let end = bytes.iter().position(|&byte| byte == 0);
     let text = String::from_utf8_lossy(&bytes[..end.unwrap_or(bytes.len())]);

@@ -8,7 +8,7 @@ use crate::vehicle::{Battery, MeanCurrent, Vehicle};
 
 /// The pack that flies the vehicle.
 pub(super) const MAIN_PACK: u8 = 0;
-/// `SYS_STATUS` speaks for pack 0 once `BATTERY_STATUS` has been silent for this long.
+/// The silence of `BATTERY_STATUS` after which `SYS_STATUS` applies to pack 0.
 const PACK_SILENT: Duration = Duration::from_secs(5);
 /// 1 hJ in Wh.
 const WH_PER_HECTOJOULE: f32 = 1.0 / 36.0;
@@ -30,7 +30,7 @@ pub(super) fn apply(vehicle: &mut Vehicle, data: &BATTERY_STATUS_DATA, now: Dura
     *pack(vehicle, data.id, now) = battery;
 }
 
-/// Applies the battery fields of `SYS_STATUS` to pack 0, unless `BATTERY_STATUS` speaks for it.
+/// Applies the battery fields of `SYS_STATUS` to pack 0, unless `BATTERY_STATUS` does.
 pub(super) fn apply_summary(
     vehicle: &mut Vehicle,
     data: &SYS_STATUS_DATA,
@@ -97,7 +97,8 @@ fn current_a(centiamperes: i16) -> Option<f32> {
     (centiamperes >= 0).then(|| f32::from(centiamperes) * 0.01)
 }
 
-/// What was used since the start. -1 means unknown; below zero and at the end of the range no battery has been either.
+/// The charge used since the start. -1 means unknown; negative values and the end of the range are not plausible
+/// either.
 fn known(count: i32) -> Option<f32> {
     (0..i32::MAX).contains(&count).then_some(count as f32)
 }

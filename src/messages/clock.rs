@@ -8,7 +8,7 @@ use mavlink::dialects::ardupilotmega::MavMessage;
 const STEP_BACK_MS: u32 = 5_000;
 /// A clock below this has just started; it may then have stepped back by less.
 const NEAR_ZERO_MS: u32 = 5_000;
-/// What reordering may do to a clock that has just started.
+/// The largest step back by reordering for a clock that has just started.
 const REORDERING_MS: u32 = 1_000;
 /// A small step forward over the end of the 32-bit counter (49.7 days) is no step back.
 const WRAP_MS: u32 = 3_600_000;
@@ -16,7 +16,7 @@ const WRAP_MS: u32 = 3_600_000;
 const SETTLE: Duration = Duration::from_secs(10);
 const NS_PER_MS: i64 = 1_000_000;
 
-/// What a new reading says.
+/// The meaning of a new reading.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Step {
     Onward,

@@ -7,7 +7,7 @@ use crate::alert::AlertKind;
 use crate::text;
 use crate::vehicle::{Ekf, EkfFlags, Severity, Vehicle};
 
-/// Applies `EKF_STATUS_REPORT` and says when the filter loses or finds its position on the earth.
+/// Applies `EKF_STATUS_REPORT`, with a notice when the filter loses or finds its global position.
 pub(super) fn apply(vehicle: &mut Vehicle, data: &EKF_STATUS_REPORT_DATA, report: &mut Report<'_>) {
     let ekf = Ekf {
         flags: EkfFlags(data.flags.bits()),

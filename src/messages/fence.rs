@@ -8,7 +8,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Fence, Severity, Vehicle};
 
-/// Applies `FENCE_STATUS` and says when the vehicle leaves the fence or is back.
+/// Applies `FENCE_STATUS`, with a notice when the vehicle leaves the fence or returns.
 pub(super) fn apply(vehicle: &mut Vehicle, data: &FENCE_STATUS_DATA, report: &mut Report<'_>) {
     let fence = Fence {
         breached: data.breach_status != 0,

@@ -7,8 +7,8 @@ use crate::alert::AlertKind;
 use crate::text;
 use crate::vehicle::{FixType, Gps, GpsAccuracy, Severity, Vehicle};
 
-/// Applies `GPS_RAW_INT` and says when the fix is lost or found. Its own position is left out: before the
-/// fix it is made up.
+/// Applies `GPS_RAW_INT`, with a notice when the fix is lost or found. Its position is ignored: before the fix it is
+/// invented.
 pub(super) fn apply(vehicle: &mut Vehicle, data: &GPS_RAW_INT_DATA, report: &mut Report<'_>) {
     let gps = Gps {
         fix: FixType::from_wire(data.fix_type as u8),

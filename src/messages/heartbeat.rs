@@ -63,7 +63,7 @@ impl Beat {
     }
 }
 
-/// Applies a heartbeat of the vehicle's autopilot component; those of anything but an autopilot change nothing.
+/// Applies a heartbeat of the vehicle's autopilot component; others are ignored.
 pub(super) fn apply(vehicle: &mut Vehicle, beat: Beat, report: &mut Report<'_>) {
     if !beat.is_autopilot() {
         return;

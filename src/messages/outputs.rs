@@ -5,7 +5,7 @@ use mavlink::dialects::ardupilotmega::{RC_CHANNELS_DATA, SERVO_OUTPUT_RAW_DATA};
 use crate::vehicle::{RcChannels, Vehicle};
 use crate::wire::first_channels;
 
-/// Applies `RC_CHANNELS`; 65535 and what lies beyond the channel count is unused.
+/// Applies `RC_CHANNELS`; 65535 and values beyond the channel count are unused.
 pub(super) fn apply_rc(vehicle: &mut Vehicle, data: &RC_CHANNELS_DATA) {
     let mut channels_us = [0; 18];
     channels_us[..16].copy_from_slice(&first_channels!(data));

@@ -4,8 +4,8 @@ use mavlink::dialects::ardupilotmega::{MISSION_CURRENT_DATA, MissionState};
 
 use crate::vehicle::Vehicle;
 
-/// Applies `MISSION_CURRENT`. Its total is 0 both from senders that do not say and from `ArduPilot` without a
-/// plan; the mission state tells them apart. 65535 says that there is no plan.
+/// Applies `MISSION_CURRENT`. Its total is 0 both from senders that do not set it and from `ArduPilot` without a plan;
+/// the mission state distinguishes them. 65535 means no plan.
 pub(super) fn apply_current(vehicle: &mut Vehicle, data: &MISSION_CURRENT_DATA) {
     let total = match data.total {
         0 if data.mission_state == MissionState::MISSION_STATE_UNKNOWN => None,

@@ -10,8 +10,8 @@ use super::attitude::heading_deg;
 use crate::geo::LatLon;
 use crate::vehicle::{GlobalPosition, LocalPosition, Place, Vehicle};
 
-/// Applies `GLOBAL_POSITION_INT`. Latitude and longitude both 0 is how `ArduPilot` says that it does not know; a height
-/// at an end of the range is no place either.
+/// Applies `GLOBAL_POSITION_INT`. Latitude and longitude 0 mean an unknown position from `ArduPilot`; so does a height
+/// at an end of the range.
 pub(super) fn apply_global(vehicle: &mut Vehicle, data: &GLOBAL_POSITION_INT_DATA, now: Duration) {
     let is_height = |height_mm| !matches!(height_mm, i32::MIN | i32::MAX);
     let at_point = point(data.lat, data.lon);

@@ -13,16 +13,16 @@ use crate::wire::ComponentId;
 
 /// How long the next chunk of a text may take.
 const REST_WITHIN: Duration = Duration::from_secs(1);
-/// How many texts may be half received at a time; the oldest goes out unfinished beyond that.
+/// The most incomplete texts at a time; beyond that the oldest is released unfinished.
 const MOST_UNFINISHED: usize = 8;
 /// Reasons not to arm that are further apart than this belong to different checks.
 const SAME_CHECK: Duration = Duration::from_secs(2);
-/// Stands in for chunks that never came.
+/// The placeholder for missing chunks.
 const MISSING: &[u8] = b"...";
 /// How `ArduPilot` marks a reason not to arm: found by its periodic check, or given to a refused arm command.
 const REASON_PREFIXES: [&str; 2] = ["PreArm:", "Arm:"];
 
-/// A STATUSTEXT as it came.
+/// A STATUSTEXT as received.
 #[derive(Debug, Clone)]
 pub(super) struct Chunk {
     component: ComponentId,
@@ -69,7 +69,7 @@ struct Unfinished {
     severity: Severity,
     chunks: BTreeMap<u8, Vec<u8>>,
     last: Option<u8>,
-    /// When a chunk last came.
+    /// The time of the last chunk.
     at: Duration,
 }
 

@@ -11,8 +11,8 @@ use super::position::point;
 use crate::geo::LatLon;
 use crate::vehicle::{HeightFrame, Place, Target, Vehicle};
 
-/// Targets are asked for once a second; some of them may be lost. It is longer than what makes a link count as
-/// lost: the last target of a vehicle that has fallen silent stays known.
+/// The silence after which a target is void. Targets are requested once a second and may be lost. It is longer than
+/// the time-out of a link: the last target of a lost vehicle stays known.
 const SILENT: Duration = Duration::from_millis(3500);
 
 /// Applies `POSITION_TARGET_GLOBAL_INT`. `ArduPilot` gives the height above mean sea level; it becomes height

@@ -10,7 +10,7 @@ use crate::notice::Notice;
 use crate::vehicle::Vehicle;
 use crate::wire::{AUTOPILOT_COMPONENT, ComponentId, Content, Frame};
 
-/// A vehicle with its inbox and everything that was said about it.
+/// A vehicle with its inbox and all notices.
 pub(super) struct Bench {
     pub(super) vehicle: Vehicle,
     pub(super) inbox: Inbox,

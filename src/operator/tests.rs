@@ -24,7 +24,7 @@ fn read(line: &str) -> Result<Order, Diagnostic> {
     read_order(line, &context, &[2])
 }
 
-/// What follows from a line without a mission, with the entry that was opened for it.
+/// The work for a line without a mission, with its entry.
 fn said(operator: &mut Operator, line: &str) -> Vec<Dispatch> {
     let order = read(line).expect("a good line");
     let mut ledger = Ledger::new();

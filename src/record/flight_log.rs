@@ -1,4 +1,4 @@
-//! A record while its flight is flown: what is not in its files yet.
+//! The log of a flight under way: data not yet in its files.
 
 use std::time::Duration;
 

@@ -1,4 +1,4 @@
-//! What entered the simulated vehicles of a flight: with it, the flight can be flown again.
+//! The inputs of a flight's simulated vehicles, from which it can be repeated.
 //!
 //! The file begins with an [`InputsHead`]. Each line after it belongs to a step of the simulator: the frames that
 //! reached its vehicles after it, connections made and ended, every 10 s a fingerprint of each vehicle's state, and at
@@ -23,7 +23,7 @@ const FINGERPRINT_STEPS: u64 = 1000;
 /// The longest flight, in steps: a day. A line that names a later step is damage.
 const LONGEST_STEPS: u64 = 24 * 60 * 60 * 100;
 
-/// What was simulated: the first line.
+/// The simulated world: the first line.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct InputsHead {
     /// The version of the format.
@@ -32,7 +32,7 @@ pub struct InputsHead {
     pub program: String,
     /// Seed of everything random in the simulator.
     pub seed: u64,
-    /// Where each vehicle stood: latitude and longitude in degrees, altitude in metres above sea level, heading in
+    /// The start of each vehicle: latitude and longitude in degrees, altitude in metres above sea level, heading in
     /// degrees; as text, which keeps all digits.
     pub starts: Vec<[String; 4]>,
     /// The frame files of airframes that the mission does not give, as JSON.
@@ -41,7 +41,7 @@ pub struct InputsHead {
 }
 
 impl InputsHead {
-    /// That of a world; `airframes` are those that its mission does not give.
+    /// The head for a world; `airframes` are those that its mission does not set.
     pub fn of(world: &WorldConfig, airframes: &[impl AsRef<Airframe>]) -> Self {
         let files = airframes.iter().map(|airframe| airframe.as_ref().file());
         Self {
@@ -53,7 +53,7 @@ impl InputsHead {
         }
     }
 
-    /// A world that begins like this; the airframes of the head come later.
+    /// A world with this start; the airframes follow from the head later.
     pub fn world(&self) -> WorldConfig {
         let start = |[lat, lon, altitude, heading]: &[String; 4]| {
             let number = |text: &String| text.parse().unwrap_or_default();
@@ -72,7 +72,7 @@ impl InputsHead {
         }
     }
 
-    /// Whether a world begins with the same seed and its vehicles at the same places.
+    /// Whether a world has the same seed and the same starts.
     pub fn fits(&self, world: &WorldConfig) -> bool {
         self.seed == world.seed
             && self.starts == world.starts.iter().map(numbers).collect::<Vec<_>>()
@@ -97,7 +97,7 @@ pub struct InputLine {
     pub what: Entered,
 }
 
-/// What happened to the simulated vehicles.
+/// An input of the simulated vehicles.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Entered {
@@ -107,7 +107,7 @@ pub enum Entered {
     Off(usize, u64),
     /// Frames reached vehicles.
     In(Vec<Frames>),
-    /// Time passes so many times as fast as the clock on the wall from now on.
+    /// The speed-up over the wall clock has changed.
     Pace(f64),
     /// The fingerprint of each vehicle's state, in hexadecimal.
     State(Vec<String>),
@@ -115,15 +115,15 @@ pub enum Entered {
     End,
 }
 
-/// Frames that came by a connection: vehicle, number of the connection, and the bytes in hexadecimal.
+/// Frames of a connection: vehicle, number of the connection, and the bytes in hexadecimal.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Frames(pub usize, pub u64, pub String);
 
-/// Takes down what enters a world.
+/// Records the inputs of a world.
 #[derive(Debug)]
 pub struct InputLog {
     written: String,
-    /// Of each connection: frames are taken down when they are whole, as the vehicle takes them in.
+    /// The decoders of the connections: frames are recorded when complete, as the vehicle receives them.
     decoders: BTreeMap<u64, Decoder>,
     /// The pace that was noted last.
     pace: Option<f64>,
@@ -145,7 +145,7 @@ impl InputLog {
         log
     }
 
-    /// Takes down what has entered; to be called after each step.
+    /// Records new inputs; must be called after each step.
     pub fn follow(&mut self, world: &mut World) {
         self.take_inputs(world);
         if world.steps().is_multiple_of(FINGERPRINT_STEPS) {
@@ -153,7 +153,7 @@ impl InputLog {
         }
     }
 
-    /// Notes the pace at which time passes, where it is another.
+    /// Records a changed pace.
     pub fn note_pace(&mut self, world: &World, speedup: f64) {
         if self.pace.replace(speedup) != Some(speedup) {
             self.note(world.steps(), Entered::Pace(speedup));
@@ -202,7 +202,7 @@ impl InputLog {
         }
     }
 
-    /// The frames that bytes of a connection make whole.
+    /// The frames completed by a connection's bytes.
     fn whole_frames(&mut self, connection: u64, bytes: &[u8]) -> String {
         let decoder = self.decoders.entry(connection).or_default();
         decoder.push(bytes);
@@ -234,9 +234,9 @@ pub fn fingerprint(world: &World, vehicle: usize) -> String {
 #[derive(Debug, Clone, PartialEq)]
 pub struct StoredInputs {
     pub head: InputsHead,
-    /// What entered, in order.
+    /// The inputs, in order.
     pub lines: Vec<InputLine>,
-    /// What is wrong with the rest of the file: up to where it could be read.
+    /// The damage of the rest of the file, after the readable part.
     pub damage: Option<Text>,
     /// Whether that is more than a missing end.
     is_damaged: bool,
@@ -287,7 +287,7 @@ impl StoredInputs {
         Ok(stored)
     }
 
-    /// Whether it goes to the end of the flight.
+    /// Whether it covers the whole flight.
     pub fn is_whole(&self) -> bool {
         matches!(self.lines.last(), Some(line) if line.what == Entered::End)
     }
@@ -297,7 +297,7 @@ impl StoredInputs {
         !self.is_whole() && !self.is_damaged
     }
 
-    /// How far it goes.
+    /// The time that it covers.
     pub fn lasts(&self) -> Duration {
         self.lines.last().map_or(Duration::ZERO, InputLine::at)
     }
@@ -309,7 +309,7 @@ impl InputLine {
         STEP * u32::try_from(self.s).unwrap_or(u32::MAX)
     }
 
-    /// What it has enter a world; `None` where it is nothing that can enter one.
+    /// The inputs of a line for a world; `None` if it has none.
     pub fn inputs(&self) -> Option<Vec<Input>> {
         let input = |vehicle, connection, what| Input {
             step: self.s,

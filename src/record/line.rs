@@ -31,8 +31,8 @@ impl JournalLine {
         Self { us, what }
     }
 
-    /// The same at that time, if it was earlier: what happens within one tick is noted by clocks that were read one
-    /// after the other.
+    /// The same, no earlier than `at`: occurrences within one tick are timed by clocks that were read one after the
+    /// other.
     #[must_use]
     pub fn not_before(self, at: Duration) -> Self {
         Self::new(self.at().max(at), self.what)
@@ -49,7 +49,7 @@ impl JournalLine {
     }
 }
 
-/// What happened beside the links.
+/// An occurrence beside the links.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Happening {
@@ -57,11 +57,11 @@ pub enum Happening {
     Entry(EntryLine),
     /// A command advanced with one vehicle.
     Row(RowLine),
-    /// Something was said that neither telemetry nor the mission says.
+    /// A notice that neither telemetry nor the mission repeats.
     Notice(NoticeLine),
     /// The radio between a vehicle and the console is like this from now on.
     Loss(LossLine),
-    /// Simulated time passes so many times as fast as the clock on the wall from now on.
+    /// The speed-up over the wall clock has changed.
     Speedup { rate: f64 },
     /// The mission was stepped up to this time of its own clock.
     Mission { ms: u64 },
@@ -71,7 +71,7 @@ pub enum Happening {
     End,
 }
 
-/// A command that was given.
+/// A command.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct EntryLine {
     /// Its number in the ledger.
@@ -80,7 +80,7 @@ pub struct EntryLine {
     pub line: String,
     #[serde(serialize_with = "verb_name", deserialize_with = "known_verb")]
     pub verb: &'static Verb,
-    /// What it sets at risk.
+    /// Its risk.
     #[serde(default, skip_serializing_if = "is_none")]
     pub risk: Risk,
     /// Its targets.
@@ -88,7 +88,7 @@ pub struct EntryLine {
 }
 
 impl EntryLine {
-    /// The line of an order that was given as an entry of the ledger.
+    /// The line of an order with its ledger entry.
     pub fn of(entry: EntryId, order: &Order) -> Self {
         let given = order.given();
         Self {
@@ -101,13 +101,13 @@ impl EntryLine {
     }
 }
 
-/// What became of a command with one vehicle.
+/// The outcome of a command for one vehicle.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RowLine {
     /// The number of its entry in the ledger.
     pub id: u32,
     pub vehicle: VehicleId,
-    /// How far it has come.
+    /// Its state.
     pub state: RowState,
     /// How often it has been sent.
     pub tries: u8,
@@ -128,7 +128,7 @@ impl RowLine {
         }
     }
 
-    /// The line of a row as it stands now.
+    /// The line of a row in its present state.
     pub fn standing(entry: EntryId, row: &LedgerRow) -> Self {
         Self {
             id: entry.0,
@@ -152,7 +152,7 @@ impl RowLine {
     }
 }
 
-/// What was said to the operator, in English.
+/// A notice to the operator, in English.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct NoticeLine {
     /// Which vehicle it is about, if one.
@@ -190,7 +190,8 @@ impl NoticeLine {
 }
 
 impl Happening {
-    /// What of a demand goes into the journal: the radio, which is our own; the simulator answers in telemetry.
+    /// The part of a demand for the journal: the radio, which the console simulates; the simulator's answers are in
+    /// telemetry.
     pub fn of_demand(vehicle: VehicleId, want: Want) -> Option<Self> {
         match want {
             Want::Radio(fault) => Some(Self::Loss(LossLine::of(vehicle, fault))),
@@ -199,13 +200,13 @@ impl Happening {
     }
 }
 
-/// What is wrong with the radio between a vehicle and the console.
+/// The state of the radio link between a vehicle and the console.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct LossLine {
     pub vehicle: VehicleId,
-    /// The share of frames that are lost either way, 0 to 1.
+    /// The share of frames lost in either direction, 0 to 1.
     pub loss: f64,
-    /// How late the others come, in microseconds.
+    /// The delay of the other frames, in microseconds.
     pub delay_us: u64,
     /// Decides which frames are lost.
     pub seed: u64,

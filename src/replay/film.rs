@@ -1,4 +1,4 @@
-//! A recording and what lies beside it.
+//! A recording and its related files.
 
 use std::fs::File;
 use std::io::{Read as _, Seek as _, SeekFrom};
@@ -31,7 +31,7 @@ pub struct Film {
     journal: Option<Journal>,
     run: Option<Stored>,
     review: Review,
-    /// What is wrong with the review.
+    /// The fault of the review.
     review_fault: Option<Text>,
     began_unix_us: u64,
     length: Duration,
@@ -87,7 +87,7 @@ impl Film {
         })
     }
 
-    /// What it is called.
+    /// Its name.
     pub fn name(&self) -> String {
         self.files.stem.clone()
     }
@@ -106,12 +106,12 @@ impl Film {
         self.length
     }
 
-    /// What happened beside its links, where that was recorded.
+    /// Its journal, if recorded.
     pub fn journal(&self) -> Option<&Journal> {
         self.journal.as_ref()
     }
 
-    /// What is wrong with its journal, and with its review.
+    /// The faults of its journal and its review.
     pub fn damage(&self) -> impl Iterator<Item = Text> {
         let journal = self.journal.as_ref().and_then(|it| it.damage.clone());
         journal.into_iter().chain(self.review_fault.clone())
@@ -122,7 +122,7 @@ impl Film {
         self.review_fault.as_ref()
     }
 
-    /// What was made of it before, or an empty review.
+    /// Its stored review, or an empty one.
     pub fn review(&self) -> &Review {
         &self.review
     }
@@ -151,7 +151,7 @@ impl Film {
         open().map_err(|error: std::io::Error| unreadable(&self.frames, &error))
     }
 
-    /// What the console shows that it is about.
+    /// Its session, as the console shows it.
     pub fn started(&self) -> Started {
         let mission = self.run.as_ref().and_then(|run| run.head.flown().ok());
         let head = self.journal.as_ref().map(|it| &it.head);

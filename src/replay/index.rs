@@ -1,4 +1,4 @@
-//! What is in a recording, and what was known at many times of it: found by going through it once.
+//! The index of a recording: its moments, and snapshots at many times, from one pass through it.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -19,11 +19,11 @@ use crate::text::Text;
 
 /// The distance between key frames at first.
 const KEY_EVERY: Duration = Duration::from_secs(10);
-/// Key frames that are kept; when there are more, every other one goes. Each has a few kilobytes per vehicle, and twenty
+/// The most key frames kept; beyond that, every other one is dropped. Each has a few kilobytes per vehicle, and twenty
 /// for its curves.
 const MOST_KEYS: usize = 240;
 
-/// What was known at one time.
+/// A snapshot at one time.
 #[derive(Debug)]
 pub(super) struct KeyFrame {
     cast: Cast,
@@ -35,12 +35,12 @@ impl KeyFrame {
         self.cast.at()
     }
 
-    /// What the console knew.
+    /// The console's snapshot.
     pub fn flight(&self) -> FlightSnapshot {
         self.flight.clone()
     }
 
-    /// What played.
+    /// The players' snapshot.
     pub fn cast(&self) -> Cast {
         self.cast.clone()
     }
@@ -181,7 +181,7 @@ impl IndexReader {
         self.shared.found().is_over = true;
     }
 
-    /// Keeps what is known now.
+    /// Takes a key frame.
     fn keep(&mut self) {
         let key = Arc::new(KeyFrame {
             cast: self.stage.cast(),

@@ -17,9 +17,9 @@ use crate::vehicle::{Mode, Vehicle, VehicleId};
 
 /// Vehicles that come closer to each other than this are noted.
 const NEAR_M: f64 = 15.0;
-/// They have passed each other once they are so much further apart than they were.
+/// Two vehicles have passed when their distance has grown by this much.
 const PASSED_M: f64 = 1.0;
-/// What several vehicles do within this time, they do together.
+/// Events of several vehicles within this time are merged into one moment.
 const TOGETHER: Duration = Duration::from_millis(1500);
 /// Moments that are kept; a recording with more of them is nothing but moments.
 const MOST: usize = 10_000;
@@ -64,7 +64,7 @@ struct Pair {
     other: VehicleId,
 }
 
-/// How close two vehicles have come since they came near each other.
+/// The closest distance of two vehicles during an approach.
 #[derive(Debug, Clone, Copy)]
 struct Approach {
     closest_m: f64,
@@ -73,13 +73,13 @@ struct Approach {
 }
 
 impl Lookout {
-    /// The moments so far, if there are others than at the last call.
+    /// The moments so far, if they have changed since the last call.
     pub fn found(&mut self) -> Option<Vec<Moment>> {
         let is_news = self.given.replace(self.revision) != Some(self.revision);
         is_news.then(|| self.found.clone())
     }
 
-    /// Takes in what happened in one step, after which the console knew this.
+    /// Handles the events of one step and the resulting console.
     pub fn watch(&mut self, now: Duration, events: &[Event], state: &State) {
         let mut has_moved = false;
         for event in events {
@@ -105,7 +105,7 @@ impl Lookout {
         self.report.clone()
     }
 
-    /// Adds a moment; what several vehicles do at nearly the same time is one.
+    /// Adds a moment; nearly simultaneous ones of several vehicles are merged.
     fn add(&mut self, moment: Moment) {
         let place = self.found.partition_point(|it| it.at <= moment.at);
         let recent = self.found[..place].iter_mut().rev();
@@ -222,7 +222,7 @@ impl Lookout {
         }
     }
 
-    /// Notes what only the report of the mission tells: broken rules, and what its events and its instructor did.
+    /// Adds moments that only the mission's report contains: broken rules, events and injects.
     fn close(&mut self, report: &Report) {
         for event in &report.events {
             let kind = match event.kind {

@@ -1,4 +1,4 @@
-//! A console without a screen: it knows what the console knew then.
+//! A console without a screen, with the state at that time.
 
 use crate::app::event::{Event, ReplayEvent, SessionEvent, Started};
 use crate::app::state::{ReplayPosition, ReplayView};
@@ -22,7 +22,7 @@ impl Observer {
         observer
     }
 
-    /// Sees what happened in one step.
+    /// Handles the events of one step.
     pub fn watch(&mut self, position: ReplayPosition, events: &[Event]) {
         self.see(ReplayEvent::At(position).into());
         for event in events {
@@ -30,17 +30,17 @@ impl Observer {
         }
     }
 
-    /// What it knows now.
+    /// A snapshot of the present state.
     pub fn snapshot(&self) -> FlightSnapshot {
         FlightSnapshot::of(self.0.state())
     }
 
-    /// The console with what it shows.
+    /// The console.
     pub fn app(&self) -> &App {
         &self.0
     }
 
-    /// Sees everything that came of a seek.
+    /// Handles all events of a seek.
     #[cfg(test)]
     pub fn see_all(&mut self, events: Vec<Event>) {
         for event in events {

@@ -1,4 +1,4 @@
-//! The vehicles of a recording, which hear and say again what they heard and said then.
+//! The vehicles of a recording, which repeat their telemetry.
 
 use std::collections::BTreeMap;
 use std::fs::File;
@@ -26,7 +26,7 @@ use mission::MissionStage;
 
 /// Where nothing at all was recorded for so long, the recording has a gap: no vehicle was lost.
 const GAP: Duration = Duration::from_secs(2);
-/// Times that step back by less only stand still.
+/// Smaller steps back in time only pause the clock.
 const STEP_BACK_US: i64 = 1_000_000;
 /// A longer gap is a clock that was set.
 const LONGEST_GAP_US: i64 = 3600 * 1_000_000;
@@ -47,7 +47,7 @@ pub(super) struct Stage {
     heard: u64,
 }
 
-/// What of a stage is kept for coming back to it.
+/// The state of a stage for a later return.
 #[derive(Debug, Clone)]
 pub(super) struct Cast {
     now: Duration,
@@ -63,20 +63,20 @@ pub(super) struct Cast {
     /// Whether the mission's report has been given.
     is_over: bool,
     last_heard: Duration,
-    /// What is to be added to times of the file, because its clock was set.
+    /// The correction of the file's times, for a clock that was set.
     skew_us: i64,
     /// Whether the file has been read to its end.
     is_at_end: bool,
     /// How many commands were given, and by their numbers in the journal which.
     given: BTreeMap<u32, u32>,
-    /// How long the gap is in which it stands.
+    /// The length of the present gap.
     gap: Option<Duration>,
     /// Where the next record starts in the file, and the time of the one before.
     offset: u64,
     last_us: Option<u64>,
 }
 
-/// What the recording's link carries.
+/// The traffic of the recording's link.
 #[derive(Debug, Clone, Copy, Default)]
 struct Traffic {
     bytes: u64,
@@ -122,17 +122,17 @@ impl Stage {
         self.cast.now
     }
 
-    /// How long the gap is in which it stands, if it does.
+    /// The length of the present gap, if any.
     pub fn gap(&self) -> Option<Duration> {
         self.cast.gap
     }
 
-    /// How many frames of MAVLink were heard so far.
+    /// The number of MAVLink frames so far.
     pub fn heard(&self) -> u64 {
         self.heard
     }
 
-    /// What is to be kept for coming back here.
+    /// The state for a later return.
     pub fn cast(&self) -> Cast {
         self.cast.clone()
     }
@@ -150,7 +150,7 @@ impl Stage {
         }
     }
 
-    /// Goes one frame on, and returns what happened in it.
+    /// Advances by one frame, and returns its events.
     pub fn step(&mut self) -> Vec<Event> {
         let until = self.cast.now + FRAME;
         self.hear(until);
@@ -227,7 +227,7 @@ impl Stage {
         self.film.journal().map_or(&[], |it| &it.lines)
     }
 
-    /// Changes the radio as the journal says, up to a time: what is heard then is heard by the radio of then.
+    /// Applies the journal's radio states up to a time, so that each frame passes through the radio of its time.
     fn change_radio(&mut self, until: Duration) {
         let film = Arc::clone(&self.film);
         let lines = film.journal().map_or(&[][..], |it| &it.lines);
@@ -241,7 +241,7 @@ impl Stage {
         }
     }
 
-    /// What the vehicles have to say.
+    /// The vehicles' events.
     fn tell(&mut self, now: Duration) -> Vec<Event> {
         let is_gap = self.cast.gap.is_some();
         let actors = self.cast.vehicles.values_mut();

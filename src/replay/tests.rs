@@ -49,7 +49,7 @@ fn command(command: MavCmd, params: [f32; 3]) -> MavMessage {
     })
 }
 
-/// What the ground station says at a tenth of a second.
+/// The ground station's messages at a tick of a tenth of a second.
 fn said(tick: u64) -> Vec<MavMessage> {
     let order = |what, params: [f32; 3]| command(what, params);
     let mut said = Vec::new();
@@ -178,7 +178,7 @@ fn seek(replay: &mut Replay, observer: &mut Observer, to: Duration) {
     observer.see_all(events);
 }
 
-/// What the console knows, in words: whatever a screen can show.
+/// The console's state as text: everything a screen can show.
 fn known(state: &State) -> String {
     let session = state.session();
     let trails = state.rooms().map().trails();

@@ -10,7 +10,7 @@ use crate::sim::Airframe;
 const PULSE_US: [(&str, f64); 3] = [("MIN", 1000.0), ("MAX", 2000.0), ("TRIM", 1500.0)];
 /// Volts of a full cell.
 const CELL_FULL_V: f64 = 4.2;
-/// Volts of a cell at which a pack under load is called low.
+/// The cell voltage at which a pack under load counts as low.
 const CELL_LOW_V: f64 = 3.5;
 /// Over which voltages the thrust is kept the same, as shares of the full battery: 9.6 and 12.8 V of three cells.
 const COMPENSATED: (f64, f64) = (9.6 / 12.6, 12.8 / 12.6);
@@ -42,7 +42,7 @@ pub(super) fn of(kind: SitlKind) -> Vec<(String, f64)> {
     all
 }
 
-/// What only this kind of vehicle needs.
+/// Settings of this kind of vehicle.
 fn own(kind: SitlKind) -> &'static [(&'static str, f64)] {
     match kind {
         SitlKind::Copter => &[
@@ -68,8 +68,7 @@ fn own(kind: SitlKind) -> &'static [(&'static str, f64)] {
     }
 }
 
-/// What follows from a multirotor's airframe: its battery, the thrust of its motors, and gains that go with how much
-/// torque they have.
+/// The settings from a multirotor's airframe: its battery, the thrust of its motors, and gains for their torque.
 pub(super) fn of_airframe(airframe: &Airframe) -> Vec<(String, f64)> {
     let full_v = airframe.full_voltage_v();
     let mut all = vec![

@@ -6,7 +6,7 @@ use strum::{IntoStaticStr, VariantArray};
 use crate::geo::maths;
 use crate::sim::Start;
 
-/// How vehicles stand to each other. The first one stands at the home, and all look the same way.
+/// The arrangement of vehicles at the start. The first one is at home, and all have the same heading.
 #[derive(
     Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, IntoStaticStr, VariantArray,
 )]
@@ -20,7 +20,7 @@ pub enum FormationShape {
     Column,
     /// Rows behind each other, about as many as there are in a row.
     Grid,
-    /// On a circle that begins at the home and goes clockwise, its centre behind the first.
+    /// On a circle clockwise from home, its centre behind the first.
     Circle,
     /// The first at the tip, the others behind it to the right and to the left in turns.
     Wedge,
@@ -34,7 +34,7 @@ impl FormationShape {
     }
 }
 
-/// A place in a formation, from the first vehicle and the way that it looks.
+/// A place in a formation, relative to the first vehicle and its heading.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Offset {
     /// Metres ahead of it.
@@ -43,16 +43,16 @@ pub struct Offset {
     pub right_m: f64,
 }
 
-/// How vehicles stand to each other, and how far apart neighbours are.
+/// The arrangement of vehicles at the start, and its spacing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StartFormation {
     pub shape: FormationShape,
-    /// Metres between neighbours, and at least so many between any two.
+    /// The distance between neighbours in metres, and the least between any two.
     pub spacing_m: f64,
 }
 
 impl StartFormation {
-    /// The place of a vehicle, counted from 0, among so many.
+    /// The place of a vehicle, counted from 0, of `of` vehicles.
     pub fn place(self, index: usize, of: usize) -> Offset {
         let nth = index as f64;
         let (back, right) = match self.shape {
@@ -85,7 +85,7 @@ impl StartFormation {
         }
     }
 
-    /// Where each of so many vehicles stands, the first one at `first`.
+    /// The start of each vehicle, the first one at `first`.
     pub fn starts(self, of: usize, first: Start) -> Vec<Start> {
         let (sin, cos) = maths::sin_cos(first.heading_deg.to_radians());
         let start = |index: usize| {

@@ -13,7 +13,7 @@ pub(super) struct SitlModel {
     pub kind: SitlKind,
     /// How many motors a multirotor has; 0 for other vehicles.
     pub motors: usize,
-    /// What the autopilot must be told.
+    /// Required parameters of the autopilot.
     pub parameters: &'static [(&'static str, f64)],
 }
 
@@ -89,7 +89,7 @@ fn of(kind: SitlKind) -> impl Iterator<Item = &'static SitlModel> {
     all.filter(move |model| model.kind == kind)
 }
 
-/// The model of a name, else the first one that has so many motors and agrees with the parameters that are asked for.
+/// The model with a name, otherwise the first one that matches the number of motors and the requested parameters.
 ///
 /// # Errors
 /// None fits, or the one that is named does not: with what would.
@@ -151,7 +151,7 @@ fn likely(
         .or_else(|| of(kind).find(|model| fits(model)))
 }
 
-/// The parameter of a model for which another value is asked: what the model needs, and what is asked.
+/// The parameter of a model for which another value is requested: the required value, and the requested one.
 fn disagreement(
     model: &SitlModel,
     asked: &impl Fn(&str) -> Option<f64>,

@@ -30,7 +30,7 @@ impl CommandLine {
         )
     }
 
-    /// What makes the instance's folder and the files in it.
+    /// The script that creates the instance's folder and its files.
     pub fn preparation(&self, folder: &str) -> String {
         let mut script = format!("mkdir -p {}\n", quoted(folder));
         for (name, text) in &self.files {

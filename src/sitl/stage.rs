@@ -1,4 +1,4 @@
-//! How far an instance has come on its way from a program to a vehicle that can be armed.
+//! The stages of an instance, from a program to a vehicle that can be armed.
 
 use serde::{Deserialize, Serialize};
 use strum::{IntoStaticStr, VariantNames};
@@ -27,7 +27,7 @@ pub enum SitlStage {
     Heartbeat,
     /// All its parameters have come.
     Parameters,
-    /// Its navigation filter knows where it is.
+    /// Its navigation filter has a position.
     Position,
     /// It can be armed.
     Ready,

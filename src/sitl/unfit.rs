@@ -1,9 +1,9 @@
-//! Why an instance cannot be started as it is asked for.
+//! Why an instance cannot be started as requested.
 
 use super::SitlKind;
 use crate::sim::AirframeError;
 
-/// What is wrong with a recipe, and what to do.
+/// A fault of a recipe, and what to do.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SitlUnfit {
     #[error("system id {0} cannot be a vehicle's: use 1 to 254")]
@@ -25,7 +25,7 @@ pub enum SitlUnfit {
     /// The value of a parameter: with one that is no number, SITL spins for ever.
     #[error("{0} cannot be {1}: a value is a finite number that fits a float")]
     ParameterValue(String, f64),
-    /// A frame file for what is no multirotor.
+    /// A frame file for a vehicle that is no multirotor.
     #[error("only multirotors take a frame file, and this is a {}: leave it out", .0.name())]
     AirframeOf(SitlKind),
     #[error("the frame file, {0}")]
@@ -33,7 +33,7 @@ pub enum SitlUnfit {
     /// There is no such model.
     #[error("a {} has no model `{name}`: use {}", .kind.name(), .known.join(", "))]
     UnknownModel {
-        /// What was asked for.
+        /// The requested name.
         name: String,
         kind: SitlKind,
         /// The models that there are.
@@ -59,7 +59,7 @@ pub enum SitlUnfit {
         /// The models that fit.
         fitting: Vec<&'static str>,
     },
-    /// The model needs another value of a parameter than is asked for.
+    /// The model requires another value of a parameter than requested.
     #[error(
         "the model {model} flies with {parameter} {needed} and would turn over with {asked}: leave {parameter} out, or {}",
         advice(.fitting)
@@ -67,9 +67,9 @@ pub enum SitlUnfit {
     Frame {
         model: &'static str,
         parameter: &'static str,
-        /// What the model needs.
+        /// The required value.
         needed: f64,
-        /// What is asked for.
+        /// The requested value.
         asked: f64,
         /// The models that fit.
         fitting: Vec<&'static str>,

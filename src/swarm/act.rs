@@ -27,11 +27,11 @@ mod work;
 pub(super) use member::{Member, Phase};
 pub(super) use work::{Chain, Tail};
 
-/// A point that stands is said again after this, in case it was lost.
+/// The interval of repeating a fixed setpoint, in case it was lost.
 const STANDING_EVERY: Duration = Duration::from_secs(1);
-/// A point that moves is said this often (ArduCopter stops 3 s after the last one, `GUID_TIMEOUT`).
+/// The interval of moving setpoints (ArduCopter stops 3 s after the last one, `GUID_TIMEOUT`).
 const MOVING_EVERY: Duration = Duration::from_millis(200);
-/// Slower than this a point stands.
+/// A point slower than this is fixed.
 const STANDING_M_S: f64 = 0.05;
 /// A point that has moved by this is a new one.
 const SAME_POINT_M: f64 = 0.2;
@@ -41,7 +41,7 @@ const REACHED_ABOVE_M: f64 = 0.7;
 /// How near to its place a vehicle of a moving formation is in its place.
 const IN_PLACE_M: f64 = 2.0;
 
-/// What an act sees of the world.
+/// A manoeuvre's view of the world.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct WorldView<'a> {
     pub now: Duration,
@@ -49,7 +49,7 @@ pub(super) struct WorldView<'a> {
     pub rules: Rules,
 }
 
-/// The work that begins once all members are there.
+/// The work once all members are in place.
 #[derive(Debug, Clone)]
 pub(super) enum Work {
     /// Each flies its course and is done at its end. Lanes are pairs of points, and others can take them over.
@@ -65,7 +65,7 @@ pub(super) enum Work {
     Chain(Chain),
 }
 
-/// A formation's order to go somewhere.
+/// A formation's order to move.
 #[derive(Debug, Clone)]
 struct Move {
     entry: EntryId,
@@ -117,7 +117,7 @@ impl ActiveManoeuvre {
         self.is_formation().then_some(first)
     }
 
-    /// Takes over how fast vehicles were told to fly: a formation goes by its leader.
+    /// Takes the leader's commanded speed for a formation.
     pub fn pace(&mut self, vehicles: &Vehicles) {
         let leader = self.leader().and_then(|leader| vehicles.get(&leader));
         if let Work::Formation(march) = &mut self.work {
@@ -133,7 +133,7 @@ impl ActiveManoeuvre {
         self.tell(view, outcome);
     }
 
-    /// The next phase begins when all members have finished this one.
+    /// Begins the next phase when all members have finished this one.
     fn move_on(&mut self, view: &WorldView<'_>) {
         let there = |member: &Member| {
             let aim = self.aim(member, 0).at;
@@ -145,7 +145,7 @@ impl ActiveManoeuvre {
         }
     }
 
-    /// Where a member is to be now, and how fast that point moves.
+    /// A member's setpoint, and its velocity.
     fn aim(&self, member: &Member, index: usize) -> MovingPoint {
         let point = match self.phase {
             Phase::Rise => member.from.truncate().extend(member.layer_m),
@@ -160,7 +160,7 @@ impl ActiveManoeuvre {
         self.site.point(view.vehicles.get(&id)?)
     }
 
-    /// Says where each member is to be.
+    /// Sends each member's setpoint.
     fn steer(&mut self, view: &WorldView<'_>, outcome: &mut StepOutcome) {
         for index in 0..self.members.len() {
             let member = &self.members[index];
@@ -223,7 +223,7 @@ impl ActiveManoeuvre {
             .map(|other| (own.at, other.id))
     }
 
-    /// Last setpoints for those that are to stay where they are.
+    /// Last setpoints for members that must stay where they are.
     pub fn stops(&self, ids: &[VehicleId], vehicles: &Vehicles) -> Vec<(VehicleId, Steering)> {
         let members = self
             .members
@@ -236,8 +236,8 @@ impl ActiveManoeuvre {
         members.filter_map(stop).collect()
     }
 
-    /// Leads a formation somewhere if its first vehicle is among those who are told to go there. Returns who of
-    /// them goes along, and begins their rows.
+    /// Moves a formation if its first vehicle gets the order. Returns the members that move along, and begins their
+    /// rows.
     pub fn lead(
         &mut self,
         to: FormationGoal,
@@ -281,7 +281,7 @@ impl ActiveManoeuvre {
         who
     }
 
-    /// What is going to be flown.
+    /// The planned paths.
     pub fn paths(&self) -> Vec<Path> {
         let path = |(index, member): (usize, &Member)| {
             let place = |point: &DVec3| self.site.place(point.truncate());

@@ -14,7 +14,7 @@ pub(super) fn distance_to_segment(point: DVec2, from: DVec2, to: DVec2) -> f64 {
     point.distance(from + way * share)
 }
 
-/// A straight way on the ground, in metres east and north.
+/// A straight segment on the ground, in metres east and north.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Segment {
     pub from: DVec2,
@@ -42,7 +42,7 @@ impl Segment {
             && other.side(self.from) * other.side(self.to) < 0.0
     }
 
-    /// On which side a point lies: positive to the one, negative to the other.
+    /// The side of a point: positive on one, negative on the other.
     fn side(self, point: DVec2) -> f64 {
         (self.to - self.from).perp_dot(point - self.from)
     }
@@ -57,7 +57,7 @@ pub(super) struct MovingPoint {
 }
 
 impl MovingPoint {
-    /// One that stands still.
+    /// A fixed point.
     pub fn still(at: DVec3) -> Self {
         Self {
             at,
@@ -66,7 +66,7 @@ impl MovingPoint {
     }
 }
 
-/// The length of a way.
+/// The length of a path.
 pub(super) fn length_m(points: &[DVec3]) -> f64 {
     points
         .windows(2)
@@ -97,13 +97,13 @@ pub(super) fn assign(places: &[DVec2], vehicles: &[DVec2]) -> (Vec<usize>, f64) 
     (chosen, sum)
 }
 
-/// A cheapest matching of some places (rows) with vehicles (columns). Row and column 0 stand for none.
+/// A minimum-cost matching of places (rows) with vehicles (columns). Row and column 0 mean none.
 struct Matching<'a> {
     places: &'a [DVec2],
     vehicles: &'a [DVec2],
     of_row: Vec<f64>,
     of_column: Vec<f64>,
-    /// The row that each column is given to.
+    /// The row of each column.
     row_at: Vec<usize>,
 }
 
@@ -162,7 +162,7 @@ impl<'a> Matching<'a> {
 
 /// Moves points apart until no two are nearer than this; each as little as its neighbours allow.
 pub(super) fn spread(points: &[DVec2], spacing_m: f64) -> Vec<DVec2> {
-    /// What makes the last pushes end.
+    /// A factor that ends the last shifts.
     const BEYOND: f64 = 1.001;
     const ROUNDS: usize = 2000;
     let mut points = points.to_vec();
@@ -217,7 +217,7 @@ mod tests {
         assert!((along.distance_to(beside) - 3.0).abs() < 1e-9);
     }
 
-    /// Every way to give the places, for comparison.
+    /// The best assignment by brute force, for comparison.
     fn best(places: &[DVec2], vehicles: &mut Vec<DVec2>, at: usize) -> f64 {
         if at == places.len() {
             return 0.0;

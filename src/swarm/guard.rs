@@ -1,4 +1,4 @@
-//! Vehicles that have to wait because another is in the way.
+//! Vehicles that must wait for another in their way.
 //!
 //! Those of one manoeuvre are kept apart by how it is planned. This is for everybody else: vehicles that hover, that
 //! are flown by hand, or that do something else together.
@@ -9,13 +9,13 @@ use super::geometry::MovingPoint;
 
 /// How far ahead is looked.
 const AHEAD_S: f64 = 3.0;
-/// A vehicle that stands still is assumed to begin moving this fast.
+/// The assumed speed at which a stationary vehicle may start.
 const LEAST_SPEED_M_S: f64 = 2.0;
 /// Nearer than this to its aim a vehicle does not move any more.
 const THERE_M: f64 = 1.0;
 
-/// Whether going on to `aim` would bring a vehicle nearer to the other one than `separation_m`. A vehicle that is too
-/// near already may go away.
+/// Whether flying on to `aim` would bring a vehicle closer than `separation_m` to the other one. A vehicle that is too
+/// close already may move away.
 pub(super) fn is_in_the_way(
     own: MovingPoint,
     aim: DVec3,

@@ -38,7 +38,7 @@ impl Lane {
 pub(super) enum NoLanes {
     /// It has no extent.
     Empty,
-    /// It takes too many lines.
+    /// It needs too many lines.
     TooMany(usize),
 }
 
@@ -80,7 +80,7 @@ pub(super) fn lanes(
     Ok((0..count as usize).map(lane).collect())
 }
 
-/// How far lanes lie outside of the area where they go on over its gaps, in metres.
+/// The length of lanes outside the area, where they cross its gaps, in metres.
 pub(super) fn gaps_m(lanes: &[Lane], corners: &[DVec2]) -> f64 {
     lanes.iter().map(|lane| gap_m(lane, corners)).sum()
 }
@@ -117,7 +117,7 @@ fn narrowest(corners: &[DVec2]) -> Option<DVec2> {
         .map(|(_, along)| along)
 }
 
-/// How far along the part of the area goes that lies in a strip.
+/// The extent of the area along a strip.
 fn extent(corners: &[DVec2], along: DVec2, across: DVec2, strip: &Range<f64>) -> (f64, f64) {
     let edges = corners.iter().zip(corners.iter().cycle().skip(1));
     range(edges.flat_map(|(from, to)| {
@@ -144,8 +144,8 @@ fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
     })
 }
 
-/// Cuts a row of lanes into so many neighbouring shares, none empty, as equal in length as whole lanes allow.
-/// There have to be as many lanes at least.
+/// Divides a row of lanes into `count` adjacent shares, none empty, as equal in length as whole lanes allow. There
+/// must be at least as many lanes.
 pub(super) fn shares(lanes: &[Lane], count: usize) -> Vec<Vec<Lane>> {
     let total: f64 = lanes.iter().map(Lane::length_m).sum();
     let mut cuts = vec![0];

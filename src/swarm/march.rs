@@ -14,36 +14,36 @@ use super::slots::slots;
 use crate::commands::Shape;
 use crate::geo::maths;
 
-/// Speed of a formation whose leader was told none, within what every multirotor of the field keeps up with.
+/// The default speed of a formation, within the capability of every common multirotor.
 const SPEED_M_S: f64 = 5.0;
-/// Up and down, below the limits that autopilots come with (ArduCopter: 2.5 up, 1.5 down).
+/// Vertical speeds, below the autopilots' default limits (ArduCopter: 2.5 up, 1.5 down).
 const CLIMB_M_S: f64 = 1.2;
 const ACCELERATION_M_S2: f64 = 1.0;
 /// Speed of the outermost place while the formation turns.
 const TURN_M_S: f64 = 3.0;
 const TURN_MOST_RAD_S: f64 = 0.5;
-/// Who is this far from its place slows the formation down, and stops it this far beyond that.
+/// A member this far from its place slows the formation down; the same distance further, it stops the formation.
 const LAG_M: f64 = 2.5;
 const LAG_RANGE_M: f64 = 4.0;
-/// A way shorter than this needs no turn.
+/// A path shorter than this needs no turn.
 const NO_TURN_M: f64 = 2.0;
 /// Courses that agree so well are the same.
 const SAME_COURSE_RAD: f64 = 0.01;
 /// Longer pauses between two steps are cut, so that no vehicle flies blindly.
 const LONGEST_STEP_S: f64 = 0.5;
 
-/// A formation and where it is.
+/// A formation and its position.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct March {
     pub shape: Shape,
     pub spacing_m: f64,
-    /// Whether it keeps facing where it does.
+    /// Whether it keeps its heading.
     pub keeps_facing: bool,
-    /// Where it faces, in radians clockwise from north.
+    /// Its heading, in radians clockwise from north.
     pub facing_rad: f64,
-    /// Where its first place is.
+    /// The position of its first place.
     pub anchor: DVec3,
-    /// Where that is to go.
+    /// The destination of that place.
     pub goal: Option<DVec3>,
     speed_m_s: f64,
     velocity: DVec3,
@@ -69,12 +69,12 @@ impl March {
         }
     }
 
-    /// Goes as fast as its leader was told to.
+    /// Sets the speed to the leader's commanded one.
     pub fn pace(&mut self, asked_m_s: Option<f64>) {
         self.speed_m_s = asked_m_s.unwrap_or(SPEED_M_S);
     }
 
-    /// Stands still with so many places; `order` says which of them each vehicle has.
+    /// Sets the number of places; `order` gives each vehicle's place.
     pub fn seat(&mut self, order: &[usize]) {
         let all = slots(self.shape, order.len(), self.spacing_m);
         self.slots = order.iter().map(|&slot| all[slot]).collect();
@@ -86,13 +86,13 @@ impl March {
         self.stepped = None;
     }
 
-    /// All places of the shape as it stands, before they are given to vehicles.
+    /// All places of the shape, before their assignment.
     pub fn places(&self, count: usize) -> Vec<DVec3> {
         let slots = slots(self.shape, count, self.spacing_m);
         slots.into_iter().map(|slot| self.at(slot)).collect()
     }
 
-    /// Where a vehicle belongs now, and how fast that place moves.
+    /// A vehicle's place, and its velocity.
     pub fn place(&self, index: usize) -> MovingPoint {
         let slot = self.slots.get(index).copied().unwrap_or_default();
         let arm = DVec2::from_angle(self.facing_rad).rotate(slot);
@@ -176,7 +176,7 @@ mod tests {
         march
     }
 
-    /// Steps ten times a second until it stands; returns how long that took.
+    /// Steps ten times a second until it stops; returns the time.
     fn go(march: &mut March, mut look: impl FnMut(&March)) -> f64 {
         for step in 0..10_000u64 {
             march.step(Duration::from_millis(step * 100), 0.0);

@@ -41,7 +41,7 @@ pub(super) fn sector(radius_m: f64, first_course_deg: f64) -> Vec<DVec2> {
     points
 }
 
-/// Cuts a way into so many pieces of equal length.
+/// Divides a path into pieces of equal length.
 pub(super) fn pieces(points: &[DVec2], count: usize) -> Vec<Vec<DVec2>> {
     let total: f64 = points.windows(2).map(|leg| leg[0].distance(leg[1])).sum();
     let piece_m = total / count as f64;

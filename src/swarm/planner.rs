@@ -17,26 +17,26 @@ use crate::vehicle::{VehicleId, Vehicles};
 
 mod plans;
 
-/// Between two lines where neither the line nor the mission says how wide.
+/// The default spacing of lines.
 const USUAL_SPACING_M: f64 = 20.0;
-/// A sensor that sees less than this tells nothing about lines.
+/// Sensors with a narrower strip do not set the line spacing.
 const LEAST_SPACING_M: f64 = 1.0;
 /// Between neighbours of a formation.
 const FORMATION_SPACING_M: f64 = 10.0;
 const SECTOR_RADIUS_M: f64 = 100.0;
-/// An expanding square reaches so many spacings out.
+/// The default extent of an expanding square, in spacings.
 const SQUARE_TURNS: f64 = 5.0;
 
-/// Those who are asked to do something together.
+/// The vehicles called to a manoeuvre.
 pub(super) struct Planner<'a> {
     rules: Rules,
     vehicles: &'a Vehicles,
     now: Duration,
     call: Call<'a>,
-    /// Who can take part, with where it is.
+    /// The vehicles that can take part, with their positions.
     team: Vec<(VehicleId, DVec3)>,
     site: Site,
-    /// What to say in the rows of those that take part.
+    /// Remarks for their rows.
     remarks: Vec<Text>,
     pub rows: Vec<RowUpdate>,
 }
@@ -62,7 +62,7 @@ impl<'a> Planner<'a> {
         }
     }
 
-    /// Finds out who can take part and refuses the others.
+    /// Selects the vehicles that can take part, and refuses the others.
     pub fn pick_team(&mut self) {
         let verb = self.call.verb.name;
         for &id in self.call.targets {
@@ -100,7 +100,7 @@ impl<'a> Planner<'a> {
         }
     }
 
-    /// Who can take part.
+    /// The vehicles that can take part.
     pub fn team(&self) -> Vec<VehicleId> {
         self.team.iter().map(|(id, _)| *id).collect()
     }
@@ -116,7 +116,7 @@ impl<'a> Planner<'a> {
         });
     }
 
-    /// Plans it; `None` when no vehicle can do it, and the rows say why.
+    /// Plans the manoeuvre; `None` if no vehicle can do it, with the reasons in the rows.
     pub fn make(&mut self) -> Option<ActiveManoeuvre> {
         if self.team.is_empty() {
             return None;
@@ -183,7 +183,7 @@ impl<'a> Planner<'a> {
         }
     }
 
-    /// The height that was asked for, or that of the first.
+    /// The requested height, or that of the first vehicle.
     fn height(&self, up_m: Option<f64>) -> f64 {
         up_m.unwrap_or_else(|| self.team.first().map_or(0.0, |(_, at)| at.z))
     }
@@ -209,7 +209,7 @@ impl<'a> Planner<'a> {
         })
     }
 
-    /// Neighbours may not be told to come too near to each other.
+    /// Refuses a spacing below the separation.
     fn roomy(&self, spacing_m: f64) -> Result<f64, Text> {
         let separation_m = self.rules.separation_m;
         let least = separation_m + MARGIN_M;

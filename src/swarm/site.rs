@@ -30,13 +30,13 @@ impl Site {
         self.origin.moved(point.x, point.y)
     }
 
-    /// Where a vehicle is, if it has said so.
+    /// A vehicle's position, if known.
     pub fn point(&self, vehicle: &Vehicle) -> Option<DVec3> {
         let global = vehicle.global?;
         Some(self.flat(global.at_point).extend(global.altitude_m))
     }
 
-    /// A place as it was said, `reference` being the vehicle whose EKF origin counts.
+    /// A given place; `reference` is the vehicle whose EKF origin counts.
     pub fn spot(&self, spot: Datum, reference: &Vehicle) -> Option<DVec2> {
         match spot {
             Datum::Global(place) => place.is_valid().then(|| self.flat(place)),
@@ -49,7 +49,7 @@ impl Site {
     }
 }
 
-/// Where a vehicle is and how fast it moves, if it has said so.
+/// A vehicle's position and velocity, if known.
 pub(super) fn moving(site: &Site, vehicle: &Vehicle) -> Option<MovingPoint> {
     Some(MovingPoint {
         at: site.point(vehicle)?,

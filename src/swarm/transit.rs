@@ -10,23 +10,23 @@ use glam::DVec3;
 use super::Rules;
 use super::geometry::Segment;
 
-/// What is added to the separation on the ground, and in height: nobody flies exactly where it is told to.
+/// The margin added to the separation, horizontally and vertically, for position errors.
 pub(super) const MARGIN_M: f64 = 1.0;
 const MARGIN_ABOVE_M: f64 = 1.5;
 
-/// Heights that are tried for one way.
+/// The most heights tried for one path.
 const MOST_LAYERS: usize = 40;
 /// Positions are no more exact than this.
 const ROUNDING_M: f64 = 0.05;
 
-/// A straight way that one vehicle has to go.
+/// A straight path of one vehicle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Leg {
     pub from: DVec3,
     pub to: DVec3,
 }
 
-/// How far apart vehicles have to stay.
+/// The required separation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Clearance {
     pub aside_m: f64,
@@ -43,7 +43,7 @@ impl Rules {
 }
 
 impl Clearance {
-    /// Who is nearer to another one than this is above or below it.
+    /// Vehicles closer than this must be above each other.
     fn least_m(self) -> f64 {
         self.aside_m * 0.75
     }
@@ -65,8 +65,8 @@ impl Leg {
         self.from.truncate().distance(self.to.truncate()) < 1.0
     }
 
-    /// Whether the ways come nearer to each other than the clearance. Where two stand a little nearer than that, as on
-    /// their pads, that is how near they may be.
+    /// Whether the paths come closer than the clearance. If both start or end slightly closer than that, as on their
+    /// pads, that distance is the limit.
     fn comes_near(&self, other: &Self, clearance: Clearance) -> bool {
         let least = clearance.least_m();
         let wanted = clearance.aside_m;
@@ -95,7 +95,7 @@ impl Leg {
     }
 }
 
-/// The heights at which the legs cross; `others` stand still where they are. `None` where there are not enough heights.
+/// The heights at which the legs cross; `others` stay in place. `None` if there are not enough heights.
 pub(super) fn heights(legs: &[Leg], others: &[DVec3], clearance: Clearance) -> Option<Vec<f64>> {
     let mut order: Vec<usize> = (0..legs.len()).collect();
     // Who stays where it is keeps its height, then the lower ones choose before the higher.
@@ -128,7 +128,7 @@ pub(super) fn heights(legs: &[Leg], others: &[DVec3], clearance: Clearance) -> O
     Some(heights)
 }
 
-/// Whether all members may go straight to their ends at once.
+/// Whether all members may fly straight to their ends at once.
 pub(super) fn are_apart(legs: &[Leg], others: &[DVec3], clearance: Clearance) -> bool {
     legs.iter().enumerate().all(|(index, leg)| {
         let apart = |other: &Leg| !leg.comes_near(other, clearance);
@@ -235,7 +235,7 @@ mod tests {
         assert_eq!(heights(&[leg], &[bystander], CLEARANCE), Some(vec![33.0]));
     }
 
-    /// Two above each other that have to change places in height cannot do so on the spot.
+    /// Two vehicles above each other cannot exchange heights in place.
     #[test]
     fn those_above_one_another_keep_their_order() {
         let leg = |z: f64, to: DVec3| Leg {

@@ -10,7 +10,7 @@ use ratatui::layout::{Position, Size};
 
 use super::writer::FrameWriter;
 
-/// Crossterm's backend, which says nothing where nothing has changed and asks the terminal nothing.
+/// Crossterm's backend, which writes only changes and queries nothing.
 ///
 /// The terminal library hides the cursor and resets all styles with every frame, whether or not it differs from the
 /// one before. It asks for the cursor's position whenever it clears the screen, which it does after a resize: the
@@ -19,11 +19,11 @@ pub(super) struct FrameBackend {
     inner: CrosstermBackend<FrameWriter>,
     /// Whether something of the present frame has been written.
     begun: bool,
-    /// What the terminal's cursor was told last.
+    /// The last cursor sent to the terminal.
     cursor: Cursor,
 }
 
-/// What a cursor may be.
+/// The state of a cursor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Cursor {
     Unknown,

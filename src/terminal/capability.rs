@@ -4,7 +4,7 @@ use crate::config::Symbols;
 use crate::text::{Text, text};
 use crate::ui::ColourDepth;
 
-/// The variables that tell.
+/// The environment variables that describe the terminal.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Environment {
     pub term: String,
@@ -70,8 +70,8 @@ impl Environment {
         !is_plain && !["vt1", "vt2"].iter().any(|old| self.term.starts_with(old))
     }
 
-    /// What curves and maps are drawn with. A locale without a name is that of a shell that has lost its own, as
-    /// under `su` or `cron`: there nothing but ASCII is certain.
+    /// The symbols for curves and maps. A locale without a name comes from a shell without one, as under `su` or
+    /// `cron`: then only ASCII is safe.
     pub fn symbols(&self) -> Symbols {
         if !self.speaks_utf8() {
             Symbols::Ascii

@@ -1,9 +1,9 @@
-//! The sixteen basic colours in the words that every terminal knows.
+//! The sixteen basic colours in the codes that every terminal supports.
 //!
-//! The terminal library names them like those of the 256 (`38;5;1`), which terminals with sixteen take for
-//! something else, and ends every frame with resets that the last of them includes.
+//! The terminal library names them like those of the 256 (`38;5;1`), which terminals with sixteen take for something
+//! else, and ends every frame with resets that the last of them includes.
 
-/// What the library ends a frame with, and what says the same.
+/// The library's code at the end of a frame, and its basic equivalent.
 const RESETS: (&[u8], &[u8]) = (b"\x1b[39m\x1b[49m\x1b[59m\x1b[0m", b"\x1b[0m");
 
 /// The same frame with basic colours as `31` and `101`.

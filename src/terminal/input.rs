@@ -6,7 +6,7 @@
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
-/// Something that came from the terminal.
+/// Input from the terminal.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Input {
     /// A key was pressed.
@@ -34,11 +34,11 @@ pub struct Parser {
     paste: Option<Vec<u8>>,
 }
 
-/// What stands at the beginning of some bytes.
+/// The result of parsing the first bytes.
 enum Found {
-    /// Perhaps something, in so many bytes.
+    /// An input, or bytes to ignore, with their length.
     Whole(Option<Input>, usize),
-    /// The beginning of a paste, in so many bytes.
+    /// The start of a paste, with its length.
     Paste(usize),
     /// Something that has not come to its end.
     Partial,
@@ -77,7 +77,7 @@ impl Parser {
         !self.bytes.is_empty() && self.paste.is_none()
     }
 
-    /// Nothing has followed in time: what looked like the beginning of a sequence was the Esc key.
+    /// Handles a time-out: the apparent start of a sequence was the Esc key.
     pub fn give_up(&mut self) -> Option<Input> {
         let is_escape = self.bytes.first() == Some(&0x1b);
         let alone = self.bytes.len() == 1;

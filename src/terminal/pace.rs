@@ -7,11 +7,11 @@
 
 use std::time::Duration;
 
-/// An answer that takes longer means a slow line: from then on one frame is under way at a time.
+/// A slower answer means a slow line: from then on only one frame is in transit at a time.
 const PATIENCE: Duration = Duration::from_millis(500);
-/// A line whose last answer took longer is called slow on the screen.
+/// A slower last answer is reported as a slow line on the screen.
 const SLOW: Duration = Duration::from_secs(1);
-/// A line is called slow for so long after it was.
+/// How long a line is reported as slow afterwards.
 const SLOW_FOR: Duration = Duration::from_secs(10);
 /// A terminal that has not answered its first question by now never will; frames go out without.
 const DEAF_AFTER: Duration = Duration::from_secs(5);
@@ -25,7 +25,7 @@ const REPEAT_AFTER: Duration = Duration::from_secs(5);
 const BLOCKED: Duration = Duration::from_millis(200);
 /// The longest rest after a write that met one.
 const LONGEST_REST: Duration = Duration::from_secs(2);
-/// Frames that show a key come at least so far apart, so that a flood of keys does not become one of frames.
+/// The least interval of frames caused by keys, so that a flood of keys does not cause a flood of frames.
 const KEY_INTERVAL: Duration = Duration::from_micros(1_000_000 / 120);
 /// A write that takes longer than this has met a terminal that did not read, not a slow line.
 const STALLED: Duration = Duration::from_secs(5);
@@ -39,10 +39,10 @@ pub struct Pace {
     hearing: Hearing,
     /// How long the last answer took.
     delay: Duration,
-    /// When the line was slow last, and what it carried, in bytes per second.
+    /// When the line was last slow, and its bytes per second.
     slow: Option<(Duration, f64)>,
     rest_until: Duration,
-    /// Whether one frame may go before the rest, because what the screen shows is as old as the write that blocked.
+    /// Whether one frame may be sent early, because the screen is as old as the blocked write.
     catches_up: bool,
     /// Whether the last write met a full buffer.
     blocked: bool,
@@ -55,9 +55,9 @@ pub struct Pace {
 #[derive(Debug, Clone, Copy)]
 struct Question {
     at: Duration,
-    /// When the first of those was asked that have had no answer.
+    /// The time of the first unanswered query.
     unanswered_since: Duration,
-    /// What its answer proves to have been read.
+    /// The bytes that its answer proves read.
     bytes: u64,
 }
 
@@ -70,7 +70,7 @@ enum Hearing {
 }
 
 impl Pace {
-    /// A pace of at most so many frames a second.
+    /// A pace with a limit of frames per second.
     pub fn new(frames_per_s: u8) -> Self {
         Self {
             interval: Duration::from_secs(1) / u32::from(frames_per_s.max(1)),
@@ -87,7 +87,7 @@ impl Pace {
         }
     }
 
-    /// From now on at most so many frames a second.
+    /// Limits the frames per second.
     pub fn limit(&mut self, frames_per_s: u8) {
         self.interval = Duration::from_secs(1) / u32::from(frames_per_s.max(1));
     }
@@ -106,7 +106,7 @@ impl Pace {
         self.has_key = true;
     }
 
-    /// How long a frame has to wait still; zero means now. A question that is answered meanwhile may shorten it.
+    /// How much longer a frame has to wait; zero for now. An answer in between may shorten it.
     pub fn wait(&self, now: Duration) -> Duration {
         let Some(drawn_at) = self.drawn_at else {
             return Duration::ZERO;
@@ -165,8 +165,9 @@ impl Pace {
         }
     }
 
-    /// The operating system has taken a frame, after so long. A full buffer earns the line as long a rest, which
-    /// halves the load. Where it was the first, or the terminal did not read at all, the newest state goes first.
+    /// Notes that the operating system has accepted a frame, after a time. After a full buffer the line rests for as
+    /// long, which halves the load. Where it was the first, or the terminal did not read at all, the newest state goes
+    /// first.
     pub fn written(&mut self, now: Duration, took: Duration, bytes: u64) {
         let blocked_before = std::mem::replace(&mut self.blocked, took >= BLOCKED);
         if took < BLOCKED {
@@ -182,7 +183,7 @@ impl Pace {
         }
     }
 
-    /// What a slow line carries, in bytes per second; `None` while the line keeps up.
+    /// The bytes per second of a slow line; `None` while the line keeps up.
     pub fn slow_bytes_per_s(&self) -> Option<f64> {
         self.slow.map(|(_, rate)| rate)
     }
@@ -192,7 +193,7 @@ impl Pace {
         self.question.is_some() && self.hearing == Hearing::Answers
     }
 
-    /// The line has kept up; it is called slow for a while longer, because large frames are rare.
+    /// Notes that the line has kept up; it is reported as slow for a while longer, because large frames are rare.
     fn recover(&mut self, now: Duration) {
         if self
             .slow

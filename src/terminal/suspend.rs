@@ -6,22 +6,22 @@ use nix::sys::signal::{Signal, kill};
 use nix::sys::termios::{FlushArg, tcflush};
 use nix::unistd::{Pid, getpid, getppid, getsid};
 
-/// Whether a shell is there that could bring the console back. Started by `ssh HOST sortie` or as a login shell it
-/// would stand still for ever.
+/// Whether a shell can resume the console. Started by `ssh HOST sortie` or as a login shell it would stay stopped for
+/// ever.
 pub fn can_be_suspended() -> bool {
     let ours = session(getpid());
     ours.is_some() && ours == session(getppid())
 }
 
-/// The session of a process. None: it cannot be seen from here, as the world outside of a container, which has the
-/// id 0 (and 0 asked for would mean this process).
+/// The session of a process. `None` if it is not visible, like processes outside a container, which have the id 0
+/// (which would mean this process).
 fn session(process: Pid) -> Option<Pid> {
     let visible = |id: &Pid| id.as_raw() > 0;
     let process = Some(process).filter(visible)?;
     getsid(Some(process)).ok().filter(visible)
 }
 
-/// Asks every process of the job to stop, this one too: what Ctrl-Z does where it is not a key.
+/// Stops every process of the job, including this one, as Ctrl-Z does where it is not a key.
 pub fn suspend_group() {
     // A group of id 0 is the own one.
     let _ = kill(Pid::from_raw(0), Signal::SIGTSTP);
@@ -32,7 +32,7 @@ pub fn stop() {
     let _ = kill(getpid(), Signal::SIGSTOP);
 }
 
-/// Throws away what has been written to the terminal and not been read.
+/// Discards written bytes that the terminal has not read.
 pub(super) fn discard_output() {
     let _ = tcflush(io::stdout(), FlushArg::TCOFLUSH);
 }

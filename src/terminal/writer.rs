@@ -9,13 +9,13 @@ use std::time::{Duration, Instant};
 
 use super::colours;
 
-/// What goes to the terminal.
+/// The output to the terminal.
 #[derive(Debug, Default)]
 pub struct Traffic {
     state: Mutex<Writing>,
     /// Signalled when everything has been written.
     written: Condvar,
-    /// Bytes made so far.
+    /// Bytes written so far.
     bytes: AtomicU64,
 }
 
@@ -23,7 +23,7 @@ pub struct Traffic {
 struct Writing {
     /// Pieces of frames that the thread has yet to write.
     waiting: usize,
-    /// Writes that have gone through since they were asked for last.
+    /// Writes completed since the last call.
     done: Vec<Written>,
 }
 
@@ -40,12 +40,12 @@ impl Traffic {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Whether everything has been taken by the operating system.
+    /// Whether the operating system has accepted everything.
     pub fn is_idle(&self) -> bool {
         self.state().waiting == 0
     }
 
-    /// Bytes made so far.
+    /// Bytes written so far.
     pub fn bytes(&self) -> u64 {
         self.bytes.load(Ordering::Relaxed)
     }
@@ -64,7 +64,7 @@ impl Traffic {
     }
 }
 
-/// Collects what is written and hands it to the writing thread in large pieces.
+/// Collects output and passes it to the writing thread in large pieces.
 pub struct FrameWriter {
     frame: Vec<u8>,
     /// The writing thread; none where the frames lead nowhere.

@@ -15,13 +15,13 @@ pub enum Grade {
 
 /// EKF test ratio of the failsafe: `FS_EKF_THRESH`, 0.8 by default; the arming checks use the same.
 const EKF_BAD: f32 = 0.8;
-/// `FS_EKF_THRESH` of those who set it strictly (0.6 in its documentation's list of values).
+/// A strict `FS_EKF_THRESH` (0.6 in its documentation's list of values).
 const EKF_POOR: f32 = 0.6;
 /// `GPS_HDOP_GOOD`, 140 by default: above it arming is refused.
 const HDOP_POOR: f32 = 1.4;
 /// Ours: far enough above it that the position wanders by metres.
 const HDOP_BAD: f32 = 2.0;
-/// Fewer satellites than EKF3 wants before it uses the GPS (`EK3_GPS_CHECK`, bit 0).
+/// Fewer satellites than EKF3 requires for the GPS (`EK3_GPS_CHECK`, bit 0).
 const SATELLITES_BAD: u8 = 6;
 /// Errors above which EKF3 does not begin to use the GPS (`EK3_GPS_CHECK`, bits 2 and 3), in metres.
 const HORIZONTAL_BAD_M: f32 = 5.0;
@@ -33,7 +33,7 @@ const VIBRATION_BAD_M_S2: f32 = 60.0;
 const CLIPPING_BAD: u32 = 100;
 
 impl Grade {
-    /// A value where less is better, down to zero. What is no number or below zero is bad.
+    /// A value where less is better, down to zero. NaN and negative values are bad.
     fn rising(value: f32, poor: f32, bad: f32) -> Self {
         if (0.0..poor).contains(&value) {
             Self::Good
@@ -87,7 +87,7 @@ impl Grade {
         Self::rising(hdop, HDOP_POOR, HDOP_BAD)
     }
 
-    /// Of what the receiver says about its own errors.
+    /// The grade of the receiver's own error estimates.
     pub fn of_accuracy(accuracy: &GpsAccuracy) -> Self {
         let horizontal = Self::rising(accuracy.horizontal_m, HORIZONTAL_BAD_M, HORIZONTAL_BAD_M);
         let vertical = Self::rising(accuracy.vertical_m, VERTICAL_BAD_M, VERTICAL_BAD_M);

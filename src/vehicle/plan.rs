@@ -1,5 +1,5 @@
-//! What a vehicle carries on board: its plan, its fence and its rally points, each a list of its own in the
-//! mission protocol (`MAV_MISSION_TYPE`).
+//! The lists on board of a vehicle: its plan, its fence and its rally points, each a separate list in the mission
+//! protocol (`MAV_MISSION_TYPE`).
 
 use std::sync::Arc;
 
@@ -22,7 +22,7 @@ mod command {
 const WITH_PLACE: &[u16] = &[
     16, 17, 18, 19, 21, 22, 25, 31, 36, 80, 82, 84, 85, 94, 179, 189, 195, 201,
 ];
-/// Those of them that the vehicle flies to; the rest only name a place.
+/// The last command number that the vehicle flies to; higher ones only name a place.
 const LAST_FLOWN: u16 = 94;
 
 /// Which of the three lists.
@@ -55,7 +55,7 @@ pub struct Plans {
 /// One list, as far as it has been read.
 #[derive(Debug, Clone, Default)]
 pub struct Stored<T> {
-    /// What was read last; it stays while a newer version is on its way.
+    /// The content read last; it stays while a newer version is being read.
     pub content: Option<Arc<T>>,
     /// How far reading it is.
     pub transfer: Transfer,
@@ -64,25 +64,24 @@ pub struct Stored<T> {
 /// How far reading a list is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Transfer {
-    /// Not asked for yet.
+    /// Not requested yet.
     #[default]
     Unasked,
     Coming {
         /// Items that are here.
         received: u16,
-        /// How many there are, once the vehicle has said so.
+        /// The number of items, once known.
         total: Option<u16>,
     },
     /// Here as a whole.
     Done,
     /// The vehicle has no such list.
     Unsupported,
-    /// It did not come; it is asked for again later.
+    /// Failed; requested again later.
     Failed,
 }
 
-/// Parameters may be NaN ("not set"), which would make a list differ from itself: the same list is equal to
-/// itself whatever is in it.
+/// Parameters may be NaN ("not set"), which is unequal to itself: here a list is always equal to itself.
 impl<T: PartialEq> PartialEq for Stored<T> {
     fn eq(&self, other: &Self) -> bool {
         let same = match (&self.content, &other.content) {
@@ -94,7 +93,7 @@ impl<T: PartialEq> PartialEq for Stored<T> {
     }
 }
 
-/// What a height is measured from.
+/// The reference of a height.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HeightFrame {
     /// Heights above mean sea level.
@@ -139,9 +138,9 @@ pub struct PlanItem {
     pub seq: u16,
     /// `MAV_CMD`, known to this program or not.
     pub command: u16,
-    /// What its height is measured from.
+    /// The reference of its height.
     pub frame: HeightFrame,
-    /// Its first four parameters; what they mean depends on the command.
+    /// Its first four parameters, whose meaning depends on the command.
     pub params: [f32; 4],
     /// x and y as a place; `None` for commands without one, and where both are 0 ("here").
     pub at_point: Option<LatLon>,
@@ -195,7 +194,7 @@ impl Plan {
 pub struct FencePlan {
     /// The areas, in order.
     pub areas: Vec<FenceArea>,
-    /// Where it returns to after a breach, if the fence says so.
+    /// The return point after a breach, if the fence has one.
     pub return_point: Option<LatLon>,
 }
 
@@ -217,8 +216,8 @@ pub enum FenceShape {
 }
 
 impl FencePlan {
-    /// The fence that these items make up. Items without a place, circles without a radius, and commands that
-    /// belong to no fence are left out. Each corner says how many its polygon has (parameter 1).
+    /// The fence of these items. Items without a place, circles without a radius, and commands that belong to no fence
+    /// are left out. Each corner says how many its polygon has (parameter 1).
     pub fn from_items(items: &[PlanItem]) -> Self {
         let mut fence = Self::default();
         let mut corners: Vec<LatLon> = Vec::new();
@@ -255,7 +254,7 @@ impl FencePlan {
     }
 }
 
-/// A polygon has three corners at least, whatever an item says.
+/// The number of a polygon's corners, at least three.
 fn corner_count(said: f32) -> usize {
     (said as usize).max(3)
 }
@@ -270,9 +269,9 @@ pub struct RallyPlan {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RallyPoint {
     pub at_point: LatLon,
-    /// How high, in metres above what `frame` says.
+    /// The height in metres above the reference of `frame`.
     pub altitude_m: Option<f32>,
-    /// What its height is measured from.
+    /// The reference of its height.
     pub frame: HeightFrame,
 }
 

@@ -1,4 +1,4 @@
-//! What single messages say of a vehicle.
+//! The content of single messages of a vehicle.
 
 use std::time::Duration;
 
@@ -92,18 +92,18 @@ pub struct Target {
     pub at: Duration,
 }
 
-/// What the GPS receiver reports (`GPS_RAW_INT`).
+/// The GPS report (`GPS_RAW_INT`).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Gps {
     pub fix: FixType,
-    /// Satellites in use; `None` where the receiver does not say.
+    /// Satellites in use; `None` if unknown.
     pub satellites: Option<u8>,
-    /// Horizontal dilution of precision; `None` where the receiver does not say.
+    /// Horizontal dilution of precision; `None` if unknown.
     pub hdop: Option<f32>,
     pub at: Duration,
 }
 
-/// What a GPS receiver thinks of its own errors: `GPS_RAW_INT`'s extension.
+/// A GPS receiver's own error estimates: `GPS_RAW_INT`'s extension.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GpsAccuracy {
     /// Horizontal error, in metres.
@@ -133,13 +133,13 @@ pub struct Hud {
 /// `SYS_STATUS`: which subsystems are present, enabled and healthy (`MAV_SYS_STATUS_SENSOR` bits).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Health {
-    /// Bits of what is fitted.
+    /// Bits of the fitted sensors.
     pub present: u32,
-    /// Bits of what is in use.
+    /// Bits of the sensors in use.
     pub enabled: u32,
-    /// Bits of what works.
+    /// Bits of the working sensors.
     pub healthy: u32,
-    /// Processor load, 0 to 100 percent; not a number where the autopilot does not know it.
+    /// Processor load, 0 to 100 percent; NaN if unknown.
     pub load_percent: f32,
     pub at: Duration,
 }
@@ -148,7 +148,7 @@ impl Health {
     /// The bit of the checks before arming.
     pub const PREARM: u32 = MavSysStatusSensor::MAV_SYS_STATUS_PREARM_CHECK.bits();
 
-    /// Whether the autopilot says that all checks before arming pass. It speaks for the current mode only.
+    /// Whether all checks before arming pass, in the present mode only.
     pub fn prearm_ok(&self) -> bool {
         self.healthy & Self::PREARM != 0
     }
@@ -170,10 +170,10 @@ pub struct Battery {
     pub at: Duration,
 }
 
-/// `EKF_STATUS_REPORT`. A ratio that the filter cannot tell is not a number.
+/// `EKF_STATUS_REPORT`. An unknown ratio is NaN.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ekf {
-    /// What the filter can estimate.
+    /// The valid estimates of the filter.
     pub flags: EkfFlags,
     /// Test ratio of the velocity innovations; 1 is the limit.
     pub velocity_variance: f32,
@@ -214,13 +214,13 @@ pub struct Vibration {
 pub struct PlanProgress {
     /// The item being flown; 0 is home.
     pub current: u16,
-    /// Items after home; `None` where the autopilot does not say.
+    /// Items after home; `None` if unknown.
     pub total: Option<u16>,
     /// The last item that was reported as reached.
     pub reached: Option<u16>,
 }
 
-/// How the fence stands (`FENCE_STATUS`).
+/// The state of the fence (`FENCE_STATUS`).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Fence {
     /// Whether the vehicle is outside.
@@ -240,7 +240,7 @@ pub struct Wind {
     pub speed_m_s: f32,
 }
 
-/// What the radio receiver passes on (`RC_CHANNELS`).
+/// The output of the radio receiver (`RC_CHANNELS`).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct RcChannels {
     /// Pulse widths in microseconds, channel 1 first; 0 where unused.
@@ -249,14 +249,14 @@ pub struct RcChannels {
     pub rssi: Option<u8>,
 }
 
-/// What the autopilot says of its make (`AUTOPILOT_VERSION`).
+/// The autopilot's version (`AUTOPILOT_VERSION`).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct AutopilotVersion {
     /// Major and minor version, and the patch.
     pub firmware: (u8, u8, u8),
-    /// Bits of `MAV_PROTOCOL_CAPABILITY`: what it can be asked for.
+    /// Bits of `MAV_PROTOCOL_CAPABILITY`.
     pub capabilities: u64,
-    /// The board's unique id; tells two vehicles with one system id apart.
+    /// The board's unique id; it distinguishes two vehicles with the same system id.
     pub uid: u64,
     /// The first eight bytes of the firmware's hash, as text.
     pub hash: [u8; 8],
@@ -265,7 +265,7 @@ pub struct AutopilotVersion {
 /// How well a vehicle is heard.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct LinkQuality {
-    /// When anything last came from it.
+    /// The time of the last message.
     pub last_heard: Option<Duration>,
     /// Whether it has been silent for `session::LOST_AFTER` or longer.
     pub lost: bool,
@@ -275,7 +275,7 @@ pub struct LinkQuality {
     pub missing: u64,
     /// Round trip by TIMESYNC.
     pub round_trip: Option<Duration>,
-    /// How often it has rebooted since we know it.
+    /// The number of reboots observed.
     pub reboots: u32,
     /// The number of the link by which it is heard.
     pub via: Option<u16>,
@@ -299,13 +299,13 @@ pub struct StatusText {
     pub at: Duration,
 }
 
-/// Where a vehicle said to be while it could not be heard by radio: known to the mission, which moves it through jamming
-/// and shadows, but not to its operator.
+/// The position of a vehicle out of radio contact: known to the mission, which moves it through jamming and shadows,
+/// but not to its operator.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unheard {
     pub at: LatLon,
     /// Height above home, in metres.
     pub altitude_m: f64,
-    /// Milliseconds since the autopilot booted, when it said so.
+    /// Milliseconds since the autopilot booted, at that message.
     pub boot_ms: u32,
 }

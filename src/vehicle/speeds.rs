@@ -1,4 +1,4 @@
-//! How fast a vehicle was asked to fly.
+//! The commanded speeds of a vehicle.
 
 /// Which speed a `DO_CHANGE_SPEED` changes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -9,8 +9,8 @@ pub enum SpeedAxis {
     Descend,
 }
 
-/// The speed limits that were asked for and accepted, in m/s. ArduCopter keeps one for both directions of height: asking
-/// for a climb resets the descent to its parameter, and the other way round.
+/// The accepted speed limits, in m/s. ArduCopter keeps one for both vertical directions: setting the climb resets the
+/// descent to its parameter, and the other way round.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct AskedSpeeds {
     ground_m_s: Option<f64>,
@@ -31,7 +31,7 @@ impl AskedSpeeds {
         self.ground_m_s
     }
 
-    /// All that were asked for.
+    /// All commanded speeds.
     pub fn all(&self) -> impl Iterator<Item = (SpeedAxis, f64)> {
         let ground = self.ground_m_s.map(|speed| (SpeedAxis::Ground, speed));
         ground.into_iter().chain(self.vertical)

@@ -109,10 +109,10 @@ impl fmt::Display for FixType {
     }
 }
 
-/// Whether the vehicle is on the ground, as `MAV_LANDED_STATE` says it.
+/// Whether the vehicle is on the ground, by `MAV_LANDED_STATE`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum LandedState {
-    /// The vehicle does not tell.
+    /// Unknown.
     #[default]
     Undefined,
     OnGround,
@@ -138,7 +138,7 @@ impl fmt::Display for LandedState {
 pub enum Severity {
     /// The whole system is unusable.
     Emergency,
-    /// Something has to be done at once.
+    /// Immediate action is needed.
     Alert,
     /// A primary system fails.
     Critical,
@@ -184,7 +184,7 @@ impl fmt::Display for Severity {
     }
 }
 
-/// `EKF_STATUS_FLAGS`: what the navigation filter can estimate.
+/// `EKF_STATUS_FLAGS`: the valid estimates of the navigation filter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct EkfFlags(pub u16);
 

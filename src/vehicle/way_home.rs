@@ -1,4 +1,4 @@
-//! What the way home takes of the battery, beside what is left in it.
+//! The battery needed for the way home, compared with the rest.
 
 use std::time::Duration;
 
@@ -8,14 +8,14 @@ use crate::geo::maths;
 
 /// The mean current follows the measured one with this time constant: a climb of a few seconds does not count for long.
 const LOAD_TIME_S: f32 = 15.0;
-/// Below this the motors stand still, in amperes.
+/// The current below which the motors stand still, in amperes.
 const IDLE_A: f32 = 1.0;
 /// Charge is reported in whole percent: until this much is used, the capacity cannot be estimated from it.
 const USED_AT_LEAST: f32 = 2.0;
-/// What is to be left after the landing, in percent.
+/// The battery reserve after landing, in percent.
 const RESERVE_PERCENT: f64 = 20.0;
 
-/// An `ArduCopter`'s way home unless its parameters say otherwise: `RTL_ALT`, `WPNAV_SPEED`, `WPNAV_SPEED_UP` and `_DN`,
+/// The default values of an `ArduCopter`'s return: `RTL_ALT`, `WPNAV_SPEED`, `WPNAV_SPEED_UP` and `_DN`,
 /// `LAND_ALT_LOW`, `LAND_SPEED`.
 const RETURN_HEIGHT_M: f64 = 15.0;
 const RETURN_SPEED_M_S: f64 = 10.0;
@@ -42,10 +42,10 @@ pub struct MeanCurrent {
     at: Duration,
 }
 
-/// The way home beside what is left. Percent are of the battery's charge.
+/// The way home, compared with the battery left. Percentages are of the battery's charge.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WayHome {
-    /// What the way home takes, until the vehicle has landed.
+    /// The charge needed until the vehicle has landed.
     pub needed_percent: f64,
     pub needed: Duration,
     pub left_percent: f64,
@@ -53,19 +53,19 @@ pub struct WayHome {
     pub left: Duration,
 }
 
-/// What follows from it.
+/// The result of the comparison.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HomeReach {
-    /// More is left than the way home and the reserve take.
+    /// More is left than the way home and the reserve need.
     Ample,
     /// After the landing there would be less than the reserve.
     TurnBack,
-    /// What is left does not take it home.
+    /// The rest is not enough for the way home.
     OutOfReach,
 }
 
 impl MeanCurrent {
-    /// After another measurement; `None` while the motors stand still.
+    /// The mean after another measurement; `None` while the motors stand still.
     pub fn after(before: Option<Self>, current_a: f32, now: Duration) -> Option<Self> {
         let mean_a = before.map_or(current_a, |before| {
             let passed_s = now.saturating_sub(before.at).as_secs_f32();
@@ -77,7 +77,7 @@ impl MeanCurrent {
 }
 
 impl WayHome {
-    /// What follows from it for a vehicle that has not turned home yet.
+    /// The result for a vehicle that has not turned home yet.
     pub fn reach(&self) -> HomeReach {
         if self.left_percent < self.needed_percent {
             HomeReach::OutOfReach
@@ -90,7 +90,7 @@ impl WayHome {
 }
 
 impl Vehicle {
-    /// The way home beside what is left; `None` where it does not fly, or does not say what is needed to know it.
+    /// The way home, compared with the battery left; `None` on the ground, or without the necessary data.
     pub fn way_home(&self) -> Option<WayHome> {
         let class = self.heartbeat?.class;
         let (global, home, load) = (self.global?, self.home?, self.load?);
@@ -115,7 +115,7 @@ impl Vehicle {
     }
 }
 
-/// How long the way home takes.
+/// The duration of the way home.
 struct ReturnFlight {
     time_s: f64,
     /// How long a hover lasts that takes as much of the battery.

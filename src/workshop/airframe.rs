@@ -13,14 +13,14 @@ const GRAVITY_M_S2: f64 = 9.806_65;
 const SEA_LEVEL_DENSITY: f64 = 1.225;
 /// The lean of the reference flight in the frame file.
 const REFERENCE_LEAN_DEG: f64 = 30.0;
-/// Thrust over command, as a share of the square; the autopilot is told the same.
+/// Thrust over command, as a share of the square; the autopilot has the same value.
 const EXPO: f64 = 0.65;
 /// Rate gains of the default quad, and its control authority: thrust over weight per metre of diagonal.
 const RATE_GAIN: f64 = 0.135;
 const RATE_DAMPING: f64 = 0.0036;
 const DEFAULT_AUTHORITY: f64 = 7.31;
 
-/// What a simulator needs to know of a design.
+/// The parameters of a design for a simulator.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Airframe {
     /// The frame file (`SIM_Frame` JSON).

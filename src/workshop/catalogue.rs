@@ -2,8 +2,8 @@
 
 use super::part::{Part, PartSlot};
 
-/// A table of parts: the names of the columns, and a row for each part. The columns between the semicolons are what
-/// only this kind of part has; the last ones are fields of [`Part`].
+/// A table of parts: the names of the columns, and a row for each part. The columns between the semicolons are
+/// specific to this kind of part; the last ones are fields of [`Part`].
 macro_rules! parts {
     ($(#[$doc:meta])* $vis:vis static $name:ident: [$kind:ident; $count:literal] $columns:tt; $($row:tt;)+) => {
         $(#[$doc])*
@@ -54,7 +54,7 @@ pub fn parts() -> impl Iterator<Item = &'static Part> {
     drive.into_iter().chain(carried).flatten()
 }
 
-/// The parts that go into a slot.
+/// The parts that fit into a slot.
 pub fn parts_for(slot: PartSlot) -> impl Iterator<Item = &'static Part> {
     parts().filter(move |part| part.slot() == slot)
 }

@@ -1,4 +1,4 @@
-//! What speaks against a design, and why.
+//! Problems of a design, with reasons.
 
 use super::design::Design;
 use super::figures::{Air, Figures, GOOD_THRUST, LEAST_THRUST};
@@ -8,10 +8,10 @@ use crate::text::Text;
 
 /// A speed controller should bear this much more than the motor's peak.
 const ESC_ROOM: f64 = 1.2;
-/// A hover should take no more than this share of what the battery gives.
+/// The largest share of the battery's current that a hover should take.
 const HOVER_SHARE: f64 = 0.5;
 
-/// What a finding is about.
+/// The subject of a finding.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum FindingKind {
     /// A slot that every drone needs is empty.
@@ -34,7 +34,7 @@ pub enum FindingKind {
     Weak,
     /// The battery's voltage collapses in a hover.
     Collapse,
-    /// A hover takes more current than the battery gives.
+    /// A hover takes more current than the battery can supply.
     HoverCurrent,
     /// A hover takes more current than is good for the battery.
     HoverShare,
@@ -71,14 +71,14 @@ pub enum FindingSeverity {
     Fault,
 }
 
-/// Something about a design that its builder should know.
+/// A problem of a design.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DesignFinding {
-    /// What it is about.
+    /// Its subject.
     pub kind: FindingKind,
     /// The slot in which it can be mended.
     pub slot: PartSlot,
-    /// What is wrong and why, in words.
+    /// The problem and its reason, as text.
     pub text: Text,
 }
 
@@ -90,12 +90,12 @@ impl DesignFinding {
 }
 
 impl Design {
-    /// Everything that speaks against it, faults first. A design without faults flies.
+    /// All problems of the design, faults first. A design without faults flies.
     pub fn findings(&self, air: Air) -> Vec<DesignFinding> {
         self.findings_with(self.figures(air).as_ref())
     }
 
-    /// The same where its figures are known already.
+    /// The same from known figures.
     pub fn findings_with(&self, figures: Option<&Figures>) -> Vec<DesignFinding> {
         let mut found = Found::default();
         for slot in PartSlot::ALL {
@@ -155,7 +155,7 @@ impl Found {
         }
     }
 
-    /// Whether motors, speed controllers and battery go together; two of them are enough to tell.
+    /// Whether motors, speed controllers and battery match; two of them are enough for a check.
     fn bears(&mut self, design: &Design) {
         let motor = match design.spec(PartSlot::Motor) {
             Some(Spec::Motor(motor)) => Some(motor),

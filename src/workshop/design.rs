@@ -9,20 +9,20 @@ use crate::text::Text;
 
 pub use file::DesignError;
 
-/// Wires, connectors and mounts of any drone, and what they add to every other gram.
+/// The mass of wiring, connectors and mounts of any drone, and their share of every other gram.
 const WIRING_G: f64 = 60.0;
 const WIRING_SHARE: f64 = 0.03;
 const WIRING_CREDITS: u32 = 15;
-/// The part with an antenna that gains so much more than the radio's own.
+/// The part whose antenna has this much more gain than the radio's own.
 const RELAY: &str = "s_relay";
 const RELAY_DBI: f64 = 6.0;
 /// Receivers, lights and losses of any drone, in watts.
 const OTHER_POWER_W: f64 = 1.0;
 
-/// A choice of parts. It may be incomplete: what is missing, [`super::DesignFinding`]s tell.
+/// A choice of parts. It may be incomplete: [`super::DesignFinding`]s list what is missing.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Design {
-    /// What its owner calls it.
+    /// Its name.
     pub name: String,
     slots: BTreeMap<PartSlot, Vec<&'static Part>>,
 }
@@ -148,7 +148,7 @@ impl Design {
         (parts + WIRING_G) * (1.0 + WIRING_SHARE) * 1e-3
     }
 
-    /// What all its parts cost together, in credits.
+    /// The price of all its parts, in credits.
     pub fn credits(&self) -> u32 {
         let parts: u32 = self
             .pieces()
@@ -157,13 +157,13 @@ impl Design {
         parts + WIRING_CREDITS
     }
 
-    /// What its electronics and sensors draw, in watts.
+    /// The power of its electronics and sensors, in watts.
     pub fn electronics_w(&self) -> f64 {
         let parts: f64 = self.pieces().map(|(part, _)| part.power_w).sum();
         parts + OTHER_POWER_W
     }
 
-    /// What the first part of a slot is.
+    /// The properties of the first part in a slot.
     pub(super) fn spec(&self, slot: PartSlot) -> Option<&'static Spec> {
         self.in_slot(slot).first().map(|part| &part.spec)
     }
@@ -176,12 +176,12 @@ impl Design {
         }
     }
 
-    /// What its antenna gains beside that of its radio, in dBi: a relay on board brings a better one.
+    /// The gain of its antenna beyond that of its radio, in dBi: a relay on board has a better one.
     pub fn antenna_gain_dbi(&self) -> f64 {
         if self.has(RELAY) { RELAY_DBI } else { 0.0 }
     }
 
-    /// Its drive, once it has a part in each of those slots.
+    /// Its drive, if it has a part in each of those slots.
     pub(super) fn drive(&self) -> Option<Drive<'static>> {
         match (
             self.spec(PartSlot::Frame)?,

@@ -1,4 +1,4 @@
-//! Motors and propellers at work: what a thrust takes, and how much thrust there is.
+//! Motors and propellers at work: power for a thrust, and the available thrust.
 
 use super::design::Drive;
 use super::pack::Pack;
@@ -15,7 +15,7 @@ const NO_LOAD_SHARE: f64 = 0.5;
 pub(super) const VOLTAGE_SHARE: f64 = 0.83;
 /// A motor bears this much of its rated power for as long as a climb takes.
 const SHORT_POWER: f64 = 1.25;
-/// Rotors disturb each other, and control works: what the hover takes more than single rotors at rest.
+/// The factor on hover power for interacting rotors and control, compared with single rotors on a test bench.
 const INTERACTION: f64 = 1.03;
 /// Rounds of halving the interval in which the largest thrust lies: 400 N to less than a micronewton.
 const ROUNDS: u32 = 32;
@@ -77,7 +77,7 @@ impl Drive<'_> {
         self.turning(thrust_n, density)
     }
 
-    /// What a hover takes from the battery, in watts.
+    /// The power of the hover from the battery, in watts.
     pub fn hover_power_w(&self, hover: &Turning, electronics_w: f64) -> f64 {
         self.motors() * hover.electric_w * INTERACTION + electronics_w
     }

@@ -1,4 +1,4 @@
-//! What follows from a design.
+//! The figures of a design.
 
 use serde::Serialize;
 
@@ -34,7 +34,7 @@ pub struct Air {
     pub altitude_m: f64,
     /// Of the air, in degrees Celsius.
     pub temperature_c: f64,
-    /// Of the battery, in degrees Celsius: packs come from a warm bag, unless a mission says otherwise.
+    /// The battery's temperature in degrees Celsius: packs are warm at launch, unless a mission sets another value.
     pub battery_c: f64,
 }
 
@@ -57,18 +57,18 @@ impl Air {
     }
 }
 
-/// What a complete design can do.
+/// The figures of a complete design.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Figures {
     /// Ready to fly, in kilograms.
     pub mass_kg: f64,
-    /// What all parts cost.
+    /// The price of all parts.
     pub credits: u32,
     /// Of all motors, at 60 % charge, in newtons.
     pub max_thrust_n: f64,
     /// Thrust over weight at 60 % charge.
     pub thrust_to_weight: f64,
-    /// The same with a full battery.
+    /// The same ratio with a full battery.
     pub thrust_to_weight_full: f64,
     /// From the battery, with electronics, in watts.
     pub hover_power_w: f64,
@@ -86,7 +86,7 @@ pub struct Figures {
     pub hover_80_s: f64,
     /// The charge below which the motors no longer get the voltage for the hover, if it is above the reserve; percent.
     pub sags_at: Option<f64>,
-    /// Where the least power is taken: longest in the air.
+    /// The speed of least power and so of the longest flight time.
     pub endurance_speed_m_s: f64,
     /// At that speed, in seconds.
     pub longest_s: f64,
@@ -102,9 +102,10 @@ pub struct Figures {
     pub capacity_ah: f64,
     /// Nominal energy of the battery, in watt hours.
     pub energy_wh: f64,
-    /// The largest current of a climb at full thrust and what the battery gives for long, in amperes.
+    /// The largest current of a climb at full thrust, and the battery's continuous limit, in amperes.
     pub max_current_a: f64,
-    /// What could be added until the thrust is [`GOOD_THRUST`] times the weight, in kilograms; negative: too heavy already.
+    /// The mass that could be added until the thrust is [`GOOD_THRUST`] times the weight, in kilograms; negative if
+    /// too heavy already.
     pub spare_kg: f64,
 }
 
@@ -116,15 +117,15 @@ pub struct Link {
 }
 
 impl Design {
-    /// What the design can do in some air; `None` while parts of the drive are missing.
+    /// The design's figures in given air; `None` while parts of the drive are missing.
     pub fn figures(&self, air: Air) -> Option<Figures> {
         let drive = self.drive()?;
         let bench = Bench::new(self, &drive, air);
         Some(bench.figures(self))
     }
 
-    /// What level flight takes, in watts, at each speed from 0 in steps of half a metre per second, as far as the drone
-    /// can fly; empty while parts of the drive are missing.
+    /// The power of level flight in watts at each speed from 0 in steps of half a metre per second, as far as the
+    /// drone can fly; empty while parts of the drive are missing.
     pub fn polar(&self, air: Air) -> Vec<(f64, f64)> {
         let Some(drive) = self.drive() else {
             return Vec::new();
@@ -289,8 +290,7 @@ impl Figures {
 }
 
 impl Radio {
-    /// The farthest distance whose loss still leaves the fade margin. `more_dbi` is what the drone's antenna gains
-    /// besides.
+    /// The greatest distance with the fade margin left. `more_dbi` is the additional gain of the drone's antenna.
     fn range_m(&self, height_m: f64, more_dbi: f64) -> f64 {
         let budget_db = self.budget_db(self.air_dbi, self.ground_dbi) - FADE_MARGIN_DB + more_dbi;
         let height_m = height_m.max(LOWEST_ANTENNA_M);

@@ -1,4 +1,4 @@
-//! Forward flight of a design: what speed takes, and which speed is best.
+//! Forward flight of a design: power by speed, and the best speeds.
 
 use super::design::Drive;
 use super::drive::Turning;
@@ -7,8 +7,8 @@ use crate::geo::maths;
 const GRAVITY_M_S2: f64 = 9.806_65;
 /// Induced power of a real rotor over the ideal one.
 const INDUCED: f64 = 1.15;
-/// Of what theory promises to save at speed, half is granted: so the best endurance of a known folding drone lies at
-/// 9 m/s with 0.87 of its hover's power, as its maker states.
+/// The share of the theoretical saving at speed that is granted: with half, the best endurance of a known folding
+/// drone is at 9 m/s with 0.87 of its hover power, as its maker states.
 const SAVED: f64 = 0.5;
 /// Profile power grows with the square of the advance ratio (Glauert).
 const PROFILE: f64 = 4.65;
@@ -25,7 +25,7 @@ pub(super) struct Level {
     pub lean_deg: f64,
 }
 
-/// What does not change with speed.
+/// The quantities that do not depend on speed.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Forward<'a> {
     pub drive: &'a Drive<'a>,

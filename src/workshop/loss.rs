@@ -1,11 +1,11 @@
-//! What a radio signal loses on its way, and how far a budget lets it go: the same relations in both directions.
+//! Radio loss over a distance, and the range of a budget: inverse functions.
 
 use super::part::Radio;
 use crate::geo::maths;
 
 /// Antennas are never lower than this, in metres.
 pub(crate) const LOWEST_ANTENNA_M: f64 = 0.3;
-/// The ground antenna stands this high, in metres, unless a mission says otherwise.
+/// The height of the ground antenna in metres, unless a mission sets another.
 pub(crate) const GROUND_ANTENNA_M: f64 = 2.0;
 /// Nearer than this, in metres, nothing gets stronger.
 const NEAREST_M: f64 = 1.0;
@@ -36,7 +36,7 @@ pub(super) fn reach_m(budget_db: f64, frequency_mhz: f64, height_m: f64, other_m
 }
 
 impl Radio {
-    /// What may be lost on the way between two antennas of such gains before nothing is heard any more, in dB.
+    /// The loss budget between two antennas in dB.
     pub(crate) fn budget_db(&self, gain_dbi: f64, other_dbi: f64) -> f64 {
         self.power_dbm + gain_dbi + other_dbi - self.losses_db - self.sensitivity_dbm
     }

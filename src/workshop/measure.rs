@@ -1,4 +1,4 @@
-//! The figures of a design as people read them: name, value, unit, and which way is better.
+//! The figures of a design for display: name, value, unit, and which direction is better.
 
 use super::design::Design;
 use super::figures::{Air, Figures};
@@ -19,9 +19,9 @@ pub enum Measure {
     Thrust,
     /// The thrust as a multiple of the weight.
     Ratio,
-    /// What the hover takes from the battery.
+    /// Power of the hover.
     HoverPower,
-    /// What the hover takes from the battery.
+    /// Current of the hover.
     HoverCurrent,
     /// On the usable part of the charge.
     HoverTime,
@@ -30,14 +30,14 @@ pub enum Measure {
     /// Speed of the longest time in the air.
     EnduranceSpeed,
     Longest,
-    /// Speed of the longest way.
+    /// The speed of the longest range.
     RangeSpeed,
     Range,
     /// The fastest level flight.
     TopSpeed,
     /// With a fade margin of 20 dB, to 50 m of height.
     RadioReach,
-    /// What could be carried besides.
+    /// The mass that could be added.
     Spare,
 }
 
@@ -123,7 +123,7 @@ impl Measure {
         }
     }
 
-    /// Which way is better.
+    /// Which direction is better.
     pub fn better(self) -> Better {
         match self {
             Self::Mass | Self::Cost | Self::HoverPower | Self::HoverCurrent => Better::Less,
@@ -140,7 +140,7 @@ impl Measure {
         }
     }
 
-    /// Its value, in its unit; `None` where the design lacks what it takes.
+    /// Its value, in its unit; `None` if the design lacks the parts for it.
     pub fn of(self, sheet: &Sheet) -> Option<f64> {
         let figure = |value: fn(&Figures) -> f64| sheet.figures.as_ref().map(value);
         match self {

@@ -62,7 +62,7 @@ pub(super) struct Pack {
     pub usable: f64,
 }
 
-/// What a pack gives at some charge and power.
+/// A pack's output at some charge and power.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Loaded {
     pub volts: f64,
@@ -112,8 +112,8 @@ impl Pack {
         })
     }
 
-    /// How long a full pack gives a power, in seconds: until a share of the charge is used, or the voltage is below what
-    /// the motors need. Also the charge at the end, in percent.
+    /// How long a full pack supplies a power, in seconds: until a share of the charge is used, or the voltage is below
+    /// what the motors need. Also the charge at the end, in percent.
     pub fn lasts(&self, power_w: f64, share: f64, needed_v: f64) -> (f64, f64) {
         let (mut charge, mut time_s) = (100.0, 0.0);
         while charge > 100.0 * (1.0 - share) {

@@ -1,4 +1,4 @@
-//! What can be built in: one [`Part`] of the catalogue, and the [`PartSlot`]s of a drone.
+//! Components of a drone: one [`Part`] of the catalogue, and the [`PartSlot`]s of a drone.
 
 use crate::geo::maths;
 use crate::text;
@@ -9,7 +9,7 @@ const INCH_M: f64 = 0.0254;
 /// A place of a drone that parts go into. The order is that of building.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum PartSlot {
-    /// What holds the rest together: arms, hubs, legs.
+    /// The frame: arms, hubs, legs.
     Frame,
     /// A motor for each arm.
     Motor,
@@ -26,7 +26,7 @@ pub enum PartSlot {
     Power,
     /// The link to the ground.
     Radio,
-    /// Sensors, droppers, and what they drop.
+    /// Sensors, droppers, and loads.
     Payload,
 }
 
@@ -110,12 +110,12 @@ pub struct Part {
     pub id: &'static str,
     pub mass_g: f64,
     pub credits: u32,
-    /// What it draws when it works, in watts; motors not counted.
+    /// Its power in operation, in watts, without motors.
     pub power_w: f64,
     pub(super) spec: Spec,
 }
 
-/// What only some kinds of parts have.
+/// Properties of one kind of part.
 #[derive(Debug, PartialEq)]
 pub(super) enum Spec {
     Frame(Frame),
@@ -186,7 +186,7 @@ pub(super) struct Battery {
     pub capacity_ah: f64,
     /// The largest current that it can give for long, as a multiple of its capacity.
     pub c_rate: f64,
-    /// Of one of the cells in series.
+    /// The resistance of one cell in series.
     pub cell_resistance_mohm: f64,
 }
 
@@ -196,10 +196,10 @@ pub(super) struct PowerModule {
     pub max_current_a: f64,
 }
 
-/// What decides how far a radio reaches.
+/// The properties of a radio that decide its range.
 #[derive(Debug, PartialEq)]
 pub struct Radio {
-    /// What it sends with.
+    /// The transmit power.
     pub power_dbm: f64,
     /// Where in the band.
     pub frequency_mhz: f64,
@@ -209,14 +209,14 @@ pub struct Radio {
     pub air_dbi: f64,
     /// Gain of the antenna on the ground.
     pub ground_dbi: f64,
-    /// Cables, bodies in the way, antennas that point elsewhere.
+    /// Losses in cables, by obstructions, and by antenna alignment.
     pub losses_db: f64,
-    /// Whether every one of them passes on what others of its kind send.
+    /// Whether it always relays others of its kind.
     pub relays: bool,
 }
 
 impl Part {
-    /// The slot that it goes into.
+    /// The slot for it.
     pub fn slot(&self) -> PartSlot {
         match self.spec {
             Spec::Frame(_) => PartSlot::Frame,
@@ -245,7 +245,7 @@ impl Part {
         }
     }
 
-    /// Its name for people: what the trade calls it by its figures, or a name of its own.
+    /// Its name for people: from its figures, or its own name.
     pub fn name(&self) -> Text {
         match &self.spec {
             Spec::Motor(motor) => {
@@ -270,7 +270,7 @@ impl Part {
         size.split_once('_').map_or(size, |(size, _)| size)
     }
 
-    /// `10x4.5`, with its make where one size has several.
+    /// `10x4.5`, with the maker if one size has several.
     fn propeller_name(&self) -> Text {
         let size = self.id.trim_start_matches('p');
         if let Some(size) = size.strip_suffix("cf") {

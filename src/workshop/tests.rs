@@ -1,4 +1,4 @@
-//! Worked examples, real machines, and what holds for every design.
+//! Worked examples, real machines, and properties of every design.
 
 use std::collections::BTreeSet;
 

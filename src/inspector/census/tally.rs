@@ -2,20 +2,20 @@
 
 use std::time::Duration;
 
-/// Rates are taken over so many whole seconds.
+/// The number of whole seconds over which rates are measured.
 const WINDOW_S: u64 = 5;
-/// The seconds of the window, the one that runs, and one that makes the division cheap.
+/// The seconds of the window, the current one, and one more for a cheap division.
 const SLOTS: usize = 8;
 
-/// What is known of one kind of message.
+/// The counts of one kind of message.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MessageTally {
     pub count: u64,
     /// Their bytes on the wire.
     pub bytes: u64,
-    /// When the first one came.
+    /// The time of the first one.
     pub first_at: Duration,
-    /// When the last one came.
+    /// The time of the last one.
     pub last_at: Duration,
     /// Whether the checksum of the last one was verified by the dialect.
     pub is_verified: bool,
@@ -80,7 +80,7 @@ impl MessageTally {
         slot.bytes = slot.bytes.saturating_add(frame.len() as u32);
     }
 
-    /// How much came per second over the last five whole seconds; less while it is young.
+    /// The rate over the last five whole seconds; over fewer while it is new.
     pub fn rate(&self, now: Duration) -> Rate {
         let running = now.as_secs();
         let window = running.saturating_sub(WINDOW_S)..running;

@@ -11,10 +11,10 @@ use crate::replay::Film;
 use crate::text::Text;
 use crate::wire::{Content, Decoder, SystemId};
 
-/// A vehicle's way.
+/// The tracks of the vehicles.
 pub(super) type Tracks = BTreeMap<SystemId, Vec<TrackPoint>>;
 
-/// Where a vehicle said that it was.
+/// A reported position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct TrackPoint {
     /// Microseconds since 1970 (UTC).
@@ -40,7 +40,7 @@ pub(super) fn time(unix_us: u64) -> String {
     time.to_rfc3339_opts(SecondsFormat::Millis, true)
 }
 
-/// The ways of all vehicles, by `GLOBAL_POSITION_INT`.
+/// The tracks of all vehicles, from `GLOBAL_POSITION_INT`.
 pub(super) fn tracks(film: &Film) -> Result<Tracks, Text> {
     let mut tracks = Tracks::new();
     for record in records(film)? {
@@ -63,7 +63,7 @@ pub(super) fn tracks(film: &Film) -> Result<Tracks, Text> {
     Ok(tracks)
 }
 
-/// Where a vehicle was at a time of the recording, as far as it had said.
+/// A vehicle's position at a time of the recording, as far as known.
 pub(super) fn place(film: &Film, track: &[TrackPoint], at: Duration) -> Option<TrackPoint> {
     let at_us = u64::try_from(at.as_micros()).unwrap_or(u64::MAX);
     let unix_us = film.began_unix_us().saturating_add(at_us);

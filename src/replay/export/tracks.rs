@@ -31,7 +31,7 @@ fn placed<'a>(
     })
 }
 
-/// What a moment is called in other programs, in English.
+/// The label of a moment in other programs, in English.
 fn label(moment: &Moment) -> String {
     let vehicles = crate::language::ranges(moment.vehicles.iter().copied());
     let colon = if vehicles.is_empty() { "" } else { ": " };

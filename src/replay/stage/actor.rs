@@ -1,4 +1,4 @@
-//! A vehicle of a recording, and what there is to show of it.
+//! A vehicle of a recording, with its state for display.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -15,7 +15,7 @@ use crate::wire::SystemId;
 pub(super) struct Actor {
     pub session: Session,
     shown: Arc<Vehicle>,
-    /// What was shown of its parameters.
+    /// The last reported state of its parameters.
     parameters: (u64, Fetching),
 }
 
@@ -30,7 +30,7 @@ impl Actor {
         }
     }
 
-    /// What there is to show and to say since the last call.
+    /// The events since the last call.
     pub fn tell(&mut self) -> Vec<Event> {
         drop(self.session.take_outgoing());
         let reports = self.session.take_reports().into_iter();

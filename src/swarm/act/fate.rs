@@ -1,4 +1,4 @@
-//! Vehicles that fall out, and how the others go on.
+//! Members that drop out, and the continuation without them.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -11,11 +11,11 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
 
-/// A vehicle that is silent for longer than this is given up.
+/// The silence after which a member is given up.
 const LOST_FOR: Duration = Duration::from_secs(10);
 
 impl ActiveManoeuvre {
-    /// Lets those fall out that do not take part any more.
+    /// Drops members that no longer take part.
     pub(super) fn drop_unfit(&mut self, view: &WorldView<'_>, outcome: &mut StepOutcome) {
         let ids: Vec<VehicleId> = self.members.iter().map(|member| member.id).collect();
         for id in ids.into_iter().rev() {
@@ -43,7 +43,7 @@ impl ActiveManoeuvre {
         }
     }
 
-    /// Takes vehicles out; the others take over what is left, or close up.
+    /// Removes members; the others take over the remaining work, or close up.
     pub fn lose(
         &mut self,
         ids: &[VehicleId],
@@ -83,7 +83,7 @@ impl ActiveManoeuvre {
         }
     }
 
-    /// Plans anew for those who are left; false if there is no way.
+    /// Plans anew for the remaining members; false if there is no safe path.
     fn rearrange(
         &mut self,
         leader: Option<VehicleId>,
@@ -123,7 +123,7 @@ impl ActiveManoeuvre {
         }
     }
 
-    /// There is no safe way to go on: all members stay where they are.
+    /// Gives up for want of a safe path: all members stay where they are.
     fn give_up(&mut self, view: &WorldView<'_>, outcome: &mut StepOutcome) {
         let reason = text!("swarm-no-way");
         let ids: Vec<VehicleId> = self.members.iter().map(|member| member.id).collect();

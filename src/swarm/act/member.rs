@@ -12,30 +12,30 @@ use crate::vehicle::VehicleId;
 #[derive(Debug, Clone)]
 pub(in crate::swarm) struct Member {
     pub id: VehicleId,
-    /// Where it was when it began.
+    /// Its position at the start.
     pub from: DVec3,
     /// The height at which it crosses.
     pub layer_m: f64,
-    /// Where its work begins.
+    /// The start of its work.
     pub to: DVec3,
-    /// What it flies then.
+    /// Its course during the work.
     pub course: Vec<DVec3>,
     /// The next point of that.
     pub next: usize,
     pub standing: Standing,
 }
 
-/// How a member's row stands, and what it was told last.
+/// The state of a member's row, and its last setpoint.
 #[derive(Debug, Clone, Default)]
 pub(in crate::swarm) struct Standing {
-    /// The longest way that was ever left.
+    /// The longest remaining distance so far.
     pub most_m: f64,
     pub percent: u8,
     /// Whether its row has ended.
     pub is_done: bool,
     pub(super) told: Option<(Duration, DVec3)>,
     pub(super) lost_since: Option<Duration>,
-    /// Where it waits, and for whom.
+    /// Where it waits, and for which vehicle.
     pub(super) waits: Option<(DVec3, VehicleId)>,
 }
 
@@ -52,7 +52,7 @@ impl Member {
         }
     }
 
-    /// The way that is left, from where it is.
+    /// The remaining distance from a position.
     pub(super) fn left_m(&self, phase: Phase, at: DVec3) -> f64 {
         let layer = |point: DVec3| point.truncate().extend(self.layer_m);
         let mut points = vec![at];
@@ -70,14 +70,14 @@ impl Member {
     }
 }
 
-/// How far a manoeuvre has come.
+/// The phase of a manoeuvre.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(in crate::swarm) enum Phase {
-    /// Each member goes to its height on the spot.
+    /// Each member climbs or descends to its height in place.
     Rise,
     /// Each member crosses at its height.
     Cross,
-    /// Each member goes to where its work begins.
+    /// Each member goes to the height where its work begins.
     Sink,
     Work,
 }
@@ -93,7 +93,7 @@ impl Phase {
 }
 
 impl Standing {
-    /// Whether a point has to be said (again).
+    /// Whether a setpoint must be sent (again).
     pub(super) fn is_due(&mut self, point: DVec3, is_moving: bool, now: Duration) -> bool {
         let every = if is_moving {
             MOVING_EVERY

@@ -1,4 +1,4 @@
-//! The vehicles' places, and their ways there.
+//! The assignment of places to vehicles, and their paths there.
 
 use glam::{DVec2, DVec3};
 
@@ -9,13 +9,13 @@ use crate::swarm::lanes::{Lane, Start, shares};
 use crate::swarm::transit::{Leg, are_apart, heights};
 use crate::vehicle::VehicleId;
 
-/// Each member where it is, to stay on the spot at a height.
+/// Members at their present positions, to change only their height.
 pub(in crate::swarm) fn members(team: &[(VehicleId, DVec3)], up_m: f64) -> Vec<Member> {
     let member = |&(id, at): &(VehicleId, DVec3)| Member::new(id, at, at.truncate().extend(up_m));
     team.iter().map(member).collect()
 }
 
-/// Whether neighbouring lines are so near that neighbours have to fly at different heights.
+/// Whether lines are so close that neighbours must fly at different heights.
 pub(in crate::swarm) fn is_staggered(lanes: &[Lane], rules: Rules) -> bool {
     let apart = |pair: &[Lane]| {
         let direction = |lane: &Lane| (lane.to - lane.from).try_normalize();
@@ -28,8 +28,8 @@ pub(in crate::swarm) fn is_staggered(lanes: &[Lane], rules: Rules) -> bool {
     nearest < rules.clearance().aside_m
 }
 
-/// Gives the lanes to the members: neighbouring ones to each, begun from the side and the end from which all together
-/// have the shortest way. Who gets none leaves. False if there is no safe way.
+/// Assigns adjacent lanes to the members, from the side and the end with the shortest total path. Members without a
+/// lane leave. False if there is no safe path.
 pub(in crate::swarm) fn share_lanes(
     act: &mut ActiveManoeuvre,
     lanes: &[Lane],
@@ -70,7 +70,7 @@ pub(in crate::swarm) fn share_lanes(
     route(act, view)
 }
 
-/// Gives the members places in their formation, the first the first one. False if there is no safe way.
+/// Assigns places in the formation, the first one to the first member. False if there is no safe path.
 pub(in crate::swarm) fn take_places(act: &mut ActiveManoeuvre, view: &WorldView<'_>) -> bool {
     see(act, view);
     let Work::Formation(march) = &mut act.work else {
@@ -95,7 +95,7 @@ pub(in crate::swarm) fn take_places(act: &mut ActiveManoeuvre, view: &WorldView<
     route(act, view)
 }
 
-/// Notes where each member is now.
+/// Updates the members' positions.
 fn see(act: &mut ActiveManoeuvre, view: &WorldView<'_>) {
     for member in &mut act.members {
         let vehicle = view.vehicles.get(&member.id);
@@ -105,7 +105,7 @@ fn see(act: &mut ActiveManoeuvre, view: &WorldView<'_>) {
     }
 }
 
-/// Finds heights at which everybody can go from where it is to where its work begins. False if there are none.
+/// Finds heights at which all members can fly to the start of their work. False if there are none.
 pub(in crate::swarm) fn route(act: &mut ActiveManoeuvre, view: &WorldView<'_>) -> bool {
     let leg = |member: &Member| Leg {
         from: member.from,

@@ -18,7 +18,7 @@ pub(in crate::swarm) struct Tail {
     pub up_m: Option<f64>,
     /// Between the height of one and the next.
     pub step_m: f64,
-    /// Where each is to be, and how fast that moves.
+    /// The place of each member, with its velocity.
     pub places: Vec<MovingPoint>,
 }
 
@@ -27,13 +27,13 @@ pub(in crate::swarm) struct Tail {
 pub(in crate::swarm) struct Chain {
     pub from: DVec3,
     pub to: VehicleId,
-    /// Which share of the way each is from home.
+    /// Each member's share of the distance from home.
     pub shares: Vec<f64>,
     pub places: Vec<MovingPoint>,
 }
 
 impl ActiveManoeuvre {
-    /// Where a member that works is to be, and how fast that point moves.
+    /// A working member's setpoint, and its velocity.
     pub(super) fn work_aim(&self, member: &Member, index: usize) -> MovingPoint {
         let stand = MovingPoint::still(member.to);
         match &self.work {
@@ -47,7 +47,7 @@ impl ActiveManoeuvre {
         }
     }
 
-    /// Moves what is worked at on.
+    /// Advances the work.
     pub(super) fn work(&mut self, view: &WorldView<'_>) {
         if self.phase < Phase::Work {
             return;
@@ -137,7 +137,7 @@ impl ActiveManoeuvre {
         }
     }
 
-    /// How far a formation is on its way.
+    /// Reports a formation's progress.
     fn tell_move(&mut self, all_in_place: bool, view: &WorldView<'_>, outcome: &mut StepOutcome) {
         let (Work::Formation(march), Some(moving)) = (&self.work, &mut self.moving) else {
             return;
@@ -165,7 +165,7 @@ impl ActiveManoeuvre {
         }
     }
 
-    /// Ends the rows of those that were to go with the formation.
+    /// Ends the rows of members that were to move with the formation.
     pub(super) fn end_move(
         &mut self,
         state: RowState,
@@ -188,8 +188,8 @@ impl ActiveManoeuvre {
 }
 
 impl Tail {
-    /// Draws everybody along as on a rope: nobody swings out when the leader turns, and who is told to come nearer
-    /// than the rope is long gives way backwards. A step in height keeps them apart where the leader turns back.
+    /// Pulls the followers along as on a rope: none swings out when the leader turns, and one closer than the rope's
+    /// length backs away. A step in height keeps them apart where the leader turns back.
     pub fn follow(&mut self, leader: MovingPoint, points: &[Option<DVec3>]) {
         let mut ahead = leader;
         for (index, at) in points.iter().enumerate() {

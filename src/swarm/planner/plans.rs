@@ -57,7 +57,7 @@ impl Planner<'_> {
         Ok(act)
     }
 
-    /// The lanes over an area; turned round where that makes enough for everybody.
+    /// The lanes over an area; with another course where that gives enough for all vehicles.
     fn cover(
         &self,
         corners: &[DVec2],

@@ -3,7 +3,7 @@
 use super::*;
 use crate::geo::maths;
 
-/// Bits of luck aside: GPS, wind and control leave so much.
+/// The tolerance for GPS, wind and control errors.
 const NOISE_M: f64 = 0.6;
 
 #[test]

@@ -1,7 +1,7 @@
 use super::*;
 
-/// Draws whenever allowed for `seconds`, against a line that carries so many bytes per second and whose terminal
-/// answers; returns frames drawn and the largest number of bytes under way.
+/// Draws whenever allowed for `seconds`, on a line with a limited rate and a terminal that answers; returns frames
+/// drawn and the largest number of bytes under way.
 fn fly(pace: &mut Pace, seconds: u64, line_bytes_per_s: u64, frame_bytes: u64) -> (u32, u64) {
     let (mut frames, mut most, mut under_way) = (0, 0, 0_u64);
     let mut question_behind: Option<u64> = None;
@@ -40,7 +40,7 @@ fn a_fast_line_gets_every_frame_that_is_wanted() {
     }
 }
 
-/// Types so many keys a second for a second, the first frame drawn before; returns the frames that follow.
+/// Types keys at a rate for a second after a first frame; returns the number of further frames.
 fn type_keys(pace: &mut Pace, keys_per_s: u64) -> u32 {
     let mut frames = 0;
     let mut typed = 0;

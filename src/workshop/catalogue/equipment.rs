@@ -1,4 +1,4 @@
-//! What a drone carries besides what makes it fly: electronics, radios, sensors, things to drop.
+//! Equipment: electronics, radios, sensors, loads.
 //!
 //! Masses, powers and prices are those of typical parts of late 2025. Prices above 500 credits grow more slowly than
 //! real ones, with the power 0.55, so that the dearest sensor can be earned.
@@ -41,8 +41,8 @@ parts! {
 }
 
 parts! {
-    /// Sensors, droppers and loads. The sprayer's tank holds what it gives in 15 seconds: a kilogram of liquid beside a
-    /// pump with its hose.
+    /// Sensors, droppers and loads. The sprayer's tank lasts for 15 seconds: a kilogram of liquid beside a pump with
+    /// its hose.
     pub(super) static PAYLOADS: [Spec; 21]
         [id; spec; power_w, mass_g, credits];
         ["s_rgb";    Payload;  3.0,   60.0,  120];

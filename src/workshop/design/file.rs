@@ -128,7 +128,7 @@ pub(super) fn checked_name(name: &str) -> Result<(), crate::text::Text> {
     }
 }
 
-/// A design with a part more, as a file asks for it.
+/// A design with one more part, as listed in a file.
 fn placed(design: &Design, slot: PartSlot, id: &Spanned<String>) -> Result<Design, Diagnostic> {
     let (name, span): (&str, Range<usize>) = (id.get_ref(), id.span());
     let Some(part) = part(name) else {

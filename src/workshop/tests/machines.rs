@@ -6,7 +6,7 @@ use crate::workshop::drive::VOLTAGE_SHARE;
 use crate::workshop::pack::Pack;
 use crate::workshop::part::{Battery, Chemistry, Esc, Frame, Motor, Propeller};
 
-/// A machine that can be bought, and what its maker or its users state.
+/// A machine on the market, with the figures of its maker or its users.
 struct Known {
     name: &'static str,
     mass_kg: f64,

@@ -1,4 +1,4 @@
-//! What holds for every design.
+//! Properties of every design.
 
 use proptest::prelude::*;
 use proptest::sample::select;

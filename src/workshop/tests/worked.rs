@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// One of them.
+/// A worked example.
 pub struct Worked {
     name: &'static str,
     /// The ids of its parts.
