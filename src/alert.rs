@@ -41,7 +41,7 @@ pub enum AlertKind {
     /// Its filter's estimates contradict its sensors.
     Ekf,
     Battery,
-    /// What is left in its battery is little for the way home.
+    /// The battery left is little more than the way home needs.
     WayHome,
     /// It is outside its fence.
     Fence,

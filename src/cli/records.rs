@@ -297,7 +297,7 @@ impl RecordsCommands {
         table
     }
 
-    /// A recording that has been gone through.
+    /// A recording that has been read completely.
     fn read(&self, files: &RecordFiles) -> Result<Replay, Failure> {
         let Some(frames) = &files.frames else {
             let text = text!("replay-no-frames", file = files.stem.as_str());

@@ -22,7 +22,7 @@ pub struct Definitions {
 pub struct MessageDefinition {
     /// Its name, such as `HEARTBEAT`.
     pub name: &'static str,
-    /// `CRC_EXTRA`: what its checksum begins with, so that only the same layout is taken for it.
+    /// `CRC_EXTRA`: the initial value of its checksum, so that only the same layout matches.
     pub seed: u8,
     /// Its fields in wire order, extension fields last.
     pub fields: Vec<FieldDefinition>,

@@ -30,7 +30,7 @@ pub(super) struct Lookout {
     found: Vec<Moment>,
     /// Goes up whenever they change.
     revision: u64,
-    /// The revision that was given last.
+    /// The last revision returned.
     given: Option<u64>,
     /// The alerts that hold.
     alerts: BTreeSet<(VehicleId, AlertKind)>,

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 
 use super::CommandLine;
 
-/// A word such that a shell takes it as it is.
+/// A word quoted for a shell.
 pub fn quoted(word: &str) -> Cow<'_, str> {
     let plain = |c: char| c.is_ascii_alphanumeric() || "_-+./:,=@%".contains(c);
     if !word.is_empty() && word.chars().all(plain) {

@@ -24,7 +24,7 @@ pub enum FindingKind {
     EscCells,
     /// The speed controller does not bear the motor's peak.
     EscCurrent,
-    /// The power module does not bear the battery's voltage.
+    /// The power module does not tolerate the battery's voltage.
     PowerCells,
     /// The power module does not bear the current of a hover.
     PowerCurrent,

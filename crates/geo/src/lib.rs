@@ -20,7 +20,7 @@ const SEMI_MAJOR_AXIS_M: f64 = 6_378_137.0;
 /// WGS-84 first eccentricity squared.
 const ECCENTRICITY_SQUARED: f64 = 6.694_379_990_14e-3;
 
-/// Metres per degree along the equator: of those who speak of offsets in degrees, as `SIM_GPS1_GLTCH_X` does.
+/// Metres per degree along the equator: for offsets in degrees, such as `SIM_GPS1_GLTCH_X`.
 pub const METRES_PER_DEGREE: f64 = 111_319.49;
 
 /// A point on the ellipsoid, in degrees.

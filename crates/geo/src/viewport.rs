@@ -14,11 +14,11 @@ pub const DOTS_DOWN: u16 = 4;
 
 /// Widths of a column in metres within a decade: Renard's series of ten, rounded.
 const STEPS: [f64; 10] = [1.0, 1.25, 1.6, 2.0, 2.5, 3.2, 4.0, 5.0, 6.4, 8.0];
-/// Steps of the ladder that a user goes at once.
+/// The steps of the ladder per key press.
 const STRIDE: i8 = 2;
 
-/// How much of the earth a column is wide. A ladder of widths: a view that fits itself to something does not change
-/// with every metre.
+/// The width of a column on the ground, on a fixed ladder of widths, so that a fitted view does not change with every
+/// metre.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Zoom(i8);
 
@@ -35,20 +35,20 @@ impl Zoom {
         STEPS[at.rem_euclid(steps) as usize] * maths::powi(10f64, at.div_euclid(steps))
     }
 
-    /// The closest view in which a column is at least so many metres wide.
+    /// The closest view with columns of at least this width.
     pub fn fitting(metres_per_column: f64) -> Self {
         let fits = |at: &i8| Self(*at).metres_per_column() >= metres_per_column * (1.0 - 1e-9);
         let found = (Self::CLOSEST.0..=Self::WIDEST.0).find(fits);
         found.map_or(Self::WIDEST, Self)
     }
 
-    /// One step closer, as far as it goes.
+    /// One step closer, within the limits.
     #[must_use]
     pub fn closer(self) -> Self {
         Self(self.0 - STRIDE).max(Self::CLOSEST)
     }
 
-    /// One step away, as far as it goes.
+    /// One step wider, within the limits.
     #[must_use]
     pub fn wider(self) -> Self {
         Self(self.0 + STRIDE).min(Self::WIDEST)
@@ -81,12 +81,12 @@ pub struct Dot {
 }
 
 impl Dot {
-    /// A point so many dots to the right and down.
+    /// A point at dots to the right and down.
     pub const fn new(x: f64, y: f64) -> Self {
         Self { x, y }
     }
 
-    /// The point at a share of the way to another one: 0 is here, 1 is there.
+    /// The point at a share of the distance to another one: 0 is here, 1 is there.
     #[must_use]
     pub fn towards(self, to: Self, share: f64) -> Self {
         Self {
@@ -96,12 +96,12 @@ impl Dot {
     }
 }
 
-/// What a grid of cells shows.
+/// The area that a grid of cells shows.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Viewport {
     /// The place in the middle.
     pub centre: LatLon,
-    /// How wide a column is.
+    /// The width of a column.
     pub zoom: Zoom,
     /// Cells beside each other.
     pub columns: u16,

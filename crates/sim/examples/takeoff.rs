@@ -19,7 +19,7 @@ const GUIDED: f32 = 4.0;
 /// The message id of `GLOBAL_POSITION_INT`.
 const GLOBAL_POSITION_INT: f32 = 33.0;
 
-/// The program under test: it knows bytes only, as it would behind a socket.
+/// The program under test: it only handles bytes, as behind a socket.
 struct GroundStation {
     encoder: Encoder,
     decoder: Decoder,

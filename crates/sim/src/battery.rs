@@ -107,7 +107,7 @@ impl Battery {
         self.voltage_v / airframe.full_voltage_v()
     }
 
-    /// What is left of a capacity, in percent.
+    /// The rest of a capacity, in percent.
     pub(super) fn remaining_percent(&self, capacity_mah: f64) -> i8 {
         (100.0 * (1.0 - self.consumed_mah / capacity_mah)).clamp(0.0, 100.0) as i8
     }

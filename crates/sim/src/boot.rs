@@ -8,7 +8,7 @@ use super::mode::Mode;
 /// One event, and whether it waits for a GPS position; times are in hundredths of a second.
 type Entry = (u32, bool, BootEvent);
 
-/// What happens during the boot.
+/// An event during the boot.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum BootEvent {
     Say(&'static str),
@@ -212,7 +212,7 @@ impl Boot {
         reasons
     }
 
-    /// What is missing for a position, in the checks that can be switched off.
+    /// The missing condition for a position, among the optional checks.
     fn position_obstacle(&self, mode: &Mode, has_home: bool) -> Option<&'static str> {
         if mode.needs_position() {
             return Some(if has_home {
@@ -224,7 +224,7 @@ impl Boot {
         self.reference_obstacle(mode)
     }
 
-    /// What is missing in the checks that cannot be switched off.
+    /// The missing condition among the mandatory checks.
     pub(super) fn reference_obstacle(&self, mode: &Mode) -> Option<&'static str> {
         if self.over {
             None

@@ -9,7 +9,7 @@ use sortie_geo::LatLon;
 /// The distance between vehicles in a row.
 const ROW_SPACING_M: f64 = 5.0;
 
-/// What a world consists of.
+/// The content of a world.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WorldConfig {
     /// One start per vehicle; the first has system id 1.

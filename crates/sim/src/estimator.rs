@@ -318,7 +318,7 @@ impl Estimator {
         self.velocity_error_m_s = DVec3::ZERO;
     }
 
-    /// Without a position the estimate drifts, unless the vehicle stands still.
+    /// Without a position the estimate drifts, unless the vehicle is stationary.
     fn run_away(&mut self, truth: &Body) {
         if truth.on_ground {
             self.velocity_error_m_s = DVec3::ZERO;

@@ -1,4 +1,4 @@
-//! A number for a vehicle's whole state, to tell whether two flights are the same.
+//! A hash of a vehicle's whole state, to compare two flights.
 
 use std::fmt::{self, Debug, Write as _};
 

@@ -14,16 +14,16 @@ pub(super) use sample::{LogInputs, LogSample};
 pub(super) const EPOCH_US: u64 = 1_767_225_600_000_000;
 /// Steps from one sample to the next: two samples per second.
 pub(super) const EVERY_STEPS: u64 = 50;
-/// How much one log holds (20 minutes), and how many logs are kept.
+/// The most samples of one log (20 minutes), and the most logs.
 const MOST_SAMPLES: usize = 2400;
 const MOST_NOTES: usize = 200;
 const MOST_LOGS: usize = 3;
 /// Room for samples is made in such pieces.
 const PIECE: usize = 120;
-/// After disarming a log goes on for this long.
+/// How long a log continues after disarming.
 const PERSISTS_FOR: Duration = Duration::from_secs(15);
 
-/// What is recorded and when, read from the parameters.
+/// The rules of logging, from the parameters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct LogRules {
     groups: Groups,
@@ -53,14 +53,14 @@ pub(super) struct FlightLog {
     /// Whether the last one kept is being written, and when the vehicle was last armed.
     recording: bool,
     armed_at: Duration,
-    /// How many logs there ever were.
+    /// The number of logs so far.
     written: u16,
-    /// The file that was last asked for.
+    /// The last requested file.
     open: Option<(u16, Vec<u8>)>,
 }
 
 impl FlightLog {
-    /// The logs after a reboot: those that there are stay, and the next flight begins another.
+    /// The logs after a reboot: existing ones stay, and the next flight begins another.
     pub(super) fn rebooted(self) -> Self {
         Self {
             kept: self.kept,
@@ -112,7 +112,7 @@ impl FlightLog {
         }
     }
 
-    /// Adds a text that was said.
+    /// Adds a text.
     pub(super) fn note(&mut self, text: &str, now: Duration) {
         if let Some(log) = self.current()
             && log.texts.len() < MOST_NOTES

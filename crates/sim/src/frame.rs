@@ -1,5 +1,5 @@
-//! The numbers of the `MAV_FRAME`s that the vehicle knows, by name, and what heights in them count from. They travel
-//! as numbers, as any may come.
+//! The numbers of the `MAV_FRAME`s that the vehicle knows, by name, and the reference of their heights. They are sent
+//! as numbers, since any may arrive.
 
 #![expect(
     deprecated,
@@ -21,7 +21,7 @@ pub(crate) const BODY_OFFSET_NED: u8 = MavFrame::MAV_FRAME_BODY_OFFSET_NED as u8
 const GLOBAL_TERRAIN_ALT: u8 = MavFrame::MAV_FRAME_GLOBAL_TERRAIN_ALT as u8;
 const GLOBAL_TERRAIN_ALT_INT: u8 = MavFrame::MAV_FRAME_GLOBAL_TERRAIN_ALT_INT as u8;
 
-/// What a height in a global frame counts from.
+/// The reference of a height in a global frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum HeightOrigin {
     Sea,

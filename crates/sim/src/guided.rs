@@ -37,7 +37,7 @@ const SENSIBLE_MAX: f64 = 1e8;
 pub(super) enum TargetPoint {
     /// Metres along the axes of the frame.
     Local(DVec3),
-    /// A place on the earth and a height whose meaning the frame tells.
+    /// A place on the earth, and a height in the frame's reference.
     Global { at: LatLon, height_m: f64 },
 }
 
@@ -147,7 +147,7 @@ fn leaning_rad(vehicle: &Vehicle) -> DVec2 {
     DVec2::new(-pitch, roll)
 }
 
-/// What a thrust means: half holds the height, more climbs, less sinks; or a thrust, if so set.
+/// The lift of a thrust value: half holds the height, more climbs, less sinks; or a thrust, if so set.
 fn lift_of(vehicle: &Vehicle, thrust: f64) -> Lift {
     if vehicle.tuning.guided_options & THRUST_AS_THRUST != 0 {
         return Lift::Thrust(thrust.clamp(-1.0, 1.0));

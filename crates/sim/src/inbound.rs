@@ -149,7 +149,7 @@ fn set_up_signing(autopilot: &Autopilot, link: &mut Link, data: &SETUP_SIGNING_D
     link.key = Some((data.secret_key, data.initial_timestamp));
 }
 
-/// What only the vehicle's own ground station may say: that it is still there, and where the sticks are.
+/// Messages only for the vehicle's own ground station: its heartbeat, and its sticks.
 fn hear_pilot(autopilot: &mut Autopilot, message: &MavMessage) {
     match message {
         MavMessage::HEARTBEAT(_) => {}

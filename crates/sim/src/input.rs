@@ -1,4 +1,4 @@
-//! What enters a world, to step it again with the same outcome.
+//! The inputs of a world, from which it can be repeated exactly.
 
 use super::Serial;
 
@@ -11,11 +11,11 @@ pub struct Input {
     pub vehicle: usize,
     /// The number of the connection: the world counts them from 0, over all vehicles.
     pub connection: u64,
-    /// What came by the connection, or became of it.
+    /// The content of the input.
     pub what: InputKind,
 }
 
-/// What came by a connection, or became of it.
+/// The kind of an input from a connection.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum InputKind {
     /// A ground station was attached to a serial port.

@@ -1,4 +1,4 @@
-//! Shared by all parts that move: gravity, the time step, the way to a target.
+//! Shared by all parts that move: gravity, the time step, the distance to a target.
 
 /// Standard gravity, in metres per second squared.
 pub(super) const GRAVITY_M_S2: f64 = 9.806_65;

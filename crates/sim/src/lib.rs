@@ -1,10 +1,11 @@
-//! Simulated `ArduCopters` that speak `MAVLink`, stepped by hand: for the tests of ground stations and of other programs.
+//! Simulated `ArduCopters` with `MAVLink`, stepped by the caller: for the tests of ground stations and of other
+//! programs.
 //!
 //! A [`World`] holds vehicles. Ground stations [`connect`](World::connect) to one of them, push bytes in and take
-//! bytes out; nothing else goes in or out, so a program cannot tell the simulator from a SITL behind a socket. There is
-//! no clock, no thread, no file and no socket: the world is a function of its configuration, the bytes it received and
-//! the [steps](World::step) of 10 ms between them. Behaviour and figures follow an `ArduCopter` 4.6 SITL: modes, arming
-//! checks, failsafes, fences, plans, parameters, files, logs, signing, faults of sensors and motors, wind.
+//! bytes out; nothing else goes in or out, so a program cannot tell the simulator from a SITL behind a socket. There
+//! is no clock, no thread, no file and no socket: the world is a function of its configuration, the bytes it received
+//! and the [steps](World::step) of 10 ms between them. Behaviour and figures follow an `ArduCopter` 4.6 SITL: modes,
+//! arming checks, failsafes, fences, plans, parameters, files, logs, signing, faults of sensors and motors, wind.
 //!
 //! ```
 //! use sortie_sim::geo::LatLon;
@@ -41,18 +42,18 @@
 //! From the bottom up; a module uses those before it, and no two use each other.
 //!
 //! - What really happens: `kinematics`, `airframe`, `battery`, `wind`, `body`, with a motor lost `upset` and `mixer`.
-//! - Facts: `config` (what a world begins with), `parameters`, `mode`, `cmd`, `frame` and `mask` (the numbers of MAVLink), `plan` (lists of items), `place` (where on the earth a
-//!   point is), `radio` (sticks), `texts`, `payload`.
+//! - Facts: `config` (what a world begins with), `parameters`, `mode`, `cmd`, `frame` and `mask` (the numbers of
+//!   MAVLink), `plan` (lists of items), `place` (where on the earth a point is), `radio` (sticks), `texts`, `payload`.
 //! - Parts that own what they remember, are given what they need of the others, and return what they want done
-//!   (`reaction`): `estimator` (what is believed of the motion), `control` and `yaw` (the path and the nose), `task` (what
-//!   is flown now, in a cockpit lent to it), `trail`, `rally`, `fence`, `boot`, `arming`, `failsafe`, `crash`,
+//!   (`reaction`): `estimator` (what is believed of the motion), `control` and `yaw` (the path and the nose), `task`
+//!   (what is flown now, in a cockpit lent to it), `trail`, `rally`, `fence`, `boot`, `arming`, `failsafe`, `crash`,
 //!   `counters`, `workbench` (what is done by hand), `flight_log`. `tuning` is what the parameters tell all of them.
-//! - `vehicle` puts together what flies; `auto_plan` flies the plan of AUTO with it; `autopilot` decides, and steps all
-//!   parts in order. Its `telemetry` reports.
+//! - `vehicle` puts together what flies; `auto_plan` flies the plan of AUTO with it; `autopilot` decides, and steps
+//!   all parts in order. Its `telemetry` reports.
 //! - Ground stations: `commands`, `guided` (setpoints) and `transfer` (lists, files, logs) are what they ask for;
-//!   `inbound` understands it. `schedule`, `signing`, `link` and `port` are the way there; `slot` is a vehicle with its
-//!   connections, `truth` what really becomes of it. `collision` is between bodies. `input` is what enters a world,
-//!   and `fingerprint` a number for a vehicle's state: to fly a flight again, and to see that it is the same.
+//!   `inbound` understands it. `schedule`, `signing`, `link` and `port` are the way there; `slot` is a vehicle with
+//!   its connections, `truth` what really becomes of it. `collision` is between bodies. `input` is what enters a
+//!   world, and `fingerprint` a number for a vehicle's state: to fly a flight again, and to see that it is the same.
 
 #![warn(missing_docs)]
 
@@ -165,7 +166,7 @@ pub struct World {
     connections: usize,
     steps: u64,
     collisions: Collisions,
-    /// What has entered since it was last taken, where that is kept.
+    /// The inputs since the last call, if they are kept.
     inputs: Option<Vec<Input>>,
 }
 
@@ -227,7 +228,7 @@ impl World {
         true
     }
 
-    /// How many steps the world has made.
+    /// The number of steps so far.
     pub fn steps(&self) -> u64 {
         self.steps
     }
@@ -260,7 +261,7 @@ impl World {
         }
     }
 
-    /// How many vehicles there are.
+    /// The number of vehicles.
     pub fn vehicles(&self) -> usize {
         self.slots.len()
     }
@@ -307,7 +308,7 @@ impl World {
         }
     }
 
-    /// How many ground stations are attached and have not been detached.
+    /// The number of attached ground stations.
     pub fn connections(&self) -> usize {
         self.connections
     }
@@ -346,7 +347,7 @@ impl World {
         self.collide();
     }
 
-    /// What has collided so far, in order.
+    /// The collisions so far, in order.
     pub fn collisions(&self) -> &[Collision] {
         self.collisions.events()
     }

@@ -9,17 +9,17 @@ use super::Serial;
 use super::parameters::Parameters;
 use super::schedule::Schedule;
 
-/// What tells one ground station from the others in transfers: a number, from its first request on; 0 before that.
+/// The number of a ground station in transfers, from its first request on; 0 before that.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) struct LinkNumber(pub(super) u32);
 
-/// What the vehicle keeps for one serial port, and what the handling of one frame leaves for the one who sent it.
+/// The state of one serial port, and output of one frame for its sender.
 #[derive(Debug)]
 pub(super) struct Link {
     pub(super) schedule: Schedule,
-    /// Who on this port is being answered, in transfers.
+    /// The ground station being answered, in transfers.
     pub(super) transfer: LinkNumber,
-    /// Whether anything was ever received: until then the vehicle says little.
+    /// Whether anything was received: until then the vehicle sends little.
     pub(super) heard: bool,
     /// Asked for: a list of parameters from this one on.
     pub(super) listing: Option<u16>,

@@ -9,7 +9,7 @@ use super::airframe::Motor;
 pub(super) const MOTORS_MAX: usize = 12;
 /// Share of the range that yaw may always use (`MOT_YAW_HEADROOM`).
 const YAW_HEADROOM: f64 = 0.2;
-/// The thrust boost after the loss of a motor comes and goes within this time (`MOT_SPOOL_TIME`).
+/// The time constant of the thrust boost after the loss of a motor (`MOT_SPOOL_TIME`).
 const BOOST_S: f64 = 0.5;
 /// About the share that hovers.
 const HOVER_SHARE: f64 = 0.4;
@@ -31,7 +31,7 @@ pub(super) struct Mixer {
     filtered: [f64; MOTORS_MAX],
 }
 
-/// What the motors' range cut off.
+/// The parts of the demand beyond the motors' range.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) struct Limited {
     pub(super) lean: bool,
@@ -69,7 +69,7 @@ impl Mixer {
         self.watch(motors.len(), dt_s);
     }
 
-    /// How much yaw fits beside roll and pitch; a lost motor does not count.
+    /// The yaw that fits beside roll and pitch, without a lost motor.
     fn yaw_room(&self, motors: &[Motor], yaw: f64, throttle: f64) -> f64 {
         let room_of = |place: usize, motor: &Motor| {
             let share = throttle + self.shares[place];

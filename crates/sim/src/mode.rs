@@ -2,7 +2,7 @@
 
 use mavlink::dialects::ardupilotmega::CopterMode;
 
-/// What it takes to enter a mode.
+/// The conditions for entering a mode.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum ModeEntry {
     /// Can be entered at any time.

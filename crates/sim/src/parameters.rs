@@ -12,7 +12,7 @@ pub use aliases::{AliasSense, other_name};
 /// The index in the answer to a parameter that was asked or set by name.
 pub(super) const BY_NAME: u16 = u16::MAX;
 
-/// How a parameter is stored; all travel as floats.
+/// The stored type of a parameter; all are sent as floats.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Kind {
     Int8,
@@ -71,7 +71,7 @@ impl Parameters {
         all
     }
 
-    /// How many there are.
+    /// Their number.
     #[expect(
         clippy::unused_self,
         reason = "that all vehicles have the same ones is known here only"
@@ -93,7 +93,7 @@ impl Parameters {
         })
     }
 
-    /// The value that the parameter at a place in the list has on a vehicle that nobody has changed.
+    /// The default value of the parameter at an index.
     pub(super) fn default_at(index: u16) -> f32 {
         TABLE
             .rows
@@ -139,7 +139,7 @@ impl Parameters {
         MavMessage::PARAM_VALUE(self.fields_of(parameter))
     }
 
-    /// What `PARAM_VALUE` says of one, with its place in the list.
+    /// The fields of a `PARAM_VALUE`, with its index.
     pub(super) fn fields_of(&self, parameter: &Parameter) -> PARAM_VALUE_DATA {
         let mut name = [0; 16];
         let len = parameter.name.len().min(name.len());

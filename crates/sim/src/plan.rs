@@ -1,6 +1,6 @@
 //! Uploaded lists: the mission, the fence and the rally points, item by item.
 
-/// One item of a list, as it came over the link.
+/// An item of a list, as received.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Item {
     /// The number of a `MAV_CMD`.
@@ -38,7 +38,7 @@ impl ListKind {
         self as u8
     }
 
-    /// How many items there can be.
+    /// The most items.
     pub(super) fn most(self) -> usize {
         match self {
             Self::Mission => 650,

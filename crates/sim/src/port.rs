@@ -63,7 +63,7 @@ pub(super) struct Port {
     pending: Vec<u8>,
     /// The next parameter of a list that is being sent.
     listing: Option<u16>,
-    /// What tells this ground station from the others in transfers.
+    /// The number of this ground station in transfers.
     transfer: LinkNumber,
     quiet_steps: u32,
 }
@@ -82,8 +82,8 @@ impl Port {
         }
     }
 
-    /// Takes in bytes and answers what they ask. What the vehicle has to say to everybody is returned for the
-    /// others; this ground station gets it in order with its answers.
+    /// Takes bytes and answers their requests. Broadcast messages are returned for the others; this ground station
+    /// gets it in order with its answers.
     pub(super) fn receive(
         &mut self,
         autopilot: &mut Autopilot,
@@ -101,8 +101,8 @@ impl Port {
         for_others
     }
 
-    /// Counts the pause since the last bytes, and says when it has become so long that frames behind a false start
-    /// may come out: see [`Port::end_of_burst`].
+    /// Counts the pause since the last bytes; true when it is long enough that frames behind a false start may be
+    /// released: see [`Port::end_of_burst`].
     pub(super) fn is_pause(&mut self) -> bool {
         self.quiet_steps = self.quiet_steps.saturating_add(1);
         self.quiet_steps == PAUSE_STEPS && self.decoder.has_tail()
@@ -177,7 +177,7 @@ impl Port {
         }
     }
 
-    /// Sends telemetry; answers have precedence when nobody reads.
+    /// Sends telemetry; answers have precedence when the client does not read.
     pub(super) fn stream(&mut self, message: &MavMessage, signing: &mut Signing) {
         self.say(message, signing, TELEMETRY_MAX);
     }
@@ -244,7 +244,7 @@ impl Port {
         }
     }
 
-    /// Takes back a frame that exceeds the room; the gap in the sequence numbers then tells of the loss.
+    /// Takes back a frame that exceeds the room; the gap in the sequence numbers then shows the loss.
     fn keep_within(&mut self, room: usize, before: usize) {
         if self.pending.len() > room {
             self.pending.truncate(before);

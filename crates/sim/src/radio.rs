@@ -1,5 +1,4 @@
-//! The transmitter's channels, and ground stations that speak in its place (`RC_CHANNELS_OVERRIDE`,
-//! `MANUAL_CONTROL`).
+//! The transmitter's channels, and ground stations that override it (`RC_CHANNELS_OVERRIDE`, `MANUAL_CONTROL`).
 
 use std::time::Duration;
 
@@ -16,14 +15,14 @@ const PULSE_MAX_US: u16 = 2500;
 const FOR_EVER: Duration = Duration::from_secs(1 << 40);
 /// Upper limits of the pulse width for the first five positions of the mode switch.
 const SWITCH_US: [u16; 5] = [1230, 1360, 1490, 1620, 1749];
-/// The switch must stand still for this many looks, ten a second.
+/// The number of equal readings, ten a second, before the switch counts.
 const STEADY_LOOKS: u8 = 2;
 /// A stick in a lower corner arms or disarms after this many looks.
 const CORNER_LOOKS: u8 = 20;
-/// How far the yaw stick must be over for that (-1 to 1).
+/// The deflection of the yaw stick for that (-1 to 1).
 const CORNER: f64 = 4000.0 / 4500.0;
 
-/// How the first four channels are read, from `RCn_*` and `RC_OVERRIDE_TIME`.
+/// The rules for the first four channels, from `RCn_*` and `RC_OVERRIDE_TIME`.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct RadioRules {
     /// Roll, pitch, throttle, yaw.
@@ -75,7 +74,7 @@ impl RadioRules {
 }
 
 impl StickRange {
-    /// How far a stick is from its middle, -1 to 1; zero within the dead zone.
+    /// A stick's deflection, -1 to 1; zero within the dead zone.
     pub(super) fn off_centre(&self, pulse_us: u16) -> f64 {
         let off = f64::from(pulse_us) - self.trim;
         let (beyond, travel) = if off > 0.0 {
@@ -89,7 +88,7 @@ impl StickRange {
         (beyond / travel).clamp(-1.0, 1.0) * self.sign
     }
 
-    /// How far a stick is from its end, 0 to 1; zero within the dead zone.
+    /// A stick's deflection from its end, 0 to 1; zero within the dead zone.
     pub(super) fn pushed(&self, pulse_us: u16) -> f64 {
         let from = self.min + self.dead;
         let travel = (self.max - from).max(1.0);
@@ -124,13 +123,13 @@ impl Sticks {
         ],
     };
 
-    /// Whether the throttle is all the way down.
+    /// Whether the throttle is at its minimum.
     pub(super) fn throttle_is_low(&self) -> bool {
         self.channels_us[2] <= 1050
     }
 }
 
-/// What a transmitter, or ground stations in its place, last said.
+/// The latest input of the transmitter, or of ground stations that override it.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Radio {
     overrides: [(u16, Duration); CHANNELS],
@@ -155,7 +154,7 @@ impl Default for Radio {
 }
 
 impl Radio {
-    /// The channels as they are now: those of the transmitter where no override lasts.
+    /// The present channels: those of the transmitter unless overridden.
     pub(super) fn sticks(&self, now: Duration) -> Sticks {
         let mut sticks = Sticks::RELEASED;
         if now < self.until {
@@ -184,7 +183,7 @@ fn switch_position(pulse_us: u16) -> usize {
         .count()
 }
 
-/// What sticks and switches ask for.
+/// The requests of sticks and switches.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct StickRequests {
     /// The mode switch has a new position.

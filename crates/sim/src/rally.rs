@@ -9,7 +9,7 @@ use super::plan::Item;
 use crate::cmd;
 use sortie_geo::LatLon;
 
-/// What the `RALLY_*` parameters say.
+/// The rules from the `RALLY_*` parameters.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct RallyRules {
     /// Rally points further away than this do not count; zero: all do.

@@ -10,7 +10,7 @@ pub(super) enum Reaction {
     Disarm,
     /// The sticks that a ground station held are let go.
     ReleaseSticks,
-    /// What the parameters of a failsafe name.
+    /// The action set by a failsafe's parameters.
     Act(FailsafeAction),
     /// Modes that need a position end: the height is held, if so set and possible, or else the vehicle lands.
     LeavePosition {
@@ -57,7 +57,7 @@ impl FailsafeAction {
         }
     }
 
-    /// How urgent it is: 0 is the most urgent. The battery's second level must not undo the first's.
+    /// Its urgency: 0 is the most urgent. The battery's second level must not undo the first's.
     pub(super) fn priority(self) -> u8 {
         match self {
             Self::Terminate => 0,

@@ -26,7 +26,7 @@ pub(super) const TERRAIN_REQUEST: u32 = TERRAIN_REQUEST_DATA::ID;
 pub(super) const TERRAIN_REPORT: u32 = TERRAIN_REPORT_DATA::ID;
 /// The shortest interval; shorter ones are lengthened to it, as the vehicle does.
 const SHORTEST_US: i64 = 3_000;
-/// What a new link gets unasked: HEARTBEAT once per second.
+/// The default stream of a new link: HEARTBEAT once per second.
 const HEARTBEAT: u32 = HEARTBEAT_DATA::ID;
 const HEARTBEAT_US: i64 = 1_000_000;
 const TERRAIN_US: i64 = 2_000_000;
@@ -124,7 +124,7 @@ impl Schedule {
         schedule
     }
 
-    /// What a serial port sends after boot: heartbeats, and the streams that its `SRn_` parameters ask for.
+    /// The messages of a serial port after boot: heartbeats, and the streams of its `SRn_` parameters.
     pub(super) fn booted(serial: Serial, parameters: &Parameters, now: Duration) -> Self {
         let mut schedule = Self::new(now);
         for (group, name, _) in STREAMS {
@@ -136,7 +136,7 @@ impl Schedule {
         schedule
     }
 
-    /// Somebody listens again after nobody did: everything is due at once, and once.
+    /// Handles a new client after none: everything is due at once, and once.
     pub(super) fn resume(&mut self, now: Duration) {
         let now_us = now.as_micros() as u64;
         for entry in &mut self.entries {

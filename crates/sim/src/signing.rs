@@ -49,7 +49,7 @@ impl Signing {
         self.clocks = [timestamp.saturating_add(MARGIN); Serial::ALL.len()];
     }
 
-    /// The key and the time survive a reboot; who was heard does not.
+    /// The key and the time survive a reboot; the known senders do not.
     pub(super) fn reboot(&mut self) {
         self.streams.clear();
         let stored = self.clocks.into_iter().max().unwrap_or_default();
@@ -58,7 +58,7 @@ impl Signing {
         }
     }
 
-    /// What to sign the next packet of a port with, if signing is on.
+    /// The signature for a port's next packet, if signing is on.
     pub(super) fn seal(&mut self, serial: Serial) -> Option<(SigningKey, Stamp)> {
         let key = self.key?;
         let clock = self.clocks.get_mut(serial.index())?;

@@ -107,7 +107,7 @@ impl VehicleSlot {
         }
     }
 
-    /// Sends the messages that are due, on each serial port where somebody listens.
+    /// Sends the due messages on each serial port with a client.
     fn stream(&mut self) {
         let now = self.autopilot.vehicle.uptime();
         for serial in Serial::ALL {
@@ -151,7 +151,7 @@ impl VehicleSlot {
             .any(|(_, port)| port.open && port.serial == serial)
     }
 
-    /// Works with one open port; what the vehicle then says to everybody reaches the others too.
+    /// Works with one open port; broadcast messages of the vehicle reach the others too.
     fn with_port(
         &mut self,
         place: usize,

@@ -35,17 +35,17 @@ const CIRCLE_MAX_DEG_S: f64 = 90.0;
 /// The deceleration of BRAKE mode (`BRAKE_MODE_DECEL_RATE`).
 const BRAKE_ACCEL_M_S2: f64 = 7.5;
 
-/// What a task works with.
+/// The parts of the vehicle that a task works with.
 pub(super) struct Cockpit<'a> {
     pub(super) control: &'a mut PositionControl,
-    /// What the modes with a pilot remember.
+    /// The state of the piloted modes.
     pub(super) pilot: &'a mut Pilot,
-    /// What the autopilot believes of the body.
+    /// The autopilot's estimate of the body.
     pub(super) body: &'a Body,
     pub(super) tuning: &'a FlightTuning,
     pub(super) limits: Limits,
     pub(super) sticks: Sticks,
-    /// A ground station speaks in the transmitter's place: the throttle is somebody's will.
+    /// A ground station overrides the transmitter: the throttle is set by a person.
     pub(super) piloted: bool,
     /// Home, in metres north, east and down from the start.
     pub(super) home_m: DVec3,
@@ -57,7 +57,7 @@ pub(super) struct Cockpit<'a> {
     pub(super) rally: Rally<'a>,
 }
 
-/// How the motors are driven in this step.
+/// The drive of the motors in this step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Act {
     /// Follow the path of the position control.
@@ -89,7 +89,7 @@ pub(super) enum Task {
     Velocity { wanted_m_s: DVec3, until: Duration },
     /// Accelerates, then stops and holds.
     Accelerate { wanted_m_s2: DVec3, until: Duration },
-    /// Leans as a ground station says.
+    /// Leans as commanded by a ground station.
     Attitude(Attitude),
     /// Brakes hard and holds.
     Brake,
@@ -137,7 +137,7 @@ impl Task {
         }
     }
 
-    /// What kind of target it follows in GUIDED: a place, a place that moves, a velocity, an acceleration, or none.
+    /// The kind of target in GUIDED: a place, a moving place, a velocity, an acceleration, or none.
     pub(super) fn kind(&self) -> u8 {
         match self {
             Self::Goto { drift_m_s, .. } if *drift_m_s == DVec3::ZERO => 1,
@@ -178,7 +178,7 @@ impl Task {
         }
     }
 
-    /// Whether a vehicle with this task that stands on the ground has nothing to do.
+    /// Whether a vehicle on the ground with this task has nothing to do.
     pub(super) fn is_resting(&self, throttle_is_low: bool) -> bool {
         match self {
             Self::Wait | Self::Route(_) => true,

@@ -19,7 +19,7 @@ const SIMPLIFY_SHARE: f64 = 0.5;
 /// A loop whose ends come nearer than this share of the accuracy is left out.
 const PRUNE_SHARE: f64 = 0.99;
 
-/// What the `SRTL_*` parameters set.
+/// The rules from the `SRTL_*` parameters.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct TrailRules {
     accuracy_m: f64,
@@ -102,7 +102,7 @@ impl Trail {
         room
     }
 
-    /// Leaves out what the way back does not need.
+    /// Removes points that the return does not need.
     pub(super) fn tidy(&mut self, rules: &TrailRules) {
         let mut points_m: Vec<DVec3> = self.points_m.iter().map(|p| p.as_dvec3()).collect();
         points_m = simplified(&points_m, rules.accuracy_m * SIMPLIFY_SHARE);
@@ -116,7 +116,7 @@ impl Trail {
         Some((point.as_dvec3(), self.points_m.is_empty()))
     }
 
-    /// What [`Trail::pop`] will return next.
+    /// The next result of [`Trail::pop`].
     pub(super) fn peek(&self) -> Option<(DVec3, bool)> {
         let point = self.points_m.last()?;
         Some((point.as_dvec3(), self.points_m.len() == 1))
@@ -143,7 +143,7 @@ fn simplified(points_m: &[DVec3], epsilon_m: f64) -> Vec<DVec3> {
     pairs.filter_map(|(p, kept)| kept.then_some(*p)).collect()
 }
 
-/// How far a point is from the line through two others.
+/// The distance of a point from the line through two others.
 fn off_line(point: DVec3, from: DVec3, to: DVec3) -> f64 {
     let along = (to - from).normalize_or_zero();
     let way = point - from;

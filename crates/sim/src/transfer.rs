@@ -30,12 +30,12 @@ pub(super) struct Transfers {
     lists: Lists,
     files: Files,
     download: LogDownload,
-    /// How many links have asked for something.
+    /// The number of links with a request.
     links: u32,
 }
 
 impl Transfers {
-    /// What a reboot leaves: files.
+    /// The state after a reboot: files stay.
     pub(super) fn rebooted(self) -> Self {
         Self {
             files: self.files.rebooted(),

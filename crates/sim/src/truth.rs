@@ -3,7 +3,7 @@
 use super::autopilot::Autopilot;
 use sortie_geo::{LatLon, wrap_360};
 
-/// What really is the case, whatever the telemetry says: for tests and benches.
+/// The true state, independent of the telemetry: for tests and benches.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Truth {
     /// Where the vehicle is.

@@ -39,12 +39,12 @@ const TURN_MAX_RAD_S: f64 = 34.9;
 const CALM_RAD: f64 = 0.1;
 const CALM_RAD_S: f64 = 0.4;
 
-/// One motor that does not do what it is told (`SIM_ENGINE_FAIL`, `SIM_ENGINE_MUL`).
+/// A motor with a fault (`SIM_ENGINE_FAIL`, `SIM_ENGINE_MUL`).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct MotorFault {
     /// The motor that fails, counted from 0.
     pub(super) motor: usize,
-    /// What its pulse is multiplied with.
+    /// The factor on its pulse.
     pub(super) multiplier: f64,
 }
 
@@ -72,7 +72,7 @@ pub(super) struct Upset {
     real_shares: [f64; MOTORS_MAX],
 }
 
-/// What the attitude control is to reach.
+/// The target of the attitude control.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct WantedTurn {
     /// The direction of the thrust in the world, of length 1.
@@ -82,7 +82,7 @@ pub(super) struct WantedTurn {
     pub(super) lift_m_s2: Option<f64>,
 }
 
-/// What drives the motors.
+/// The drive of the motors.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Drive<'a> {
     pub(super) airframe: &'a Airframe,
@@ -183,7 +183,7 @@ impl Upset {
         force
     }
 
-    /// The share of the thrust range that the climb asks for; it is raised as long as too little comes of it.
+    /// The share of the thrust range for the climb; it is raised while the effect is too small.
     fn throttle(&mut self, wanted: &WantedTurn, lifting_m_s2: f64, drive: &Drive<'_>) -> f64 {
         let Some(lift) = wanted.lift_m_s2 else {
             self.climb_integral_m_s2 = 0.0;

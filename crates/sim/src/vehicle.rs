@@ -33,7 +33,7 @@ use super::wind::Wind;
 use super::yaw::YawDemand;
 use super::{STEP, Start, texts};
 
-/// What a reboot does not change.
+/// The properties that survive a reboot.
 #[derive(Debug)]
 pub(super) struct Build {
     pub(super) system: u8,
@@ -49,7 +49,7 @@ pub(super) struct Vehicle {
     pub(super) parameters: Parameters,
     pub(super) tuning: Tuning,
     pub(super) plant: Plant,
-    /// What the vehicle believes of it.
+    /// The vehicle's estimate of it.
     pub(super) estimator: Estimator,
     pub(super) datum: LocalDatum,
     pub(super) flight: FlightState,
@@ -101,7 +101,7 @@ impl Vehicle {
         self.boot.is_over() && self.estimator.has_position()
     }
 
-    /// What the autopilot believes of the vehicle's motion.
+    /// The autopilot's estimate of the vehicle's motion.
     pub(super) fn believed(&self) -> &Body {
         self.estimator.belief(&self.plant.body)
     }
@@ -135,18 +135,18 @@ impl Vehicle {
         }
     }
 
-    /// The sticks as they are now: released when nobody has moved them lately.
+    /// The present sticks: centred unless moved lately.
     pub(super) fn sticks(&self) -> Sticks {
         self.radio.sticks(self.uptime())
     }
 
-    /// What the receiver passes on.
+    /// The receiver's output.
     pub(super) fn reception(&self) -> RadioInputs {
         let is_overridden = self.uptime() < self.radio.until;
         RadioInputs::new(self.tuning.faults.radio, is_overridden, &self.sticks())
     }
 
-    /// Sets a parameter, and tells every link that it has changed; `false` if there is no such parameter.
+    /// Sets a parameter, and announces it on every link; `false` if it does not exist.
     pub(super) fn store_parameter(&mut self, name: &str, value: f32) -> bool {
         let Some(parameter) = self.parameters.set(name, value) else {
             return false;
@@ -196,7 +196,7 @@ impl Vehicle {
         work(&mut self.flight.task, &mut cockpit)
     }
 
-    /// How the nose behaves when a mode or a target leaves it to the autopilot.
+    /// The default heading demand of a mode or a target.
     pub(super) fn default_yaw(&self) -> YawDemand {
         if self.tuning.yaw_behaviour == 0 {
             YawDemand::Hold
@@ -241,7 +241,7 @@ impl Vehicle {
         touched.is_some_and(|touched| Safety::ends_landing(touched, self.uptime()))
     }
 
-    /// Makes a place home and tells everybody.
+    /// Sets home and announces it.
     pub(super) fn set_home(&mut self, home: Place) {
         self.datum.set_home(home);
         let boot_us = self.uptime().as_micros() as u64;
@@ -249,13 +249,13 @@ impl Vehicle {
         self.outbox.extend(self.datum.home_position(boot_us));
     }
 
-    /// Makes the present place home: what `SMART_RTL` goes back to as well.
+    /// Sets home to the present place, also for `SMART_RTL`.
     pub(super) fn set_home_here(&mut self) {
         self.set_home(self.here());
         self.begin_trail(true);
     }
 
-    /// Begins the way back here, if it is known where that is.
+    /// Starts the trail here, if the position is known.
     pub(super) fn begin_trail(&mut self, known: bool) {
         let here_m = known.then(|| self.believed().position_m);
         let now = self.uptime();
@@ -322,7 +322,7 @@ impl Vehicle {
         }
     }
 
-    /// Records what is due after a step. A log tells what the autopilot believed.
+    /// Logs what is due after a step. A log has the autopilot's estimate.
     pub(super) fn record(&mut self) {
         if !self.steps.is_multiple_of(flight_log::EVERY_STEPS) {
             return;

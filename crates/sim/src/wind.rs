@@ -25,7 +25,7 @@ pub(super) struct WindRules {
     profile: Profile,
 }
 
-/// How the mean wind changes with height (`SIM_WIND_T`).
+/// The profile of the mean wind with height (`SIM_WIND_T`).
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Profile {
     /// Up to a height, with the root of the height.
@@ -33,7 +33,7 @@ enum Profile {
         full_height_m: f64,
     },
     Constant,
-    /// Linearly: so much more for each metre above a height.
+    /// Linear above a height.
     Linear {
         height_m: f64,
         per_s: f64,

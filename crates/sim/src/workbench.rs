@@ -132,7 +132,7 @@ impl Workbench {
         ends
     }
 
-    /// Why the vehicle cannot be armed, in the order in which it says so.
+    /// The reasons against arming, in the order of the vehicle's texts.
     pub(super) fn obstacles(&self) -> impl Iterator<Item = &'static str> {
         let compasses = &self.compasses;
         [

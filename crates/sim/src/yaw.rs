@@ -15,7 +15,7 @@ const SWING_DAMPING: f64 = 0.5;
 /// The path must move faster than this before the nose follows it.
 const COURSE_MIN_M_S: f64 = 0.5;
 
-/// What the nose does.
+/// The demand on the heading.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum YawDemand {
     Hold,
@@ -28,20 +28,20 @@ pub(super) enum YawDemand {
     },
     /// Turns for ever, degrees per second, clockwise positive.
     Rate(f64),
-    /// Turns as a pilot's stick says, degrees per second; the limit of the autopilot's own turns does not count.
+    /// Turns by a pilot's stick, degrees per second; the limit of the autopilot's own turns does not count.
     Stick(f64),
     /// Looks at a point (north, east).
     Towards(DVec2),
 }
 
-/// What a nose can do now.
+/// The limits of turning.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Turning {
     /// The autopilot turns no faster (`ATC_SLEW_YAW`).
     pub(super) fastest_deg_s: f64,
-    /// How fast a pilot's turn begins and ends.
+    /// The acceleration at the beginning and end of a pilot's turn.
     pub(super) accel_deg_s2: f64,
-    /// The vehicle tumbles: the nose does not turn as it is told.
+    /// The vehicle tumbles: the heading is not under control.
     pub(super) is_upset: bool,
 }
 
@@ -51,7 +51,7 @@ pub(super) struct YawControl {
     pub(super) demand: YawDemand,
     setpoint_deg: f64,
     stick_deg_s: f64,
-    /// How fast the nose turns now.
+    /// The present turn rate.
     rate_deg_s: f64,
 }
 

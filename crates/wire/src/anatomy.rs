@@ -26,7 +26,7 @@ pub struct Anatomy<'a> {
     pub id: u32,
     /// The payload as it was sent: in MAVLink 2 without the zeros at its end.
     pub payload: &'a [u8],
-    /// What the checksum covers, but for the message's seed.
+    /// The bytes covered by the checksum, without the message's seed.
     covered: &'a [u8],
     checksum: u16,
 }

@@ -1,4 +1,4 @@
-//! Bytes to frames, counting everything that is dropped on the way.
+//! From bytes to frames, counting all dropped bytes.
 
 use mavlink::dialects::ardupilotmega::MavMessage;
 use mavlink::error::ParserError;
@@ -22,7 +22,7 @@ pub fn is_frame_start(byte: u8) -> bool {
     matches!(byte, STX_V1 | STX_V2)
 }
 
-/// What a decoder has seen since it was made.
+/// The counters of a decoder since its creation.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Counters {
     /// All bytes, good or bad.
@@ -43,14 +43,14 @@ pub struct Counters {
 #[derive(Debug, Default)]
 pub struct Decoder {
     buffer: Vec<u8>,
-    /// Where the search goes on.
+    /// The position of the search.
     position: usize,
     /// The end of the last frame that was dropped for its checksum: its bytes are not counted as noise too.
     dropped_until: usize,
     counters: Counters,
 }
 
-/// Where a frame lies in the buffer, as its header says.
+/// The position of a frame in the buffer, from its header.
 struct Layout {
     version: MavlinkVersion,
     header_len: usize,
@@ -88,7 +88,7 @@ impl Decoder {
         self.buffer.extend_from_slice(bytes);
     }
 
-    /// What was counted so far.
+    /// The counters so far.
     pub fn counters(&self) -> Counters {
         self.counters
     }
@@ -115,8 +115,8 @@ impl Decoder {
         }
     }
 
-    /// Says that nothing more belongs to what has come so far: the end of a datagram, or a pause on a
-    /// stream. Returns a frame that was hidden behind a false start; call it until it returns `None`.
+    /// Marks the end of the bytes so far: the end of a datagram, or a pause on a stream. Returns a frame that was
+    /// hidden behind a false start; call it until it returns `None`.
     pub fn next_frame_at_end(&mut self) -> Option<Frame> {
         loop {
             if let Some(frame) = self.next_frame() {

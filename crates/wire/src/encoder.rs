@@ -7,7 +7,7 @@ use super::decoder::{FLAG_SIGNED, STX_V1, STX_V2};
 use super::signature::{self, SigningKey, Stamp};
 use super::{ComponentId, SystemId};
 
-/// What can be sent.
+/// A message to send.
 #[derive(Debug, Clone, PartialEq)]
 #[expect(
     clippy::large_enum_variant,
@@ -27,7 +27,7 @@ pub enum Outgoing {
 }
 
 impl Outgoing {
-    /// The message id that goes into the frame's header.
+    /// The message id for the frame's header.
     pub fn id(&self) -> u32 {
         match self {
             Self::Message(message) => message.message_id(),
@@ -49,7 +49,7 @@ pub struct Encoder {
     component: ComponentId,
     sequence: u8,
     version: MavlinkVersion,
-    /// What the next frame is signed with.
+    /// The key and the time for signing the next frame.
     seal: Option<(SigningKey, Stamp)>,
 }
 
@@ -80,8 +80,8 @@ impl Encoder {
         self.seal = Some((*key, stamp));
     }
 
-    /// Appends one frame to `bytes` and returns its length. A message id above 255 cannot be said in
-    /// MAVLink 1 and is sent as MAVLink 2.
+    /// Appends one frame to `bytes` and returns its length. A message id above 255 does not exist in MAVLink 1 and is
+    /// sent as MAVLink 2.
     pub fn encode(&mut self, outgoing: &Outgoing, bytes: &mut Vec<u8>) -> usize {
         match outgoing {
             Outgoing::Message(message) => self.encode_message(message, bytes),
@@ -164,7 +164,7 @@ impl Encoder {
     }
 }
 
-/// What the first bytes of a frame say besides its sender.
+/// The content of a frame's first bytes, besides its sender.
 #[derive(Debug, Clone, Copy)]
 struct Head {
     version: MavlinkVersion,

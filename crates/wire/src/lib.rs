@@ -25,15 +25,15 @@ pub use encoder::{Encoder, Outgoing};
 pub use loss::{LossMeter, SequenceStep};
 pub use signature::{SigningKey, Stamp, is_signed_with};
 
-/// A MAVLink system id. 0 addresses everybody and is never a sender.
+/// A MAVLink system id. 0 addresses all systems and is never a sender.
 pub type SystemId = u8;
 /// A MAVLink component id. 1 is the autopilot, 0 addresses every component.
 pub type ComponentId = u8;
 
-/// Who is spoken to: a component of a system.
+/// The receiver of a message: a component of a system.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct MavAddress {
-    /// The system; 0 is everybody.
+    /// The system; 0 for all.
     pub system: SystemId,
     /// The component of it; 0 is every component.
     pub component: ComponentId,
@@ -46,7 +46,7 @@ pub const GROUND_STATION_SYSTEM: SystemId = 255;
 /// The component id of a ground station's mission planner (`MAV_COMP_ID_MISSIONPLANNER`).
 pub const GROUND_STATION_COMPONENT: ComponentId = 190;
 
-/// What carries secrets: `SETUP_SIGNING` a key, `WIFI_CONFIG_AP` a password.
+/// Messages with secrets: `SETUP_SIGNING` has a key, `WIFI_CONFIG_AP` a password.
 const SECRET: [u32; 2] = [256, 299];
 
 /// Whether messages with an id carry secrets, which are no part of any record.
@@ -54,8 +54,8 @@ pub fn is_secret(id: u32) -> bool {
     SECRET.contains(&id)
 }
 
-/// What makes a vehicle take this program for a ground station. ArduPilot sends nothing but heartbeats
-/// until it has heard one.
+/// The heartbeat by which a vehicle recognises a ground station. ArduPilot sends only heartbeats until it has received
+/// one.
 pub fn ground_station_heartbeat() -> Outgoing {
     MavMessage::HEARTBEAT(HEARTBEAT_DATA {
         custom_mode: 0,
@@ -113,7 +113,7 @@ pub enum Content {
 }
 
 impl Frame {
-    /// Whether the checksum was right, so that the sender and what it says can be relied on.
+    /// Whether the checksum was right, so that the sender and the content are reliable.
     pub fn is_verified(&self) -> bool {
         !matches!(self.content, Content::Unknown { .. })
     }

@@ -12,11 +12,11 @@ const RESTART_AFTER: u8 = 8;
 /// The largest step from one number to the next of a sender that counts anew.
 const LARGEST_GAP_ANEW: u8 = 8;
 
-/// What a frame's number says.
+/// The meaning of a frame's sequence number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct SequenceStep {
-    /// How many more frames of the sender are missing now: those that a gap left out, or -1 when one comes late that
-    /// was counted as missing.
+    /// The change in the number of missing frames: the length of a gap, or -1 for a late frame that was counted as
+    /// missing.
     pub missing: i16,
     /// The number lies before one that has been heard: the frame is late, or another sender has the same ids.
     pub is_late: bool,
@@ -30,7 +30,7 @@ pub struct LossMeter {
     lost: u64,
 }
 
-/// What is known of one sender's numbering.
+/// The state of one sender's sequence numbers.
 #[derive(Debug, Clone)]
 struct Numbering {
     last: u8,
@@ -75,7 +75,7 @@ impl Numbering {
         }
     }
 
-    /// How many more frames are missing than before.
+    /// The change in the number of missing frames.
     fn step_back_to(&mut self, sequence: u8) -> i16 {
         // A sender that counts anew goes up, with a gap at most.
         let follows = |before: u8| (1..=LARGEST_GAP_ANEW).contains(&sequence.wrapping_sub(before));

@@ -1,4 +1,4 @@
-//! `MAVLink` 2 signatures: who knows the key said this, on this link, at this time.
+//! `MAVLink` 2 signatures: proof that a holder of the key sent a frame, on this link, at this time.
 
 use mavlink::MAVLinkV2MessageRaw;
 
@@ -10,7 +10,7 @@ pub type SigningKey = [u8; 32];
 /// Timestamps have 48 bits.
 const TIMESTAMP_LEN: usize = 6;
 
-/// What distinguishes a signature from every other by the same sender.
+/// The part of a signature that is unique per sender.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Stamp {
     /// The link; senders with several give each an id of its own.

@@ -19,7 +19,7 @@ use crate::hangar::{
 };
 use crate::mission::Report;
 
-/// A vehicle that is not ready by then will not be.
+/// The longest wait for a vehicle to become ready.
 const READY_WITHIN: Duration = Duration::from_secs(120);
 /// How long ending the instances may take.
 const ENDED_WITHIN: Duration = Duration::from_secs(10);

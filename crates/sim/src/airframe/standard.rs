@@ -20,8 +20,8 @@ const RETURN: f64 = 2.0;
 const LAND: f64 = 1.0;
 
 impl Airframe {
-    /// SITL's default multirotor with so many motors and a battery of 4 Ah. With a low battery the vehicle returns,
-    /// with a critical one it lands. Both simulators use it by default.
+    /// SITL's default multirotor with a number of motors and a battery of 4 Ah. With a low battery the vehicle
+    /// returns, with a critical one it lands. Both simulators use it by default.
     pub fn standard(motors: usize) -> Self {
         let usual = Figures::default();
         let figures = Figures {

@@ -25,7 +25,7 @@ const MEMORY: Duration = Duration::from_millis(200);
 /// Avoidance counts as active this long after it last changed a velocity.
 const ACTIVE: Duration = Duration::from_millis(500);
 
-/// What the `AVOID_*` parameters set.
+/// The rules from the `AVOID_*` parameters.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct AvoidanceRules {
     at_fence: bool,
@@ -56,15 +56,15 @@ pub(super) struct Edges<'a> {
     /// Around home, if that fence is on and not broken: the radius and the vehicle's place from home.
     pub(super) around_home: Option<(f64, DVec2)>,
     pub(super) areas: &'a [FenceArea<DVec2>],
-    /// How much higher the vehicle may go, if there is a ceiling.
+    /// The room below the ceiling, if there is one.
     pub(super) headroom_m: Option<f64>,
     /// North and east from the start.
     pub(super) here_m: DVec2,
-    /// What the position control may use, level and vertically.
+    /// The limits of the position control, horizontal and vertical.
     pub(super) accel_m_s2: (f64, f64),
 }
 
-/// What the limits did last.
+/// The limiter's state.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Limiter {
     last: Option<(Duration, DVec3)>,
@@ -374,7 +374,7 @@ fn crossing(from: DVec2, to: DVec2, start: DVec2, end: DVec2) -> Option<DVec2> {
     within.then(|| from + way * along)
 }
 
-/// How far it is along a segment to a circle around the origin.
+/// The distance along a segment to a circle around the origin.
 fn way_to_circle(from: DVec2, to: DVec2, radius_m: f64) -> Option<f64> {
     let way = to - from;
     let a = way.length_squared();

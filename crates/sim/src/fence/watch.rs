@@ -15,10 +15,10 @@ use sortie_geo::LatLon;
 
 /// A vehicle this far outside lands where it is.
 const GIVE_UP_M: f64 = 100.0;
-/// Ground stations are told of a breach unasked, but not more often than this.
+/// The least interval of unrequested reports of a breach.
 const TELL_EVERY: Duration = Duration::from_secs(1);
 
-/// What `FENCE_STATUS` tells of the fence.
+/// The fence's state in `FENCE_STATUS`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct FenceReport {
     pub(crate) is_broken: bool,
@@ -28,7 +28,7 @@ pub(crate) struct FenceReport {
     pub(crate) mitigation: FenceMitigate,
 }
 
-/// What `SYS_STATUS` tells of the fence.
+/// The fence's state in `SYS_STATUS`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct FenceHealth {
     pub(crate) is_present: bool,
@@ -40,7 +40,7 @@ pub(crate) struct FenceHealth {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct NewBreach {
     kinds: u8,
-    /// Whether ground stations are told.
+    /// Whether to report it to ground stations.
     pub(crate) is_told: bool,
 }
 
@@ -97,7 +97,7 @@ impl Geofence {
         Some(NewBreach { kinds, is_told })
     }
 
-    /// What an armed vehicle does about a breach; `stands` if it has landed, `idles` if a pilot holds its throttle down.
+    /// An armed vehicle's reaction to a breach; `stands` if it has landed, `idles` if a pilot holds its throttle down.
     pub(crate) fn reaction(
         &self,
         breach: NewBreach,

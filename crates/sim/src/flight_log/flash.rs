@@ -73,7 +73,7 @@ pub(crate) struct Groups {
     pub(crate) battery: bool,
 }
 
-/// What one flight left behind.
+/// The log of one flight.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct RecordedLog {
     pub(crate) number: u16,
@@ -92,7 +92,7 @@ impl RecordedLog {
         format!("{:08}.BIN", self.number)
     }
 
-    /// How long its file is, without making it.
+    /// The length of its file, without building it.
     pub(crate) fn len(&self, parameters: &Parameters) -> usize {
         let groups = [
             (self.groups.gps, GPS),

@@ -7,7 +7,7 @@ use crate::body::Body;
 use crate::place::LocalDatum;
 use sortie_geo::maths;
 
-/// What is recorded at one moment, in the units of the log.
+/// A sample of one moment, in the units of the log.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct LogSample {
     pub(crate) boot_ms: u32,
@@ -30,7 +30,7 @@ pub(crate) struct LogSample {
     pub(crate) satellites: u8,
 }
 
-/// What a sample is taken of.
+/// The inputs of a sample.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct LogInputs<'a> {
     pub(crate) now: Duration,
@@ -38,7 +38,7 @@ pub(crate) struct LogInputs<'a> {
     pub(crate) body: &'a Body,
     pub(crate) datum: &'a LocalDatum,
     pub(crate) battery: &'a Battery,
-    /// Of the full battery, as the parameters say.
+    /// The battery's capacity from the parameters.
     pub(crate) capacity_mah: f64,
     pub(crate) satellites: u8,
 }

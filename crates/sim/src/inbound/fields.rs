@@ -29,7 +29,7 @@ pub(super) struct Addressed {
     pub(super) request: StationRequest,
 }
 
-/// What a vehicle is asked to do.
+/// A request to a vehicle.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum StationRequest {
     Command(Command),

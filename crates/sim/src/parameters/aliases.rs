@@ -48,8 +48,7 @@ pub(crate) fn older(name: &str) -> Option<(&'static str, &'static str, AliasSens
     all.find(|(newer, _, _)| newer.eq_ignore_ascii_case(name))
 }
 
-/// What a parameter is called by the other firmware, and how the values go together. Upper and lower case are the
-/// same.
+/// A parameter's name in the other firmware, and the conversion of values. Case does not matter.
 pub fn other_name(name: &str) -> Option<(&'static str, AliasSense)> {
     ALIASES.iter().find_map(|&(newer, older, sense)| {
         if newer.eq_ignore_ascii_case(name) {

@@ -11,7 +11,7 @@ use super::Kind;
 /// One line per parameter: name, type, default value.
 const LINES: &str = include_str!("arducopter.txt");
 
-/// What is fixed about a parameter.
+/// The fixed properties of a parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct ParameterRow {
     pub(super) name: &'static str,

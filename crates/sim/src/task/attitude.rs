@@ -12,7 +12,7 @@ use sortie_geo::maths;
 /// Leans beyond this are flown as this: the level part of thrust would otherwise grow without bound.
 const LEAN_MAX_RAD: f64 = 75.0 * std::f64::consts::PI / 180.0;
 
-/// What holds the vehicle up.
+/// The control of the lift.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Lift {
     /// A climb rate, metres per second upwards.

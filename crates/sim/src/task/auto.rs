@@ -165,7 +165,7 @@ impl Route {
         Self::waiting_at(from_m, cockpit)
     }
 
-    /// Holds a place, and goes on from there.
+    /// Holds a place, and continues from there.
     pub(crate) fn waiting_at(from_m: DVec3, cockpit: &mut Cockpit<'_>) -> Self {
         cockpit.control.follow(from_m, DVec3::ZERO, DVec3::ZERO);
         Self {
@@ -205,7 +205,7 @@ impl Route {
         self.reached = false;
     }
 
-    /// Does not stop at the goal, but goes on to a further point.
+    /// Continues to a further point without stopping at the goal.
     pub(crate) fn then_to(&mut self, further_m: DVec3, cockpit: &Cockpit<'_>) {
         let rules = &cockpit.tuning.auto;
         self.after = Some(Track::plan(
@@ -266,7 +266,7 @@ impl Route {
         }
     }
 
-    /// How much of a step the path moves on: less when the vehicle lags behind, or pauses.
+    /// The share of a step by which the path advances: less when the vehicle lags behind, or pauses.
     fn time_step(&mut self, cockpit: &Cockpit<'_>) -> f64 {
         let wanted = cockpit.control.velocity_m_s;
         let speed = wanted.length();

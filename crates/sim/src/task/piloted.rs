@@ -36,7 +36,7 @@ const DRIFT_LEAN_MAX_RAD: f64 = 45.0 * std::f64::consts::PI / 180.0;
 /// DRIFT: a throttle stick in the middle third holds the height with this much per metre per second.
 const DRIFT_ASSIST: f64 = 0.18;
 
-/// How the sticks fly the vehicle.
+/// How the sticks control the vehicle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 enum Style {
     #[default]
@@ -53,7 +53,7 @@ enum Style {
     Loiter,
 }
 
-/// What the piloted modes remember.
+/// The state of the piloted modes.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Pilot {
     style: Style,

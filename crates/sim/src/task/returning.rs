@@ -1,5 +1,4 @@
-//! Return to launch: stop and climb, fly home or to a rally point, wait, come down. Or back the way that the vehicle
-//! came, and down.
+//! Return to launch: stop and climb, fly home or to a rally point, wait, land. Or retrace the flown path, and land.
 
 use std::time::Duration;
 
@@ -82,7 +81,7 @@ impl Returning {
         }
     }
 
-    /// Stops, and goes back along the breadcrumbs to where the motors were armed.
+    /// Stops, and retraces the path to where the motors were armed.
     pub(crate) fn retracing(cockpit: &mut Cockpit<'_>) -> Self {
         cockpit.trail.tidy(&cockpit.tuning.trail);
         let route = Route::standing(cockpit);

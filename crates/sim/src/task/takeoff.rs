@@ -35,7 +35,7 @@ impl Takeoff {
         }
     }
 
-    /// The same for a vehicle that flies already.
+    /// The same for a vehicle in flight.
     pub(crate) fn in_flight(from_m: DVec3, height_m: f64, now: Duration) -> Self {
         Self {
             since: now.saturating_sub(LIFTS),

@@ -30,7 +30,7 @@ fn body(ground: &mut Ground) -> &mut body::Body {
     &mut ground.world.slots[0].autopilot.vehicle.plant.body
 }
 
-/// The largest distance from where the vehicle is now, in so many seconds.
+/// The largest distance from the present position within a time.
 fn excursion(ground: &mut Ground, seconds: f64) -> f64 {
     let from = DVec3::from_array(ground.truth().position_ned_m);
     let mut most: f64 = 0.0;

@@ -1,4 +1,4 @@
-//! How a flight of the standard drone goes, and ends, with its battery.
+//! A flight of the standard drone until its battery ends it.
 
 use mavlink::dialects::ardupilotmega::MavCmd;
 
@@ -17,7 +17,7 @@ fn says(ground: &Ground, words: &str) -> bool {
     ground.texts().iter().any(|text| text.starts_with(words))
 }
 
-/// Until so much has been drawn; longer than a battery lasts.
+/// Hovers until a charge has been drawn; longer than a battery lasts.
 fn hover_until_drawn(ground: &mut Ground, mah: f64) {
     ground.until(600.0, |truth| truth.battery_consumed_mah > mah);
 }

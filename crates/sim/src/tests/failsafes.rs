@@ -1,4 +1,4 @@
-//! What the vehicle does by itself, and what keeps it from being armed.
+//! Automatic actions of the vehicle, and reasons against arming.
 
 use mavlink::dialects::ardupilotmega::{MavCmd, MavResult};
 

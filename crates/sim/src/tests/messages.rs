@@ -1,11 +1,11 @@
-//! Which messages can be asked for, and how many come with the streams.
+//! The messages that can be requested, and those in the streams.
 
 use mavlink::dialects::ardupilotmega::{self, MavCmd, MavMessage, MavResult};
 
 use super::*;
 
-/// Asked for by `REQUEST_MESSAGE`, these come; those are accepted and nothing comes; the others fail. From a sweep
-/// of an `ArduCopter` 4.6 SITL on the ground.
+/// Results of `REQUEST_MESSAGE`: these are sent; others are accepted without being sent; the rest fail. From a sweep
+/// of an `ArduCopter` 4.6 SITL.
 const COMING: &[u32] = &[
     0, 1, 2, 24, 26, 27, 29, 30, 31, 32, 33, 36, 42, 46, 49, 62, 65, 74, 83, 108, 116, 125, 129,
     133, 137, 147, 148, 152, 163, 164, 165, 168, 178, 193, 235, 241, 242, 245, 286, 376, 11030,

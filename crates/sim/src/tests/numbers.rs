@@ -107,7 +107,7 @@ proptest! {
     }
 }
 
-/// Every mode that can be entered, AUTO and those with a pilot among them.
+/// Every mode that can be entered, including AUTO and the piloted ones.
 const MODES: [f32; 15] = [
     0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 9.0, 11.0, 16.0, 17.0, 20.0, 21.0, 24.0,
 ];
@@ -119,7 +119,7 @@ fn energy(body: &Body) -> f64 {
     0.5 * body.velocity_m_s.length_squared() + GRAVITY_M_S2 * body.height_m()
 }
 
-/// The most work that the motors can have done in a step, per mass, on the way from one state to the next.
+/// The most work that the motors can do in a step, per mass, between two states.
 fn most_work(before: &Body, after: &Body) -> f64 {
     let tumbling = after
         .upset

@@ -1,4 +1,4 @@
-//! `SMART_RTL`: back the way that the vehicle came.
+//! `SMART_RTL`: retracing the flown path.
 
 use mavlink::dialects::ardupilotmega::{MavCmd, MavResult};
 

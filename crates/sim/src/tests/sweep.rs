@@ -172,7 +172,7 @@ const PLACES: &[Row] = &[
     (401, &[1.0], 0, &[]),
 ];
 
-/// What blocks arming, in this order.
+/// The reasons against arming, in order.
 const ARMING: &[Row] = &[
     (208, &[3.0], 4, &[]),
     (208, &[1.0], 0, &[]),

@@ -63,7 +63,7 @@ fn ack(ground: &Ground, first: usize) -> Option<MavMissionResult> {
     })
 }
 
-/// The items that the vehicle asked for.
+/// The items that the vehicle requested.
 #[expect(
     deprecated,
     reason = "the vehicle asks in the old way, as ArduCopter does"
@@ -78,7 +78,7 @@ pub(super) fn asked_since(ground: &Ground, first: usize) -> Vec<u16> {
         .collect()
 }
 
-/// Uploads a list, each item when it is asked for.
+/// Uploads a list, each item on request.
 pub(super) fn upload(
     ground: &mut Ground,
     list: MavMissionType,

@@ -1,4 +1,4 @@
-//! The content of the vehicle's folders and files, also of those that are made when they are read.
+//! The vehicle's folders and files, including generated ones.
 
 use super::packed::{self, PackRequest};
 use super::tree::{Disk, FolderEntry, INVALID, NO_SUCH_FILE, READ_ONLY, clean};
@@ -6,7 +6,7 @@ use super::{logs, plan_file};
 use crate::parameters::Parameters;
 use crate::vehicle::Vehicle;
 
-/// The system's files and how long they are said to be.
+/// The system's files with their reported length.
 const SYSTEM: [(&str, usize); 11] = [
     ("threads.txt", 100_000),
     ("tasks.txt", 100_000),
@@ -29,7 +29,7 @@ pub(super) enum FilePlace {
     System(String),
     Parameters(String),
     Plans(String),
-    /// What came with the firmware: nothing.
+    /// The files of the firmware: none.
     Firmware(String),
     Logs(String),
     Disk(String),
@@ -54,7 +54,7 @@ impl FilePlace {
 #[derive(Debug, Clone)]
 pub(super) enum FileContent {
     Bytes(Vec<u8>),
-    /// Packed at the first read, which tells the size of the blocks.
+    /// Packed at the first read, which sets the block size.
     Parameters {
         wanted: PackRequest,
         block: usize,
@@ -63,7 +63,7 @@ pub(super) enum FileContent {
 }
 
 impl FileContent {
-    /// Opens a file; also how long it is said to be. An error is an error number.
+    /// Opens a file; returns its reported length too. An error is an error number.
     pub(super) fn open(vehicle: &Vehicle, disk: &Disk, path: &str) -> Result<(Self, usize), u8> {
         let bytes = match FilePlace::of(path) {
             FilePlace::System(name) => return system(vehicle, &name),
@@ -118,7 +118,7 @@ impl FileContent {
     }
 }
 
-/// What a folder holds.
+/// The content of a folder.
 pub(super) fn list(vehicle: &Vehicle, disk: &Disk, path: &str) -> Result<Vec<FolderEntry>, u8> {
     match FilePlace::of(path) {
         FilePlace::System(rest) if rest.is_empty() => Ok(SYSTEM
@@ -170,7 +170,7 @@ fn dotted(entries: Vec<FolderEntry>) -> Vec<FolderEntry> {
     all
 }
 
-/// Of the system's files those that a simulated board has something to write into.
+/// The system files for which a simulated board has content.
 fn system(vehicle: &Vehicle, name: &str) -> Result<(FileContent, usize), u8> {
     let (_, said) = SYSTEM
         .iter()

@@ -1,4 +1,4 @@
-//! `MAVLink` FTP: one session at a time, whichever link it came by.
+//! `MAVLink` FTP: one session at a time, across all links.
 
 mod open;
 mod wire;
@@ -243,7 +243,7 @@ impl Talk<'_> {
         Ok(())
     }
 
-    /// Opens a file for reading and tells its length.
+    /// Opens a file for reading and returns its length.
     fn open(&mut self, request: &FtpRequest) -> Result<u32, Refusal> {
         let idle = self
             .autopilot

@@ -1,5 +1,5 @@
-//! What the vehicle keeps of an item: its storage is small, and what does not fit is cut off or forgotten, so that
-//! a download shows what will be flown.
+//! The stored form of an item: storage is small, and what does not fit is truncated or dropped, so that a download
+//! shows what will be flown.
 
 use std::ops::RangeInclusive;
 
@@ -18,7 +18,7 @@ use sortie_geo::LatLon;
 /// Altitudes in metres from here on do not fit.
 const ALTITUDE_LIMIT_M: f32 = 83_000.0;
 
-/// Numbers that the vehicle uses for itself and takes from nobody.
+/// Numbers that the vehicle uses internally and refuses in items.
 const NEVER_COMMANDS: RangeInclusive<u16> = 0..=1;
 
 /// How the seven parameters of each command are kept, one letter each: `.` not at all, `B` and `b` as unsigned and
@@ -193,7 +193,7 @@ fn check_place(item: &Item) -> Result<(), MavMissionResult> {
     Ok(())
 }
 
-/// Infinite parameters are refused, and those that are not a number except where they mean "as it is".
+/// Refuses infinite parameters, and NaN except where it means "as it is".
 fn check_numbers(item: &Item) -> Result<(), MavMissionResult> {
     let may_be_nan: &[usize] = match item.command {
         cmd::NAV_WAYPOINT | cmd::NAV_LAND | cmd::NAV_TAKEOFF | cmd::NAV_VTOL_TAKEOFF => &[3],

@@ -32,7 +32,7 @@ use crate::mode;
 use crate::payload::{Payload, Writer};
 use crate::plan::{Item, ListKind};
 
-/// Message ids of what is said and heard.
+/// Message ids of the mission protocol.
 const PARTIAL: u32 = MISSION_WRITE_PARTIAL_LIST_DATA::ID;
 const ITEM: u32 = MISSION_ITEM_DATA::ID;
 const REQUEST: u32 = MISSION_REQUEST_DATA::ID;
@@ -42,14 +42,14 @@ const CLEAR_ALL: u32 = MISSION_CLEAR_ALL_DATA::ID;
 const ACK: u32 = MISSION_ACK_DATA::ID;
 const REQUEST_INT: u32 = MISSION_REQUEST_INT_DATA::ID;
 const ITEM_INT: u32 = MISSION_ITEM_INT_DATA::ID;
-/// What is under way with the three lists.
+/// The transfers of the three lists.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Lists([ListState; 3]);
 
 #[derive(Debug, Clone, Default)]
 struct ListState {
     upload: Option<Upload>,
-    /// Whether the sender was told that it speaks an old dialect.
+    /// Whether the sender was warned of its old dialect.
     warned_item: bool,
     warned_request: bool,
 }
@@ -326,7 +326,7 @@ impl Talk<'_> {
         self.proceed(kind);
     }
 
-    /// Asks for the item after the one that came, or ends the upload.
+    /// Requests the next item, or ends the upload.
     fn proceed(&mut self, kind: ListKind) {
         let now = self.autopilot.vehicle.uptime();
         let Some(upload) = &mut self.state(kind).upload else {

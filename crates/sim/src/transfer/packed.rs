@@ -15,7 +15,7 @@ const NAME: usize = 16;
 const ESTIMATE: usize = 12;
 const FILE: &str = "param.pck";
 
-/// Which parameters a ground station wants.
+/// The parameters that a ground station requests.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) struct PackRequest {
     start: usize,
@@ -30,7 +30,7 @@ pub(super) fn is_name(name: &str) -> bool {
     rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('?'))
 }
 
-/// How long the file is said to be.
+/// The reported length of the file.
 pub(super) fn estimated_len(parameters: &Parameters) -> usize {
     usize::from(parameters.count()) * ESTIMATE
 }

@@ -15,7 +15,7 @@ const HEADER: usize = 10;
 const ITEM: usize = 38;
 /// An option: items are added to or written over what is there.
 const KEEP_THE_REST: u16 = 1;
-/// How long each file is said to be.
+/// The reported length of each file.
 pub(super) const ESTIMATED_LEN: usize = 1024 * 1024;
 
 /// The list of a file.

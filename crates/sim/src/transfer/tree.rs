@@ -49,7 +49,7 @@ impl Default for Disk {
 }
 
 impl Disk {
-    /// What a folder holds; `None` if there is no such folder.
+    /// The content of a folder; `None` if it does not exist.
     pub(super) fn entries(&self, folder: &str) -> Option<Vec<FolderEntry>> {
         if !self.is_folder(folder) {
             return None;

@@ -20,7 +20,7 @@ pub(crate) struct AskedSpeeds {
     pub(crate) down_m_s: Option<f64>,
 }
 
-/// What the vehicle is doing.
+/// The vehicle's activity.
 #[derive(Debug, Clone)]
 pub(crate) struct FlightState {
     pub(crate) mode: Mode,
@@ -30,11 +30,11 @@ pub(crate) struct FlightState {
     pub(crate) speeds: AskedSpeeds,
     pub(crate) control: PositionControl,
     pub(crate) yaw: YawControl,
-    /// What the modes with a pilot remember.
+    /// The state of the piloted modes.
     pub(crate) pilot: Pilot,
     /// The way back of `SMART_RTL`.
     pub(crate) trail: Trail,
-    /// Where the last takeoff ended, until the vehicle is told where to fly.
+    /// The end of the last takeoff, until the vehicle gets another target.
     pub(crate) takeoff_m: Option<DVec3>,
     /// When BRAKE, entered by the pause button, turns into LOITER.
     pub(crate) brake_until: Option<Duration>,
@@ -67,7 +67,7 @@ impl FlightState {
         matches!(&self.task, Task::Goto { goal_m, .. } if self.takeoff_m == Some(*goal_m))
     }
 
-    /// The task of the mode for a vehicle that stands on the ground.
+    /// The task of the mode for a vehicle on the ground.
     pub(crate) fn wait_on_ground(&mut self) {
         self.task = match self.mode.number {
             mode::STABILIZE | mode::ACRO | mode::DRIFT => Task::Manual,
@@ -117,7 +117,7 @@ impl FlightState {
         }
     }
 
-    /// A turning rate lasts as long as the setpoint that asked for it.
+    /// A turn rate ends with the setpoint that set it.
     pub(super) fn end_turn(&mut self, now: Duration) {
         let until = match &self.task {
             Task::Velocity { until, .. } | Task::Accelerate { until, .. } => *until,

@@ -1,4 +1,4 @@
-//! What the decoder finds, and what it counts.
+//! The results and the counters of the decoder.
 
 use super::*;
 use crate::{Encoder, Outgoing};

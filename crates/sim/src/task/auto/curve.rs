@@ -11,7 +11,7 @@ const HALVINGS: usize = 40;
 /// Speeds closer than this are the same, metres per second.
 const SAME_SPEED_M_S: f64 = 1e-6;
 
-/// What a curve keeps to, along its line.
+/// The limits of a curve along its line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct CurveBounds {
     pub(super) speed_m_s: f64,
@@ -56,7 +56,7 @@ struct Ramp {
     to_m_s: f64,
     jerk_m_s3: f64,
     rise_s: f64,
-    /// How long the jerk of one sign lasts, and when the other sign begins.
+    /// The duration of the jerk of one sign, and the start of the other.
     block_s: f64,
     gap_s: f64,
 }
@@ -128,7 +128,7 @@ impl Ramp {
 }
 
 impl CurveStep {
-    /// What this step adds once its time has come.
+    /// The contribution of this step once its time has come.
     fn add(&self, now_s: f64, sum: &mut Motion) {
         let t = now_s - self.at_s;
         if t <= 0.0 {
@@ -194,7 +194,7 @@ impl SpeedCurve {
         sum
     }
 
-    /// Takes a new top speed at a time on the way. One that no longer fits into the way left changes nothing.
+    /// Changes the top speed on the way. A speed that no longer fits into the rest changes nothing.
     pub(super) fn change_speed(&mut self, now_s: f64, bounds: &CurveBounds) {
         let wanted_m_s = bounds.speed_m_s;
         if now_s >= self.brake_s || (wanted_m_s - self.top_m_s).abs() < SAME_SPEED_M_S {

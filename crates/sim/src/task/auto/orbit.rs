@@ -17,7 +17,7 @@ const LEAST_SPIN_UP_DEG_S2: f64 = 2.0;
 pub(crate) struct Orbit {
     centre_m: DVec3,
     radius_m: f64,
-    /// How fast it is to go round in radians per second, clockwise positive.
+    /// The requested angular speed in radians per second, clockwise positive.
     wanted_rad_s: f64,
     rate_rad_s: f64,
     angle_rad: f64,
@@ -25,8 +25,8 @@ pub(crate) struct Orbit {
 }
 
 impl Orbit {
-    /// A circle that has not begun, at `CIRCLE_RATE`. With a radius of 0 the vehicle turns on the spot, whatever
-    /// `CIRCLE_RADIUS` says, as a real one did.
+    /// A circle that has not begun, at `CIRCLE_RATE`. With a radius of 0 the vehicle turns in place, regardless of
+    /// `CIRCLE_RADIUS`, as a real one did.
     pub(crate) fn around(
         centre_m: DVec3,
         radius_m: f64,
@@ -49,7 +49,7 @@ impl Orbit {
         self.centre_m + (self.outwards(from_m) * self.radius_m).extend(0.0)
     }
 
-    /// Whether a place lies well outside, so that the nose may turn on the way there.
+    /// Whether a place is well outside, so that the nose may turn on the way there.
     pub(crate) fn is_outside(&self, place_m: DVec3) -> bool {
         let off_m = (place_m - self.centre_m).truncate().length();
         off_m > self.radius_m && off_m > 5.0
@@ -61,7 +61,7 @@ impl Orbit {
         self.angle_rad = maths::atan2(outwards.y, outwards.x);
     }
 
-    /// What the nose does: it looks at the centre, and on the spot it turns.
+    /// The demand on the heading: towards the centre, or a turn in place.
     pub(crate) fn yaw(&self) -> YawDemand {
         if self.radius_m > 0.0 {
             YawDemand::Towards(self.centre_m.truncate())
@@ -70,7 +70,7 @@ impl Orbit {
         }
     }
 
-    /// How many turns have been flown.
+    /// The number of turns flown.
     pub(crate) fn turns(&self) -> f64 {
         self.turned_rad.abs() / std::f64::consts::TAU
     }

@@ -1,4 +1,4 @@
-//! What the sticks mean: the parameters of the modes with a pilot.
+//! The meaning of the sticks: the parameters of the piloted modes.
 
 use std::time::Duration;
 
@@ -6,7 +6,7 @@ use crate::kinematics::GRAVITY_M_S2;
 use crate::parameters::Parameters;
 use sortie_geo::maths;
 
-/// What the sticks mean, from `LOIT_*`, `PILOT_*`, `PHLD_*`, `ACRO_*`, `ANGLE_MAX`.
+/// The meaning of the sticks, from `LOIT_*`, `PILOT_*`, `PHLD_*`, `ACRO_*`, `ANGLE_MAX`.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct PilotRules {
     pub(super) climb_m_s: f64,

@@ -20,7 +20,7 @@ pub(super) enum Open {
 }
 
 impl Open {
-    /// The bytes at an offset, at most so many.
+    /// The bytes at an offset, up to a limit.
     pub(super) fn read(
         &mut self,
         parameters: &Parameters,

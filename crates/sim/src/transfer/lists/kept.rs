@@ -32,7 +32,7 @@ pub(in crate::transfer) fn replace(
     true
 }
 
-/// Takes a complete fence, or says why not.
+/// Accepts a complete fence, or reports why not.
 pub(in crate::transfer) fn take_fence(autopilot: &mut Autopilot, items: Vec<Item>) -> bool {
     if let Err(error) = Fence::check(&items) {
         autopilot.vehicle.say(error.severity(), &error.to_string());
@@ -53,7 +53,7 @@ pub(in crate::transfer) fn take_fence(autopilot: &mut Autopilot, items: Vec<Item
     replace(autopilot, ListKind::Fence, items)
 }
 
-/// Whether an item may stand in a mission of that many items: jumps lead to an item that there is.
+/// Whether an item is valid in a mission of that length: jumps must lead to an existing item.
 pub(in crate::transfer) fn leads_somewhere(item: &Item, items: usize) -> bool {
     let target = item.p[0] as usize;
     item.command != cmd::DO_JUMP || (target != 0 && target < items)

@@ -81,7 +81,7 @@ pub(super) fn float_place(item: &Item) -> [u8; 8] {
     place
 }
 
-/// Turns the floats that came in the place of integers into integers.
+/// Converts floats sent in place of integers.
 pub(super) fn read_floats(item: &mut Item) -> Result<(), MavMissionResult> {
     let (x, y) = (f32::from_bits(item.x as u32), f32::from_bits(item.y as u32));
     if !items::has_place(item.command) {

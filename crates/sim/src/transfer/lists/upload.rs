@@ -10,7 +10,7 @@ use mavlink::dialects::ardupilotmega::MavMissionResult::{
 use super::Peer;
 use crate::plan::Item;
 
-/// An item that does not come is asked for again after this long.
+/// The time-out after which an item is requested again.
 const ASK_AGAIN_AFTER: Duration = Duration::from_secs(1);
 /// An upload ends when no item has come for this long.
 const GIVE_UP_AFTER: Duration = Duration::from_secs(8);
@@ -18,7 +18,7 @@ const GIVE_UP_AFTER: Duration = Duration::from_secs(8);
 #[derive(Debug, Clone)]
 pub(super) struct Upload {
     pub peer: Peer,
-    /// The item that is asked for, and the last one to come.
+    /// The requested item, and the last one received.
     next: u16,
     last: u16,
     heard_at: Duration,
@@ -27,15 +27,15 @@ pub(super) struct Upload {
     pub staged: Vec<Item>,
 }
 
-/// What is to be done about an upload.
+/// The next action for an upload.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum UploadDue {
     Nothing,
     /// The item did not come.
     AskAgain,
-    /// Its sender is told that it is over.
+    /// Tell its sender that it is over.
     GiveUp,
-    /// The link that it came by may be gone.
+    /// Its link may be gone.
     Forget,
 }
 
@@ -57,7 +57,7 @@ impl Upload {
         self.next
     }
 
-    /// Why an item is not the one that is asked for, if it is not.
+    /// Why an item is not the requested one, if so.
     pub fn refusal(&self, seq: u16, from: Peer) -> Option<MavMissionResult> {
         if self.next != seq {
             Some(MAV_MISSION_INVALID_SEQUENCE)
@@ -75,12 +75,12 @@ impl Upload {
         self.next <= self.last
     }
 
-    /// How many items the list will have at least.
+    /// The least number of items that the list will have.
     pub fn length(&self) -> usize {
         usize::from(self.last) + 1
     }
 
-    /// What is to be done about it where its own link, or another one, has its turn.
+    /// The next action for it when its own link, or another one, is served.
     pub fn due(&self, now: Duration, is_own_link: bool) -> UploadDue {
         let silent = now.saturating_sub(self.heard_at);
         if !is_own_link {
