@@ -1,4 +1,4 @@
-//! The command line: what scripts rely on. Errors go to standard error.
+//! The command line: the interface for scripts. Errors go to standard error.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write as _};
@@ -22,7 +22,7 @@ macro_rules! say {
     }};
 }
 
-/// Prints a line on standard error. Where nobody listens, nothing is said: what is done goes on.
+/// Prints a line on standard error; does nothing if that is closed.
 macro_rules! tell {
     ($($words:tt)*) => {{
         use std::io::Write as _;
@@ -165,10 +165,10 @@ enum CliCommand {
     },
 }
 
-/// Why a command did not do what it was asked.
+/// Why a command failed.
 #[derive(Debug)]
 enum Failure {
-    /// The thing asked for failed; exit code 1.
+    /// The requested action failed; exit code 1.
     Failed(anyhow::Error),
     /// Wrong usage or an invalid file; exit code 2. The text may have several lines.
     Invalid(String),

@@ -43,7 +43,7 @@ pub(super) struct BackendArguments {
 }
 
 impl BackendArguments {
-    /// What was chosen, with its files read and its program found.
+    /// The chosen simulator, with its files read and its program found.
     ///
     /// # Errors
     /// A frame file is faulty, or there is no such program.

@@ -44,7 +44,7 @@ pub(super) struct CheckArguments {
     json: bool,
 }
 
-/// What a file is meant to be.
+/// The intended kind of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Mission,
@@ -55,7 +55,7 @@ enum Kind {
     Script,
 }
 
-/// What every mission has.
+/// Keys of every mission.
 const MISSION_KEYS: &[&str] = &[
     "schema",
     "id",
@@ -114,7 +114,7 @@ pub(super) fn check(options: &CheckArguments) -> Result<ExitCode, Failure> {
     Ok(ExitCode::from(u8::from(faulty)))
 }
 
-/// The files, with what lies in folders in the place of these.
+/// The files, with folders replaced by their content.
 fn unfolded(paths: &[PathBuf]) -> Vec<PathBuf> {
     let inside = |path: &PathBuf| {
         if path.is_dir() {
@@ -202,7 +202,7 @@ fn kind(path: &Path, text: &str) -> Kind {
     best.map_or(Kind::Mission, |&(kind, ..)| kind)
 }
 
-/// What a file may refer to.
+/// The other files that a file may refer to.
 struct OtherFiles<'a> {
     missions: &'a BTreeSet<String>,
     /// All files that were named on the command line.

@@ -28,7 +28,7 @@ pub(super) struct DebriefArguments {
     json: bool,
 }
 
-/// Scores the run again, prints, and says what differs from when it was flown. The exit code tells whether the
+/// Scores the run again, and prints the report and any difference from the flight. The exit code shows whether the
 /// mission was passed.
 pub(super) fn debrief(
     options: &DebriefArguments,

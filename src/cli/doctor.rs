@@ -1,4 +1,4 @@
-//! `sortie doctor`: what works on this machine, what is missing, and how to mend it.
+//! `sortie doctor`: checks of this machine, with advice.
 
 use std::process::ExitCode;
 
@@ -27,7 +27,7 @@ pub(super) struct DoctorArguments {
     programs: ProgramOptions,
 }
 
-/// How good it is.
+/// The result of a check.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 enum Verdict {
@@ -38,15 +38,15 @@ enum Verdict {
     Fault,
 }
 
-/// What was found out about one thing.
+/// The finding of a check.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 struct HostFinding {
-    /// What was looked at.
+    /// The subject of the check.
     about: String,
     verdict: Verdict,
-    /// What it is like.
+    /// The state found.
     found: String,
-    /// What to do about it.
+    /// The advice.
     #[serde(skip_serializing_if = "Option::is_none")]
     mend: Option<String>,
 }

@@ -10,7 +10,7 @@ use crate::notice::{sanitised, sanitised_lines};
 use crate::store::{Source, StoreError};
 use crate::text::Text;
 
-/// What is wrong with a file.
+/// The faults of a file.
 #[derive(Debug)]
 pub(super) enum FileFault {
     /// Faults at places in it.

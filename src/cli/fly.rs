@@ -20,7 +20,7 @@ use crate::text;
 use crate::text::{Locale, Text};
 use crate::ui::Look;
 
-/// Simulated vehicles in free flight, unless told otherwise.
+/// The default number of simulated vehicles in free flight.
 const VEHICLES: u8 = 4;
 
 /// Options of `sortie fly`.
@@ -73,7 +73,7 @@ impl HomeArguments {
     }
 }
 
-/// The home screen. What is set holds for every mission that is chosen there.
+/// Opens the home screen. The options apply to every mission chosen there.
 pub(super) fn home(arguments: &HomeArguments, settings: CliSettings) -> Result<ExitCode, Failure> {
     let options = ConsoleOptions {
         seed: arguments.seed,
@@ -127,7 +127,7 @@ fn check_recording(address: &Address) -> Result<(), Failure> {
     Ok(())
 }
 
-/// How things are shown: as set, else as the terminal can.
+/// The look: as set, otherwise by the terminal's features.
 fn look(settings: &CliSettings) -> Look {
     let environment = Environment::of_process();
     Look {

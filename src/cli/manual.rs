@@ -47,7 +47,7 @@ fn pages() -> io::Result<Vec<(String, Vec<u8>)>> {
     Ok(pages)
 }
 
-/// The pages of a subcommand and of those below it.
+/// The manual pages of a subcommand and of those below it.
 fn page_of(command: &Command, pages: &mut Vec<(String, Vec<u8>)>) -> io::Result<()> {
     if command.get_name() == "help" {
         return Ok(());

@@ -93,7 +93,7 @@ enum ProfileCommand {
     },
 }
 
-/// Does what was asked for.
+/// Carries out the command.
 pub(super) fn profile(
     options: &ProfileArguments,
     settings: &CliSettings,
@@ -115,7 +115,7 @@ pub(super) fn profile(
     }
 }
 
-/// What the subcommands share.
+/// The shared parts of the subcommands.
 struct ProfileCommands<'a> {
     profiles: Profiles,
     settings: &'a CliSettings,

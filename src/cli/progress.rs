@@ -18,7 +18,7 @@ pub(super) fn date(day: i64) -> String {
     time.map_or_else(String::new, |time| utc(time).chars().take(10).collect())
 }
 
-/// Credits, level, licence, and what to train next.
+/// Credits, level, licence, and the recommended training.
 pub(super) fn heading(progress: &CareerProgress) -> Vec<Text> {
     let mut lines = vec![text!(
         "progress-standing",
@@ -43,7 +43,7 @@ pub(super) fn heading(progress: &CareerProgress) -> Vec<Text> {
     lines
 }
 
-/// Where each mission stands.
+/// The state of each mission.
 pub(super) fn missions(progress: &CareerProgress, locale: &Locale) -> TextTable {
     let columns = [
         (text!("progress-mission"), Side::Left),
@@ -76,7 +76,7 @@ pub(super) fn missions(progress: &CareerProgress, locale: &Locale) -> TextTable 
     table
 }
 
-/// Where each skill stands.
+/// The state of each skill.
 pub(super) fn skills(progress: &CareerProgress, locale: &Locale) -> TextTable {
     let columns = [
         (text!("progress-skill"), Side::Left),
@@ -103,7 +103,7 @@ pub(super) fn skills(progress: &CareerProgress, locale: &Locale) -> TextTable {
     table
 }
 
-/// What was flown, oldest first.
+/// The runs, oldest first.
 pub(super) fn runs(runs: &[PastRun], locale: &Locale) -> TextTable {
     let columns = [
         (text!("progress-ended"), Side::Left),

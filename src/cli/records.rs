@@ -1,4 +1,4 @@
-//! `sortie records`: what was recorded of flights.
+//! `sortie records`: the recorded flights.
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -97,7 +97,7 @@ enum Format {
 }
 
 impl Format {
-    /// How the recording itself is written; `None` for its review.
+    /// The format of the recording itself; `None` for its review.
     fn of_recording(self) -> Option<ExportFormat> {
         match self {
             Self::Csv => Some(ExportFormat::Csv),
@@ -155,7 +155,7 @@ impl From<&Moment> for ShownMoment {
     }
 }
 
-/// Does what was asked for.
+/// Carries out the command.
 pub(super) fn records(
     arguments: &RecordsArguments,
     settings: &CliSettings,

@@ -109,11 +109,11 @@ enum Speedup {
     Times(f64),
 }
 
-/// What one SITL process keeps up with on one processor, with room to spare.
+/// The speed-up that one SITL process can hold on one processor, with a margin.
 const SITL_KEEPS: f64 = 20.0;
 
 impl Speedup {
-    /// How fast it is at least, in simulated seconds per second.
+    /// The least speed-up.
     fn least(self) -> f64 {
         match self {
             Self::Max => 1.0,
@@ -121,7 +121,7 @@ impl Speedup {
         }
     }
 
-    /// What SITL is asked for. As fast as it can would let vehicles drift apart, so it is what all of them keep.
+    /// The speed-up for SITL. At full speed vehicles would drift apart, so it is one that all of them can hold.
     fn of_sitl(self, vehicles: usize) -> f64 {
         match self {
             Self::Times(times) => times,
@@ -143,7 +143,7 @@ fn speedup_or_max(text: &str) -> Result<Speedup, String> {
         .map_err(|expected| format!("{expected}, or `max`"))
 }
 
-/// What is printed as JSON.
+/// The JSON output.
 #[derive(Debug, Serialize)]
 struct RunResultDocument<'a> {
     #[serde(flatten)]
@@ -154,7 +154,7 @@ struct RunResultDocument<'a> {
     wall_time_s: Option<f64>,
 }
 
-/// Flies and prints. The exit code tells whether the mission was passed.
+/// Flies and prints. The exit code shows whether the mission was passed.
 pub(super) fn run(options: &RunArguments, settings: &CliSettings) -> Result<ExitCode, Failure> {
     let started = Instant::now();
     let locale = Locale::new(settings.language());
@@ -208,7 +208,7 @@ pub(super) fn run(options: &RunArguments, settings: &CliSettings) -> Result<Exit
     Ok(ExitCode::from(u8::from(!is_done)))
 }
 
-/// What decides how a run counts and where it is recorded.
+/// The circumstances that decide how a run counts and where it is recorded.
 struct RunRequest<'a, 'l> {
     options: &'a RunArguments,
     backend: &'a VehicleBackend,

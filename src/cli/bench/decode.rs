@@ -1,4 +1,4 @@
-//! `sortie bench decode`: what one telemetry packet costs.
+//! `sortie bench decode`: the cost of one telemetry packet.
 
 use std::fs::File;
 use std::io::BufReader;
@@ -154,7 +154,7 @@ const FLIGHT: [(u64, &str); 4] = [
     (6, "takeoff 20"),
     (20, "goto n 500 e 0 up 30"),
 ];
-/// How long it lasts.
+/// The length of the flight.
 const FLIGHT_LASTS: Duration = Duration::from_secs(120);
 
 fn give(session: &mut Session, line: &str, now: Duration) {

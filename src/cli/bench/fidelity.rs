@@ -11,7 +11,7 @@ use crate::fidelity::{self, Answers, Comparison, Flight, Recording};
 
 /// Where a checkout keeps its recordings.
 const RECORDINGS: &str = "tests/data/fidelity";
-/// How the file of a recording ends that holds what was sent.
+/// The suffix of a recording of sent frames.
 const SENT: &str = ".tx.tlog";
 /// Answers of one kind that are named in the table.
 const NAMED: usize = 6;

@@ -1,4 +1,4 @@
-//! `sortie bench frame`: what drawing costs.
+//! `sortie bench frame`: the cost of drawing.
 
 use std::process::ExitCode;
 use std::sync::Arc;
@@ -166,7 +166,7 @@ fn feed(app: &mut App, event: impl Into<Event>) {
     let _effects = app.update(event);
 }
 
-/// A copter under way: its figures differ by vehicle and by frame.
+/// A copter in flight, with figures that differ by vehicle and by frame.
 fn flying(id: VehicleId, frame: u32) -> Vehicle {
     let at = Duration::from_millis(u64::from(frame) * 100);
     let home = LatLon::new(50.45, 30.52);

@@ -19,11 +19,11 @@ use super::super::Failure;
 const KEYS: [&[u8]; 2] = [b"j", b"k"];
 /// A terminal that has sent nothing for so long has nothing more to show.
 const QUIET: Duration = Duration::from_millis(120);
-/// How long the console may take to show its first screen.
+/// The longest wait for the console's first screen.
 const STARTING: Duration = Duration::from_secs(10);
 /// A key that shows nothing for so long is a fault.
 const PATIENCE: Duration = Duration::from_secs(2);
-/// The question that the console asks a terminal, and what a terminal answers.
+/// The console's query to a terminal, and the terminal's answer.
 const QUESTION: &[u8] = b"\x1b[5n";
 const ANSWER: &[u8] = b"\x1b[0n";
 
@@ -44,7 +44,7 @@ pub(in crate::cli) struct LatencyArguments {
     json: bool,
 }
 
-/// What the keys took, in milliseconds.
+/// The latency of the keys, in milliseconds.
 #[derive(Debug, Serialize)]
 struct LatencyCost {
     program: &'static str,
@@ -115,7 +115,7 @@ fn measure(
     })
 }
 
-/// Types on the terminal of a program, and sees what comes.
+/// Types on the terminal of a program, and reads its output.
 struct Typist {
     child: Child,
     terminal: File,
@@ -186,19 +186,19 @@ impl Typist {
         self.terminal.write_all(key)
     }
 
-    /// When something came, if anything does in time.
+    /// The time of the next output, if any arrives in time.
     fn wait(&mut self, patience: Duration) -> Option<Instant> {
         let (at, piece) = self.pieces.recv_timeout(patience).ok()?;
         self.answer(&piece);
         Some(at)
     }
 
-    /// Takes what comes until nothing more does.
+    /// Reads output until no more arrives.
     fn settle(&mut self) {
         while self.wait(QUIET).is_some() {}
     }
 
-    /// Answers what the program asks its terminal. The console also draws on without an answer, only later.
+    /// Answers the program's queries to its terminal. Without answers the console draws with delays.
     fn answer(&mut self, piece: &[u8]) {
         if piece.windows(QUESTION.len()).any(|part| part == QUESTION) {
             drop(self.press(ANSWER));

@@ -1,4 +1,4 @@
-//! `sortie bench load`: what flying embedded vehicles costs, everything included.
+//! `sortie bench load`: the total cost of flying embedded vehicles.
 
 use std::fs;
 use std::ops::ControlFlow;
@@ -14,7 +14,7 @@ use crate::scoring::FlownBy;
 use crate::shell::{self, ConsoleOptions, Opening, Preferences};
 use crate::ui::Look;
 
-/// The vehicles are on their way by now.
+/// The time after which the vehicles are in flight.
 const WARM_UP: Duration = Duration::from_secs(25);
 /// The screen that is drawn.
 const SIZE: Size = Size::new(120, 40);
@@ -44,7 +44,7 @@ struct LoadCost {
     bytes_per_s: f64,
 }
 
-/// Where a measurement stands.
+/// The state of a measurement.
 struct LoadMark {
     at: Duration,
     cpu: Duration,

@@ -1,4 +1,4 @@
-//! `sortie bench replay`: what recording and replaying a flight costs.
+//! `sortie bench replay`: the cost of recording and replaying a flight.
 
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Read as _, Write as _};
@@ -20,9 +20,9 @@ use crate::replay::{FRAME, Replay};
 use crate::sim::{PortId, Start, World, WorldConfig};
 use crate::wire::{Decoder, Encoder, Outgoing, ground_station_heartbeat};
 
-/// Moments that are gone to.
+/// The number of jumps to moments.
 const SEEKS: u32 = 200;
-/// Where the vehicles stand.
+/// The start of the vehicles.
 const START: Start = Start {
     at: LatLon::new(50.4501, 30.5234),
     altitude_amsl_m: 180.0,
@@ -61,7 +61,7 @@ struct ReplayCost {
     frames: u64,
     /// Until the console shows the beginning and takes keys.
     open_ms: f64,
-    /// Until the whole recording has been gone through.
+    /// The time to index the whole recording.
     index_s: f64,
     seek_ms_p50: f64,
     seek_ms_p99: f64,
@@ -69,7 +69,7 @@ struct ReplayCost {
     recording_core_percent: f64,
 }
 
-/// Records flying vehicles, replays the recording, and prints what both cost.
+/// Records flying vehicles, replays the recording, and prints the cost of both.
 pub(in crate::cli) fn replay(options: &BenchReplayArguments) -> Result<ExitCode, Failure> {
     let folder = tempfile_in(&std::env::temp_dir())?;
     let path = folder.0.join("bench.tlog");
@@ -98,7 +98,7 @@ pub(in crate::cli) fn replay(options: &BenchReplayArguments) -> Result<ExitCode,
     Ok(ExitCode::SUCCESS)
 }
 
-/// A folder that goes with its value.
+/// A folder that is removed when dropped.
 struct TemporaryFolder(std::path::PathBuf);
 
 impl Drop for TemporaryFolder {
@@ -149,7 +149,7 @@ fn record(vehicles: u8, seconds: u64, path: &Path) -> io::Result<()> {
     tlog.flush()
 }
 
-/// What the ground station says at a tenth of a second.
+/// The ground station's messages at a tick of a tenth of a second.
 fn said(tick: u64, vehicles: u8) -> Vec<Outgoing> {
     let mut said = Vec::new();
     if tick.is_multiple_of(10) {

@@ -1,5 +1,5 @@
-//! `sortie bench scale`: what a growing number of flying vehicles costs the simulator and the console, as the paper
-//! measured it.
+//! `sortie bench scale`: the cost of a growing number of flying vehicles for the simulator and the console, as
+//! measured in the paper.
 
 use std::fs::{self, OpenOptions};
 use std::num::NonZeroU16;

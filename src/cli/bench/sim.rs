@@ -1,4 +1,4 @@
-//! `sortie bench sim`: what simulated vehicles cost, from one to thousands.
+//! `sortie bench sim`: the cost of simulated vehicles, from one to thousands.
 
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
@@ -14,7 +14,7 @@ use crate::link::step_on_threads;
 use crate::sim::{PortId, Start, World, WorldConfig};
 use crate::wire::{Decoder, Encoder};
 
-/// The vehicles have taken off and are on their way.
+/// The time after which the vehicles are in flight.
 const WARM_UP: Duration = Duration::from_secs(30);
 /// Messages streamed, and how often: `GLOBAL_POSITION_INT` and `ATTITUDE`.
 const STREAMED: [u32; 2] = [33, 30];
@@ -183,7 +183,7 @@ impl SimSwarm {
         }
     }
 
-    /// Whether the measurement was of what it should be: all in the air, and nothing missing from the streams.
+    /// Whether the measurement is valid: all in the air, and no stream message missing.
     fn check(&self, heard: u64, seconds: u64) -> Result<(), Failure> {
         let vehicles = self.world.vehicles();
         let flying = (0..vehicles)
@@ -201,7 +201,7 @@ impl SimSwarm {
     }
 }
 
-/// Counts the messages that were asked for, and empties the buffer.
+/// Counts the requested messages, and empties the buffer.
 fn count_streamed(output: &mut Vec<u8>) -> u64 {
     let mut decoder = Decoder::new();
     let mut count = 0;

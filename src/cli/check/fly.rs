@@ -40,7 +40,7 @@ struct CheckFlight {
     sim_time_s: f64,
     /// Simulated seconds per second, of one flight among as many as there are processors.
     realtime_factor: f64,
-    /// Whether it came out as it should.
+    /// Whether the result is as required.
     good: bool,
 }
 
@@ -191,7 +191,7 @@ impl CheckFlight {
     }
 }
 
-/// A line for each pilot of a mission, and one for each flight that went wrong.
+/// Prints a line for each pilot of a mission, and one for each flight with a wrong result.
 fn print(all: &[CheckFlight]) -> Result<(), Failure> {
     for who in [
         CheckPilot::Reference,

@@ -7,7 +7,7 @@ use crate::language::{Context, Script};
 use crate::mission::Mission;
 use crate::store;
 
-/// What is wrong with a script, among the files that were named.
+/// The faults of a script, given the other files.
 pub(super) fn faults(script: &Path, text: &str, named: &[PathBuf]) -> Option<Vec<Diagnostic>> {
     if let Some(mission) = mission_of(script, named) {
         return crate::exercise::read_script(text, &mission).err();

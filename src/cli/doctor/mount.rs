@@ -1,4 +1,4 @@
-//! On what kind of file system a folder lies.
+//! The kind of file system of a folder.
 
 use std::path::{Path, PathBuf};
 

@@ -1,4 +1,4 @@
-//! Whether SITL can be started here, and what others could do with it.
+//! Checks of SITL: whether it can be started, and what it exposes to others.
 
 use std::collections::BTreeSet;
 
@@ -18,7 +18,7 @@ const INSTANCES: u16 = 64;
 const GET: &str = "https://ardupilot.org/dev/docs/building-setup-linux.html, then ./waf configure --board sitl && \
                    ./waf copter; or fly on the embedded simulator, which needs nothing";
 
-/// The programs: where they are, what they are, and what they open to others.
+/// The programs: their paths, their identities, and the sockets that they open.
 pub(super) async fn programs(all: &Programs) -> Vec<HostFinding> {
     let mut findings = Vec::new();
     for &kind in SitlKind::ALL {
@@ -103,7 +103,7 @@ fn purpose(socket: &ListeningSocket) -> String {
     }
 }
 
-/// Who has the ports that SITL takes when it is started by hand.
+/// The owners of the ports that SITL takes when started by hand.
 pub(super) fn ports() -> Vec<HostFinding> {
     let own = nix::unistd::geteuid().as_raw();
     let all = sockets::open();
@@ -152,7 +152,7 @@ fn is_usual(socket: &ListeningSocket) -> bool {
     above.is_some_and(|above| above < INSTANCES * APART && offsets.contains(&(above % APART)))
 }
 
-/// What earlier hangars have left running.
+/// Processes left by earlier hangars.
 pub(super) fn leftovers(settings: &CliSettings) -> Vec<HostFinding> {
     let Some(folder) = host::hangar_folder(settings) else {
         return Vec::new();

@@ -8,7 +8,7 @@ use super::HostFinding;
 /// The least that the screens are made for, columns and rows.
 const LEAST: (u16, u16) = (80, 24);
 
-/// What there is to say about it.
+/// The findings.
 pub(super) fn findings() -> Vec<HostFinding> {
     let term = variable("TERM");
     let size = std::io::stdout()

@@ -159,7 +159,7 @@ fn config(options: &ServeArguments, settings: &CliSettings) -> Result<HangarSetu
     })
 }
 
-/// What can be started, as people are told of it; what cannot is told now.
+/// The programs that can be started, for display; errors are reported now.
 async fn programs(options: &ServeArguments, settings: &CliSettings) -> Vec<Program> {
     let found = options.programs.find(settings);
     for &kind in SitlKind::ALL {
@@ -242,7 +242,7 @@ fn end_by_signal(cancel: CancellationToken) -> io::Result<tokio::task::JoinHandl
     }))
 }
 
-/// Tells of instances that start, are ready, and end, until the hangar is gone.
+/// Reports instances that start, are ready, and end, until the hangar is gone.
 async fn report(mut seen: watch::Receiver<Instances>) {
     let mut before = Instances::default();
     loop {
@@ -264,7 +264,7 @@ async fn report(mut seen: watch::Receiver<Instances>) {
     }
 }
 
-/// What is worth a line of what has changed about an instance.
+/// The line about a change of an instance, if it deserves one.
 fn words(before: Option<&Instance>, now: &Instance) -> Option<String> {
     let is_new = before.is_none_or(|before| before.pid != now.pid);
     if let Some(pid) = now.pid.filter(|_| is_new) {

@@ -26,7 +26,7 @@ pub(super) struct StatusArguments {
     services: ServiceOptions,
 }
 
-/// What is known of one service.
+/// The known state of one service.
 #[derive(Debug, Serialize)]
 struct StatusAnswer {
     hangar: String,

@@ -81,7 +81,7 @@ impl RecordsCommands {
     }
 }
 
-/// What a signature says of a flight beside the name of the file.
+/// A signature's comment about a flight, besides the file's name.
 fn about(files: &RecordFiles) -> Result<String, Text> {
     let now = SystemTime::now().duration_since(UNIX_EPOCH);
     let mut about = vec![format!("timestamp:{}", now.unwrap_or_default().as_secs())];

@@ -21,11 +21,11 @@ use crate::mission::Report;
 
 /// The longest wait for a vehicle to become ready.
 const READY_WITHIN: Duration = Duration::from_secs(120);
-/// How long ending the instances may take.
+/// The longest wait for instances to end.
 const ENDED_WITHIN: Duration = Duration::from_secs(10);
-/// How often time is looked at when no vehicle says anything.
+/// The interval of checks while no vehicle sends anything.
 const LOOK_EVERY: Duration = Duration::from_millis(5);
-/// Pieces of what vehicles say that may wait.
+/// The most pieces of output that wait.
 const PIECES_KEPT: usize = 256;
 const PIECE_LEN: usize = 4096;
 
@@ -88,7 +88,7 @@ async fn session(
     Ok(fleet.fly(live, recorder).await)
 }
 
-/// Until somebody wants this to end.
+/// Waits for an interrupt.
 async fn interrupted() {
     let terminated = async {
         match signal(SignalKind::terminate()) {
@@ -102,10 +102,10 @@ async fn interrupted() {
     }
 }
 
-/// What a vehicle said: its place in the row, and the bytes.
+/// A vehicle's output: its index, and the bytes.
 type Piece = (usize, Vec<u8>);
 
-/// Passes on what the vehicles say; returns what leads to them.
+/// Forwards the vehicles' output; returns their inputs.
 fn forward_output(
     launched: Vec<LaunchedVehicle>,
     pieces: &mpsc::Sender<Piece>,
@@ -140,7 +140,7 @@ struct SitlFleet {
 }
 
 impl SitlFleet {
-    /// Waits until all can be armed, and tells how far they are.
+    /// Waits until all can be armed, and reports their progress.
     async fn get_ready(&mut self) -> anyhow::Result<()> {
         let mut told: Vec<Option<String>> = vec![None; self.places.len()];
         loop {
@@ -212,7 +212,7 @@ impl SitlFleet {
         report
     }
 
-    /// Vehicles whose process has ended do not come back.
+    /// Marks vehicles as lost whose process has ended.
     fn note_losses(&mut self, live: &mut Exercise<LiveStreams>) {
         let all = self.seen.borrow_and_update().clone();
         for (index, place) in self.places.iter().enumerate() {

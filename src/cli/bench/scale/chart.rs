@@ -12,7 +12,7 @@ use crate::ui::ascii;
 /// Two figures beside each other fit an ordinary terminal.
 const COLUMNS: u16 = 40;
 const ROWS: u16 = 13;
-/// How a measured point looks; the marker of ratatui, which a terminal of ASCII shows as a star.
+/// The mark of a measured point: ratatui's marker, which an ASCII terminal shows as a star.
 const POINT: &str = "•";
 
 /// The figures as lines of text, 80 columns wide.

@@ -8,7 +8,7 @@ use std::time::Duration;
 
 use tokio::runtime::{Builder, Runtime};
 
-/// A runtime whose threads are known, so that what runs on it can be told from everything else in this program.
+/// A runtime with known threads, to separate its processor time from the rest of this program.
 pub(super) struct Counted {
     pub runtime: Runtime,
     /// The folder of each thread below `/proc`.
@@ -37,7 +37,7 @@ impl Counted {
         Ok(Self { runtime, threads })
     }
 
-    /// Processor time so far.
+    /// Processor time used so far.
     pub fn spent(&self) -> io::Result<Duration> {
         let threads = self.threads.lock().unwrap_or_else(PoisonError::into_inner);
         if threads.is_empty() {
@@ -70,7 +70,7 @@ pub(super) fn of_process(pid: u32) -> io::Result<Duration> {
     Ok(total)
 }
 
-/// How many processors there are.
+/// The number of processors.
 pub(super) fn cores() -> usize {
     std::thread::available_parallelism().map_or(1, usize::from)
 }
@@ -88,7 +88,7 @@ fn kibibytes(text: &str, name: &str) -> Option<u64> {
     line.split_whitespace().next()?.parse().ok()
 }
 
-/// How long the processors have been at work, all programs together, in ticks.
+/// The busy time of all processors and programs, in ticks.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Machine {
     busy: u64,

@@ -4,9 +4,9 @@
 use super::sample::ScaleRow;
 use crate::geo::maths;
 
-/// What the paper says of a vehicle, in percent of a core: least and most.
+/// The paper's figures for a vehicle, in percent of a core: least and most.
 pub(super) const PAPER_SIM: [f64; 2] = [0.8, 1.0];
-/// The same of the console's model update.
+/// The same for the console's model update.
 pub(super) const PAPER_MODEL: [f64; 2] = [0.045, 0.063];
 /// The paper's model update per message, in microseconds.
 pub(super) const PAPER_US_PER_MESSAGE: f64 = 24.5;

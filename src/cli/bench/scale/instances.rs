@@ -30,7 +30,7 @@ pub(super) struct Instances<'a> {
 }
 
 impl SitlBench {
-    /// Opens the hangar, once its program has said that it is an `arducopter`.
+    /// Opens the hangar, once its program has identified itself as an `arducopter`.
     ///
     /// # Errors
     /// It is none, or the hangar's folder cannot be used.

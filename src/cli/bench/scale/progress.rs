@@ -3,7 +3,7 @@
 use std::io::{IsTerminal as _, Write as _, stderr};
 use std::time::{Duration, Instant};
 
-/// How often the line is written again on a terminal.
+/// The interval of updates of the line on a terminal.
 const EVERY: Duration = Duration::from_millis(500);
 
 /// One line that is written again and again on a terminal, and a line per phase elsewhere.
@@ -11,20 +11,20 @@ pub(super) struct ScaleProgress {
     is_terminal: bool,
     said: String,
     said_at: Instant,
-    /// What is measured now.
+    /// The present measurement.
     subject: String,
     /// When this repeat began.
     begun: Instant,
-    /// How long one repeat takes beside the booting of its vehicles.
+    /// The duration of a repeat without the booting of its vehicles.
     repeat: Duration,
-    /// What booting took last time.
+    /// The last duration of the booting.
     boot: Duration,
     /// Repeats from this one on.
     pub left: usize,
 }
 
 impl ScaleProgress {
-    /// A series of so many repeats, each of which takes so long and longer.
+    /// A series of repeats, each of which takes at least `repeat`.
     pub fn new(repeats: usize, repeat: Duration) -> Self {
         let now = Instant::now();
         Self {
@@ -51,7 +51,7 @@ impl ScaleProgress {
         self.boot = self.begun.elapsed();
     }
 
-    /// What is done now.
+    /// Sets the present phase.
     pub fn say(&mut self, phase: &str) {
         // A phase that counts is still the same phase.
         let words: String = phase.chars().filter(|c| !c.is_ascii_digit()).collect();

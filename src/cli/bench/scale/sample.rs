@@ -1,4 +1,4 @@
-//! What one repeat measured, and the row that the repeats of a count make.
+//! The measurements of one repeat, and the row of a count's repeats.
 
 use std::ops::Add as _;
 use std::time::{Duration, Instant};
@@ -8,19 +8,19 @@ use serde::Serialize;
 use super::cost::{self, Machine};
 use super::strain;
 
-/// Where all meters stand.
+/// The state of all meters.
 #[derive(Debug)]
 pub(super) struct ScaleMark {
     pub at: Instant,
     /// Processor time of each thread or process of the simulator.
     pub sim: Vec<Duration>,
-    /// The same of the console's model update: reading the links, decoding, and the vehicles' models.
+    /// The same for the console's model update: reading the links, decoding, and the vehicles' models.
     pub model: Vec<Duration>,
-    /// The same of the hangar, which hands the instances' bytes to the console.
+    /// The same for the hangar, which passes the instances' bytes to the console.
     pub relay: Option<Duration>,
     /// Messages that have reached the models.
     pub messages: u64,
-    /// Messages that are missing there, and those that the links had missed already.
+    /// Messages missing there, and those already lost by the links.
     pub missing: u64,
     pub missing_before: u64,
     /// Each vehicle's clock in milliseconds, and when it was read.
@@ -28,7 +28,7 @@ pub(super) struct ScaleMark {
     pub machine: Machine,
 }
 
-/// What one repeat has measured.
+/// The measurements of one repeat.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct ScaleSample {
     pub window_s: f64,
@@ -49,12 +49,12 @@ pub(super) struct ScaleSample {
     pub machine_busy_percent: f64,
     /// Share of the memory that was still to be had at the end.
     pub memory_free_percent: Option<f64>,
-    /// Why the repeat is no measurement of what it should be.
+    /// Why the repeat is invalid, if it is.
     pub void: Option<String>,
 }
 
 impl ScaleSample {
-    /// What there was between two marks.
+    /// The differences between two marks.
     pub fn between(before: &ScaleMark, after: &ScaleMark) -> Self {
         let window_s = (after.at - before.at).as_secs_f64();
         let ms =
@@ -135,7 +135,7 @@ pub(super) struct ScaleRow {
     pub machine_busy_percent: f64,
     /// Repeats that the figures are of.
     pub repeats: usize,
-    /// What was wrong with the others.
+    /// The faults of the invalid repeats.
     pub void: Vec<String>,
     /// Which part of the machine or of the program could not keep up, if one could not.
     pub gave_way: Option<String>,
@@ -178,7 +178,7 @@ impl ScaleRow {
         }
     }
 
-    /// Of a count whose vehicles did not even come up.
+    /// The row of a count whose vehicles did not start.
     pub fn never_flown(vehicles: u16, why: String) -> Self {
         Self {
             vehicles,

@@ -1,4 +1,4 @@
-//! Which part gave way when real time was not held.
+//! The part that was overloaded when real time was not held.
 
 use super::cost;
 use super::sample::ScaleSample;
@@ -17,7 +17,7 @@ const AT_ITS_END_PERCENT: f64 = 98.0;
 /// So little free memory means that the system swaps or ends programs.
 const MEMORY_SHORT_PERCENT: f64 = 3.0;
 
-/// What could not keep up; `None` if everything could.
+/// The part that could not keep up; `None` if all could.
 pub(super) fn gave_way(sample: &ScaleSample) -> Option<String> {
     let factor = sample.factor.map_or(1.0, |(mean, _)| mean);
     let lost = sample.lost_in_console + sample.lost_before;

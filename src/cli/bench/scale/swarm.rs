@@ -1,4 +1,4 @@
-//! Vehicles to measure, the console's fleets on them, and where the meters stand.
+//! Vehicles to measure, the console's fleets on them, and the meters.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -22,9 +22,9 @@ use crate::sim::{SYSTEMS, Start, World, WorldConfig};
 use crate::vehicle::{Vehicle, VehicleId};
 use crate::verb::{CountsAs, Danger, Movement, Precedence, Retry, Verb};
 
-/// What is streamed while it is measured: `GLOBAL_POSITION_INT` and `ATTITUDE`.
+/// The streamed messages: `GLOBAL_POSITION_INT` and `ATTITUDE`.
 pub(super) const STREAMS: &[Stream] = &[stream(33, 10.0), stream(30, 10.0)];
-/// `SYS_STATUS` and `EKF_STATUS_REPORT`: they tell when a vehicle can be armed, and are not streamed afterwards.
+/// `SYS_STATUS` and `EKF_STATUS_REPORT`: they show when a vehicle can be armed, and are not streamed afterwards.
 const FOR_READINESS: [u32; 2] = [1, 193];
 /// Stands for the verbs of all commands: each is sent again so often until it is acknowledged.
 const VERB: Verb = Verb {
@@ -35,7 +35,7 @@ const VERB: Verb = Verb {
     movement: Movement::None,
     counts_as: CountsAs::Task,
 };
-/// A fleet that has not taken a command by then is not working.
+/// The longest wait for a fleet to accept a command.
 const TAKEN_WITHIN: Duration = Duration::from_secs(10);
 
 const fn stream(message: u32, rate_hz: f64) -> Stream {
@@ -65,7 +65,7 @@ enum RunningSimulation<'a> {
 }
 
 impl<'a> ScaleSwarm<'a> {
-    /// Starts so many vehicles, embedded ones without a bench, and the console's fleets on them.
+    /// Starts the vehicles, embedded ones without a bench, and the console's fleets on them.
     ///
     /// # Errors
     /// Why one of them cannot be started.
@@ -103,7 +103,7 @@ impl<'a> ScaleSwarm<'a> {
         })
     }
 
-    /// Takes in what the fleets report.
+    /// Handles the fleets' reports.
     pub fn hear(&mut self) {
         for (number, part) in self.parts.iter_mut().enumerate() {
             while let Ok(event) = part.events.try_recv() {
@@ -139,7 +139,7 @@ impl<'a> ScaleSwarm<'a> {
         self.refusal.as_deref()
     }
 
-    /// Something of each vehicle that has been heard, in order.
+    /// A value of each vehicle that is heard, in order.
     pub fn each<T>(&self, look: impl Fn(&Vehicle) -> T) -> Vec<T> {
         self.vehicles
             .values()
@@ -174,7 +174,7 @@ impl<'a> ScaleSwarm<'a> {
         }
     }
 
-    /// Where all meters stand.
+    /// The state of all meters.
     ///
     /// # Errors
     /// The system does not tell, or a simulator has ended.

@@ -3,7 +3,7 @@
 use super::figure::{PAPER_MODEL, PAPER_SIM, PAPER_US_PER_MESSAGE};
 use super::sample::ScaleRow;
 
-/// Of what the tables are.
+/// The subject of the tables.
 pub(super) struct ScaleHeading<'a> {
     pub simulator: &'a str,
     pub seconds: f64,

@@ -12,32 +12,32 @@ use crate::geo::LatLon;
 use crate::session::{Stream, WANTED_STREAMS};
 use crate::vehicle::Vehicle;
 
-/// How often it is heard what the vehicles say.
+/// The interval of reading the vehicles' messages.
 const LOOK_EVERY: Duration = Duration::from_millis(20);
-/// What the vehicles are told first.
+/// The height of the first command.
 const TAKEOFF_M: f64 = 10.0;
-/// How far to the north, and how high, they are sent then.
+/// The distance to the north and the height of the second command.
 const TARGET_NORTH_M: f64 = 1000.0;
 const TARGET_HEIGHT_M: f64 = 200.0;
-/// A vehicle that has come so far, up or to the north, is on its way.
+/// The least movement, up or north, of a vehicle that obeys.
 const MOVED_M: f64 = 2.0;
-/// Beside the time between two commands, all vehicles have so long to do what they were told.
+/// How long all vehicles may take to obey, besides the time between two commands.
 const OBEYED_WITHIN: Duration = Duration::from_secs(20);
 /// How long vehicles may take until they can be armed, and how much longer for each of them.
 const READY_WITHIN: Duration = Duration::from_secs(90);
 const READY_WITHIN_EACH: Duration = Duration::from_secs(3);
 
-/// How a repeat goes.
+/// The plan of a repeat.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct TrialPlan {
-    /// How long to measure.
+    /// The length of the measurement.
     pub window: Duration,
     /// The least time between two kinds of commands.
     pub spacing: Duration,
 }
 
 impl TrialPlan {
-    /// How long a repeat takes when its vehicles can be armed.
+    /// The duration of a repeat from when its vehicles can be armed.
     pub fn lasts(&self) -> Duration {
         self.window + 4 * self.spacing
     }
@@ -94,7 +94,7 @@ impl ScaleTrial<'_> {
         }
     }
 
-    /// Sends the vehicles on their way; says which of them have not done what they were told.
+    /// Sends the vehicles into flight; returns a text about those that have not obeyed.
     fn fly(&mut self) -> Option<String> {
         self.progress.say("streams");
         // Only what is to be measured is streamed.
@@ -130,7 +130,7 @@ impl ScaleTrial<'_> {
         up.or_else(|| self.send())
     }
 
-    /// Sends them far away; says how many have not moved.
+    /// Sends them far away; returns a text with the number that have not moved.
     fn send(&mut self) -> Option<String> {
         self.progress.say("target");
         let starts = self.swarm.each(position);
