@@ -196,7 +196,7 @@ pub fn main(arguments: CliArguments) -> ExitCode {
     });
     match outcome {
         Ok(code) => code,
-        // Whoever reads our output has had enough of it: nothing to complain about.
+        // A reader that closes our output has had enough of it: no error.
         Err(Failure::Failed(error)) if is_closed_pipe(&error) => ExitCode::from(1),
         Err(Failure::Failed(error)) => {
             tell!("sortie: {error:#}");

@@ -84,7 +84,7 @@ impl<'a> DebriefPage<'a> {
         }
     }
 
-    /// The lines that were written.
+    /// The lines written so far.
     fn finished(self) -> Vec<DebriefLine> {
         // A stored report may hold anything; the page stays as wide as it is.
         let cut = |line: &str| fit(line, WIDTH).trim_end().to_owned();

@@ -43,7 +43,7 @@ const HEARTBEAT_ID: u32 = HEARTBEAT_DATA::ID;
 #[derive(Debug, Clone, Default)]
 pub struct Inbox {
     texts: status_text::Assembly,
-    // Shared with those who look at the list; copied when it changes while somebody does.
+    // Shared with readers; copied when it changes while one holds it.
     parameters: Arc<ParameterList>,
     clock: clock::BootClock,
     /// The time of the last reason against arming: reasons that come together replace earlier ones.

@@ -1,9 +1,8 @@
-//! From a line to the vehicles: the part that the console and pilot scripts have in common.
+//! From a line to the vehicles: the part that the console and pilot scripts share.
 //!
-//! [`read_order`] reads a line and finds its vehicles. An [`Operator`] decides what follows from an order: which
-//! vehicles get a command, what the mission does, and which rows of the ledger change. It is pure: whoever owns it
-//! opens the entry in its ledger, does what each [`Dispatch`] says, and calls [`Operator::conduct`] some ten times a
-//! second.
+//! [`read_order`] reads a line and finds its vehicles. An [`Operator`] decides what follows from an order: which vehicles
+//! get a command, what the mission does, and which rows of the ledger change. It is pure: its owner opens the entry in
+//! the ledger, carries out each [`Dispatch`], and calls [`Operator::conduct`] about ten times a second.
 
 use std::collections::BTreeMap;
 use std::ops::Range;

@@ -1,18 +1,18 @@
 //! Manoeuvres of several vehicles: surveys, formations, following, spreading, searches and relay chains.
 //!
-//! The [`Conductor`] turns each [`Manoeuvre`] into setpoints for each of its vehicles and judges from their telemetry
-//! how far they are. It is pure: whoever owns it (the console, an exercise) calls [`Conductor::step`] some
-//! ten times a second, sends what comes out and takes the rows into the ledger.
+//! The [`Conductor`] turns each [`Manoeuvre`] into setpoints for its vehicles and follows their progress by telemetry. It
+//! is pure: its owner (the console, an exercise) calls [`Conductor::step`] about ten times a second, sends the result and
+//! enters the rows in the ledger.
 //!
-//! **Separation.** Everybody first takes a way on which nobody meets anybody (`transit`), then works where nobody
-//! else of the same manoeuvre comes: survey lines lie side by side (every second vehicle flies higher where they are
-//! nearer than the separation), searches and followers have a height each, a formation moves as a rigid body
-//! (`march`). A vehicle that would come too near to one outside of its manoeuvre waits (`guard`).
+//! **Separation.** All vehicles first fly to their places on paths that do not meet (`transit`), then each works in a
+//! space of its own: survey lines lie side by side (every second vehicle flies higher where they are closer than the
+//! separation), searches and followers have a height each, a formation moves as a rigid body (`march`). A vehicle that
+//! would come too close to one outside of its manoeuvre waits (`guard`).
 //!
-//! **Who leads.** The first of the targets leads a formation. A `goto` or an `altitude` that is given to it, alone or
-//! with others, moves the whole formation, and the rows of those that go with it end when it has arrived. Any
-//! other movement takes a vehicle out of what it was doing; the others close up, or share its lines (`lanes`). A formation goes
-//! as fast as its leader was told to (`speed`).
+//! **Leader.** The first of the targets leads a formation. A `goto` or an `altitude` to it, alone or with others, moves
+//! the whole formation, and the rows of those that move along end when it has arrived. Any other movement takes a vehicle
+//! out of its manoeuvre; the others close up, or share its lines (`lanes`). A formation has the speed commanded to its
+//! leader (`speed`).
 
 use std::time::Duration;
 

@@ -1,11 +1,11 @@
 //! Texts for people, in their language.
 //!
-//! Whoever has something to say makes a [`Text`]: which message, and what goes into it. It stays one until
-//! it is shown, where a [`Locale`] turns it into words. The words are Fluent messages in `locales/LANGUAGE/`;
-//! a test proves that no message is missing in any language.
+//! A message to the user is a [`Text`]: an id with its arguments. It stays one until it is shown, where a [`Locale`]
+//! turns it into words. The words are Fluent messages in `locales/LANGUAGE/`; a test proves that no message is missing in
+//! any language.
 //!
-//! What comes from elsewhere (a vehicle, the operating system, a file of the user's) is verbatim text: nobody
-//! can translate it, and it may stand inside a message.
+//! Text from outside (a vehicle, the operating system, a file of the user) is verbatim text: it cannot be translated, and
+//! may be an argument of a message.
 
 use std::borrow::Cow;
 use std::fmt;
@@ -21,7 +21,7 @@ pub use figure::{clock, figure, rounded, utc_of};
 pub use layout::{reflow, wrap};
 pub use locale::Locale;
 
-/// A language that the program speaks.
+/// A supported language.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
 pub enum Language {
     #[default]

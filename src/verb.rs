@@ -2,7 +2,7 @@
 //! count.
 //!
 //! Each [`Verb`] is part of its row of the one table, in [`language`](crate::language). The ledger keeps it with every
-//! order, so that whoever judges an order reads a property here and knows no names.
+//! order, so that code about an order reads a property here and never compares names.
 
 use std::fmt;
 use std::time::Duration;
@@ -159,7 +159,7 @@ impl CountsAs {
         }
     }
 
-    /// Whether vehicles are told something.
+    /// Whether it is sent to vehicles.
     pub fn is_for_vehicles(self) -> bool {
         match self {
             Self::Task | Self::Setting | Self::Question => true,

@@ -58,7 +58,7 @@ pub fn pictures(root: &Path) -> anyhow::Result<Vec<Picture>> {
     Ok(vec![fly, map, debrief, truth])
 }
 
-/// A flight, and the console that is told of it.
+/// A flight, and the console that receives its events.
 struct Film {
     exercise: Exercise,
     app: App,

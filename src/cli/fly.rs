@@ -138,8 +138,8 @@ fn look(settings: &CliSettings) -> Look {
     }
 }
 
-/// How the console is set up. What is wrong with the user's files is told under it, so that it is there when the
-/// console is left.
+/// The console's options. Faults of the user's files are printed before it starts, so that they are visible after it
+/// ends.
 pub(super) fn options(opening: Opening, settings: CliSettings) -> Result<ConsoleOptions, Failure> {
     if let Opening::Connect(addresses) = &opening {
         for address in addresses {

@@ -138,7 +138,7 @@ impl CliSettings {
         Some(Records::within(self.data.as_deref()?, limits))
     }
 
-    /// What the administrator has set. A fault there is told, and keeps nobody from flying.
+    /// The administrator's settings. A fault there is reported, but does not prevent flying.
     fn read_system_files(&mut self) {
         let files: Vec<PathBuf> = self
             .folders

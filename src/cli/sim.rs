@@ -137,8 +137,8 @@ fn endpoints(options: &SimArguments) -> Vec<Endpoint> {
     endpoints
 }
 
-/// Every TCP server is an open file, and the usual limit of 1024 may be raised by anybody. What then still cannot
-/// be opened is told by the simulator.
+/// Every TCP server is an open file, and the usual limit of 1024 may be raised by anybody. If that is not enough, the
+/// simulator reports the error.
 fn allow_many_files() {
     if let Ok((_, hard)) = getrlimit(Resource::RLIMIT_NOFILE) {
         let _ = setrlimit(Resource::RLIMIT_NOFILE, hard, hard);

@@ -270,7 +270,7 @@ fn compare(
     Ok(ExitCode::SUCCESS)
 }
 
-/// Seats that need the same are told together. Exit code 1 where a design cannot do the task of any seat.
+/// Seats with equal needs are merged. Exit code 1 where a design cannot do the task of any seat.
 fn fit(design: &Design, mission: &Mission, locale: &Locale) -> Result<ExitCode, Failure> {
     let mut fits_somewhere = false;
     for need in mission.needs() {

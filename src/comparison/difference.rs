@@ -118,7 +118,7 @@ fn commands(own: &Report, other: &Report) -> Option<Difference> {
     })
 }
 
-/// How soon alerts were answered on the average, and how many were not.
+/// The mean time to answer alerts, and the number without an answer.
 fn alerts(own: &Report, other: &Report) -> Option<Difference> {
     let answered = |report: &Report| {
         let late = report.alerts.iter().filter(|it| !it.in_time).count();

@@ -11,7 +11,7 @@ const ROWS: usize = 22;
 const SHADES: [char; 6] = ['.', ':', '-', '+', '*', '#'];
 /// Squares weaker than this are left blank.
 const FAINT: f64 = 0.03;
-/// Things that are named below the map.
+/// Objects named below the map.
 const NAMED: usize = 6;
 
 /// What the signs mean, by the id of the words; those that lie above others come last.

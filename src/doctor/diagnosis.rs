@@ -295,7 +295,7 @@ fn lost_share(chart: &Chart) -> f64 {
     share(lost, came + lost)
 }
 
-/// Ground stations that are heard beside a vehicle: they can command it, too. A recording has whoever was there.
+/// Ground stations that are heard beside a vehicle: they can command it, too. A recording has all that were there.
 fn other_stations(chart: &Chart) -> impl Iterator<Item = Cause> {
     let senders = chart.senders().iter();
     let stations = senders

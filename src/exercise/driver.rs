@@ -20,7 +20,7 @@ pub enum FlightPace {
     VehicleClocks(Clock),
 }
 
-/// Begins a flight and divides its time into ticks. Whoever owns it steps the flight by each tick.
+/// Begins a flight and divides its time into ticks. Its owner steps the flight by each tick.
 #[derive(Debug)]
 pub struct FlightDriver {
     flight: Flight,

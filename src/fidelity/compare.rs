@@ -274,7 +274,7 @@ impl Goal {
     }
 }
 
-/// How finely the time to reach is told, seconds.
+/// The resolution of the time to reach, seconds.
 const STEP_S: f64 = 0.02;
 /// Quantities that are compared.
 const QUANTITIES: usize = 7;

@@ -32,7 +32,7 @@ pub(super) struct Lookout {
     revision: u64,
     /// The last revision returned.
     given: Option<u64>,
-    /// The alerts that hold.
+    /// The active alerts.
     alerts: BTreeSet<(VehicleId, AlertKind)>,
     vehicles: BTreeMap<VehicleId, KnownVehicle>,
     pairs: BTreeMap<Pair, Approach>,

@@ -1,7 +1,7 @@
 //! Reads the plan, the fence and the rally points of a vehicle: once when it is ready, and again after changes.
 //!
 //! One list at a time, one question at a time. A list has changed when `MISSION_CURRENT` gives another count or id,
-//! when the vehicle has accepted somebody else's upload, or, as `ArduPilot` gives no ids, when it says so in a text or
+//! when the vehicle has accepted another program's upload, or, as `ArduPilot` gives no ids, when it says so in a text or
 //! by its parameters `FENCE_TOTAL` and `RALLY_TOTAL`. An upload of the same length over another link shows in none of
 //! these, so a list without an id is read again periodically. A list that the vehicle does not offer is not requested;
 //! a failed one is requested again at growing intervals, and then given up.

@@ -34,7 +34,7 @@ pub(super) fn is_in_the_way(
     } else {
         0.0
     };
-    // Whoever stops before the other one does not come near it.
+    // A vehicle that stops before the other one does not come near it.
     let reach_s = AHEAD_S.min(way.length() / speed);
     let nearest_m = (apart + closing * nearest_s.clamp(0.0, reach_s)).length();
     nearest_m < separation_m && nearest_m < apart.length() - 0.1

@@ -1,8 +1,8 @@
-//! How a formation moves: as one rigid body.
+//! The movement of a formation as one rigid body.
 //!
-//! Its first place is led along a straight way, and all other places go with it, so that whoever keeps its place keeps
-//! its distance. Unless it was told which way to face, it first turns on the spot into the course, no faster than its
-//! outermost place can follow; then it speeds up, goes and slows down. Where somebody falls behind, it waits.
+//! Its first place moves along a straight path, and all other places with it, so that a vehicle in its place keeps its
+//! distance. Unless it has a fixed heading, it first turns in place into the course, no faster than its outermost place
+//! can follow; then it speeds up, moves and slows down. If a member falls behind, it waits.
 
 use std::f64::consts::PI;
 use std::time::Duration;

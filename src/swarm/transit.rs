@@ -1,9 +1,9 @@
-//! Ways on which no vehicles meet.
+//! Paths on which no vehicles meet.
 //!
-//! Everybody first rises (or sinks) on the spot to a height of its own, then all cross, then all sink to where they
-//! work; each part begins when the one before has ended for all. Ways that stay clear of all others share the height
-//! at which they end. Because nobody crosses while others change their height, only ways that come near each
-//! other on the ground need heights that differ, and only those who begin or end above one another need an order.
+//! All vehicles first climb (or descend) in place to a height of their own, then all cross, then all descend to where
+//! they work; each part begins when the one before has ended for all. Paths that stay clear of all others share the
+//! height at which they end. Because crossing and changing height never coincide, only paths that come close on the
+//! ground need different heights, and only vehicles that begin or end above one another need an order.
 
 use glam::DVec3;
 
@@ -87,7 +87,7 @@ impl Leg {
         }
         let above_m = height_m - other_m;
         let near = |a: DVec3, b: DVec3| distance(a, b) < clearance.least_m();
-        // Whoever is above another at the begin or at the end is above it all the way.
+        // A vehicle above another at the beginning or the end is above it all the way.
         let agrees = |a: DVec3, b: DVec3| !near(a, b) || (a.z - b.z) * above_m >= 0.0;
         above_m.abs() >= clearance.above_m - 1e-6
             && agrees(self.from, other.from)

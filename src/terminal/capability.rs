@@ -44,7 +44,7 @@ impl Environment {
         {
             return ColourDepth::None;
         }
-        // The console of Linux and screen take 24-bit sequences for something else, whoever claims otherwise.
+        // The Linux console and screen misread 24-bit sequences, even if other variables claim support.
         if term == "linux" || term == "screen" || term.starts_with("screen.") {
             return ColourDepth::Sixteen;
         }

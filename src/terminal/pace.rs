@@ -129,7 +129,7 @@ impl Pace {
         }
     }
 
-    /// So many bytes have been sent, with a question at their end or without.
+    /// Notes that bytes have been sent, with or without a query at their end.
     pub fn drawn(&mut self, now: Duration, bytes: u64, asked: bool) {
         self.drawn_at = Some(now);
         self.has_key = false;

@@ -50,7 +50,7 @@ impl Traffic {
         self.bytes.load(Ordering::Relaxed)
     }
 
-    /// The writes that have gone through since the last call.
+    /// The writes completed since the last call.
     pub fn take_written(&self) -> Vec<Written> {
         std::mem::take(&mut self.state().done)
     }
@@ -67,7 +67,7 @@ impl Traffic {
 /// Collects output and passes it to the writing thread in large pieces.
 pub struct FrameWriter {
     frame: Vec<u8>,
-    /// The writing thread; none where the frames lead nowhere.
+    /// The writing thread; `None` if the frames are discarded.
     frames: Option<mpsc::Sender<Vec<u8>>>,
     traffic: Arc<Traffic>,
 }

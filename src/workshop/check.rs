@@ -271,7 +271,7 @@ impl Found {
         }
     }
 
-    /// Whether the power module bears the hover.
+    /// Whether the power module supports the hover.
     fn feeds(&mut self, design: &Design, figures: &Figures) {
         let Some(Spec::PowerModule(module)) = design.spec(PartSlot::Power) else {
             return;

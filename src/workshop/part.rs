@@ -201,7 +201,7 @@ pub(super) struct PowerModule {
 pub struct Radio {
     /// The transmit power.
     pub power_dbm: f64,
-    /// Where in the band.
+    /// Its frequency within the band.
     pub frequency_mhz: f64,
     /// The weakest signal that it can read.
     pub sensitivity_dbm: f64,

@@ -1,8 +1,8 @@
 //! A vehicle's serial ports, and the ground stations on them.
 //!
-//! A serial port has one [`Link`]: the rates asked for on it outlast whoever asked. On a real one there is room for
-//! one ground station; here any number can be on it. Each of them gets the same streams and texts; an answer (and a
-//! parameter list) goes only to the one who asked.
+//! A serial port has one [`Link`]: the rates requested on it outlast the requesting ground station. A real one has room
+//! for one ground station; here any number can share it. Each of them gets the same streams and texts; an answer (and a
+//! parameter list) goes only to the requester.
 
 use mavlink::dialects::ardupilotmega::MavMessage;
 

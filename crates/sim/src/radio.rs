@@ -193,8 +193,8 @@ pub(super) struct StickRequests {
 }
 
 impl Radio {
-    /// Takes over `RC_CHANNELS_OVERRIDE`: 65535 leaves a channel as it is, 0 gives one of the first eight back,
-    /// 65534 one of the others.
+    /// Takes over `RC_CHANNELS_OVERRIDE`: 65535 leaves a channel as it is, 0 releases one of the first eight, 65534
+    /// one of the others.
     pub(super) fn override_channels(
         &mut self,
         asked: [u16; CHANNELS],

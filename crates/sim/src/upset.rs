@@ -59,7 +59,7 @@ pub(super) struct Upset {
     pub(super) error_rad: f64,
     /// All motors' thrust together per mass, for the power.
     pub(super) thrust_m_s2: f64,
-    /// The thrust per mass that the autopilot asks of all motors.
+    /// The thrust per mass that the autopilot demands of all motors.
     pub(super) asked_m_s2: f64,
     /// The lean that the throttle leaves.
     lean_max_rad: f64,

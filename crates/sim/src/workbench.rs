@@ -92,7 +92,7 @@ impl MotorTest {
     }
 }
 
-/// Compasses that are being calibrated, a bit each. As nobody turns the vehicle round by hand, it never succeeds.
+/// Compasses that are being calibrated, a bit each. Since the vehicle is not turned by hand, it never succeeds.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct CompassCalibration {
     running: u8,

@@ -161,7 +161,7 @@ fn advance(app: &mut App, vehicles: VehicleId, frame: u32) {
     }
 }
 
-/// Takes an event in. Only drawing is measured: nobody carries effects out.
+/// Handles an event. Only drawing is measured: effects are dropped.
 fn feed(app: &mut App, event: impl Into<Event>) {
     let _effects = app.update(event);
 }

@@ -113,7 +113,7 @@ fn pilot_beside(mission: &str, pilot: &str) -> String {
     found.map_or_else(|| pilot.to_owned(), |path| path.display().to_string())
 }
 
-/// The flights in the order of the tasks, whoever is done first.
+/// The flights in the order of the tasks, whichever is done first.
 fn flown_by_all_processors(
     mission: &Arc<Mission>,
     tasks: &[(CheckPilot, &Script, u64)],
@@ -144,7 +144,7 @@ fn flown(mission: &Arc<Mission>, pilot: CheckPilot, script: &Script, seed: u64) 
     let mut exercise = Exercise::new(Arc::clone(mission), seed, script.clone(), Vec::new());
     while !exercise.is_over() {
         exercise.step();
-        // Nobody reads them here, and they would only pile up.
+        // They are not read here, and would only pile up.
         drop(exercise.take_notices());
     }
     let report = exercise.report();

@@ -12,7 +12,7 @@ pub(super) fn faults(script: &Path, text: &str, named: &[PathBuf]) -> Option<Vec
     if let Some(mission) = mission_of(script, named) {
         return crate::exercise::read_script(text, &mission).err();
     }
-    // Which mission it will fly, nobody has said: its places may have any name.
+    // The mission is not known: its places may have any name.
     let context = Context {
         places: None,
         areas: None,

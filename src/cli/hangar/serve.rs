@@ -91,7 +91,7 @@ fn parse_listen(text: &str) -> Result<String, String> {
     Ok(format!("{host}:{port}"))
 }
 
-/// Says something to whoever looks after the service; nobody may be there.
+/// Logs a line for the service's operator, if anyone reads it.
 fn log(words: std::fmt::Arguments<'_>) {
     let _ = writeln!(io::stderr(), "sortie hangar: {words}");
 }
@@ -128,7 +128,7 @@ pub(super) fn serve(options: &ServeArguments, settings: &CliSettings) -> Result<
         }
         service::serve(listener, hangar, setup, cancel).await?;
         ended.abort();
-        // What there was to say has been said when nobody can say more.
+        // The reports end when their sender is gone.
         let _ = reporting.await;
         log(format_args!("ended"));
         Ok(ExitCode::SUCCESS)

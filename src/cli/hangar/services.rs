@@ -30,7 +30,7 @@ impl ServiceOptions {
         !self.hangars.is_empty()
     }
 
-    /// The hangars that are named by these options, or else by the configuration; none if nobody names one.
+    /// The hangars named by these options, otherwise those of the configuration; empty without any.
     pub fn remotes(&self, settings: &CliSettings) -> Result<Vec<RemoteHangar>, Failure> {
         let invalid = |error: &dyn std::fmt::Display| Failure::Invalid(format!("sortie: {error}"));
         let mut addresses = self.hangars.clone();

@@ -196,7 +196,7 @@ impl SitlFleet {
             for (index, sender) in self.senders.iter_mut().enumerate() {
                 let bytes = live.take_output(index);
                 if !bytes.is_empty() {
-                    // Nobody reads what is meant for a vehicle that is no more.
+                    // Input for a vehicle that has ended is dropped.
                     let _ = sender.write(&bytes).now_or_never();
                 }
             }

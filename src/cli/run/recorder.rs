@@ -15,7 +15,7 @@ const PIECE_LEN: usize = 64 * 1024;
 /// What is killed loses no more than this.
 const WRITE_EVERY: Duration = Duration::from_millis(250);
 
-/// What is told and recorded of a run.
+/// The plan for reporting and recording a run.
 pub(super) struct RecordingPlan {
     /// Whether what is said is said aloud.
     pub is_heard: bool,

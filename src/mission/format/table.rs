@@ -270,7 +270,7 @@ impl FileTable<'_> {
         Some((kind.name, (kind.read)(self)?))
     }
 
-    /// The value of a table whose kind is told by the key it contains.
+    /// The value of a table whose kind is given by one of its keys.
     pub fn need_one_of<T>(&mut self, what: &'static str, kinds: &'static [KindOf<T>]) -> Option<T> {
         if self.describe_kinds(kinds, false) {
             return None;

@@ -257,7 +257,7 @@ impl Camera {
         let clear = self.transmission(view) * (1.0 - view.object.cover) * NOTICED;
         Some(Look {
             chance: told * clear * self.contrast(view.light),
-            // At half the distance, stains and old repairs are told from defects with the same probability.
+            // At half the distance, stains and old repairs are distinguished from defects with the same probability.
             told_apart: task_performance(NINE_IN_TEN * reach_m / (2.0 * distance_m.max(1.0))),
             every_s: Some(INSPECTION_S),
             taken_for: FindKind::Defect,

@@ -104,7 +104,7 @@ impl ActiveManoeuvre {
                     let at = first.and_then(|first| self.site.point(first));
                     march.anchor = at.unwrap_or(march.anchor);
                     march.goal = None;
-                    // Without its leader nobody knows where it was to go.
+                    // Without its leader, the destination is unknown.
                     self.end_move(RowState::Superseded, None, view.now, &mut outcome.rows);
                 }
                 take_places(self, view)

@@ -121,7 +121,7 @@ impl ActiveManoeuvre {
         }
         self.tell_move(all_in_place, view, outcome);
         if matches!(self.work, Work::Courses { .. }) {
-            // Whoever is done is free for something else.
+            // Members that are done are free for other tasks.
             self.members.retain(|member| !member.standing.is_done);
         }
     }

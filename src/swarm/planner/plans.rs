@@ -197,7 +197,7 @@ impl Planner<'_> {
                     .collect()
             }
         };
-        // Who is lower stays lower: nobody has to pass another one in height.
+        // A lower vehicle stays lower, so that none has to pass another in height.
         self.team
             .sort_by(|a, b| a.1.z.total_cmp(&b.1.z).then(a.0.cmp(&b.0)));
         let step_m = self.rules.clearance().above_m;

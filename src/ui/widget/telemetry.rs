@@ -23,7 +23,7 @@ use values::{Reading, readings};
 const LABEL_WIDTH: usize = 9;
 /// Columns of a gauge.
 const GAUGE: usize = 8;
-/// Alerts that are told here; the rest wait until these are over.
+/// The most alerts shown here; the rest wait until these are over.
 const MOST_ALERTS: usize = 3;
 
 /// Rows that the pane would like to have.

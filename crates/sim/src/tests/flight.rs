@@ -154,7 +154,7 @@ fn a_turn_of_180_degrees_takes_as_long_as_the_real_one() {
     );
 }
 
-/// From N 168 E -140 at 17.9 m: 64.5 s to disarmed.
+/// The flight from N 168 E -140 at 17.9 m takes 64.5 s until disarmed.
 #[test]
 fn a_return_takes_as_long_as_the_real_one() {
     let mut ground = Ground::hovering(17.86);

@@ -14,8 +14,8 @@ use crate::hangar::{
 use crate::sim::{SYSTEMS, Start};
 use crate::sitl::SitlKind;
 
-/// A hangar for a series of measurements. Whoever kills this program ends its processes too; what the hangar's folder
-/// keeps is seen to by the next hangar in it.
+/// A hangar for a series of measurements. Killing this program ends its processes too; the next hangar cleans up its
+/// folder.
 pub(super) struct SitlBench {
     hangars: Hangars,
     counted: Counted,

@@ -65,7 +65,7 @@ impl ScaleProgress {
             ("", "\n")
         };
         let (subject, remaining) = (&self.subject, self.remaining());
-        // Whoever does not listen needs no progress.
+        // Without a reader, no progress is needed.
         let _ = write!(stderr(), "{from}{subject}: {phase}{remaining}{to}");
         let _ = stderr().flush();
         (self.said, self.said_at) = (words, Instant::now());

@@ -13,7 +13,7 @@ pub(super) struct ScaleHeading<'a> {
     pub is_ardupilot: bool,
 }
 
-/// The tables, 80 columns wide at most but for what is told of single repeats.
+/// The tables, at most 80 columns wide except for remarks on single repeats.
 pub(super) fn table(rows: &[ScaleRow], heading: &ScaleHeading<'_>) -> String {
     let flown = || rows.iter().filter(|row| row.repeats > 0);
     let mut lines = vec![

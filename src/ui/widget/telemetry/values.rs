@@ -10,7 +10,7 @@ use crate::ui::theme::Role;
 use crate::ui::widget::gauge::{Gauge, battery_role, link_role, reach_role};
 use crate::vehicle::{LandedState, Vehicle};
 
-/// How much of a vehicle is told.
+/// The level of detail of a vehicle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Detail {
     /// What is needed to fly.
