@@ -52,6 +52,7 @@ pub(super) struct FlightLog {
     kept: Vec<RecordedLog>,
     /// Whether the last one kept is being written, and when the vehicle was last armed.
     recording: bool,
+    is_armed: bool,
     armed_at: Duration,
     /// The number of logs so far.
     written: u16,
@@ -93,7 +94,19 @@ impl FlightLog {
         if wants && !self.recording {
             self.begin(rules, now);
         }
+        self.note_arming(armed, now);
         wants
+    }
+
+    /// Notes that the vehicle was armed or disarmed.
+    fn note_arming(&mut self, armed: bool, now: Duration) {
+        if std::mem::replace(&mut self.is_armed, armed) != armed
+            && let Some(log) = self.current()
+            && log.events.len() < MOST_NOTES
+        {
+            let event = if armed { flash::ARMED } else { flash::DISARMED };
+            log.events.push((now.as_millis() as u32, event));
+        }
     }
 
     /// Adds a sample, taken in a mode.
@@ -123,8 +136,11 @@ impl FlightLog {
 
     /// Opens the file of a log by its number, and keeps it at hand; how long it is.
     pub(super) fn open(&mut self, number: u16, parameters: &Parameters) -> usize {
-        if self.open.as_ref().is_none_or(|(open, _)| *open != number) {
-            let log = self.kept.iter().find(|log| log.number == number);
+        let log = self.kept.iter().find(|log| log.number == number);
+        // A log goes on for a while after disarming.
+        let len = log.map_or(0, |log| log.len(parameters));
+        let is_open = |(open, file): &(u16, Vec<u8>)| *open == number && file.len() == len;
+        if !self.open.as_ref().is_some_and(is_open) {
             self.open = log.map(|log| (number, log.file(parameters)));
         }
         self.opened().map_or(0, <[u8]>::len)

@@ -329,6 +329,7 @@ impl Vehicle {
         }
         let (rules, now) = (self.tuning.recorder, self.uptime());
         if self.log.wants_sample(rules, self.safety.armed, now) {
+            let ratios = self.estimator.ratios();
             let sample = LogSample::taken(&LogInputs {
                 now,
                 body: self.believed(),
@@ -336,6 +337,12 @@ impl Vehicle {
                 battery: &self.plant.battery,
                 capacity_mah: self.tuning.battery_capacity_mah,
                 satellites: self.tuning.faults.gps.satellites,
+                ratios: [
+                    ratios.velocity,
+                    ratios.position,
+                    ratios.height,
+                    ratios.compass,
+                ],
             });
             self.log.add(sample, self.flight.mode.number);
         }

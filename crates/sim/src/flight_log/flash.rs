@@ -42,6 +42,8 @@ const FORMATS: &[(u8, u8, &str, &str, &str)] = &[
         "QLLfff",
         "TimeUS,Lat,Lng,Alt,RelHomeAlt,RelOriginAlt",
     ),
+    (EVENT, 12, "EV", "QB", "TimeUS,Id"),
+    (ESTIMATOR, 20, "XKF4", "QBcccc", "TimeUS,C,SV,SP,SH,SM"),
     (
         BATTERY,
         41,
@@ -58,6 +60,11 @@ const GPS: u8 = 67;
 const ATTITUDE: u8 = 68;
 const POSITION: u8 = 69;
 const BATTERY: u8 = 70;
+const EVENT: u8 = 71;
+const ESTIMATOR: u8 = 72;
+/// `EV.Id` of arming and disarming.
+pub(super) const ARMED: u8 = 10;
+pub(super) const DISARMED: u8 = 11;
 const TEXT_BYTES: usize = 64;
 const RTK_FIXED: u8 = GpsFixType::GPS_FIX_TYPE_RTK_FIXED as u8;
 const WEEK_MS: u64 = 7 * 24 * 3600 * 1000;
@@ -83,6 +90,8 @@ pub(crate) struct RecordedLog {
     pub(crate) samples: Vec<LogSample>,
     /// Milliseconds since boot, and the mode's number.
     pub(crate) modes: Vec<(u32, u8)>,
+    /// Milliseconds since boot, and the event's number.
+    pub(crate) events: Vec<(u32, u8)>,
     pub(crate) texts: Vec<(u32, String)>,
 }
 
@@ -98,6 +107,7 @@ impl RecordedLog {
             (self.groups.gps, GPS),
             (self.groups.gps, POSITION),
             (self.groups.attitude, ATTITUDE),
+            (self.groups.attitude, ESTIMATOR),
             (self.groups.battery, BATTERY),
         ];
         let sample: usize = groups
@@ -109,6 +119,7 @@ impl RecordedLog {
             + usize::from(parameters.count()) * record_len(PARAMETER)
             + self.samples.len() * sample
             + self.modes.len() * record_len(MODE)
+            + self.events.len() * record_len(EVENT)
             + self.texts.len() * record_len(TEXT)
     }
 
@@ -129,7 +140,11 @@ impl RecordedLog {
             self.modes.iter().copied().peekable(),
             self.texts.iter().peekable(),
         );
+        let mut events = self.events.iter().copied().peekable();
         for sample in &self.samples {
+            while let Some((at_ms, id)) = events.next_if(|(at, _)| *at <= sample.boot_ms) {
+                file.record(EVENT, at_ms).bytes(&[id]);
+            }
             while let Some((at_ms, number)) = modes.next_if(|(at, _)| *at <= sample.boot_ms) {
                 file.mode(at_ms, number);
             }
@@ -138,6 +153,9 @@ impl RecordedLog {
             }
             file.sample(self, sample);
         }
+        events.for_each(|(at_ms, id)| {
+            file.record(EVENT, at_ms).bytes(&[id]);
+        });
         modes.for_each(|(at_ms, number)| file.mode(at_ms, number));
         texts.for_each(|(at_ms, text)| file.said(*at_ms, text));
         file.0
@@ -216,6 +234,10 @@ impl LogFile {
                 self.bytes(&angle.to_le_bytes());
             }
             self.bytes(&[3]);
+            self.record(ESTIMATOR, sample.boot_ms).bytes(&[0]);
+            for ratio in sample.ratios_percent {
+                self.bytes(&i16::from(ratio).to_le_bytes());
+            }
         }
         if log.groups.battery {
             let voltage = f32::from(sample.voltage_cv) * 0.01;
@@ -275,6 +297,7 @@ mod tests {
             boot_utc_ms: 1_767_225_600_000,
             samples: vec![LogSample::default(); 3],
             modes: vec![(0, 4)],
+            events: vec![(0, 10)],
             texts: vec![(5, "ArduCopter".to_owned())],
         }
     }

@@ -28,6 +28,8 @@ pub(crate) struct LogSample {
     pub(crate) consumed_mah: u16,
     pub(crate) remaining_percent: u8,
     pub(crate) satellites: u8,
+    /// The estimator's test ratios of velocity, position, height and compass, in hundredths.
+    pub(crate) ratios_percent: [u8; 4],
 }
 
 /// The inputs of a sample.
@@ -41,6 +43,8 @@ pub(crate) struct LogInputs<'a> {
     /// The battery's capacity from the parameters.
     pub(crate) capacity_mah: f64,
     pub(crate) satellites: u8,
+    /// The estimator's test ratios of velocity, position, height and compass.
+    pub(crate) ratios: [f64; 4],
 }
 
 impl LogSample {
@@ -73,6 +77,9 @@ impl LogSample {
             consumed_mah: battery.consumed_mah as u16,
             remaining_percent: battery.remaining_percent(inputs.capacity_mah) as u8,
             satellites: inputs.satellites,
+            ratios_percent: inputs
+                .ratios
+                .map(|ratio| centi(ratio).clamp(0.0, 255.0) as u8),
         }
     }
 }
