@@ -5,6 +5,7 @@
 //! works ([`Command::effect`]).
 
 use crate::ledger::Risk;
+use crate::text;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
 
@@ -18,6 +19,7 @@ mod encode;
 mod explain;
 mod find_kind;
 mod flight;
+mod log;
 mod manoeuvre;
 mod mav_cmd;
 mod modes;
@@ -41,6 +43,7 @@ pub use effect::Effect;
 pub use explain::{AckResult, explain};
 pub use find_kind::FindKind;
 pub use flight::FlightCommand;
+pub use log::{LogChoice, LogCommand};
 pub use manoeuvre::{Datum, FarEnd, Ground, Manoeuvre, Pattern, Shape};
 pub use mav_cmd::{command_by_name, command_name, command_names};
 pub use motion::MotionCommand;
@@ -66,6 +69,8 @@ pub enum Command {
     /// Requests messages.
     Query(QueryCommand),
     Parameter(ParameterCommand),
+    /// The logs that the vehicle keeps of its flights.
+    Log(LogCommand),
     /// Sent as typed, without interpretation.
     Raw(RawCommand),
 }
@@ -89,6 +94,8 @@ impl Command {
             Self::Device(command) => long(command.fields(vehicle)?),
             Self::Query(command) => long(command.fields()),
             Self::Parameter(command) => command.request(vehicle),
+            // A session reads logs beside its commands.
+            Self::Log(_) => Err(text!("refused-logs-here")),
             Self::Raw(command) => command.request(vehicle, confirmation),
         }
     }
@@ -102,6 +109,7 @@ impl Command {
             | Self::Device(_)
             | Self::Query(_)
             | Self::Parameter(_)
+            | Self::Log(_)
             | Self::Raw(_) => None,
         }
     }
@@ -113,7 +121,7 @@ impl Command {
             Self::Flight(command) => command.effect(before),
             Self::Motion(command) => command.effect(before),
             Self::Device(command) => command.effect(before),
-            Self::Query(_) | Self::Parameter(_) | Self::Raw(_) => Effect::nothing(),
+            Self::Query(_) | Self::Parameter(_) | Self::Log(_) | Self::Raw(_) => Effect::nothing(),
         }
     }
 
@@ -123,7 +131,9 @@ impl Command {
             Self::Arming(command) => command.risk(),
             Self::Parameter(command) => command.risk(),
             Self::Raw(command) => command.risk(),
-            Self::Flight(_) | Self::Motion(_) | Self::Device(_) | Self::Query(_) => Risk::None,
+            Self::Flight(_) | Self::Motion(_) | Self::Device(_) | Self::Query(_) | Self::Log(_) => {
+                Risk::None
+            }
         }
     }
 }

@@ -13,7 +13,7 @@ use tokio_util::sync::CancellationToken;
 use crate::link::{FrameSink, LinkStatus, Tap, Transport};
 use crate::notice::Notice;
 use crate::parameters::ParameterSnapshot;
-use crate::session::{Report, Steering, Stream, VehicleCommand, WANTED_STREAMS, Want};
+use crate::session::{LogKeeper, Report, Steering, Stream, VehicleCommand, WANTED_STREAMS, Want};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
@@ -58,6 +58,15 @@ enum FleetRequest {
     Forget(VehicleId),
 }
 
+/// What is kept of a fleet.
+#[derive(Debug, Clone, Default)]
+pub struct Keeping {
+    /// Where the frames of all links are taken down.
+    pub sink: Option<FrameSink>,
+    /// Where downloaded logs go.
+    pub logs: Option<Arc<dyn LogKeeper>>,
+}
+
 /// The console's end of the fleet. Dropping it, or cancelling its token, ends every task.
 #[derive(Debug)]
 pub struct Fleet {
@@ -71,16 +80,16 @@ impl Fleet {
         clock: FleetClock,
         cancel: CancellationToken,
     ) -> (Self, mpsc::Receiver<FleetEvent>) {
-        Self::spawn(WANTED_STREAMS, None, clock, cancel)
+        Self::spawn(WANTED_STREAMS, Keeping::default(), clock, cancel)
     }
 
-    /// Starts an empty fleet whose frames are recorded.
-    pub fn start_recorded(
-        sink: Option<FrameSink>,
+    /// Starts an empty fleet of which something is kept.
+    pub fn start_kept(
+        keeping: Keeping,
         clock: FleetClock,
         cancel: CancellationToken,
     ) -> (Self, mpsc::Receiver<FleetEvent>) {
-        Self::spawn(WANTED_STREAMS, sink, clock, cancel)
+        Self::spawn(WANTED_STREAMS, keeping, clock, cancel)
     }
 
     /// Starts an empty fleet that requests other telemetry than the console's.
@@ -89,12 +98,12 @@ impl Fleet {
         clock: FleetClock,
         cancel: CancellationToken,
     ) -> (Self, mpsc::Receiver<FleetEvent>) {
-        Self::spawn(streams, None, clock, cancel)
+        Self::spawn(streams, Keeping::default(), clock, cancel)
     }
 
     fn spawn(
         streams: &'static [Stream],
-        sink: Option<FrameSink>,
+        keeping: Keeping,
         clock: FleetClock,
         cancel: CancellationToken,
     ) -> (Self, mpsc::Receiver<FleetEvent>) {
@@ -103,7 +112,7 @@ impl Fleet {
         let surroundings = hub::HubSurroundings {
             clock,
             streams,
-            sink,
+            keeping,
             events,
             cancel: cancel.clone(),
         };

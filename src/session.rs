@@ -9,6 +9,7 @@ use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::MavMessage;
 
+use crate::commands::Command;
 use crate::ledger::RowUpdate;
 use crate::messages::Inbox;
 use crate::notice::Notice;
@@ -23,6 +24,7 @@ mod download;
 mod fit;
 mod hearing;
 mod line;
+mod logs;
 mod naming;
 mod order;
 mod plans;
@@ -38,11 +40,13 @@ mod transaction;
 use download::Download;
 use hearing::{Hearing, watch_silence};
 use line::{Line, Moment};
+use logs::LogReader;
 use plans::PlanReader;
 use streams::Streams;
 use timesync::Timesync;
 
 pub use hearing::{LOST_AFTER, autopilot_of};
+pub use logs::{GapMap, KeptLog, ListedLog, LogBytes, LogKeeper, VehicleLog};
 pub use naming::Renamed;
 pub use order::{Report, Steering, VehicleCommand};
 pub use radio::RadioFault;
@@ -87,6 +91,7 @@ pub struct Session {
     plans: PlanReader,
     line: Line,
     download: Download,
+    logs: LogReader,
     output: Output,
     /// The radio between the vehicle and us.
     channel: radio::Channel,
@@ -110,6 +115,7 @@ impl Session {
             plans: PlanReader::default(),
             line: Line::default(),
             download: Download::new(),
+            logs: LogReader::default(),
             output: Output::default(),
             channel: radio::Channel::new(),
             settings: settings::Settings::default(),
@@ -122,6 +128,13 @@ impl Session {
     #[must_use]
     pub fn wanting(mut self, streams: &'static [Stream], now: Duration) -> Self {
         self.streams = Streams::new(streams, now);
+        self
+    }
+
+    /// Keeps the vehicle's logs that are downloaded.
+    #[must_use]
+    pub fn keeping_logs(mut self, keeper: Arc<dyn LogKeeper>) -> Self {
+        self.logs.keep_in(keeper);
         self
     }
 
@@ -242,10 +255,17 @@ impl Session {
         line.clear(&newer, &mut moment);
         line.supersede_movements(&newer, now, moment.output);
         self.vehicle.asked_speeds = AskedSpeeds::default();
+        self.logs
+            .clear(&newer, &self.vehicle, now, &mut self.output);
     }
 
     /// Takes an order. Urgent ones (kill, disarm, land, return, hold) go before everything that waits.
     pub fn order(&mut self, order: VehicleCommand, now: Duration) {
+        if matches!(order.command, Command::Log(_)) {
+            self.logs.order(order, &self.vehicle, now, &mut self.output);
+            self.poll(now);
+            return;
+        }
         let (line, moment) = self.line(now);
         line.order(order, moment);
     }
@@ -282,6 +302,7 @@ impl Session {
             let requests = self.download.poll(&mut self.inbox, &self.vehicle, now);
             self.output.messages.extend(requests);
         }
+        self.logs.poll(&self.vehicle, now, &mut self.output);
         self.advance(now);
     }
 
@@ -289,7 +310,7 @@ impl Session {
     pub fn patience(&self) -> Duration {
         let is_fetching = self.plans.is_busy() || self.download.fetching().is_under_way();
         let is_late = !self.channel.is_clear() || !self.settings.are_settled();
-        if is_late || self.line.is_busy() || is_fetching {
+        if is_late || self.line.is_busy() || self.logs.is_busy() || is_fetching {
             BUSY_POLL
         } else {
             IDLE_POLL
@@ -337,6 +358,7 @@ impl Session {
         self.plans
             .receive(&mut self.vehicle, frame, now, &mut messages);
         self.send(messages);
+        self.logs.receive(frame, now);
         self.line.receive(frame, now, &mut self.output);
     }
 

@@ -20,6 +20,7 @@ mod folders;
 mod history;
 mod journal;
 mod links;
+mod logs;
 mod output;
 mod profiles;
 mod records;
@@ -34,6 +35,7 @@ pub use folders::Folders;
 pub use history::History;
 pub use journal::{Landing, Recovery, day_of, open_profiles, recover};
 pub use links::open_own;
+pub use logs::LogFolder;
 pub use output::{write, write_output};
 pub use profiles::{
     MendedRows, PastRun, Profile, ProfileError, ProfileFile, ProfileSettings, Profiles, Rescue,

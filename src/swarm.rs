@@ -335,6 +335,7 @@ fn goal(command: &Command, act: &ActiveManoeuvre, vehicles: &Vehicles) -> Option
         | Command::Device(_)
         | Command::Query(_)
         | Command::Parameter(_)
+        | Command::Log(_)
         | Command::Raw(_) => None,
     }
 }

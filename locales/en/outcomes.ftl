@@ -61,3 +61,17 @@ effect-velocity = flying at that velocity
 effect-home = home moved
 effect-servo = output { $output } at { $pulse } us
 effect-rebooted = rebooted
+
+# The logs of a vehicle.
+outcome-logs-none = the vehicle has no logs
+outcome-logs-listed = { $count ->
+    [one] 1 log, { $size } kB: { $logs }
+   *[other] { $count } logs, { $size } kB: { $logs }
+}
+outcome-log-listed = { $number } ({ $size } kB)
+outcome-log-listed-at = { $number } ({ $size } kB, { $time })
+outcome-logs-kept = { $size } kB in { $files }
+outcome-logs-silent = the vehicle does not list its logs
+outcome-log-stalled = the vehicle sends no more of the log: { $percent } % are kept; download it again to continue
+outcome-logs-armed = the vehicle sends no logs while armed: { $percent } % are kept; disarm and download it again to continue
+outcome-log-length = { $file } has { $bytes } bytes, but the vehicle lists { $expected }: download it again

@@ -66,3 +66,18 @@ effect-velocity = політ із такою швидкістю
 effect-home = новий дім
 effect-servo = вихід { $output } на { $pulse } us
 effect-rebooted = перезапуск
+
+# Журнали польотів апарата.
+outcome-logs-none = апарат не має журналів
+outcome-logs-listed = { $count ->
+    [one] { $count } журнал, { $size } kB: { $logs }
+    [few] { $count } журнали, { $size } kB: { $logs }
+   *[other] { $count } журналів, { $size } kB: { $logs }
+}
+outcome-log-listed = { $number } ({ $size } kB)
+outcome-log-listed-at = { $number } ({ $size } kB, { $time })
+outcome-logs-kept = { $size } kB у { $files }
+outcome-logs-silent = апарат не показує переліку журналів
+outcome-log-stalled = апарат більше не надсилає журнал: збережено { $percent } %; завантажте ще раз, щоб продовжити
+outcome-logs-armed = апарат не надсилає журналів з активними двигунами: збережено { $percent } %; деактивуйте й завантажте ще раз, щоб продовжити
+outcome-log-length = { $file } має { $bytes } байтів, а апарат називає { $expected }: завантажте ще раз

@@ -29,9 +29,12 @@ verb-reboot = перезапустити автопілот; з активним
 verb-interval = задати частоту повідомлення в Hz; 0 вимикає
 verb-request = попросити повідомлення один раз
 verb-param = прочитати або записати параметр
+verb-logs = показати або завантажити журнали польотів; завантаження продовжується з місця зупинки
 verb-long = надіслати будь-яку MAV_CMD через COMMAND_LONG; пропущені параметри дорівнюють 0
 verb-int = надіслати будь-яку MAV_CMD через COMMAND_INT; для місця x та y є градусами, помноженими на 1e7
 
+argument-log-folder = тека для файлів
+argument-log-number = номер у `logs list`
 argument-name-or-number = назва або номер
 argument-height = висота над домом
 argument-north-of-origin = на північ від початку координат

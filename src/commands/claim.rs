@@ -58,7 +58,7 @@ impl Command {
             },
             Self::Flight(command) => command.claim(before),
             Self::Motion(command) => command.claim(before),
-            Self::Device(_) | Self::Query(_) | Self::Parameter(_) | Self::Raw(_) => {
+            Self::Device(_) | Self::Query(_) | Self::Parameter(_) | Self::Log(_) | Self::Raw(_) => {
                 Claim::default()
             }
         }

@@ -101,7 +101,11 @@ fn likely_reason(result: AckResult, vehicle: &Vehicle, command: &Command) -> Opt
         Command::Arming(command) => command.likely_reason(vehicle),
         Command::Flight(command) => command.likely_reason(vehicle),
         Command::Device(command) => command.likely_reason(vehicle),
-        Command::Motion(_) | Command::Query(_) | Command::Parameter(_) | Command::Raw(_) => None,
+        Command::Motion(_)
+        | Command::Query(_)
+        | Command::Parameter(_)
+        | Command::Log(_)
+        | Command::Raw(_) => None,
     }
 }
 

@@ -8,10 +8,10 @@ use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
 use super::vehicle_task::{ParameterFeed, ToVehicle, VehicleTask};
-use super::{FleetClock, FleetEvent, FleetRequest};
+use super::{FleetClock, FleetEvent, FleetRequest, Keeping};
 use crate::inspector::Census;
 use crate::ledger::RowState;
-use crate::link::{self, FrameSink, Inbound, LinkHandle, LinkId, LinkPeer, Transport};
+use crate::link::{self, Inbound, LinkHandle, LinkId, LinkPeer, Transport};
 use crate::notice::Notice;
 use crate::parameters::ParameterSnapshot;
 use crate::session::{LOST_AFTER, Report, Session, Stream, VehicleCommand, Want, autopilot_of};
@@ -82,8 +82,7 @@ pub(super) struct HubSurroundings {
     pub clock: FleetClock,
     /// Telemetry to request from vehicles.
     pub streams: &'static [Stream],
-    /// The sink for the frames of all links, if they are recorded.
-    pub sink: Option<FrameSink>,
+    pub keeping: Keeping,
     pub events: mpsc::Sender<FleetEvent>,
     pub cancel: CancellationToken,
 }
@@ -91,7 +90,7 @@ pub(super) struct HubSurroundings {
 struct Hub {
     clock: FleetClock,
     streams: &'static [Stream],
-    sink: Option<FrameSink>,
+    keeping: Keeping,
     links: Vec<LinkHandle>,
     routes: BTreeMap<SystemId, PeerRoute>,
     inbound: mpsc::Sender<Inbound>,
@@ -104,7 +103,7 @@ pub(super) async fn run(surroundings: HubSurroundings, mut requests: mpsc::Recei
     let HubSurroundings {
         clock,
         streams,
-        sink,
+        keeping,
         events,
         cancel,
     } = surroundings;
@@ -112,7 +111,7 @@ pub(super) async fn run(surroundings: HubSurroundings, mut requests: mpsc::Recei
     let mut hub = Hub {
         clock,
         streams,
-        sink,
+        keeping,
         links: Vec::new(),
         routes: BTreeMap::new(),
         inbound,
@@ -147,7 +146,7 @@ pub(super) async fn run(surroundings: HubSurroundings, mut requests: mpsc::Recei
 impl Hub {
     async fn connect(&mut self, transport: Transport) {
         let id = LinkId(self.links.len() as u16);
-        let (sink, inbound) = (self.sink.clone(), self.inbound.clone());
+        let (sink, inbound) = (self.keeping.sink.clone(), self.inbound.clone());
         let link = link::open_recorded(id, transport, sink, inbound, self.cancel.clone());
         let news = FleetEvent::Linked(link.status(), link.tap());
         self.links.push(link);
@@ -285,6 +284,9 @@ impl Hub {
         let (state, state_out) = watch::channel(Arc::new(Vehicle::new(system, component)));
         let (parameters, parameters_out) = watch::channel(ParameterSnapshot::default());
         let mut session = Session::new(system, component, now).wanting(self.streams, now);
+        if let Some(keeper) = &self.keeping.logs {
+            session = session.keeping_logs(Arc::clone(keeper));
+        }
         session.heard_via(from.link.0, now);
         let task = VehicleTask {
             session,

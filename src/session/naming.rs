@@ -47,6 +47,7 @@ pub(super) fn settle(order: &mut VehicleCommand, list: &ParameterList) -> bool {
         | Command::Motion(_)
         | Command::Device(_)
         | Command::Query(_)
+        | Command::Log(_)
         | Command::Raw(_) => return true,
     };
     let Some((other, sense)) = other_name(name).filter(|_| list.get(name).is_none()) else {
@@ -133,6 +134,7 @@ fn names(command: &Command) -> (&str, &str) {
         | Command::Motion(_)
         | Command::Device(_)
         | Command::Query(_)
+        | Command::Log(_)
         | Command::Raw(_) => ("", ""),
     }
 }

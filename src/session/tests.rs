@@ -18,6 +18,7 @@ use crate::verb::{Retry, Verb};
 
 mod download;
 mod hearing;
+mod logs;
 mod naming;
 mod orders;
 mod overtaken;

@@ -172,6 +172,7 @@ impl Console {
             simulation: self.options.backend.clone(),
             runs: self.options.preferences.runs.clone(),
             records: self.options.preferences.records.clone(),
+            data: self.options.preferences.data.clone(),
             occasion: Occasion {
                 stake: self.attempt.stake,
                 flown_by: self.options.flown_by,

@@ -23,6 +23,7 @@ use tokio::net::UdpSocket;
 use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
+mod logs;
 mod parameters;
 
 /// How long anything may take before a test gives up.

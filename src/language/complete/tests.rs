@@ -17,7 +17,7 @@ fn words_that_begin_as_written_come_first_and_everyday_ones_before_the_rest() {
         ("go", vec!["goto"]),
         ("al", vec!["altitude", "all", "alt_hold"]),
         ("all al", vec!["altitude", "alt_hold"]),
-        ("l", vec!["land", "long", "loiter"]),
+        ("l", vec!["land", "long", "logs", "loiter"]),
         ("hold", vec!["hold", "alt_hold"]),
         ("mode a", vec!["AUTO", "ALT_HOLD", "ACRO"]),
         ("a", vec!["arm", "altitude", "all", "auto", "alt_hold"]),

@@ -1,13 +1,17 @@
 //! Verbs about outputs, messages, parameters and bare MAVLink.
 
 use super::{ASK, Built, ONCE, command, swarm};
-use crate::commands::{Command, DeviceCommand, ParameterCommand, QueryCommand, RawCommand};
+use crate::commands::{
+    Act, Command, DeviceCommand, LogChoice, LogCommand, ParameterCommand, QueryCommand, RawCommand,
+};
 use crate::language::argument::{Argument, Arguments, Kind, Problem, Unit};
-use crate::language::verb::{Form, Scope, VerbRow};
+use crate::language::verb::{Form, Meaning, Scope, VerbRow};
 use crate::text;
 use crate::verb::{CountsAs, Danger, Movement, Precedence, Verb};
 
-pub(super) static ROWS: &[VerbRow] = &[SERVO, RELAY, REBOOT, INTERVAL, REQUEST, PARAM, LONG, INT];
+pub(super) static ROWS: &[VerbRow] = &[
+    SERVO, RELAY, REBOOT, INTERVAL, REQUEST, PARAM, LONG, INT, LOGS,
+];
 
 /// Any value that fits a float on the wire.
 const ANY: Kind = Kind::Number(Unit::None, -(f32::MAX as f64), f32::MAX as f64);
@@ -193,6 +197,66 @@ const PARAM: VerbRow = VerbRow {
         ),
     ],
 };
+
+const TO_FOLDER: Argument =
+    Argument::keyed("to", "folder", Kind::Rest, "argument-log-folder").optional();
+
+const LOGS: VerbRow = VerbRow {
+    verb: Verb {
+        name: "logs",
+        danger: Danger::None,
+        retry: ASK,
+        precedence: Precedence::InTurn,
+        movement: Movement::None,
+        counts_as: CountsAs::Question,
+    },
+    scope: Scope::Everywhere,
+    aliases: &[],
+    examples: &[
+        "logs list",
+        "all logs download",
+        "logs download 12 to ~/logs",
+        "logs download all",
+    ],
+    forms: &[
+        Form::new(&[Argument::flag("list", "")], |_| {
+            command(Command::Log(LogCommand::List))
+        }),
+        Form::new(
+            &[
+                Argument::flag("download", ""),
+                Argument::value("which", Kind::Choice(&["last", "all"]), "").optional(),
+                TO_FOLDER,
+            ],
+            |given| {
+                let all = given.word("which") == Some("all");
+                let which = if all { LogChoice::All } else { LogChoice::Last };
+                Ok(download(which, given))
+            },
+        ),
+        Form::new(
+            &[
+                Argument::flag("download", ""),
+                Argument::value(
+                    "number",
+                    Kind::Whole(Unit::None, 0.0, u16::MAX as f64),
+                    "argument-log-number",
+                ),
+                TO_FOLDER,
+            ],
+            |given| {
+                let number = given.required("number")? as u16;
+                Ok(download(LogChoice::Number(number), given))
+            },
+        ),
+    ],
+};
+
+fn download(which: LogChoice, given: &Arguments) -> Meaning {
+    let folder = given.word("folder").map(str::to_owned);
+    let download = LogCommand::Download { which, folder };
+    Meaning::Act(Act::Command(Command::Log(download)))
+}
 
 const LONG: VerbRow = VerbRow {
     verb: Verb {

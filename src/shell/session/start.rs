@@ -1,6 +1,7 @@
 //! Starts sessions.
 
 use std::collections::BTreeMap;
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -16,7 +17,7 @@ use super::recorder::FlightRecorder;
 use crate::app::event::Started;
 use crate::app::state::Activity;
 use crate::exercise::PacedClock;
-use crate::fleet::{Fleet, FleetClock};
+use crate::fleet::{Fleet, FleetClock, Keeping};
 use crate::geo::LatLon;
 use crate::hangar::{SitlSource, VehicleBackend as Simulation};
 use crate::link::{Address, Endpoint, Simulator, SimulatorPace, Transport};
@@ -25,8 +26,9 @@ use crate::mission::{Flight, Mission, Stake};
 use crate::operator::Operator;
 use crate::record::InputsHead;
 use crate::scoring::TryReport;
+use crate::session::LogKeeper;
 use crate::sim::{Start, World, WorldConfig};
-use crate::store::{Records, Runs};
+use crate::store::{LogFolder, Records, Runs};
 use crate::swarm::Rules;
 use crate::text;
 use crate::text::Text;
@@ -61,6 +63,8 @@ pub(in crate::shell) struct SessionBackend {
     pub runs: Option<Runs>,
     /// The folder for records of flights.
     pub records: Option<Records>,
+    /// The folder of data, where downloaded logs are kept.
+    pub data: Option<PathBuf>,
     /// The stake and the career of a mission.
     pub occasion: Occasion,
     /// The trainee's attempts before this one, oldest first.
@@ -104,7 +108,12 @@ impl RunningSession {
             .is_recorded(backend)
             .then(|| FlightRecorder::new(&backend.clock));
         let sink = recorder.as_ref().map(FlightRecorder::sink);
-        let (fleet, events) = Fleet::start_recorded(sink, backend.clock.clone(), cancel.clone());
+        let folder = backend.data.as_deref().map(LogFolder::within);
+        let keeping = Keeping {
+            sink,
+            logs: folder.map(|folder| Arc::new(folder) as Arc<dyn LogKeeper>),
+        };
+        let (fleet, events) = Fleet::start_kept(keeping, backend.clock.clone(), cancel.clone());
         let mut running = Self {
             plan: plan.clone(),
             fleet,

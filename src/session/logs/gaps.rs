@@ -1,0 +1,182 @@
+//! What of a file has not come yet.
+
+use std::ops::Range;
+
+/// The gaps of a file of known size: stretches of bytes that are missing, in order, none touching the next.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct GapMap {
+    size: u32,
+    missing: Vec<Range<u32>>,
+}
+
+impl GapMap {
+    /// All of a file is missing.
+    pub fn new(size: u32) -> Self {
+        let mut map = Self {
+            size,
+            missing: Vec::new(),
+        };
+        map.open(0..size);
+        map
+    }
+
+    /// A file of which only these stretches are missing; `None` where they are not in order or do not fit.
+    pub fn of_gaps(size: u32, missing: Vec<Range<u32>>) -> Option<Self> {
+        let is_empty = |gap: &Range<u32>| gap.start >= gap.end;
+        let is_in_order = missing.windows(2).all(|pair| pair[0].end < pair[1].start);
+        let fits = missing.last().is_none_or(|last| last.end <= size);
+        let is_sound = is_in_order && fits && !missing.iter().any(is_empty);
+        is_sound.then_some(Self { size, missing })
+    }
+
+    /// Bytes of the whole file.
+    pub fn size(&self) -> u32 {
+        self.size
+    }
+
+    /// The gaps, in order.
+    pub fn missing(&self) -> &[Range<u32>] {
+        &self.missing
+    }
+
+    /// How many bytes are missing.
+    pub fn missing_bytes(&self) -> u32 {
+        self.missing.iter().map(|gap| gap.end - gap.start).sum()
+    }
+
+    pub fn is_complete(&self) -> bool {
+        self.missing.is_empty()
+    }
+
+    /// How much is there, 0 to 100; 100 only where nothing is missing.
+    pub fn percent(&self) -> u8 {
+        if self.is_complete() {
+            return 100;
+        }
+        let there = u64::from(self.size - self.missing_bytes());
+        (there * 100 / u64::from(self.size)).min(99) as u8
+    }
+
+    /// Whether any byte of a stretch is missing.
+    pub fn lacks(&self, stretch: &Range<u32>) -> bool {
+        let at = self.missing.partition_point(|gap| gap.end <= stretch.start);
+        let next = self.missing.get(at);
+        stretch.start < stretch.end && next.is_some_and(|gap| gap.start < stretch.end)
+    }
+
+    /// Notes that a stretch has come; returns how many of its bytes are new. What lies behind the end is ignored.
+    pub fn fill(&mut self, stretch: Range<u32>) -> u32 {
+        let first = self.missing.partition_point(|gap| gap.end <= stretch.start);
+        let behind = self.missing.partition_point(|gap| gap.start < stretch.end);
+        if first >= behind || stretch.start >= stretch.end {
+            return 0;
+        }
+        let before = self.missing[first].start..stretch.start;
+        let after = stretch.end..self.missing[behind - 1].end;
+        let touched: u32 = self.missing[first..behind]
+            .iter()
+            .map(|gap| gap.end - gap.start)
+            .sum();
+        let left: Vec<Range<u32>> = [before, after]
+            .into_iter()
+            .filter(|gap| gap.start < gap.end)
+            .collect();
+        let still: u32 = left.iter().map(|gap| gap.end - gap.start).sum();
+        self.missing.splice(first..behind, left);
+        touched - still
+    }
+
+    /// Notes that a stretch is missing after all.
+    pub fn open(&mut self, stretch: Range<u32>) {
+        let stretch = stretch.start..stretch.end.min(self.size);
+        if stretch.start >= stretch.end {
+            return;
+        }
+        // Gaps that touch become one.
+        let first = self.missing.partition_point(|gap| gap.end < stretch.start);
+        let behind = self.missing.partition_point(|gap| gap.start <= stretch.end);
+        let mut joined = stretch;
+        for gap in &self.missing[first..behind] {
+            joined = joined.start.min(gap.start)..joined.end.max(gap.end);
+        }
+        self.missing.splice(first..behind, [joined]);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn a_stretch_in_the_middle_leaves_two_gaps() {
+        let mut map = GapMap::new(100);
+        assert_eq!(map.fill(40..60), 20);
+        assert_eq!(map.missing(), [0..40, 60..100]);
+        assert_eq!(map.fill(30..70), 20);
+        assert_eq!(map.fill(0..30), 30);
+        assert_eq!((map.percent(), map.missing_bytes()), (70, 30));
+        assert_eq!(map.fill(70..200), 30);
+        assert!(map.is_complete());
+        assert_eq!(map.percent(), 100);
+        map.open(90..200);
+        assert_eq!(map.missing().first(), Some(&(90..100)));
+    }
+
+    #[test]
+    fn an_empty_file_is_complete() {
+        assert!(GapMap::new(0).is_complete());
+        assert_eq!(GapMap::new(0).percent(), 100);
+    }
+
+    #[test]
+    fn gaps_that_do_not_fit_are_none() {
+        assert!(GapMap::of_gaps(10, vec![2..4, 6..10]).is_some());
+        for gaps in [[2..4, 6..12], [4..6, 2..3], [2..2, 4..6], [2..4, 4..6]] {
+            assert_eq!(GapMap::of_gaps(10, gaps.to_vec()), None);
+        }
+    }
+
+    #[derive(Debug, Clone)]
+    enum Change {
+        Fill(Range<u32>),
+        Open(Range<u32>),
+    }
+
+    fn change() -> impl Strategy<Value = Change> {
+        (0..260_u32, 0..60_u32, any::<bool>()).prop_map(|(start, len, fills)| {
+            if fills {
+                Change::Fill(start..start + len)
+            } else {
+                Change::Open(start..start + len)
+            }
+        })
+    }
+
+    proptest! {
+        /// The map says of each byte what a list of all bytes says.
+        #[test]
+        fn it_is_as_good_as_a_list_of_all_bytes(changes in proptest::collection::vec(change(), 0..60)) {
+            const SIZE: usize = 250;
+            let (mut map, mut bytes) = (GapMap::new(SIZE as u32), [true; SIZE]);
+            for change in changes {
+                let (stretch, is_missing) = match change.clone() {
+                    Change::Fill(stretch) => (stretch, false),
+                    Change::Open(stretch) => (stretch, true),
+                };
+                let within = (stretch.start as usize).min(SIZE)..(stretch.end as usize).min(SIZE);
+                prop_assert_eq!(map.lacks(&stretch), bytes[within.clone()].contains(&true));
+                let new = bytes[within.clone()].iter().filter(|byte| **byte).count();
+                bytes[within].fill(is_missing);
+                match change {
+                    Change::Fill(stretch) => prop_assert_eq!(map.fill(stretch) as usize, new),
+                    Change::Open(stretch) => map.open(stretch),
+                }
+                let known = GapMap::of_gaps(SIZE as u32, map.missing().to_vec());
+                prop_assert_eq!(known.as_ref(), Some(&map));
+                let missing = bytes.iter().filter(|byte| **byte).count();
+                prop_assert_eq!(map.missing_bytes() as usize, missing);
+            }
+        }
+    }
+}

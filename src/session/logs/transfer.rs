@@ -1,0 +1,260 @@
+//! Reading one log: as a stream where much is missing, and in small pieces where little was lost.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::time::Duration;
+
+use mavlink::dialects::ardupilotmega::{LOG_DATA_DATA, LOG_REQUEST_DATA_DATA, MavMessage};
+
+use super::{GapMap, LogBytes};
+use crate::wire::{MavAddress, Outgoing};
+
+/// Bytes in one `LOG_DATA`. `ArduPilot` answers a request for no more at once, also on slow links, and silently drops a
+/// request that comes while it is still answering another.
+const PIECE: u32 = 90;
+/// Pieces that are asked for at one time.
+const AT_ONCE: usize = 16;
+/// What one piece costs with so many asked for at a time, some of them lost. Where a stream of all that is missing would
+/// take less, it is asked for.
+const PIECE_COST: Duration = Duration::from_millis(25);
+/// Bytes per second of a stream that has not been measured: a radio of 57600 baud.
+const SLOW: f64 = 4000.0;
+/// A request was lost, or a stream has ended, if nothing comes for this long.
+const SILENCE: Duration = Duration::from_millis(600);
+/// Fruitless requests make the next one wait twice as long, but not longer than this many times.
+const LONGEST_WAIT: u32 = 8;
+/// Nothing more will come if there was nothing new for this long.
+const PATIENCE: Duration = Duration::from_secs(30);
+
+/// A stream that was asked for.
+#[derive(Debug, Clone)]
+struct Stream {
+    range: Range<u32>,
+    begun: Duration,
+    /// How far it has come.
+    reached: u32,
+}
+
+/// A log that is being read.
+#[derive(Debug, Clone)]
+pub(super) struct Transfer {
+    number: u16,
+    gaps: GapMap,
+    /// What has to be the same as before.
+    sample: Option<LogBytes>,
+    stream: Option<Stream>,
+    /// Pieces that were asked for, by their beginning: their end, and when.
+    pieces: BTreeMap<u32, (u32, Duration)>,
+    heard_at: Duration,
+    /// When anything new came last.
+    news_at: Duration,
+    fruitless: u8,
+    bytes_per_s: f64,
+    /// New bytes since it began.
+    pub received: u32,
+}
+
+/// What a message meant for a transfer.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum Received {
+    /// Nothing new.
+    Nothing,
+    /// Bytes that were missing.
+    Bytes(LogBytes),
+    /// What was there is of another log: all is missing.
+    Other,
+}
+
+impl Transfer {
+    /// Begins to read what is missing. If there is a `sample` of what was read before, that is read again first.
+    pub fn new(number: u16, mut gaps: GapMap, sample: Option<LogBytes>, now: Duration) -> Self {
+        if let Some(sample) = &sample {
+            gaps.open(sample.range());
+        }
+        Self {
+            number,
+            gaps,
+            sample,
+            stream: None,
+            pieces: BTreeMap::new(),
+            heard_at: now,
+            news_at: now,
+            fruitless: 0,
+            bytes_per_s: SLOW,
+            received: 0,
+        }
+    }
+
+    pub fn gaps(&self) -> &GapMap {
+        &self.gaps
+    }
+
+    /// Whether nothing more will come.
+    pub fn is_stalled(&self, now: Duration) -> bool {
+        now >= self.news_at + PATIENCE
+    }
+
+    /// Takes in a message with data of a log.
+    pub fn receive(&mut self, data: &LOG_DATA_DATA, now: Duration) -> Received {
+        let count = u32::from(data.count).min(PIECE);
+        let end = data.ofs.saturating_add(count).min(self.gaps.size());
+        // The end of a log that is shorter than listed has no bytes.
+        if data.id != self.number || data.ofs > end || count == 0 {
+            return Received::Nothing;
+        }
+        self.pieces.remove(&data.ofs);
+        self.follow(data.ofs..end, count, now);
+        self.heard_at = now;
+        let bytes = LogBytes {
+            at: data.ofs,
+            bytes: data.data[..(end - data.ofs) as usize].to_vec(),
+        };
+        if self.differs(&bytes) {
+            *self = Self {
+                bytes_per_s: self.bytes_per_s,
+                ..Self::new(self.number, GapMap::new(self.gaps.size()), None, now)
+            };
+            return Received::Other;
+        }
+        let news = self.gaps.fill(bytes.range());
+        if news == 0 {
+            return Received::Nothing;
+        }
+        self.received += news;
+        self.fruitless = 0;
+        self.news_at = now;
+        Received::Bytes(bytes)
+    }
+
+    /// Measures the stream, and notices its end.
+    fn follow(&mut self, range: Range<u32>, count: u32, now: Duration) {
+        let Some(stream) = &mut self.stream else {
+            return;
+        };
+        stream.reached = stream.reached.max(range.end);
+        let is_over = range.end >= stream.range.end || count < PIECE;
+        if is_over {
+            let took = now.saturating_sub(stream.begun).as_secs_f64();
+            let bytes = f64::from(stream.reached.saturating_sub(stream.range.start));
+            if took > 0.0 {
+                self.bytes_per_s = (bytes / took).max(1.0);
+            }
+            self.stream = None;
+        }
+    }
+
+    /// Whether bytes are not those that were read before.
+    fn differs(&self, bytes: &LogBytes) -> bool {
+        let Some(sample) = &self.sample else {
+            return false;
+        };
+        let (ours, theirs) = (sample.range(), bytes.range());
+        let both = ours.start.max(theirs.start)..ours.end.min(theirs.end);
+        both.clone().any(|at| {
+            sample.bytes[(at - ours.start) as usize] != bytes.bytes[(at - theirs.start) as usize]
+        })
+    }
+
+    /// The requests that are due; `round_trip` is how long an answer takes on the way.
+    pub fn poll(
+        &mut self,
+        vehicle: MavAddress,
+        round_trip: Duration,
+        now: Duration,
+    ) -> Vec<Outgoing> {
+        if self.gaps.is_complete() {
+            return Vec::new();
+        }
+        let patience = (1 << (self.fruitless / 2).min(8)).min(LONGEST_WAIT);
+        let wait = SILENCE.max(round_trip * 3 / 2) * patience;
+        let is_quiet = now >= self.heard_at + wait;
+        if is_quiet && (self.stream.is_some() || !self.pieces.is_empty()) {
+            self.fruitless = self.fruitless.saturating_add(1);
+            self.heard_at = now;
+            self.stream = None;
+            self.pieces.clear();
+        }
+        let gaps = &self.gaps;
+        self.pieces
+            .retain(|start, (end, at)| now < *at + wait && gaps.lacks(&(*start..*end)));
+        if self.stream.is_some() {
+            return Vec::new();
+        }
+        let asked = match self.worth_a_stream() {
+            Some(range) if self.pieces.is_empty() => {
+                self.stream = Some(Stream {
+                    range: range.clone(),
+                    begun: now,
+                    reached: range.start,
+                });
+                vec![range]
+            }
+            Some(_) => Vec::new(),
+            None => self.next_pieces(now),
+        };
+        // Silence counts from when something was asked for after nothing was.
+        if self.stream.is_some() || (!asked.is_empty() && self.pieces.len() == asked.len()) {
+            self.heard_at = now;
+        }
+        let request = |range: Range<u32>| self.request(vehicle, &range);
+        asked.into_iter().map(request).collect()
+    }
+
+    /// The stretch to ask for as a stream: from the first to the last gap where most of it is missing, else a long gap.
+    fn worth_a_stream(&self) -> Option<Range<u32>> {
+        let gaps = self.gaps.missing();
+        let (first, last) = (gaps.first()?, gaps.last()?);
+        let all = first.start..last.end;
+        let pieces: u32 = gaps
+            .iter()
+            .map(|gap| (gap.end - gap.start).div_ceil(PIECE))
+            .sum();
+        let is_better = |range: &Range<u32>, pieces: u32| {
+            let bytes = f64::from(range.end - range.start);
+            let stream = Duration::from_secs_f64(bytes / self.bytes_per_s) + SILENCE / 2;
+            pieces as usize > AT_ONCE && stream < PIECE_COST * pieces
+        };
+        if is_better(&all, pieces) {
+            return Some(all);
+        }
+        let longest = gaps.iter().max_by_key(|gap| gap.end - gap.start)?;
+        let pieces = (longest.end - longest.start).div_ceil(PIECE);
+        (pieces as usize > AT_ONCE * 4 || is_better(longest, pieces)).then(|| longest.clone())
+    }
+
+    /// Small pieces of the gaps that were not asked for yet.
+    fn next_pieces(&mut self, now: Duration) -> Vec<Range<u32>> {
+        let free = AT_ONCE.saturating_sub(self.pieces.len());
+        let pieces = self.gaps.missing().iter().flat_map(|gap| {
+            let end = gap.end;
+            let starts = gap.clone().step_by(PIECE as usize);
+            starts.map(move |start| start..end.min(start + PIECE))
+        });
+        let due: Vec<Range<u32>> = pieces
+            .filter(|piece| !self.pieces.contains_key(&piece.start))
+            .take(free)
+            .collect();
+        for piece in &due {
+            self.pieces.insert(piece.start, (piece.end, now));
+        }
+        due
+    }
+
+    fn request(&self, vehicle: MavAddress, range: &Range<u32>) -> Outgoing {
+        MavMessage::LOG_REQUEST_DATA(LOG_REQUEST_DATA_DATA {
+            ofs: range.start,
+            count: range.end - range.start,
+            id: self.number,
+            target_system: vehicle.system,
+            target_component: vehicle.component,
+        })
+        .into()
+    }
+}
+
+impl LogBytes {
+    /// Where they are in the file.
+    pub fn range(&self) -> Range<u32> {
+        self.at..self.at + self.bytes.len() as u32
+    }
+}

@@ -1,0 +1,334 @@
+//! The folder of logs: what vehicles have kept of their flights, copied from them.
+//!
+//! A log that has not come whole lies there as `NAME.bin.part`, and what is missing of it as `NAME.bin.gaps`: its size, and
+//! a line for each gap. The gaps are written after the bytes, so that a program that is killed asks again for a little
+//! that it has, and never takes for read what it lacks. A part goes by vehicle and number; whether it is of the same log
+//! shows when some of it is read again.
+
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, Read as _, Seek as _, SeekFrom, Write as _};
+use std::path::{Path, PathBuf};
+
+use super::{StoreError, links, sharing, user_path};
+use crate::session::{GapMap, KeptLog, LogBytes, LogKeeper, VehicleLog};
+use crate::text;
+use crate::text::{Text, utc_of};
+
+/// Bytes of a file that are read again to see that it is of the same log.
+const SAMPLE: u32 = 720;
+/// As many logs of one name may lie beside each other.
+const MOST_ALIKE: usize = 100;
+/// No list of gaps is longer.
+const LONGEST_GAPS: u64 = 16 * 1024 * 1024;
+
+/// A folder of logs.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct LogFolder {
+    folder: PathBuf,
+}
+
+impl LogFolder {
+    /// The logs in the program's folder for data.
+    pub fn within(data: &Path) -> Self {
+        Self {
+            folder: data.join("logs"),
+        }
+    }
+
+    /// The files of a log; its folder is made.
+    fn paths(&self, log: &VehicleLog) -> Result<LogPaths, StoreError> {
+        let folder = match &log.folder {
+            Some(folder) => user_path(folder),
+            None => self.folder.clone(),
+        };
+        let above = self.folder.parent().unwrap_or(&self.folder);
+        sharing::folder_within(above, &folder).map_err(|error| unwritable(&folder, error))?;
+        let part = format!("v{}-log{}.bin", log.vehicle, log.log.number);
+        let time = u64::from(log.log.time_utc_s);
+        let name = match time {
+            0 => format!("v{}-log{}", log.vehicle, log.log.number),
+            time => {
+                let time = utc_of(time * 1_000_000).replace(' ', "T").replace(':', "-");
+                format!("v{}-log{}-{time}Z", log.vehicle, log.log.number)
+            }
+        };
+        Ok(LogPaths {
+            part: folder.join(format!("{part}.part")),
+            gaps: folder.join(format!("{part}.gaps")),
+            name: folder.join(name),
+        })
+    }
+}
+
+/// The files of one log.
+struct LogPaths {
+    part: PathBuf,
+    gaps: PathBuf,
+    /// What the whole file is called, without its ending.
+    name: PathBuf,
+}
+
+impl LogPaths {
+    /// The names that the whole file may have, the best first.
+    fn names(&self) -> impl Iterator<Item = PathBuf> + '_ {
+        (1..=MOST_ALIKE).map(|number| {
+            let mut name = self.name.clone().into_os_string();
+            if number > 1 {
+                name.push(format!("-{number}"));
+            }
+            name.push(".bin");
+            PathBuf::from(name)
+        })
+    }
+
+    /// What is missing of the part, if there is one that can be gone on with.
+    fn missing(&self, size: u32) -> Option<GapMap> {
+        let mut text = String::new();
+        let file = File::open(&self.gaps).ok()?;
+        file.take(LONGEST_GAPS).read_to_string(&mut text).ok()?;
+        let mut lines = text.lines();
+        let before: u32 = lines.next()?.strip_prefix("bytes ")?.parse().ok()?;
+        let gaps: Option<Vec<_>> = lines
+            .map(|line| {
+                let (start, end) = line.split_once('-')?;
+                Some(start.parse().ok()?..end.parse().ok()?)
+            })
+            .collect();
+        let known = GapMap::of_gaps(before, gaps?)?;
+        let length = fs::metadata(&self.part).ok()?.len();
+        let reach = known.missing().last().map_or(0, |gap| gap.end);
+        // The log may have grown since; a shorter one is another.
+        let is_sound = before <= size && (length >= u64::from(before) || reach == before);
+        if !is_sound {
+            return None;
+        }
+        let mut grown = GapMap::new(size);
+        let mut at = 0;
+        for gap in known.missing() {
+            grown.fill(at..gap.start);
+            at = gap.end;
+        }
+        grown.fill(at..before);
+        Some(grown)
+    }
+}
+
+impl LogKeeper for LogFolder {
+    fn find(&self, log: &VehicleLog) -> Result<KeptLog, Text> {
+        let paths = self.paths(log).map_err(|error| Text::from(&error))?;
+        let size = log.log.size;
+        let is_whole = |path: &PathBuf| {
+            fs::metadata(path).is_ok_and(|file| file.is_file() && file.len() == u64::from(size))
+        };
+        let whole = paths.names().take_while(|it| it.exists()).find(is_whole);
+        if let Some(path) = whole.filter(|_| size > 0) {
+            let mut gaps = GapMap::new(size);
+            gaps.fill(0..size);
+            return Ok(KeptLog {
+                gaps,
+                sample: sample(&path, size),
+                file: Some(path.display().to_string()),
+            });
+        }
+        let gaps = paths.missing(size).unwrap_or_else(|| GapMap::new(size));
+        // What came last before the first gap differs between logs, other than their beginnings.
+        let known = gaps.missing().first().map_or(size, |gap| gap.start);
+        Ok(KeptLog {
+            sample: sample(&paths.part, known),
+            gaps,
+            file: None,
+        })
+    }
+
+    fn keep(&self, log: &VehicleLog, bytes: &[LogBytes], gaps: &GapMap) -> Result<(), Text> {
+        let write = || {
+            let paths = self.paths(log)?;
+            let mut options = OpenOptions::new();
+            let options = options.create(true).truncate(false).write(true);
+            let written = sharing::open(options, &paths.part).and_then(|mut file| {
+                for stretch in bytes {
+                    file.seek(SeekFrom::Start(u64::from(stretch.at)))?;
+                    file.write_all(&stretch.bytes)?;
+                }
+                Ok(())
+            });
+            written.map_err(|error| unwritable(&paths.part, error))?;
+            write_gaps(&paths.gaps, gaps).map_err(|error| unwritable(&paths.gaps, error))
+        };
+        write().map_err(|error: StoreError| Text::from(&error))
+    }
+
+    fn finish(&self, log: &VehicleLog) -> Result<String, Text> {
+        let paths = self.paths(log).map_err(|error| Text::from(&error))?;
+        let unwritable = |path: &Path, error| Text::from(&unwritable(path, error));
+        let mut options = OpenOptions::new();
+        let options = options.create(true).truncate(false).write(true);
+        let sized = sharing::open(options, &paths.part).and_then(|file| {
+            // What a longer log of that number has left behind the end goes.
+            if file.metadata()?.len() > u64::from(log.log.size) {
+                file.set_len(u64::from(log.log.size))?;
+            }
+            file.sync_all()?;
+            Ok(file.metadata()?.len())
+        });
+        let bytes = sized.map_err(|error| unwritable(&paths.part, error))?;
+        if bytes != u64::from(log.log.size) {
+            drop(fs::remove_file(&paths.gaps));
+            return Err(text!(
+                "outcome-log-length",
+                file = paths.part.display().to_string(),
+                bytes = bytes,
+                expected = log.log.size
+            ));
+        }
+        for path in paths.names() {
+            // A link takes no other file's place.
+            match fs::hard_link(&paths.part, &path) {
+                Err(error) if error.kind() == io::ErrorKind::AlreadyExists => continue,
+                // File systems without hard links.
+                Err(_) if !path.exists() => fs::rename(&paths.part, &path),
+                linked => linked,
+            }
+            .map_err(|error| unwritable(&path, error))?;
+            drop(fs::remove_file(&paths.part));
+            drop(fs::remove_file(&paths.gaps));
+            return Ok(path.display().to_string());
+        }
+        let error = io::ErrorKind::AlreadyExists.into();
+        Err(unwritable(&paths.name, error))
+    }
+}
+
+/// The last bytes of a file before a place.
+fn sample(path: &Path, end: u32) -> Option<LogBytes> {
+    let at = end.saturating_sub(SAMPLE);
+    let mut bytes = vec![0; (end - at) as usize];
+    let mut file = File::open(path).ok()?;
+    file.seek(SeekFrom::Start(u64::from(at))).ok()?;
+    file.read_exact(&mut bytes).ok()?;
+    (!bytes.is_empty()).then_some(LogBytes { at, bytes })
+}
+
+fn write_gaps(path: &Path, gaps: &GapMap) -> io::Result<()> {
+    let lines = gaps.missing().iter();
+    let lines: Vec<String> = lines
+        .map(|gap| format!("{}-{}\n", gap.start, gap.end))
+        .collect();
+    let text = format!("bytes {}\n{}", gaps.size(), lines.concat());
+    let part = path.with_extension("gaps.new");
+    let mut options = OpenOptions::new();
+    let options = options.create(true).truncate(true).write(true);
+    links::open_own(options, &part)?.write_all(text.as_bytes())?;
+    fs::rename(&part, path)
+}
+
+fn unwritable(path: &Path, error: io::Error) -> StoreError {
+    let path = path.to_owned();
+    StoreError::Unwritable { path, error }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::session::ListedLog;
+
+    fn log(size: u32) -> VehicleLog {
+        let log = ListedLog {
+            number: 2,
+            size,
+            time_utc_s: 1_767_225_645,
+        };
+        VehicleLog {
+            vehicle: 3,
+            log,
+            folder: None,
+        }
+    }
+
+    fn bytes(at: u32, len: usize) -> LogBytes {
+        let bytes = (0..len).map(|it| (it + at as usize) as u8).collect();
+        LogBytes { at, bytes }
+    }
+
+    #[test]
+    fn a_part_is_gone_on_with_and_becomes_the_file() {
+        let data = tempfile::tempdir().expect("a folder");
+        let folder = LogFolder::within(data.path());
+        let log = log(2000);
+        let kept = folder.find(&log).expect("it can be kept");
+        assert_eq!(
+            (kept.gaps.missing_bytes(), &kept.sample, kept.file),
+            (2000, &None, None)
+        );
+        let mut gaps = kept.gaps;
+        for stretch in [bytes(0, 900), bytes(1000, 500)] {
+            gaps.fill(stretch.range());
+            folder.keep(&log, &[stretch], &gaps).expect("written");
+        }
+        let again = folder.find(&log).expect("it can be kept");
+        assert_eq!(again.gaps.missing(), [900..1000, 1500..2000]);
+        assert_eq!(again.sample, Some(bytes(180, 720)));
+        let rest = [bytes(900, 100), bytes(1500, 500)];
+        for stretch in &rest {
+            gaps.fill(stretch.range());
+        }
+        folder.keep(&log, &rest, &gaps).expect("written");
+        let path = folder.finish(&log).expect("it is whole");
+        assert!(
+            path.ends_with("logs/v3-log2-2026-01-01T00-00-45Z.bin"),
+            "{path}"
+        );
+        assert_eq!(fs::read(&path).expect("there"), bytes(0, 2000).bytes);
+        let known = folder.find(&log).expect("it can be kept");
+        assert!(known.gaps.is_complete());
+        assert_eq!(
+            (known.file, known.sample),
+            (Some(path), Some(bytes(1280, 720)))
+        );
+        assert_eq!(
+            fs::read_dir(data.path().join("logs"))
+                .expect("there")
+                .count(),
+            1
+        );
+    }
+
+    #[test]
+    fn a_file_that_is_too_short_gets_no_name_and_another_log_no_ones_place() {
+        let data = tempfile::tempdir().expect("a folder");
+        let folder = LogFolder::within(data.path());
+        let log = log(100);
+        let mut gaps = GapMap::new(100);
+        gaps.fill(0..50);
+        folder.keep(&log, &[bytes(0, 50)], &gaps).expect("written");
+        folder.finish(&log).expect_err("half is missing");
+        for expected in ["45Z.bin", "45Z-2.bin"] {
+            gaps.fill(0..100);
+            folder.keep(&log, &[bytes(0, 100)], &gaps).expect("written");
+            let path = folder.finish(&log).expect("it is whole");
+            assert!(path.ends_with(expected), "{path}");
+        }
+    }
+
+    #[test]
+    fn gaps_that_make_no_sense_are_left_alone() {
+        let data = tempfile::tempdir().expect("a folder");
+        let folder = LogFolder::within(data.path());
+        let log = log(100);
+        let mut gaps = GapMap::new(100);
+        gaps.fill(0..50);
+        folder.keep(&log, &[bytes(0, 50)], &gaps).expect("written");
+        let path = data.path().join("logs/v3-log2.bin.gaps");
+        for text in [
+            "",
+            "bytes 100\n50",
+            "bytes 100\n70-60\n",
+            "bytes 200\n50-200\n",
+            "\u{fffd}",
+        ] {
+            fs::write(&path, text).expect("written");
+            let kept = folder.find(&log).expect("it can be kept");
+            assert_eq!(kept.gaps, GapMap::new(100), "{text:?}");
+        }
+    }
+}

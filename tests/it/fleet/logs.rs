@@ -1,0 +1,135 @@
+//! Logs of simulated vehicles, over TCP.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::Duration;
+
+use sortie::fleet::{Fleet, FleetClock, Keeping};
+use sortie::ledger::RowState;
+use sortie::session::{LogKeeper, RadioFault, Want};
+use sortie::store::LogFolder;
+use tokio_util::sync::CancellationToken;
+
+use super::{Console, serve, world};
+
+impl Console {
+    /// A console that keeps the logs of vehicles in a folder of data.
+    fn keeping_logs(data: &Path) -> Self {
+        let folder: Arc<dyn LogKeeper> = Arc::new(LogFolder::within(data));
+        let keeping = Keeping {
+            sink: None,
+            logs: Some(folder),
+        };
+        let (fleet, events) =
+            Fleet::start_kept(keeping, FleetClock::start(), CancellationToken::new());
+        Self {
+            fleet,
+            events,
+            vehicles: BTreeMap::new(),
+            parameters: BTreeMap::new(),
+            links: Vec::new(),
+            rows: Vec::new(),
+            notices: Vec::new(),
+            entries: 0,
+        }
+    }
+
+    async fn until_heard(&mut self, ids: &[u16]) {
+        self.until("all are heard", |console| {
+            ids.iter().all(|&id| {
+                let vehicle = console.vehicle(id);
+                vehicle.is_some_and(|vehicle| vehicle.heartbeat.is_some())
+            })
+        })
+        .await;
+    }
+
+    /// Has vehicles fly for a moment, so that they have a log.
+    async fn hop(&mut self, ids: &[u16]) {
+        self.until_ready(ids).await;
+        self.give("guided", ids);
+        self.give("arm", ids);
+        let takeoff = self.give("takeoff 5", ids);
+        for &id in ids {
+            self.until_done(takeoff, id).await;
+        }
+        self.give("land", ids);
+        self.until("all are down again", |console| {
+            ids.iter()
+                .all(|&id| console.vehicle(id).is_some_and(|vehicle| !vehicle.armed()))
+        })
+        .await;
+    }
+}
+
+/// The files in a folder with their contents, by name.
+fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    let paths: Vec<PathBuf> = entries.map(|entry| entry.path()).collect();
+    let named = |path: PathBuf| {
+        let name = path.file_name().expect("a name").to_string_lossy();
+        (name.into_owned(), std::fs::read(&path).expect("readable"))
+    };
+    paths.into_iter().map(named).collect()
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn logs_of_several_vehicles_come_whole_over_links_that_lose_frames_and_go_on_after_a_restart()
+{
+    let (addresses, cancel) = serve(world(3), 20.0).await;
+    let data = tempfile::tempdir().expect("a folder");
+    let all = [1, 2, 3];
+    let mut console = Console::keeping_logs(data.path());
+    for address in &addresses {
+        console.connect(address);
+    }
+    console.hop(&all).await;
+    // Else the log goes on for 15 s after disarming.
+    let off = console.give("param set LOG_BACKEND_TYPE 0", &all);
+    for id in all {
+        console.until_done(off, id).await;
+    }
+    let clean = data.path().join("clean");
+    let order = console.give(&format!("logs download to {}", clean.display()), &all);
+    for id in all {
+        console.until_done(order, id).await;
+    }
+    let truth = files(&clean);
+    assert_eq!(truth.len(), 3, "{:?}", truth.keys());
+    for id in all {
+        let loss = RadioFault {
+            loss: 0.3,
+            delay: Duration::from_millis(20),
+            seed: 7,
+        };
+        let radio = Want::Radio(loss);
+        console.fleet.carry_out(id, radio).expect("the fleet runs");
+    }
+    let order = console.give("logs download all", &all);
+    console
+        .until("all have begun", |console| {
+            all.iter().all(|id| {
+                let begun = |state| matches!(state, RowState::InProgress(2..) | RowState::Done);
+                console.state(order, *id).is_some_and(begun)
+            })
+        })
+        .await;
+    drop(console);
+    let mut console = Console::keeping_logs(data.path());
+    for address in &addresses {
+        console.connect(address);
+    }
+    console.until_heard(&all).await;
+    let order = console.give("logs download all", &all);
+    for id in all {
+        console.until_done(order, id).await;
+    }
+    let kept = files(&data.path().join("logs"));
+    assert_eq!(
+        kept.keys().collect::<Vec<_>>(),
+        truth.keys().collect::<Vec<_>>()
+    );
+    assert!(kept == truth, "other bytes");
+    cancel.cancel();
+}
