@@ -53,6 +53,8 @@ pub enum MomentKind {
     Event,
     /// Two vehicles that fly were closest to each other.
     Separation,
+    /// The log of a vehicle says so, which was joined to the record.
+    Log,
 }
 
 impl MomentKind {
@@ -71,7 +73,7 @@ impl MomentKind {
     /// Whether a review names it: changes of modes and arming belong to every flight.
     pub fn is_reviewed(self) -> bool {
         match self {
-            Self::Mode | Self::Arming => false,
+            Self::Mode | Self::Arming | Self::Log => false,
             Self::Bookmark
             | Self::Refusal
             | Self::Alert
@@ -86,7 +88,7 @@ impl MomentKind {
     pub fn weight(self) -> u8 {
         match self {
             Self::Mode | Self::Arming => 0,
-            Self::Event => 1,
+            Self::Event | Self::Log => 1,
             Self::Objective => 2,
             Self::Refusal | Self::Separation => 3,
             Self::Alert | Self::Rule => 4,

@@ -29,6 +29,7 @@ use crate::vehicle::Severity;
 mod export;
 mod film;
 mod index;
+mod logs;
 mod moments;
 mod observer;
 mod stage;
@@ -38,6 +39,7 @@ mod tests;
 pub use export::{ExportFormat, export};
 pub use film::{Film, TlogSpan};
 use index::Index;
+pub use logs::join_log;
 use stage::Stage;
 
 /// The interval of the frames of a replay.
@@ -270,7 +272,13 @@ impl Replay {
             return false;
         }
         let bookmarks = self.review.bookmarks(&self.film.bookmarks());
-        let mut all: Vec<Moment> = found.iter().cloned().chain(bookmarks).collect();
+        let logged = self.film.logged().iter().cloned();
+        let mut all: Vec<Moment> = found
+            .iter()
+            .cloned()
+            .chain(bookmarks)
+            .chain(logged)
+            .collect();
         all.sort_by_key(|it| it.at);
         self.moments = Arc::new(all);
         self.merged = Some(found);

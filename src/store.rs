@@ -43,7 +43,7 @@ pub use profiles::{
 };
 pub use records::{
     RecordFiles, RecordLimits, RecordPiece, RecordSignature, RecordWriter, Recording,
-    RecordingFault, Records,
+    RecordingFault, Records, read_log,
 };
 pub use runs::{RunFile, Runs, read_run, utc};
 pub use sharing::share_with_group;

@@ -51,6 +51,7 @@ bookmark-none = the moment shown has no bookmark
 bookmark-removed = bookmark removed
 moment-kind-rule = rule
 moment-kind-event = event
+moment-kind-log = log
 review-compared = Compared
 alignment-start = the start
 alignment-takeoff = the first takeoff

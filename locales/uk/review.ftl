@@ -51,6 +51,7 @@ bookmark-none = на цьому моменті немає закладки
 bookmark-removed = закладку вилучено
 moment-kind-rule = правило
 moment-kind-event = подія
+moment-kind-log = журнал
 review-compared = Порівняння
 alignment-start = початком
 alignment-takeoff = першим зльотом

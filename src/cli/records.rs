@@ -17,8 +17,10 @@ use crate::store::{RecordFiles, Records, write};
 use crate::text;
 use crate::text::{Locale, Text, clock, figure, utc_of};
 
+mod join;
 mod sign;
 
+use join::JoinArguments;
 use sign::{KeyArguments, SignArguments};
 
 /// Options of `sortie records`.
@@ -74,6 +76,12 @@ enum RecordsCommand {
         after_help = "Examples:\n  sortie records sign\n  sortie records sign 3 --key keys/minisign.key"
     )]
     Sign(SignArguments),
+    /// Joins the `DataFlash` log of a vehicle to a record: modes, errors, events, changed parameters, vibration, EKF and
+    /// battery become moments.
+    #[command(
+        after_help = "Examples:\n  sortie records join logs/v3-log12.bin\n  sortie records join flight.bin 4 --vehicle 3"
+    )]
+    Join(JoinArguments),
     /// Deletes records; what a career counts of a mission stays.
     #[command(after_help = "Examples:\n  sortie records delete 3 4 --yes")]
     Delete {
@@ -180,6 +188,7 @@ pub(super) fn records(
         } => commands.export(record, *format, output),
         RecordsCommand::Key(arguments) => commands.make_key(arguments),
         RecordsCommand::Sign(arguments) => commands.sign(arguments),
+        RecordsCommand::Join(arguments) => commands.join(arguments),
         RecordsCommand::Delete { records, yes } => commands.delete(records, *yes),
     }?;
     Ok(ExitCode::SUCCESS)
@@ -331,6 +340,10 @@ impl RecordsCommands {
             say!("  {}", path.display())?;
         }
         say!("")?;
+        self.say_moments(moments)
+    }
+
+    fn say_moments(&self, moments: &[Moment]) -> Result<(), Failure> {
         let columns = [
             (text!("records-at"), Side::Right),
             (text!("records-kind"), Side::Left),
@@ -397,6 +410,7 @@ impl RecordsCommands {
         for files in &found {
             files.delete()?;
             files.delete_review()?;
+            files.delete_joined()?;
             let text = text!("records-deleted", name = files.stem.as_str());
             say!("{}", self.locale.text(&text))?;
         }

@@ -87,7 +87,7 @@ fn whole(to: &Path, write: impl FnOnce(&Path) -> io::Result<()>) -> io::Result<(
 }
 
 /// The records of a recording; damage is passed over.
-fn records(film: &Film) -> Result<impl Iterator<Item = TlogRecord>, Text> {
+pub(super) fn records(film: &Film) -> Result<impl Iterator<Item = TlogRecord>, Text> {
     let pieces = film.reader(0, None)?.map_while(Result::ok);
     Ok(pieces.filter_map(|piece| match piece {
         TlogPiece::Record(record) => Some(record),

@@ -7,6 +7,7 @@ use std::time::Duration;
 
 use crate::app::event::Started;
 use crate::app::state::Activity;
+use crate::dataflash::JoinedLog;
 use crate::link::{TlogPiece, TlogSalvage};
 use crate::mission::record::Stored;
 use crate::moment::Moment;
@@ -33,6 +34,10 @@ pub struct Film {
     review: Review,
     /// The fault of the review.
     review_fault: Option<Text>,
+    /// The moments of the logs that were joined to it.
+    logged: Vec<Moment>,
+    /// What is wrong with those logs.
+    log_faults: Vec<Text>,
     began_unix_us: u64,
     length: Duration,
 }
@@ -73,6 +78,8 @@ impl Film {
         let began_unix_us = journal
             .as_ref()
             .map_or(span.first_unix_us, |it| it.head.began_unix_us);
+        let (joined, log_faults) = files.read_joined();
+        let logged = joined.iter().flat_map(JoinedLog::moments).collect();
         let lines = journal.iter().flat_map(|it| &it.lines);
         let told = lines.last().map_or(Duration::ZERO, JournalLine::at);
         Ok(Self {
@@ -82,6 +89,8 @@ impl Film {
             run,
             review,
             review_fault,
+            logged,
+            log_faults,
             began_unix_us,
             length: span.length_from(began_unix_us).max(told),
         })
@@ -114,7 +123,11 @@ impl Film {
     /// The faults of its journal and its review.
     pub fn damage(&self) -> impl Iterator<Item = Text> {
         let journal = self.journal.as_ref().and_then(|it| it.damage.clone());
-        journal.into_iter().chain(self.review_fault.clone())
+        let logs = self.log_faults.iter().cloned();
+        journal
+            .into_iter()
+            .chain(self.review_fault.clone())
+            .chain(logs)
     }
 
     /// Why the review beside it could not be read.
@@ -131,6 +144,11 @@ impl Film {
     pub fn bookmarks(&self) -> Vec<Moment> {
         let journal = self.journal.iter();
         journal.flat_map(Journal::bookmarks).collect()
+    }
+
+    /// What the logs say that were joined to it.
+    pub fn logged(&self) -> &[Moment] {
+        &self.logged
     }
 
     /// The mission that was flown, where one was.

@@ -14,10 +14,12 @@ use super::signature::signature_of;
 use super::{StoreError, sharing};
 use crate::record::Head;
 
+mod joined;
 mod recording;
 mod reviews;
 mod signature;
 
+pub use joined::read_log;
 pub use recording::{RecordPiece, RecordWriter, Recording, RecordingFault};
 pub use signature::RecordSignature;
 

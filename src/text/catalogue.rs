@@ -28,6 +28,7 @@ catalogue! {
     "fly",
     "hangar",
     "hazards",
+    "logs",
     "home",
     "links",
     "map",

@@ -19,6 +19,7 @@ const PURE: &[&[&str]] = &[
     &["doctor"],
     &["vehicle"],
     &["notice", "ledger", "moment"],
+    &["dataflash"],
     &["commands", "messages"],
     &["language"],
     &["session", "swarm"],

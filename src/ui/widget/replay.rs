@@ -153,6 +153,7 @@ fn sign(kind: MomentKind) -> (&'static str, Role) {
         MomentKind::Rule => ("#", Role::Danger),
         MomentKind::Event => ("~", Role::Accent),
         MomentKind::Separation => ("<", Role::Warning),
+        MomentKind::Log => ("=", Role::Accent),
     }
 }
 

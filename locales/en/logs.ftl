@@ -1,0 +1,33 @@
+# Logs of vehicles, and what they add to a record.
+log-is-none = no DataFlash log: it has no format records
+log-is-empty = the log says nothing of a flight
+log-cut-off = the log is cut off: its last { $bytes } bytes are no whole record
+log-damaged = the log is damaged: { $bytes } bytes belong to no record
+log-unreadable = { $file }: { $error }
+log-mode-why = mode { $mode } ({ $reason })
+log-error = error { $part }: { $code }
+log-event = event { $name }
+log-parameter = { $name } = { $value } (was { $before })
+log-vibration = vibration up to { $most } m/s²
+log-clipping = { $count ->
+    [one] accelerometers at their limit once
+   *[other] accelerometers at their limit { $count } times
+}
+log-estimator = the EKF rejects the { $of }: test ratio up to { $most }
+log-of-velocity = velocity
+log-of-position = position
+log-of-height = height
+log-of-compass = compass
+log-battery = battery { $number } lowest: { $volt } V at { $ampere } A
+log-by-gps-time = GPS time and time since boot
+log-by-boot-time = time since boot
+log-by-arming = arming
+log-no-vehicle = the log does not say which vehicle it is of, and the record has { $count }: give --vehicle
+log-not-in-record = the record has no vehicle { $vehicle }: give --vehicle if the log is of another one
+log-no-common-time = log and record have no time in common: the log is of another flight or of another boot
+log-join-unreadable = what was joined to the record cannot be read: { $error }
+log-join-later = what was joined to the record is of a later version ({ $version })
+log-joined = { $count ->
+    [one] { $count } event of vehicle { $vehicle } joined by { $by }: { $path }
+   *[other] { $count } events of vehicle { $vehicle } joined by { $by }: { $path }
+}

@@ -1,0 +1,35 @@
+# Журнали апаратів і те, що вони додають до запису.
+log-is-none = це не журнал `DataFlash`: у ньому немає описів форматів
+log-is-empty = журнал нічого не каже про політ
+log-cut-off = журнал обірваний: останні { $bytes } байтів не є цілим рядком
+log-damaged = журнал пошкоджений: { $bytes } байтів не належать до жодного рядка
+log-unreadable = { $file }: { $error }
+log-mode-why = режим { $mode } ({ $reason })
+log-error = помилка { $part }: { $code }
+log-event = подія { $name }
+log-parameter = { $name } = { $value } (було { $before })
+log-vibration = вібрація до { $most } m/s²
+log-clipping = { $count ->
+    [one] акселерометри на межі { $count } раз
+    [few] акселерометри на межі { $count } рази
+   *[other] акселерометри на межі { $count } разів
+}
+log-estimator = EKF відкидає { $of }: відношення до { $most }
+log-of-velocity = швидкість
+log-of-position = положення
+log-of-height = висоту
+log-of-compass = компас
+log-battery = найнижча напруга батареї { $number }: { $volt } V за { $ampere } A
+log-by-gps-time = часом GPS і часом від запуску
+log-by-boot-time = часом від запуску
+log-by-arming = активуванням двигунів
+log-no-vehicle = журнал не каже, якого він апарата, а в записі їх { $count }: вкажіть --vehicle
+log-not-in-record = у записі немає апарата { $vehicle }: вкажіть --vehicle, якщо журнал іншого апарата
+log-no-common-time = журнал і запис не мають спільного часу: журнал іншого польоту або іншого запуску
+log-join-unreadable = приєднане до запису не читається: { $error }
+log-join-later = приєднане до запису належить новішій версії ({ $version })
+log-joined = { $count ->
+    [one] { $count } подію апарата { $vehicle } приєднано за { $by }: { $path }
+    [few] { $count } події апарата { $vehicle } приєднано за { $by }: { $path }
+   *[other] { $count } подій апарата { $vehicle } приєднано за { $by }: { $path }
+}

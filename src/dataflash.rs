@@ -1,0 +1,13 @@
+//! `DataFlash` logs: what a vehicle wrote of its own flight, brought onto the timeline of a record.
+
+mod clock;
+mod flight;
+mod joined;
+mod names;
+mod reader;
+#[cfg(test)]
+mod tests;
+
+pub use clock::{AlignedBy, Alignment, VehicleClock};
+pub use flight::{LogDamage, LoggedEvent, LoggedFlight, LoggedMoment};
+pub use joined::JoinedLog;

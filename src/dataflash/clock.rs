@@ -1,0 +1,303 @@
+//! Lays the clock of an autopilot on that of a record.
+//!
+//! Logs count microseconds since the autopilot booted. So does telemetry, in milliseconds (`SYSTEM_TIME`, `ATTITUDE`,
+//! `GLOBAL_POSITION_INT`), and a record says when each message came: that is the way from one to the other, also where time
+//! passed faster in a simulator. GPS time, which log and telemetry both tell, says whether they are of the same boot. A
+//! record without boot times is laid by when the vehicle was armed.
+
+use std::time::Duration;
+
+use mavlink::dialects::ardupilotmega::{MavMessage, MavModeFlag};
+use serde::{Deserialize, Serialize};
+
+use super::LoggedFlight;
+use crate::wire::{Content, Frame};
+
+/// Boot time that goes back by more means that the autopilot was started anew.
+const REBOOT_US: u64 = 2_000_000;
+/// Boots by GPS time that differ by less are the same: telemetry comes late.
+const SAME_BOOT_US: u64 = 5_000_000;
+/// Arming shows in telemetry within this.
+const ARMING_US: u64 = 3_000_000;
+/// Places of a clock that are kept, so far apart at least.
+const EVERY_US: u64 = 200_000;
+
+/// One start of an autopilot, as telemetry tells it.
+#[derive(Debug, Clone, Default)]
+struct Boot {
+    /// Microseconds since boot, and when that was, from the beginning of the record.
+    places: Vec<(u64, u64)>,
+    /// When it booted, by its clock: microseconds since 1970 (UTC).
+    booted_unix_us: Option<u64>,
+}
+
+/// What a record tells of a vehicle's clock.
+#[derive(Debug, Clone, Default)]
+pub struct VehicleClock {
+    boots: Vec<Boot>,
+    /// When it was armed, from the beginning of the record, in microseconds.
+    armed_us: Vec<u64>,
+    is_armed: Option<bool>,
+}
+
+/// By what a log was laid on a record.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum AlignedBy {
+    /// The time since boot in telemetry, and GPS time shows that it is the same boot.
+    GpsTime,
+    /// The time since boot in telemetry.
+    BootTime,
+    /// When the vehicle was armed.
+    Arming,
+}
+
+/// The way from the clock of a log to that of a record.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Alignment {
+    pub by: AlignedBy,
+    /// Microseconds since boot, and from the beginning of the record; earliest first, at least one.
+    places: Vec<(u64, u64)>,
+}
+
+impl VehicleClock {
+    /// Takes in a frame of the vehicle's autopilot, heard at a time of the record.
+    pub fn hear(&mut self, frame: &Frame, at: Duration) {
+        let at_us = u64::try_from(at.as_micros()).unwrap_or(u64::MAX);
+        let Content::Message(message) = &frame.content else {
+            return;
+        };
+        match message {
+            MavMessage::HEARTBEAT(data) => {
+                let armed = data
+                    .base_mode
+                    .contains(MavModeFlag::MAV_MODE_FLAG_SAFETY_ARMED);
+                if armed && self.is_armed == Some(false) {
+                    self.armed_us.push(at_us);
+                }
+                self.is_armed = Some(armed);
+            }
+            MavMessage::SYSTEM_TIME(data) => {
+                self.pass(data.time_boot_ms, at_us);
+                let boot_us = u64::from(data.time_boot_ms) * 1000;
+                let booted = data.time_unix_usec.checked_sub(boot_us);
+                if let Some(boot) = self.boots.last_mut() {
+                    boot.booted_unix_us = booted.filter(|us| *us > 0).or(boot.booted_unix_us);
+                }
+            }
+            MavMessage::ATTITUDE(data) => self.pass(data.time_boot_ms, at_us),
+            MavMessage::GLOBAL_POSITION_INT(data) => self.pass(data.time_boot_ms, at_us),
+            _ => {}
+        }
+    }
+
+    fn pass(&mut self, boot_ms: u32, at_us: u64) {
+        let boot_us = u64::from(boot_ms) * 1000;
+        let last = self.boots.last().and_then(|it| it.places.last()).copied();
+        match (self.boots.last_mut(), last) {
+            (Some(boot), Some((before, _))) if boot_us + REBOOT_US >= before => {
+                if boot_us >= before + EVERY_US {
+                    boot.places.push((boot_us, at_us));
+                }
+            }
+            _ => self.boots.push(Boot {
+                places: vec![(boot_us, at_us)],
+                booted_unix_us: None,
+            }),
+        }
+    }
+
+    /// How the log of a flight lies on the record; `None` where they have no time in common.
+    pub fn align(&self, flight: &LoggedFlight) -> Option<Alignment> {
+        let fitting = self.boots.iter().filter_map(|boot| {
+            let alignment = boot.align(flight)?;
+            let common = alignment.common_us(flight)?;
+            let armed = self.armed_together(&alignment, flight)?;
+            Some(((armed, common), alignment))
+        });
+        let best = fitting.max_by_key(|(rank, _)| *rank);
+        let by_clock = best.map(|(_, alignment)| alignment);
+        by_clock.or_else(|| self.align_by_arming(flight))
+    }
+
+    /// How many times the log and the record say that it was armed; `None` where they contradict each other.
+    fn armed_together(&self, alignment: &Alignment, flight: &LoggedFlight) -> Option<usize> {
+        let (first, last) = (alignment.places.first()?, alignment.places.last()?);
+        let seen: Vec<u64> = flight
+            .armed_us
+            .iter()
+            .filter(|us| (first.0 + ARMING_US..last.0).contains(us))
+            .filter_map(|us| alignment.place_us(*us))
+            .collect();
+        let is_near = |at: &&u64| self.armed_us.iter().any(|it| it.abs_diff(**at) < ARMING_US);
+        let same = seen.iter().filter(is_near).count();
+        (same > 0
+            || seen.is_empty()
+            || alignment.by == AlignedBy::GpsTime && self.armed_us.is_empty())
+        .then_some(same)
+    }
+
+    fn align_by_arming(&self, flight: &LoggedFlight) -> Option<Alignment> {
+        if !self.boots.is_empty() {
+            return None;
+        }
+        let pairs = self
+            .armed_us
+            .iter()
+            .flat_map(|at| flight.armed_us.iter().map(move |log| (*log, *at)));
+        let same = |pair: &(u64, u64)| {
+            let alignment = Alignment {
+                by: AlignedBy::Arming,
+                places: vec![*pair],
+            };
+            let at = flight
+                .armed_us
+                .iter()
+                .filter_map(|us| alignment.place_us(*us));
+            let is_near = |at: &u64| self.armed_us.iter().any(|it| it.abs_diff(*at) < ARMING_US);
+            at.filter(is_near).count()
+        };
+        // Of equally good ones the first.
+        let best = pairs.rev_max_by(same)?;
+        Some(Alignment {
+            by: AlignedBy::Arming,
+            places: vec![best],
+        })
+    }
+}
+
+/// The first of the greatest.
+trait FirstMax: Iterator + Sized {
+    fn rev_max_by(self, key: impl Fn(&Self::Item) -> usize) -> Option<Self::Item> {
+        self.fold(None, |best: Option<(usize, Self::Item)>, item| {
+            let rank = key(&item);
+            match best {
+                Some((known, kept)) if known >= rank => Some((known, kept)),
+                Some(_) | None => Some((rank, item)),
+            }
+        })
+        .map(|(_, item)| item)
+    }
+}
+
+impl<I: Iterator> FirstMax for I {}
+
+impl Boot {
+    fn align(&self, flight: &LoggedFlight) -> Option<Alignment> {
+        let by = match (self.booted_unix_us, flight.booted_unix_us) {
+            (Some(ours), Some(theirs)) if ours.abs_diff(theirs) > SAME_BOOT_US => return None,
+            (Some(_), Some(_)) => AlignedBy::GpsTime,
+            (Some(_) | None, None) | (None, Some(_)) => AlignedBy::BootTime,
+        };
+        Some(Alignment {
+            by,
+            places: self.places.clone(),
+        })
+    }
+}
+
+impl Alignment {
+    /// How much of a log's time is in the record; `None` if nothing is.
+    fn common_us(&self, flight: &LoggedFlight) -> Option<u64> {
+        let (from, to) = flight.span_us?;
+        let (first, last) = (self.places.first()?.0, self.places.last()?.0);
+        let (from, to) = (from.max(first), to.min(last));
+        to.checked_sub(from).filter(|common| *common > 0)
+    }
+
+    /// When a time of the log was, from the beginning of the record; `None` before it.
+    pub fn place(&self, boot_us: u64) -> Option<Duration> {
+        self.place_us(boot_us).map(Duration::from_micros)
+    }
+
+    fn place_us(&self, boot_us: u64) -> Option<u64> {
+        let behind = self.places.partition_point(|(boot, _)| *boot <= boot_us);
+        let (before, after) = match behind {
+            0 => {
+                let (boot, at) = *self.places.first()?;
+                return at.checked_sub(boot - boot_us);
+            }
+            behind => (self.places[behind - 1], self.places.get(behind)),
+        };
+        let since = boot_us - before.0;
+        let Some((boot, at)) = after else {
+            return Some(before.1 + since);
+        };
+        // Time between two messages passed evenly.
+        let share = since as f64 / (boot - before.0) as f64;
+        let passed = at.saturating_sub(before.1) as f64 * share;
+        Some(before.1 + passed as u64)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn clock(places: &[(u64, u64)], booted: Option<u64>, armed: &[u64]) -> VehicleClock {
+        let seconds = |s: u64| s * 1_000_000;
+        VehicleClock {
+            boots: vec![Boot {
+                places: places
+                    .iter()
+                    .map(|(boot, at)| (seconds(*boot), seconds(*at)))
+                    .collect(),
+                booted_unix_us: booted.map(seconds),
+            }],
+            armed_us: armed.iter().map(|it| seconds(*it)).collect(),
+            is_armed: None,
+        }
+    }
+
+    fn flight(from: u64, to: u64, booted: Option<u64>, armed: &[u64]) -> LoggedFlight {
+        LoggedFlight {
+            span_us: Some((from * 1_000_000, to * 1_000_000)),
+            booted_unix_us: booted.map(|it| it * 1_000_000),
+            armed_us: armed.iter().map(|it| it * 1_000_000).collect(),
+            ..LoggedFlight::default()
+        }
+    }
+
+    #[test]
+    fn time_that_passed_faster_is_followed() {
+        let clock = clock(&[(10, 0), (50, 5), (90, 45)], None, &[2]);
+        let found = clock.align(&flight(12, 80, None, &[26]));
+        let found = found.expect("they have time in common");
+        assert_eq!(found.by, AlignedBy::BootTime);
+        for (boot, at_ms) in [(10, 0), (26, 2000), (50, 5000), (60, 15_000), (100, 55_000)] {
+            let at = found.place(boot * 1_000_000);
+            assert_eq!(at, Some(Duration::from_millis(at_ms)), "{boot}");
+        }
+        assert_eq!(found.place(5_000_000), None);
+    }
+
+    #[test]
+    fn another_boot_has_no_time_in_common() {
+        let places = [(10, 0), (100, 90)];
+        let with_gps = clock(&places, Some(1000), &[30]);
+        let same = flight(40, 80, Some(1001), &[40]);
+        let found = with_gps.align(&same).expect("it is the same boot");
+        assert_eq!(found.by, AlignedBy::GpsTime);
+        for other in [
+            flight(40, 80, Some(2000), &[40]),
+            flight(200, 300, Some(1000), &[]),
+            flight(40, 80, Some(1000), &[70]),
+            flight(40, 80, None, &[60]),
+        ] {
+            assert_eq!(with_gps.align(&other), None, "{other:?}");
+        }
+    }
+
+    #[test]
+    fn without_boot_times_arming_decides() {
+        let clock = VehicleClock {
+            armed_us: vec![5_000_000, 65_000_000],
+            ..VehicleClock::default()
+        };
+        let found = clock.align(&flight(20, 200, None, &[25, 85]));
+        let found = found.expect("both were armed twice");
+        assert_eq!(found.by, AlignedBy::Arming);
+        assert_eq!(found.place(85_000_000), Some(Duration::from_secs(65)));
+        assert_eq!(clock.align(&flight(20, 200, None, &[])), None);
+    }
+}

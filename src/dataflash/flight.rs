@@ -1,0 +1,415 @@
+//! What a log says of a flight: modes, errors, events, changed parameters, vibration, estimator, battery.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use super::names;
+use super::reader::{Record, Records};
+use crate::text;
+use crate::text::{Text, figure};
+use crate::vehicle::{Mode, VehicleClass, VehicleId};
+
+/// Vibration from which on `ArduPilot`'s guide calls it too much, in m/s².
+const SHAKEN_M_S2: f64 = 30.0;
+/// The test ratio from which on the estimator rejects a measurement.
+const REJECTED: f64 = 1.0;
+/// What goes on counts once until it was over for this long.
+const OVER_US: u64 = 5_000_000;
+/// Events that are kept of one log.
+const MOST: usize = 5000;
+/// Milliseconds of the Unix epoch at which GPS time began (1980-01-06), and the leap seconds since.
+const GPS_EPOCH_MS: f64 = 315_964_800_000.0;
+const LEAP_MS: f64 = 18_000.0;
+const WEEK_MS: f64 = 7.0 * 24.0 * 3600.0 * 1000.0;
+/// `EV.Id` of arming and disarming.
+const ARMED: u8 = 10;
+
+/// Something that a log says.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub enum LoggedEvent {
+    /// A mode was entered, by name, and why where that is known.
+    Mode {
+        name: String,
+        reason: Option<String>,
+    },
+    /// Part of the autopilot reported an error, or its end.
+    Error {
+        subsystem: String,
+        code: String,
+    },
+    Event {
+        name: String,
+    },
+    /// A parameter was changed in flight.
+    Parameter {
+        name: String,
+        value: f32,
+        before: f32,
+    },
+    /// Vibration was too strong from here on; the strongest of it, in m/s².
+    Vibration {
+        most_m_s2: f64,
+    },
+    /// Accelerometers reached their limit; how often in all.
+    Clipping {
+        count: u32,
+    },
+    /// The estimator rejected measurements from here on; the greatest test ratio of it.
+    Estimator {
+        of: Measured,
+        most: f64,
+    },
+    /// The lowest voltage of a battery.
+    Battery {
+        instance: u8,
+        volt: f64,
+        ampere: f64,
+    },
+}
+
+/// What an estimator measures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Measured {
+    Velocity,
+    Position,
+    Height,
+    Compass,
+}
+
+impl Measured {
+    fn text(self) -> Text {
+        match self {
+            Self::Velocity => text!("log-of-velocity"),
+            Self::Position => text!("log-of-position"),
+            Self::Height => text!("log-of-height"),
+            Self::Compass => text!("log-of-compass"),
+        }
+    }
+}
+
+/// An event, and when it was.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LoggedMoment {
+    /// Microseconds since the autopilot booted.
+    pub time_us: u64,
+    pub event: LoggedEvent,
+}
+
+/// What is wrong with a log.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub struct LogDamage {
+    /// Bytes that belong to no record.
+    pub skipped: usize,
+    /// Bytes of a last record that is not whole.
+    pub cut_off: usize,
+}
+
+/// What a log says of a flight.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct LoggedFlight {
+    /// The vehicle, by the system id among the parameters.
+    pub vehicle: Option<VehicleId>,
+    /// Earliest first.
+    pub moments: Vec<LoggedMoment>,
+    /// Microseconds since boot of the first and last record.
+    pub span_us: Option<(u64, u64)>,
+    /// When the autopilot booted, by GPS time: microseconds since 1970 (UTC).
+    pub booted_unix_us: Option<u64>,
+    /// When it was armed.
+    pub armed_us: Vec<u64>,
+    pub damage: LogDamage,
+}
+
+/// What is remembered while a log is read.
+#[derive(Debug, Default)]
+struct Reading {
+    flight: LoggedFlight,
+    parameters: BTreeMap<String, f32>,
+    class: Option<VehicleClass>,
+    /// The events that go on, with when they were true last.
+    shaken: Option<(usize, u64)>,
+    rejecting: BTreeMap<Measured, (usize, u64)>,
+    clips: BTreeMap<u8, u32>,
+    clipping: Option<(usize, u64)>,
+    lowest: BTreeMap<u8, LoggedMoment>,
+}
+
+impl LoggedFlight {
+    /// Reads a log.
+    ///
+    /// # Errors
+    /// It is none; in words.
+    pub fn read(bytes: &[u8]) -> Result<Self, Text> {
+        let mut records = Records::new(bytes);
+        let mut reading = Reading::default();
+        for record in &mut records {
+            reading.take_in(&record);
+        }
+        if records.described == 0 {
+            return Err(text!("log-is-none"));
+        }
+        reading.flight.damage = LogDamage {
+            skipped: records.skipped,
+            cut_off: records.cut_off,
+        };
+        let mut flight = reading.flight;
+        flight.moments.extend(reading.lowest.into_values());
+        flight.moments.sort_by_key(|it| it.time_us);
+        if flight.span_us.is_none() {
+            return Err(text!("log-is-empty"));
+        }
+        Ok(flight)
+    }
+}
+
+impl LogDamage {
+    /// In words, if there is any.
+    pub fn text(self) -> Option<Text> {
+        match (self.skipped, self.cut_off) {
+            (0, 0) => None,
+            (0, cut_off) => Some(text!("log-cut-off", bytes = cut_off)),
+            (skipped, 0) => Some(text!("log-damaged", bytes = skipped)),
+            (skipped, cut_off) => Some(text!("log-damaged", bytes = skipped + cut_off)),
+        }
+    }
+}
+
+impl Reading {
+    fn take_in(&mut self, record: &Record<'_>) {
+        let Some(now) = record.time_us() else {
+            return;
+        };
+        let known: &[&str] = &[
+            "PARM", "MODE", "ERR", "EV", "VIBE", "XKF4", "NKF4", "BAT", "GPS", "MSG",
+        ];
+        if !known.contains(&record.format.name.as_str()) {
+            return;
+        }
+        // Bytes that only look like a record have any time.
+        let last = self.flight.span_us.map_or(now, |(_, last)| last);
+        if now.abs_diff(last) > 24 * 3600 * 1_000_000 {
+            return;
+        }
+        let first = self.flight.span_us.map_or(now, |(first, _)| first);
+        self.flight.span_us = Some((first.min(now), last.max(now)));
+        // What has not all its columns says nothing.
+        let _complete = match record.format.name.as_str() {
+            "PARM" => self.parameter(record, now),
+            "MODE" => self.mode(record, now),
+            "ERR" => self.error(record, now),
+            "EV" => self.event(record, now),
+            "VIBE" => self.vibration(record, now),
+            "XKF4" | "NKF4" => self.estimator(record, now),
+            "BAT" => self.battery(record, now),
+            "GPS" => self.gps(record, now),
+            _ => self.message(record),
+        };
+    }
+
+    fn add(&mut self, time_us: u64, event: LoggedEvent) -> Option<usize> {
+        if self.flight.moments.len() >= MOST {
+            return None;
+        }
+        self.flight.moments.push(LoggedMoment { time_us, event });
+        Some(self.flight.moments.len() - 1)
+    }
+
+    fn parameter(&mut self, record: &Record<'_>, now: u64) -> Option<()> {
+        let name = record.text("Name")?;
+        let value = record.number("Value")? as f32;
+        if matches!(name.as_str(), "SYSID_THISMAV" | "MAV_SYSID") {
+            self.flight.vehicle = Some(value as VehicleId).filter(|id| (1..=255).contains(id));
+        }
+        let before = self.parameters.insert(name.clone(), value);
+        if let Some(before) = before.filter(|before| before.to_bits() != value.to_bits()) {
+            let event = LoggedEvent::Parameter {
+                name,
+                value,
+                before,
+            };
+            self.add(now, event);
+        }
+        Some(())
+    }
+
+    fn mode(&mut self, record: &Record<'_>, now: u64) -> Option<()> {
+        let number = u32::from(record.byte("ModeNum").or_else(|| record.byte("Mode"))?);
+        let class = self.class.unwrap_or(VehicleClass::Copter);
+        let name = Mode { class, number }.to_string();
+        let reason = record.byte("Rsn").and_then(names::reason);
+        let reason = reason.map(str::to_owned);
+        self.add(now, LoggedEvent::Mode { name, reason });
+        Some(())
+    }
+
+    fn error(&mut self, record: &Record<'_>, now: u64) -> Option<()> {
+        let (subsystem, code) = names::error(record.byte("Subsys")?, record.byte("ECode")?);
+        self.add(now, LoggedEvent::Error { subsystem, code });
+        Some(())
+    }
+
+    fn event(&mut self, record: &Record<'_>, now: u64) -> Option<()> {
+        let id = record.byte("Id")?;
+        if id == ARMED {
+            self.flight.armed_us.push(now);
+        }
+        let name = names::event(id);
+        self.add(now, LoggedEvent::Event { name });
+        Some(())
+    }
+
+    fn vibration(&mut self, record: &Record<'_>, now: u64) -> Option<()> {
+        let axes = ["VibeX", "VibeY", "VibeZ"].map(|axis| record.number(axis));
+        let strongest = axes.into_iter().flatten().fold(0.0, f64::max);
+        if strongest >= SHAKEN_M_S2 {
+            let going = self.shaken.filter(|(_, until)| now < until + OVER_US);
+            let place = match going {
+                Some((place, _)) => place,
+                None => self.add(now, LoggedEvent::Vibration { most_m_s2: 0.0 })?,
+            };
+            self.shaken = Some((place, now));
+            if let LoggedEvent::Vibration { most_m_s2 } = &mut self.flight.moments[place].event {
+                *most_m_s2 = most_m_s2.max(strongest);
+            }
+        }
+        let sensor = record.byte("IMU").unwrap_or(0);
+        let clips = record.number("Clip")? as u32;
+        let before = self.clips.insert(sensor, clips);
+        if before.is_some_and(|before| clips > before) {
+            let going = self.clipping.filter(|(_, until)| now < until + OVER_US);
+            let place = match going {
+                Some((place, _)) => place,
+                None => self.add(now, LoggedEvent::Clipping { count: 0 })?,
+            };
+            self.clipping = Some((place, now));
+            if let LoggedEvent::Clipping { count } = &mut self.flight.moments[place].event {
+                *count += clips - before.unwrap_or(clips);
+            }
+        }
+        Some(())
+    }
+
+    fn estimator(&mut self, record: &Record<'_>, now: u64) -> Option<()> {
+        let ratios = [
+            ("SV", Measured::Velocity),
+            ("SP", Measured::Position),
+            ("SH", Measured::Height),
+            ("SM", Measured::Compass),
+        ];
+        for (column, of) in ratios {
+            let Some(ratio) = record.number(column).filter(|ratio| *ratio >= REJECTED) else {
+                continue;
+            };
+            let going = self.rejecting.get(&of).copied();
+            let place = match going.filter(|(_, until)| now < until + OVER_US) {
+                Some((place, _)) => place,
+                None => self.add(now, LoggedEvent::Estimator { of, most: 0.0 })?,
+            };
+            self.rejecting.insert(of, (place, now));
+            if let LoggedEvent::Estimator { most, .. } = &mut self.flight.moments[place].event {
+                *most = most.max(ratio);
+            }
+        }
+        Some(())
+    }
+
+    fn battery(&mut self, record: &Record<'_>, now: u64) -> Option<()> {
+        let instance = record.byte("Inst").or_else(|| record.byte("Instance"));
+        let instance = instance.unwrap_or(0);
+        let volt = record.number("Volt").filter(|volt| *volt > 0.5)?;
+        let ampere = record.number("Curr").unwrap_or(0.0);
+        let is_lower = self.lowest.get(&instance).is_none_or(|known| {
+            matches!(&known.event, LoggedEvent::Battery { volt: lowest, .. } if volt < *lowest)
+        });
+        if is_lower {
+            let event = LoggedEvent::Battery {
+                instance,
+                volt,
+                ampere,
+            };
+            self.lowest.insert(
+                instance,
+                LoggedMoment {
+                    time_us: now,
+                    event,
+                },
+            );
+        }
+        Some(())
+    }
+
+    fn gps(&mut self, record: &Record<'_>, now: u64) -> Option<()> {
+        let has_fix = record.byte("Status")? >= 3;
+        let (week, ms) = (record.number("GWk")?, record.number("GMS")?);
+        if has_fix && week > 0.0 && self.flight.booted_unix_us.is_none() {
+            let unix_ms = GPS_EPOCH_MS + week * WEEK_MS + ms - LEAP_MS;
+            self.flight.booted_unix_us = ((unix_ms * 1000.0) as u64).checked_sub(now);
+        }
+        Some(())
+    }
+
+    fn message(&mut self, record: &Record<'_>) -> Option<()> {
+        let text = record.text("Message")?;
+        let classes = [
+            ("ArduCopter", VehicleClass::Copter),
+            ("ArduPlane", VehicleClass::Plane),
+            ("ArduRover", VehicleClass::Rover),
+            ("ArduSub", VehicleClass::Sub),
+        ];
+        let class = classes.iter().find(|(name, _)| text.starts_with(name));
+        self.class = class.map(|(_, class)| *class).or(self.class);
+        Some(())
+    }
+}
+
+impl LoggedEvent {
+    /// In a few words.
+    pub fn text(&self) -> Text {
+        match self {
+            Self::Mode { name, reason } => match reason {
+                Some(reason) => {
+                    text!(
+                        "log-mode-why",
+                        mode = name.as_str(),
+                        reason = reason.as_str()
+                    )
+                }
+                None => text!("moment-mode", mode = name.as_str()),
+            },
+            Self::Error { subsystem, code } => {
+                text!("log-error", part = subsystem.as_str(), code = code.as_str())
+            }
+            Self::Event { name } => text!("log-event", name = name.as_str()),
+            Self::Parameter {
+                name,
+                value,
+                before,
+            } => text!(
+                "log-parameter",
+                name = name.as_str(),
+                value = value.to_string(),
+                before = before.to_string()
+            ),
+            Self::Vibration { most_m_s2 } => {
+                text!("log-vibration", most = figure(*most_m_s2, 0))
+            }
+            Self::Clipping { count } => text!("log-clipping", count = *count),
+            Self::Estimator { of, most } => {
+                text!("log-estimator", of = of.text(), most = figure(*most, 2))
+            }
+            Self::Battery {
+                instance,
+                volt,
+                ampere,
+            } => text!(
+                "log-battery",
+                number = *instance + 1,
+                volt = figure(*volt, 2),
+                ampere = figure(*ampere, 1)
+            ),
+        }
+    }
+}

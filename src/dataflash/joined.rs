@@ -1,0 +1,109 @@
+//! A log on the timeline of a record, as it is stored beside it.
+
+use std::time::Duration;
+
+use serde::{Deserialize, Serialize};
+
+use super::{AlignedBy, Alignment, LogDamage, LoggedEvent, LoggedFlight};
+use crate::moment::{Moment, MomentKind};
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::VehicleId;
+
+/// The version of the format.
+const VERSION: u32 = 1;
+
+/// What a vehicle's log adds to a record.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct JoinedLog {
+    v: u32,
+    pub vehicle: VehicleId,
+    /// The name of the log's file.
+    pub file: String,
+    pub aligned_by: AlignedBy,
+    pub damage: LogDamage,
+    events: Vec<JoinedEvent>,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+struct JoinedEvent {
+    /// Seconds from the beginning of the record.
+    at_s: f64,
+    #[serde(flatten)]
+    event: LoggedEvent,
+}
+
+impl JoinedLog {
+    /// Lays a log on a record of this length. What was before or after it is left out.
+    pub fn new(
+        vehicle: VehicleId,
+        file: &str,
+        flight: &LoggedFlight,
+        alignment: &Alignment,
+        length: Duration,
+    ) -> Self {
+        let events = flight.moments.iter().filter_map(|moment| {
+            let at = alignment.place(moment.time_us).filter(|at| *at <= length)?;
+            Some(JoinedEvent {
+                at_s: crate::text::rounded(at.as_secs_f64(), 3),
+                event: moment.event.clone(),
+            })
+        });
+        Self {
+            v: VERSION,
+            vehicle,
+            file: file.to_owned(),
+            aligned_by: alignment.by,
+            damage: flight.damage,
+            events: events.collect(),
+        }
+    }
+
+    /// Reads what [`to_json`](Self::to_json) wrote.
+    ///
+    /// # Errors
+    /// It is something else, or of a later version; in words.
+    pub fn read(text: &str) -> Result<Self, Text> {
+        let joined: Self = serde_json::from_str(text)
+            .map_err(|error| text!("log-join-unreadable", error = error.to_string()))?;
+        if joined.v > VERSION {
+            return Err(text!("log-join-later", version = joined.v));
+        }
+        Ok(joined)
+    }
+
+    pub fn to_json(&self) -> String {
+        // Numbers and texts are always JSON.
+        let mut text = serde_json::to_string_pretty(self).unwrap_or_default();
+        text.push('\n');
+        text
+    }
+
+    /// Its moments, earliest first.
+    pub fn moments(&self) -> Vec<Moment> {
+        let moment = |it: &JoinedEvent| {
+            // A file may have been changed by hand.
+            let at = Duration::try_from_secs_f64(it.at_s).ok()?;
+            Some(Moment {
+                at,
+                vehicles: vec![self.vehicle],
+                kind: MomentKind::Log,
+                text: it.event.text(),
+            })
+        };
+        let mut moments: Vec<Moment> = self.events.iter().filter_map(moment).collect();
+        moments.sort_by_key(|it| it.at);
+        moments
+    }
+}
+
+impl AlignedBy {
+    /// In a few words.
+    pub fn text(self) -> Text {
+        match self {
+            Self::GpsTime => text!("log-by-gps-time"),
+            Self::BootTime => text!("log-by-boot-time"),
+            Self::Arming => text!("log-by-arming"),
+        }
+    }
+}

@@ -1,0 +1,57 @@
+//! Joins the log of a vehicle to a recording.
+
+use std::collections::BTreeMap;
+use std::time::Duration;
+
+use super::Film;
+use super::export::records;
+use crate::dataflash::{JoinedLog, LoggedFlight, VehicleClock};
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::VehicleId;
+use crate::wire::{AUTOPILOT_COMPONENT, Decoder};
+
+/// Lays a log on a recording. The log is of the vehicle that it names itself unless `vehicle` says otherwise.
+///
+/// # Errors
+/// It is no log, of no vehicle of the recording, or of another time; in words.
+pub fn join_log(
+    film: &Film,
+    bytes: &[u8],
+    file: &str,
+    vehicle: Option<VehicleId>,
+) -> Result<JoinedLog, Text> {
+    let flight = LoggedFlight::read(bytes)?;
+    let clocks = clocks(film)?;
+    let only = || clocks.keys().next().copied().filter(|_| clocks.len() == 1);
+    let Some(vehicle) = vehicle.or(flight.vehicle).or_else(only) else {
+        return Err(text!("log-no-vehicle", count = clocks.len()));
+    };
+    let Some(clock) = clocks.get(&vehicle) else {
+        return Err(text!("log-not-in-record", vehicle = vehicle));
+    };
+    let Some(alignment) = clock.align(&flight) else {
+        return Err(text!("log-no-common-time"));
+    };
+    let length = film.length();
+    Ok(JoinedLog::new(vehicle, file, &flight, &alignment, length))
+}
+
+/// The clocks of all vehicles in a recording.
+fn clocks(film: &Film) -> Result<BTreeMap<VehicleId, VehicleClock>, Text> {
+    let mut clocks: BTreeMap<VehicleId, VehicleClock> = BTreeMap::new();
+    for record in records(film)? {
+        let mut decoder = Decoder::new();
+        decoder.push(&record.bytes);
+        let Some(frame) = decoder.next_frame() else {
+            continue;
+        };
+        if frame.component != AUTOPILOT_COMPONENT {
+            continue;
+        }
+        let at_us = record.unix_us.saturating_sub(film.began_unix_us());
+        let clock = clocks.entry(VehicleId::from(frame.system)).or_default();
+        clock.hear(&frame, Duration::from_micros(at_us));
+    }
+    Ok(clocks)
+}

@@ -1,0 +1,108 @@
+//! The logs that were joined to records: a small file for each vehicle, beside the record.
+
+use std::fs::{self, File, OpenOptions};
+use std::io::{Read as _, Write as _};
+use std::path::{Path, PathBuf};
+
+use super::{REVIEW, RecordFiles, StoreError, sharing, unwritable};
+use crate::dataflash::JoinedLog;
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::VehicleId;
+
+/// What stands between the name of a record and the number of a vehicle.
+const MARK: &str = ".log-";
+const JSON: &str = ".json";
+/// No joined log is longer than this.
+const LONGEST: u64 = 16 * 1024 * 1024;
+/// No log is longer than this.
+const LARGEST_LOG: u64 = 2 * 1024 * 1024 * 1024;
+
+impl RecordFiles {
+    /// What all its files' names begin with.
+    fn common_name(&self) -> Option<String> {
+        let name = self.review.file_name()?.to_str()?;
+        name.strip_suffix(REVIEW).map(str::to_owned)
+    }
+
+    /// The files of the logs that were joined to the record, by vehicle.
+    fn joined_paths(&self) -> Vec<PathBuf> {
+        let Some(name) = self.common_name() else {
+            return Vec::new();
+        };
+        let folder = self.review.parent().filter(|it| !it.as_os_str().is_empty());
+        let entries = fs::read_dir(folder.unwrap_or(Path::new(".")));
+        let is_ours = |path: &PathBuf| {
+            let file = path.file_name().and_then(|it| it.to_str());
+            let rest = file.and_then(|it| it.strip_prefix(&name)?.strip_prefix(MARK));
+            let number = rest.and_then(|it| it.strip_suffix(JSON));
+            number.is_some_and(|it| it.parse::<VehicleId>().is_ok())
+        };
+        let entries = entries.into_iter().flatten().flatten();
+        let mut paths: Vec<PathBuf> = entries.map(|it| it.path()).filter(is_ours).collect();
+        paths.sort();
+        paths
+    }
+
+    /// The logs that were joined to the record, and what is wrong with those that cannot be read.
+    pub fn read_joined(&self) -> (Vec<JoinedLog>, Vec<Text>) {
+        let (mut logs, mut faults) = (Vec::new(), Vec::new());
+        for path in self.joined_paths() {
+            let mut text = String::new();
+            let read = File::open(&path).and_then(|it| it.take(LONGEST).read_to_string(&mut text));
+            let read = read
+                .map_err(|error| text!("log-join-unreadable", error = error.to_string()))
+                .and_then(|_| JoinedLog::read(&text));
+            match read {
+                Ok(log) => logs.push(log),
+                Err(fault) => faults.push(fault),
+            }
+        }
+        (logs, faults)
+    }
+
+    /// Stores a log beside the record, which does not change; that of the same vehicle is replaced. Returns the path.
+    ///
+    /// # Errors
+    /// It cannot be written.
+    pub fn write_joined(&self, log: &JoinedLog) -> Result<PathBuf, StoreError> {
+        let name = self.common_name().unwrap_or_else(|| self.stem.clone());
+        let name = format!("{name}{MARK}{}{JSON}", log.vehicle);
+        let path = self.review.with_file_name(name);
+        let part = path.with_extension("json.part");
+        let write = || {
+            let mut options = OpenOptions::new();
+            let mut file = sharing::open(options.create(true).truncate(true).write(true), &part)?;
+            file.write_all(log.to_json().as_bytes())?;
+            file.sync_all()?;
+            fs::rename(&part, &path)
+        };
+        write().map_err(|error| unwritable(&path, error))?;
+        Ok(path)
+    }
+
+    /// Removes what was joined to the record.
+    ///
+    /// # Errors
+    /// It cannot be removed.
+    pub fn delete_joined(&self) -> Result<(), StoreError> {
+        for path in self.joined_paths() {
+            fs::remove_file(&path).map_err(|error| unwritable(&path, error))?;
+        }
+        Ok(())
+    }
+}
+
+/// The bytes of a log.
+///
+/// # Errors
+/// It cannot be read; in words.
+pub fn read_log(path: &Path) -> Result<Vec<u8>, Text> {
+    let mut bytes = Vec::new();
+    let read = File::open(path).and_then(|it| it.take(LARGEST_LOG).read_to_end(&mut bytes));
+    read.map_err(|error| {
+        let (file, error) = (path.display().to_string(), error.to_string());
+        text!("log-unreadable", file = file, error = error)
+    })?;
+    Ok(bytes)
+}
