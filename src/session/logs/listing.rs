@@ -12,7 +12,7 @@ use crate::wire::{MavAddress, Outgoing};
 /// The list, or what is missing of it, is asked for again after so long without anything new.
 const SILENCE: Duration = Duration::from_secs(1);
 /// So many requests without any news mean that nothing more will come.
-const FRUITLESS: u8 = 6;
+const FRUITLESS: u8 = 20;
 
 /// A list that is being read.
 #[derive(Debug, Clone)]

@@ -22,7 +22,7 @@ const SLOW: f64 = 4000.0;
 /// A request was lost, or a stream has ended, if nothing comes for this long.
 const SILENCE: Duration = Duration::from_millis(600);
 /// Fruitless requests make the next one wait twice as long, but not longer than this many times.
-const LONGEST_WAIT: u32 = 8;
+const LONGEST_WAIT: u32 = 2;
 /// Nothing more will come if there was nothing new for this long.
 const PATIENCE: Duration = Duration::from_secs(30);
 

@@ -338,7 +338,7 @@ proptest! {
     #[test]
     fn a_log_survives_losses(
         seed in any::<u64>(),
-        loss in 0.0..0.5,
+        loss in 0.0..0.4,
         len in 1usize..60_000,
         rate in 1usize..40,
     ) {
