@@ -52,6 +52,8 @@ pub(super) struct FlightLog {
     kept: Vec<RecordedLog>,
     /// Whether the last one kept is being written, and when the vehicle was last armed.
     recording: bool,
+    /// Whether that is so now: after a flight, the log rests until the next one.
+    is_writing: bool,
     is_armed: bool,
     armed_at: Duration,
     /// The number of logs so far.
@@ -84,15 +86,22 @@ impl FlightLog {
     }
 
     /// Whether a sample is due; the first one begins a log. To be asked every [`EVERY_STEPS`].
-    pub(super) fn wants_sample(&mut self, rules: LogRules, armed: bool, now: Duration) -> bool {
+    pub(super) fn wants_sample(
+        &mut self,
+        rules: LogRules,
+        parameters: &Parameters,
+        armed: bool,
+        now: Duration,
+    ) -> bool {
         if armed {
             self.armed_at = now;
             self.open = None;
         }
         let persists = self.recording && now.saturating_sub(self.armed_at) < PERSISTS_FOR;
         let wants = rules.enabled && (armed || rules.while_disarmed || persists);
+        self.is_writing = wants;
         if wants && !self.recording {
-            self.begin(rules, now);
+            self.begin(rules, parameters, now);
         }
         self.note_arming(armed, now);
         wants
@@ -135,13 +144,13 @@ impl FlightLog {
     }
 
     /// Opens the file of a log by its number, and keeps it at hand; how long it is.
-    pub(super) fn open(&mut self, number: u16, parameters: &Parameters) -> usize {
+    pub(super) fn open(&mut self, number: u16) -> usize {
         let log = self.kept.iter().find(|log| log.number == number);
         // A log goes on for a while after disarming.
-        let len = log.map_or(0, |log| log.len(parameters));
+        let len = log.map_or(0, RecordedLog::len);
         let is_open = |(open, file): &(u16, Vec<u8>)| *open == number && file.len() == len;
         if !self.open.as_ref().is_some_and(is_open) {
-            self.open = log.map(|log| (number, log.file(parameters)));
+            self.open = log.map(|log| (number, log.file()));
         }
         self.opened().map_or(0, <[u8]>::len)
     }
@@ -156,7 +165,7 @@ impl FlightLog {
         self.open = None;
     }
 
-    fn begin(&mut self, rules: LogRules, now: Duration) {
+    fn begin(&mut self, rules: LogRules, parameters: &Parameters, now: Duration) {
         self.written = self.written.wrapping_add(1).max(1);
         self.recording = true;
         if self.kept.len() == MOST_LOGS {
@@ -165,13 +174,18 @@ impl FlightLog {
         self.kept.push(RecordedLog {
             number: self.written,
             groups: rules.groups,
+            parameters: parameters.clone(),
             boot_utc_ms: EPOCH_US / 1000,
-            ..RecordedLog::default()
+            samples: Vec::new(),
+            modes: Vec::new(),
+            events: Vec::new(),
+            texts: Vec::new(),
         });
         self.note("ArduCopter V4.6.0-dev (sortie)", now);
     }
 
     fn current(&mut self) -> Option<&mut RecordedLog> {
-        self.kept.last_mut().filter(|_| self.recording)
+        let is_writing = self.recording && self.is_writing;
+        self.kept.last_mut().filter(|_| is_writing)
     }
 }

@@ -328,7 +328,10 @@ impl Vehicle {
             return;
         }
         let (rules, now) = (self.tuning.recorder, self.uptime());
-        if self.log.wants_sample(rules, self.safety.armed, now) {
+        if self
+            .log
+            .wants_sample(rules, &self.parameters, self.safety.armed, now)
+        {
             let ratios = self.estimator.ratios();
             let sample = LogSample::taken(&LogInputs {
                 now,

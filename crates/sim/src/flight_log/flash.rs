@@ -80,11 +80,13 @@ pub(crate) struct Groups {
     pub(crate) battery: bool,
 }
 
-/// The log of one flight.
-#[derive(Debug, Clone, PartialEq, Default)]
+/// What one flight left behind.
+#[derive(Debug, Clone)]
 pub(crate) struct RecordedLog {
     pub(crate) number: u16,
     pub(crate) groups: Groups,
+    /// The parameters when the log began.
+    pub(crate) parameters: Parameters,
     /// Milliseconds of the Unix epoch at boot.
     pub(crate) boot_utc_ms: u64,
     pub(crate) samples: Vec<LogSample>,
@@ -101,8 +103,8 @@ impl RecordedLog {
         format!("{:08}.BIN", self.number)
     }
 
-    /// The length of its file, without building it.
-    pub(crate) fn len(&self, parameters: &Parameters) -> usize {
+    /// How long its file is, without making it.
+    pub(crate) fn len(&self) -> usize {
         let groups = [
             (self.groups.gps, GPS),
             (self.groups.gps, POSITION),
@@ -116,7 +118,7 @@ impl RecordedLog {
             .map(|(_, kind)| record_len(kind))
             .sum();
         FORMATS.len() * record_len(FORMAT)
-            + usize::from(parameters.count()) * record_len(PARAMETER)
+            + usize::from(self.parameters.count()) * record_len(PARAMETER)
             + self.samples.len() * sample
             + self.modes.len() * record_len(MODE)
             + self.events.len() * record_len(EVENT)
@@ -124,13 +126,14 @@ impl RecordedLog {
     }
 
     /// Its file: formats, parameters, then what happened, in order of time.
-    pub(crate) fn file(&self, parameters: &Parameters) -> Vec<u8> {
-        let mut file = LogFile(Vec::with_capacity(self.len(parameters)));
+    pub(crate) fn file(&self) -> Vec<u8> {
+        let mut file = LogFile(Vec::with_capacity(self.len()));
         for (kind, length, name, format, columns) in FORMATS {
             let record = file.begin(FORMAT).bytes(&[*kind, *length]);
             record.text(name, 4).text(format, 16).text(columns, 64);
         }
         let begin_ms = self.begin_ms();
+        let parameters = &self.parameters;
         for parameter in (0..parameters.count()).filter_map(|index| parameters.at(index)) {
             let default = Parameters::default_at(parameter.index);
             let record = file.record(PARAMETER, begin_ms).text(parameter.name, 16);
@@ -294,6 +297,7 @@ mod tests {
                 gps: true,
                 battery: true,
             },
+            parameters: Parameters::new(1),
             boot_utc_ms: 1_767_225_600_000,
             samples: vec![LogSample::default(); 3],
             modes: vec![(0, 4)],
@@ -321,9 +325,8 @@ mod tests {
 
     #[test]
     fn the_file_is_made_of_whole_records_and_as_long_as_announced() {
-        let parameters = Parameters::new(1);
-        let file = log().file(&parameters);
-        assert_eq!(file.len(), log().len(&parameters));
+        let file = log().file();
+        assert_eq!(file.len(), log().len());
         let mut at = 0;
         while at < file.len() {
             assert_eq!(file[at..at + 2], HEAD, "at {at}");

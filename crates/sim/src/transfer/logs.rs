@@ -56,7 +56,7 @@ pub(super) fn entries(vehicle: &Vehicle) -> Vec<FolderEntry> {
     let kept = vehicle.log.kept();
     let mut entries: Vec<_> = kept
         .iter()
-        .map(|log| FolderEntry::file(&log.file_name(), log.len(&vehicle.parameters)))
+        .map(|log| FolderEntry::file(&log.file_name(), log.len()))
         .collect();
     entries.extend(file(vehicle, LAST_LOG).map(|text| FolderEntry::file(LAST_LOG, text.len())));
     entries
@@ -71,7 +71,7 @@ pub(super) fn file(vehicle: &Vehicle, name: &str) -> Option<Vec<u8>> {
             .map(|log| format!("{}\n", log.number).into_bytes());
     }
     let log = kept.iter().find(|log| log.file_name() == name)?;
-    Some(log.file(&vehicle.parameters))
+    Some(log.file())
 }
 
 /// Whether a message belongs to the protocol.
@@ -157,7 +157,7 @@ impl Talk<'_> {
                 .checked_sub(1)
                 .and_then(|index| kept.get(index));
             let time_utc_ms = log.map_or(0, |log| log.boot_utc_ms + u64::from(log.begin_ms()));
-            let size = log.map_or(0, |log| log.len(&vehicle.parameters)) as u32;
+            let size = log.map_or(0, |log| log.len()) as u32;
             let entry = Writer::default()
                 .word((time_utc_ms / 1000) as u32)
                 .word(size)
@@ -186,7 +186,7 @@ impl Talk<'_> {
         let Some(number) = log.map(|log| log.number) else {
             return;
         };
-        let size = vehicle.log.open(number, &vehicle.parameters);
+        let size = vehicle.log.open(number);
         self.transfers.download.sending = Some(Sending {
             peer: self.peer,
             begun_at: vehicle.uptime(),
