@@ -11,6 +11,7 @@ use mavlink::dialects::ardupilotmega::{
 
 use super::tree::FolderEntry;
 use super::{Peer, Talk};
+use crate::flight_log::RecordedLog;
 use crate::payload::{Payload, Writer};
 use crate::vehicle::Vehicle;
 
@@ -157,7 +158,7 @@ impl Talk<'_> {
                 .checked_sub(1)
                 .and_then(|index| kept.get(index));
             let time_utc_ms = log.map_or(0, |log| log.boot_utc_ms + u64::from(log.begin_ms()));
-            let size = log.map_or(0, |log| log.len()) as u32;
+            let size = log.map_or(0, RecordedLog::len) as u32;
             let entry = Writer::default()
                 .word((time_utc_ms / 1000) as u32)
                 .word(size)
