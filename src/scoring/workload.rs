@@ -240,7 +240,7 @@ mod tests {
         let report = course(120).report(&at(&[30, 40, 60, 110]));
         // From 29 to 60 and from 109 to 110 s.
         let shares = [
-            0.0, 0.0, 0.0, 0.02, 0.18, 0.35, 0.52, 0.52, 0.52, 0.52, 0.33, 0.18, 0.02,
+            0.0, 0.0, 0.0, 0.02, 0.18, 0.35, 0.52, 0.52, 0.52, 0.5, 0.33, 0.18, 0.02,
         ];
         assert_eq!(report.utilisation, shares);
         assert_eq!(report.interaction_s.last(), Some(&32.0));

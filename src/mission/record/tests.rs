@@ -318,7 +318,7 @@ fn a_record_that_is_older_than_careers_was_practice_with_the_missions_own_drones
 
 /// The verbs that a record may name. A record outlives the table: where a verb gets another name, the old one has to
 /// stay readable ([`language::verb`]) before it is changed here.
-const RECORDED_VERBS: [&str; 41] = [
+const RECORDED_VERBS: [&str; 42] = [
     "altitude",
     "arm",
     "disarm",
@@ -335,6 +335,7 @@ const RECORDED_VERBS: [&str; 41] = [
     "interval",
     "kill",
     "land",
+    "logs",
     "long",
     "mark",
     "mode",

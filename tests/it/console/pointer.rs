@@ -43,14 +43,14 @@ fn the_help_narrows_to_what_is_searched_for_until_esc_clears_it() {
     let mut console = Console::flying(1);
     console.press("?");
     let whole = console.screen(120, 40);
-    assert!(whole.contains("leave the program"), "{whole}");
+    assert!(whole.contains("open the command line"), "{whole}");
     console.press("/").write("takeoff");
     let found = console.screen(120, 40);
     assert!(
         found.contains("/takeoff_") && found.contains("climb"),
         "{found}"
     );
-    assert!(!found.contains("leave the program"), "{found}");
+    assert!(!found.contains("open the command line"), "{found}");
     console.press("enter");
     assert!(
         console.screen(120, 40).contains("/takeoff "),
