@@ -103,11 +103,12 @@ debrief-not-flown = Nothing counts before the first takeoff.
 debrief-next-same = Fly this mission again.
 
 debrief-workload = WORKLOAD   (shown, not scored)
-workload-title = Workload
+workload-title = workload
 workload-busy = busy
+workload-alone = alone
 workload-waiting = waiting
 workload-answers = your word
-workload-how = busy with commands in the last minute, in tenths; drones that wait; your answers from 1 to 5
+workload-how = busy with commands in the last minute, in tenths; drones that worked by themselves in it; drones that wait; your answers from 1 to 5
 workload-figures = from { $commands ->
         [one] { $commands } command
        *[other] { $commands } commands

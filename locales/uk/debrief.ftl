@@ -103,11 +103,12 @@ debrief-not-flown = До першого зльоту нічого не зара�
 debrief-next-same = Виконайте це завдання ще раз.
 
 debrief-workload = ЗАВАНТАЖЕНІСТЬ   (не оцінюється)
-workload-title = Завантаженість
-workload-busy = зайняті
+workload-title = завантаженість
+workload-busy = зайнято
+workload-alone = без нагляду
 workload-waiting = чекають
-workload-answers = самі
-workload-how = частка останньої хвилини, зайнята командами, у десятих; скільки дронів чекає; ваші відповіді від 1 до 5
+workload-answers = відповіді
+workload-how = частка останньої хвилини, зайнята командами, у десятих; скільки дронів тоді працювало без нагляду; скільки дронів чекає; ваші відповіді від 1 до 5
 workload-figures = команд: { $commands }; ви були зайняті { $interaction } s; дрони разом працювали самостійно { $neglect } s і чекали { $wait } s
 workload-overloaded = зайнятість понад 70 % протягом хвилини чи довше: { $stretches }
 workload-answered = ви відповіли на запитання про завантаженість: { $answers } з { $questions }

@@ -15,6 +15,7 @@ const LABEL: usize = 11;
 const STRIP: usize = 60;
 /// Utilisation is shown in tenths.
 const TENTHS: f64 = 10.0;
+const MINUTE_S: f64 = 60.0;
 
 /// The curves of the workload as lines of text, one above the other.
 #[derive(Debug, Clone, Copy)]
@@ -37,6 +38,7 @@ impl WorkloadStrips<'_> {
         let waiting: Vec<char> = waiting.map(|count| digit(u32::from(*count))).collect();
         let mut lines = vec![
             self.line("workload-busy", &self.spread(&busy)),
+            self.line("workload-alone", &self.spread(&self.alone())),
             self.line("workload-waiting", &self.spread(&waiting)),
         ];
         if !workload.answers.is_empty() {
@@ -44,6 +46,18 @@ impl WorkloadStrips<'_> {
         }
         lines.push(self.scale());
         lines
+    }
+
+    /// Neglect: how many vehicles worked by themselves in the last minute, on average.
+    fn alone(&self) -> Vec<char> {
+        let neglect_s = &self.workload.neglect_s;
+        let points = (MINUTE_S / self.workload.every_s.max(1.0)) as usize;
+        let mean = |(at, now_s): (usize, &f64)| {
+            let from = at.saturating_sub(points);
+            let passed_s = (at - from).max(1) as f64 * self.workload.every_s;
+            digit(((now_s - neglect_s[from]) / passed_s.max(1.0)).round() as u32)
+        };
+        neglect_s.iter().enumerate().map(mean).collect()
     }
 
     fn cells(&self) -> usize {

@@ -318,7 +318,11 @@ fn without_utf_8_in_the_locale_a_debrief_is_english_too() {
         let output = Command::new(&program[0])
             .args(&program[1..])
             .args(["run", "missions/01-air-sample.toml", "--lang", "uk"])
-            .args(["--pilot", "missions/pilots/01-air-sample.pilot"])
+            .args([
+                "--pilot",
+                "missions/pilots/01-air-sample.pilot",
+                "--no-record",
+            ])
             .env("LC_ALL", locale)
             .output()
             .expect("the program runs");
