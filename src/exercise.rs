@@ -17,6 +17,7 @@ use crate::notice::Notice;
 use crate::operator::Operator;
 use crate::record::{FlightLog, Happening, NoticeLine, RowLine};
 use crate::session::{Report, Session};
+use crate::swarm::Path;
 use crate::text;
 use crate::vehicle::{Severity, VehicleId, Vehicles};
 use crate::wire::{
@@ -60,6 +61,8 @@ pub struct Exercise<L = LockStep> {
     places: BTreeMap<String, LatLon>,
     areas: BTreeMap<String, Outline>,
     notices: Vec<Notice>,
+    /// The paths of joint manoeuvres that were recorded last.
+    paths: Vec<Path>,
     /// For how long the sessions had talked when the mission began.
     prelude: Duration,
     /// What is recorded of it, if anything is.
@@ -148,6 +151,7 @@ impl<L> Exercise<L> {
             areas: mission.named_areas(),
             driver,
             notices: Vec::new(),
+            paths: Vec::new(),
             prelude: Duration::ZERO,
             log: None,
         }

@@ -26,7 +26,7 @@ mod line;
 
 pub use flight_log::{FlightLog, push_frame};
 pub use inputs::{Entered, Frames, InputLine, InputLog, InputsHead, StoredInputs, fingerprint};
-pub use line::{EntryLine, Happening, JournalLine, LossLine, NoticeLine, RowLine};
+pub use line::{EntryLine, Happening, JournalLine, LossLine, NoticeLine, PathLine, RowLine};
 
 /// The version of the journal's format.
 const VERSION: u32 = 1;
@@ -190,6 +190,7 @@ impl Journal {
             | Happening::Row(_)
             | Happening::Notice(_)
             | Happening::Loss(_)
+            | Happening::Paths(_)
             | Happening::Speedup { .. }
             | Happening::Bookmark { .. }
             | Happening::End => None,
@@ -210,6 +211,7 @@ impl Journal {
             | Happening::Row(_)
             | Happening::Notice(_)
             | Happening::Loss(_)
+            | Happening::Paths(_)
             | Happening::Speedup { .. }
             | Happening::Mission { .. }
             | Happening::End => None,

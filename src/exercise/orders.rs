@@ -8,7 +8,7 @@ use crate::diagnostic::Diagnostic;
 use crate::language::{Context, Statement};
 use crate::notice::Notice;
 use crate::operator::{self, Dispatch, OperatorScene};
-use crate::record::{EntryLine, Happening};
+use crate::record::{EntryLine, Happening, PathLine};
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 
@@ -17,6 +17,12 @@ impl<L> Exercise<L> {
     pub(super) fn conduct(&mut self, now: Duration) {
         for work in self.operator.conduct(&self.vehicles, now) {
             self.dispatch(work, now);
+        }
+        // Only the record shows paths.
+        let paths = self.log.as_ref().map(|_| self.operator.paths());
+        if let Some(paths) = paths.filter(|paths| *paths != self.paths) {
+            self.note_down(now, || Happening::Paths(PathLine::all(&paths)));
+            self.paths = paths;
         }
     }
 

@@ -7,10 +7,12 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::alert::AlertKind;
 use crate::commands::Order;
+use crate::geo::LatLon;
 use crate::language;
 use crate::ledger::{EntryId, LedgerRow, Risk, RowState, RowUpdate};
 use crate::notice::Notice;
 use crate::session::{RadioFault, Want};
+use crate::swarm::Path;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 use crate::verb::Verb;
@@ -61,6 +63,8 @@ pub enum Happening {
     Notice(NoticeLine),
     /// The radio between a vehicle and the console is like this from now on.
     Loss(LossLine),
+    /// The paths of joint manoeuvres have changed: those of all vehicles that are led.
+    Paths(Vec<PathLine>),
     /// The speed-up over the wall clock has changed.
     Speedup { rate: f64 },
     /// The mission was stepped up to this time of its own clock.
@@ -196,6 +200,37 @@ impl Happening {
         match want {
             Want::Radio(fault) => Some(Self::Loss(LossLine::of(vehicle, fault))),
             Want::Parameter { .. } => None,
+        }
+    }
+}
+
+/// The path on which a joint manoeuvre leads a vehicle.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PathLine {
+    pub vehicle: VehicleId,
+    /// The points ahead, the next first: latitude and longitude in degrees.
+    pub points: Vec<[f64; 2]>,
+}
+
+impl PathLine {
+    /// The lines of all paths.
+    pub fn all(paths: &[Path]) -> Vec<Self> {
+        let line = |path: &Path| {
+            let points = path.points.iter().map(|at| [at.lat_deg, at.lon_deg]);
+            Self {
+                vehicle: path.vehicle,
+                points: points.collect(),
+            }
+        };
+        paths.iter().map(line).collect()
+    }
+
+    /// The path of a line.
+    pub fn path(&self) -> Path {
+        let points = self.points.iter();
+        Path {
+            vehicle: self.vehicle,
+            points: points.map(|&[lat, lon]| LatLon::new(lat, lon)).collect(),
         }
     }
 }

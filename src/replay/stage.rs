@@ -13,7 +13,7 @@ use crate::inspector::{Census, FrameWay};
 use crate::ledger::{EntryId, RowUpdate};
 use crate::link::{LinkState, TlogPiece, TlogRecord, TlogSalvage};
 use crate::notice::Notice;
-use crate::record::{EntryLine, Happening, JournalLine, LossLine};
+use crate::record::{EntryLine, Happening, JournalLine, LossLine, PathLine};
 use crate::session::{Want, autopilot_of};
 use crate::text::Text;
 use crate::wire::{Decoder, GROUND_STATION_SYSTEM, SystemId};
@@ -283,6 +283,10 @@ impl Stage {
                 Happening::Mission { ms } => {
                     let elapsed = Duration::from_millis(*ms);
                     events.extend(self.fly(elapsed, line.at()));
+                }
+                Happening::Paths(paths) => {
+                    let paths = paths.iter().map(PathLine::path).collect();
+                    events.push(VehicleEvent::Paths(paths).into());
                 }
                 // No frame came after it in this step.
                 Happening::Loss(loss) => self.cast.change_radio(loss),

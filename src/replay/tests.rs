@@ -9,7 +9,7 @@ use crate::app::State;
 use crate::ledger::RowState;
 use crate::link::TlogWriter;
 use crate::moment::MomentKind;
-use crate::record::{EntryLine, Happening, Head, JournalLine, RowLine, Subject};
+use crate::record::{EntryLine, Happening, Head, JournalLine, PathLine, RowLine, Subject};
 use crate::sim::{PortId, Start, World, WorldConfig};
 use crate::wire::{Decoder, Encoder};
 use mavlink::dialects::ardupilotmega::{
@@ -142,16 +142,22 @@ fn write_journal(frames: &std::path::Path) {
             why: Some("it is tired".to_owned()),
         })
     };
+    let path = PathLine {
+        vehicle: 1,
+        points: vec![[50.46, 30.52]],
+    };
     let lines = [
         (s(6), Happening::Entry(entry)),
         (s(6), row(RowState::Sent)),
         (s(7), row(RowState::Refused)),
+        (s(8), Happening::Paths(vec![path])),
         (
             s(12),
             Happening::Bookmark {
                 text: "here".to_owned(),
             },
         ),
+        (s(38), Happening::Paths(Vec::new())),
         (s(40), Happening::End),
     ];
     let mut text = head.to_line();
@@ -183,12 +189,13 @@ fn known(state: &State) -> String {
     let session = state.session();
     let trails = state.rooms().map().trails();
     format!(
-        "{:?}\n{:#?}\n{:#?}\n{:?}\n{:?}\n{trails:?}",
+        "{:?}\n{:#?}\n{:#?}\n{:?}\n{:?}\n{:?}\n{trails:?}",
         state.now(),
         session.vehicles(),
         session.ledger(),
         state.notices().lines().collect::<Vec<_>>(),
         session.alarms(),
+        session.paths(),
     )
 }
 
@@ -233,6 +240,17 @@ fn a_moment_is_the_same_by_whatever_way_one_comes_to_it() {
             Ok(())
         })
         .expect("all moments are alike");
+}
+
+#[test]
+fn paths_of_joint_manoeuvres_are_those_of_the_moment() {
+    let recorded = record();
+    let (mut replay, mut observer) = watched(&recorded);
+    for (at, count) in [(30, 1), (5, 0), (9, 1), (39, 0), (37, 1)] {
+        seek(&mut replay, &mut observer, s(at));
+        let paths = observer.app().state().session().paths().len();
+        assert_eq!(paths, count, "at {at} s");
+    }
 }
 
 #[test]

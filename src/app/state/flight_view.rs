@@ -117,6 +117,11 @@ impl Activity {
 }
 
 impl FlightView {
+    /// The planned paths of vehicles in a joint manoeuvre.
+    pub fn paths(&self) -> &[Path] {
+        &self.paths
+    }
+
     /// A session that has just begun.
     pub fn new(activity: Activity, places: BTreeMap<String, LatLon>) -> Self {
         Self {

@@ -7,7 +7,7 @@ use crate::app::event::{Started, VehicleEvent};
 use crate::app::state::Activity;
 use crate::fleet::FleetClock;
 use crate::link::{FrameSink, InputSink};
-use crate::record::{Happening, Head, JournalLine, RowLine, Subject};
+use crate::record::{Happening, Head, JournalLine, PathLine, RowLine, Subject};
 use crate::store::{Recording, Records, utc};
 use crate::text;
 use crate::text::Text;
@@ -135,10 +135,10 @@ impl Drop for FlightRecorder {
 pub(super) fn happening(event: &VehicleEvent) -> Option<Happening> {
     match event {
         VehicleEvent::Row(row) => Some(Happening::Row(RowLine::of(row))),
+        VehicleEvent::Paths(paths) => Some(Happening::Paths(PathLine::all(paths))),
         // Orders are noted when they are given.
         VehicleEvent::Telemetry(_)
         | VehicleEvent::Parameters { .. }
-        | VehicleEvent::Paths(_)
         | VehicleEvent::Given { .. } => None,
     }
 }
